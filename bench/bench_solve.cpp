@@ -1,4 +1,4 @@
-// Whole solves, input to result, influence tables included. Each case reports its error beside its time.
+// Whole solves from input to result, including influence tables. Each case reports its error and its time.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using namespace viscoroll;
 
 double relative_error(double value, double reference) { return std::abs(value / reference - 1.0); }
 
-/// What it took.
+/// Report the effort of a solve.
 void count(const Result& result, benchmark::State& state) {
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
   state.counters["iterations"] = result.iterations;
@@ -25,13 +25,13 @@ void count(const Result& result, benchmark::State& state) {
   state.counters["window"] = result.phi_nodes;
 }
 
-/// With the curvature of the paper, as all numbers that errors are taken from.
+/// Options with the curvature of the paper, to which all reference values belong.
 Options options_for(const Mesh& mesh, Compliance compliance) {
   return {.mesh = mesh, .compliance = compliance, .curvature = Curvature::paper};
 }
 
-/// The paper's example against the independent computation of docs/theory/reference-values.md, known to five digits [N
-/// m].
+/// The paper's example, compared with the independent computation of docs/theory/reference-values.md, which has five
+/// digits [N m].
 void paper_example(benchmark::State& state, int nodes, int order, Compliance compliance, double reference) {
   const CoatedSphere sphere = cases::paper_sphere();
   const Options options = options_for({nodes, order}, compliance);
@@ -42,8 +42,8 @@ void paper_example(benchmark::State& state, int nodes, int order, Compliance com
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
 }
 
-/// All entries of the paper's table 2, one solve each; the error is the largest against the printed numbers, 0.3 % of
-/// which is the paper's lever arm.
+/// All entries of the paper's table 2, one solve each. The error is the largest relative to the printed numbers; the
+/// moment arm of the paper contributes 0.3 %.
 void table_2(benchmark::State& state) {
   const CoatedSphere sphere = cases::paper_sphere();
   double error = 0.0;
@@ -57,7 +57,7 @@ void table_2(benchmark::State& state) {
   state.counters["error"] = error;
 }
 
-/// Coatings whose compliance depends on both orders; the error is the power balance.
+/// Coatings whose compliance depends on both orders; the error is that of the power balance.
 void order_by_order(benchmark::State& state, const CoatedSphere& sphere, std::optional<int> max_order) {
   const Options options{.mesh = Mesh{500, max_order}, .compliance = Compliance::vertical};
   Result result;
@@ -66,7 +66,7 @@ void order_by_order(benchmark::State& state, const CoatedSphere& sphere, std::op
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
 }
 
-/// The same with no mesh given.
+/// The same coatings with a prescribed accuracy in place of a mesh.
 void order_by_order_to_accuracy(benchmark::State& state, const CoatedSphere& sphere, double angular_speed,
                                 double accuracy) {
   Result result;
@@ -75,8 +75,8 @@ void order_by_order_to_accuracy(benchmark::State& state, const CoatedSphere& sph
   count(result, state);
 }
 
-/// The paper's example on fine meshes, a cold start; `nodes` are chosen for a window of 512, 1024 or 2048 nodes along a
-/// side, of which the contact takes up 0.58. The error is against the converged torque [N m].
+/// The paper's example on fine meshes from a cold start. `nodes` give a window of 512, 1024 or 2048 nodes per side, of
+/// which the contact covers 0.58. The error is relative to the converged torque [N m].
 void fine_rolling(benchmark::State& state, int nodes, Compliance compliance, double reference) {
   const CoatedSphere sphere = cases::paper_sphere();
   const Options options = options_for({.nodes_per_revolution = nodes}, compliance);
@@ -86,7 +86,7 @@ void fine_rolling(benchmark::State& state, int nodes, Compliance compliance, dou
   count(result, state);
 }
 
-/// Friction of 0.3 on a window of 256 nodes along a side, from a cold start; the error is the power balance.
+/// Friction of 0.3 on a window of 256 nodes per side, from a cold start; the error is that of the power balance.
 void fine_friction(benchmark::State& state, int nodes) {
   const CoatedSphere sphere = cases::paper_sphere();
   const Options options{.mesh = Mesh{.nodes_per_revolution = nodes}};
@@ -96,7 +96,7 @@ void fine_friction(benchmark::State& state, int nodes) {
   count(result, state);
 }
 
-/// No mesh given: the error is against the converged torque [N m].
+/// Prescribed accuracy; the error is relative to the converged torque [N m].
 void to_accuracy(benchmark::State& state, double accuracy, Compliance compliance, double reference) {
   const CoatedSphere sphere = cases::paper_sphere();
   Result result;
@@ -109,7 +109,7 @@ void to_accuracy(benchmark::State& state, double accuracy, Compliance compliance
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
 }
 
-/// A strong memory, refined to 0.1 %; the error is the power balance.
+/// A strong memory, refined to 0.1 %; the error is that of the power balance.
 void kelvin_voigt(benchmark::State& state, double viscosity, const LoadCase& rolling, Compliance compliance) {
   const CoatedSphere sphere = cases::kelvin_voigt(viscosity);
   Result result;
@@ -118,8 +118,8 @@ void kelvin_voigt(benchmark::State& state, double viscosity, const LoadCase& rol
   count(result, state);
 }
 
-/// Friction from a cold start at Omega = 0.2 rad/s (section 14.3 of the paper), one coefficient; the error is the power
-/// balance.
+/// Friction from a cold start at Omega = 0.2 rad/s (section 14.3 of the paper), for one coefficient; the error is that
+/// of the power balance.
 void friction(benchmark::State& state, double coefficient, int nodes) {
   const CoatedSphere sphere = cases::paper_sphere();
   const Options options = options_for({nodes, nodes}, Compliance::vertical);
@@ -131,8 +131,8 @@ void friction(benchmark::State& state, double coefficient, int nodes) {
   count(result, state);
 }
 
-/// A ball of which half the radius is coating, on the exact sphere or with what another curvature keeps of it; the
-/// error is against the exact sphere's torque on meshes of up to 1600 nodes per revolution [N m].
+/// A ball whose coating takes up half of the radius, on the exact sphere or with an approximate curvature. The error is
+/// relative to the torque of the exact sphere on meshes of up to 1600 nodes per revolution [N m].
 void thick_coating(benchmark::State& state, Curvature curvature, int nodes, double coefficient, double reference) {
   const CoatedSphere sphere = cases::thick_coating();
   const Options options{
@@ -146,7 +146,7 @@ void thick_coating(benchmark::State& state, Curvature curvature, int nodes, doub
   count(result, state);
 }
 
-/// Sixteen coefficients from 0.01 to 2 on one set of tables; the error is the largest power balance.
+/// Sixteen coefficients from 0.01 to 2 with one set of tables; the error is the largest of the power balance.
 void friction_sweep(benchmark::State& state) {
   double error = 0.0;
   for (auto _ : state) {
@@ -160,8 +160,8 @@ void friction_sweep(benchmark::State& state) {
   state.counters["error"] = error;
 }
 
-/// 200 speeds from 0.05 to 25 rad/s by ten loads from 10 to 100 N at pi/250, a speed to a thread; the error is that of
-/// the paper's example, which is one of them.
+/// 200 speeds from 0.05 to 25 rad/s and ten loads from 10 to 100 N at pi/250, with one speed per thread; the error is
+/// that of the paper's example, which is one of the cases.
 void speed_sweep(benchmark::State& state) {
   constexpr int kExample = 125;  // number of the example's speed
   const CoatedSphere sphere = cases::paper_sphere();
@@ -190,13 +190,13 @@ void speed_sweep(benchmark::State& state) {
     for (int i = 0; i < core_count(); ++i) threads.emplace_back(work);
   }
   state.counters["error"] = relative_error(torque, 11.348e-3);
-  state.counters["contact_nodes"] = contact_nodes.load() / 2000.0;  // on average
+  state.counters["contact_nodes"] = contact_nodes.load() / 2000.0;  // average
   state.counters["iterations"] = iterations.load();
   state.counters["operator_applications"] = applications.load();
 }
 
-/// A crowned wheel to 1 %, of a tread that was not there before; the error is against the torque of fine meshes [N m],
-/// or without it the power balance.
+/// A crowned wheel to 1 % with a new tread. The error is relative to the torque of fine meshes [N m], or without it
+/// that of the power balance.
 void wheel(benchmark::State& state, Sides sides, std::optional<double> reference) {
   Result result;
   int number = 0;
@@ -209,7 +209,8 @@ void wheel(benchmark::State& state, Sides sides, std::optional<double> reference
   count(result, state);
 }
 
-/// The same under loads from 400 to 600 N, of a tread that has rolled before; the error is the power balance.
+/// The same wheel under loads from 400 to 600 N, with a tread that is in the store; the error is that of the power
+/// balance.
 void wheel_next_load(benchmark::State& state, Sides sides) {
   const CoatedWheel tread = cases::crowned_wheel(sides);
   LoadCase rolling = cases::kWheelRolling;
@@ -223,7 +224,7 @@ void wheel_next_load(benchmark::State& state, Sides sides) {
   count(result, state);
 }
 
-/// Twenty speeds from 0.25 to 25 rad/s of a tread that was not there before; the error is the largest power balance.
+/// Twenty speeds from 0.25 to 25 rad/s with a new tread; the error is the largest of the power balance.
 void wheel_speeds(benchmark::State& state, Sides sides) {
   double error = 0.0;
   int number = 1000;
@@ -237,7 +238,7 @@ void wheel_speeds(benchmark::State& state, Sides sides) {
   state.counters["error"] = error;
 }
 
-/// The paper's example at pi/800, solved outside the clock.
+/// The paper's example at pi/800, solved outside the timed region.
 struct SolvedExample {
   CoatedSphere sphere = cases::paper_sphere();
   Options options{.mesh = Mesh{.nodes_per_revolution = 1600}};
@@ -246,8 +247,8 @@ struct SolvedExample {
 };
 
 /// Fields at ten depths, 0.1 h to h, on all nodes of the window; the error is that of the largest pressure on the core
-/// or the base, by an independent computation.
-/// @param[in] surface,bottom where the layer begins and ends [m]
+/// or the base, relative to an independent computation.
+/// @param[in] surface,bottom positions of the faces of the layer [m]
 void fields_at_depths(benchmark::State& state, const LayeredShape& shape, const Tractions& tractions, double surface,
                       double bottom, double angular_speed, double pressure_below) {
   std::vector<double> positions;
@@ -271,13 +272,13 @@ void fields_at_depths(benchmark::State& state, const LayeredShape& shape, const 
   state.counters["nodes"] = static_cast<double>(size);
 }
 
-/// Of the example, -7.41 MPa on the core (three digits).
+/// Example of the paper, -7.41 MPa on the core (three digits).
 void fields_inside(benchmark::State& state) {
   const SolvedExample example;
   fields_at_depths(state, example.sphere, example.tractions, 21e-3, example.sphere.core_radius, 2.5, -7.41e6);
 }
 
-/// Of a mat of the example's layer under a rigid ball as large, -7.40 MPa on the base (three digits).
+/// A mat with the example's layer under a rigid ball of the same size, -7.40 MPa on the base (three digits).
 void fields_inside_mat(benchmark::State& state) {
   const CoatedSphere ball{.core_radius = 21e-3};
   const CoatedPlane mat{.layers = cases::paper_sphere(0.0).layers};
@@ -288,7 +289,7 @@ void fields_inside_mat(benchmark::State& state) {
   fields_at_depths(state, mat, tractions, 0.0, -1e-3, 2.5, -7.40e6);
 }
 
-/// Of a roller of 50 + 10 mm of that material, -0.38140 MPa on the core (five digits).
+/// A roller of 50 + 10 mm of this material, -0.38140 MPa on the core (five digits).
 void fields_inside_roller(benchmark::State& state) {
   const CoatedCylinder roller{.core_radius = 50e-3, .layers = cases::paper_sphere(0.0, 10e-3).layers};
   const LoadCase rolling{.load = 5e3, .angular_speed = 1.0};
@@ -297,7 +298,7 @@ void fields_inside_roller(benchmark::State& state) {
   fields_at_depths(state, roller, tractions_of(roller, result, rolling, options), 60e-3, 50e-3, 1.0, -0.38140e6);
 }
 
-/// Loss density of all orders that matter; the error is what its volume integral differs from the power put in.
+/// Loss density of all relevant orders; the error is the difference between its volume integral and the power input.
 void loss_inside(benchmark::State& state) {
   const SolvedExample example;
   LossDensity loss;
@@ -305,9 +306,9 @@ void loss_inside(benchmark::State& state) {
   state.counters["error"] = relative_error(loss.volume_power, loss.surface_power);
 }
 
-/// A revolution at 2.5 rad/s from a fresh start; tables are made before. The error is that of the torque of the steady
-/// state, as of `kRadialTorque`, averaged over the last spacing; with friction by the limit of meshes of 1600 and 3200
-/// nodes per revolution.
+/// A revolution at 2.5 rad/s from a fresh start, without the time of the tables. The error is that of the steady
+/// torque, `kRadialTorque`, averaged over the last spacing; with friction, it is relative to the limit of meshes of
+/// 1600 and 3200 nodes per revolution.
 void revolution(benchmark::State& state, int nodes, int lattices, int threads, double friction = 0.0,
                 double steady_torque = 11.3867e-3) {
   constexpr double kSpeed = 2.5;
@@ -328,8 +329,9 @@ void revolution(benchmark::State& state, int nodes, int lattices, int threads, d
   state.counters["steps_per_second"] = benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// The first `turn` [rad] of a body that has borne its load for ever, on one lattice and one thread; tables are made
-/// before. The error is that of the moment over the last spacing, against the steady one of an independent program.
+/// The first `turn` [rad] of a body that has supported its load permanently, on one mesh and one thread, without the
+/// time of the tables. The error is that of the moment over the last spacing, relative to the steady moment of an
+/// independent program.
 void start_rolling(benchmark::State& state, const RollingBody& body, const Counterpart& on, const LoadCase& rolling,
                    int nodes, double turn, double steady_moment) {
   const RollingHistory still(body, on, rolling.load, Start::relaxed,
@@ -352,7 +354,7 @@ void start_rolling(benchmark::State& state, const RollingBody& body, const Count
 
 const CoatedSphere kSteel{.core_radius = 21e-3, .layers = {}};
 const LoadCase kRubbing{.load = 100.0, .angular_speed = 2.5, .friction = 0.3};
-constexpr double kFiftyMillimeters = 50.0 / 21.0;  // of the steel ball's way [rad]
+constexpr double kFiftyMillimeters = 50.0 / 21.0;  // travel of the steel ball [rad]
 
 constexpr auto kUnit = benchmark::kMillisecond;
 
@@ -371,7 +373,7 @@ BENCHMARK_CAPTURE(order_by_order, unlike_layers, cases::unlike_layers(), 500)->U
 BENCHMARK_CAPTURE(order_by_order, unlike_layers_all_orders, cases::unlike_layers(), std::nullopt)
     ->Unit(kUnit)
     ->UseRealTime();
-// Mach number squared of 0.5 (docs/theory/inertia.md): the series in it no longer serves.
+// The squared Mach number is 0.5 (docs/theory/inertia.md), where its series is not applicable.
 BENCHMARK_CAPTURE(order_by_order, fast_rolling, cases::paper_sphere(0.45 * 6e6 / (2.5 * 2.5 * 20e-3 * 20e-3), 5e-3),
                   500)
     ->Unit(kUnit)
@@ -392,7 +394,7 @@ BENCHMARK_CAPTURE(friction, mu_001_pi_250, 0.01, 500)->Unit(kUnit)->UseRealTime(
 BENCHMARK_CAPTURE(friction, mu_03_pi_400, 0.3, 800)->Unit(kUnit)->UseRealTime();
 BENCHMARK(friction_sweep)->Unit(kUnit)->UseRealTime()->Iterations(1);
 BENCHMARK(speed_sweep)->Unit(kUnit)->UseRealTime()->Iterations(1);
-// On meshes of 3200 nodes per revolution.
+// Result on meshes of 3200 nodes per revolution.
 constexpr double kEndlessWheelTorque = 247.82e-3;
 BENCHMARK_CAPTURE(wheel, endless, Sides::endless, kEndlessWheelTorque)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(wheel, free, Sides::free, std::nullopt)->Unit(kUnit)->UseRealTime();
@@ -400,7 +402,7 @@ BENCHMARK_CAPTURE(wheel_next_load, endless, Sides::endless)->Unit(kUnit)->UseRea
 BENCHMARK_CAPTURE(wheel_next_load, free, Sides::free)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(wheel_speeds, endless, Sides::endless)->Unit(kUnit)->UseRealTime()->Iterations(1);
 BENCHMARK_CAPTURE(wheel_speeds, free, Sides::free)->Unit(kUnit)->UseRealTime()->Iterations(1);
-// On meshes of 1600 nodes per revolution without friction and 800 with it.
+// Results on meshes of 1600 nodes per revolution without friction, and 800 with friction.
 constexpr double kThickTorque = 52.74e-3;
 constexpr double kThickFrictionTorque = 52.80e-3;
 BENCHMARK_CAPTURE(thick_coating, paper, Curvature::paper, 800, 0.0, kThickTorque)->Unit(kUnit)->UseRealTime();
@@ -415,7 +417,7 @@ BENCHMARK_CAPTURE(thick_coating, exact_400_friction, Curvature::exact, 400, 0.3,
     ->Unit(kUnit)
     ->UseRealTime();
 constexpr double kRadialTorque = 11.3867e-3;    // meshes of pi/6600 and finer
-constexpr double kVerticalTorque = 11.1854e-3;  // likewise
+constexpr double kVerticalTorque = 11.1854e-3;  // same meshes
 BENCHMARK_CAPTURE(to_accuracy, one_percent, 0.01, Compliance::vertical, kVerticalTorque)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(to_accuracy, one_thousandth, 1e-3, Compliance::vertical, kVerticalTorque)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(to_accuracy, one_thousandth_radial, 1e-3, Compliance::radial, kRadialTorque)
@@ -444,7 +446,8 @@ BENCHMARK_CAPTURE(revolution, 1000_one_lattice, 1000, 1, 1)->Unit(kUnit)->UseRea
 BENCHMARK_CAPTURE(revolution, 300, 300, 4, 2)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(revolution, 500, 500, 4, 2)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(revolution, 300_friction_one_lattice, 300, 1, 1, 0.3, 10.099e-3)->Unit(kUnit)->UseRealTime();
-// Q = M / r_o of 532.0 and M of 40.136 mN m are limits of three meshes, 2.4563 N of meshes of 500 to 2000 nodes.
+// Q = M / r_o of 532.0 and M of 40.136 mN m are limits of three meshes, and 2.4563 N is that of meshes of 500 to 2000
+// nodes.
 BENCHMARK_CAPTURE(start_rolling, ball_on_mat_300, kSteel, cases::mat(false), cases::kRolling, 300, kFiftyMillimeters,
                   532.0e-3 * 21e-3)
     ->Unit(kUnit)
@@ -453,7 +456,7 @@ BENCHMARK_CAPTURE(start_rolling, ball_on_unlike_layers_300, kSteel, cases::mat(t
                   kFiftyMillimeters, 40.136e-3)
     ->Unit(kUnit)
     ->UseRealTime();
-// With friction, limits of the steady solver on 800 to 3200 nodes; on its like a ball does not slip.
+// Limits of the steady solver with friction on 800 to 3200 nodes; a ball does not slip on an identical one.
 BENCHMARK_CAPTURE(start_rolling, ball_on_mat_300_friction, kSteel, cases::mat(false), kRubbing, 300, kFiftyMillimeters,
                   9.340e-3)
     ->Unit(kUnit)

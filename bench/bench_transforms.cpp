@@ -1,5 +1,5 @@
-// A product of a field with a spectrum, on a domain of so many points along a side and one core: most of what a fine
-// contact is solved by. The error is that of a field which is moved by a place in both directions.
+// Product of a field with a spectrum on a square domain and one core, which takes most of the time of solving a fine
+// contact. The error is that of a field shifted by one node in both directions.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The fixed cases of the benchmarks, with references for their errors.
+/// @brief Fixed cases of the benchmarks, with references for their errors.
 #pragma once
 
 #include <array>
@@ -17,14 +17,14 @@ inline viscoroll::CoatedSphere paper_sphere(double density = 1000.0, double thic
                       .density = density}}};
 }
 
-/// A coating that makes up half of the radius, 21 mm, of the same material.
+/// A coating that takes up half of the radius, 21 mm, of the same material.
 inline viscoroll::CoatedSphere thick_coating() {
   viscoroll::CoatedSphere sphere = paper_sphere(0.0, 10.5e-3);
   sphere.core_radius = 10.5e-3;
   return sphere;
 }
 
-/// Two layers that share no relaxation function.
+/// Two layers with different relaxation functions.
 inline viscoroll::CoatedSphere unlike_layers() {
   return {.core_radius = 20e-3,
           .layers = {{.thickness = 0.5e-3,
@@ -35,7 +35,7 @@ inline viscoroll::CoatedSphere unlike_layers() {
                       .poisson_ratio = 0.49}}};
 }
 
-/// A coating whose memory lasts for `viscosity` [Pa s] over 3 MPa.
+/// A coating with the retardation time `viscosity` [Pa s] / 3 MPa.
 inline viscoroll::CoatedSphere kelvin_voigt(double viscosity) {
   return {
       .core_radius = 20e-3,
@@ -53,7 +53,7 @@ inline viscoroll::CoatedSphere stiff_skin() {
            .poisson_ratio = 0.45}}};
 }
 
-/// The same with the skin measured at eight frequencies per decade.
+/// The same coating, with the skin measured at eight frequencies per decade.
 inline viscoroll::CoatedSphere measured_skin() {
   viscoroll::CoatedSphere sphere = stiff_skin();
   viscoroll::MasterCurve curve{.frequency = {0.0}};
@@ -66,8 +66,8 @@ inline viscoroll::CoatedSphere measured_skin() {
   return sphere;
 }
 
-/// A crowned wheel, 40 mm wide, whose contact is 37 mm wide under `kWheelRolling`; by a nanometer more of its tread it
-/// is another one each time, of which nothing is known yet.
+/// A crowned wheel, 40 mm wide, whose contact is 37 mm wide under `kWheelRolling`. Each `number` adds a nanometer to
+/// the tread, so that no stored data apply.
 inline viscoroll::CoatedWheel crowned_wheel(viscoroll::Sides sides, int number = 0) {
   return {.core_radius = 40e-3,
           .layers = {{.thickness = 10e-3 + 1e-9 * number,
@@ -79,7 +79,7 @@ inline viscoroll::CoatedWheel crowned_wheel(viscoroll::Sides sides, int number =
           .sides = sides};
 }
 
-/// A mat of the example's rubber on a rigid base, or of it over a softer one that forgets faster, half as thick each.
+/// A mat of the example's rubber on a rigid base, or half of it on a softer layer with a shorter relaxation time.
 inline viscoroll::CoatedPlane mat(bool unlike) {
   viscoroll::Layer layer = paper_sphere(0.0).layers.front();
   if (!unlike) return {.layers = {layer}};

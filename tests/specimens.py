@@ -1,4 +1,4 @@
-"""Bodies, materials and the command line, which many tests put to the test."""
+"""Bodies, materials and the command line that many tests share."""
 
 from __future__ import annotations
 
@@ -13,26 +13,26 @@ import pytest
 import viscoroll as vr
 from viscoroll.__main__ import main
 
-#: Of the paper's section 14.
+#: Material of the paper's section 14.
 RUBBER = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
 
 
 def one_layer(shear_modulus=RUBBER, *, thickness=1e-3, poisson_ratio=0.5, **others):
-    """Return a layer, of the paper's thickness and Poisson's ratio where these are not given."""
+    """Return a layer, by default with the paper's thickness and Poisson's ratio."""
     if "bulk_modulus" in others:
         poisson_ratio = None
     return vr.Layer(thickness=thickness, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio, **others)
 
 
 def coated_ball(shear_modulus=RUBBER, *, core_radius=20e-3, inner_boundary=vr.InnerBoundary.RIGID, **layer):
-    """Return a ball with one layer on the paper's core: that of the paper, but for its mass, where nothing is given."""
+    """Return a ball with one layer on the paper's core, by default the paper's ball without mass."""
     return vr.CoatedSphere(
         core_radius=core_radius, layers=[one_layer(shear_modulus, **layer)], inner_boundary=inner_boundary
     )
 
 
 def command(*arguments, cwd="."):
-    """Run the command line in this process, which spares its imports; return it as a program that has ended."""
+    """Run the command line in this process, which avoids new imports; return the completed process."""
     words = ["viscoroll", *map(str, arguments)]
     output, messages = io.StringIO(), io.StringIO()
     with (

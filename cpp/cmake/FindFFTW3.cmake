@@ -1,4 +1,4 @@
-# Finds the double-precision FFTW 3 library and defines the target FFTW3::fftw3.
+# Find the double-precision FFTW 3 library and define the target FFTW3::fftw3.
 find_path(FFTW3_INCLUDE_DIR NAMES fftw3.h)
 find_library(FFTW3_LIBRARY NAMES fftw3)
 

@@ -1,5 +1,5 @@
-# Finds the header of PocketFFT and defines the target PocketFFT::pocketfft. Packages of vcpkg, Fedora and Arch have it as
-# pocketfft_hdronly.h; the Python package pythran carries it as pocketfft.hpp.
+# Find the header of PocketFFT and define the target PocketFFT::pocketfft. Packages of vcpkg, Fedora and Arch contain it
+# as pocketfft_hdronly.h; the Python package pythran contains it as pocketfft.hpp.
 find_path(
     PocketFFT_INCLUDE_DIR
     NAMES pocketfft_hdronly.h pocketfft.hpp

@@ -1,4 +1,4 @@
-# What the library is built with. Where something is missing, the message names the packages that have it.
+# Find the libraries that the build needs. If one is missing, the message names packages that contain it.
 
 find_package(Eigen3 QUIET NO_MODULE)
 if(NOT Eigen3_FOUND OR Eigen3_VERSION VERSION_LESS 3.4)

@@ -1,4 +1,4 @@
-# viscoroll.pc, for builds without CMake. What a static library needs, its users link.
+# Write viscoroll.pc, for builds without CMake. For a static library it lists the dependencies that users must link.
 get_target_property(library_type viscoroll TYPE)
 set(pc_requires "")
 set(pc_libs "")
@@ -8,7 +8,7 @@ if(library_type STREQUAL "STATIC_LIBRARY")
         set(pc_requires fftw3)
     endif()
 endif()
-# Where it is found tells the prefix, which may be another one than was configured.
+# The prefix is relative to the folder of viscoroll.pc, so that the installed files can be moved.
 file(RELATIVE_PATH pc_prefix "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 foreach(directory IN ITEMS includedir libdir)
     string(TOUPPER ${directory} variable)

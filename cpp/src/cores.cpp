@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// "200000 100000" in version 2 of control groups: microseconds of processor time in each period; or "max 100000".
+/// Quota in version 2 of control groups: "200000 100000", the processor time in each period, both in microseconds, or
+/// "max 100000" without a limit.
 double quota_2(const fs::path& group) {
   double time = 0.0;
   double period = 0.0;
@@ -30,7 +31,7 @@ double quota_2(const fs::path& group) {
   return time > 0.0 && period > 0.0 ? time / period : kNoLimit;
 }
 
-/// The same in two files; without a limit the first holds -1.
+/// Quota in version 1 of control groups: the same two numbers in two files; without a limit the first contains -1.
 double quota_1(const fs::path& group) {
   double time = 0.0;
   double period = 0.0;
@@ -39,8 +40,8 @@ double quota_1(const fs::path& group) {
   return time > 0.0 && period > 0.0 ? time / period : kNoLimit;
 }
 
-/// The smallest quota of a group and of those above it. In a container the path may be that of the machine around it,
-/// where only the top is to be seen.
+/// Smallest quota of a group and its parents. In a container the path may be that of the host, of which only the root
+/// is visible.
 template <class Quota>
 double smallest_quota(const fs::path& hierarchy, fs::path group, const Quota& quota) {
   for (double smallest = kNoLimit;; group = group.parent_path()) {
@@ -53,7 +54,7 @@ double smallest_quota(const fs::path& hierarchy, fs::path group, const Quota& qu
 
 int usable_cores() {
 #ifdef __linux__
-  // A mask of 1024 cores at first; the system refuses one that is too short for the machine.
+  // The first mask has 1024 cores. The system call fails if the mask is too short for the machine.
   for (std::vector<cpu_set_t> mask(1); mask.size() <= 64; mask.resize(2 * mask.size())) {
     const std::size_t bytes = mask.size() * sizeof(cpu_set_t);
     if (sched_getaffinity(0, bytes, mask.data()) == 0) return CPU_COUNT_S(bytes, mask.data());
@@ -65,7 +66,7 @@ int usable_cores() {
 double granted_cores(const fs::path& root) {
   const fs::path mounts = root / "sys/fs/cgroup";
   double granted = kNoLimit;
-  // A line for each hierarchy, "number:controllers:group"; that of version 2 has no controllers.
+  // Each hierarchy has a line "number:controllers:group"; that of version 2 has no controllers.
   std::ifstream groups(root / "proc/self/cgroup");
   for (std::string line; std::getline(groups, line);) {
     const std::size_t first = line.find(':');

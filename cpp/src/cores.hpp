@@ -1,17 +1,17 @@
 /// @file
-/// @brief What `core_count` finds out.
+/// @brief The two limits from which `core_count` determines the number of cores.
 #pragma once
 
 #include <filesystem>
 
 namespace viscoroll::detail {
 
-/// @return cores that the calling thread may run on, at least 1
+/// @return number of cores in the affinity mask of the calling thread, at least 1
 [[nodiscard]] int usable_cores();
 
-/// @brief Time that the control groups of this process grant it, in cores.
-/// @param[in] root where the folders `proc` and `sys` lie
-/// @return the smallest quota of the process's group and of those above it, infinity where none is set
+/// @brief Processor time that the control groups grant to this process, in cores.
+/// @param[in] root folder that contains the folders `proc` and `sys`
+/// @return smallest quota of the process's group and its parents; infinity without a quota
 [[nodiscard]] double granted_cores(const std::filesystem::path& root);
 
 }  // namespace viscoroll::detail

@@ -1,8 +1,10 @@
 /// @file
-/// @brief Products of dense matrices by the best instruction set of the machine, chosen when the first one is asked
-/// for: most of the time that tables take goes into them. By AVX2 they are 3 times as fast as by SSE2, which all of
-/// their kind have. By AVX-512 they would be 4.2 times on a Xeon: a twentieth of what takes most of them, and on an
-/// EPYC nothing.
+/// @brief Products of dense matrices with the best instruction set of the machine.
+///
+/// The instruction set is selected at the first product. Influence tables spend most of their time in these products.
+/// With AVX2 they are 3 times as fast as with SSE2, which every x86-64 processor has. With AVX-512 they would be 4.2
+/// times as fast on a Xeon, which saves 5 % of the time of the computations with most products. On an EPYC AVX-512
+/// saves nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,14 +15,15 @@
 
 namespace viscoroll::detail {
 
-/// @return the products for any processor of the kind, and those for more and more of what this one can do
+/// @return implementations that this processor can run: first the baseline, then those with larger instruction sets
 [[nodiscard]] std::vector<DenseProducts> usable_products();
 
-/// @return the last of them
+/// @return implementation with the largest instruction set that this processor can run
 [[nodiscard]] const DenseProducts& best_products();
 
-/// @brief sum += left right.
-/// @param[in] left,right,sum matrices, blocks of them or their transposes; `sum` shares no memory with the others
+/// @brief Add a product to a matrix: sum += left right.
+/// @param[in] left,right matrices, blocks of matrices or their transposes
+/// @param[in,out] sum matrix, block or transpose that shares no memory with `left` and `right`
 template <class Left, class Right, class Sum>
 void add_product(const Eigen::MatrixBase<Left>& left, const Eigen::MatrixBase<Right>& right, Sum&& sum) {
   using Target = std::remove_cvref_t<Sum>;
@@ -40,7 +43,7 @@ void add_product(const Eigen::MatrixBase<Left>& left, const Eigen::MatrixBase<Ri
   }
 }
 
-/// @return left right, by columns
+/// @return product left right, column-major
 template <class Left, class Right>
 [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixBase<Left>& left, const Eigen::MatrixBase<Right>& right) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(left.rows(), right.cols());
@@ -48,7 +51,7 @@ template <class Left, class Right>
   return result;
 }
 
-/// @return matrix vector
+/// @return product of a matrix and a vector
 [[nodiscard]] inline Eigen::VectorXcd multiplied(const Eigen::MatrixXcd& matrix, const Eigen::VectorXcd& vector) {
   Eigen::VectorXcd result(matrix.rows());
   best_products().multiply({.data = matrix.data(), .rows = matrix.rows(), .columns = matrix.cols()}, vector.data(),

@@ -1,8 +1,8 @@
 /// @file
-/// @brief The products by Eigen, for the instruction set that the including file is compiled for.
+/// @brief Dense products with Eigen, for the instruction set with which the including file is compiled.
 ///
-/// That file names it, and is the only one that includes this. Eigen is compiled under this name, so that the linker
-/// takes none of its functions for those of another set.
+/// Each including file defines its own name VISCOROLL_EIGEN, which replaces the namespace of Eigen. The linker
+/// therefore cannot merge functions of Eigen that are compiled for different instruction sets.
 #pragma once
 
 #define Eigen VISCOROLL_EIGEN  // NOLINT(readability-identifier-naming)
@@ -33,7 +33,8 @@ void add_as(const ConstMatrixView& left, const ConstMatrixView& right, const Row
     result.noalias() += factor * other;
     return;
   }
-  // So small ones Eigen does by packets from the first aligned number on: their round-off would depend on addresses.
+  // Eigen evaluates small products in packets from the first aligned number on, so that their round-off would depend on
+  // the address. These loops avoid that.
   for (Eigen::Index i = 0; i < sum.rows; ++i) {
     for (Eigen::Index j = 0; j < sum.columns; ++j) {
       double product = 0.0;
@@ -63,7 +64,7 @@ template <class Scalar>
 void factor(Scalar* matrix, std::ptrdiff_t size, int* places) {
   using Matrix = Eigen::Matrix<Scalar, Dynamic, Dynamic>;
   if (size == 0) return;
-  // In memory that is aligned for these instructions: otherwise round-off would depend on the address.
+  // A copy in memory that is aligned for these instructions; otherwise the round-off would depend on the address.
   Matrix factors = Eigen::Map<Matrix>(matrix, size, size);
   Eigen::Ref<Matrix> in_place(factors);
   const Eigen::PartialPivLU<Eigen::Ref<Matrix>> lu(in_place);

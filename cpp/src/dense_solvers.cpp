@@ -29,7 +29,7 @@ void SingleFactors::compute(const Eigen::MatrixXd& matrix) {
 Eigen::VectorXd SingleFactors::solve(const Eigen::VectorXd& right) const {
   const double size = right.cwiseAbs().maxCoeff();
   if (!(size > 0.0)) return right;
-  const Eigen::VectorXd scaled = right / size;  // within the range of single precision
+  const Eigen::VectorXd scaled = right / size;  // to stay within the range of single precision
   Eigen::VectorXd solution(right.size());
   best_products().solve_single(factors_.data(), factors_.rows(), places_.data(), scaled.data(), solution.data());
   return size * solution;

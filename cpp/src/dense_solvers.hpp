@@ -1,5 +1,5 @@
 /// @file
-/// @brief Dense factorizations, compiled in one place: each takes seconds.
+/// @brief Dense factorizations. They are compiled in one source file, because each takes seconds to compile.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,20 +7,20 @@
 
 namespace viscoroll::detail {
 
-/// @brief Systems of a square matrix, by its triangular factors: those of `DenseProducts`.
+/// @brief Triangular factors of a square matrix, computed by `DenseProducts`.
 class DenseFactors {
  public:
   void compute(const Eigen::MatrixXd& matrix);
 
-  /// @return not finite where the matrix is singular
+  /// @return solution; not finite if the matrix is singular
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
  private:
   Eigen::MatrixXd factors_;
-  std::vector<int> places_;  // where the rows of the right side go
+  std::vector<int> places_;  // permuted position of each row of the right-hand side
 };
 
-/// @brief The same to six digits, for what needs no more: a preconditioner.
+/// @brief Triangular factors of a square matrix in single precision, for preconditioners (six digits).
 class SingleFactors {
  public:
   void compute(const Eigen::MatrixXd& matrix);
@@ -31,7 +31,7 @@ class SingleFactors {
   std::vector<int> places_;
 };
 
-/// @return the inverse of a square matrix
+/// @return inverse of a square matrix
 [[nodiscard]] Eigen::MatrixXd dense_inverse(const Eigen::MatrixXd& matrix);
 
 }  // namespace viscoroll::detail

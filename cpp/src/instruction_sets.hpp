@@ -1,9 +1,9 @@
 /// @file
-/// @brief The best instruction set of the machine, chosen when the library is loaded.
+/// @brief Selection of the best instruction set of the machine when the library is loaded.
 ///
-/// The library is built for any processor of its kind. The few loops that most of the time goes into are compiled
-/// several times on x86-64, and the dynamic linker takes the version that the processor can run: before the thread
-/// sanitizer is ready, which cannot have it.
+/// The library is built for every processor of its architecture. The few loops that take most of the time are compiled
+/// several times on x86-64, and the dynamic linker selects the version that the processor can run. The linker does so
+/// before the thread sanitizer is initialized, so that builds with this sanitizer have a single version.
 #pragma once
 
 #include <cstddef>  // defines __GLIBC__ where the C library has it
@@ -15,7 +15,7 @@
 #define VISCOROLL_BEST_INSTRUCTIONS
 #endif
 
-/// What is to be compiled as part of each such version, not once for all of them.
+/// Marks a function that is compiled as part of each such version rather than once for all of them.
 #if defined(__GNUC__)
 #define VISCOROLL_PART_OF_CALLER __attribute__((always_inline)) inline
 #else

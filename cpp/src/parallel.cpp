@@ -23,7 +23,7 @@ void Watch::poll(std::string_view stage, double fraction) {
 }
 
 std::unique_lock<std::timed_mutex> lock_watched(std::timed_mutex& mutex, Watch& watch, std::string_view stage) {
-  using Clock = std::chrono::system_clock;  // GCC 12's thread sanitizer does not see a lock by the steady clock
+  using Clock = std::chrono::system_clock;  // the thread sanitizer of GCC 12 does not detect locks by the steady clock
   std::unique_lock lock(mutex, std::defer_lock);
   while (!lock.try_lock_until(Clock::now() + std::chrono::milliseconds(20))) watch.poll(stage, 0.0);
   return lock;
@@ -53,7 +53,7 @@ void parallel_for(std::size_t count, int threads, Watch& watch, std::string_view
     } catch (...) {
       const std::scoped_lock lock(failure_mutex);
       if (!failure) failure = std::current_exception();
-      stop = true;  // after the failure is stored, for the checkpoints of the others throw too
+      stop = true;  // after the failure is stored, since the checkpoints of the other workers then throw as well
     }
   };
   const auto poll = [&] {

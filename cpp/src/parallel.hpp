@@ -1,5 +1,5 @@
 /// @file
-/// @brief The only place that puts threads to work, and the only one that calls an `Observer`.
+/// @brief Parallel loops and calls of an `Observer`. No other part of the library starts threads or calls an observer.
 #pragma once
 
 #include <chrono>
@@ -12,13 +12,13 @@
 
 namespace viscoroll::detail {
 
-/// @brief Calls an `Observer` from the thread that owns the computation, at most every 20 ms.
+/// @brief Calls an `Observer` on the thread that owns the computation, at most every 20 ms.
 class Watch {
  public:
   explicit Watch(const Observer& observer) : observer_(observer) {}
 
-  /// @brief Report progress and look for a request to stop, if it is time again.
-  /// @throws Cancelled where the observer asks for it
+  /// @brief Report the progress and check for cancellation, if 20 ms have passed since the last call.
+  /// @throws Cancelled if the observer canceled the computation
   void poll(std::string_view stage, double fraction);
 
  private:
@@ -27,37 +27,39 @@ class Watch {
   Clock::time_point last_ = Clock::now();
 };
 
-/// @brief Lock a mutex that another thread may hold for long.
-/// @throws Cancelled where the observer asks for it meanwhile
+/// @brief Lock a mutex that another thread may hold for a long time.
+/// @throws Cancelled if the observer cancels the computation meanwhile
 [[nodiscard]] std::unique_lock<std::timed_mutex> lock_watched(std::timed_mutex& mutex, Watch& watch,
                                                               std::string_view stage);
 
-/// @brief Most threads that a caller may ask for.
+/// @brief Largest number of threads that a caller may request.
 constexpr int kMaxThreads = 1024;
 
+/// @brief Check the option `threads`.
 /// @throws std::invalid_argument unless `threads` is in [0, kMaxThreads]
 void require_thread_count(int threads);
 
-/// @return number of threads that `parallel_for` uses: what the option `threads` means (0 = all cores), at most `count`
+/// @return number of threads that `parallel_for` uses: `threads` (0 = all cores), but at most `count`
 [[nodiscard]] std::size_t worker_count(std::size_t count, int threads);
 
-/// @brief One of the threads of a `parallel_for`, as its body sees it.
+/// @brief Thread of a `parallel_for`, an argument of the loop's body.
 struct Worker {
   std::size_t number;                ///< in [0, worker_count(count, threads))
-  std::function<void()> checkpoint;  ///< to be called by bodies that take long, every few milliseconds
+  std::function<void()> checkpoint;  ///< long bodies call it every few milliseconds; it throws if the loop must stop
 };
 
-/// @brief Run `body(index, worker)` for every index in [0, count) on `threads` threads, the caller's being worker 0.
-/// Callers may be many, also a body, and share the other threads: where those are busy, the caller does more itself.
-/// The order of execution is free, so a body writes only to what belongs to its index. The first exception of any
-/// body stops the others and is thrown again here.
+/// @brief Run `body(index, worker)` for every index in [0, count) on `threads` threads; the calling thread is worker 0.
+///
+/// Several threads, and bodies of other loops, may call this function at the same time. They share the other threads; a
+/// caller processes more indices itself while those are busy. The order of execution is arbitrary, so that a body may
+/// only write to the data of its index. The first exception of a body stops the others and is rethrown here.
 /// @param[in] count number of indices
 /// @param[in] threads number of threads, 0 for all cores
-/// @param[in] watch polled by worker 0 between indices, and while it waits for the others
-/// @param[in] stage what is being done, in words
+/// @param[in] watch polled by worker 0 between indices and while it waits for the others
+/// @param[in] stage description of the stage
 /// @param[in] body work on one index
-/// @param[in] fraction of the stage that is done, from 0 to 1, where bodies know better than their number; asked for by
-/// worker 0
+/// @param[in] fraction returns the completed fraction of the stage, in [0, 1], and is called by worker 0; empty: the
+/// fraction of indices
 void parallel_for(std::size_t count, int threads, Watch& watch, std::string_view stage,
                   const std::function<void(std::size_t index, const Worker& worker)>& body,
                   const std::function<double()>& fraction = {});

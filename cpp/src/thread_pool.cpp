@@ -20,7 +20,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Threads that wait for offers of work. They are started when first wanted and kept.
+/// Threads that wait for offers of work. They are started when first needed, and then kept.
 class ThreadPool {
  public:
   using Work = std::function<void(std::size_t)>;
@@ -29,7 +29,7 @@ class ThreadPool {
 
 #ifdef VISCOROLL_POSIX
   /// End the threads that have no work.
-  /// @return the lock, under which there are none
+  /// @return the lock; while it is held, no thread is idle
   std::unique_lock<std::mutex> retire();
 
   void before_fork() { retire().release(); }
@@ -38,11 +38,11 @@ class ThreadPool {
 #endif
 
  private:
-  /// Lives on the stack of who makes it.
+  /// Work that a caller offers to helpers. It lives on the caller's stack.
   struct Offer {
     const Work& work;
-    std::size_t seats;        // that nobody has taken
-    std::size_t number = 1;   // of the next helper
+    std::size_t seats;        // number of helpers that may still join
+    std::size_t number = 1;   // number of the next helper
     std::size_t working = 0;  // helpers at work
     std::condition_variable ended;
   };
@@ -50,13 +50,13 @@ class ThreadPool {
   void grow(std::size_t helpers);
   void help(std::list<std::thread>::iterator self);
 
-  std::mutex mutex_;  // of all members, and of all offers
+  std::mutex mutex_;  // protects all members and all offers
   std::condition_variable offered_;
   std::condition_variable left_;
-  std::deque<Offer*> offers_;  // with a free seat, the oldest first
+  std::deque<Offer*> offers_;  // offers with a free seat, the oldest first
   std::list<std::thread> threads_;
   std::list<std::thread> gone_;
-  std::size_t idle_ = 0;  // threads that wait
+  std::size_t idle_ = 0;  // threads that wait for offers
   bool retiring_ = false;
 };
 
@@ -80,8 +80,8 @@ void ThreadPool::run(std::size_t helpers, const Work& work, const std::function<
   }
 }
 
-/// Start threads for the seats that those who wait cannot fill: one for each core but the caller's, more only for a
-/// caller who wants more.
+/// Start threads for the free seats that exceed the idle threads. The pool has at most one thread for each core except
+/// the caller's, or `helpers` threads if that is more.
 void ThreadPool::grow(std::size_t helpers) {
   std::size_t seats = 0;
   for (const Offer* offer : offers_) seats += offer->seats;
@@ -92,7 +92,7 @@ void ThreadPool::grow(std::size_t helpers) {
       *self = std::thread([this, self] { help(self); });
     } catch (const std::system_error&) {
       threads_.erase(self);
-      return;  // The system grants no more threads: those that there are share the work.
+      return;  // The system refuses further threads; the existing ones share the work.
     }
     ++idle_;
   }
@@ -118,7 +118,7 @@ void ThreadPool::help(std::list<std::thread>::iterator self) {
   left_.notify_all();
 }
 
-/// Never destroyed, for threads may still compute while the process ends.
+/// The pool of the process. It is never destroyed, because threads may still compute while the process ends.
 ThreadPool& the_pool() {
   static ThreadPool& pool = *std::make_unique<ThreadPool>().release();
   return pool;
@@ -133,20 +133,21 @@ std::unique_lock<std::mutex> ThreadPool::retire() {
     left_.wait(lock);
   }
   retiring_ = false;
-  for (std::thread& thread : gone_) thread.join();  // which needs no lock any more
+  for (std::thread& thread : gone_) thread.join();  // these threads no longer need the lock
   gone_.clear();
   return lock;
 }
 
-/// Start afresh. Of what was only the offers are destroyed: others of the parent may wait for its conditions, and the
-/// threads that worked are not here, so their handles cannot be closed.
+/// Construct the pool anew in the child. Of the old members only the offers are destroyed: threads of the parent may
+/// wait for its condition variables, and the working threads do not exist in the child, so that their handles cannot be
+/// closed.
 void ThreadPool::after_fork_in_child() {
   mutex_.unlock();
   std::destroy_at(&offers_);
   std::construct_at(this);
 }
 
-/// No thread waits while the process forks, and none when the library is unloaded.
+/// Handlers that end all idle threads before the process forks and when the library is unloaded.
 struct Precautions {
   Precautions() noexcept {
     the_pool();
@@ -156,8 +157,8 @@ struct Precautions {
   ~Precautions() { the_pool().retire(); }
 };
 
-/// Taken when the library is loaded: a process that forks while another thread takes them would leave them half taken,
-/// and its child waiting for them for ever.
+/// The handlers are installed when the library is loaded. If another thread installed them later while the process
+/// forks, the child would inherit an unfinished installation and wait for its end permanently.
 const Precautions kPrecautions;
 #endif
 

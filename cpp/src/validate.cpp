@@ -28,7 +28,8 @@ std::string rounded(double value) {
 
 #else
 
-// The library of Clang: that of macOS before 13.3 cannot do this, that of WebAssembly has 100 kB of tables for it.
+// Clang's standard library cannot print floating-point numbers by to_chars on macOS before 13.3, and for WebAssembly it
+// needs 100 kB of tables for that.
 
 namespace {
 
@@ -40,7 +41,7 @@ std::string printed(const char* format, int precision, double value) {
 
 }  // namespace
 
-/// The fewest digits that are this number, written with an exponent only where that is shorter.
+/// Shortest text from which the number can be read back, with an exponent only if that is shorter.
 std::string text(double value) {
   int after_point = 0;
   std::string scientific = printed("%.*e", after_point, value);
@@ -70,7 +71,7 @@ void reject(std::string_view name, std::string_view requirement, double value) {
 
 namespace {
 
-/// "0 Pa", or "0" where the unit is empty.
+/// Value with its unit, such as "0 Pa", or the value alone if the unit is empty.
 std::string with_unit(double value, std::string_view unit) {
   return unit.empty() ? text(value) : text(value) + " " + std::string(unit);
 }

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Messages for values out of range: parameter, requirement with unit, and the value that was given.
+/// @brief Checks of values. A message names parameter, requirement with unit, and the given value.
 #pragma once
 
 #include <string>
@@ -7,45 +7,53 @@
 
 namespace viscoroll::detail {
 
-/// @return the shortest decimal text that reads back as `value`
+/// @return shortest decimal text from which `value` can be read back exactly
 [[nodiscard]] std::string text(double value);
 
-/// @return decimal text of three significant digits
+/// @return decimal text with three significant digits
 [[nodiscard]] std::string rounded(double value);
 
-/// @brief Refuse a value: "<name> must be <requirement>, got <value>".
+/// @brief Reject a value with the message "<name> must be <requirement>, got <value>".
 /// @throws std::invalid_argument always
 [[noreturn]] void reject(std::string_view name, std::string_view requirement, std::string_view value);
 [[noreturn]] void reject(std::string_view name, std::string_view requirement, double value);
 
-/// Range of positive numbers in SI units: the seventh power of one of them is still finite, as products of several
-/// must be. No length, time, modulus or load in the laboratory comes near.
+/// Range of positive numbers in SI units. The seventh power of such a number is finite, and so are the products of
+/// several numbers. Lengths, times, moduli and loads in practice are far within this range.
 inline constexpr double kSmallestNumber = 1e-40;
 inline constexpr double kLargestNumber = 1e40;
 
-/// @param[in] unit empty for a number without one
-/// @throws std::invalid_argument unless `value` is > 0 and in the range of positive numbers
+/// @brief Check a positive number.
+/// @param[in] name name of the parameter
+/// @param[in] value value to check
+/// @param[in] unit unit for the message; empty for a pure number
+/// @throws std::invalid_argument unless `value` is in [kSmallestNumber, kLargestNumber]
 void require_positive(std::string_view name, double value, std::string_view unit);
 
-/// @throws std::invalid_argument unless `value` is finite, >= 0 and not above the range of positive numbers
+/// @brief Check a nonnegative number.
+/// @throws std::invalid_argument unless `value` is in [0, kLargestNumber]
 void require_nonnegative(std::string_view name, double value, std::string_view unit);
 
-/// Largest ratio of two lengths of a body. The places of boundaries are stored from the center, to 1e-16 of the radius,
-/// which leaves seven digits of the thickness of a layer this thin.
+/// Largest ratio of two lengths of a body. Positions of boundaries are stored as distances from the center, to 1e-16 of
+/// the radius, which leaves seven digits of the thickness of the thinnest layer.
 inline constexpr double kLargestLengthRatio = 1e9;
 
-/// @param[in] value length of a body [m]
-/// @param[in] radius of the body that `body` names [m]
-/// @throws std::invalid_argument unless `value` is long enough beside `radius`
+/// @brief Check a length of a body.
+/// @param[in] name name of the parameter
+/// @param[in] value length [m]
+/// @param[in] radius radius of the body [m]
+/// @param[in] body noun of the body for the message
+/// @throws std::invalid_argument unless `value` is at least radius / kLargestLengthRatio
 void require_length(std::string_view name, double value, double radius, std::string_view body);
 
-/// Coefficient of friction that no pair of materials exceeds [-].
+/// Largest coefficient of friction [-]. No pair of materials exceeds it.
 inline constexpr double kLargestFriction = 4.0;
 
-/// @throws std::invalid_argument unless `value` is a coefficient of friction that a pair of materials may have, or
-/// infinite, where all of the contact sticks
+/// @brief Check a coefficient of friction.
+/// @throws std::invalid_argument unless `value` is in [0, kLargestFriction], or infinite for full stick
 void require_friction(double value);
 
+/// @brief Check that a number is finite.
 /// @throws std::invalid_argument unless `value` is finite
 void require_finite(std::string_view name, double value);
 

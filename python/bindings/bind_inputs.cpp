@@ -19,8 +19,8 @@ namespace {
 using namespace viscoroll;
 using cplx = std::complex<double>;
 
-/// A Python callable as a modulus. The library copies it on threads that do not hold the GIL, so that it is held by a
-/// pointer whose last owner takes the GIL.
+/// Return a Python callable as a modulus. The library copies the modulus on threads that do not hold the GIL; therefore
+/// a shared pointer holds the callable, and its deleter takes the GIL.
 CustomModulus custom_modulus(const py::typing::Callable<py::object(py::array_t<double>)>& function) {
   const std::shared_ptr<py::function> callable(new py::function(function), [](py::function* held) {
     const py::gil_scoped_acquire gil;

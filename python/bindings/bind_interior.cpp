@@ -38,7 +38,7 @@ Tractions make_tractions(const Mesh& mesh, double radius, std::optional<double> 
           .counterpart_curvature = counterpart_curvature};
 }
 
-/// Places as two arrays: positions, and numbers of layers.
+/// Return places from two arrays, the positions and the indices of the layers.
 std::vector<Place> places_from(const InputArray<double>& position, const InputArray<int>& layer) {
   if (position.size() != layer.size()) throw py::value_error("position and layer must be of one length");
   std::vector<Place> places;
@@ -49,7 +49,7 @@ std::vector<Place> places_from(const InputArray<double>& position, const InputAr
   return places;
 }
 
-/// Positions and numbers of layers.
+/// Positions and indices of the layers.
 using PlaceArrays = py::typing::Tuple<py::array_t<double>, py::array_t<int>>;
 
 PlaceArrays to_arrays(const std::vector<Place>& places) {

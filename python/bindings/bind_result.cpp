@@ -13,7 +13,7 @@ namespace {
 
 using namespace viscoroll;
 
-/// A field of the result as a read-only array over its memory, [phi][theta].
+/// Return the getter of a field of the result: a read-only array over its memory, [phi][theta].
 template <class T>
 auto field(std::vector<T> Result::* member) {
   return [member](const py::object& self) {
@@ -22,7 +22,7 @@ auto field(std::vector<T> Result::* member) {
   };
 }
 
-/// Vectors along x and z, [component][phi][theta].
+/// Return the getter of a vector field with components along x and z, [component][phi][theta].
 auto vector_field(std::vector<double> Result::* member) {
   return [member](const py::object& self) {
     const auto& result = self.cast<const Result&>();
@@ -43,7 +43,8 @@ constexpr const char* kTypeName<std::optional<double>> = "float or None";
 template <>
 constexpr const char* kTypeName<int> = "int";
 
-/// A member, with a text of any length: one function compiled for each type of member, not for each text as well.
+/// Bind a member. The text is a pointer, so that the compiler makes one function for each type of member and not also
+/// one for each length of the text.
 template <class T>
 void bind_scalar(py::classh<ResultScalars>& scalars, const char* name, T ResultScalars::* member, const char* text) {
   scalars.def_readonly(name, member, text);

@@ -13,12 +13,13 @@ namespace {
 
 using namespace viscoroll;
 
-/// The instants of a history, from which Python takes each scalar as an array.
+/// Instants of a history; Python reads each scalar as an array over all instants.
 struct InstantSeries {
   std::vector<RollingInstant> instants;
 };
 
-/// A member of instants and the array of it: one function compiled for all members.
+/// Bind a member of an instant, and the array of this member over a series. The compiler makes one function for all
+/// members.
 void bind_scalar(py::classh<RollingInstant>& instant, py::classh<InstantSeries>& series, const char* name,
                  double RollingInstant::* member, const char* text) {
   instant.def_readonly(name, member, text);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the files of this folder share: the areas of the module, and views of arrays.
+/// @brief Declarations shared by the files of this folder: the parts of the module, and views of arrays.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -21,16 +21,16 @@ void bind_roll(py::module_& m);
 void bind_rolling_resistance(py::module_& m);
 void bind_solve(py::module_& m);
 
-/// @brief A line of result_scalars.def or history_scalars.def.
+/// @brief One entry of result_scalars.def or history_scalars.def.
 struct ScalarDescription {
   std::string name;
-  std::string type;  ///< as Python's documentation names it
+  std::string type;  ///< type in the Python documentation
   std::string unit;
   std::string label;
   std::string details;
 };
 
-/// C-contiguous array; other types and layouts are refused, not copied.
+/// C-contiguous input array. Arrays of other types and layouts are rejected, not copied.
 template <class T>
 using InputArray = py::array_t<T, py::array::c_style>;
 
@@ -39,7 +39,7 @@ std::span<const T> view(const InputArray<T>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-/// Read-only array over `values`, which live as long as `owner`.
+/// Return a read-only array over the memory of `values`, and keep `owner` alive, which holds them.
 template <class T>
 py::array_t<T> read_only(const std::vector<T>& values, std::vector<py::ssize_t> shape, const py::object& owner) {
   py::array_t<T> array(std::move(shape), values.data(), owner);
@@ -47,7 +47,7 @@ py::array_t<T> read_only(const std::vector<T>& values, std::vector<py::ssize_t> 
   return array;
 }
 
-/// Observer that stops on Python's signals (Ctrl-C) and reports to an optional callable progress(stage, fraction).
+/// Return an observer that stops on Python signals (Ctrl-C) and calls progress(stage, fraction) unless it is None.
 inline viscoroll::Observer python_observer(const py::object& progress) {
   viscoroll::Observer observer;
   observer.cancelled = [] {

@@ -1,4 +1,4 @@
-"""Write python/viscoroll/_core.pyi from the compiled module: `make stubs`. With --check only compare: `make lint`."""
+"""Write python/viscoroll/_core.pyi from the compiled module (`make stubs`); with --check, compare it (`make lint`)."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ HEADER = "# Made by python/bindings/make_stub.py from the compiled module: `make
 
 
 class StubPrinter(Printer):
-    """Prints native enums as type checkers know them, and no values, which change with every commit."""
+    """Printer of stubs with native enums for type checkers, and without values, which change with every commit."""
 
     def print_module(self, module: Module) -> list[str]:
-        """Leave out `__all__`, which the module itself does not have."""
+        """Omit `__all__`, which the module itself does not have."""
         kept = [attribute for attribute in module.attributes if attribute.name != "__all__"]
         return super().print_module(replace(module, attributes=kept))
 
     def print_attribute(self, attr: Attribute) -> list[str]:
-        """Print name and type."""
+        """Print name and type of an attribute."""
         return super().print_attribute(replace(attr, value=None))
 
     def print_class(self, class_: Class) -> list[str]:
@@ -39,7 +39,7 @@ class StubPrinter(Printer):
 
 
 def made_stub() -> str:
-    """Return the stub of the module as it is installed, formatted."""
+    """Return the formatted stub of the installed module."""
     arguments = arg_parser().parse_args([MODULE], namespace=CLIArgs())
     parser = stub_parser_from_args(arguments)
     module = parser.handle_module(QualifiedName.from_str(MODULE), importlib.import_module(MODULE))

@@ -1,4 +1,4 @@
-"""The command: many small steady solves."""
+"""Command that runs many small steady solves."""
 
 import sys
 

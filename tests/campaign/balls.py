@@ -1,4 +1,4 @@
-"""Random coated balls, hollow and solid ones too, and loads that press them."""
+"""Random coated balls, also hollow and solid ones, and suitable loads."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["Geometry", "draw_ball", "draw_depth", "draw_moduli", "load_of"]
 
 @dataclass(frozen=True, kw_only=True)
 class Geometry:
-    """Radii, thicknesses from the center outwards [m], and what lies within."""
+    """Radii, thicknesses from the center outwards [m], and the inner boundary."""
 
     radius: float
     core_radius: float
@@ -26,12 +26,12 @@ class Geometry:
 
     @property
     def thickness(self) -> float:
-        """Thickness of all layers together [m]."""
+        """Total thickness of the layers [m]."""
         return sum(self.thicknesses)
 
     @classmethod
     def draw(cls, rng: np.random.Generator, *, thinnest: float = 1e-3) -> Geometry:
-        """Return a random one, its layers at least a share of the radius thick together."""
+        """Return a random geometry whose total layer thickness is at least `thinnest` radii."""
         radius = 10.0 ** rng.uniform(-3.0, 0.0)
         boundary = rng.choice([0, 1, 2], p=[0.7, 0.15, 0.15])
         inner_boundary = (vr.InnerBoundary.RIGID, vr.InnerBoundary.HOLLOW, vr.InnerBoundary.SOLID)[boundary]
@@ -49,7 +49,7 @@ class Geometry:
 
 
 def draw_depth(rng: np.random.Generator, geometry: Geometry) -> float:
-    """Return the penetration to aim at: 0.1 to 40 % of the thickness, with contacts of at most half a radius."""
+    """Return the intended penetration: 0.1 to 40 % of the thickness, for contacts of at most half a radius."""
     depth = geometry.thickness * 10.0 ** rng.uniform(-3.0, math.log10(0.4))
     return min(depth, 0.15 * geometry.radius)
 
@@ -62,7 +62,7 @@ def draw_moduli(rng: np.random.Generator, count: int) -> list[float]:
 
 
 def _materials(rng: np.random.Generator, moduli: list[float], time: float, speed: float) -> list[Any]:
-    """Return materials of these moduli, of kinds of their own or with one relaxation function."""
+    """Return materials with these moduli, either of independent kinds or with one relaxation function."""
     if rng.random() < 0.5:
         return [draw_modulus(rng, modulus, time, speed) for modulus in moduli]
     common = draw_modulus(rng, moduli[0], time, speed)
@@ -96,13 +96,13 @@ def draw_ball(
     Parameters
     ----------
     rng : Generator
-        Of the case.
+        Random numbers of the case.
     geometry : Geometry
-        Of the ball.
+        Geometry of the ball.
     moduli, densities : sequence of float
-        Of its layers, at high frequency [Pa], [kg/m³].
+        Moduli at high frequency [Pa] and densities [kg/m³] of its layers.
     time : float
-        That material takes to cross the contact [s].
+        Time in which material crosses the contact [s].
     speed : float
         Angular speed [rad/s].
     """
@@ -116,11 +116,11 @@ def draw_ball(
 
 
 def load_of(ball: vr.CoatedSphere, geometry: Geometry, depth: float, frequency: float) -> float:
-    """Return a load [N] that should press the ball about so deep: that of the softest layer alone."""
+    """Return the load [N] that gives about this penetration with the softest layer alone."""
     radius, thickness = geometry.radius, geometry.thickness
     softest = min(abs(modulus_at(layer.shear_modulus, frequency)) for layer in ball.layers)
     hertz = 8.0 / 3.0 * softest * math.sqrt(radius * depth**3)
-    bonded = math.pi * softest * radius * depth**2 / thickness  # incompressible thin layers bear more
+    bonded = math.pi * softest * radius * depth**2 / thickness  # incompressible thin layers support more
     if geometry.inner_boundary is vr.InnerBoundary.HOLLOW:
         return min(hertz, 4.0 * softest * thickness**2 * depth / radius)  # a shell bends
     return hertz if geometry.inner_boundary is vr.InnerBoundary.SOLID else hertz + bonded

@@ -1,4 +1,4 @@
-"""A ball's layers as those of a wheel or a roller, and what there is to say of any body."""
+"""Wheels and rollers with the layers of a ball, and properties of any body."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ __all__ = ["as_roller", "curvature", "deforms", "materials", "on_a_wheel", "with
 
 
 def deforms(on: vr.bodies.Counterpart | None) -> bool:
-    """Whether what is rolled on does."""
+    """Return whether the counterbody deforms."""
     return on is not None and bool(materials(on))
 
 
 def materials(body: Any) -> tuple[Any, ...]:
-    """Return layers, and the half-space below them."""
+    """Return the layers and the half-space below them."""
     base = getattr(body, "base", None)
     return (*body.layers, *(() if base is None else (base,)))
 
 
 def curvature(on: vr.bodies.Counterpart | None) -> float:
-    """Return that of what is rolled on along the path, less than 0 where it is hollow [1/m]."""
+    """Return the curvature of the counterbody along the path, negative if concave [1/m]."""
     if isinstance(on, vr.Groove):
         return 0.0 if on.path_radius is None else -1.0 / on.path_radius
     return 0.0 if on is None or isinstance(on, vr.CoatedPlane) else 1.0 / on.outer_radius
@@ -38,13 +38,13 @@ def with_loads(arguments: dict[str, Any], factor: float) -> dict[str, Any]:
 
 
 def as_roller(ball: vr.CoatedSphere, contact_radius: float, arguments: dict[str, Any]) -> dict[str, Any]:
-    """Return a roller with the layers of a ball on a core, and its arguments: about as much load per length."""
+    """Return a roller with the layers of a ball on a core, and its arguments: about the same load per length."""
     mesh = arguments.get("mesh")
     changed: dict[str, Any] = {"curvature": vr.Curvature.SPHERE, "patch_load": vr.PatchLoad.FLAT}
     if mesh is not None:
         changed["mesh"] = replace(mesh, theta_nodes_per_revolution=None)
     drive = arguments["drive"]
-    if drive.lateral_creepage:  # a line knows no sideways
+    if drive.lateral_creepage:  # a line contact has no lateral creepage
         changed["drive"] = replace(drive, lateral_creepage=0.0)
     roller = vr.CoatedCylinder(core_radius=ball.core_radius, layers=ball.layers)
     return {"ball": roller, "arguments": with_loads(arguments | changed, 0.5 / contact_radius)}
@@ -53,10 +53,10 @@ def as_roller(ball: vr.CoatedSphere, contact_radius: float, arguments: dict[str,
 def on_a_wheel(
     rng: np.random.Generator, ball: vr.CoatedSphere, contact_radius: float, arguments: dict[str, Any]
 ) -> dict[str, Any]:
-    """Return a wheel with the layers of a ball, and its arguments: about as much load for each width of the contact."""
+    """Return a wheel with the layers of a ball, and its arguments: about the same load per width of the contact."""
     width = contact_radius * 10.0 ** rng.uniform(-0.3, 1.0)
     is_flat = rng.random() < 0.4
-    # The crown falls by so much to the faces, and lies within the outermost layer, as straight hubs need it.
+    # Drop of the crown at the faces. It lies within the outermost layer, as straight hubs require.
     drop = min(0.8 * ball.layers[-1].thickness, 0.5 * width) * 10.0 ** rng.uniform(-1.5, 0.0)
     crown_radius = math.inf if is_flat else (0.25 * width**2 + drop**2) / (2.0 * drop)
     wheel = vr.CoatedWheel(

@@ -1,4 +1,4 @@
-"""The random cases: what is solved, drawn from a seed and a number."""
+"""Random cases of steady solves, drawn from a seed and a number."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ __all__ = ["Case", "draw", "source"]
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """One solve.
+    """Arguments of one solve.
 
     Attributes
     ----------
     call : str
-        The function of `viscoroll` that is called.
+        Name of the function of `viscoroll`.
     name : str
         "SEED:NUMBER".
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        What rolls.
+        The rolling body.
     arguments : dict
-        Its other arguments.
+        The other arguments.
     absurd : str
         Name of the argument that must be refused, or the empty text.
     """
@@ -44,7 +44,7 @@ class Case:
 
     @property
     def on(self) -> vr.bodies.Counterpart | None:
-        """What it rolls on, where that is not the rigid plane."""
+        """Return the counterbody, or None for the rigid plane."""
         return self.arguments.get("on")
 
     @property
@@ -54,12 +54,12 @@ class Case:
 
     @property
     def thickness(self) -> float:
-        """Thickness of all layers together, infinite on a half-space [m]."""
+        """Total thickness of the layers, infinite on a half-space [m]."""
         return sum(getattr(material, "thickness", math.inf) for material in self.materials)
 
     @property
     def has_friction(self) -> bool:
-        """Whether stick and slip are to be found."""
+        """Return whether the case has friction."""
         return float(self.arguments.get("friction", 0.0)) > 0.0
 
     def source(self) -> str:
@@ -70,7 +70,7 @@ class Case:
 
 
 def source(value: Any) -> str:
-    """Return Python text that makes the value, with fields that differ from their defaults only."""
+    """Return Python text that creates the value, only with fields that differ from their defaults."""
     if isinstance(value, Enum):
         return f"{type(value).__name__}.{value.name}"
     if is_dataclass(value):
@@ -85,7 +85,7 @@ def source(value: Any) -> str:
 
 
 def draw(seed: int, number: int) -> Case:
-    """Return a case of a campaign."""
+    """Return a random case."""
     rng = np.random.default_rng([seed, number])
     geometry = Geometry.draw(rng)
     depth = draw_depth(rng, geometry)
@@ -93,7 +93,7 @@ def draw(seed: int, number: int) -> Case:
     moduli = draw_moduli(rng, len(geometry.thicknesses))
     densities = rng.uniform(0.0, 2000.0, len(moduli)) if rng.random() < 0.5 else np.zeros(len(moduli))
     speed = 10.0 ** rng.uniform(-3.0, 2.0)
-    if densities.max() > 0.0:  # a share of the slowest shear wave
+    if densities.max() > 0.0:  # fraction of the slowest shear wave's speed
         speed = min(speed, 10.0 ** rng.uniform(-3.0, -0.4) * math.sqrt(min(moduli) / 2000.0) / geometry.radius)
     time = contact_radius / (geometry.radius * speed)
     ball = draw_ball(rng, geometry, moduli, densities, time, speed)
@@ -108,30 +108,32 @@ def draw(seed: int, number: int) -> Case:
         "patch_load": vr.PatchLoad.SPHERICAL if rng.random() < 0.2 else vr.PatchLoad.FLAT,
         "threads": 1,
     }
-    if hasattr(vr, "Curvature"):  # drawn apart, so that the rest of a case is what it was without
+    # separate random numbers keep the rest of the case unchanged
+    if hasattr(vr, "Curvature"):
         members = list(vr.Curvature)
         arguments["curvature"] = members[np.random.default_rng([seed, number, 1]).integers(len(members))]
     arguments |= _resolution(rng, geometry.radius / contact_radius)
     absurd = _make_absurd(rng, arguments)
     drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
-    apart = np.random.default_rng([seed, number, 2])  # as above
+    apart = np.random.default_rng([seed, number, 2])  # separate, as above
     if apart.random() < _WHEELS and geometry.inner_boundary is vr.InnerBoundary.RIGID:
         drawn = on_a_wheel(apart, ball, contact_radius, arguments)
     elif (apart := np.random.default_rng([seed, number, 3])).random() < _PAIRS:
         drawn = on_a_ball(apart, ball, time, arguments)
-    apart = np.random.default_rng([seed, number, 6])  # with 4 and 5, cases that are told of elsewhere would change
+    # with 4 and 5, cases that are cited elsewhere would change
+    apart = np.random.default_rng([seed, number, 6])
     if "on" not in drawn["arguments"] and apart.random() < _ELSEWHERE:
         drawn = _elsewhere(apart, contact_radius, time, absurd, **drawn)
     return Case(name=f"{seed}:{number}", absurd=absurd, **drawn)
 
 
-#: Share of the balls and wheels on the rigid plane that become rollers, or roll on something else, or both.
+#: Share of the balls and wheels on the rigid plane that become rollers, or get another counterbody, or both.
 _ELSEWHERE = 0.45
 
-#: Share of the balls that roll on another one.
+#: Share of the balls that roll on another ball.
 _PAIRS = 0.25
 
-#: Share of the cases on a rigid core in which its layers are the tread of a wheel.
+#: Share of the cases on a rigid core whose layers become the tread of a wheel.
 _WHEELS = 0.2
 
 
@@ -143,12 +145,12 @@ def _elsewhere(
     ball: vr.CoatedSphere | vr.CoatedWheel,
     arguments: dict[str, Any],
 ) -> dict[str, Any]:
-    """Return a body of a case and its arguments: half of the balls on cores as rollers, most on other than planes."""
+    """Return a body and its arguments: half of the cored balls become rollers, most get another counterbody."""
     drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
     is_roller = rng.random() < 0.5 and getattr(ball, "inner_boundary", None) is vr.InnerBoundary.RIGID
     if is_roller:
         drawn = as_roller(ball, contact_radius, arguments)
-    # A slope under the pressure pushes, so that drives which are absurd on the rigid plane need not be so elsewhere.
+    # A slope under the pressure adds force, so drives that are impossible on the rigid plane may be possible elsewhere.
     if absurd not in ("drive.force", "drive.torque") and not (is_roller and rng.random() < 0.3):
         drawn = elsewhere(rng, drawn["ball"], contact_radius, time, drawn["arguments"])
     drive = drawn["arguments"]["drive"]
@@ -159,7 +161,7 @@ def _elsewhere(
 
 
 def _friction(rng: np.random.Generator) -> float:
-    """Return a coefficient up to 4, or, one time in twenty, an infinite one."""
+    """Return a coefficient of friction up to 4, or, one time in twenty, infinity."""
     friction = 10.0 ** rng.uniform(math.log10(0.003), math.log10(6.0))
     return friction if friction <= 4.0 else math.inf
 
@@ -173,7 +175,8 @@ def _drive(rng: np.random.Generator, friction: float, load: float, radius: float
         case 0:
             return vr.Drive(force=0.0)
         case 1:
-            most = min(friction, 4.0) if rng.random() < 0.3 else min(friction, 1.0)  # few pull more than the load
+            # few forces exceed the load
+            most = min(friction, 4.0) if rng.random() < 0.3 else min(friction, 1.0)
             return vr.Drive(force=share * most * load)
         case 2:
             return vr.Drive(torque=0.0)
@@ -200,24 +203,26 @@ def _resolution(rng: np.random.Generator, radii_per_contact: float) -> dict[str,
 
 
 def _make_absurd(rng: np.random.Generator, arguments: dict[str, Any]) -> str:
-    """Now and then, make one argument impossible, or the load tiny.
+    """Sometimes make one argument impossible, or the load tiny.
 
     Returns
     -------
     str
-        The name of what must be refused.
+        Name of the argument that must be refused.
     """
     kind = rng.random()
     if kind < 0.03:
         arguments["load"] *= 10.0 ** rng.uniform(6.0, 12.0)
         return "load"
     if kind < 0.06 and arguments["drive"] in (vr.Drive(force=0.0), vr.Drive(torque=0.0)):
-        arguments["load"] *= 10.0 ** rng.uniform(-8.0, -2.0)  # in a contact of a single node where a mesh is given
+        # on a given mesh, the contact is a single node
+        arguments["load"] *= 10.0 ** rng.uniform(-8.0, -2.0)
     elif kind < 0.08 and arguments["friction"] > 0.0:
         arguments["drive"] = vr.Drive(force=rng.uniform(1.0, 10.0) * arguments["friction"] * arguments["load"])
         return "drive.force"
     elif kind < 0.1 and arguments["friction"] > 0.0:
-        radius_bound = 1e4 * max(arguments["friction"], 1.0) * arguments["load"]  # [N m], of any ball here
+        # [N m], for any ball here
+        radius_bound = 1e4 * max(arguments["friction"], 1.0) * arguments["load"]
         arguments["drive"] = vr.Drive(torque=rng.choice([-1.0, 1.0]) * radius_bound)
         return "drive.torque"
     return ""

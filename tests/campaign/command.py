@@ -1,4 +1,4 @@
-"""The command of a campaign: solve many random cases, write what came of each, and sum up."""
+"""Command of randomized tests: solve many random cases, write each outcome, and summarize."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ def main(
     draw: Callable[[int, int], Any],
     run_case: Callable[..., Outcome],
 ) -> int:
-    """Run a campaign, or some cases of it, as the command line asks.
+    """Run randomized tests, or some of their cases, as the command line requests.
 
     Parameters
     ----------
     program, description : str
-        What help says of it.
+        Name and description for the help text.
     output : str
-        Where results go by default.
+        Default path of the results.
     draw, run_case : callable
-        As of `runner.run`.
+        Same as in `runner.run`.
     """
     parser = argparse.ArgumentParser(prog=program, description=description)
     parser.add_argument("--cases", type=int, default=2000, help="number of cases")

@@ -1,4 +1,4 @@
-"""What balls, rollers and wheels roll on: planes, half-spaces, grooves and bodies that turn as well."""
+"""Counterbodies of balls, rollers and wheels: planes, half-spaces, grooves, and rotating bodies."""
 
 from __future__ import annotations
 
@@ -13,33 +13,33 @@ from .materials import draw_modulus, modulus_at
 
 __all__ = ["elsewhere"]
 
-#: A groove is at least so much wider than what rolls in it: 2 % are asked for.
+#: Smallest relative clearance of a groove; the library requires 2 %.
 _CLOSEST_FIT = 0.03
 
 
 def elsewhere(
     rng: np.random.Generator, body: vr.bodies.RollingBody, size: float, time: float, arguments: dict[str, Any]
 ) -> dict[str, Any]:
-    """Return a body of a case and its arguments on something else than the rigid plane: coated, or rigid itself.
+    """Return a body and its arguments on a counterbody other than the rigid plane: coated, or rigid.
 
     Parameters
     ----------
     rng : Generator
-        Of the case, for this alone.
+        Separate random numbers for this choice.
     body : CoatedSphere, CoatedCylinder or CoatedWheel
-        What rolls on a plane.
+        The body that rolls on a plane.
     size : float
-        Half the length of the contact there [m].
+        Half length of the contact there [m].
     time : float
-        That material takes to cross it [s].
+        Time in which material crosses the contact [s].
     arguments : dict
-        Of `viscoroll.solve`, for the plane.
+        Arguments of `viscoroll.solve` for the plane.
     """
     speed = arguments["angular_speed"] * body.outer_radius
     mesh = arguments.get("mesh")
     ground = _Ground(rng, body, size, time, speed, 1000 if mesh is None else mesh.nodes_per_revolution)
     kinds = ["plane", "plane", "half-space", "groove", "rigid groove"]
-    if not isinstance(body, vr.CoatedSphere):  # balls on balls are drawn apart
+    if not isinstance(body, vr.CoatedSphere):  # other code draws balls on balls
         kinds += ["body", "body"]
     kind = rng.choice(kinds)
     moved = kind in ("plane", "groove", "body") and rng.random() < 0.35
@@ -67,13 +67,13 @@ def elsewhere(
         "compliance": vr.Compliance.RADIAL,
         "patch_load": vr.PatchLoad.FLAT,
     }
-    if mesh is not None:  # a plane's orders are not whole
+    if mesh is not None:  # a plane has a continuous spectrum
         changed["mesh"] = replace(mesh, max_order=None)
     return {"ball": body, "arguments": arguments | changed}
 
 
 def _held(material: Any) -> Any:
-    """Return a material of a plane: its orders, other than those of a revolution, go down to any frequency."""
+    """Return a material with held extrapolation: a plane has waves of any low frequency, unlike a revolution."""
     if not isinstance(material.shear_modulus, vr.MasterCurve):
         return material
     held = replace(material.shear_modulus, extrapolation=vr.Extrapolation.HOLD)
@@ -84,12 +84,12 @@ def _rigid(body: Any) -> Any:
     return replace(body, core_radius=body.outer_radius, layers=[], **_CORE.get(type(body), {}))
 
 
-#: What a rigid body has no choice of.
+#: Arguments that are fixed for a rigid body.
 _CORE: dict[type, dict[str, Any]] = {vr.CoatedSphere: {"inner_boundary": vr.InnerBoundary.RIGID}}
 
 
 class _Ground:
-    """What a body may roll on, by a generator of its own."""
+    """Random counterbodies with a separate generator."""
 
     def __init__(self, rng: np.random.Generator, body: Any, size: float, time: float, speed: float, nodes: int) -> None:
         self._rng, self._body, self._size, self._time, self._speed = rng, body, size, time, speed
@@ -97,17 +97,17 @@ class _Ground:
         self._softest = min(abs(modulus_at(layer.shear_modulus, 1.0 / time)) for layer in body.layers)
 
     def layers(self) -> list[vr.Layer]:
-        """Return one layer or two, from a contact's tenth to ten of them thick together."""
+        """Return one or two layers, in total 0.1 to 10 contact lengths thick."""
         count = int(self._rng.choice([1, 2], p=[0.7, 0.3]))
         thickness = 2.0 * self._size * 10.0 ** self._rng.uniform(-1.0, 1.0) / count
         return [vr.Layer(thickness=thickness, **self._material()) for _ in range(count)]
 
     def half_space(self) -> vr.HalfSpace:
-        """Return material without end."""
+        """Return a half-space."""
         return vr.HalfSpace(**self._material())
 
     def radii(self) -> dict[str, float]:
-        """Return radii of curvature across the path and along it, one of them at least: hollow or bulging."""
+        """Return at least one of the radii of curvature across and along the path, concave or convex."""
         along, across = self._body.outer_radius, getattr(self._body, "crown_radius", self._body.outer_radius)
         which = "path_radius" if self._is_roller else self._rng.choice(["radius", "path_radius", "both"])
         radii = {}
@@ -119,23 +119,23 @@ class _Ground:
 
     def _curved(self, own: float) -> float:
         rng = self._rng
-        if np.isinf(own):  # under a flat tread nothing is hollow
+        if np.isinf(own):  # a flat tread needs a convex counterbody
             return -self._body.outer_radius * float(10.0 ** rng.uniform(0.0, 2.0))
         if rng.random() < 0.3:
             return -own * float(10.0 ** rng.uniform(-0.5, 1.5))
         return own * (1.0 + _CLOSEST_FIT + float(10.0 ** rng.uniform(-1.5, 1.0)))
 
     def body(self, layers: list[vr.Layer]) -> vr.CoatedCylinder | vr.CoatedWheel:
-        """Return another roller, or under a wheel a wheel or a roller."""
+        """Return another roller, or for a wheel another wheel or a roller."""
         rng = self._rng
-        # As many nodes a revolution as are whole.
+        # The number of nodes per revolution is an integer on both bodies.
         nodes = min(max(16, round(self._nodes * 10.0 ** rng.uniform(-0.5, 1.0))), 1_000_000)
         radius = self._body.outer_radius * nodes / self._nodes
         thickness = sum(layer.thickness for layer in layers)
         core_radius = radius - thickness if thickness < 0.9 * radius else radius
         if self._is_roller or rng.random() < 0.4:
             return vr.CoatedCylinder(core_radius=core_radius, layers=layers)
-        # Crowned hubs and faces as far off as those of the wheel above, or farther.
+        # A crowned hub, and a width independent of that of the other wheel.
         width = self._body.width * (1.0 if rng.random() < 0.3 else 10.0 ** rng.uniform(-0.3, 0.5))
         crown_radius = np.inf if rng.random() < 0.5 else max(width, thickness) * float(10.0 ** rng.uniform(0.0, 2.0))
         sides = vr.Sides.FREE if layers and rng.random() < 0.2 else vr.Sides.ENDLESS
@@ -156,7 +156,7 @@ class _Ground:
         rng = self._rng
         modulus = self._softest * 10.0 ** rng.uniform(-0.5, 2.0)
         poisson_ratio = 0.5 if rng.random() < 0.4 else rng.uniform(0.0, 0.5)
-        # Speeds up to a third of the shear wave's.
+        # The speed is at most a third of the shear wave's.
         density = min(2000.0, 0.1 * modulus / self._speed**2) * rng.uniform() if rng.random() < 0.3 else 0.0
         return {
             "shear_modulus": draw_modulus(rng, modulus, self._time, self._speed / self._body.outer_radius),

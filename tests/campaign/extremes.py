@@ -1,6 +1,6 @@
-"""Steady cases with one number that is far too small or too large: solved or refused, never a hang or a silent NaN.
+"""Steady cases with one number far too small or too large: solved or refused, without hangs or NaN.
 
-A solution is not compared with others, as the one number is often without effect on it or decides it alone.
+The solution is not compared with others, since the number often has no effect or alone determines the solution.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from .runner import Outcome
 
 __all__ = ["Extreme", "draw", "run_case"]
 
-#: Decades by which a number is changed, up or down: a third of them lead beyond the range that the library takes.
+#: Range of the change in decades, up or down: a third of the changes exceed the range of the library.
 _DECADES = 60.0
 
 Path = tuple[str | int, ...]
@@ -37,11 +37,11 @@ class Extreme:
     Attributes
     ----------
     base : Case
-        The case as it was drawn.
+        The case before the change.
     path : tuple of str or int
         Names and indices that lead to the number, the first of them "ball" or the name of an argument.
     factor : float
-        What the number is multiplied by.
+        Factor by which the number is multiplied.
     """
 
     base: Case
@@ -59,18 +59,18 @@ class Extreme:
         return f"{self.base.source()}  # {where[1:]} times {self.factor:.3g}"
 
     def arguments(self) -> dict[str, Any]:
-        """Return the arguments of `solve`, the body among them, with the changed number.
+        """Return the arguments of `solve`, including the body, with the changed number.
 
         Raises
         ------
         ValueError
-            Where a body or a material refuses the number.
+            If a body or a material refuses the number.
         """
         return _changed({"ball": self.base.ball, **self.base.arguments}, self.path, self.factor)
 
 
 def draw(seed: int, number: int) -> Extreme:
-    """Return a case of a campaign."""
+    """Return a random case."""
     base = draw_case(seed, number)
     rng = np.random.default_rng([seed, number, 7])
     given = {"ball": base.ball, **base.arguments}
@@ -80,7 +80,7 @@ def draw(seed: int, number: int) -> Extreme:
 
 
 def _numbers(value: Any, path: Path = ()) -> Iterator[Path]:
-    """Yield the paths to all nonzero finite numbers below a value, but for those that choose or count."""
+    """Yield the paths to all nonzero finite floating-point numbers in a value."""
     if isinstance(value, float):
         if value != 0.0 and math.isfinite(value):
             yield path
@@ -108,7 +108,7 @@ def _changed(value: Any, path: Path, factor: float) -> Any:
 
 
 def run_case(case: Extreme, before_each: Callable[[Outcome], object] = lambda _: None) -> Outcome:
-    """Solve a case; a solution must be finite, and a refusal name a parameter."""
+    """Solve a case; a solution must be finite, and a refusal must name a parameter."""
     outcome = Outcome(case=case.name, has_friction=case.base.has_friction, source=case.source())
     before_each(outcome)
     start = time.process_time()

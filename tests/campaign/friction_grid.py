@@ -1,7 +1,7 @@
 """Friction over a regular grid, from a cold start on every mesh: ``python -m tests.campaign.friction_grid``.
 
 The paper's ball and rubber, driven without a force on the center; 324 coatings, speeds and coefficients on five meshes
-each. A case fails without a state of stick and slip, or where the residual is more than 1e-10 of the load.
+each. A case fails if no state of stick and slip is found, or if the residual is more than 1e-10 of the load.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Cell:
     nodes: int
 
     def solve(self) -> vr.Result:
-        """Solve it with one thread."""
+        """Solve the case with one thread."""
         layer = vr.Layer(thickness=self.thickness, shear_modulus=RUBBER, poisson_ratio=self.poisson_ratio)
         return vr.solve(
             vr.CoatedSphere(core_radius=20e-3, layers=[layer]),
@@ -50,8 +50,8 @@ class Cell:
 
 
 def outcome(cell: Cell) -> tuple[int, float, str]:
-    """Return iterations, the residual, and what went wrong."""
-    warnings.simplefilter("ignore", vr.ResultWarning)  # of coarse meshes
+    """Return iterations, the residual, and a description of a failure."""
+    warnings.simplefilter("ignore", vr.ResultWarning)  # coarse meshes
     try:
         r = cell.solve()
     except (ValueError, RuntimeError) as error:
@@ -61,7 +61,7 @@ def outcome(cell: Cell) -> tuple[int, float, str]:
 
 
 def main() -> int:
-    """Solve the grid and sum up."""
+    """Solve the grid and summarize."""
     parser = argparse.ArgumentParser(prog="python -m tests.campaign.friction_grid", description=__doc__)
     parser.add_argument("--jobs", type=int, default=1, help="number of processes")
     jobs = parser.parse_args().jobs

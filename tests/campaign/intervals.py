@@ -1,9 +1,10 @@
-"""How often intervals hold the truth: `python -m tests.campaign.intervals`.
+"""Coverage of intervals: `python -m tests.campaign.intervals`.
 
-Sweeps of a known rubber at five temperatures are given noise, shifted onto one another, drawn anew, and rolled at
-these temperatures. Told is in how many of all data sets the interval holds what the rubber itself gives, on the same
-mesh, for each temperature and in all, beside the share of the power that is lost where nobody measured, of which no
-draw knows; with `--moduli` that of its moduli. It fails where intervals of the torque hold it in less than nine of ten.
+The command adds noise to sweeps of a known rubber at five temperatures, shifts them, draws them again, and solves
+rolling at these temperatures. It reports the share of the data sets whose interval contains the result of the rubber
+itself on the same mesh, for each temperature and in total, and the share of the power dissipated at unmeasured
+frequencies, which the draws do not represent. With `--moduli`, it reports the coverage of the moduli. It fails if the
+intervals of the torque contain the truth in less than nine of ten cases.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ import numpy as np
 import viscoroll as vr
 from viscoroll.rheology import Isotherm, RheologyData
 
-#: What intervals of 95 % must hold.
+#: Least coverage of intervals of 95 %.
 LEAST = 0.9
 
 ANSWERS = ("resisting_torque", "dissipated_power", "penetration", "max_pressure")
@@ -26,7 +27,7 @@ ANSWERS = ("resisting_torque", "dissipated_power", "penetration", "max_pressure"
 TEMPERATURES = (30.0, 40.0, 50.0, 60.0, 70.0)
 REFERENCE = 50.0
 
-#: A rubber of 25 terms over twelve decades, at places of no round number, and its law.
+#: A rubber of 25 terms over twelve decades, at times that are not round numbers, and its law.
 _TIMES = 0.7 * np.logspace(-9, 3, 25)
 _SHAPE = np.exp(-0.5 * ((np.log10(_TIMES) + 5.0) / 1.8) ** 2)
 RUBBER = vr.Prony(
@@ -34,12 +35,12 @@ RUBBER = vr.Prony(
 )
 LAW = vr.WilliamsLandelFerry(c1=10.0, c2=110.0, reference_temperature=REFERENCE + 273.15)
 
-#: What is measured of each sweep [rad/s].
+#: Measured range of each sweep [rad/s].
 LOWEST, HIGHEST = 0.1, 100.0
 
-#: With 500 nodes a revolution the contact at the lowest temperature has 55, which take 1.8 % less torque of what ends
-#: as a series does than of the rubber itself: each is collocated by its phase at the mesh's own frequency. With 1000 it
-#: is 0.2 %.
+#: With 500 nodes per revolution, the contact at the lowest temperature has 55 nodes. A material that ends as a series
+#: does then has 1.8 % less torque than the rubber itself, because each is collocated by its phase at the mesh's own
+#: frequency. With 1000 nodes, the difference is 0.2 %.
 CASE = {"load": 30.0, "angular_speed": 3.0, "mesh": vr.Mesh(nodes_per_revolution=1000), "progress": False}
 
 
@@ -62,7 +63,7 @@ def true_modulus(temperature):
 
 
 def measured(seed, noise):
-    """Return what a rheometer gives: three decades at each temperature, seven points to a decade."""
+    """Return simulated rheometer data: three decades at each temperature, with seven points per decade."""
     generator = np.random.default_rng(seed)
     omega = np.geomspace(LOWEST, HIGHEST, 22)
     sweeps = []
@@ -75,7 +76,7 @@ def measured(seed, noise):
 
 
 def coated(modulus):
-    """Return a ball of 20 mm with 2 mm of it."""
+    """Return a ball with a core of 20 mm and 2 mm of this material."""
     return vr.CoatedSphere(
         core_radius=20e-3, layers=[vr.Layer(thickness=2e-3, shear_modulus=modulus, poisson_ratio=0.5)]
     )
@@ -87,17 +88,17 @@ def of_curve(curve, temperature):
 
 
 def of_truth(temperature):
-    """Return the ball as it is."""
+    """Return the ball of the rubber itself."""
     return coated(true_modulus(temperature))
 
 
 def true_study():
-    """Return results of the rubber itself."""
+    """Return the results of the rubber itself."""
     return vr.sweep(of_truth, temperature=TEMPERATURES, **CASE)
 
 
 def unmeasured():
-    """Return the share of the power that is lost at frequencies of no sweep, at each temperature [-]."""
+    """Return the share of the power dissipated at unmeasured frequencies, for each temperature [-]."""
     shifts = np.array([float(LAW(temperature + 273.15)) for temperature in TEMPERATURES])
     given = {name: value for name, value in CASE.items() if name != "progress"}
     spectra = [vr.loss_spectrum(vr.solve(of_truth(temperature), **given)) for temperature in TEMPERATURES]
@@ -112,9 +113,9 @@ def study(seed, noise, *, draws=100, way="linear"):
 
 
 def held(found, truth):
-    """Return whether intervals hold the truth (1 or 0), and errors by half widths, of shape (answers, temperatures).
+    """Return whether intervals contain the truth (1 or 0), and errors per half width, shape (answers, temperatures).
 
-    NaN where there is none: of a largest pressure at the edge.
+    NaN without an interval, as for a largest pressure at the edge.
     """
     lower, upper, true, middle = (
         np.array([dataset[f"{answer}{bound}"].values for answer in ANSWERS])
@@ -125,7 +126,7 @@ def held(found, truth):
 
 
 def torques(sets, draws, noise, way):
-    """Print how often intervals of results hold the truth; return the share for the torque."""
+    """Print how often intervals of results contain the truth; return the share for the torque."""
     truth = true_study()
     inside, errors, widths, times = [], [], [], []
     for seed in range(sets):
@@ -155,7 +156,7 @@ def torques(sets, draws, noise, way):
 
 
 def moduli(sets, draws, noise):
-    """Print how often intervals of moduli of a single curve hold the truth; return the share of both."""
+    """Print how often intervals of moduli of a single curve contain the truth; return the share of both."""
     omega, probe = np.geomspace(1e-1, 1e5, 61), np.geomspace(0.3, 3e4, 25)
     modulus, true = RUBBER.complex_modulus(omega), RUBBER.complex_modulus(probe)
     inside, errors, start = [], [], time.process_time()
@@ -182,7 +183,7 @@ def moduli(sets, draws, noise):
 
 
 def main():
-    """Run a campaign."""
+    """Run the tests."""
     parser = argparse.ArgumentParser(prog="python -m tests.campaign.intervals", description=__doc__)
     parser.add_argument("--sets", type=int, default=200, help="number of data sets")
     parser.add_argument("--draws", type=int, default=100, help="of each")

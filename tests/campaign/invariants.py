@@ -1,4 +1,4 @@
-"""What must hold in any solution, whatever was solved."""
+"""Relations that hold in any solution."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from .cases import Case
 
 __all__ = ["depth_of", "violations"]
 
-#: The solver ends at residuals of 1e-8; conditions at single nodes are allowed a hundred times that.
+#: The solver stops at residuals of 1e-8; conditions at single nodes are allowed a hundred times as much.
 TOLERANCE = 1e-6
 
 
 def violations(case: Case, result: vr.Result) -> dict[str, float]:
-    """Return the conditions that a solution violates, each with its error relative to what is allowed."""
+    """Return the conditions that a solution violates, each with its error relative to the tolerance."""
     if not _is_finite(result):
         return {"not finite": math.inf}
     checks = (_contact, _status, _powers, _pair, _symmetry, *((_friction, _drive) if case.has_friction else ()))
@@ -35,14 +35,16 @@ def _is_finite(result: vr.Result) -> bool:
 
 
 def _areas(result: vr.Result) -> NDArray[np.float64]:
-    """Return the areas on which tractions act [m²], of a roller per length [m]."""
+    """Return the areas on which tractions act [m²], for a roller per length [m]."""
     radius = result.ball.outer_radius
     if isinstance(result.ball, vr.CoatedCylinder):
         return np.full(result.z.shape, radius * result.mesh.spacing)
-    if isinstance(result.ball, vr.CoatedWheel):  # whose columns are so wide that they end at its faces
+    # the columns of a wheel end at its faces
+    if isinstance(result.ball, vr.CoatedWheel):
         return np.full(result.z.shape, radius * result.mesh.spacing * abs(result.z[0, 1] - result.z[0, 0]))
     flat = radius**2 * result.mesh.spacing * result.mesh.theta_spacing
-    if deforms(result.on):  # whose nodes lie between both, on a paraboloid
+    # the nodes lie between both bodies, on a paraboloid
+    if deforms(result.on):
         return np.full(result.z.shape, flat)
     if result.patch_load is vr.PatchLoad.FLAT and result.curvature is not vr.Curvature.EXACT:
         return np.full(result.z.shape, flat)
@@ -50,7 +52,7 @@ def _areas(result: vr.Result) -> NDArray[np.float64]:
 
 
 def depth_of(result: vr.Result) -> float:
-    """Return the approach of the bodies [m]; on a half-plane, where it has no datum, the depth of the contact's arc."""
+    """Return the approach of the bodies [m]; on a half-plane, which has no datum, the depth of the contact's arc."""
     if result.penetration is None:
         return _arm(result) ** 2 / (2.0 * result.ball.outer_radius)
     return result.penetration + result.centrifugal_displacement
@@ -93,20 +95,21 @@ def _friction(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     limit = result.friction * result.pressure
     peak = float(limit.max())
     against = np.sum(result.shear_traction * result.slip_velocity, axis=0) / fastest
-    # Of a slow slip the direction is lost in round-off, and counts as little: |t| |S| + t . S, which is 0 if opposite.
+    # The direction of a slow slip is lost in round-off, so it has a small weight: |t| |S| + t . S, which is 0 if
+    # opposite.
     yield "traction > friction", float((traction - limit).max()) / peak
     yield "slip below the limit", float((limit - traction)[slip].max(initial=0.0)) / peak
     yield "slip not opposite", float((traction * speed / fastest + against)[slip].max(initial=0.0)) / peak
 
 
 def _slip_of_the_shape(result: vr.Result) -> float:
-    """Return the slip [m/s] that the ball's curvature alone asks for: the unit of what is hardly any."""
+    """Return the slip [m/s] due to the ball's curvature alone, as the scale of small slips."""
     arm = _arm(result) / result.ball.outer_radius
     return result.angular_speed * result.ball.outer_radius * arm**2
 
 
 def _arm(result: vr.Result) -> float:
-    """Return the contact's half length [m], of a single node the spacing."""
+    """Return the half length of the contact [m], for a single node the spacing."""
     return max(result.semi_axis_x, result.mesh.spacing * result.ball.outer_radius)
 
 
@@ -115,8 +118,10 @@ def _drive(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     area = _areas(result)
     force = -float((result.shear_traction[0] * area).sum())
     bound = min(result.friction, 1.0) * result.load
-    if not deforms(case.on):  # which leans on the pressure, else
-        force -= curvature(case.on) * result.resisting_torque  # a track that rises ahead of the pressure holds back
+    # otherwise the force also depends on slopes under the pressure
+    if not deforms(case.on):
+        # a track that rises ahead of the pressure resists
+        force -= curvature(case.on) * result.resisting_torque
         yield "driving force", abs(force - result.driving_force) / bound
     if drive.force is not None:
         yield "force balance", abs(result.driving_force - drive.force) / bound
@@ -136,9 +141,10 @@ def _powers(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
 
 
 def _pair(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
-    """Let both bodies pay for what they lose, together, and without friction each for itself.
+    """Check that both bodies receive the power that they dissipate: in total, and without friction each one.
 
-    The pressure's moment is known to a spacing's lever, and a loss to the share of a node in the contact's half length.
+    The moment of the pressure is accurate to a moment arm of one spacing, and a loss to the share of one node in the
+    half length of the contact.
     """
     if case.on is None:
         return
@@ -146,7 +152,8 @@ def _pair(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     spacing = result.mesh.spacing * radius
     rolling = result.angular_speed * radius
     speed = rolling if result.linear_speed is None else result.linear_speed
-    # What turns as well has a lever of its own; a track that deforms is paid for by a force, the moment per radius.
+    # A rotating counterbody has its own moment arm; a deformable track receives its loss by a force, the moment /
+    # radius.
     is_soft_track = isinstance(case.on, vr.CoatedPlane | vr.Groove) and deforms(case.on)
     turning = abs(speed) * max(abs(bend), 1.0 / radius if is_soft_track else 0.0)
     levers = result.load * spacing * np.array([result.angular_speed, turning])
@@ -166,7 +173,7 @@ def _pair(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
 
 
 def _symmetry(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
-    """Without lateral creepage and spin both sides are the same."""
+    """Check that both sides agree without lateral creepage and spin."""
     if result.drive.lateral_creepage or result.drive.spin:
         return
     peak = float(result.pressure.max())

@@ -15,7 +15,7 @@ __all__ = ["Scaled", "Springpot", "draw_modulus", "modulus_at", "scaled_modulus"
 
 @dataclass(frozen=True, kw_only=True)
 class Springpot:
-    """A function of frequency that the package does not know: G + K (iωτ)^α with a loss that ends at low frequency."""
+    """A function of frequency unknown to the package: G + K (iωτ)^α with a loss that ends at low frequency."""
 
     modulus: float
     stiffness: float
@@ -33,13 +33,13 @@ def draw_modulus(rng: np.random.Generator, modulus: float, time: float, speed: f
     Parameters
     ----------
     rng : Generator
-        Of the case.
+        Random numbers of the case.
     modulus : float
-        At high frequency [Pa].
+        Modulus at high frequency [Pa].
     time : float
-        That material takes to cross the contact [s], of which the material's own times are a share or a multiple.
+        Time in which material crosses the contact [s]; the material's own times are a fraction or a multiple of it.
     speed : float
-        Angular speed [rad/s], whose multiples a table must hold.
+        Angular speed [rad/s], whose multiples a table must contain.
     """
     tau = time * 10.0 ** rng.uniform(-2.0, 2.0)
     relaxed = modulus * 10.0 ** -rng.choice([rng.uniform(0.05, 1.0), rng.uniform(1.0, 4.0)], p=[0.8, 0.2])
@@ -71,7 +71,7 @@ def _prony(rng: np.random.Generator, modulus: float, relaxed: float, tau: float)
 
 
 def _table(rng: np.random.Generator, modulus: float, relaxed: float, tau: float, speed: float) -> vr.MasterCurve:
-    """Return the measured curve of a fractional solid: few entries or many, held outside or reaching far enough."""
+    """Return the measured curve of a fractional solid: few entries or many, with held ends or a sufficient range."""
     solid = vr.FractionalZener(
         instantaneous_modulus=modulus, relaxed_modulus=relaxed, relaxation_time=tau, order=rng.uniform(0.3, 1.0)
     )

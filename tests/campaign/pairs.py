@@ -1,4 +1,4 @@
-"""Balls on balls: the other body of a case, and the same pair, of rollers as well, seen otherwise."""
+"""Balls on balls: the other body of a case, and equivalent descriptions of a pair, also of rollers."""
 
 from __future__ import annotations
 
@@ -13,40 +13,41 @@ from .materials import draw_modulus, modulus_at
 
 __all__ = ["on_a_ball", "on_its_mirror", "swapped"]
 
-#: Modulus of a plane that hardly deforms [Pa]: moduli go up to 1e12.
+#: Modulus of a nearly rigid plane [Pa]; other moduli go up to 1e12.
 _MIRROR = 1e22
 
 
 def on_a_ball(
     rng: np.random.Generator, ball: vr.CoatedSphere, time: float, arguments: dict[str, Any]
 ) -> dict[str, Any]:
-    """Return a ball of a case and its arguments with another one that it rolls on: alike, coated, or one of them rigid.
+    """Return a ball and its arguments on another ball: an identical one, a coated one, or with one rigid ball.
 
     Parameters
     ----------
     rng : Generator
-        Of the case, for this alone.
+        Separate random numbers for this choice.
     ball : CoatedSphere
-        What rolls on a plane.
+        The ball that rolls on a plane.
     time : float
-        That material takes to cross the contact [s].
+        Time in which material crosses the contact [s].
     arguments : dict
-        Of `viscoroll.solve`, for the plane.
+        Arguments of `viscoroll.solve` for the plane.
     """
     kind = rng.choice(["alike", "coated", "rigid", "coated under a rigid one"], p=[0.2, 0.5, 0.15, 0.15])
     radius = ball.outer_radius
-    # Nodes at the same distances on either ball, whichever rolls on the other.
+    # The distances between nodes are equal on both balls, for either order of the balls.
     mesh = arguments.get("mesh")
     nodes = 1000 if mesh is None else mesh.nodes_per_revolution
     wanted = 1.0 if kind == "alike" else 10.0 ** rng.uniform(-0.5, 1.0)
     ratio = min(max(16, round(nodes * wanted)), 1_000_000) / nodes
-    # Of whole numbers on the first one some are not whole on the other.
+    # Numbers of the first ball that are not integers on the other are left out.
     if mesh:
         numbers = {name: getattr(mesh, name) for name in ("theta_nodes_per_revolution", "max_order")}
         broken = {name: None for name, number in numbers.items() if number and (ratio * number) % 1.0 > 0.0}
         arguments = arguments | {"mesh": replace(mesh, **broken)}
     other = _other(rng, kind, ball, ratio * radius, time, arguments["angular_speed"])
-    share = ratio / (1.0 + ratio)  # of the relative radius in the first one's
+    # relative radius / radius of the first ball
+    share = ratio / (1.0 + ratio)
     changed: dict[str, Any] = {
         "compliance": vr.Compliance.RADIAL,
         "patch_load": vr.PatchLoad.FLAT,
@@ -76,7 +77,7 @@ def _other(
 
 
 def swapped(ball: Any, arguments: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
-    """Return the same pair with the other one as what rolls, at the same nodes."""
+    """Return the same pair with exchanged bodies, at the same nodes."""
     other = arguments["on"]
     ratio = other.outer_radius / ball.outer_radius
     changed = {"on": ball, "angular_speed": arguments["angular_speed"] / ratio}
@@ -90,7 +91,7 @@ def swapped(ball: Any, arguments: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
 
 
 def on_its_mirror(arguments: dict[str, Any]) -> dict[str, Any]:
-    """Return a ball's arguments on the plane that lies between it and its like, which hardly deforms.
+    """Return a ball's arguments on the nearly rigid plane between it and an identical ball.
 
     Its nodes lie on a paraboloid, as between two balls.
     """

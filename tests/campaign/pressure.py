@@ -1,8 +1,8 @@
-"""The largest pressure, and zigzag, of thirty cases: `python -m tests.campaign.pressure --accuracy 0.01`.
+"""Largest pressure and zigzag of thirty cases: `python -m tests.campaign.pressure --accuracy 0.01`.
 
-Each is solved to an accuracy and on a mesh four times as fine in every direction. Told are the error of the largest
-pressure, its estimate and the zigzag, as shares of the accuracy, and the processor time of the solve. A case fails
-where the pressure or the zigzag is off by more than the accuracy and no warning says so.
+Each case is solved to an accuracy, and on a mesh four times as fine in every direction. The command prints the error of
+the largest pressure, its estimate and the zigzag, as shares of the accuracy, and the processor time of the solve. A
+case fails if the error of the pressure or the zigzag exceeds the accuracy without a warning.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ ELASTIC = vr.Elastic(modulus=5e6)
 
 @dataclass(frozen=True)
 class Case:
-    """What rolls, and the arguments of `viscoroll.solve`."""
+    """The rolling body, and the arguments of `viscoroll.solve`."""
 
     name: str
     ball: vr.CoatedSphere | vr.CoatedCylinder | vr.CoatedWheel
@@ -53,16 +53,16 @@ class Outcome:
 
     @property
     def warned(self):
-        """Whether the result says that its largest pressure is not what was asked for."""
+        """Return whether the result warns of its largest pressure."""
         return vr.WarningKind.PRESSURE_PEAK in self.result.warnings
 
     def failed(self, accuracy):
-        """Return whether more is off than was asked for, without a word."""
+        """Return whether an error exceeds the accuracy without a warning."""
         return max(self.error, self.zigzag) > accuracy and not self.warned
 
 
 def fractional(order, *, relaxed=1.5e6, instantaneous=300e6, time=1e-6):
-    """Return a fractional Zener solid, that of the idler but for its order."""
+    """Return a fractional Zener solid with the moduli of the idler and another order."""
     return vr.FractionalZener(
         instantaneous_modulus=instantaneous, relaxed_modulus=relaxed, relaxation_time=time, order=order
     )
@@ -79,7 +79,7 @@ def layer(thickness, modulus, poisson_ratio=0.5):
 
 
 def cases():
-    """Return the thirty, in an order of their own: lines, spots, wheels."""
+    """Return the thirty cases: line contacts, point contacts, wheels."""
     return [*_idlers(), *_rollers(), *_balls(), *_wheels()]
 
 
@@ -161,10 +161,10 @@ def _given(load, angular_speed, **others):
 
 
 def zigzag(result):
-    """Return by how much pressures of a row alternate, relative to the largest.
+    """Return the alternation of pressures along a row, relative to the largest pressure.
 
-    A node's distance from the mean of it and its neighbors, p - (¼ ½ ¼) p, where it changes its sign twice in a row of
-    three nodes inside the contact; the least of the three.
+    The difference of a node from the mean of it and its neighbors is p - (¼ ½ ¼) p. Where it changes sign twice in a
+    row of three nodes inside the contact, the least of the three differences counts.
     """
     columns = (result.pressure.shape[0], -1)
     pressure, touching = result.pressure.reshape(columns), result.contact.reshape(columns).astype(bool)
@@ -176,7 +176,7 @@ def zigzag(result):
 
 
 def four_times_as_fine(mesh):
-    """Return the mesh that judges."""
+    """Return the reference mesh."""
     across = mesh.theta_nodes_per_revolution
     return replace(
         mesh,
@@ -186,7 +186,7 @@ def four_times_as_fine(mesh):
 
 
 def judge(case, accuracy):
-    """Solve a case twice."""
+    """Solve a case with the accuracy and on the reference mesh."""
     result, seconds = case.solve(accuracy=accuracy)
     fine, _ = case.solve(mesh=four_times_as_fine(result.mesh))
     error = abs(result.max_pressure / fine.max_pressure - 1.0)
@@ -194,13 +194,13 @@ def judge(case, accuracy):
 
 
 def main() -> int:
-    """Judge all, and tell the worst."""
+    """Judge all cases, and print the largest errors."""
     parser = argparse.ArgumentParser(prog="python -m tests.campaign.pressure", description=__doc__)
     parser.add_argument("--accuracy", type=float, default=0.01, help="that is asked for")
     accuracy = parser.parse_args().accuracy
     outcomes = []
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", vr.ResultWarning)  # they stand in the results
+        warnings.simplefilter("ignore", vr.ResultWarning)  # the results contain the warnings
         for case in cases():
             outcome = judge(case, accuracy)
             outcomes.append(outcome)

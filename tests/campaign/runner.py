@@ -1,4 +1,4 @@
-"""Solving cases in processes of their own, which may hang or crash."""
+"""Solution of cases in separate processes, which may hang or crash."""
 
 from __future__ import annotations
 
@@ -25,24 +25,24 @@ from .twins import twins
 
 try:
     import resource
-except ImportError:  # Windows, where only the clock on the wall ends a case
+except ImportError:  # Windows, where only the elapsed time ends a case
     resource = None  # type: ignore[assignment]
 
 __all__ = ["FAILURES", "KINDS", "SLOW", "Outcome", "attempt", "run", "run_case"]
 
 Solution = TypeVar("Solution")
 
-#: How a case can end. Those from the third on are failures, and so is a solution with violations.
+#: Kinds of outcomes. Those from the third on are failures, and so is a solution with violations.
 KINDS = ("solved", "refused", "refused improperly", "no convergence", "hang", "crash", "error")
 FAILURES = KINDS[2:]
 
-#: Time of the processor [s] beyond which a case is solved without its twins.
+#: Processor time [s] above which a case is solved without its twins.
 SLOW = 2.0
 
-#: A process that waits for something uses no time of the processor: how much longer the clock on the wall may run.
+#: Additional elapsed time [s] for a process, since waiting uses no processor time.
 PATIENCE = 30.0
 
-#: Words of the inside, of which no message must speak.
+#: Internal terms that no message may contain.
 _INTERNAL = re.compile(
     r"unknown forces|eliminat|krylov|gmres|bicgstab|newton|preconditi|matrix|active set|singular|eigen|fftw"
     r"|std::|\bnan\b",
@@ -52,7 +52,7 @@ _INTERNAL = re.compile(
 
 @dataclass(kw_only=True)
 class Outcome:
-    """How a case ended.
+    """Outcome of a case.
 
     Attributes
     ----------
@@ -61,17 +61,17 @@ class Outcome:
     kind : str
         One of `KINDS`.
     stage : str
-        What was solved last: the case itself, or the twin of that name.
+        Last solve: the case itself, or the twin of that name.
     message : str
-        Of the exception.
+        Message of the exception.
     violations : dict
-        What the solution, or that of a twin, violates, and how far beyond what is allowed.
+        Conditions that the solution, or that of a twin, violates, with the error relative to the tolerance.
     seconds : float
-        Time of the processor for the case itself.
+        Processor time of the case itself.
     has_friction : bool
         Whether the case has friction.
     nodes : int
-        In contact.
+        Number of nodes in contact.
     source : str
         The call.
     """
@@ -88,25 +88,25 @@ class Outcome:
 
     @property
     def failed(self) -> bool:
-        """Whether anything is wrong."""
+        """Return whether anything is wrong."""
         return self.kind in FAILURES or bool(self.violations)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return all of it, for JSON, which knows no infinity."""
+        """Return all members for JSON, which has no infinity."""
         values = asdict(self)
         values["violations"] = {name: min(error, sys.float_info.max) for name, error in self.violations.items()}
         return values
 
 
 def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: None) -> Outcome:
-    """Solve a case and its twins, if it is not a slow one, and check the solutions.
+    """Solve a case and, unless it is slow, its twins, and check the solutions.
 
     Parameters
     ----------
     case : Case
-        What to solve.
+        The case.
     before_each : callable
-        Called before each solve with what is known so far.
+        Called before each solve with the outcome so far.
     """
     outcome = Outcome(case=case.name, has_friction=case.has_friction, source=case.source())
     before_each(outcome)
@@ -119,7 +119,8 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
         return outcome
     outcome.nodes = int(result.contact.sum())
     outcome.violations |= violations(case, result)
-    warned = case.absurd == "load" and vr.WarningKind.LARGE_STRAIN in result.warnings  # which the coating bears, just
+    # the coating just supports this load
+    warned = case.absurd == "load" and vr.WarningKind.LARGE_STRAIN in result.warnings
     if case.absurd and not warned:
         outcome.violations[f"absurd {case.absurd} accepted"] = math.inf
     for twin in twins(case) if outcome.seconds < SLOW else ():
@@ -135,7 +136,7 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
 
 
 def attempt(solve: Callable[..., Solution], case: Any, outcome: Outcome) -> Solution | None:
-    """Solve a case by its arguments, and note in the outcome what was raised and warned of."""
+    """Solve a case, and record its exceptions and warnings in the outcome."""
     try:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
@@ -158,18 +159,18 @@ def attempt(solve: Callable[..., Solution], case: Any, outcome: Outcome) -> Solu
 
 
 def _is_proper(message: str, case: Any) -> bool:
-    """Whether a message names an argument that was given, and speaks of nothing else."""
+    """Return whether a message names a given argument, without internal terms."""
     name = re.match(r"([a-z_]+)[\w.\[\]]* must be ", message)
     given = case.arguments.keys() | {"layers", "core_radius", "width", "crown_radius", "sides"}
-    given |= {"driving_force", "driving_torque"}  # of a drive over time
+    given |= {"driving_force", "driving_torque"}  # arguments of transient drives
     return name is not None and name[1] in given and not _INTERNAL.search(message)
 
 
 def _judge_refusal(case: Case, outcome: Outcome, before_each: Callable[[Outcome], object]) -> None:
-    """Look whether a load that was refused can be borne, by what smaller loads do.
+    """Test whether a refused load is supportable, by extrapolation from smaller loads.
 
-    Penetration grows with the power 2/3 of the load on a thick layer, and slower on a thin one; the contact's radius
-    with the power 1/3. Along a line these are 1 and 1/2. Shells that bend are left out.
+    The penetration grows with the power 2/3 of the load on a thick layer, and more slowly on a thin one; the contact
+    radius grows with the power 1/3. For line contacts, the powers are 1 and 1/2. Shells that bend are left out.
     """
     shell = getattr(case.ball, "inner_boundary", None) is vr.InnerBoundary.HOLLOW
     if not outcome.message.startswith("load ") or case.absurd or shell:
@@ -194,7 +195,7 @@ def _judge_refusal(case: Case, outcome: Outcome, before_each: Callable[[Outcome]
 
 
 def _smallest_radius(case: Case) -> float:
-    """Return the smaller radius of two that turn, or bulge, beyond 60° of which no load is borne [m]."""
+    """Return the smaller convex radius of the bodies [m]; a contact beyond 60° of it supports no load."""
     names = ("outer_radius", "radius", "path_radius")
     others = [abs(radius) for name in names if (radius := getattr(case.on, name, None)) is not None]
     return min([case.ball.outer_radius, *others])
@@ -209,22 +210,22 @@ def run(
     draw: Callable[[int, int], Any] = draw,
     run_case: Callable[..., Outcome] = run_case,
 ) -> Iterator[Outcome]:
-    """Solve cases in several processes; yield how they ended, as they end.
+    """Solve cases in several processes; yield outcomes as they arrive.
 
     Parameters
     ----------
     seed : int
-        Of the campaign.
+        Seed of the cases.
     numbers : iterable of int
-        Of the cases.
+        Numbers of the cases.
     jobs : int
         Number of processes.
     limit : float
-        Time of the processor that one solve may take [s].
+        Processor time that one solve may take [s].
     draw : callable
         Called in each process as draw(seed, number); returns the case.
     run_case : callable
-        Called there as run_case(case, before_each), as the one of this name.
+        Called in each process as run_case(case, before_each); by default `run_case` of this module.
     """
     waiting = iter(numbers)
     workers = [_Worker(seed, limit, partial(_serve, seed, limit, draw, run_case)) for _ in range(jobs)]
@@ -244,7 +245,7 @@ def run(
 
 
 class _Worker:
-    """A process that solves one case after the other, and is replaced when it dies."""
+    """A process that solves one case after another, and is replaced when it ends."""
 
     def __init__(self, seed: int, limit: float, serve: Callable[[Connection], None]) -> None:
         self._seed, self._limit, self._serve = seed, limit, serve
@@ -260,7 +261,7 @@ class _Worker:
         theirs.close()
 
     def start_next(self, waiting: Iterator[int]) -> bool:
-        """Take the next case, if there is one."""
+        """Start the next case, if there is one."""
         for self._number in waiting:
             self._so_far = None
             self._deadline = time.monotonic() + PATIENCE * self._limit
@@ -269,7 +270,7 @@ class _Worker:
         return False
 
     def receive(self) -> Outcome | None:
-        """Return how the case ended; None where the worker says that it goes on."""
+        """Return the outcome of the case, or None if the worker continues."""
         try:
             is_end, outcome = self.connection.recv()
         except (EOFError, OSError):
@@ -279,7 +280,7 @@ class _Worker:
         return outcome if is_end else None
 
     def overdue(self) -> Outcome | None:
-        """End a process that has been silent for too long."""
+        """Terminate a process without progress, and return its outcome."""
         if time.monotonic() < self._deadline:
             return None
         self._process.kill()
@@ -297,7 +298,7 @@ class _Worker:
         return outcome
 
     def stop(self) -> None:
-        """End the process, whatever it does."""
+        """Terminate the process."""
         self._process.kill()
         self._process.join()
         self.connection.close()
@@ -313,7 +314,7 @@ def _serve(
     run_case: Callable[..., Outcome],
     connection: Connection,
 ) -> None:
-    """Solve the cases whose numbers come, until the connection ends."""
+    """Solve the cases whose numbers arrive, until the connection ends."""
 
     def before_each(outcome: Outcome) -> None:
         connection.send((False, outcome))

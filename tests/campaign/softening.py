@@ -1,8 +1,8 @@
 """Random filled rubbers: `python -m tests.campaign.softening --cases 100`.
 
-Each is found from both sides, unstrained and all but broken, which must meet in one state. Told is what failed, how
-many contacts it took at most, how much processor time beside `solve` with the moduli found, and by how much torque and
-amplitude are off those of twice the depths and a thousandth of the tolerance.
+Each case is solved from both sides, unstrained and nearly broken, which must lead to the same state. The command prints
+failures, the largest number of contact solutions, the processor time relative to `solve` with the final moduli, and the
+differences of torque and amplitude from those with twice the depths and a thousandth of the tolerance.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ import numpy as np
 import viscoroll as vr
 from viscoroll.interior.softening_search import SofteningSearch, softening_layers
 
-#: Contacts that one search may take, and what both sides may differ by: slopes up to 0.62 of the tolerance's last step.
+#: Largest number of contact solutions in one search, and the allowed difference between both sides: slopes up to 0.62
+#: of the tolerance's last step.
 MOST_CONTACTS = 20
 TOLERANCE = 1e-3
 AGREEMENT = 4e-3
@@ -25,7 +26,7 @@ AGREEMENT = 4e-3
 
 @dataclass(frozen=True)
 class Case:
-    """What rolls, on what, under which load [N] or [N/m], at which speed [rad/s], on which mesh."""
+    """Rolling body, counterbody, load [N] or [N/m], speed [rad/s] and mesh."""
 
     ball: vr.CoatedSphere | vr.CoatedCylinder
     on: vr.CoatedPlane | None
@@ -34,7 +35,7 @@ class Case:
     mesh: vr.Mesh
 
     def search(self):
-        """Return a search that nothing is known to yet."""
+        """Return a new search."""
         return SofteningSearch(
             ball=self.ball,
             on=self.on,
@@ -48,7 +49,7 @@ class Case:
 
 
 def draw(seed, number):
-    """Return a random case: rest by network in [0.1, 1], exponents to 0.6, critical strains 0.1 to 10 %."""
+    """Return a random case: relaxed share in [0.1, 1], exponents up to 0.6, critical strains of 0.1 to 10 %."""
     random = np.random.default_rng([seed, number])
 
     def spread(low, high):
@@ -76,7 +77,8 @@ def draw(seed, number):
     )
     kind = vr.CoatedSphere if random.random() < 0.5 else vr.CoatedCylinder
     half_width = min(radius * spread(0.05, 0.25), 3.0 * thickness)
-    # Hertz on the matrix alone, or the pressure that a strain of (half-width)²/2Rh makes: an order is enough
+    # The load follows from Hertz for the matrix alone, or from the pressure of a strain of (half-width)²/2Rh: an order
+    # of magnitude is enough.
     strain = half_width**2 / (2.0 * radius * min(thickness, half_width))
     load = 3.0 * relaxed * strain * half_width * (half_width if kind is vr.CoatedSphere else 1.0)
     on_plane = random.random() < 0.4
@@ -91,7 +93,7 @@ def draw(seed, number):
 
 
 def run(case):
-    """Return what is wrong with a case, contacts solved from either side, time by that of `solve`, and errors."""
+    """Return failures, contact solutions from either side, time relative to that of `solve`, and errors."""
     given = {"on": case.on, "load": case.load, "angular_speed": case.angular_speed, "mesh": case.mesh}
     start = time.process_time()
     found = vr.strain_softening(case.ball, **given)
@@ -101,8 +103,10 @@ def run(case):
     search = case.search()
     plain = time.process_time()
     search.solved(
-        np.array([1.001 * amplitude]), np.array(found.loss_scales)
-    )  # moduli of its own, so that none are known
+        np.array([1.001 * amplitude]),
+        np.array(found.loss_scales),
+        # slightly different moduli, so that no stored solution applies
+    )
     plain = time.process_time() - plain
     state = search.converged(search.at(np.ones(1), np.ones(1)), matched=True, tolerance=TOLERANCE)
     contacts = max(found.iterations, search.contacts - 1)
@@ -119,7 +123,7 @@ def run(case):
 
 
 def main():
-    """Run a campaign."""
+    """Run the tests."""
     parser = argparse.ArgumentParser(prog="python -m tests.campaign.softening", description=__doc__)
     parser.add_argument("--cases", type=int, default=100, help="number of cases")
     parser.add_argument("--seed", type=int, default=1, help="of the campaign")
@@ -130,7 +134,7 @@ def main():
         case = draw(arguments.seed, number)
         try:
             wrong, count, time_ratio, error = run(case)
-        except ValueError as refusal:  # a load that the layer does not bear
+        except ValueError as refusal:  # the layer does not support the load
             refused += 1
             print(f"{number}: refused, {refusal}", flush=True)
             continue

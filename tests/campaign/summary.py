@@ -1,4 +1,4 @@
-"""What a campaign found, on one page."""
+"""Summary of randomized tests on one page."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def summary(outcomes: Sequence[Outcome], examples: int = 3) -> str:
 
 
 def _classes(outcomes: Sequence[Outcome], examples: int) -> list[str]:
-    """Return each class of failure with the cases that show it."""
+    """Return each class of failure with the cases that have it."""
     members: defaultdict[str, list[str]] = defaultdict(list)
     for outcome in outcomes:
         if outcome.failed and outcome.kind != "solved":

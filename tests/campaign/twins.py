@@ -1,4 +1,4 @@
-"""Cases that must have the same solution as another, and what their solutions must share."""
+"""Cases that must have the same solution as another, and the quantities that must agree."""
 
 from __future__ import annotations
 
@@ -18,34 +18,35 @@ from .pairs import on_its_mirror, swapped
 
 __all__ = ["Twin", "twins"]
 
-#: Powers of two, whose products are exact: what differs is an absolute number somewhere in the solution.
+#: Powers of two have exact products, so a difference indicates an absolute number somewhere in the solution.
 LENGTH, STRESS, TIME = 2.0**-9, 2.0**13, 2.0**7
 
-#: Relative to the largest value of its kind. Layers that are cut and tables that are mirrored have other round-off, and
-#: the solver ends at residuals of 1e-8 and less.
+#: Tolerances relative to the largest value of each kind. Divided layers and mirrored tables have other round-off, and
+#: the solver stops at residuals of 1e-8 or less.
 SCALING_TOLERANCE = 1e-8
 TOLERANCE = 1e-6
 
-#: Of one pair told from either ball: their orders are split in octaves of their own, and one is the other's elsewhere.
+#: Tolerance of a pair with exchanged bodies: each description has its own octaves of orders, with nodes at other
+#: positions.
 PAIR_TOLERANCE = 1e-5
 
 #: Change of the penetration and of moments and powers between both descriptions of a pair, relative to the difference
-#: of the bodies' centrifugal growth s = 1 + d/R. Nodes keep equal arcs at rest, whose length in contact is s times
-#: that of the rolling body: the other description has a gap curvature that is (s_2/s_1)^2 times as large. The
-#: penetration is proportional to its power 1/3 (thick), 1/2 (thin) or up to 2/3 (thin and incompressible), which 0.74,
-#: 0.99 and 1.22 confirm where 2/3, 1 and 4/3 are the limits. Moments follow the steps of the mesh: 2.0 with 48 nodes
-#: in contact.
+#: of the bodies' centrifugal growth s = 1 + d/R. Nodes keep equal arcs at rest, whose length in contact is s times that
+#: of the rolling body, so the other description has a gap curvature that is (s_2/s_1)^2 times as large. The penetration
+#: is proportional to its power 1/3 (thick), 1/2 (thin) or up to 2/3 (thin and incompressible); measured values of 0.74,
+#: 0.99 and 1.22 confirm the limits 2/3, 1 and 4/3. Moments follow the steps of the mesh: 2.0 with 48 nodes in contact.
 GROWN = {"penetration": 4.0 / 3.0, "resisting_torque": 4.0, "bulk_power": 4.0}
 
-#: Of layers cut in two, in a tread with faces: elements of its section end where layers do, and are right to some 1e-4.
-#: Tractions are so as they sum up from a face: at single nodes nearer to it than a sixteenth of the thickness, which is
-#: the elements' size there, they are known to 4 % (case 73:58 with elements of a sixteenth and of a 64th).
+#: Tolerance of divided layers in a tread with faces: elements of its section end where layers do, and are accurate to
+#: some 1e-4. Tractions have this accuracy summed from a face. At single nodes closer to the face than a sixteenth of
+#: the thickness, which is the element size there, they are accurate to 4 % (case 73:58 with elements of a sixteenth and
+#: of a 64th).
 ELEMENT_TOLERANCE = 1e-3
 
-#: A groove that is so many radii wide is a plane: its curvature is that share of what rolls.
+#: Width of a groove in radii that makes it a plane: its relative curvature is the inverse.
 WIDE = 1e9
 
-#: Results by the powers of length, stress and time that scale them; those of a length less where they are per length.
+#: Exponents of length, stress and time by which the results scale; results per length have one power of length less.
 SCALARS = {
     "resisting_torque": (3, 1, 0),
     "driving_torque": (3, 1, 0),
@@ -61,16 +62,16 @@ NEVER_PER_LENGTH = {"penetration", *FIELDS}
 
 @dataclass(frozen=True, kw_only=True)
 class Twin:
-    """A case whose solution is known from that of another.
+    """A case whose solution follows from that of another.
 
     Attributes
     ----------
     kind : str
-        What was done to it.
+        Name of the transformation.
     case : Case
-        What is solved.
+        The transformed case.
     differences : callable
-        Called with the first solution and the twin's; returns differences by name, relative to what is allowed.
+        Called with the first solution and the twin's; returns differences by name, relative to the tolerance.
     """
 
     kind: str
@@ -79,11 +80,11 @@ class Twin:
 
 
 def twins(case: Case) -> Iterator[Twin]:
-    """Yield all twins that the case has."""
+    """Yield all twins of the case."""
     yield Twin(kind="scaling", case=_scaled(case), differences=_scaling_differences)
     body = case.ball if case.ball.layers else case.on
     wheel = body if isinstance(body, vr.CoatedWheel) else None
-    if body.layers and not (wheel and wheel.hub is vr.Hub.STRAIGHT):  # its crown cuts one layer
+    if body.layers and not (wheel and wheel.hub is vr.Hub.STRAIGHT):  # on a straight hub, the crown cuts one layer
         by_elements = wheel is not None and wheel.sides is vr.Sides.FREE
         differences = partial(_differences, allowed=ELEMENT_TOLERANCE, summed=True) if by_elements else _differences
         yield Twin(kind="split layer", case=_split(case), differences=differences)
@@ -105,14 +106,15 @@ def twins(case: Case) -> Iterator[Twin]:
 
 
 def _planes(case: Case, plane: vr.CoatedPlane) -> Iterator[Twin]:
-    """Yield the same plane as a very wide groove, and with some of its half-space as a layer."""
+    """Yield the same plane as a very wide groove, and with part of its half-space as a layer."""
     radius = WIDE * case.ball.outer_radius
     across = {} if isinstance(case.ball, vr.CoatedCylinder) else {"radius": -radius}
     groove = vr.Groove(layers=plane.layers, base=plane.base, path_radius=radius, **across)
     yield Twin(
         kind="wide groove", case=replace(case, arguments=case.arguments | {"on": groove}), differences=_differences
     )
-    if plane.base is None or "mesh" not in case.arguments:  # which is chosen by how thick layers are
+    # without a given mesh, the choice depends on layer thicknesses
+    if plane.base is None or "mesh" not in case.arguments:
         return
     base = {name: getattr(plane.base, name) for name in ("shear_modulus", "poisson_ratio", "bulk_modulus", "density")}
     thickness = sum(layer.thickness for layer in plane.layers) or 0.01 * case.ball.outer_radius
@@ -120,15 +122,16 @@ def _planes(case: Case, plane: vr.CoatedPlane) -> Iterator[Twin]:
     yield Twin(
         kind="layer of the base",
         case=replace(case, arguments=case.arguments | {"on": thicker}),
-        differences=partial(_differences, fields={}),  # in a window of another size, which is guessed from thicknesses
+        # the first guess of the window depends on thicknesses
+        differences=partial(_differences, fields={}),
     )
 
 
 def _tells_both_alike(case: Case) -> bool:
-    """Whether the other body may roll in place of the first one, at the same nodes and speeds."""
+    """Return whether the bodies may be exchanged with the same nodes and speeds."""
     if type(case.on) is not type(case.ball) or isinstance(case.ball, vr.CoatedWheel):
         return False
-    # Balls' nodes lie on a paraboloid where what is rolled on deforms; rollers' always at the same arcs.
+    # The nodes of balls lie on a paraboloid if the counterbody deforms; those of rollers are always at the same arcs.
     if not isinstance(case.ball, vr.CoatedCylinder) and not (case.ball.layers and case.on.layers):
         return False
     return not case.has_friction and case.arguments["drive"].creepage is None and "mesh" in case.arguments
@@ -140,16 +143,17 @@ def _swapped(case: Case) -> Case:
 
 
 def _swap_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
-    """Return what differs of what has no side, and of what each body loses."""
+    """Return differences of the quantities of the pair, and of each body's dissipated power."""
     pairs = {name: (getattr(one, name), getattr(other, name)) for name in ("penetration", "resisting_torque")}
     pairs["bulk_power"] = one.rolling_bulk_power, other.counterpart_bulk_power
     radius = min(one.ball.outer_radius, other.ball.outer_radius)
-    is_alike = one.on == one.ball  # whose growth is the same
+    # identical bodies have equal growth
+    is_alike = one.on == one.ball
     return _pair_differences(one, pairs, growth=0.0 if is_alike else one.centrifugal_displacement / radius)
 
 
 def _mirror_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
-    """Return what differs from one of two equal balls on the plane between them: it is pressed in by half."""
+    """Return differences from one of two equal balls on the plane between them, with half the penetration."""
     pairs = {name: (getattr(one, name), getattr(other, name)) for name in ("resisting_torque", "contact_area")}
     pairs["penetration"] = one.penetration, 2.0 * other.penetration
     pairs["bulk_power"] = one.rolling_bulk_power, other.rolling_bulk_power
@@ -207,7 +211,7 @@ def _scaled_material(material: Any) -> Any:
 
 
 def _split(case: Case) -> Case:
-    """Cut the thickest layer in two, of what rolls unless that is rigid."""
+    """Divide the thickest layer of the rolling body in two, or of the counterbody if the rolling body is rigid."""
     body = case.ball if case.ball.layers else case.on
     layers = list(body.layers)
     thickest = max(range(len(layers)), key=lambda j: layers[j].thickness)
@@ -238,7 +242,7 @@ def _differences(
     scales = _scales(one)
     found: dict[str, float] = {}
     for name, powers in (SCALARS | fields).items():
-        if getattr(one, name) is None:  # the approach on a half-plane
+        if getattr(one, name) is None:  # approach on a half-plane
             continue
         per_length = LENGTH if one.ball.line_contact and name not in NEVER_PER_LENGTH else 1.0
         unit = _unit(powers) / per_length if scaled else 1.0
@@ -266,7 +270,7 @@ def _unit(powers: tuple[int, int, int]) -> float:
 
 
 def _scales(result: vr.Result) -> dict[str, float]:
-    """Return the size of each result where nothing cancels."""
+    """Return the size of each result where no terms cancel."""
     radius = result.ball.outer_radius
     torque = result.load * max(result.semi_axis_x, result.mesh.spacing * radius)
     force = max(min(result.friction, 1.0) * result.load, 1e-3 * result.load)

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Spheres that several tests use.
+/// @brief Spheres that several tests share.
 #pragma once
 
 #include "viscoroll/sphere.hpp"
@@ -15,7 +15,7 @@ inline CoatedSphere paper_sphere(double density = 1000.0) {
           .layers = {{.thickness = 1e-3, .shear_modulus = rubber(), .poisson_ratio = 0.5, .density = density}}};
 }
 
-/// Two layers that share no relaxation function.
+/// Two layers with different relaxation functions.
 inline CoatedSphere unlike_layers(double density = 0.0) {
   return {.core_radius = 20e-3,
           .layers = {{.thickness = 2e-3, .shear_modulus = rubber(), .poisson_ratio = 0.45, .density = density},

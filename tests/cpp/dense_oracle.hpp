@@ -1,5 +1,5 @@
 /// @file
-/// @brief Contact equations with their matrices, made of unit forces: what iterative solutions are compared with.
+/// @brief Dense contact equations from unit forces, as a reference for iterative solutions.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@ namespace viscoroll::oracle {
 
 using Eigen::Index;
 
-/// Displacements by unit forces, [axis * nodes + node] both ways.
+/// Displacements due to unit forces, with [axis * nodes + node] as row and column.
 inline Eigen::MatrixXd compliance(const detail::SurfaceOperator& surface, bool tangential = true) {
   const Index nodes = surface.shape().size();
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
@@ -29,7 +29,7 @@ inline Eigen::MatrixXd compliance(const detail::SurfaceOperator& surface, bool t
   return matrix;
 }
 
-/// Forces on a set of nodes that lie flat on the plane, and the penetration last.
+/// Forces on a set of nodes that are in contact with the plane, followed by the penetration.
 inline Eigen::VectorXd press_flat(const detail::ContactProblem& problem, const Eigen::MatrixXd& compliance,
                                   const std::vector<Index>& contact) {
   const Index nodes = problem.initial_gap.size();
@@ -43,7 +43,7 @@ inline Eigen::VectorXd press_flat(const detail::ContactProblem& problem, const E
   return detail::dense_inverse(matrix) * right;
 }
 
-/// One Newton step with all forces of all nodes as unknowns: column-wise, then penetration and creepage.
+/// One Newton step with the forces of all nodes as unknowns: column by column, then penetration and creepage.
 inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const Eigen::MatrixXd& compliance,
                                    const detail::ConditionScales& scales, const detail::ContactSets& sets,
                                    const detail::ContactSolution& state) {
@@ -54,13 +54,14 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
   const Index creepage = penetration + 1;
   const detail::VectorField& passed = state.counterpart_displacement;
   Eigen::MatrixXd matrix =
-      Eigen::MatrixXd::Identity(creepage + 1, creepage + 1);  // no force where nothing else is said
+      // Rows that are not set below mean zero force.
+      Eigen::MatrixXd::Identity(creepage + 1, creepage + 1);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(creepage + 1);
   const auto force = [&](Index node, Index axis) { return axis * nodes + node; };
-  // S along an axis as a row over the unknowns, times a factor.
+  // Add the slip S along an axis, times a factor, to a row of the system.
   const auto add_slip = [&](Index row, Index node, Index column, double factor) {
     const Index axis = column == 0 ? detail::kForward : detail::kSideways;
-    // Of a pair only one deforms here: a counterpart's material passes 1 + c times as fast.
+    // Only one body of the pair deforms here; the material of a counterbody passes 1 + c times as fast.
     const double pace = passed.rows() > 0 ? 1.0 + *state.creepage : 1.0;
     matrix.row(row).head(penetration) +=
         factor * pace * (compliance.row(force(node, axis)) - compliance.row(force(node - stride, axis)));
@@ -109,7 +110,7 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
   }
   matrix(creepage, creepage) = drive.on_creepage;
   right[creepage] = drive.value;
-  // Displacements are some 1e-6 of forces: rows are brought to one size.
+  // Displacements are about 1e-6 of forces, so rows are scaled to equal size.
   for (Index row = 0; row <= creepage; ++row) {
     const double size = matrix.row(row).cwiseAbs().maxCoeff();
     matrix.row(row) /= size;

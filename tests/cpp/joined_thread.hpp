@@ -1,5 +1,5 @@
 /// @file
-/// @brief std::jthread, which the standard library of Apple's Clang keeps from programs.
+/// @brief Replacement of std::jthread, which the standard library of Apple's Clang does not provide.
 #pragma once
 
 #include <functional>

@@ -21,7 +21,7 @@ CoatedSphere elastic_sphere() {
   return {.core_radius = 20e-3, .layers = {{.thickness = 3e-3, .shear_modulus = Elastic{2e6}, .poisson_ratio = 0.45}}};
 }
 
-/// A sphere on a mesh.
+/// Sphere, mesh and surface operator.
 struct Model {
   Model(const CoatedSphere& sphere, Formulation formulation, const Window& window, int nodes_per_revolution = 160)
       : mesh{.nodes_per_revolution = nodes_per_revolution, .max_order = nodes_per_revolution},
@@ -72,7 +72,7 @@ TEST_P(NormalContactTest, AgreesWithADenseSolution) {
   EXPECT_NEAR(contact.penetration, dense[count], 1e-9 * dense[count]);
   EXPECT_GE(contact.gap.minCoeff(), -1e-9 * contact.penetration);
 
-  // By products what a matrix has found.
+  // The iterative solver finds the same forces as the matrix.
   NormalContactGuess same{.contact = contact.contact,
                           .pressing = Eigen::ArrayXd::Zero(guess.pressing.size()),
                           .penetration = contact.penetration};
@@ -85,13 +85,14 @@ INSTANTIATE_TEST_SUITE_P(Formulations, NormalContactTest,
                          testing::Combine(testing::Bool(), testing::Values(Compliance::vertical, Compliance::radial),
                                           testing::Values(PatchLoad::flat, PatchLoad::spherical)));
 
-/// A box around a contact cannot grow where its window ends.
+/// The multilevel solver cannot enlarge a box around a contact beyond the end of its window.
 TEST(MultilevelContact, EndsWhereItsWindowCutsItOff) {
   const Model model(elastic_sphere(), {.compliance = Compliance::radial, .tangential = false}, {{-40, 40}, {-40, 40}},
                     600);
   ContactProblem problem = model.problem(20.0);
   const Eigen::ArrayXd x = model.nodes.x();
-  problem.initial_gap += x.maxCoeff() / 23e-3 * x;  // the lowest point lies at an edge
+  // the lowest point is at an edge
+  problem.initial_gap += x.maxCoeff() / 23e-3 * x;
   const LocatedContact located = solve_multilevel(problem, 1e-5, {.max_iterations = 100});
   EXPECT_TRUE(touches_edge(located, located.window()));
   EXPECT_NE(located.window(), model.nodes.window());
@@ -99,8 +100,8 @@ TEST(MultilevelContact, EndsWhereItsWindowCutsItOff) {
 
 class CoarserSelfTest : public testing::TestWithParam<std::tuple<bool, double>> {};
 
-/// What every other node does is what the fine nodes do whose patches make up theirs; where displacements are taken
-/// downstream of the nodes, the mean of two of them.
+/// A coarse node represents the fine nodes whose patches form its own. If displacements are taken downstream of the
+/// nodes, it has the mean of two fine displacements.
 TEST_P(CoarserSelfTest, IsTheSameSurface) {
   const auto& [tangential, collocation] = GetParam();
   const Model model(cases::unlike_layers(), {Compliance::radial, PatchLoad::flat, tangential, collocation},
@@ -116,7 +117,7 @@ TEST_P(CoarserSelfTest, IsTheSameSurface) {
   const VectorField fine_force = prolonged_force(coarse, model.nodes.window());
   const VectorField moved = coarse.problem.surface->displacement(force);
   const VectorField fine_moved = model.surface->displacement(fine_force);
-  // Forces along the plane press with x/r, which is not constant over a coarse patch.
+  // Tangential forces contribute to the normal force by x/r, which is not constant over a coarse patch.
   const double tolerance = tangential ? 1e-2 : 1e-12;
   const double largest = moved.abs().maxCoeff();
   for (int i = window.phi.first; i <= window.phi.last; ++i) {
@@ -135,7 +136,7 @@ TEST_P(CoarserSelfTest, IsTheSameSurface) {
 INSTANTIATE_TEST_SUITE_P(Collocations, CoarserSelfTest, testing::Combine(testing::Bool(), testing::Values(0.0, 0.25)));
 
 TEST(SurfaceOperator, ScalesDoNotDependOnTheWindow) {
-  // The middle of the list of nodes is not the lowest one where a box has an even count of rows.
+  // In a box with an even number of rows, the middle of the list of nodes is not the lowest node.
   const Formulation formulation{Compliance::radial, PatchLoad::flat, true};
   const Model model(cases::paper_sphere(), formulation, {{-12, 12}, {-9, 9}});
   for (const Window& box : {Window{{-7, 6}, {-5, 5}}, Window{{-12, 3}, {-9, 9}}}) {
@@ -148,7 +149,7 @@ TEST(SurfaceOperator, ScalesDoNotDependOnTheWindow) {
   const Eigen::Index nodes = model.nodes.shape().size();
   EXPECT_NEAR(model.surface->normal_stiffness() * matrix(nodes + lowest, nodes + lowest), 1.0, 1e-12);
   EXPECT_NEAR(model.surface->slip_stiffness() * (matrix(lowest, lowest) - matrix(lowest - 19, lowest)), 1.0,
-              1e-2);  // u_r x/r on top
+              1e-2);  // plus u_r x/r
 }
 
 }  // namespace

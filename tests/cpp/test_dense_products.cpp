@@ -1,4 +1,4 @@
-// Products by each instruction set that this processor has, against sums one by one.
+// Products with each instruction set of this processor, compared with scalar sums.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@ using Eigen::Index;
 using ColumnMajor = Eigen::MatrixXd;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// No two elements alike.
+/// Return a matrix whose elements all differ.
 template <class Matrix>
 Matrix filled(Index rows, Index columns, double phase) {
   Matrix matrix(rows, columns);
@@ -27,7 +27,7 @@ Matrix filled(Index rows, Index columns, double phase) {
   return matrix;
 }
 
-/// What is missing of sum += left right, with neighbors that must stay.
+/// Error of sum += left right; neighboring elements must not change.
 template <class Left, class Right>
 double error_of(const DenseProducts& products, Index rows, Index depth, Index columns) {
   const auto left = filled<Left>(rows, depth, 0.1);
@@ -88,7 +88,7 @@ TEST(DenseProductsTest, BlocksAndTransposes) {
   EXPECT_EQ(sum.topRows(2).cwiseAbs().maxCoeff() + sum.bottomRows(1).cwiseAbs().maxCoeff(), 0.0);
 }
 
-/// A matrix with large numbers in its diagonal, of the size of a contact.
+/// Well-conditioned matrix with a large diagonal, of the size of a contact.
 Eigen::MatrixXd well_posed(Eigen::Index size) {
   Eigen::MatrixXd matrix(size, size);
   for (Eigen::Index i = 0; i < size; ++i) {
@@ -106,7 +106,7 @@ TEST(DenseFactors, SolveWithRowsThatChangePlaces) {
   EXPECT_LT((factors.solve(right) - wanted).cwiseAbs().maxCoeff(), 1e-13);
   SingleFactors rough;
   rough.compute(matrix);
-  EXPECT_LT((rough.solve(1e-60 * right) - 1e-60 * wanted).cwiseAbs().maxCoeff(), 1e-65);  // at any size
+  EXPECT_LT((rough.solve(1e-60 * right) - 1e-60 * wanted).cwiseAbs().maxCoeff(), 1e-65);  // at any scale
   EXPECT_EQ(rough.solve(Eigen::VectorXd::Zero(90)).cwiseAbs().maxCoeff(), 0.0);
 }
 

@@ -1,4 +1,4 @@
-// Legendre functions, and influence on the exact sphere by sums of its own kind.
+// Legendre functions, and influence on the exact sphere compared with independent sums.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ class SphereSumTest : public testing::TestWithParam<CoatedSphere> {
         .front();
   }
 
-  /// [j][to, from] of one entry, order by order and power by power.
+  /// Table [j][to, from] of one entry, summed order by order and power by power.
   static std::vector<Eigen::MatrixXd> table(const SphereInfluence& influence, std::size_t entry) {
     const Index nodes = influence.root.size();
     const std::size_t tables = influence.powers == 0 ? 0 : influence.local.size() / influence.powers;
@@ -96,7 +96,7 @@ class SphereSumTest : public testing::TestWithParam<CoatedSphere> {
     return largest;
   }
 
-  /// Of a window that begins at `first_theta`, from the equator.
+  /// Assert the sums over the nodes of a window that begins at `first_theta`, counted from the equator.
   void expect_sums_over_nodes(const SphereInfluence& influence, WindowShape shape, int first_theta) {
     const FactoredSphereProduct in_factors(shape, first_theta, std::make_shared<const SphereInfluence>(influence), 2,
                                            watch_);
@@ -127,8 +127,9 @@ class SphereSumTest : public testing::TestWithParam<CoatedSphere> {
   Watch watch_{observer_};
 };
 
-/// What is summed by degrees and what with the local metric make up the same, wherever they meet: to the square of the
-/// degree for r by r, and for directions along the surface, which turn by cos(theta) per phi, to cos(theta) per degree.
+/// The sum over degrees and the sum with the local metric give the same result for any transition degree. The error for
+/// the r-r entry is of second order in the inverse degree. For tangential directions, which turn by cos(theta) per phi,
+/// it is of the order of cos(theta) per degree.
 TEST_P(SphereSumTest, DoesNotDependOnWhereDegreesEnd) {
   constexpr double kCoarse = 32.0;
   const double turn = std::sin(6.0 * 2.0 * std::numbers::pi / 200.0);
@@ -146,8 +147,7 @@ TEST_P(SphereSumTest, DoesNotDependOnWhereDegreesEnd) {
   }
 }
 
-/// Sums over the degrees between all thetas, at which harmonics are evaluated one by one, on either side of the
-/// equator.
+/// Sums over the degrees between all thetas, with harmonics evaluated one by one, on both sides of the equator.
 TEST_P(SphereSumTest, OneSideOfTheEquatorIsEnough) {
   const SphereRequest request{.tangential = true, .patch_load = PatchLoad::spherical};
   const SphereInfluence all = influence(32.0, request);
@@ -158,7 +158,7 @@ TEST_P(SphereSumTest, OneSideOfTheEquatorIsEnough) {
   const Eigen::ArrayXd nodes =
       0.5 * std::numbers::pi + spacing * Eigen::ArrayXd::LinSpaced(2 * kHalf + 1, -kHalf, kHalf);
   const auto [x, weights] = gauss_legendre(20);
-  /// d and e of a degree at all nodes; or their means over patches.
+  /// d and e of a degree at all nodes, or their means over patches.
   const auto harmonics = [&](Index degree, bool means) {
     Eigen::MatrixXd of = Eigen::MatrixXd::Zero(nodes.size(), 2);
     const auto l = static_cast<double>(kOrder + degree);
@@ -187,8 +187,8 @@ TEST_P(SphereSumTest, OneSideOfTheEquatorIsEnough) {
   }
 }
 
-/// Of every other node: averages over a quarter, a half and a quarter each way. What the metric varies over a patch is
-/// left out of the local tables, so the degrees alone.
+/// Tables of every other node are averages with weights of a quarter, a half and a quarter. The local tables neglect
+/// the variation of the metric over a patch, so only the degrees are compared.
 TEST_P(SphereSumTest, WidePatchesAreAveragesOfNarrowOnes) {
   for (const bool power : {false, true}) {
     const SphereRequest request{.tangential = true, .power = power, .patch_load = PatchLoad::flat};
@@ -206,7 +206,8 @@ TEST_P(SphereSumTest, WidePatchesAreAveragesOfNarrowOnes) {
       same(k, node) = 1.0;
       mean.row(k).segment(node - 1, 3) << 0.25, 0.5, 0.25;
     }
-    const Eigen::MatrixXd& seen = power ? mean : same;  // where power is lost, what is displaced is a mean, too
+    // for dissipation, the displacement is a mean as well
+    const Eigen::MatrixXd& seen = power ? mean : same;
     const std::array<double, 3> seen_shares = power ? std::array{0.25, 0.5, 0.25} : std::array{0.0, 1.0, 0.0};
     const auto loaded_shares = wide_patch_shares(downstream);
     for (const std::size_t entry : {std::size_t{0}, std::size_t{5}, std::size_t{7}}) {

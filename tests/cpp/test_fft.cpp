@@ -34,7 +34,7 @@ TEST(ComplexFft, SumsWithPositiveExponentBackwardAndNoScale) {
     ComplexBuffer output = input;
     const ComplexFft fft(length);
     fft.backward(output.data());
-    // 37 terms of size 37: round-off of about 1e-16 * 37^2.
+    // 37 terms of size 37 have a round-off of about 1e-16 * 37^2.
     for (std::size_t j = 0; j < input.size(); ++j) EXPECT_LT(std::abs(output[j] - direct_sum(input, j)), 1e-12);
     fft.forward(output.data());
     for (std::size_t j = 0; j < input.size(); ++j) {
@@ -130,7 +130,7 @@ TEST(FastLength, HasSmallFactorsAndIsLessThanTwice) {
   }
 }
 
-// By FFTW each of 1000 numbers took 1.57 times as long as each of 1024.
+// With FFTW, each of 1000 numbers took 1.57 times as long as each of 1024.
 TEST(FastLength, PrefersAPowerOfTwoToManyOddFactors) {
   EXPECT_EQ(ComplexFft::fast_length(1000), 1024);
   for (int power = 2; power <= 4096; power *= 2) EXPECT_EQ(ComplexFft::fast_length(power), power);

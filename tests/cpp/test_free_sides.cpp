@@ -1,4 +1,4 @@
-// What the faces of treads add to the influence of an endless tread.
+// Contribution of the faces of treads to the influence of an endless tread.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -29,13 +29,13 @@ CoatedWheel tread(double core, double width, std::vector<Layer> layers, double c
   return {.core_radius = core, .layers = std::move(layers), .width = width, .crown_radius = crown};
 }
 
-/// Those that end with the slope of 1/m.
+/// Cubic splines that end with the slope of 1/m.
 TEST(SideSum, SplinesAreExactForCubicPolynomialsOfTheLogarithm) {
   Eigen::ArrayXd sampled(9);
   sampled << 0.0, Eigen::ArrayXd::LinSpaced(8, 0.0, 4.0).exp();
   const auto cubic = [](double x) { return 2.0 + (x - 4.0) * (-2.0 + (x - 4.0) * (0.5 - 0.1 * (x - 4.0))); };
   Eigen::VectorXd values(9);
-  values[0] = -7.0;  // order 0 is a function of its own
+  values[0] = -7.0;  // order 0 is an independent function
   for (Index i = 1; i < 9; ++i) values[i] = cubic(std::log(sampled[i]));
   Eigen::ArrayXd orders(5);
   orders << 0.0, 1.0, 2.5, 40.0, 2.0 * sampled[8];
@@ -45,7 +45,7 @@ TEST(SideSum, SplinesAreExactForCubicPolynomialsOfTheLogarithm) {
   EXPECT_NEAR(at_orders[4], 0.5 * cubic(4.0), 1e-12);
 }
 
-/// A crowned tread of two unlike layers, and a mesh and a speed.
+/// A crowned tread of two dissimilar layers, with a mesh and a speed.
 class SideInfluence : public testing::Test {
  protected:
   static constexpr double kSpeed = 2.5;
@@ -59,7 +59,7 @@ class SideInfluence : public testing::Test {
   const Mesh mesh_{.nodes_per_revolution = 400};
   const Observer silent_;
   Watch watch_{silent_};
-  // Elements may be coarse where sums are tested.
+  // Coarse elements suffice to test sums.
   static constexpr SectionFineness kCoarse{.finest = 0.25, .growth = 0.5, .largest = 0.5};
   const SideDifference sections_{wheel_, true, kCoarse};
 
@@ -77,7 +77,7 @@ class SideInfluence : public testing::Test {
   }
 };
 
-/// All whole orders, one by one, as far as the octaves reach.
+/// Compare with all integer orders, one by one, up to the last order of the octaves.
 TEST_F(SideInfluence, OctavesAddUpToAllOrders) {
   const SideSum by_octaves = sum(phi_bands(layers_, kSpeed, mesh_));
   const SideSum one_by_one = sum(whole_orders(40 * mesh_.nodes_per_revolution, mesh_.nodes_per_revolution));
@@ -86,12 +86,12 @@ TEST_F(SideInfluence, OctavesAddUpToAllOrders) {
     const Eigen::MatrixXd entries = by_octaves.difference()->parts[kEvenPart].real();
     const Eigen::MatrixXd octaves = by_octaves.factors(request).values.real() * entries;
     const Eigen::MatrixXd orders = one_by_one.factors(request).values.real() * entries;
-    // Where the samples end the difference has a bend, which octaves carry a little too far.
+    // At the end of the samples, the difference has a kink, which octaves smooth slightly.
     EXPECT_LT((octaves - orders).cwiseAbs().maxCoeff(), 2e-4 * orders.cwiseAbs().maxCoeff());
   }
 }
 
-/// What one entry makes of wide patches is what a table makes of them.
+/// Wide patches of one entry agree with the widened table.
 TEST_F(SideInfluence, WidePatchesAreThoseOfTables) {
   const SideSum orders = sum(phi_bands(layers_, kSpeed, mesh_));
   const SideFactors fine = orders.factors({.phi_reach = kReach, .phi_shift = 0.25});
@@ -109,14 +109,15 @@ TEST_F(SideInfluence, WidePatchesAreThoseOfTables) {
   }
 }
 
-/// Every pair of nodes by itself: what a load shows on its side and on the other, as sums of the two parts.
+/// Every pair of nodes separately: a load's effect on both sides is the sum of the even and the odd part.
 TEST_F(SideInfluence, ProductIsTheSumOverAllPairs) {
   const SideSum orders = sum(phi_bands(layers_, kSpeed, mesh_));
   const SampledDifference& difference = *orders.difference();
   const SideFactors factors = orders.factors({.phi_reach = kReach});
   constexpr WindowShape kShape{5, 6};
   const double face = difference.z[difference.z.size() - 1];
-  const double line = difference.z[1];  // columns that are lines of the section, but for the patches' widths
+  // columns are lines of the section, except for the patch widths
+  const double line = difference.z[1];
   const TreadColumns columns{.first = -2, .spacing = line};
   ASSERT_LT(4.0 * line, face);
   const SideProduct product(kShape, columns, difference, factors, false);
@@ -127,8 +128,8 @@ TEST_F(SideInfluence, ProductIsTheSumOverAllPairs) {
   loads(from, 2) = 0.25;
   const Eigen::ArrayXXd moved = product.apply(loads);
   const Index lines = difference.z.size();
-  // A patch around the first line reaches from half of the first element to half of the next one: its means of the
-  // quadratic functions.
+  // A patch around the first line extends from the middle of the first element to the middle of the next one: means of
+  // the quadratic shape functions.
   const auto gathered = [&](bool odd) {
     Eigen::VectorXd shares = Eigen::VectorXd::Zero(lines);
     constexpr int kPoints = 20000;
@@ -162,12 +163,12 @@ TEST_F(SideInfluence, ProductIsTheSumOverAllPairs) {
       }
       const Index node = row * 6 + 2 + side;
       EXPECT_LT((moved.row(node).matrix().transpose() - expected).cwiseAbs().maxCoeff(),
-                1e-6 * moved.abs().maxCoeff());  // the means' rectangles
+                1e-6 * moved.abs().maxCoeff());  // error of the rectangle rule for the means
     }
   }
 }
 
-/// Layers of one relaxation function are solved with real moduli; told apart by next to nothing, with complex ones.
+/// Layers with one relaxation function are solved with real moduli; a tiny difference leads to complex ones.
 TEST_F(SideInfluence, RealAndComplexSectionsAgree) {
   const auto difference = [&](double outer_time) {
     CoatedCylinder body{.core_radius = 40e-3, .layers = wheel_.layers};
@@ -180,7 +181,7 @@ TEST_F(SideInfluence, RealAndComplexSectionsAgree) {
   EXPECT_LT((real - complex).cwiseAbs().maxCoeff(), 1e-7 * real.cwiseAbs().maxCoeff());
 }
 
-/// A tread 10 mm thick on a hub of 40 mm.
+/// A tread of 10 mm thickness on a hub of 40 mm radius.
 CoatedWheel thick_wheel(double width, double crown, Sides sides = Sides::free) {
   return {.core_radius = 40e-3,
           .layers = {{.thickness = 10e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5}},
@@ -189,7 +190,7 @@ CoatedWheel thick_wheel(double width, double crown, Sides sides = Sides::free) {
           .sides = sides};
 }
 
-/// Though nothing but the radius of the crown tells them apart, which is infinite of one of them.
+/// The store distinguishes treads that differ only in the radius of the crown, one of which is infinite.
 TEST(TreadStore, TellsCrownedTreadsFromFlatOnes) {
   const Observer silent;
   Watch watch(silent);
@@ -216,10 +217,10 @@ Result rolled(const CoatedWheel& wheel, double load, double speed, double fricti
   return solve(wheel, {.load = load, .angular_speed = speed, .friction = friction}, {.mesh = mesh});
 }
 
-/// A flat wheel three times as wide as its tread is thick: all of its compliance by finite elements of the section,
-/// order by order, in an independent program, extrapolated in the size of its patches.
+/// A flat wheel three times as wide as its tread is thick. An independent program computes its compliance by finite
+/// elements of the section, order by order, extrapolated in the size of its patches.
 TEST(FreeSides, FlatWheelIsThatOfElementsAlone) {
-  constexpr double kMesh = 3e-3;  // of 0.4 mm by 0.8 mm
+  constexpr double kMesh = 3e-3;  // error of the mesh of 0.4 mm by 0.8 mm
   const CoatedWheel wheel = thick_wheel(30e-3, INFINITY);
   const Result slow = rolled(wheel, 500.0, 2.5);
   EXPECT_NEAR(slow.resisting_torque, 306.4e-3, kMesh * 306.4e-3);
@@ -229,9 +230,9 @@ TEST(FreeSides, FlatWheelIsThatOfElementsAlone) {
   EXPECT_NEAR(*fast.penetration, 0.5674e-3, kMesh * 0.5674e-3);
 }
 
-/// Faces at 20 mm, of which the contact comes within 2.5 mm: by the same program the torque of an endless tread,
-/// 247.49 mN m, grows by 8.0 % and falls by 2.2 % as the tread grows thinner to its sides; the penetration, 0.58429 mm,
-/// by 7.6 and 2.0 %.
+/// The faces are at 20 mm, and the contact ends 2.5 mm before them. By the same program, the torque of an endless
+/// tread, 247.49 mN m, grows by 8.0 % due to the faces and falls by 2.2 % due to the thinner sides; the penetration,
+/// 0.58429 mm, changes by 7.6 and 2.0 %.
 TEST(FreeSides, CrownedWheelOnAStraightHub) {
   const Result result = rolled(thick_wheel(40e-3, 300e-3), 500.0, 2.5);
   constexpr double kDigitsAndMesh = 4e-3;
@@ -239,8 +240,8 @@ TEST(FreeSides, CrownedWheelOnAStraightHub) {
   EXPECT_NEAR(*result.penetration / 0.58429e-3, 1.076 * 0.980, kDigitsAndMesh);
 }
 
-/// A hub that is crowned like the tread, as round as the wheel is: the ball, with all of its curvature. Faces are 3
-/// thicknesses from the contact.
+/// With a hub crowned like the tread and equal radii, the wheel is a ball with all of its curvature. The faces are
+/// three thicknesses away from the contact.
 TEST(FreeSides, RoundWheelIsABall) {
   const std::vector<Layer> layers{{.thickness = 2e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5}};
   CoatedWheel wheel = tread(48e-3, 20e-3, layers, 50e-3);
@@ -250,12 +251,13 @@ TEST(FreeSides, RoundWheelIsABall) {
   const Result result = solve(wheel, load_case, {.mesh = mesh});
   const Result ball = solve(CoatedSphere{.core_radius = 48e-3, .layers = layers}, load_case,
                             {.mesh = mesh, .curvature = Curvature::exact});
-  // What is left out is of the second order in curvature, (a/R)^2 = 6e-3 and shares of it.
+  // The neglected terms are of second order in the curvature, a fraction of (a/R)^2 = 6e-3.
   EXPECT_NEAR(result.resisting_torque / ball.resisting_torque, 1.0, 1e-3);
   EXPECT_NEAR(*result.penetration / *ball.penetration, 1.0, 1e-3);
 }
 
-/// Rounder than the tread is thick: an inline skate wheel, by elements of its true section loaded along its normals.
+/// A crown radius below the tread thickness: an inline skate wheel, compared with elements of its true section loaded
+/// along its normals.
 TEST(FreeSides, SkateWheel) {
   CoatedWheel wheel = tread(
       22e-3, 23.2e-3,
@@ -266,7 +268,7 @@ TEST(FreeSides, SkateWheel) {
   EXPECT_NEAR(*result.penetration, 0.7499e-3, 0.02 * 0.7499e-3);
 }
 
-/// From 16 thicknesses on the section is that of the parts beside the faces alone.
+/// From 16 thicknesses on, the section contains only the parts next to the faces.
 TEST(FreeSides, WideTreadsAreCutNoWider) {
   const auto per_width = [](double width) {
     const LoadCase load_case{.load = 500.0 / 30e-3 * width, .angular_speed = 2.5};
@@ -277,13 +279,15 @@ TEST(FreeSides, WideTreadsAreCutNoWider) {
   const auto middle = per_width(159e-3);
   const auto wide = per_width(161e-3);
   for (const std::size_t of : {std::size_t{0}, std::size_t{1}}) {
-    const double step = narrow[of] - middle[of];  // what the faces do falls like 1/w, here by 1e-3 of all
+    // the effect of the faces decreases like 1/w, here by 1e-3 of the total
+    const double step = narrow[of] - middle[of];
     EXPECT_GT(step, 3e-4 * middle[of]);
     EXPECT_NEAR(middle[of] - wide[of], step, 1e-4 * middle[of]);
   }
 }
 
-/// To the first order in its curvature a crown much rounder than the tread is thick leaves endless sides no compliance.
+/// For a crown radius much smaller than the tread thickness, the first order in its curvature gives endless sides a
+/// negative compliance.
 TEST(FreeSides, KnowCrownsThatEndlessSidesRefuse) {
   const auto pressed = [](Sides sides) {
     const CoatedWheel wheel = tread(2.2e-3, 30e-6,
@@ -311,11 +315,11 @@ TEST(FreeSides, AreFarAwayFromSmallContacts) {
   crowned.hub = Hub::crowned;
   const Result far = rolled(crowned, 300.0, 2.5);
   crowned.sides = Sides::endless;
-  // The crown by the section and to the first order.
+  // Crown by the section, compared with the crown to first order.
   EXPECT_NEAR(far.resisting_torque / rolled(crowned, 300.0, 2.5).resisting_torque, 1.0, 2e-3);
 }
 
-/// Of the sideways tractions, all of which come from the crown.
+/// Relative difference of the lateral tractions, all of which are caused by the crown.
 double sideways_difference(const Result& one, const Result& other) {
   double difference = 0.0;
   double size = 0.0;
@@ -337,12 +341,14 @@ TEST(FreeSides, AreNotFeltInTheSlipOfSmallContacts) {
   const Result free = result(Sides::free);
   const Result endless = result(Sides::endless);
   ASSERT_EQ(free.pressure.size(), endless.pressure.size());
-  // Both curvatures together change the crown's part by h / R_c = 1/30 of itself, and what rolling stretches likewise.
+  // Both curvatures together change the part of the crown by h / R_c = 1/30 of itself, and the stretch due to rolling
+  // as well.
   EXPECT_LT(sideways_difference(free, endless), 1e-2);
   EXPECT_NEAR(*free.creepage / *endless.creepage, 1.0, 3e-2);
   EXPECT_NEAR(free.slip_power / endless.slip_power, 1.0, 1e-2);
   EXPECT_NEAR(free.resisting_torque / endless.resisting_torque, 1.0, 1e-3);
-  EXPECT_NEAR(free.power_balance_error, endless.power_balance_error, 1e-3);  // 14 nodes leave both 2e-2
+  // 14 nodes leave 2e-2 in both
+  EXPECT_NEAR(free.power_balance_error, endless.power_balance_error, 1e-3);
 }
 
 TEST(FreeSides, PowerIsBalancedWithFrictionToo) {
@@ -351,7 +357,7 @@ TEST(FreeSides, PowerIsBalancedWithFrictionToo) {
   }
 }
 
-/// Layers that share no relaxation function have complex sections at each speed.
+/// Layers with different relaxation functions have complex sections at each speed.
 TEST(FreeSides, UnlikeLayersLoseWhatTheTorquePays) {
   const CoatedWheel wheel =
       tread(40e-3, 40e-3,
@@ -360,7 +366,7 @@ TEST(FreeSides, UnlikeLayersLoseWhatTheTorquePays) {
             300e-3);
   const Result result = rolled(wheel, 300.0, 2.5);
   EXPECT_LT(result.power_balance_error, 3e-3);
-  // Endless: 451.6 mN m; faces 0.3 mm from the contact add more than the thinner sides take.
+  // Endless sides: 451.6 mN m. Faces 0.3 mm from the contact add more than the thinner sides subtract.
   EXPECT_GT(result.resisting_torque, 451.6e-3);
 }
 

@@ -44,7 +44,7 @@ TEST(Patch, SphericalWeightsGiveTheInverseSine) {
   const auto w = spherical_patch_weights(theta, spacing);
   for (const double x : {-1.0, -0.3, 0.0, 0.8}) {
     const double series = w[0] + w[1] * x + w[2] * (1.5 * x * x - 0.5);
-    // Left out: third Legendre coefficient, about (spacing / 2)^3.
+    // The neglected third Legendre coefficient is about (spacing / 2)^3.
     EXPECT_NEAR(series, 1.0 / std::sin(theta + 0.5 * spacing * x), 1e-6);
   }
 }
@@ -62,7 +62,7 @@ class CoatingTest : public testing::TestWithParam<std::tuple<Compliance, PatchLo
         [dissipation = tables(dissipation_tables(formulation_))](int, int) { return dissipation; }, execution_);
   }
 
-  /// Directions r, phi and theta in x, y and z, where they count as components of loads.
+  /// Directions r, phi and theta in x, y and z, if they are components of loads.
   [[nodiscard]] Eigen::Matrix3d directions(Eigen::Index node) const {
     Eigen::Matrix3d directions;
     const auto axes = nodes_.points().axes();
@@ -78,7 +78,7 @@ class CoatingTest : public testing::TestWithParam<std::tuple<Compliance, PatchLo
     return directions;
   }
 
-  /// Displacements summed up node by node from the tables.
+  /// Displacements summed node by node from the tables.
   [[nodiscard]] VectorField direct_sum(const VectorField& force) const {
     const auto requests = displacement_tables(formulation_);
     const std::size_t components = formulation_.tangential || formulation_.compliance == Compliance::vertical ? 3 : 1;
@@ -111,7 +111,7 @@ class CoatingTest : public testing::TestWithParam<std::tuple<Compliance, PatchLo
     return result;
   }
 
-  /// Forces that vary from node to node, pressing alone where nothing tangential was asked for.
+  /// Forces that vary from node to node; only normal ones for a formulation without tangential forces.
   [[nodiscard]] VectorField forces(double frequency) const {
     VectorField force = VectorField::Zero(nodes_.shape().size(), 3);
     force.col(kDown) = Eigen::ArrayXd::LinSpaced(force.rows(), 0.0, frequency).sin();
@@ -146,7 +146,7 @@ TEST_P(CoatingTest, FftProductEqualsTheDirectSum) {
 }
 
 TEST_P(CoatingTest, ProductOfMirrorImagesEqualsTheDirectSum) {
-  // They are told by half of the nodes, sideways forces with the opposite sign.
+  // Half of the nodes determine mirrored forces; the lateral ones have the opposite sign.
   VectorField force = forces(1.0);
   const Eigen::Index columns = nodes_.shape().theta_nodes;
   for (Eigen::Index node = 0; node < force.rows(); ++node) {
@@ -168,7 +168,7 @@ TEST_P(CoatingTest, ProductOfMirrorImagesEqualsTheDirectSum) {
 }
 
 TEST_P(CoatingTest, ProductOfForcesOnAPartEqualsTheDirectSum) {
-  // The fewer nodes are loaded, the shorter the period; beside the middle, too.
+  // The period is shorter if fewer nodes are loaded, also away from the middle.
   VectorField force = forces(1.0);
   const Eigen::Index columns = nodes_.shape().theta_nodes;
   for (Eigen::Index node = 0; node < force.rows(); ++node) {
@@ -181,7 +181,7 @@ TEST_P(CoatingTest, ProductOfForcesOnAPartEqualsTheDirectSum) {
 }
 
 TEST_P(CoatingTest, ForcesLoseNoEnergyToThePlane) {
-  // Passivity: the compliance has a positive symmetric part, and the work lost is never negative.
+  // Passivity: the compliance has a positive symmetric part, and the dissipated work is never negative.
   for (int k = 1; k < 40; ++k) {
     const VectorField force = forces(3.7 * k);
     EXPECT_GT((force * surface_->displacement(force)).sum(), 0.0);
@@ -202,11 +202,11 @@ TEST(Synthesis, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(sum(1), sum(5));
 }
 
-/// The same orders as `octaves`, one by one: the sum that the octaves abbreviate.
+/// All orders that `octaves` samples, one by one.
 std::vector<OrderBand> one_by_one(const std::vector<OrderBand>& octaves, int nodes_per_revolution) {
   const auto& last = octaves.back().orders;
   const auto count = static_cast<Eigen::Index>(last[last.size() - 1]);
-  // The octaves telescope: their weights add up to the last step, of which the highest orders show the middle.
+  // The octaves telescope: their weights sum to the last step, whose middle follows from the highest orders.
   const double middle = 16.0 * nodes_per_revolution;
   const Eigen::ArrayXd orders = Eigen::ArrayXd::LinSpaced(count + 1, 0.0, static_cast<double>(count));
   Eigen::ArrayXd weights =
@@ -225,7 +225,7 @@ struct OctaveCase {
 
 void PrintTo(const OctaveCase& c, std::ostream* out) { *out << c.name; }
 
-/// A modulus known at two frequencies a decade, with a steep rise: linear in between, so with kinks.
+/// A measured modulus with two frequencies per decade and a steep rise; linear interpolation gives it kinks.
 CoatedSphere measured_sphere() {
   MasterCurve curve{.frequency = {0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 150.0, 300.0, 1000.0},
                     .storage = {1e6, 1e6, 1.1e6, 1.2e6, 1.4e6, 1.7e6, 2e6, 2.2e6, 7e6, 8e6, 8e6},
@@ -235,7 +235,7 @@ CoatedSphere measured_sphere() {
           .layers = {{.thickness = 1e-3, .shear_modulus = std::move(curve), .poisson_ratio = 0.5}}};
 }
 
-/// A function that is smooth, which nobody says of it: a spring beside a springpot.
+/// A smooth function that is not declared as smooth: a spring parallel to a springpot.
 CoatedSphere springpot_sphere() {
   const CustomModulus modulus{[](std::span<const double> omega, std::span<std::complex<double>> values) {
     std::ranges::transform(omega, values.begin(),
@@ -269,7 +269,7 @@ TEST_P(OctavesTest, AgreeWithTheSumOfAllOrders) {
     double error = 0.0;
     for (int j = -reach; j <= reach; ++j) {
       for (int l = 0; l <= reach; ++l) {
-        center = std::max(center, std::abs(expected[power ? 1 : 0](j, l)));  // that of r by r
+        center = std::max(center, std::abs(expected[power ? 1 : 0](j, l)));  // the r-r entry
         error = std::max(error, std::abs(tables[k](j, l) - expected[k](j, l)));
       }
     }
@@ -289,7 +289,8 @@ INSTANTIATE_TEST_SUITE_P(Coatings, OctavesTest,
 
 TEST(MeshOnBody, NodesAtTheArcsOfAnotherBodyAreThoseOfAMeshOfItsOwn) {
   const Mesh own{.nodes_per_revolution = 32, .theta_nodes_per_revolution = 24};
-  const double turns = 1.25;  // of 40 by 30 nodes around what rolls
+  // of 40 by 30 nodes around the rolling body
+  const double turns = 1.25;
   const MeshOnBody of_other({.nodes_per_revolution = 40, .theta_nodes_per_revolution = 30}, turns);
   const Observer observer;
   Watch watch(observer);
@@ -308,7 +309,8 @@ TEST(MeshOnBody, NodesAtTheArcsOfAnotherBodyAreThoseOfAMeshOfItsOwn) {
   }
 }
 
-/// What falls like a half-space's compliance, whose cuts begin at n = +-im, by the sampled orders as by all of them.
+/// A function that decays like the compliance of a half-space, with branch cuts from n = +-im: the sampled orders give
+/// the same sum as all orders.
 TEST(InterpolatedOrders, SumSmoothFunctionsAsAllOrdersDo) {
   for (const auto& bands : {whole_orders(500, 500), whole_orders(1500, 800), octaves(500), octaves(20000)}) {
     const InterpolatedOrders interpolated(bands);
@@ -331,7 +333,8 @@ TEST(InterpolatedOrders, SumSmoothFunctionsAsAllOrdersDo) {
         interpolated.add_sums(b, terms, sums);
       }
       const Eigen::RowVectorXd by_few = compliance(sampled) * sums;
-      EXPECT_LT((by_few - direct).cwiseAbs().maxCoeff(), 1e-14 * size) << m;  // round-off of some thousand summands
+      // round-off of some thousand summands
+      EXPECT_LT((by_few - direct).cwiseAbs().maxCoeff(), 1e-14 * size) << m;
     }
   }
 }

@@ -74,7 +74,7 @@ TEST(Interior, FieldsAndLossDoNotDependOnThreads) {
 TEST(Interior, LossInTheVolumeIsWhatTheSurfacePutsIn) {
   const Rolling rolling(cases::unlike_layers(1000.0));
   const LossDensity loss = loss_density(rolling.sphere, 2.5, rolling.tractions, {}, 120);
-  // The radial nodes of the volume integral, and the series of the fields.
+  // Errors of the radial nodes of the volume integral, and of the series of the fields.
   EXPECT_NEAR(loss.volume_power / loss.surface_power, 1.0, 1e-9);
   double sum = 0.0;
   for (std::size_t place = 0; place < loss.places.size(); ++place) {
@@ -103,7 +103,7 @@ TEST(Interior, ColumnsOfAWheelAreItsOwn) {
   EXPECT_GT(std::abs(*tractions.theta_spacing - theta_spacing(result.mesh)), 1e-3 * *tractions.theta_spacing);
   const LossDensity loss = loss_density(wheel, 2.5, tractions, {}, 200);
   EXPECT_NEAR(loss.volume_power / loss.surface_power, 1.0, 1e-8);
-  // Sums over the patches of the mesh would be of another load.
+  // Sums over the patches of the mesh would belong to another load.
   Tractions of_mesh = tractions;
   of_mesh.theta_spacing.reset();
   EXPECT_GT(std::abs(loss_density(wheel, 2.5, of_mesh, {}, 200).surface_power / loss.surface_power - 1.0), 1e-3);

@@ -1,4 +1,4 @@
-// Layers of unlike relaxation functions at common retardation times, against the modes of each order.
+// Layers with different relaxation functions at common retardation times, compared with the modes of each order.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -28,7 +28,7 @@ namespace {
 constexpr TimeRange kRange{.shortest = 1e-4, .longest = 1e4};
 constexpr double kRadius = 0.021;
 
-/// Layers of a mat on a rigid base, outwards.
+/// Layer of a mat on a rigid base; a list of layers is ordered outwards.
 struct Material {
   double thickness;
   double poisson_ratio;
@@ -40,7 +40,7 @@ Material solid(double instantaneous, double relaxed, double time, double poisson
       .thickness = 5e-4, .poisson_ratio = poisson_ratio, .series = standard_linear_solid(instantaneous, relaxed, time)};
 }
 
-/// Of the issue: 0.5 mm of 6/3 MPa, 0.125 s over 0.5 mm of 4/1 MPa, 0.02 s.
+/// Example: 0.5 mm of 6/3 MPa, 0.125 s on 0.5 mm of 4/1 MPa, 0.02 s.
 std::vector<Material> two_solids() { return {solid(4e6, 1e6, 0.02), solid(6e6, 3e6, 0.125)}; }
 
 std::vector<Material> three_solids() {
@@ -79,7 +79,7 @@ struct Modes {
   Eigen::VectorXd weights;
 };
 
-/// Stiffness of a layer between its faces, of modulus 1: u, v within, then u, v outside; by its transition matrix.
+/// Stiffness of a layer of modulus 1 between its faces, from its transition matrix: u, v inside, then u, v outside.
 Eigen::Matrix4d stiffness(const Material& material, double k) {
   const double b = (1.0 - 2.0 * material.poisson_ratio) / (2.0 * (1.0 - material.poisson_ratio));
   const double a = 1.0 - 2.0 * b;
@@ -98,15 +98,16 @@ Eigen::Matrix4d stiffness(const Material& material, double k) {
   return k * result;
 }
 
-/// Eigenvalues of the symmetric problem that the layers' internal variables make: with A_l = R_l R_l^T, V = [sqrt(G_l
-/// g_lk) R_l] and M_0 = sum G_l A_l, C = e M_0^-1 e + b (I - W + s T)^-1 b, b = V^T M_0^-1 e, W = V^T M_0^-1 V.
+/// Eigenvalues of the symmetric problem of the layers' internal variables: with A_l = R_l R_l^T, V = [sqrt(G_l g_lk)
+/// R_l] and M_0 = sum G_l A_l, C = e M_0^-1 e + b (I - W + s T)^-1 b, b = V^T M_0^-1 e, W = V^T M_0^-1 V.
 Modes modes_of(const std::vector<Material>& materials, double k) {
   const auto size = static_cast<Eigen::Index>(2 * materials.size());
   Eigen::MatrixXd at_once = Eigen::MatrixXd::Zero(size, size);
   std::vector<Eigen::VectorXd> columns;
   std::vector<double> times;
   for (std::size_t l = 0; l < materials.size(); ++l) {
-    Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(size, size);  // over the interfaces, of which the base's is held
+    // over the interfaces; that of the base is fixed
+    Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(size, size);
     const auto outer = static_cast<Eigen::Index>(2 * l);
     const Eigen::Matrix4d own = stiffness(materials[l], k);
     if (l > 0) {
@@ -144,7 +145,7 @@ Modes modes_of(const std::vector<Material>& materials, double k) {
   return modes;
 }
 
-/// What an exact spectrum weighs at the common times.
+/// Weights of an exact spectrum at the common times.
 Eigen::VectorXd shared_out(const Modes& modes, const std::vector<double>& times) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(times.size()));
   for (Eigen::Index m = 0; m < modes.times.size(); ++m) {
@@ -153,7 +154,8 @@ Eigen::VectorXd shared_out(const Modes& modes, const std::vector<double>& times)
   return weights;
 }
 
-constexpr std::array kWaveNumbersByThickness{0.1, 0.5, 2.0, 5.0};  // beyond, transition matrices lose their digits
+// for larger ones, transition matrices lose their digits
+constexpr std::array kWaveNumbersByThickness{0.1, 0.5, 2.0, 5.0};
 
 TEST(LayerSpectrum, WeighsTheModesOfEachOrder) {
   for (const auto& materials : {two_solids(), three_solids(), two_broad()}) {
@@ -167,7 +169,7 @@ TEST(LayerSpectrum, WeighsTheModesOfEachOrder) {
       const double relaxed = modes.instantaneous + modes.weights.sum();
       EXPECT_NEAR(weights[0](0, 0), modes.instantaneous, 1e-10 * relaxed);
       for (Eigen::Index j = 0; j < expected.size(); ++j) {
-        // The eigenproblem of 36 modes over five decades keeps ten digits.
+        // The eigenproblem of 36 modes over five decades is accurate to ten digits.
         EXPECT_NEAR(weights[static_cast<std::size_t>(j) + 1](0, 0), expected[j], 1e-9 * relaxed) << kh << ' ' << j;
       }
     }
@@ -175,7 +177,7 @@ TEST(LayerSpectrum, WeighsTheModesOfEachOrder) {
 }
 
 TEST(RetardationIntervals, HoldEveryModeOfEveryOrder) {
-  constexpr double kRoundOff = 1e-6;  // of the eigenproblem's times
+  constexpr double kRoundOff = 1e-6;  // accuracy of the eigenproblem's times
   for (const auto& materials : {two_solids(), three_solids(), two_broad()}) {
     const auto moduli = creeping_moduli(mat(materials).layers, kRange);
     const auto intervals = retardation_intervals(moduli, false);
@@ -195,7 +197,7 @@ TEST(RetardationIntervals, HoldEveryModeOfEveryOrder) {
 TEST(RetardationIntervals, LieBetweenTheTimesOfEachMaterial) {
   const auto moduli = creeping_moduli(mat(two_solids()).layers, kRange);
   const auto intervals = retardation_intervals(moduli, false);
-  ASSERT_EQ(intervals.size(), 2U);  // tau to tau G_0 / G_inf
+  ASSERT_EQ(intervals.size(), 2U);  // from tau to tau G_0 / G_inf
   EXPECT_NEAR(intervals[0].shortest, 0.02, 1e-14);
   EXPECT_NEAR(intervals[0].longest, 0.08, 1e-14);
   EXPECT_NEAR(intervals[1].shortest, 0.125, 1e-14);
@@ -218,7 +220,7 @@ TEST(LayerSpectrum, HoldsItsToleranceWithFewTimes) {
     EXPECT_EQ(spectrum.retardation_times().size(), times);
     const double error = spectrum.error(kRange);
     EXPECT_LT(error, tolerance);
-    EXPECT_GT(error, 1e-3 * tolerance);  // else so many times were not needed
+    EXPECT_GT(error, 1e-3 * tolerance);  // otherwise fewer times would suffice
   }
 }
 
@@ -252,7 +254,7 @@ TEST(LayerSpectrum, KnowsBulkModuli) {
     layer.bulk_modulus = 1e7;
   }
   EXPECT_LT(LayerSpectrum(body, kRange, kTolerance).error(kRange), kTolerance);
-  body.layers.pop_back();  // of one layer, too, creep depends on the order
+  body.layers.pop_back();  // with one layer as well, creep depends on the order
   body.boundaries.pop_back();
   EXPECT_LT(LayerSpectrum(body, kRange, kTolerance).error(kRange), kTolerance);
 }
@@ -272,7 +274,7 @@ TEST(LayerSpectrum, OfMeasuredModuliIsOffByTheirFits) {
     curve.loss.push_back(modulus.imag());
   }
   body.layers[0].shear_modulus = curve;
-  EXPECT_LT(LayerSpectrum(body, kSeconds, 1e-3).error(kSeconds), 5e-3);  // which the fit of the table leaves
+  EXPECT_LT(LayerSpectrum(body, kSeconds, 1e-3).error(kSeconds), 5e-3);  // error of the fit of the table
 }
 
 TEST(LayerSpectrum, IsExactAtRestAndAtOnce) {
@@ -281,7 +283,8 @@ TEST(LayerSpectrum, IsExactAtRestAndAtOnce) {
   const LayerSpectrum spectrum(body, kRange, 1e-2);
   for (const SurfaceOrder& order : compared_orders(body)) {
     const auto weights = spectrum.weights_of(std::span(&order, 1)).front();
-    constexpr double kAtOnce = 1e12;  // [rad/s], so fast that no time of the layers matters to ten digits
+    // [rad/s], so fast that the layers' relaxation has no effect to ten digits
+    constexpr double kAtOnce = 1e12;
     for (const double omega : {0.0, kAtOnce}) {
       const Eigen::Matrix3cd exact = compliance_at(body, order, omega);
       const Eigen::Matrix3cd ours = spectrum.compliance(weights, omega);
@@ -291,7 +294,7 @@ TEST(LayerSpectrum, IsExactAtRestAndAtOnce) {
 }
 
 TEST(LayerSpectrum, OfLayersAlikeIsThatOfTheMaterial) {
-  LayeredBody body = mat({solid(4e6, 1e6, 0.02), solid(8e6, 2e6, 0.02)});  // one is twice as stiff
+  LayeredBody body = mat({solid(4e6, 1e6, 0.02), solid(8e6, 2e6, 0.02)});  // one layer is twice as stiff
   const LayerSpectrum spectrum(body, kRange, 1e-3);
   ASSERT_EQ(spectrum.retardation_times().size(), 1U);
   EXPECT_NEAR(spectrum.retardation_times()[0], 0.08, 1e-14);
@@ -304,7 +307,7 @@ TEST(LayerSpectrum, OfLayersAlikeIsThatOfTheMaterial) {
 TEST(LayerSpectrum, OfShortWavesIsThatOfTheOutermostLayer) {
   const auto materials = two_solids();
   const LayerSpectrum spectrum(mat(materials), kRange, 1e-3);
-  const SurfaceOrder order{.m = order_of(25.0 / 5e-4), .n = 0.0};  // e^-50 reaches below
+  const SurfaceOrder order{.m = order_of(25.0 / 5e-4), .n = 0.0};  // e^-50 of a wave reaches the layer below
   const auto weights = spectrum.weights_of(std::span(&order, 1)).front();
   const auto& times = spectrum.retardation_times();
   for (std::size_t j = 0; j < times.size(); ++j) {
@@ -313,7 +316,7 @@ TEST(LayerSpectrum, OfShortWavesIsThatOfTheOutermostLayer) {
   }
 }
 
-/// Layers at random, of one to four terms each.
+/// Random layers with one to four terms each.
 std::vector<Material> random_materials(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   std::vector<Material> materials(2 + random() % 2);
@@ -341,7 +344,7 @@ TEST(LayerSpectrum, OfLayersAtRandomLosesEnergyAtEveryOrderAndFrequency) {
     for (const auto& of_order : weights) {
       for (const double omega : compared_frequencies(body.layers, kRange)) {
         const Eigen::Matrix3d lost = -spectrum.compliance(of_order, omega).imag();
-        // Of any traction: pressing and shearing along k, and across it.
+        // Any traction: normal, and shear along k and across it.
         const double least =
             Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(lost, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
         ASSERT_GT(least, 0.0) << stack << ' ' << omega;
@@ -368,7 +371,7 @@ std::vector<TableRequest> all_entries() {
   return requests;
 }
 
-/// All layers elastic, as they are at once.
+/// Return the body with the instantaneous moduli.
 LayeredBody at_once(LayeredBody body) {
   for (Layer& layer : body.layers) {
     layer.shear_modulus = Elastic{std::get<Prony>(layer.shear_modulus).instantaneous_modulus};
@@ -384,7 +387,7 @@ double largest_difference(const Table& a, const Table& b, int phi_reach, int the
   return largest;
 }
 
-/// Adds the tables of all weights.
+/// Return the sum of the tables of all weights.
 std::vector<Table> at_rest(const std::vector<std::vector<Table>>& tables, int phi_reach, int theta_reach) {
   std::vector<Table> sums = tables.front();
   for (std::size_t w = 1; w < tables.size(); ++w) {

@@ -1,4 +1,4 @@
-// Stick and slip of an instant: dense factors and products come to the same state, and can be stopped on the way.
+// Stick and slip at one instant: direct and iterative solver find the same state, and both can be stopped.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// A dome pressed on a coated plane and pushed along it, whose nodes come with slips that grow to one side.
+/// A dome is pressed on a coated plane and pushed along it; the given slip of its nodes grows to one side.
 class MatchedSurfacesTest : public testing::Test {
  protected:
   static constexpr Index kRows = 25;
@@ -69,7 +69,7 @@ class MatchedSurfacesTest : public testing::Test {
     return problem;
   }
 
-  /// Pressed alike, also where nothing will touch.
+  /// Equal pressures as the initial guess, also on nodes that will be separated.
   [[nodiscard]] VectorField guess() const {
     VectorField force = VectorField::Zero(kRows * kHalfNodes, 3);
     for (Index row = 1; row < 24; ++row) force.col(kDown).segment(row * kHalfNodes, 8).setConstant(-0.006);

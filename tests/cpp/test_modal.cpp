@@ -21,7 +21,7 @@ namespace {
 
 using cplx = std::complex<double>;
 
-/// Compliance of one order as the spectrum and as the recursion give it, and their largest difference relative to the
+/// Compliance of one order from the spectrum and from the recursion, and their largest difference relative to the
 /// largest entry of its row and column (C_ij^2 <= C_ii C_jj).
 double spectrum_error(const Spectrum& spectrum, const HarmonicBody& coating, std::size_t i, double n) {
   OrderSeries series;
@@ -59,7 +59,7 @@ double worst_spectrum_error(const Spectrum& spectrum, const HarmonicBody& coatin
   return worst;
 }
 
-/// Some orders m, whole ones and others.
+/// Some orders m, integer and non-integer.
 std::vector<double> some_orders() { return {0.0, 1.0, 2.0, 3.0, 7.5, 20.0, 61.7, 150.0, 400.0}; }
 constexpr double kHighestN = 400.0;
 
@@ -94,7 +94,7 @@ TEST_P(SpectrumTest, SharedResponseAgreesWithTheRecursion) {
   const HarmonicBody coating = this->coating();
   const auto spectrum = SelfSimilarSpectrum::try_make(coating, kHighestN, kInertiaTolerance, 2, watch_);
   ASSERT_TRUE(spectrum);
-  // Series are cut at 1e-13 and the inertia series at 1e-12; sums of a few such errors.
+  // Series are truncated at 1e-13 and the inertia series at 1e-12; the tolerance is a sum of a few such errors.
   EXPECT_LT(worst_spectrum_error(*spectrum, coating), 1e-11);
 }
 
@@ -171,7 +171,7 @@ TEST(HighestKink, IsFoundWhereverItLies) {
   }
 }
 
-/// Who asks a function for its orders says where it has no value.
+/// A later stage, which evaluates the function at its orders, reports where it has no value.
 TEST(HighestKink, TakesForRoughWhatHasNoValue) {
   const CustomModulus nowhere{[](std::span<const double>, std::span<std::complex<double>> modulus) {
     std::ranges::fill(modulus, std::numeric_limits<double>::quiet_NaN());

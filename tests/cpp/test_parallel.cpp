@@ -27,8 +27,8 @@ void run(std::size_t count, int threads, const std::function<void(std::size_t, c
   parallel_for(count, threads, watch, "", body);
 }
 
-/// std::latch. Where the system has no futex (Windows), that of GCC 12 reads its count before it locks, so that it can
-/// miss the last arrival and wait for ever.
+/// Replacement of std::latch. On systems without futex (Windows), that of GCC 12 reads its count before it locks, so
+/// that it can miss the last arrival and wait forever.
 class Latch {
  public:
   explicit Latch(int expected) : expected_(expected) {}
@@ -53,7 +53,7 @@ void run_at_once(int threads, const std::function<void(std::size_t, const Worker
   });
 }
 
-/// Counts the threads that touch it.
+/// Counts the threads that access it.
 struct ThreadCounter {
   static inline std::atomic<int> threads = 0;
   ThreadCounter() noexcept { ++threads; }
@@ -84,7 +84,8 @@ TEST(ParallelFor, KeepsItsThreads) {
   for (int call = 0; call < 50; ++call) {
     run_at_once(kThreads, [](std::size_t, const Worker&) { thread_counter.touch(); });
   }
-  EXPECT_LE(ThreadCounter::threads, 10);  // as many as other tests have started; new ones each time would be 100
+  // threads that other tests have started; new ones in each call would be 100
+  EXPECT_LE(ThreadCounter::threads, 10);
 }
 
 TEST(ParallelFor, ThrowsTheFirstExceptionAgainAndStopsTheRest) {

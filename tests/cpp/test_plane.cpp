@@ -31,7 +31,7 @@ constexpr cplx kStiff(2e7, 3e5);
 
 cplx ratio(double nu) { return (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)); }
 
-/// rho V^2 [Pa] is the inertia.
+/// Layer with inertia rho V^2 [Pa].
 struct FlatLayer {
   double thickness;
   cplx mu;
@@ -49,7 +49,7 @@ struct FlatCompliance {
 };
 
 FlatCompliance flat_compliance(std::span<const FlatLayer> layers, double k, double cosine) {
-  constexpr double kRadius = 0.3;  // any
+  constexpr double kRadius = 0.3;  // arbitrary
   LayerStack<cplx> stack{.metric = {.radius = kRadius, .along = Way::line, .across = Way::line}, .media = {}};
   double top = 0.0;
   for (const FlatLayer& layer : layers | std::views::reverse) {
@@ -79,7 +79,7 @@ double difference(const FlatCompliance& a, const FlatCompliance& b) {
                    std::abs(a.kk - b.kk) / along, std::abs(a.pp - b.pp) / std::abs(a.pp)});
 }
 
-/// K. L. Johnson, Contact Mechanics (1985), section 5.8, and the like for forces along the surface: a layer bonded to a
+/// K. L. Johnson, Contact Mechanics (1985), section 5.8, and the same for forces along the surface: a layer bonded to a
 /// rigid base, with x = exp(-2 k h). Independent of the recursion.
 FlatCompliance bonded_layer(double h, cplx mu, double nu, double k) {
   const double s = k * h;
@@ -111,7 +111,7 @@ TEST(FlatLayers, LayerOnARigidBase) {
     for (const double kh : {1e-3, 0.1, 0.7, 2.5, 9.0, 35.0, 60.0, 1e4}) {
       const std::array layers{flat(1e-3, kRubber, nu)};
       const double k = kh / 1e-3;
-      // At kh = 1e-3 the closed form of an incompressible layer is left with six digits fewer than it has.
+      // At kh = 1e-3, the closed form of an incompressible layer loses six digits.
       const double tolerance = kh < 0.1 ? 1e-6 : 1e-11;
       EXPECT_LT(difference(flat_compliance(layers, k, 0.6), bonded_layer(1e-3, kRubber, nu, k)), tolerance)
           << nu << ' ' << kh;
@@ -140,7 +140,7 @@ TEST(FlatLayers, LayerOnAHalfSpace) {
 }
 
 TEST(FlatLayers, LayersOnAHalfSpaceOfTheirOwnMaterialAreThatHalfSpace) {
-  // With memory and inertia: the one exact test of where the recursion starts.
+  // With memory and inertia, this is the only exact test of the start of the recursion.
   for (const double nu : {0.2, 0.5}) {
     for (const double inertia : {0.0, 0.4e6, 2e6}) {
       for (const double k : {1.0, 100.0, 2e3, 1e5}) {
@@ -192,7 +192,7 @@ TEST(PlaneCompliance, CrossTermsAreOpposite) {
 TEST(PlaneCompliance, CriticalSpeedIsThatOfRayleighWaves) {
   const double shear_wave = std::sqrt(6e6 / 1000.0);
   EXPECT_NEAR(critical_speed(CoatedPlane{.layers = {layer(1e-3, 1000.0)}}), 0.95531 * shear_wave, 1e-4 * shear_wave);
-  // A soft half-space below a stiff layer without mass to speak of.
+  // A soft half-space below a stiff layer of negligible mass.
   const CoatedPlane road{.layers = {{.thickness = 1e-3, .shear_modulus = Elastic{1e9}, .poisson_ratio = 0.3}},
                          .base = HalfSpace{.shear_modulus = Elastic{6e6}, .poisson_ratio = 0.5, .density = 1000.0}};
   EXPECT_NEAR(critical_speed(road), 0.95531 * shear_wave, 1e-4 * shear_wave);
@@ -249,7 +249,7 @@ TEST(PlaneSpectrum, UnlikeLayersWithInertia) {
 }
 
 /// A. E. H. Love, Philosophical Transactions A 228 (1929) 377: displacement, per (1 - nu) / (2 pi G), of the surface of
-/// a half-space at (x, z) from the middle of a rectangle 2 a x 2 b that bears a unit force.
+/// a half-space at (x, z) from the middle of a rectangle 2 a x 2 b under a unit force.
 double love(double x, double z, double a, double b) {
   const auto corner = [](double p, double q) {
     const double r = std::hypot(p, q);
@@ -287,7 +287,7 @@ TEST_F(PlaneTable, HalfSpaceWithMemoryIsLovesRectangleThatPassed) {
   for (const double angular_speed : {0.1, 2.5, 1000.0}) {
     const Table table = normal_table(plane, angular_speed);
     const double speed = angular_speed * kRadius;
-    // The creep compliance is 1/G_0 + (1/G_inf - 1/G_0) (1 - exp(-t/T)), T = tau G_0 / G_inf; what is at xi now was at
+    // The creep compliance is 1/G_0 + (1/G_inf - 1/G_0) (1 - exp(-t/T)), T = tau G_0 / G_inf; the material at xi was at
     // xi - V t.
     const double wake = speed * tau * 2.0;
     const auto creeping = [&](double xi, double zeta) {
@@ -302,7 +302,7 @@ TEST_F(PlaneTable, HalfSpaceWithMemoryIsLovesRectangleThatPassed) {
     };
     const double center = table(0, 0);
     for (const auto& [j, l] : {std::pair{0, 0}, {1, 0}, {-1, 2}, {-40, 3}, {60, -30}, {-60, 30}}) {
-      // 40 000 midpoints leave 1e-6 of the center where the rectangle passes within few of them.
+      // 40 000 midpoints have an error of 1e-6 of the center if the rectangle passes within few of them.
       EXPECT_NEAR(table(j, l) / center, creeping(j * along_, l * across_) / center, 3e-6)
           << angular_speed << ' ' << j << ' ' << l;
     }
@@ -321,7 +321,8 @@ TEST_F(PlaneTable, ElasticHalfSpaceIsLovesRectangle) {
           std::max(worst, std::abs(table(j, l) - scale * love(j * along_, l * across_, 0.5 * along_, 0.5 * across_)));
     }
   }
-  EXPECT_LT(worst / table(0, 0), 2e-8);  // the octaves above end where the ball's do
+  // the octaves above end at the ball's
+  EXPECT_LT(worst / table(0, 0), 2e-8);
 }
 
 TEST_F(PlaneTable, MeasuredModulusIsNearlyThatOfItsModel) {
@@ -340,13 +341,14 @@ TEST_F(PlaneTable, MeasuredModulusIsNearlyThatOfItsModel) {
   const Table measured = normal_table(plane(curve), 2.5);
   const Table exact = normal_table(plane(model), 2.5);
   for (int j = -kPhiReach; j <= kPhiReach; ++j) {
-    EXPECT_NEAR(measured(j, 0) / exact(0, 0), exact(j, 0) / exact(0, 0), 1e-4);  // of the table: (0.02)^2 / 8
+    // error of the table: (0.02)^2 / 8
+    EXPECT_NEAR(measured(j, 0) / exact(0, 0), exact(j, 0) / exact(0, 0), 1e-4);
   }
 }
 
 TEST_F(PlaneTable, UnlikeLayersAreSummedLikeOneByOne) {
-  // The same layers as two, one in two parts of materials that differ in the last digits: another way through the
-  // spectrum.
+  // The same two layers with identical materials, and with materials that differ in the last digits, which use another
+  // branch of the spectrum.
   const auto plane = [](double modulus) {
     CoatedPlane result{.layers = {layer(0.5e-3, 0.0), layer(0.5e-3, 0.0)}};
     result.layers.front().shear_modulus = standard_linear_solid(6e6, modulus, 0.125);
@@ -387,7 +389,7 @@ class PlaneContact : public testing::Test {
 };
 
 TEST_F(PlaneContact, EqualSurfacesHaveTwiceTheComplianceAndNoCrossTerms) {
-  // Two planes, each the mirror image of the other: the sum is symmetric, whatever Poisson's ratio and memory, and its
+  // The planes are mirror images of each other, so the sum is symmetric for any Poisson's ratio and memory, and its
   // normal and tangential compliances are those of one layer of half the modulus.
   const auto plane = [](double share) {
     Layer rubber = layer(1e-3, 0.0);

@@ -1,4 +1,4 @@
-/// What the threads do when their process forks, ends, or may use few cores: POSIX, and Linux in part.
+/// Threads when their process forks, ends, or may use few cores: POSIX, and partly Linux.
 #if defined(__unix__) || defined(__APPLE__)
 
 #include <gtest/gtest.h>
@@ -29,9 +29,9 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr unsigned kPatience = 60;  // seconds until a process counts as hanging
+constexpr unsigned kPatience = 60;  // [s] until a process counts as hanging
 
-/// @return 0 if 0 to 999 add up
+/// @return 0 if the sum of 0 to 999 is correct
 int sum(const std::function<void(std::size_t)>& before_each) {
   const Observer observer;
   Watch watch(observer);
@@ -54,7 +54,7 @@ int sum_together() {
   });
 }
 
-/// @return what a forked process returned from `work`, or -1 if it came to another end
+/// @return result of `work` in a forked process, or -1 if the process ended differently
 int in_child(const std::function<int()>& work) {
   const pid_t child = fork();
   if (child == 0) {
@@ -67,7 +67,7 @@ int in_child(const std::function<int()>& work) {
 
 TEST(Fork, LeavesBothProcessesWithThreads) {
   ASSERT_EQ(sum_together(), 0);
-  EXPECT_EQ(in_child([] { return sum_together() + in_child(sum_together); }), 0);  // a child and its own
+  EXPECT_EQ(in_child([] { return sum_together() + in_child(sum_together); }), 0);  // a child and its own child
   EXPECT_EQ(sum_together(), 0);
 }
 
@@ -88,7 +88,7 @@ TEST(Fork, FindsNoThreadWithoutWork) {
 #ifdef __SANITIZE_THREAD__
   GTEST_SKIP() << "the sanitizer has a thread of its own";
 #endif
-  // What Python counts when it warns of forks: the threads of the parent, after the fork.
+  // Python warns of forks if it counts such threads: the threads of the parent, after the fork.
   const auto threads = [] { return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}); };
   EXPECT_EQ(in_child([&] {
               const auto before = threads();
@@ -127,14 +127,14 @@ TEST(Cores, AreThoseOfTheAffinityMask) {
     cpu_set_t one;
     CPU_ZERO(&one);
     CPU_SET(static_cast<std::size_t>(sched_getcpu()), &one);
-    ASSERT_EQ(sched_setaffinity(0, sizeof(one), &one), 0);  // of this thread
+    ASSERT_EQ(sched_setaffinity(0, sizeof(one), &one), 0);  // this thread
     bound = usable_cores();
   }).join();
   EXPECT_GE(before, core_count());
   EXPECT_EQ(bound, 1);
 }
 
-/// A folder with what Linux tells of control groups.
+/// A folder with Linux's files about control groups.
 class ControlGroups : public testing::Test {
  protected:
   ~ControlGroups() override { std::filesystem::remove_all(root_); }

@@ -25,8 +25,8 @@ using Wide = std::complex<long double>;
 using Wide3 = Eigen::Matrix<Wide, 3, 3>;
 using Wide6 = Eigen::Matrix<Wide, 6, 6>;
 
-/// Surface compliance in 64-bit mantissas, straight from the matrices of the equations: short steps of the full 6 x 6
-/// system in phi and theta, from the bottom or as deep as waves near the critical speed reach.
+/// Surface compliance with 64-bit mantissas, directly from the matrices of the equations: short steps of the full 6 x 6
+/// system in phi and theta, from the bottom or from the depth that waves near the critical speed reach.
 Eigen::Matrix3cd reference_compliance(const HarmonicBody& coating, std::size_t i, double n) {
   const double m = coating.orders()[i];
   const long double k = std::hypot(m, n);
@@ -92,7 +92,7 @@ double error_at(const Spectrum& spectrum, const HarmonicBody& coating, std::size
   return error;
 }
 
-/// Coatings of one to four unlike layers.
+/// Random coatings of one to four dissimilar layers.
 class RandomCoating {
  public:
   explicit RandomCoating(unsigned seed) : random_(seed) {}
@@ -117,7 +117,7 @@ class RandomCoating {
     return sphere;
   }
 
-  /// The same with one to all layers measured at up to 1e4 times a frequency.
+  /// The same coating with one to all layers measured at up to 1e4 times a frequency.
   [[nodiscard]] CoatedSphere measured_sphere(bool with_inertia, double frequency) {
     CoatedSphere sphere = this->sphere(with_inertia);
     const int first = integer(0, static_cast<int>(sphere.layers.size()) - 1);
@@ -147,8 +147,7 @@ class RandomCoating {
     }
   }
 
-  /// Rough values, with kinks between: as a table, straight in the logarithm of frequency, or as a function that is
-  /// straight in frequency itself.
+  /// Noisy values with kinks: a table, linear in the logarithm of frequency, or a function that is linear in frequency.
   ShearModulus measured_modulus(double frequency) {
     const FractionalZener solid{logarithmic(1e7, 1e8), logarithmic(1e5, 1e7), logarithmic(1e-4, 1.0) / frequency, 0.7};
     MasterCurve curve{.extrapolation = Extrapolation::hold};
@@ -185,7 +184,7 @@ TEST_P(RandomCoatings, FastSpectraAgreeWithTheEquations) {
   int refused = 0;
   std::vector<unsigned> seeds(16);
   std::iota(seeds.begin(), seeds.end(), 0U);
-  // Waves that reach deep near the critical speed, and two thin shells on nothing, whose inertia series converges
+  // Waves that reach deep near the critical speed, and two thin shells without a core, whose inertia series converges
   // slowly.
   seeds.insert(seeds.end(), {28U, 48U, 144U});
   for (const unsigned seed : seeds) {
@@ -210,14 +209,14 @@ TEST_P(RandomCoatings, FastSpectraAgreeWithTheEquations) {
             << "coating " << seed << ", m = " << coating.orders()[i] << ", n = " << n << ", speed " << speed;
       }
     } catch (const std::invalid_argument&) {
-      ++refused;  // hardly damped waves below the critical speed
+      ++refused;  // weakly damped waves below the critical speed
     }
   }
   EXPECT_GT(panels, 9);
   EXPECT_LT(refused, 5);
 }
 
-/// Series of an order, to the last bit.
+/// Whether two series of an order agree to the last bit.
 bool are_same(const OrderSeries& a, const OrderSeries& b) {
   return std::ranges::equal(a, b, [](const auto& p, const auto& q) { return p.low == q.low && p.series == q.series; });
 }
@@ -257,7 +256,7 @@ TEST_P(RandomCoatings, MeasuredModuliAreSolvedBetweenTheirKinks) {
     }
   }
   EXPECT_LT(refused, 5);
-  EXPECT_LT(one_by_one, samples / 5);  // or it would not pay
+  EXPECT_LT(one_by_one, samples / 5);  // otherwise the panels would not save time
 }
 
 INSTANTIATE_TEST_SUITE_P(Inertia, RandomCoatings, testing::Bool(),

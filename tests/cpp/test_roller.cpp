@@ -26,13 +26,13 @@ constexpr double kOuter = 0.05;
 
 double ratio_of(double nu) { return (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)); }
 
-/// Displacement per stress of one order: outwards, around (i v by i tau), and along the axis.
+/// Displacement per stress of one order: radial, circumferential (i v due to i tau), and axial.
 template <class Scalar>
 struct LineCompliance {
   Scalar normal, mixed, along, axial;
 };
 
-/// Layers on a rigid core.
+/// Compliance of layers on a rigid core.
 template <class Scalar>
 LayerStack<Scalar> stack_of(std::vector<Medium<Scalar>> media) {
   return {.metric = {.radius = media.back().outer, .across = Way::nothing}, .media = std::move(media)};
@@ -50,8 +50,8 @@ bool is_subcritical(const LayerStack<double>& layers, double m) {
 }
 
 /// Michell's stress function of order m >= 2 on a ring that is bonded inside (S. Timoshenko and J. N. Goodier, Theory
-/// of Elasticity, 3rd ed., section 43): (A r^m + B r^(m+2) + C r^-m + D r^(2-m)) cos(m phi), u by -sigma_rr alone etc.
-/// Displacements by integration of Hooke's law in plane strain, kappa = 3 - 4 nu.
+/// of Elasticity, 3rd ed., section 43): (A r^m + B r^(m+2) + C r^-m + D r^(2-m)) cos(m phi), u due to -sigma_rr alone
+/// etc. Displacements by integration of Hooke's law in plane strain, kappa = 3 - 4 nu.
 LineCompliance<cplx> michell(cplx mu, double nu, double m) {
   using Matrix = Eigen::Matrix<cplx, 4, 4>;
   const double kappa = 3.0 - 4.0 * nu;
@@ -117,7 +117,7 @@ TEST(CylinderCompliance, IsMichells) {
 }
 
 TEST(CylinderCompliance, SwellsAndTwistsAtOrderZero) {
-  // A tube under uniform pressure, and turned against its core: docs/theory/rollers.md.
+  // A tube under uniform pressure, and one turned against its core: docs/theory/rollers.md.
   const double mu = 2e6;
   const double nu = 0.3;
   const double lambda = 2.0 * mu * nu / (1.0 - 2.0 * nu);
@@ -131,7 +131,8 @@ TEST(CylinderCompliance, SwellsAndTwistsAtOrderZero) {
 
 TEST(CylinderCompliance, OfTwoLayersOfOneMaterialIsThatOfOne) {
   const cplx mu(3e6, 1e6);
-  const double inertia = 0.2 * 3e6 / std::pow(kOuter, 2);  // a fifth of the square of the shear wave's speed
+  // a fifth of the square of the shear wave's speed
+  const double inertia = 0.2 * 3e6 / std::pow(kOuter, 2);
   const auto medium = [&](double inner, double outer) {
     return Medium<cplx>{.inner = inner, .outer = outer, .mu = mu, .b = 0.1, .inertia = inertia};
   };
@@ -149,14 +150,15 @@ TEST(CylinderCompliance, OfHighOrdersIsThatOfAHalfPlane) {
   const double nu = 0.4;
   const auto found = cylinder_compliance<double>(
       {{.inner = kInner, .outer = kOuter, .mu = 1.0, .b = ratio_of(nu), .inertia = 0.0}}, m);
-  EXPECT_NEAR(found.normal * m / kOuter, 1.0 - nu, 2.0 / m);  // errors of the order 1/m: the curvature
+  // errors of the order 1/m due to the curvature
+  EXPECT_NEAR(found.normal * m / kOuter, 1.0 - nu, 2.0 / m);
   EXPECT_NEAR(found.along * m / kOuter, 1.0 - nu, 2.0 / m);
   EXPECT_NEAR(found.mixed * m / kOuter, -0.5 * (1.0 - 2.0 * nu), 2.0 / m);
   EXPECT_NEAR(found.axial * m / kOuter, 1.0, 2.0 / m);
 }
 
 TEST(CylinderCompliance, WithInertiaLosesItsStiffnessAtTheRayleighSpeed) {
-  // mu = rho = 1, r_o = 1: waves of high order run at 0.9553 of the shear wave's speed where incompressible (Graff).
+  // mu = rho = 1, r_o = 1: incompressible waves of high order run at 0.9553 of the shear wave's speed (Graff).
   const auto at_speed = [](double speed) {
     return stack_of<double>({{.inner = 0.5, .outer = 1.0, .mu = 1.0, .b = 0.0, .inertia = speed * speed}});
   };
@@ -165,8 +167,8 @@ TEST(CylinderCompliance, WithInertiaLosesItsStiffnessAtTheRayleighSpeed) {
 }
 
 TEST(CylinderCompliance, SwellsByItsWeightInTurning) {
-  // u'' + u'/r - u/r^2 = -rho Omega^2 r / (lambda + 2 mu), u(r_i) = 0 and sigma_rr(r_o) = 0, without the part of
-  // inertia that the displacement makes, of the order rho (Omega r)^2 / mu = 1e-6.
+  // u'' + u'/r - u/r^2 = -rho Omega^2 r / (lambda + 2 mu), u(r_i) = 0 and sigma_rr(r_o) = 0, without the inertia of the
+  // displacement itself, which is of the order rho (Omega r)^2 / mu = 1e-6.
   const double nu = 0.3;
   const double mu = 1.0;
   const double lambda = 2.0 * mu * nu / (1.0 - 2.0 * nu);
@@ -188,7 +190,7 @@ CoatedCylinder rubber_roller() {
 }
 
 TEST(Roller, RollsAsComputedIndependently) {
-  // Moments per length by an independent code in NumPy, with 0.3 % of its own (docs/theory/rollers.md).
+  // Moments per length from an independent code in NumPy, accurate to 0.3 % (docs/theory/rollers.md).
   const std::array<std::array<double, 2>, 3> known{{{0.1, 2.806}, {1.0, 2.456}, {10.0, 0.2888}}};
   for (const auto& [speed, moment] : known) {
     const Result result = solve(rubber_roller(), {.load = 5e3, .angular_speed = speed}, {.accuracy = 1e-3});
@@ -206,7 +208,7 @@ TEST(Roller, PressesAnElasticHalfPlaneAsHertzHasIt) {
   const double load = 1e4;
   const double a = std::sqrt(2.0 * 0.7 * load * 0.1 / (std::numbers::pi * 1e8));
   const Result result = solve(rigid, floor, {.load = load, .angular_speed = 1.0}, {.mesh = Mesh{150000}});
-  double second_moment = 0.0;  // a^2 / 4 of the load
+  double second_moment = 0.0;  // a^2 / 4 times the load
   for (std::size_t i = 0; i < result.x.size(); ++i) second_moment += std::pow(result.x[i], 2) * result.pressure[i];
   second_moment *= 0.1 * phi_spacing(result.mesh) / load;
   EXPECT_NEAR(2.0 * std::sqrt(second_moment) / a, 1.0, 1e-4);
@@ -223,7 +225,7 @@ TEST(Roller, LosesNothingItselfWhereItIsRigid) {
   EXPECT_NEAR(result.driving_force * 0.05 / result.resisting_torque, 1.0, 1e-3);  // Q = M / R
   EXPECT_NEAR(result.driving_torque, 0.0, 1e-3 * result.resisting_torque);
   EXPECT_LT(result.power_balance_error, 1e-3);
-  // Hunter's closed form, in the Python tests set beside an independent computation: 4.26712 N.
+  // Hunter's closed form, which the Python tests compare with an independent computation: 4.26712 N.
   EXPECT_NEAR(result.resisting_torque / 4.26712, 1.0, 1e-3);
 }
 
@@ -231,9 +233,10 @@ TEST(Roller, OnItsLikeTurnsAsOnARigidPlane) {
   const Result plane = solve(rubber_roller(), {.load = 5e3, .angular_speed = 1.0}, {.mesh = Mesh{6000}});
   const Result pair =
       solve(rubber_roller(), rubber_roller(), {.load = 5e3, .angular_speed = 1.0}, {.mesh = Mesh{6000}});
-  // A gap of twice the height over twice the compliance: the same forces, and twice the approach.
+  // Twice the gap and twice the compliance give the same forces and twice the approach.
   EXPECT_NEAR(pair.resisting_torque / plane.resisting_torque, 1.0, 1e-9);
-  EXPECT_NEAR(pair.driving_torque / plane.driving_torque, 1.0, 1e-3);  // by a difference quotient on the mesh
+  // difference quotient on the mesh
+  EXPECT_NEAR(pair.driving_torque / plane.driving_torque, 1.0, 1e-3);
   EXPECT_NEAR(*pair.penetration / *plane.penetration, 2.0, 1e-9);
   EXPECT_NEAR(pair.bulk_power / plane.bulk_power, 2.0, 1e-9);
   EXPECT_LT(pair.power_balance_error, 2e-3);
@@ -241,7 +244,7 @@ TEST(Roller, OnItsLikeTurnsAsOnARigidPlane) {
 
 TEST(Roller, FollowsCartersCurve) {
   // Incompressible on a rigid plane, so that pressure causes no slip on a thick coating; a = R / 1000, so that the
-  // creepage of free rolling, of the order (a/R)^2, is small beside the mu a / R at which all slides.
+  // creepage of free rolling, of the order (a/R)^2, is small compared with mu a / R, at which everything slides.
   const double radius = 0.1;
   const double shear = 1e7;
   const double a = 1e-3 * radius;
@@ -256,7 +259,8 @@ TEST(Roller, FollowsCartersCurve) {
     const Result result = model.solve(
         {.load = load, .angular_speed = 1.0, .friction = friction, .drive = DriveCreepage{.creepage = creepage}});
     const double carter = std::copysign(friction * load * (1.0 - std::pow(1.0 - std::abs(share), 2)), share);
-    // The mesh leaves an error like one over the nodes, 100 across; free rolling creeps by some (a/R)^2.
+    // The error of the mesh is inversely proportional to the number of nodes, here 100 across; the creepage of free
+    // rolling is about (a/R)^2.
     EXPECT_NEAR(result.driving_force / (friction * load), carter / (friction * load), 0.01);
     EXPECT_NEAR(result.driving_force / carter, 1.0, 0.02);
   }

@@ -1,4 +1,4 @@
-// Sections of treads by finite elements.
+// Finite elements of the sections of treads.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -22,10 +22,10 @@ using cplx = std::complex<double>;
 using Eigen::Index;
 using Media = std::vector<SectionMedium<double>>;
 
-/// Finer than the default, to tell what is right from what elements leave.
+/// Finer than the default, to separate errors of the elements from others.
 constexpr SectionFineness kFine{.finest = 1.0 / 32.0, .growth = 0.5, .largest = 1.0 / 3.0};
 
-/// As nearly incompressible as sections take it.
+/// Largest ratio of Lame's first parameter to the shear modulus that sections accept.
 constexpr double kIncompressible = 1e6;
 
 CoatedWheel tread(double core, double width, std::vector<Layer> layers, double crown = INFINITY) {
@@ -36,8 +36,8 @@ CoatedWheel plain_tread(double core, double width) {
   return tread(core, width, {{.thickness = 1.0, .shear_modulus = Elastic{1.0}, .poisson_ratio = 0.5}});
 }
 
-/// Order 1 is a translation across the axis, and a turning about a line across it; order 0 one along the axis and a
-/// turning about it.
+/// Order 1 contains a translation across the axis and a rotation about a line across it; order 0, a translation along
+/// the axis and a rotation about it.
 TEST(SectionElement, RigidMotionsStoreNoEnergy) {
   constexpr std::array<double, 9> kR{2.0, 2.02, 1.97, 2.3, 2.29, 2.31, 2.6, 2.61, 2.58};
   constexpr std::array<double, 9> kZ{0.0, 0.2, 0.4, 0.0, 0.21, 0.4, 0.01, 0.2, 0.41};
@@ -60,7 +60,7 @@ TEST(SectionElement, RigidMotionsStoreNoEnergy) {
   EXPECT_GT(largest_force(2.0, [](double, double) { return Vector3d(1.0, 1.0, 0.0); }), 0.1);
 }
 
-/// Means over a meter of the loads of a line, per traction 1.
+/// Loads of a line per unit traction, averaged over a meter.
 Eigen::VectorXd uniform_load(const SectionMesh& mesh, double radius) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(static_cast<Index>(mesh.loaded_lines()));
   for (Index i = 0; i + 2 < load.size(); i += 2) {
@@ -69,8 +69,8 @@ Eigen::VectorXd uniform_load(const SectionMesh& mesh, double radius) {
   return load;
 }
 
-/// Loaded alike all over a great width, the middle of a tread does as a cylinder in plane strain: rollers' compliances
-/// by the recursion through layers, which are tested against closed forms, for all entries that these have.
+/// Under a uniform load over a large width, the middle of a tread acts as a cylinder in plane strain. The compliances
+/// of rollers come from the recursion through layers, which is tested against closed forms, for all entries that exist.
 TEST(Section, MiddleOfAWideTreadIsARoller) {
   const CoatedWheel wheel = tread(3.0, 16.0,
                                   {{.thickness = 0.6, .shear_modulus = Elastic{1.0}, .poisson_ratio = 0.45},
@@ -88,7 +88,7 @@ TEST(Section, MiddleOfAWideTreadIsARoller) {
     const Matrix3<cplx> y = surface_compliance(stack, m, 0.0);
     const Eigen::MatrixXcd even = section.at(m, media)[kEvenPart];
     const double size = std::abs(y(1, 1));
-    // What elements of a 32nd to a third of the thickness make of them.
+    // Error of elements of a 32nd to a third of the thickness.
     constexpr double kElements = 2e-4;
     for (const Index p : {0, 1}) {
       for (const Index q : {0, 1}) {
@@ -102,14 +102,15 @@ TEST(Section, MiddleOfAWideTreadIsARoller) {
 /// Uniform along the axis: p h/(G d) of a bonded strip under a flat punch, by tests/reference/bonded_strip.py: free
 /// sides by scikit-fem, extrapolated in the size of its elements; an endless strip by Fourier integrals.
 struct Strip {
-  double width;  ///< per thickness
+  double width;  ///< width / thickness
   double free, endless;
 };
 
 class StripUnderPunch : public testing::TestWithParam<Strip> {};
 
 TEST_P(StripUnderPunch, IsAsStiffAsByAnotherCode) {
-  constexpr double kStraight = 1e4;  // radius per thickness: curvature is felt in its inverse
+  // radius / thickness; the effect of curvature is of the order of its inverse
+  constexpr double kStraight = 1e4;
   const auto [width, free, endless] = GetParam();
   const auto stiffness = [&](SectionEnd end, const SectionFineness& fineness) {
     const SectionCompliance section(SectionMesh(plain_tread(kStraight, width), end, fineness), false);
@@ -119,7 +120,8 @@ TEST_P(StripUnderPunch, IsAsStiffAsByAnotherCode) {
   };
   EXPECT_NEAR(stiffness(SectionEnd::face, kFine), free, 1e-3 * free);
   EXPECT_NEAR(stiffness(SectionEnd::face, {}), free, 2e-3 * free);
-  EXPECT_NEAR(stiffness(SectionEnd::endless, kFine), endless, 4e-3 * endless);  // a punch's edge is singular there
+  // the edge of a punch is singular there
+  EXPECT_NEAR(stiffness(SectionEnd::endless, kFine), endless, 4e-3 * endless);
 }
 
 INSTANTIATE_TEST_SUITE_P(Widths, StripUnderPunch,
@@ -127,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Widths, StripUnderPunch,
                                          Strip{3.0, 6.38966, 15.64781}, Strip{4.0, 8.00852, 19.47515},
                                          Strip{6.0, 12.72475, 28.74107}));
 
-/// Elements of half the size leave less than half of the error, for all that the corners at the hub are singular.
+/// Elements of half the size have less than half of the error, although the corners at the hub are singular.
 TEST(Section, ConvergesWithItsElements) {
   const auto middle = [](double share) {
     const SectionFineness fineness{.finest = share / 16.0, .growth = 0.5 * share, .largest = share / 2.0};
@@ -142,7 +144,8 @@ TEST(Section, ConvergesWithItsElements) {
   EXPECT_LT(fine, 3e-4 * middle(0.25));
 }
 
-/// All of a crowned tread is cut, for it is nowhere as thick as in its middle; but it changes over its width alone.
+/// A crowned tread is meshed over its full width, because its thickness varies everywhere; but it varies only on the
+/// length scale of the width.
 TEST(Section, WideTreadsNeedNoMoreElements) {
   const SectionFineness everywhere{.widest = 0.0};
   const auto wheel = [](double width) {

@@ -6,8 +6,8 @@
 namespace viscoroll::detail {
 namespace {
 
-/// A pressed node that sticks once its traction has a certain value. The equations have this value wrong until they are
-/// corrected by displacements, and each of their steps leaves a hundredth of the slip.
+/// A pressed node that sticks once its traction has a certain value. The equations contain a wrong value until
+/// displacements correct it, and each solve of the equations leaves a hundredth of the slip.
 class LateCorrection : public StickSlipSystem {
  public:
   [[nodiscard]] ConditionScales scales() const override { return {.normal = 1.0, .tangential = 1.0}; }
@@ -43,7 +43,8 @@ TEST(SemismoothNewton, ComparesStepsWithStatesOfTheCorrectedEquationsAlone) {
                         .gap = Eigen::ArrayXd::Zero(1),
                         .contact = {},
                         .slip = Eigen::ArrayX2d::Zero(1, 2)};
-  start.force.row(0) << 0.1, -1.0, 0.0;  // solves the equations before they are corrected
+  // solution of the equations before the correction
+  start.force.row(0) << 0.1, -1.0, 0.0;
   start.creepage = 0.0;
   SemismoothNewton newton(system, {.tolerance = 1e-12, .round_off = 1e-10, .free_steps = 1});
   newton.start_from(start);

@@ -92,7 +92,7 @@ TEST(Solve, FrictionDoesNotDependOnTheNumberOfThreads) {
 
 TEST(RollingModel, ThreadsShareIt) {
   const RollingModel model(cases::unlike_layers(), 2.5, *kCoarse.mesh);
-  // Each load needs wider tables than the one before.
+  // Each load needs wider tables than the previous one.
   const std::vector<double> loads{1.0, 10.0, 50.0, 100.0};
   std::vector<detail::JoinedThread> threads;
   threads.reserve(loads.size());

@@ -14,7 +14,7 @@ namespace {
 
 enum class DriveKind { force, torque, creepage, oblique };
 
-/// A contact of 121 nodes of which those in front stick and those behind slip, with forces that solve nothing yet.
+/// A contact of 121 nodes, whose front sticks and whose rear slips, with forces that are not a solution yet.
 class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, DriveKind, Deforming>> {
  protected:
   StickSlipTest() {
@@ -31,7 +31,7 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
         const Eigen::Index node = i * shape.theta_nodes + k;
         const auto aside = static_cast<double>(k - 8);
         const double angle = aside * (0.1 + 0.02 * static_cast<double>(i));
-        // Holes in the runs of sticking nodes, too; mirror images alike.
+        // Rows of sticking nodes with gaps, symmetric to the middle.
         const bool stick = i < 9 && (i + 2 * std::abs(k - 8)) % 11 != 0;
         sets_.contact.push_back(node);
         sets_.states.push_back({.stick = stick,
@@ -103,7 +103,7 @@ TEST_P(StickSlipTest, ProductsTakeTheStepOfADenseSolution) {
   EXPECT_NEAR(*iterated.creepage, dense[forces + 1], 1e-8);
 }
 
-/// Differences of antiderivatives, by which the last digits of a small window are lost, in long doubles.
+/// Compare with differences of antiderivatives in long doubles, because small windows lose the last digits.
 TEST(SurfaceWindow, FallsBehindByTheIntegralOfItsHeight) {
   constexpr double kRadius = 0.5;
   for (const double spacing : {1e-5, 0.03}) {

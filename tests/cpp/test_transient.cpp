@@ -1,4 +1,4 @@
-// The creep spectrum and the weights of a step: what Python cannot see of transient rolling.
+// Creep spectrum and step weights: the parts of transient rolling that Python cannot access.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,7 +70,7 @@ TEST(CreepSpectrum, OfTimesClosePairsKeepsItsDigits) {
                      .weights = {0.2, 0.3, 0.1},
                      .relaxation_times = {0.125, 0.125 * (1.0 + 1e-9), 0.125}};
   const CreepSpectrum spectrum = creep_spectrum(series, kRange);
-  ASSERT_EQ(spectrum.size(), 2U);  // equal times are one
+  ASSERT_EQ(spectrum.size(), 2U);  // equal times are merged
   EXPECT_LT(error_of(spectrum, series, 1e-3, 1e3), 1e-8);
 }
 
@@ -78,7 +78,7 @@ TEST(CreepSpectrum, OfAFractionalZenerSolidConverges) {
   for (const double order : {0.3, 0.5, 0.7, 0.9, 0.97}) {
     const FractionalZener solid{6e6, 3e6, 0.125, order};
     const CreepSpectrum spectrum = creep_spectrum(solid, kRange);
-    // Beyond the range, what is left yields at once or never.
+    // Outside the range, the rest responds instantaneously or never.
     EXPECT_LT(error_of(spectrum, solid, 1e-4, 1e4), 1e-3) << order;
     EXPECT_LT(spectrum.size(), 70U) << order;
   }
@@ -91,8 +91,8 @@ TEST(CreepSpectrum, OfAKelvinVoigtSolidYieldsNothingAtOnce) {
 }
 
 TEST(CreepSpectrum, FitsATableAndTellsHowWell) {
-  // The fractional solid as a table of nine decades; docs/theory/transient.md. With three times per decade
-  // the function itself is within 6.5e-5, and a table has the kinks of its interpolation.
+  // The fractional solid as a table of nine decades; docs/theory/transient.md. With three times per decade, the
+  // function itself is accurate within 6.5e-5; a table has the kinks of its interpolation.
   const FractionalZener solid{6e6, 3e6, 0.125, 0.5};
   MasterCurve curve{.frequency = {0.0}, .storage = {3e6}, .loss = {0.0}, .extrapolation = Extrapolation::hold};
   for (int i = 0; i <= 180; ++i) {
@@ -124,7 +124,7 @@ TEST(TimeStep, SeriesAndClosedFormsMeet) {
   const TimeStep below(one, 0.999e-3);
   const TimeStep above(one, 1.001e-3);
   const auto ratio = [&](double TimeStep::Term::* share) { return above.terms[0].*share / below.terms[0].*share; };
-  // Each is proportional to the step here, up to a share of its square.
+  // Each weight is proportional to the step here, up to a share of its square.
   EXPECT_NEAR(ratio(&TimeStep::Term::on_new), 1.001 / 0.999, 1e-6);
   EXPECT_NEAR(ratio(&TimeStep::Term::lost_change), 1.001 / 0.999, 3e-6);
   const TimeStep jump(one, 0.0);
@@ -144,7 +144,7 @@ TEST(StepChoice, GrowsAtStandstillAndFollowsTheSpacing) {
             std::vector{1.0});
 }
 
-/// Nodes join by ones and by many, and leave; some lie where nothing moves sideways.
+/// Nodes join one by one and in groups, and leave; some lie in the middle, where nothing moves laterally.
 TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
   const Observer silent;
   Watch watch(silent);
@@ -157,7 +157,7 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
     for (Eigen::Index node = first; node < last; ++node) range.push_back(node);
     return range;
   };
-  const Axes own;  // of no interest in the frame of a single body
+  const Axes own;  // irrelevant in the frame of a single body
   const StepOperator surface({{1.0, &tables, &own}}, [] {});
   ContactStiffness stiffness;
   EXPECT_TRUE(stiffness.cover(surface, nodes(10, 14)));
@@ -175,13 +175,14 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
     }
     return product.cwiseAbs().maxCoeff();
   };
-  EXPECT_LT(largest_error(), 1e-11);  // round-off by the condition of an incompressible coating
+  // round-off for the condition number of an incompressible coating
+  EXPECT_LT(largest_error(), 1e-11);
   EXPECT_TRUE(stiffness.cover(surface, nodes(20, 30)));
   EXPECT_EQ(stiffness.nodes(), nodes(20, 30));
   EXPECT_LT(largest_error(), 1e-11);
 }
 
-/// Products that take long are cut by offsets along the path, for somebody to be able to stop them.
+/// Long products are split by offsets along the path, so that they can be stopped.
 TEST(MirroredTables, LongProductsListenAndAreThoseOfTheCompliance) {
   const Observer silent;
   Watch watch(silent);
@@ -202,7 +203,8 @@ TEST(MirroredTables, LongProductsListenAndAreThoseOfTheCompliance) {
   }
   int polled = 0;
   const HalfField found = tables.displacement(loads, 3, 40, [&polled] { ++polled; });
-  EXPECT_GE(polled, 6);  // twice 32 rows at most, each in three pieces
+  // at most twice 32 rows, each in three pieces
+  EXPECT_GE(polled, 6);
   const Eigen::VectorXd expected = tables.compliance(displaced, loaded) * forces;
   for (Eigen::Index i = 0; i < expected.size(); ++i) {
     const Eigen::Index node = displaced[static_cast<std::size_t>(i / 3)];

@@ -1,4 +1,4 @@
-// What free sides add to the tables of histories, and to the weights of layers that do not creep alike.
+// Contribution of free sides to the tables of histories, and to the weights of dissimilar layers.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +24,7 @@ using cplx = std::complex<double>;
 using Eigen::ArrayXXd;
 using Eigen::Index;
 
-constexpr double kSpeed = 1.0;  // of elastic layers, any
+constexpr double kSpeed = 1.0;  // arbitrary for elastic layers
 constexpr TimeRange kRange{.shortest = 1e-5, .longest = 1e5};
 
 CoatedWheel wheel_of(std::vector<Layer> layers, double crown_radius) {
@@ -37,7 +37,7 @@ CoatedWheel elastic_wheel() {
                   0.2);
 }
 
-/// A stiff one below, which creeps by other times, and a bulk modulus above.
+/// A stiff layer inside and a layer with other relaxation times and a bulk modulus outside.
 CoatedWheel creeping_wheel() {
   return wheel_of({{.thickness = 6e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5},
                    {.thickness = 4e-3,
@@ -49,7 +49,7 @@ CoatedWheel creeping_wheel() {
 
 constexpr SectionFineness kCoarse{.finest = 0.25, .growth = 0.5, .largest = 0.5};
 
-/// Rows of nodes on a tread that ends beyond them.
+/// Rows of nodes on a tread that ends outside them.
 struct Rows {
   static constexpr Index kHalfNodes = 4;
   static constexpr int kReach = 6;
@@ -63,7 +63,7 @@ struct Rows {
   [[nodiscard]] Index height() const { return components * kHalfNodes; }
 };
 
-/// The same field on both sides, node by node, a column for each component.
+/// The same field on both sides, node by node, with a column for each component.
 ArrayXXd unfolded(const HalfField& half, const Rows& rows) {
   constexpr Index kAcross = 2 * Rows::kHalfNodes - 1;
   const Eigen::ArrayXd weights = half_weights(Rows::kHalfNodes);
@@ -101,7 +101,7 @@ class SideInfluenceOfRows : public testing::TestWithParam<Index> {
     return {std::move(difference), std::move(bands), softness, mesh};
   }
 
-  /// Forces in all nodes but those in the middle, where none is along theta.
+  /// Forces on all nodes; those in the middle have no theta component.
   [[nodiscard]] HalfField forces() {
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     HalfField field = HalfField::NullaryExpr(rows_.height(), Rows::kCount, [&] { return any(random_); });
@@ -110,8 +110,8 @@ class SideInfluenceOfRows : public testing::TestWithParam<Index> {
   }
 };
 
-/// The work of some forces on the way that others make, by the product of steady rolling, which gathers forces over
-/// patches and reads values at nodes: the mean of either way round is what histories take.
+/// Work of one set of forces on the displacements of another. The product of steady rolling gathers forces over patches
+/// and reads values at nodes; histories use the mean of both directions.
 TEST_P(SideInfluenceOfRows, DoesTheWorkOfTheSteadyProduct) {
   const SideSum sum = this->sum();
   const SideFactors factors = sum.factors({.phi_reach = Rows::kReach});
@@ -126,7 +126,7 @@ TEST_P(SideInfluenceOfRows, DoesTheWorkOfTheSteadyProduct) {
   const auto work = [&](const HalfField& on, const HalfField& by) {
     return (unfolded(on, rows_) * product.apply(unfolded(by, rows_))).sum();
   };
-  // Behind a row phi is reversed.
+  // Behind a row, phi is reversed.
   Eigen::VectorXd reversed = Eigen::VectorXd::Ones(rows_.height());
   if (rows_.components == 3) reversed.segment(Rows::kHalfNodes, Rows::kHalfNodes).setConstant(-1.0);
   double by_rows = 0.0;
@@ -144,7 +144,7 @@ TEST_P(SideInfluenceOfRows, DoesTheWorkOfTheSteadyProduct) {
 
 INSTANTIATE_TEST_SUITE_P(Components, SideInfluenceOfRows, testing::Values(1, 3));
 
-/// At every frequency, as sections solved there have it, and at rest and at once.
+/// At every frequency, and in the relaxed and instantaneous limits, the weights agree with sections solved there.
 TEST(SideWeights, AddUpToSectionsAtAnyFrequency) {
   const CoatedWheel wheel = creeping_wheel();
   const Observer silent;
@@ -174,7 +174,8 @@ TEST(SideWeights, AddUpToSectionsAtAnyFrequency) {
       const LayerStack<cplx> stack = layered_body(wheel).stack(moduli, 0.0);
       const cplx unit = moduli.back();
       const Eigen::MatrixXcd exact = sections.at(m, section_media(stack, unit), kEven, worker)[kEvenPart] / unit;
-      // At rest and at once times do not matter, nor how the sums around them weigh single ones; else these leave 3e-5.
+      // The relaxed and instantaneous limits do not depend on times, or on how sums represent single times; otherwise
+      // the error is 3e-5.
       const double allowed = omega == 0.0 || omega == kAtOnce ? 1e-6 : 1e-4;
       EXPECT_LT((sum - exact).cwiseAbs().maxCoeff(), allowed * exact.cwiseAbs().maxCoeff()) << m << ' ' << omega;
     }

@@ -31,14 +31,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double ratio_of(double nu) { return (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)); }
 
-/// Of layers that end at a radius of 1 m, where a way across is straight or nothing varies.
+/// Compliance of layers that end at a radius of 1 m, where the direction across is straight or nothing varies along it.
 template <class Scalar>
 Matrix3<Scalar> compliance_of(std::vector<Medium<Scalar>> media, Way across, double m, double n) {
   const LayerStack<Scalar> layers{.metric = {.radius = 1.0, .across = across}, .media = std::move(media)};
   return surface_compliance(layers, m, n);
 }
 
-/// One layer on a rigid base, per length 1 m.
+/// One layer on a rigid base, per length of 1 m.
 Matrix3<double> plane_compliance(double thickness, double nu, double m, double n) {
   const LayerStack<double> layers{.metric = {.radius = 1.0, .along = Way::line, .across = Way::line},
                                   .media = {{-thickness, 0.0, 1.0, ratio_of(nu), 0.0}}};
@@ -84,7 +84,7 @@ TEST(WheelOrders, OrderZeroOfAnIncompressibleTreadIsHeld) {
   const Medium<double> layer{0.8, 1.0, 1.0, 0.0, 0.0};
   EXPECT_EQ(compliance_of<double>({layer}, Way::line, 0.0, 0.0)(0, 0), 0.0);
   const double tenth = compliance_of<double>({layer}, Way::line, 0.0, 0.1)(0, 0);
-  EXPECT_NEAR(compliance_of<double>({layer}, Way::line, 0.0, 0.01)(0, 0) / tenth, 0.01, 1e-3);  // like k^2
+  EXPECT_NEAR(compliance_of<double>({layer}, Way::line, 0.0, 0.01)(0, 0) / tenth, 0.01, 1e-3);  // proportional to k^2
 }
 
 CoatedWheel crowned(double crown_radius, double width = 0.08) {
@@ -120,9 +120,9 @@ TEST(WheelOrders, ATightCrownCountsInProportion) {
   EXPECT_LT(std::abs(change(0.2) - 0.1 * change(0.02)), 1e-9 * std::abs(change(0.2)));  // 20 thicknesses
 }
 
-/// The proportion multiplies it, and no panel however narrow would resolve it.
+/// The proportion amplifies round-off, which no panel could resolve, however narrow.
 TEST(WheelOrders, RoundOffOfATightCrownIsNotTakenForAFunction) {
-  std::vector<double> orders(60);  // as close as are solved together
+  std::vector<double> orders(60);  // as close as orders that are solved together
   for (std::size_t i = 0; i < orders.size(); ++i) orders[i] = 2.0 * std::pow(8.0, static_cast<double>(i) / 59.0);
   const auto panels = [&](double crown_radius) {
     CoatedWheel wheel = crowned(crown_radius, 0.01);
@@ -145,7 +145,7 @@ TEST(WheelOrders, WavesAreHeardAtTheSpeedOfARollersAtTheLatest) {
   EXPECT_GT(critical_speed(wheel), 0.9 * critical_speed(roller));
 }
 
-/// Tables of patches whose width is no whole part of a revolution.
+/// Tables of patches whose width is not an integer fraction of a revolution.
 class TreadTables : public ::testing::Test {
  protected:
   static constexpr int kReach = 40;
@@ -169,7 +169,8 @@ TEST_F(TreadTables, SumsAcrossAreTheTablesOfALine) {
   wheel.layers.insert(wheel.layers.begin(), {.thickness = 0.004, .shear_modulus = Elastic{2e6}, .poisson_ratio = 0.4});
   const double radius = outer_radius(wheel);
   const double theta = 0.0127;
-  const int aside = 400;  // twenty thicknesses: nothing of the tread is felt as far
+  // twenty thicknesses: the tread has no effect at this distance
+  const int aside = 400;
   const std::vector<Table> tables = tables_of(layered_body(wheel), theta, aside);
   const LayeredBody roller = layered_body(CoatedCylinder{.core_radius = wheel.core_radius, .layers = wheel.layers});
   const Mesh mesh{.nodes_per_revolution = kNodes};
@@ -186,7 +187,8 @@ TEST_F(TreadTables, SumsAcrossAreTheTablesOfALine) {
       largest = std::max(largest, std::abs(lines[k](j, 0)));
       error = std::max(error, std::abs(sum * radius * theta - lines[k](j, 0)));
     }
-    EXPECT_LT(error, 4e-7 * largest) << k;  // nine digits of a table's center, at each of 801 offsets
+    // nine digits of a table's center, at each of 801 offsets
+    EXPECT_LT(error, 4e-7 * largest) << k;
   }
 }
 
@@ -231,7 +233,7 @@ Result roll(const CoatedWheel& wheel, double load, double angular_speed, const M
   return solve_load_case(model, {.load = load, .angular_speed = angular_speed}, options, watch);
 }
 
-/// Torque by the power lost, which is smoother in the nodes than that of the pressure [N m].
+/// Torque from the dissipated power, which depends more smoothly on the nodes than that from the pressure [N m].
 double torque_of(const Result& result, double angular_speed) { return result.bulk_power / angular_speed; }
 
 struct Rolling {
@@ -240,8 +242,8 @@ struct Rolling {
   double approach;  ///< [m]
 };
 
-// An independent program in plain NumPy, with periodic sums of its own over both wave numbers and the crown in the gap
-// alone: to its five digits or the mesh's 2e-4.
+// An independent program in plain NumPy, with its own periodic sums over both wave numbers and the crown only in the
+// gap: to its five digits or the mesh's 2e-4.
 TEST(WheelRolling, IsThatOfAnotherProgram) {
   for (const Rolling& known : {Rolling{2.5, 0.24749, 0.58429e-3}, Rolling{25.0, 0.028318, 0.55510e-3}}) {
     const Result r = roll(crowned(0.3), 500.0, known.speed, {.nodes_per_revolution = 1600}, false);
@@ -289,7 +291,8 @@ TEST(WheelRolling, WithTheRadiusOfItsCrownIsABalls) {
   const Result r = roll(wheel, 100.0, 2.5, mesh);
   EXPECT_NEAR(torque_of(r, 2.5), torque_of(ball, 2.5), 3e-4 * torque_of(ball, 2.5));
   EXPECT_NEAR(*r.penetration, *ball.penetration, 3e-4 * *ball.penetration);
-  const Result plain = roll(wheel, 100.0, 2.5, mesh, false);  // what the first order in the curvature is there for
+  // without the first order in the curvature
+  const Result plain = roll(wheel, 100.0, 2.5, mesh, false);
   EXPECT_GT(std::abs(torque_of(plain, 2.5) / torque_of(ball, 2.5) - 1.0), 5e-3);
 }
 
@@ -327,7 +330,8 @@ TEST(WheelRolling, CirclesBesideTheMiddleAreSmaller) {
   EXPECT_NEAR((2 * nodes.widest.theta.last + 1) * nodes.grid.radius * nodes.grid.theta_spacing, wheel.width, 1e-12);
 }
 
-// On 70 to 85 rows of nodes in contact. Power is lost by what the tables say, and comes in by forces and their arms.
+// With 70 to 85 rows of nodes in contact. The tables determine the dissipated power, and forces and moment arms the
+// power input.
 TEST(WheelRolling, PowersBalanceWithFriction) {
   Options options;
   options.mesh = Mesh{.nodes_per_revolution = 1600, .theta_nodes_per_revolution = 800};
@@ -344,8 +348,8 @@ TEST(WheelRolling, PowersBalanceWithFriction) {
   EXPECT_LT(error(crown, soft, DriveTorque{1.0}), 3e-3);
 }
 
-/// J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3: nu = 1/2, by the semi-axis
-/// along per that across. Against a rigid plane the combined modulus is twice that of the tread.
+/// J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3: nu = 1/2, by the ratio of the
+/// semi-axis along to that across. On a rigid plane, the combined modulus is twice that of the tread.
 struct Kalker {
   double ratio;  ///< R_c / R: by Hertz, 6.24 has the semi-axes 0.3 and 1
   double along, across, spin;

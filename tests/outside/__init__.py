@@ -1,5 +1,5 @@
-"""Benchmarks that others printed, posed to the library: what docs/judged-from-outside.md shows, and tests hold.
+"""Published benchmarks, posed to the library: the contents of docs/judged-from-outside.md and their tests.
 
-A module for each source; `rows` is the table of both sides' numbers, `pictures` draws what the page shows:
+Each source has a module; `rows` is the table of both sides' numbers, and `pictures` draws the figure of the page:
 `python -m tests.outside.pictures`.
 """

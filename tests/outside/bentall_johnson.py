@@ -1,8 +1,8 @@
-"""Two unlike elastic rollers with friction: R. H. Bentall and K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404.
+"""Two dissimilar elastic rollers with friction: R. H. Bentall and K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404.
 
-An aluminum roller on a steel one, as the example `bentall` of CONTACT (revision d431cdb, user guide, section 5.3) has
-them on 200 elements: the pressure draws the surfaces of both towards the middle, the softer one's further, so that the
-two slip where no force asks for it, and a roller that no force drives creeps.
+An aluminum roller on a steel one, as in the example `bentall` of CONTACT (revision d431cdb, user guide, section 5.3),
+with 200 elements. The pressure draws both surfaces towards the middle, the softer one's further, so that the rollers
+slip without a tangential force, and the free roller creeps.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ import math
 
 import viscoroll as vr
 
-RADIUS = 50e-3  # of each roller [m]
+RADIUS = 50e-3  # each roller [m]
 LOAD = 16.2019e3  # [N/m]
 HALF_WIDTH = 0.1e-3  # Hertz's [m]
 ALUMINUM, STEEL = (23e9, 0.31), (82e9, 0.28)  # shear modulus [Pa], Poisson's ratio [-]
 
-#: Coefficient of friction, and force on the center of the steel roller, forward, per friction times load.
+#: Coefficient of friction, and forward force on the center of the steel roller / (friction * load).
 CASES = {
     "μ = 1e-4, no force": (1e-4, 0.0),
     "μ = 0.05, no force": (0.05, 0.0),
@@ -27,7 +27,7 @@ CASES = {
 
 
 def equivalent_half_plane() -> vr.CoatedPlane:
-    """Return the half-plane that yields under a rigid roller as both do: sums of (1-ν)/G, differences of (1-2ν)/G."""
+    """Return the half-plane equivalent to both bodies under a rigid roller: sums of (1-ν)/G, difference of (1-2ν)/G."""
     (g, nu), (g_other, nu_other) = ALUMINUM, STEEL
     normal = (1.0 - nu) / g + (1.0 - nu_other) / g_other
     coupling = (1.0 - 2.0 * nu) / g - (1.0 - 2.0 * nu_other) / g_other
@@ -38,22 +38,22 @@ def equivalent_half_plane() -> vr.CoatedPlane:
 
 
 def solid_roller(modulus: float, poisson_ratio: float, radius: float) -> vr.CoatedCylinder:
-    """Return a roller whose core is a fiftieth of its radius: a line load has no finite compliance without."""
+    """Return a roller with a small core, R/50: a solid roller has no finite compliance to a line load."""
     layer = vr.Layer(thickness=0.98 * radius, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=poisson_ratio)
     return vr.CoatedCylinder(core_radius=0.02 * radius, layers=[layer])
 
 
 def on_half_plane(*, scale: float = 1.0, across: int = 200) -> vr.RollingModel:
-    """Pose the equivalent problem: a rigid roller of the relative radius.
+    """Set up the equivalent problem: a rigid roller of the relative radius.
 
-    Under one load a/R falls as 1/√scale and creepage with it, but for what curvature adds: the flat theory is the
-    limit of large ones.
+    Under equal load, a/R decreases as 1/√scale and so does the creepage, except for the effect of curvature: flat
+    theory is the limit of large scales.
     """
     return _model(vr.CoatedCylinder(core_radius=0.5 * RADIUS * scale), equivalent_half_plane(), scale, across)
 
 
 def on_each_other(*, scale: float = 1.0, across: int = 200) -> vr.RollingModel:
-    """Pose it as it is: steel above, aluminum below."""
+    """Set up the original problem: steel above, aluminum below."""
     bodies = [solid_roller(*material, RADIUS * scale) for material in (STEEL, ALUMINUM)]
     return _model(*bodies, scale, across)
 

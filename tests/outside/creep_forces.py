@@ -1,7 +1,7 @@
-"""Creep forces of elastic bodies alike: Kalker's coefficients, and a whole curve to saturation by CONTACT.
+"""Creep forces of identical elastic bodies: Kalker's coefficients, and a creep curve to saturation by CONTACT.
 
-Alike, so that pressure alone causes no slip. A body that turns is a thick coating, whose core is out of the contact's
-reach.
+For identical bodies, pressure alone causes no slip. A rotating body is a thick coating, whose core is far from the
+contact.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ SEMI_AXES = (6.304e-3, 12.61e-3)  # Hertz's [m], along the path and across
 
 
 def coefficients(poisson_ratio: float, *, across: int) -> tuple[float, float, float]:
-    """Return C₁₁, C₂₂, C₂₃ of two balls alike, all of whose contact sticks; `across` nodes along its diameter."""
-    modulus, radius, ratio = 1e6, 20e-3, 160  # R/a, so that balls are flat
+    """Return C₁₁, C₂₂, C₂₃ of two identical balls in full stick; `across` nodes along the diameter of the contact."""
+    modulus, radius, ratio = 1e6, 20e-3, 160  # R/a, so that balls are nearly flat
     layer = vr.Layer(thickness=0.5 * radius, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=poisson_ratio)
     ball = vr.CoatedSphere(core_radius=0.5 * radius, layers=[layer])
-    a = 0.5 * radius / ratio  # of the relative radius
+    a = 0.5 * radius / ratio  # with the relative radius
     load = 4.0 / 3.0 * modulus * a**3 / ((1.0 - poisson_ratio) * 0.5 * radius)
     mesh = vr.Mesh(nodes_per_revolution=round(math.pi * radius / a * across))
     model = vr.RollingModel(ball, on=ball, angular_speed=1.0, mesh=mesh)
@@ -49,9 +49,10 @@ def coefficients(poisson_ratio: float, *, across: int) -> tuple[float, float, fl
 
 
 def carter(share: float) -> float:
-    """Return the force per friction times load of a roller on a half-plane alike, F. W. Carter (1926).
+    """Return the force / (friction * load) of a roller on an identical half-plane, F. W. Carter (1926).
 
-    `share` is the creepage, above that of free rolling, per that at which all slides; Carter has 1 - (1 - share)².
+    `share` is the creepage, above that of free rolling, relative to the creepage of full sliding; Carter's force is 1 -
+    (1 - share)².
     """
     modulus, radius, a, friction, poisson_ratio = 1e7, 0.1, 1e-4, 0.3, 0.3
     hard = vr.Elastic(modulus=modulus)
@@ -67,7 +68,7 @@ def carter(share: float) -> float:
 
 
 def contact_curve() -> list[tuple[float, float]]:
-    """Return creepage and force per friction times load, as printed."""
+    """Return creepage and force / (friction * load) as printed."""
     with (Path(__file__).parent / "data" / "contact_creep_force.csv").open(encoding="utf-8") as file:
         rows = csv.DictReader(line for line in file if not line.startswith("#"))
         return [(float(row["creepage [1]"]), float(row["force [mu P]"])) for row in rows]
@@ -76,7 +77,7 @@ def contact_curve() -> list[tuple[float, float]]:
 class SteelWheel:
     """A crowned steel wheel on steel, a/b = ½: the example `tractcurv` of CONTACT (d431cdb, user guide, section 5.9).
 
-    The meshes have `finer` times the elements of the source, 44 by 40 in the contact.
+    The meshes have `finer` times the elements of the source, which has 44 by 40 in the contact.
     """
 
     def __init__(self, *, finer: float = 1.0) -> None:
@@ -101,10 +102,10 @@ class SteelWheel:
         return self.model.solve(load=WHEEL_LOAD, friction=WHEEL_FRICTION, drive=drive)
 
     def force(self, creepage: float) -> float:
-        """Return the traction per friction times load at a creepage above that of free rolling.
+        """Return the traction / (friction * load) at a creepage above that of free rolling.
 
-        A curved wheel rolls freely at -3.5e-5, as its surface travels less at the ends of the contact (Heathcote); the
-        source's bodies are flat.
+        A curved wheel rolls freely at -3.5e-5, because its surface travels less at the ends of the contact (Heathcote);
+        the source's bodies are flat.
         """
         r = self._solve(vr.Drive(creepage=self.free + creepage))
         traction = -r.shear_traction[0].sum() * r.contact_area / r.contact.sum()
@@ -112,9 +113,9 @@ class SteelWheel:
 
 
 def kalkers_slope() -> float:
-    """Return force per friction, load and creepage of the steel wheel by Kalker's C₁₁ of a/b = ½ (1990, table E3).
+    """Return the force / (friction * load * creepage) of the steel wheel by Kalker's C₁₁, a/b = ½ (1990, table E3).
 
-    Between ν = 0, ¼ and ½ by the parabola through 1/C₁₁.
+    A parabola through 1/C₁₁ interpolates between ν = 0, ¼ and ½.
     """
     nu, table = STEEL_RATIO, {0.0: 2.88, 0.25: 3.62, 0.5: 4.83}
     inverse = 0.0

@@ -1,7 +1,8 @@
-"""Layered planes with ν < ½ under a disc: ELLEA1 at rest, ELLVA on the move (E. Levenberg, as printed by ALVA).
+"""Layered planes with ν < ½ under a disc: ELLEA1 at rest, ELLVA for moving loads (E. Levenberg, printed by ALVA).
 
-Orders of the library's plane, summed over waves: the disc of radius a presses with q, so that its Hankel transform is
-q a J₁(ka)/k, and a point beside it moves by sums over the directions of the waves. Asphalt on a base on soil.
+The fields are sums of the orders of the library's plane: a disc of radius a presses with q, so its Hankel transform is
+q a J₁(ka)/k, and a point off the path is displaced by a sum over the directions of the waves. Asphalt on a base on
+soil.
 """
 
 from __future__ import annotations
@@ -16,16 +17,17 @@ from scipy.optimize import nnls
 from scipy.special import j0, j1
 from viscoroll.solution.interior_fields import order_fields
 
-RADIUS, PRESSURE = 0.15, 1.1e6  # of the disc [m, Pa]
+RADIUS, PRESSURE = 0.15, 1.1e6  # radius and pressure of the disc [m], [Pa]
 BASE, SOIL = (0.6, 200e6, 0.35), (40e6, 0.40)  # thickness [m], Young's modulus [Pa], Poisson's ratio
 ASPHALT_THICKNESS, ASPHALT_RATIO, ASPHALT = 0.15, 0.30, 3000e6
 
-SPEED, BESIDE = 60.0 / 3.6, 0.3  # of the disc [m/s]; of the point, from the disc's path [m]
+# speed of the disc [m/s]; distance of the point from the disc's path [m]
+SPEED, BESIDE = 60.0 / 3.6, 0.3
 
 #: Creep of the asphalt in tension, D∞ + (D₀ - D∞) / (1 + (t/τ)^n) [1/Pa, s].
 GLASSY, RUBBERY, EXPONENT, RETARDATION = 2.5e-11, 1e-8, 0.35, 1e3
 
-_LARGEST_ORDER = 990_000  # of a library that takes a million
+_LARGEST_ORDER = 990_000  # the library allows a million
 
 
 def printed(name: str) -> dict[str, np.ndarray]:
@@ -36,7 +38,7 @@ def printed(name: str) -> dict[str, np.ndarray]:
 
 
 def plane(asphalt) -> vr.CoatedPlane:
-    """Return the layers; `asphalt` is its shear modulus."""
+    """Return the layered plane; `asphalt` is the shear modulus of the asphalt."""
     thickness, young, ratio = BASE
     base = vr.Layer(thickness=thickness, shear_modulus=_elastic(young, ratio), poisson_ratio=ratio)
     top = vr.Layer(thickness=ASPHALT_THICKNESS, shear_modulus=asphalt, poisson_ratio=ASPHALT_RATIO)
@@ -50,12 +52,12 @@ def _elastic(young: float, ratio: float) -> vr.Elastic:
 
 @dataclass(frozen=True)
 class Waves:
-    """Wave numbers up to a highest one: Gauss's in intervals of `step`, shorter at long waves, moved to whole orders.
+    """Wave numbers up to a largest one: Gauss points in intervals of `step`, shorter for long waves, rounded to orders.
 
     Attributes
     ----------
     radius : float
-        On which orders are waves [m].
+        Radius on which the waves are integer orders [m].
     number : ndarray
         k [1/m].
     load : ndarray
@@ -68,7 +70,7 @@ class Waves:
 
     @classmethod
     def up_to(cls, highest: float, step: float) -> Waves:
-        """Return those up to `highest`, four to an interval of `step` [1/m]."""
+        """Return wave numbers up to `highest`, with four per interval of `step` [1/m]."""
         edges = np.concatenate([[0.0], np.geomspace(1e-3, 1.0, 15), np.arange(1.0 + step, highest, step)])
         places, weights = np.polynomial.legendre.leggauss(4)
         half = 0.5 * np.diff(edges)[:, None]
@@ -77,20 +79,21 @@ class Waves:
         return cls(radius, k, (half * weights).ravel() * j1(k * RADIUS) * RADIUS * PRESSURE)
 
     def fields(self, body: vr.CoatedPlane, depth: float, *, along=None, across=None, speed: float = 1.0):
-        """Return displacement and stress per unit surface stress; without directions, of waves along the path."""
+        """Return displacement and stress per unit surface stress, by default for waves along the path."""
         along = self.number if along is None else along
         across = np.zeros_like(along) if across is None else across
         orders = [np.rint(waves * self.radius).astype(int).ravel() for waves in (along, across)]
         turning = speed / self.radius
         displacement, stress, _ = order_fields(body, turning, *orders, depth=[depth], rolling_radius=self.radius)
-        return displacement[:, 0, :, 0], stress[:, 0, :, 0]  # where layers meet, in the upper one
+        return displacement[:, 0, :, 0], stress[:, 0, :, 0]  # at an interface, the upper layer
 
 
 def at_rest(depth: float) -> tuple[float, float, float]:
-    """Return deflection [m], vertical and level pressure [Pa] on the axis of a disc at rest, at a depth [m]."""
-    waves = Waves.up_to(490.0, 1.5)  # the disc's edge leaves 1e-4 of the deflection to shorter ones
+    """Return deflection [m], vertical and horizontal pressure [Pa] on the axis of a disc at rest, at a depth [m]."""
+    # shorter waves contribute 1e-4 of the deflection, due to the disc's edge
+    waves = Waves.up_to(490.0, 1.5)
     displacement, stress = waves.fields(plane(_elastic(ASPHALT, ASPHALT_RATIO)), depth)
-    level = 0.5 * (stress[:, 1] + stress[:, 2])  # waves of all directions
+    level = 0.5 * (stress[:, 1] + stress[:, 2])  # mean over all directions
     return tuple(float(waves.load @ part.real) for part in (displacement[:, 0], stress[:, 0], level))
 
 
@@ -100,7 +103,7 @@ def creep(time):
 
 
 def asphalt_modulus():
-    """Return the complex shear modulus of that creep as a function of frequency: a spectrum that meets it to 1e-6."""
+    """Return the complex shear modulus of this creep as a function of frequency, by a spectrum accurate to 1e-6."""
     times, retardation = np.geomspace(1e-9, 1e6, 400), np.geomspace(1e-10, 1e9, 77)
     wanted = creep(times) - GLASSY
     steps = 1.0 - np.exp(-times[:, None] / retardation)
@@ -115,10 +118,11 @@ def asphalt_modulus():
 
 
 def moving(past) -> np.ndarray:
-    """Return the deflection [m] of the point when the disc is `past` [m] it, by complex moduli."""
+    """Return the deflection [m] of the point when the disc is `past` [m] beyond it, from complex moduli."""
     waves = Waves.up_to(62.0, 1.0)
     direction, turn = np.polynomial.legendre.leggauss(256)
-    direction, turn = 0.25 * np.pi * (1.0 + direction), 0.25 * np.pi * turn  # of a quarter
+    # over a quarter turn
+    direction, turn = 0.25 * np.pi * (1.0 + direction), 0.25 * np.pi * turn
     along = np.maximum(np.rint(np.outer(waves.number, np.cos(direction)) * waves.radius), 1.0) / waves.radius
     across = np.outer(waves.number, np.sin(direction))
     displacement, _ = waves.fields(plane(asphalt_modulus()), 0.0, along=along, across=across, speed=SPEED)
@@ -128,9 +132,9 @@ def moving(past) -> np.ndarray:
 
 
 def moving_quasi_elastic(past, *, start: float = -5.0) -> np.ndarray:
-    """Return the same as ELLVA has it: elastic deflections of moduli 1/D(age), added up along the way from `start`.
+    """Return the deflection computed as in ELLVA: elastic deflections with moduli 1/D(age), summed from `start`.
 
-    Only the compliance is the library's.
+    Only the compliance is computed by the library.
     """
     waves = Waves.up_to(62.0, 0.5)
     places = np.linspace(start, -start, 201)

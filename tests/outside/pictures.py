@@ -1,4 +1,4 @@
-"""Draw what docs/judged-from-outside.md shows: `python -m tests.outside.pictures`, half a minute on one core."""
+"""Draw the figure of docs/judged-from-outside.md: `python -m tests.outside.pictures`, half a minute on one core."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ DOCS = Path(__file__).parents[2] / "docs"
 
 
 def draw_tractions(axes: Axes) -> None:
-    """Draw the tractions on the steel roller of Bentall and Johnson's three cases at μ = 0.05."""
+    """Draw the tractions on the steel roller in Bentall and Johnson's three cases at μ = 0.05."""
     model = bentall_johnson.on_each_other()
     for case in list(bentall_johnson.CASES)[1:4]:
         r = bentall_johnson.roll(model, case)
@@ -32,7 +32,7 @@ def draw_tractions(axes: Axes) -> None:
 
 
 def draw_creep_force(axes: Axes) -> None:
-    """Draw the creep-force curve of a steel wheel beside CONTACT's, and Kalker's slope."""
+    """Draw the creep-force curve of a steel wheel with CONTACT's curve and Kalker's slope."""
     printed = np.array(creep_forces.contact_curve())
     wheel = creep_forces.SteelWheel()
     creepage = np.linspace(0.0, 5e-3, 26)
@@ -46,7 +46,7 @@ def draw_creep_force(axes: Axes) -> None:
 
 
 def draw_moving_disc(axes: Axes) -> None:
-    """Draw the deflection beside the path of a disc on asphalt, ELLVA's and ours."""
+    """Draw the deflection next to the path of a disc on asphalt, by ELLVA and by viscoroll."""
     data = pavement.printed("ellva_moving_load.csv")
     past, deflection = data["past [m]"], data["deflection [mm]"]
     near = np.abs(past) <= 3.0
@@ -58,7 +58,7 @@ def draw_moving_disc(axes: Axes) -> None:
 
 
 def main() -> None:
-    """Write the picture."""
+    """Write the figure."""
     figure = Figure(figsize=(12.0, 3.8), layout="constrained")
     for draw, axes in zip((draw_tractions, draw_creep_force, draw_moving_disc), figure.subplots(1, 3), strict=True):
         draw(axes)

@@ -1,4 +1,4 @@
-"""The rows of docs/judged-from-outside.toml: their number, ours, and how far apart the two may be."""
+"""Rows of docs/judged-from-outside.toml: published number, our number, and allowed difference."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ TABLE = Path(__file__).parents[2] / "docs" / "judged-from-outside.toml"
 
 @dataclass(frozen=True)
 class Row:
-    """A number that others printed, beside ours.
+    """A published number and our number.
 
     Attributes
     ----------
     what : str
-        With its unit.
+        Description with the unit.
     theirs, ours : str
-        As printed, and with as many digits as the page shows.
+        The number as printed, and our number with the digits of the page.
     within : float
-        Largest difference [-], relative to theirs; the page says why it is no smaller.
+        Largest difference [-], relative to theirs; the page gives the reason for its size.
     test : str
-        What holds it, as `file::test` below tests/python.
+        Test of the row, as `file::test` below tests/python.
     """
 
     what: str
@@ -35,7 +35,7 @@ class Row:
     test: str
 
     def judge(self, found: float) -> None:
-        """Hold a number against both: ours to one unit of its last digit, as other processors round otherwise."""
+        """Compare a number with both: ours to one unit of its last digit, since other processors round differently."""
         digits = len(self.ours.partition(".")[2])
         assert found == pytest.approx(float(self.ours), rel=0.0, abs=1.01 * 10.0**-digits), self.what
         assert found == pytest.approx(float(self.theirs), rel=self.within, abs=0.0), self.what
@@ -48,7 +48,7 @@ def benchmarks() -> dict[str, list[Row]]:
 
 
 def judge(test: str, found: Mapping[str, float]) -> None:
-    """Hold numbers, by what they are, against all rows that name a test, and no others."""
+    """Compare named numbers with exactly the rows that name a test."""
     rows = {row.what: row for table in benchmarks().values() for row in table if row.test == test}
     assert rows.keys() == found.keys()
     for what, value in found.items():

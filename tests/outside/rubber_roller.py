@@ -1,7 +1,7 @@
-"""A rubber roller pressed on a plane at finite strain, by FElupe (felupe on PyPI, A. Dutzler), another program.
+"""A rubber roller pressed on a plane at finite strain, by another program, FElupe (felupe on PyPI, A. Dutzler).
 
-Neo-Hookean, nearly incompressible, 20 mm around a core of 20 mm, plane strain, without friction. What FElupe found is
-in data/felupe_roller.csv, and `press` finds it again where FElupe is installed.
+Neo-Hookean, nearly incompressible, 20 mm around a core of 20 mm, plane strain, without friction. data/felupe_roller.csv
+contains FElupe's results, and `press` computes them again if FElupe is installed.
 """
 
 from __future__ import annotations
@@ -15,18 +15,19 @@ import viscoroll as vr
 CORE_RADIUS, OUTER_RADIUS = 20e-3, 40e-3  # [m]
 YOUNG, POISSON_RATIO = 1.4e6, 0.4995
 SHEAR = YOUNG / (2.0 * (1.0 + POISSON_RATIO))
-PENALTY = 1e3  # of the contact [MPa]: hundreds of times what the elements of a node have
+# stiffness of the contact [MPa], hundreds of times that of the elements of a node
+PENALTY = 1e3
 
 
 def printed() -> list[dict[str, float]]:
-    """Return what FElupe found: penetration [m], load [N/m] and largest pressure [Pa] of each."""
+    """Return FElupe's results: penetration [m], load [N/m] and largest pressure [Pa] of each."""
     with (Path(__file__).parent / "data" / "felupe_roller.csv").open(encoding="utf-8") as file:
         rows = csv.DictReader(line for line in file if not line.startswith("#"))
         return [{name: float(value) for name, value in row.items()} for row in rows]
 
 
 def linear(load: float) -> vr.Result:
-    """Press the same by linear theory."""
+    """Solve the same case by linear theory."""
     rubber = vr.Elastic(modulus=SHEAR)
     layer = vr.Layer(thickness=OUTER_RADIUS - CORE_RADIUS, shear_modulus=rubber, poisson_ratio=POISSON_RATIO)
     roller = vr.CoatedCylinder(core_radius=CORE_RADIUS, layers=[layer])
@@ -34,7 +35,7 @@ def linear(load: float) -> vr.Result:
 
 
 def _half_ring(rings: int, arc: float):
-    """Return nodes [mm] by angle from the lowest point and by radius, finer where it touches, and the angles."""
+    """Return nodes [mm] by angle from the lowest point and by radius, finer in the contact, and the angles."""
     angles = [0.0]
     step = arc / (1e3 * OUTER_RADIUS)
     while angles[-1] < np.pi:
@@ -48,10 +49,10 @@ def _half_ring(rings: int, arc: float):
 
 
 def press(penetrations, *, rings: int = 25, arc: float = 0.15):
-    """Yield load [N/m] and largest pressure [Pa] at growing penetrations [m], by FElupe.
+    """Yield load [N/m] and largest pressure [Pa] at increasing penetrations [m], by FElupe.
 
-    `rings` nodes lie from core to surface and `arc` [mm] between those that touch; bilinear elements whose volume
-    is kept in the mean.
+    `rings` is the number of nodes from core to surface, and `arc` [mm] the spacing in the contact; bilinear elements
+    whose mean volume is constrained.
     """
     import felupe
 
@@ -80,5 +81,5 @@ def press(penetrations, *, rings: int = 25, arc: float = 0.15):
         force = np.abs(contact.assemble.vector(field).toarray().reshape(-1, 2)[:, 1])
         x = mesh.points[surface, 0] + displacement.values[surface, 0]
         width = np.gradient(x)
-        width[0] *= 0.5  # half of it lies on this side
+        width[0] *= 0.5  # the other half is on the other side
         yield 2e3 * force[plane], 1e6 * (force[surface] / width)[:3].max()

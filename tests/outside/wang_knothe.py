@@ -1,7 +1,7 @@
 """Two viscoelastic rollers with traction: G. Wang and K. Knothe, J. Appl. Mech. 60 (1993) 310-317.
 
-PA6 on PA6, as the example `visc_cylindr` of CONTACT (revision d431cdb, user guide, section 5.4) has them: half-planes
-of a standard linear solid, on elements of 0.16 mm, which are 80 across the widest contact.
+PA6 on PA6, as in the example `visc_cylindr` of CONTACT (revision d431cdb, user guide, section 5.4): half-planes of a
+standard linear solid, on elements of 0.16 mm, 80 of which cover the widest contact.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ import math
 
 import viscoroll as vr
 
-RADIUS = 0.1  # of each roller [m]
+RADIUS = 0.1  # each roller [m]
 LOAD = 600e3  # [N/m]
-FRICTION, SHARE = 0.3, 0.6  # traction per friction times load
+FRICTION, SHARE = 0.3, 0.6  # traction / (friction * load)
 SPEED = 1.0  # [m/s]
 INSTANTANEOUS, RELAXED, POISSON_RATIO = 1143e6, 571.5e6, 0.4
-ELEMENT = 0.16e-3  # of the source [m]
+ELEMENT = 0.16e-3  # size in the source [m]
 
 #: Creep times [s].
 CREEP_TIMES = {
@@ -28,21 +28,22 @@ CREEP_TIMES = {
 
 
 def modulus(creep_time: float | None):
-    """Return PA6 by its creep time [s]: 0 is relaxed throughout, None is as stiff as it gets."""
+    """Return PA6 by its creep time [s]: 0 is fully relaxed, None is instantaneous."""
     if not creep_time:
         return vr.Elastic(modulus=INSTANTANEOUS if creep_time is None else RELAXED)
-    time = creep_time * RELAXED / INSTANTANEOUS  # stress relaxes sooner than strain creeps
+    time = creep_time * RELAXED / INSTANTANEOUS  # the relaxation time is shorter than the creep time
     return vr.StandardLinearSolid(instantaneous_modulus=INSTANTANEOUS, relaxed_modulus=RELAXED, relaxation_time=time)
 
 
 def roll(creep_time: float | None, *, scale: float = 100.0, finer: float = 1.0) -> tuple[float, float]:
-    """Return creepage [-] and largest pressure [Pa], as at the printed size.
+    """Return creepage [-] and largest pressure [Pa], converted to the printed size.
 
-    Radii are `scale` times as large under loads as much smaller: the contact stays as wide, pressure and creepage fall
-    alike, and the bodies are as flat as half-planes. Of the printed size a/R is 0.063.
+    Radii are `scale` times as large under loads smaller by the same factor: the contact width is the same, pressure and
+    creepage decrease equally, and the bodies are nearly half-planes. At the printed size, a/R is 0.063.
     """
     radius = RADIUS * scale
-    thickness = min(0.98 * radius, 2.0)  # a hundred times and more the contact's width
+    # at least a hundred contact widths
+    thickness = min(0.98 * radius, 2.0)
     layer = vr.Layer(thickness=thickness, shear_modulus=modulus(creep_time), poisson_ratio=POISSON_RATIO)
     roller = vr.CoatedCylinder(core_radius=radius - thickness, layers=[layer])
     mesh = vr.Mesh(nodes_per_revolution=round(2.0 * math.pi * radius / ELEMENT * finer))

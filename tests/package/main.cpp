@@ -1,4 +1,4 @@
-// Rolling resistance inside another program: the paper's example, checked against the number that it prints.
+// Rolling resistance in another program: the paper's example, compared with the printed number.
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -24,7 +24,7 @@ int main() {
     static_cast<void>(vr::solve(ball, {.load = -100.0, .angular_speed = 2.5}));
   } catch (const std::invalid_argument& error) {
     std::printf("refused: %s\n", error.what());
-    // Table 2 of the paper: 11.38 mN m, with the arc for the lever arm.
+    // Table 2 of the paper: 11.38 mN m, with the arc as moment arm.
     return std::abs(result.resisting_torque - 11.38e-3) < 0.005 * 11.38e-3 ? 0 : 1;
   }
   return 1;

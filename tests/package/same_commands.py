@@ -1,6 +1,6 @@
-"""Check that a project which takes the sources in compiles the library, nothing else of ours, by the same commands.
+"""Check that a project which includes the sources compiles the library, and nothing else, with the same commands.
 
-What it would link is then what is compiled already. Usage: same_commands.py BUILD BUILD_OF_THE_OTHER_PROJECT
+Then the installed library is what such a project would link. Usage: same_commands.py BUILD BUILD_OF_THE_OTHER_PROJECT
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def commands(build: Path, inside: str = "") -> dict[str, str]:
-    """Return the command of each file of the project, free of where `build` has it `inside`."""
+    """Return the compile command of each file of the project, without the path of `build` and `inside`."""
     text = (build / "compile_commands.json").read_text().replace(str(build / inside), "BUILD")
     return {entry["file"].removeprefix(f"{ROOT}/"): entry["command"] for entry in json.loads(text)}
 
 
 def main() -> None:
-    """Compare both, and look for rules that would install the library into the other project's prefix."""
+    """Compare both, and check that no rule installs the library with the other project."""
     own, other = (Path(argument).resolve() for argument in sys.argv[1:])
     library = {file: command for file, command in commands(own).items() if "/viscoroll.dir/" in command}
     taken_in = commands(other, "viscoroll")

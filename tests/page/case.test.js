@@ -1,4 +1,4 @@
-/** States become cases, cases become states, and links restore them. */
+/** Conversion between states and cases, and links that restore states. */
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

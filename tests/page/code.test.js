@@ -1,4 +1,4 @@
-/** Cases as Python and as case files: their text; that they solve to the same numbers is tests/python/app/test_page.py's. */
+/** Text of cases in Python and in case files; tests/python/app/test_page.py tests that both give the same numbers. */
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,14 +1,15 @@
 /**
- * Uses the page as people do, in a browser without a window, and prints as JSON what it saw.
+ * Uses the page in a headless browser as a user would, and writes what it displayed as JSON.
  *
- *     node tests/page/drive.js ADDRESS FOLDER     BROWSER names the browser; pictures of the page go to the folder
+ *     node tests/page/drive.js ADDRESS FOLDER     environment variable BROWSER: path of the browser
  */
 
 import { writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 
-const puppeteer = createRequire(import.meta.url)("puppeteer-core"); // by NODE_PATH, too, which imports do not know
+// NODE_PATH applies to require, but not to imports.
+const puppeteer = createRequire(import.meta.url)("puppeteer-core");
 
 const [address, folder] = process.argv.slice(2);
 const browser = await puppeteer.launch({ executablePath: process.env.BROWSER, args: ["--no-sandbox"] });
@@ -25,7 +26,7 @@ async function open(where, width = 1280) {
   return page;
 }
 
-/** Numbers of the page, by name, once they are refined. */
+/** Numbers of the page by name, after refinement. */
 async function refined(page) {
   await page.waitForSelector('body[data-stage="fine-solved"]', { timeout: 60_000 });
   return page.$$eval("#table [data-scalar]", (cells) =>
@@ -35,7 +36,7 @@ async function refined(page) {
   );
 }
 
-/** The slider beside the field of a label. */
+/** Slider next to the field of a label. */
 const slider = (page, label) => page.$(`input[aria-label="${label}, slider"]`);
 
 async function text(page, button) {
@@ -58,7 +59,7 @@ await page.setViewport({ width: 1280, height: 1350 });
 await page.screenshot({ path: join(folder, "try-1280.png") });
 await page.setViewport({ width: 1280, height: 900 });
 
-// A slider is moved thirty times; its last value is what is solved.
+// Thirty moves of a slider; the last value is solved.
 const load = await slider(page, "load");
 for (let i = 1; i <= 30; i += 1) {
   await load.evaluate(
@@ -82,13 +83,13 @@ await page.waitForFunction(
 seen.answered = (performance.now() - moved) / 1e3;
 seen.moved = await refined(page);
 
-// What is copied is this case, and a link restores it.
+// The copied text is this case, and a link restores it.
 seen.python = await text(page, "#copy-python");
 seen.caseFile = await text(page, "#copy-case");
 seen.link = await text(page, "#copy-link");
 seen.restored = await refined(await open(seen.link));
 
-// A number that is wrong is told at its field; another one mends it.
+// The field of a wrong number displays the error; a new number removes it.
 await page.bringToFront();
 const field = await page.evaluateHandle(() =>
   [...document.querySelectorAll("#form .field")].find((one) => one.querySelector("label").textContent === "thickness"),
@@ -104,7 +105,7 @@ await page.waitForSelector('body[data-wrong="false"]');
 await page.keyboard.press("Tab");
 seen.typed = await field.$eval(".typed", (part) => [...part.children].map(({ value }) => value));
 
-// All examples have answers, and none is wider than a telephone.
+// All examples have results, and each fits the width of a phone's screen.
 seen.examples = {};
 const narrow = await open(address, 400);
 await narrow.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);

@@ -1,4 +1,4 @@
-/** The newest case alone is solved: coarsely, then to its accuracy, then along its curve. */
+/** Only the newest case is solved: coarsely, then to its accuracy, then along its curve. */
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -7,7 +7,7 @@ import { Newest } from "../../python/viscoroll/app/page/newest.js";
 
 const tables = (load) => ({ ball: {}, rolling: { load }, numerics: { accuracy: 0.01, compliance: "radial" } });
 
-/** A solver that takes its time, and notes what it was asked. */
+/** A slow solver that records its requests. */
 function slowSolver(milliseconds) {
   const log = [];
   const solve = ({ case: { rolling, numerics } }, signal) =>
@@ -43,7 +43,7 @@ test("of thirty quick changes the first and the last are solved", async () => {
   for (let load = 1; load <= 30; load += 1) newest.ask(tables(load), 0.02, curve);
   await end;
   assert.deepEqual(told, ["coarse", "coarse", "fine", 0, 1]);
-  // 16 nodes across the contact of the first answer: 16 π 0.02/0.004 = 251, but no fewer than 300.
+  // 16 nodes across the contact of the first result: 16 π 0.02/0.004 = 251, but at least 300.
   assert.deepEqual(solver.log, ["1 coarse 400", "30 coarse 300", "30 fine", "7 coarse 300", "8 coarse 300"]);
 });
 

@@ -1,4 +1,4 @@
-/** Materials that the library in WebAssembly does not know, by tables. */
+/** Materials that the library in WebAssembly does not compute, from tables. */
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

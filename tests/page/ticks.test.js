@@ -1,4 +1,4 @@
-/** Numbers on axes: round ones, as many as have room. */
+/** Numbers on axes: round numbers, as many as fit. */
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,4 +1,4 @@
-/** Units: what is typed, its SI value, and how results read. */
+/** Units: typed text, its SI value, and the display of results. */
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,12 +1,13 @@
 """A strip of thickness 1 on a rigid base, incompressible, in plane strain, under a flat frictionless punch.
 
-With free sides by finite elements of another code, Taylor and Hood's Q2 and Q1 (incompressible without a large bulk
-modulus), on meshes refined towards the sides and extrapolated; as part of an endless strip by its closed compliance
+With free sides, another finite-element code solves the strip by Taylor-Hood elements, Q2 and Q1 (incompressible without
+a large bulk modulus), on meshes refined towards the sides and extrapolated. For a part of an endless strip, Galerkin's
+method uses its closed compliance
 
     C(k) = (sinh 2k - 2k) / (cosh 2k + 1 + 2k^2) / (2 G k)
 
-and pressures p = sum a_n T_2n(x/a) / sqrt(a^2 - x^2), whose transforms are Bessel functions, by Galerkin's method.
-Each gives mean pressure over shear modulus and penetration, p/(G d).
+and pressures p = sum a_n T_2n(x/a) / sqrt(a^2 - x^2), whose transforms are Bessel functions. Each method gives mean
+pressure / (shear modulus * penetration), p/(G d).
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ def _volume(u, q, _):
 
 
 def free_stiffness(width, elements):
-    """Return p/(G d) by so many elements across half of the width, and across the thickness."""
+    """Return p/(G d) with `elements` across half of the width, and across the thickness."""
     half = 0.5 * width
     across = half * np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, elements + 1))
     down = 0.5 * (1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, elements + 1)))
@@ -50,13 +51,13 @@ def free_stiffness(width, elements):
 
 
 def extrapolated_free_stiffness(width, elements=24):
-    """Return p/(G d) on a fine mesh, and extrapolated, the error falling with the square of the elements or faster."""
+    """Return p/(G d) on a fine mesh, and extrapolated; the error has at least second order in the element size."""
     coarse, fine = free_stiffness(width, elements), free_stiffness(width, 2 * elements)
     return fine, fine + (fine - coarse) / 3.0
 
 
 def endless_stiffness(width, terms=8, longest=400.0, panels=1600):
-    """Return p/(G d) where the strip goes on on both sides of the punch."""
+    """Return p/(G d) if the strip continues on both sides of the punch."""
     half = 0.5 * width
     points, weights = leggauss(20)
     edges = np.linspace(0.0, longest / half, panels + 1)
@@ -67,7 +68,8 @@ def endless_stiffness(width, terms=8, longest=400.0, panels=1600):
     softness = (0.5 * (1.0 - decay**2) - 2.0 * k * decay) / (0.5 * (1.0 + decay**2) + decay * (1.0 + 2.0 * k**2))
     shapes = np.array([(-1) ** n * jv(2 * n, k * half) for n in range(terms)])
     matrix = (shapes * (weight * softness / (2.0 * k))) @ shapes.T / np.pi
-    matrix += 1.0 / (2.0 * np.pi**2 * longest)  # beyond: the half-plane's 1/2k, by the mean of the Bessel functions
+    # tail: the half-plane's 1/2k, with the mean of the Bessel functions
+    matrix += 1.0 / (2.0 * np.pi**2 * longest)
     return float(np.linalg.solve(matrix, np.eye(terms)[0])[0]) / width
 
 

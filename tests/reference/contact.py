@@ -11,7 +11,7 @@ __all__ = ["dissipated_power", "power_of_orders", "resisting_torque", "solve_nor
 
 
 def resisting_torque(force, radius, phi, theta):
-    """Moment of the normal forces about the center, sum of x p with x = r_o sin(theta) cos(phi)."""
+    """Return the moment of the normal forces about the center, sum of x p with x = r_o sin(theta) cos(phi)."""
     return -(radius * np.sin(theta) * np.cos(phi) * force).sum()
 
 
@@ -26,9 +26,9 @@ def power_of_orders(
     nodal_forces,
     theta_patch=flat_patch,
 ):
-    """Return the power lost in the coating at orders +-m > 0, -2 Omega (2 pi r_o)^2 sum_n m Im(conj(s)^T C s).
+    """Return the power dissipated in the coating at orders +-m > 0, -2 Omega (2 pi r_o)^2 sum_n m Im(conj(s)^T C s).
 
-    `nodal_forces` has shape (3, nodes) in the components (r, phi, theta); orders n go as far as those given.
+    `nodal_forces` has shape (3, nodes) in the components (r, phi, theta); the sum includes the given orders n.
     """
     across = np.arange(-max(orders), max(orders) + 1)
     compliance = order_compliance(*np.meshgrid(orders, across, indexing="ij"))
@@ -40,5 +40,5 @@ def power_of_orders(
 
 
 def dissipated_power(order_compliance, max_order, *arguments, **patches):
-    """Return the power lost in the coating from the spectrum, of all orders up to one."""
+    """Return the power dissipated in the coating from the spectrum, for all orders up to `max_order`."""
     return power_of_orders(order_compliance, np.arange(1, max_order + 1), *arguments, **patches).sum()

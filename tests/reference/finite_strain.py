@@ -1,20 +1,20 @@
-"""Finite-strain witness, statics: a neo-Hookean coating on a rigid ball, pressed on a rigid frictionless plane.
+"""Finite-strain reference, statics: a neo-Hookean coating on a rigid ball, pressed on a rigid frictionless plane.
 
-Axisymmetric about the vertical through the contact, in the polar angle theta from it and the radius R of the undeformed
-coating; a cap so wide that its free end is at rest. Lengths in any unit, stresses in units of G. With F = dx/dX and
-J = det F,
+The model is axisymmetric about the vertical through the contact, in the polar angle theta from it and the radius R of
+the undeformed coating; the cap is so wide that its free end is at rest. Lengths have any unit, and stresses are in
+units of G. With F = dx/dX and J = det F,
 
     W = (tr F^T F - 3)/2 - ln J + p (J - 1) - p^2 / (2 lambda),    lambda = 2 nu / (1 - 2 nu),
 
-is stationary in x and p: the compressible neo-Hookean law (I_1 - 3)/2 - ln J + lambda (J - 1)^2 / 2, and the
-incompressible one at 1/lambda = 0, so that no large bulk modulus stands in for nu = 1/2. Elements are Q2 for the
-displacement and Q1 for p (Taylor and Hood), or of first order, Q1 and Q0, to show what these miss; theta and R are
-their coordinates, so that the sphere is exact.
+is stationary in x and p. This is the compressible neo-Hookean law (I_1 - 3)/2 - ln J + lambda (J - 1)^2 / 2, and the
+incompressible one for 1/lambda = 0, so that nu = 1/2 needs no large bulk modulus. Elements are Q2 for the displacement
+and Q1 for p (Taylor and Hood), or of first order, Q1 and Q0, to show their error; their coordinates are theta and R, so
+that the sphere is exact.
 
-Given is the edge of the contact, at a line of the mesh, which is refined towards it: nodes up to there lie on the
-plane, and the last of them bears no force, since pressure falls to zero at the edge. That is the equation for the
-height of the plane. There is no active set and no penalty; load against penetration is exact to 1e-5 already where the
-finest element is h/50, for an error of the edge moves a state along that curve.
+The edge of the contact is given, at a line of the mesh, which is refined towards it. Nodes up to the edge lie on the
+plane, and the last of them has zero force, because pressure falls to zero at the edge; this is the equation for the
+height of the plane. There is no active set and no penalty. Load as a function of penetration is accurate to 1e-5 if the
+finest element is h/50, because an error of the edge moves a state along this curve.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def points_of(basis):
 
 
 def strain_entries(basis):
-    """Return y at rest and how its entries depend on the unknowns, [unknown][entry][element][point].
+    """Return y at rest and the derivatives of its entries by the unknowns, [unknown][entry][element][point].
 
     Rows of F are along the radius from the vertical axis and down it, columns along theta and R.
     """
@@ -66,7 +66,7 @@ def strain_entries(basis):
 
 
 def volumes(basis):
-    """Return the undeformed volumes that belong to the quadrature points."""
+    """Return the undeformed volumes of the quadrature points."""
     theta, radius = points_of(basis)
     return 2.0 * np.pi * radius**2 * np.sin(theta) * basis.dx
 
@@ -87,7 +87,8 @@ def graded(start, end, focus, finest, coarsest, growth):
 class Coating:
     """A coating in contact with the plane up to the polar angle `edge` of its material.
 
-    Sizes of elements, `finest` at the edge and `coarsest`, are in thicknesses; `growth` is from one to the next.
+    Element sizes, `finest` at the edge and `coarsest`, are relative to the thickness; `growth` is the ratio of
+    neighbors.
     """
 
     def __init__(
@@ -108,7 +109,7 @@ class Coating:
         self.volumes = volumes(self.basis)
 
     def _number(self):
-        """Tell the unknowns apart: free ones, those on the plane, and the rows of the equations."""
+        """Distinguish the free unknowns, those on the plane, and the rows of the equations."""
         locations, dofs, (thetas, radii) = self.basis.doflocs, self.basis.get_dofs, self.grid
         core = dofs(lambda x: x[1] == radii[0]).all(["u^1^1", "u^2^1"])
         axis = dofs(lambda x: x[0] == thetas[0]).all(["u^1^1"])
@@ -121,7 +122,7 @@ class Coating:
         self.moving = ~np.isin(np.append(self.free, self.touching), pressures)
 
     def equations(self, state):
-        """Return nodal forces and their slope, a sparse matrix."""
+        """Return nodal forces and their derivative, a sparse matrix."""
         dofs, n = self.basis.element_dofs, self.basis.N
         y = self.rest + np.einsum("aieq,ae->ieq", self.entries, state[dofs])
         gradient, hessian = energy_derivatives(y, self.softness)
@@ -138,7 +139,7 @@ class Coating:
     def press(self, guess=None):
         """Return the state (displacements and p), penetration and load, by Newton steps.
 
-        The first step from rest is linear elasticity. Raises RuntimeError where ten steps are not enough: then `guess`
+        The first step from rest is linear elasticity. Raises RuntimeError if ten steps are not enough: then `guess`
         must come from a smaller contact.
         """
         touching, free = self.touching, self.free
@@ -147,7 +148,7 @@ class Coating:
         for _ in range(10):
             force, slope = self.equations(state)
             slope = slope[self.rows]
-            height = state[touching] + radius * np.cos(theta)  # of the nodes that are to lie on the plane
+            height = state[touching] + radius * np.cos(theta)  # nodes that must lie on the plane
             plane = csc_array(slope[:, touching].sum(axis=1)[:, None])
             system = hstack([slope[:, free], plane]).tocsc()
             solution = splu(system).solve(slope[:, touching] @ height - force[self.rows])
@@ -159,7 +160,7 @@ class Coating:
         raise RuntimeError(f"no convergence with contact up to {self.edge} rad")
 
     def surface(self, state):
-        """Return theta, gap to the plane and upward force of the surface's nodes, from the axis on."""
+        """Return theta, gap to the plane and upward force of the surface's nodes, starting at the axis."""
         dofs = self.basis.get_dofs(lambda x: x[1] == self.grid[1][-1]).all(["u^2^1"])
         dofs = dofs[np.argsort(self.basis.doflocs[0, dofs])]
         theta, radius = self.basis.doflocs[:, dofs]
@@ -167,7 +168,7 @@ class Coating:
         return theta, height[0] - height, -self.equations(state)[0][dofs]
 
     def guess_from(self, other, state):
-        """Return the state of another edge, stretched along theta and scaled to this one's depth."""
+        """Return the state of another edge, stretched along theta and scaled to the depth of this one."""
         values, stretch = np.zeros(self.basis.N), self.edge / other.edge
         theta, radius = self.basis.doflocs
         points = np.column_stack([np.minimum(theta / stretch, other.grid[0][-1]), radius])

@@ -1,8 +1,9 @@
-"""Finite-strain witness, its contact found another way: node by node, by who touches a plane at a given depth.
+"""Finite-strain reference with another contact algorithm: node by node, at a given depth.
 
-`finite_strain.Coating` is told the edge of the contact, to which its mesh is fitted, and finds the depth. Here the
-depth is given and any mesh will do: nodes that would pass through the plane lie on it, and those that it would have to
-pull leave it. What the edge is missed by, at most half an element, is an error of load that falls with the elements.
+`finite_strain.Coating` prescribes the edge of the contact, to which its mesh is fitted, and computes the depth. Here
+the depth is given, and any mesh is allowed: nodes that would penetrate the plane are placed on it, and nodes in tension
+leave it. The error of the edge, at most half an element, causes an error of the load that decreases with the element
+size.
 """
 
 from __future__ import annotations
@@ -14,9 +15,9 @@ from .finite_strain import Coating
 
 
 def press_node_by_node(coating: Coating, depth, state=None):
-    """Return the state and the load at `depth`, a penetration, from `state` or from rest.
+    """Return the state and the load at `depth`, a penetration, starting from `state` or from rest.
 
-    Raises RuntimeError where forty Newton steps do not lead there: then `state` must come from less depth.
+    Raises RuntimeError if forty Newton steps do not converge: then `state` must come from a smaller depth.
     """
     surface = coating.basis.get_dofs(lambda x: x[1] == coating.grid[1][-1]).all(["u^2^1"])
     theta, radius = coating.basis.doflocs[:, surface]

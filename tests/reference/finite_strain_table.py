@@ -1,9 +1,9 @@
-"""Both compliances of the library beside finite strain: `python -m tests.reference.finite_strain_table`.
+"""Both compliances of the library compared with finite strain: `python -m tests.reference.finite_strain_table`.
 
-Prints a table for every geometry, some twenty minutes in all on one core; with `--first-order`, in half a minute, what
-the first of them would be by coarse elements of first order and a contact found node by node. Of the reference, this
-file alone imports the package, as what is judged. Lengths are in mm, moduli in units of G; loads agree, and all else is
-compared.
+Prints a table for every geometry, which takes about twenty minutes on one core. With `--first-order`, it prints within
+half a minute the first geometry with coarse elements of first order and a contact found node by node. This is the only
+file of the reference that imports the package, which it evaluates. Lengths are in mm, moduli in units of G; the
+comparison is at equal load.
 """
 
 from __future__ import annotations
@@ -26,9 +26,10 @@ GEOMETRIES = (  # core radius, outer radius, Poisson's ratio
     (20.0, 25.0, 0.3),
 )
 STRAINS = (0.02, 0.06, 0.10, 0.15, 0.20)
-FIRST_ORDER_SIZES = (1 / 12, 1 / 12, 1 / 8, 1 / 8, 1 / 8)  # of elements, in thicknesses
+FIRST_ORDER_SIZES = (1 / 12, 1 / 12, 1 / 8, 1 / 8, 1 / 8)  # element size / thickness
 THIN_STRAINS = (0.04, 0.08, 0.16, 0.24)
-SLOWNESS = 0.015  # Omega tau r_o / a: the lowest of three speeds, each twice the one before
+# Omega tau r_o / a: the lowest of three speeds, each twice the previous one
+SLOWNESS = 0.015
 
 
 def press_to(geometry, strains, **sizes):
@@ -54,7 +55,7 @@ def ball(geometry, modulus):
 
 
 def penetration(geometry, load, edge, compliance, nodes=100):
-    """Return the library's penetration per thickness, of an elastic coating; `nodes` are those from center to edge."""
+    """Return penetration / thickness of an elastic coating; `nodes` is their number from center to edge."""
     mesh = vr.Mesh(nodes_per_revolution=round(2.0 * np.pi * nodes / edge))
     elastic = ball(geometry, vr.Elastic(modulus=1e6))
     result = vr.solve(elastic, load=load, angular_speed=1e-3, mesh=mesh, compliance=compliance)
@@ -64,9 +65,10 @@ def penetration(geometry, load, edge, compliance, nodes=100):
 def low_speed_torques(geometry, load, edge, compliance, nodes=100):
     """Return sum x p and the driving torque in units of P Omega r_o eta/G as the speed goes to zero.
 
-    Any material of one short memory will do, here a standard linear solid with tau = eta/G = 1 s. Meshes must resolve
-    r_o Omega tau, so that the limit is that of a parabola through three speeds. With C_RR it is known, the mean of
-    y/r_o under the pressure (u_r = y - H in contact, and the power is that of -p d^2u_r/dphi^2): 3e-4 are missed.
+    Any material with one short memory is suitable, here a standard linear solid with tau = eta/G = 1 s. Meshes must
+    resolve r_o Omega tau, so the limit is that of a parabola through three speeds. With C_RR, the limit is known, the
+    mean of y/r_o under the pressure (u_r = y - H in contact, and the power is that of -p d^2u_r/dphi^2): the error is
+    3e-4.
     """
     solid = ball(geometry, vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1.0))
     mesh = vr.Mesh(nodes_per_revolution=round(2.0 * np.pi * nodes / edge))
@@ -79,7 +81,7 @@ def low_speed_torques(geometry, load, edge, compliance, nodes=100):
 
 
 def compare(geometry, strains, **sizes):
-    """Yield a row for each strain: strain, its finite-strain torques, and what the library finds at the same load."""
+    """Yield a row for each strain: strain, its finite-strain torques, and the library's results at the same load."""
     for coating, state, strain, load in press_to(geometry, strains, **sizes):
         row = {"strain": strain, "load": load} | slow_torques(coating, state, load)
         for name, compliance in (("RR", vr.Compliance.RADIAL), ("WW", vr.Compliance.VERTICAL)):

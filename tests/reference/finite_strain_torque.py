@@ -1,26 +1,26 @@
-"""Finite-strain witness, slow rolling: the torque that a Kelvin-Voigt coating's dissipation asks for.
+"""Finite-strain reference, slow rolling: the torque from the dissipation of a Kelvin-Voigt coating.
 
-Turned at Omega about the lateral axis e, material passes through the static field: x = chi(X), where X moves at
-w = Omega e x X. What deforms it is the rate of C = F^T F as the material sees it,
+While the ball turns at Omega about the lateral axis e, material passes through the static field: x = chi(X), where X
+moves at w = Omega e x X. The deformation rate is the rate of C = F^T F in the material frame,
 
     Cdot = w . grad C + C S - S C,    S = grad w,    D = F^-T Cdot F^-1 / 2.
 
-On axes (R, theta, phi), phi the azimuth from the rolling direction, the point moves by thetadot = Omega cos(phi) and
-phidot = -Omega cot(theta) sin(phi), and these axes turn against the material about R alone, by
--Omega sin(phi)/sin(theta). C has the entries RR, R theta, theta theta and phi phi, alike for all phi; hence
+On axes (R, theta, phi), with phi the azimuth from the rolling direction, the point moves by thetadot = Omega cos(phi)
+and phidot = -Omega cot(theta) sin(phi), and these axes rotate relative to the material only about R, by -Omega
+sin(phi)/sin(theta). C has the entries RR, R theta, theta theta and phi phi, equal for all phi; hence
 
     Cdot / Omega = cos(phi) dC/dtheta - sin(phi)/sin(theta) [C_Rtheta on R phi, C_thetatheta - C_phiphi on theta phi].
 
-The second part has the entries that C has not: the two do not mix in the power, and the mean over phi takes half of
-each. Three viscosities are objective and the linear one at small strain, their power per undeformed volume being
-2 eta times
+The second part has exactly the entries that C lacks, so the two parts do not mix in the power, and the mean over phi
+takes half of each. Three viscosities are objective and equal the linear one at small strain; their power per undeformed
+volume is 2 eta times
 
     newton     J D : D                          Cauchy's stress 2 eta D
     jaumann    D : b D = tr(C^-1 Cdot Cdot)/4   Kirchhoff's stress eta (b D + D b), Jaumann's rate of eta b
     lagrange   Edot : Edot, E = (C - 1)/2       Piola's second stress 2 eta Edot
 
-and, to keep a constant nu, nu/(1-2nu) J (tr D)^2 more, for lagrange nu/(1-2nu) (tr Edot)^2. Torque = power / Omega,
-here in units of P Omega r_o eta / G: linear theory has 1 as the load goes to zero (docs/theory/normal-contact.md).
+and, for constant nu, additionally nu/(1-2nu) J (tr D)^2, for lagrange nu/(1-2nu) (tr Edot)^2. Torque = power / Omega,
+here in units of P Omega r_o eta / G: linear theory tends to 1 as the load goes to zero (docs/theory/normal-contact.md).
 """
 
 from __future__ import annotations
@@ -59,8 +59,8 @@ def symmetric(rr, rt, rp, tt, tp, pp):
 def slow_torques(coating, state, load):
     """Return the torque of each of VISCOSITIES in units of P Omega r_o eta / G.
 
-    C is taken at 2 x 2 Gauss points, where the strains of Q2 are an order better, and its rate by splines along theta,
-    continued over the axis, where C_Rtheta is odd and all else even.
+    C is evaluated at 2 x 2 Gauss points, where the strains of Q2 are one order more accurate, and its rate by splines
+    along theta, continued over the axis, where C_Rtheta is odd and all other entries are even.
     """
     gauss = Basis(coating.basis.mesh, coating.basis.elem, intorder=3)
     theta, radius = points_of(gauss)
@@ -68,7 +68,7 @@ def slow_torques(coating, state, load):
     columns = 2 * (coating.grid[0].size - 1)
 
     def lines(field):
-        """Return values in the points, a row for each radius."""
+        """Return values at the points, with a row for each radius."""
         return field.ravel()[order].reshape(-1, columns)
 
     rest, entries = strain_entries(gauss)

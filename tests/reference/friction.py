@@ -1,7 +1,7 @@
-"""Sections 4 and 13: contact with Coulomb friction, with all blocks of C_r and the lateral variation of (55a) kept.
+"""Sections 4 and 13: contact with Coulomb friction, with all blocks of C_r and the lateral variation of (55a).
 
-Every force of every node is an unknown, and so are the height H and the linear speed. Components are (W, U, V): down,
-backward and sideways (-z), as in (39); forces act on the coating, with F_W <= 0.
+All forces of all nodes, the height H and the linear speed are unknowns. Components are (W, U, V): down, backward and
+sideways (-z), as in (39); forces act on the coating, with F_W <= 0.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def solve_frictional_contact(
 
     Parameters: `compliance` C_r of shape (3, 3, nodes, nodes); `profile` and `forward`, undeformed y and x of the
     nodes; `step`, r_o Delta; `first`, the upstream neighbors. One of force Q, torque T (at displaced points) and
-    creepage is given. Friction comes down from full stick in steps. Returns the forces (3, nodes), H and the speed
+    creepage is given. Friction decreases from full stick in steps. Returns the forces (3, nodes), H and the speed
     ratio.
     """
     nodes = profile.size

@@ -1,4 +1,4 @@
-"""Fields of one order inside the layers to many digits: transition matrices multiplied out, with digits to spare."""
+"""Fields of one order inside the layers to many digits, by products of transition matrices with extra digits."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Shell:
-    """A layer with a Prony series; `poisson_ratio` or `bulk_modulus` as of the package."""
+    """A layer with a Prony series; `poisson_ratio` or `bulk_modulus` as in the package."""
 
     inner: float
     outer: float
@@ -22,7 +22,7 @@ class Shell:
     density: float = 0.0
 
     def shear_modulus(self, omega):
-        """Complex shear modulus at a frequency >= 0."""
+        """Return the complex shear modulus at a frequency >= 0."""
         g0, weights, times = self.prony
         terms = [
             mpmath.mpf(g) * 1j * omega * t / (1 + 1j * omega * mpmath.mpf(t))
@@ -31,7 +31,7 @@ class Shell:
         return mpmath.mpf(g0) * (1 - sum(mpmath.mpf(g) for g in weights) + sum(terms))
 
     def poisson(self, mu):
-        """Poisson's ratio, complex where the bulk modulus is given."""
+        """Return Poisson's ratio, complex if the bulk modulus is given."""
         if self.poisson_ratio is not None:
             return mpmath.mpf(self.poisson_ratio)
         bulk = mpmath.mpf(self.bulk_modulus)
@@ -39,7 +39,7 @@ class Shell:
 
 
 def _equations(nu, mu, m, n, membrane):
-    """docs/theory/layers.md, z' = (B + q M) z in s = ln r, in the components of the paper."""
+    """Return B and M of z' = (B + q M) z in s = ln r, docs/theory/layers.md, in the components of the paper."""
     i = mpmath.mpc(0, 1)
     a, b = nu / (1 - nu), (1 - 2 * nu) / (2 * (1 - nu))
     gamma = mu * (3 * a + 2 * b)
@@ -60,7 +60,7 @@ def _equations(nu, mu, m, n, membrane):
 
 
 def _transition(elastic, inertia, q, x):
-    """Taylor series in (r - r0) / r0 up to x of (1 + x) dz/dx = (B + q (1 + x)^2 M) z."""
+    """Return the Taylor series in (r - r0) / r0 up to x of (1 + x) dz/dx = (B + q (1 + x)^2 M) z."""
     if not q:
         return mpmath.expm(elastic * mpmath.log1p(x), method="taylor")
     total = term = mpmath.eye(6)
@@ -76,11 +76,11 @@ def _transition(elastic, inertia, q, x):
 
 
 def order_fields(shells, angular_speed, m, n, places, *, within="rigid", paper=True, digits=50):
-    """Displacement, stress and strain per unit surface stress at places (radius, number of the shell).
+    """Return displacement, stress and strain per unit surface stress at places (radius, number of the shell).
 
     Returns arrays (places, 3 or 6, 3) of components r, phi, theta and rr, phiphi, thetatheta, rphi, rtheta, phitheta.
-    `paper` is the membrane term of (26); else that of a sphere, of which stress and strain along the surface are left
-    out (nan).
+    `paper` selects the membrane term of (26); otherwise that of a sphere, without stress and strain along the surface
+    (nan).
     """
     k = math.hypot(m, n)
     outer = shells[-1].outer
@@ -128,7 +128,7 @@ def _components(z, mu, nu, unit, radius, m, n, paper):
         if not paper:
             continue
         epp, ett, ept = (ur + i * m * up) / r, (ur + i * n * ut) / r, i * (m * ut + n * up) / (2 * r)
-        # Hooke's law, (18), solved for what is not known.
+        # Hooke's law, (18), solved for the unknown components.
         err = ((1 - 2 * nu) * (1 + nu) / (2 * mu * (1 + nu)) * srr - nu * (epp + ett)) / (1 - nu)
         spp, stt = srr + 2 * mu * (epp - err), srr + 2 * mu * (ett - err)
         stress[[1, 2, 5], load] = [complex(v) for v in (spp, stt, 2 * mu * ept)]

@@ -1,6 +1,6 @@
-"""Fields of one order inside flat layers and those of a roller to many digits, from Hooke's law as it stands.
+"""Fields of one order inside flat layers and inside a roller to many digits, directly from Hooke's law.
 
-Matrix exponentials, multiplied out with digits to spare; shells are those of `interior`. Flat layers lie in 0 > y >=
+The method multiplies matrix exponentials with extra digits; shells are those of `interior`. Flat layers lie in 0 > y >=
 -thickness, the outermost up to y = 0.
 """
 
@@ -27,7 +27,7 @@ class _Flat:
         return mpmath.mpf(1)
 
     def in_plane(self, place, state, mu, nu):
-        """Strains xx, zz, xz by the displacements."""
+        """Return the strains xx, zz, xz from the displacements."""
         x, z = self.waves
         return x * state[1], z * state[2], (x * state[2] + z * state[1]) / 2
 
@@ -51,7 +51,7 @@ class _Flat:
 
 
 class _Round:
-    """Waves e^{i m phi} around the axis, along which nothing varies: in ln r, with stresses times r."""
+    """Waves e^{i m phi} around the axis, constant along it: in ln r, with stresses times r."""
 
     def __init__(self, m):
         self.m = mpmath.mpc(0, m)
@@ -83,15 +83,15 @@ class _Round:
 
 
 def flat_fields(shells, speed, k, l, places, *, digits=50):  # noqa: E741
-    """Displacement, stress and strain per unit surface stress of waves (k, l) [1/m] at places (y, number of the shell).
+    """Return displacement, stress and strain per unit surface stress of waves (k, l) [1/m] at places (y, shell number).
 
-    `speed` is that of the material past the contact, to which it sees the frequency k speed. The base is rigid.
+    `speed` is that of the material past the contact, so the frequency is k speed. The base is rigid.
     """
     return _fields(_Flat(k, l), shells, k * speed, speed**2, places, digits)
 
 
 def roller_fields(shells, angular_speed, m, places, *, digits=50):
-    """Return the same of order m of a roller with a rigid core, at places (r, number of the shell), without inertia."""
+    """Return the same fields of order m of a roller with a rigid core, at places (r, shell number), without inertia."""
     return _fields(_Round(m), shells, m * angular_speed, 0.0, places, digits)
 
 

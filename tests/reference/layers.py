@@ -1,6 +1,6 @@
 """Sections 7 and 8: from complex moduli to the surface compliance of single orders (m, n).
 
-They live in the package, which draws figure 4 with them.
+The functions are in the package, which draws figure 4 with them.
 """
 
 from __future__ import annotations

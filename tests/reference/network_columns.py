@@ -1,9 +1,10 @@
 """A roller on columns of filled rubber, exactly: `python -m tests.reference.network_columns` prints the table.
 
-Every column is a spring and a Maxwell arm beside a network of springs and dry sliders, whose first loading is
-E_N ε/(1 + ε/ε_c). It has been rolled over before: what network has broken at the peak stays, and from the free strain
-that it keeps, the set, it is pressed along the roller and let go where it would have to pull. Under such passes the
-network runs between two turning points alone, by Masing's rule, and the arm is an ordinary differential equation.
+Every column is a spring and a Maxwell arm parallel to a network of springs and dry sliders, whose first loading is E_N
+ε/(1 + ε/ε_c). The roller has passed before: elements of the network that broke at the peak stay broken. The pass starts
+from the free strain of the network, the set, follows the roller, and ends where the column would be in tension. Under
+such passes, the network stays between two turning points, by Masing's rule, and the arm is an ordinary differential
+equation.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from scipy.optimize import brentq
 
 @dataclass(frozen=True)
 class Columns:
-    """Moduli of compression [Pa], relaxation time [s], strain [-], radius by height [m²], speed [m/s]."""
+    """Moduli of compression [Pa], relaxation time [s], strain [-], radius * height [m²], speed [m/s]."""
 
     spring: float = 3e6
     arm: float = 1.5e6
@@ -28,11 +29,11 @@ class Columns:
     speed: float = 0.1
 
     def first_loading(self, strain):
-        """Stress of a network that was never strained before [Pa]."""
+        """Return the stress of a network without earlier strain [Pa]."""
         return self.network * strain / (1.0 + strain / self.critical_strain)
 
     def network_stress(self, strain, peak, lowest, *, unloading):
-        """Stress of the network between its turning points [Pa]."""
+        """Return the stress of the network between its turning points [Pa]."""
         top = self.first_loading(peak)
         if unloading:
             return top - 2.0 * self.first_loading(0.5 * (peak - strain))
@@ -40,7 +41,7 @@ class Columns:
         return bottom + 2.0 * self.first_loading(0.5 * (strain - lowest))
 
     def free_strain(self, peak):
-        """Strain that is left without any stress, long after a pass [-]."""
+        """Return the strain that remains without stress, long after a pass [-]."""
 
         def stress(strain):
             return self.spring * strain + self.network_stress(strain, peak, strain, unloading=True)
@@ -48,7 +49,7 @@ class Columns:
         return brentq(stress, -peak, peak, xtol=1e-15 * peak, rtol=1e-14)
 
     def pass_of(self, peak, points=20001):
-        """Return load [N/m], moment of the pressure [N], and set over peak [-], of a roller that presses to a peak."""
+        """Return load [N/m], moment of the pressure [N], and set / peak [-], of a roller that presses to a peak."""
         lowest = self.free_strain(peak)
         entry = np.sqrt(2.0 * self.radius_by_height * (peak - lowest))
         x = np.linspace(entry, -entry, points)
@@ -68,10 +69,10 @@ class Columns:
         return -trapezoid(stress, x), -trapezoid(stress * x, x), lowest / peak
 
     def arm_stress(self, x):
-        """Stress of the Maxwell arm [Pa]: σ' + σ/τ = E ε', with ε' = V x/(R h), in closed form from x[0] on."""
+        """Return the stress of the Maxwell arm [Pa], σ' + σ/τ = E ε', with ε' = V x/(R h), in closed form from x[0]."""
         length = self.speed * self.relaxation_time
         rate = self.arm * length / self.radius_by_height
-        # a particular solution rate (x + length), for d/dt = -V d/dx, and what fades from rest at the entry
+        # A particular solution rate (x + length), for d/dt = -V d/dx, and a decaying part from rest at the entry.
         return rate * (x + length - (x[0] + length) * np.exp((x - x[0]) / length))
 
 

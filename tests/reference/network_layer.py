@@ -1,10 +1,10 @@
 """A roller on a layer of filled rubber in plane strain: `python -m tests.reference.network_layer` prints a table.
 
-The layer lies on a rigid base. Its rubber is a standard linear solid whose Poisson's ratio is constant, beside springs
-and sliders that yield by von Mises, of which every Gauss point has its own. Steady rolling is periodic along the layer:
-waves along it, quadratic elements through it. What the network bears beyond a linear solid's share is a stress that is
-given, and is found by repetition; the contact is one of pressures that do not pull, at a given depth of the roller.
-Command: load and moment of two contacts, in minutes.
+The layer lies on a rigid base. Its rubber is a standard linear solid with constant Poisson's ratio, parallel to springs
+and sliders that yield by von Mises, separate for each Gauss point. Steady rolling is periodic along the layer, with
+waves along it and quadratic elements through it. The stress of the network beyond the share of a linear solid is a
+given stress, found by iteration; the contact has pressures without tension, at a given depth of the roller. The command
+prints load and moment of two contacts, in minutes.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-#: Elements of springs and sliders: yield strains of equal shares of what x/(1 + x) has, by Gauss in y/(1 + y).
+#: Number of springs with sliders. Their yield strains have equal shares of x/(1 + x), by Gauss points in y/(1 + y).
 _SLIDERS = 24
 
 
 @dataclass
 class Layer:
-    """Thickness and radius [mm], moduli of shear [Pa], speed [mm/s], length of a period [mm] and its nodes."""
+    """Thickness and radius [mm], shear moduli [Pa], speed [mm/s], length of a period [mm] and its nodes."""
 
     poisson_ratio: float = 0.3
-    bulk_modulus: float | None = None  # in place of the ratio
+    bulk_modulus: float | None = None  # replaces the ratio
     radius: float = 20.0
     thickness: float = 1.0
     speed: float = 100.0
@@ -34,11 +34,11 @@ class Layer:
     length: float = 24.0
     nodes: int = 1024
     elements: int = 8
-    share: float = 0.5  # of the network that the linear solid bears
+    share: float = 0.5  # of the network, included in the linear solid
     compliance: np.ndarray = field(init=False)
 
     def __post_init__(self):
-        """Make the stiffness of every wave."""
+        """Assemble the stiffness of every wave."""
         n = self.nodes
         self.k = 2.0 * np.pi * np.fft.rfftfreq(n, self.length / n)
         omega = -self.k * self.speed  # the material passes at -x, in the frame of the roller
@@ -56,11 +56,11 @@ class Layer:
             self.values[3 * e : 3 * e + 3, 2 * e : 2 * e + 3] = values.T
             self.slopes[3 * e : 3 * e + 3, 2 * e : 2 * e + 3] = slopes.T
         self.weights = np.tile(0.5 * size * weights, self.elements)
-        free = count - 1  # the base holds the first node
+        free = count - 1  # the first node is fixed to the base
         self.operator, self.inverse = [], []
         ratio = 2.0 * self.poisson_ratio / (1.0 - 2.0 * self.poisson_ratio)
         for k, rubber in zip(self.k, self.rubber, strict=True):
-            # strain (xx, yy, xy doubled) at Gauss points of displacement (u, v)
+            # Strain (xx, yy, xy doubled) at Gauss points due to displacement (u, v).
             b = np.zeros((3, gauss, 2 * free), complex)
             b[0, :, :free] = 1j * k * self.values[:, 1:]
             b[1, :, free:] = self.slopes[:, 1:]
@@ -69,7 +69,7 @@ class Layer:
             g = rubber + self.share * self.network
             extra = ratio * rubber if self.bulk_modulus is None else self.bulk_modulus - 2.0 / 3.0 * rubber
             stiffness = np.zeros((2 * free, 2 * free), complex)
-            # network: a deviator of three directions; rubber: with change of volume
+            # Network: a deviator in three directions; rubber: including the change of volume.
             trace = b[0] + b[1]
             w = self.weights[:, None]
             for c, factor in ((0, 2.0), (1, 2.0), (2, 1.0)):
@@ -78,11 +78,12 @@ class Layer:
             stiffness += bulk * (trace.conj().T @ (w * trace))
             self.operator.append(b)
             self.inverse.append(np.linalg.inv(stiffness))
-        self.compliance = np.array([inv[-1, -1] for inv in self.inverse])  # of the surface, along y
+        # of the surface, along y
+        self.compliance = np.array([inv[-1, -1] for inv in self.inverse])
         self.yields, self.share_of = _sliders()
 
     def displaced(self, pressure, stress):
-        """Return strain (3, Gauss, nodes) and height of the surface under pressure and a stress that is given."""
+        """Return strain (3, Gauss, nodes) and height of the surface under pressure and a given stress."""
         load, given = np.fft.rfft(pressure), np.fft.rfft(stress, axis=2)
         strain, height = np.empty(given.shape, complex), np.empty(len(self.k), complex)
         for i, (b, inverse) in enumerate(zip(self.operator, self.inverse, strict=True)):
@@ -93,14 +94,15 @@ class Layer:
         return np.fft.irfft(strain, self.nodes, axis=2), np.fft.irfft(height, self.nodes)
 
     def network_stress(self, strain):
-        """Return the stress (xx, yy, xy) of springs and sliders along the layer, the material passing at -x."""
+        """Return the stress (xx, yy, xy) of springs and sliders along the layer, whose material moves along -x."""
         mean = (strain[0] + strain[1]) / 3.0
-        # p = (√2 e_xx, √2 e_yy, √2 e_zz, 2 e_xy): simple shear γ is of length γ
+        # p = (√2 e_xx, √2 e_yy, √2 e_zz, 2 e_xy), so that simple shear γ has length γ.
         root = np.sqrt(2.0)
         p = np.stack([root * (strain[0] - mean), root * (strain[1] - mean), -root * mean, strain[2]])[:, :, ::-1]
         yields = self.critical_strain * self.yields[:, None]
         q = np.zeros((4, len(self.yields), p.shape[1]))
-        before = np.zeros(p.shape[:2])  # never strained before; what it keeps of the first round is the set
+        # no strain before the first round, after which the set remains
+        before = np.zeros(p.shape[:2])
         out = np.empty((4, *p.shape[1:]))
         for turn in range(2):
             for i in range(p.shape[2]):
@@ -113,7 +115,7 @@ class Layer:
         return np.stack([root * out[0], root * out[1], out[3]])
 
     def contact(self, free, depth):
-        """Return the pressure that lifts a surface to below the roller, and none that pulls."""
+        """Return the pressure that lifts the surface to the roller, without tension."""
         x = (np.arange(self.nodes) - self.nodes // 2) * self.length / self.nodes
         gap = x**2 / (2.0 * self.radius) - depth - free
         kernel = np.fft.irfft(-self.compliance, self.nodes)
@@ -150,7 +152,7 @@ class Layer:
 
 
 def _sliders():
-    """Return yield strains by γ_c, and the share of each: weights 2 dy/(1 + y)³, of which they are moduli."""
+    """Return yield strains / γ_c and the share of each, a modulus: weights 2 dy/(1 + y)³."""
     t, weight = np.polynomial.legendre.leggauss(_SLIDERS)
     t, weight = 0.5 * (1.0 + t), 0.5 * weight
     return t / (1.0 - t), 2.0 * (1.0 - t) * weight

@@ -1,7 +1,8 @@
 """A ball or roller with one incompressible layer on a rigid core: compliance of orders, tables of offsets, contact.
 
-Where the layer is one and Poisson's ratio real, the compliance of an order is G / mu*(m Omega), G real and the same for
-any modulus: what depends on the layer alone is summed once. Forces and displacements are normal to the surface.
+For a single layer with a real Poisson's ratio, the compliance of an order is G / mu*(m Omega), with G real and equal
+for any modulus: the part that depends on the layer alone is summed once. Forces and displacements are normal to the
+surface.
 """
 
 from __future__ import annotations
@@ -12,11 +13,12 @@ from scipy.linalg import expm
 from scipy.special import erfc
 from viscoroll.reproduce.plain import Layer, system_matrix
 
-FOLDS = 8  # the sums end smoothly at this many times the nodes of a revolution: 1e-7 of the torque
+# the sums end smoothly at this many times the nodes per revolution: 1e-7 of the torque
+FOLDS = 8
 
 
 def rubber(omega):
-    """Complex modulus [Pa] of the solid of section 14: 3 and 6 MPa, 0.125 s."""
+    """Return the complex modulus [Pa] of the solid of section 14: 3 and 6 MPa, 0.125 s."""
     rate = 0.125j * np.asarray(omega)
     return 3e6 + 3e6 * rate / (1.0 + rate)
 
@@ -41,9 +43,9 @@ def roller_equations(k):
 
 
 def layer_compliance(equations, core_radius, radius, highest):
-    """Return G(k) [m]: outward displacement by an outward traction of wave number k, modulus 1, up to `highest`."""
+    """Return G(k) [m]: outward displacement due to an outward traction of wave number k, modulus 1, up to `highest`."""
     k = np.concatenate([np.arange(0.0, 8.0, 0.125), np.geomspace(8.0, highest, 400)])
-    # What lies 40 e-folds below the surface does not move it.
+    # Material 40 e-folds below the surface has no effect on it.
     thickness = np.minimum(np.log(radius / core_radius), 40.0 / np.maximum(k, 1.0))
     step = expm((thickness / 10.0)[:, None, None] * equations(k))
     y = np.zeros((k.size, 2, 2))
@@ -53,12 +55,12 @@ def layer_compliance(equations, core_radius, radius, highest):
 
 
 def patch(orders, nodes):
-    """Return what is left of an order on a patch as wide as the spacing, and of the sum's end."""
+    """Return the factor of an order on a patch as wide as the spacing, times that of the truncation."""
     return np.sinc(orders / nodes) * 0.5 * erfc(4.8 * (orders / (FOLDS * nodes) - 1.0))
 
 
 class Table:
-    """Displacements at offsets of whole nodes by a unit force on one of them, for one layer and any modulus."""
+    """Displacements at offsets of whole nodes due to a unit force on one of them, for one layer and any modulus."""
 
     def __init__(self, equations, core_radius, radius, nodes, columns):
         """Sum over the orders along the axis; a roller has one column, and loads per length."""
@@ -73,7 +75,7 @@ class Table:
         self.across = np.array([compliance(np.hypot(m, self.orders)) @ cosines for m in self.orders]) * twice[:, None]
 
     def offsets(self, modulus, angular_speed):
-        """Return the table [m/N]: offsets 0 ... nodes - 1 backward, as on a ring, and 0 ... columns - 1 sideways."""
+        """Return the table [m/N]: offsets 0 ... nodes - 1 backward, on a ring, and 0 ... columns - 1 sideways."""
         weights = self.across / modulus(self.orders * angular_speed)[:, None]
         folded = np.zeros((self.nodes, weights.shape[1]), complex)
         np.add.at(folded, self.orders.astype(int) % self.nodes, weights)
@@ -90,7 +92,7 @@ def window(radius, nodes, half, half_across, start=0.0):
 
 
 def press(compliance, height, load):
-    """Return the forces on a plane of the given sum, nowhere tensile and nowhere overclosed, and how far it came."""
+    """Return the forces on a plane with the given sum, without tension and overlap, and the depth."""
     touching = height <= np.sort(height)[height.size // 4]
     for _ in range(100):
         inside = np.flatnonzero(touching)

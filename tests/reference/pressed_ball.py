@@ -1,7 +1,7 @@
-"""A ball with incompressible layers pressed on a plane, by its axis: python -m tests.reference.pressed_ball [rings].
+"""A ball with incompressible layers pressed on a plane, axisymmetric: python -m tests.reference.pressed_ball [rings].
 
-Zonal harmonics of Lamb's solutions (Love, Treatise, 4th edition, section 172) in each layer, of a rigid core; pressure
-constant on rings, which are narrower towards the edge, where it ends.
+The fields are zonal harmonics of Lamb's solutions (Love, Treatise, 4th edition, section 172) in each layer, on a rigid
+core; pressure is constant on rings, which are narrower towards the edge, where it falls to zero.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ import sys
 import numpy as np
 from scipy.optimize import brentq
 
-#: Orders that are solved; the outermost layer alone tells the others, as a half-space but for its curvature.
+#: Number of solved orders; the outermost layer alone determines higher ones, as a half-space with a curvature term.
 SOLVED = 5000
 
 
 def pressed_depth(core_radius, layers, load, rings=100, orders=10000):
-    """Return how far the plane comes [m]; layers are (thickness, modulus) from the core outwards."""
+    """Return the approach of the plane [m]; layers are (thickness, modulus) from the core outwards."""
     radius = core_radius + sum(thickness for thickness, _ in layers)
     compliance = np.array([_compliance(n, core_radius, layers) for n in range(1, SOLVED + 1)])
     high = np.arange(SOLVED + 1, orders + 1)
@@ -41,7 +41,7 @@ def pressed_depth(core_radius, layers, load, rings=100, orders=10000):
 
 
 def _influence(compliance, bound, middle):
-    """Return displacements at cosines of the middles by pressures of 1 between those of the bounds, by recursion."""
+    """Return displacements at cosines of middles due to unit pressures between those of bounds, by recursion."""
     before, here, of_middle, next_middle = np.ones_like(bound), bound, np.ones_like(middle), middle
     influence = np.zeros((middle.size, middle.size))
     for n, yielding in enumerate(compliance, start=1):
@@ -53,7 +53,7 @@ def _influence(compliance, bound, middle):
 
 
 def _compliance(n, core_radius, layers):
-    """Return the radial displacement of an order by its pressure [m/Pa]."""
+    """Return the radial displacement of an order due to its pressure [m/Pa]."""
     size = 4 * len(layers)
     system, right = np.zeros((size, size)), np.zeros(size)
     unit = np.array([1.0, 1.0, core_radius / (n * layers[0][1]), core_radius / (n * layers[0][1])])
@@ -76,7 +76,7 @@ def _compliance(n, core_radius, layers):
 
 
 def _solutions(n, modulus, r, inner, outer):
-    """Return u_r, u_theta, s_rr and s_rtheta (by P_n, and its derivative) of the four solutions, a column each."""
+    """Return u_r, u_theta, s_rr and s_rtheta (by P_n, and its derivative) of the four solutions, one per column."""
     columns = []
     for m, reference in ((n, outer), (-n - 1, inner)):
         power = (r / reference) ** m
@@ -90,7 +90,7 @@ def _solutions(n, modulus, r, inner, outer):
 
 
 def main(*rings: int) -> None:
-    """Print depths of 20 mm with 1 mm of 3 MPa, and with half of it 1 MPa below, under 100 N."""
+    """Print depths of 20 mm with 1 mm of 3 MPa, and with its inner half replaced by 1 MPa, under 100 N."""
     for count in rings or (50, 100):
         for layers in ([(1e-3, 3e6)], [(5e-4, 1e6), (5e-4, 3e6)]):
             print(

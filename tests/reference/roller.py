@@ -13,7 +13,7 @@ __all__ = ["coating", "half_plane_moment", "steady"]
 
 
 def half_plane_moment(speed, *, load, radius, nodes):
-    """Return M [N] of a rigid cylinder on a half-plane of that rubber, by collocation on uniform strips.
+    """Return M [N] of a rigid cylinder on a half-plane of this rubber, by collocation on uniform strips.
 
     Boussinesq's and Flamant's line load with a creep compliance J_0 + (J_inf - J_0)(1 - exp(-t/tau_c)), 1/mu* of the
     solid: the memory is an integral over the past of the elastic kernel, by Gauss's rule on panels.
@@ -21,7 +21,8 @@ def half_plane_moment(speed, *, load, radius, nodes):
     stiff, soft = 6e6, 3e6
     retarded = speed * 0.125 * stiff / soft
     width = 2.6 * np.sqrt(load * radius / (np.pi * soft)) / nodes
-    way = (np.arange(nodes) - nodes / 2 + 0.5) * width  # of the material, backward
+    # position of the material, backward
+    way = (np.arange(nodes) - nodes / 2 + 0.5) * width
     offset = np.arange(-nodes + 1, nodes) * width
 
     def elastic(s):
@@ -47,12 +48,12 @@ def half_plane_moment(speed, *, load, radius, nodes):
 
 
 def coating(nodes):
-    """Return the table of a coating of 10 mm of rubber on a core of 50 mm, of so many nodes to a revolution."""
+    """Return the table of a coating of 10 mm of rubber on a core of 50 mm, with `nodes` per revolution."""
     return Table(roller_equations, 50e-3, 60e-3, nodes, 1)
 
 
 def main() -> None:
-    """Print the moments of docs/theory/rollers.md: of the coated roller, and of a bare one on a half-plane."""
+    """Print the moments of docs/theory/rollers.md for the coated roller, and for a bare one on a half-plane."""
     table = coating(7000)
     for angular_speed in (0.1, 1.0, 10.0):
         moment, depth = steady(table, angular_speed, 5e3, 130)

@@ -1,8 +1,8 @@
 """A coated roller starts on a coated plane out of its flat spot: python -m tests.reference.roller_start [nodes ...].
 
-Both have a layer of 10 mm, the roller around 50 mm, of which each creeps by a relaxation function of its own: a force a
-node and body is all the memory. Between them is the gap of a parabola, as flat theory has it, or that of the roller's
-circle at its own nodes, as the library has it: docs/theory/transient-bodies.md. Loads and moments are per length.
+Both have a layer of 10 mm, the roller around 50 mm, with different relaxation functions: the memory is one force per
+node and body. The gap is that of a parabola, as in flat theory, or that of the roller's circle at its own nodes, as in
+the library: docs/theory/transient-bodies.md. Loads and moments are per length.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from .roller import coating
 
 RADIUS, THICKNESS, LOAD = 60e-3, 10e-3, 5e3
 
-#: height above the plane [m] at an angle from the lowest point, and the lever of the pressure there
+#: Height above the plane [m] at an angle from the lowest point, and the moment arm of the pressure there.
 GAPS = {
     "parabola": lambda angle: (0.5 * RADIUS * angle**2, RADIUS * angle),
     "circle": lambda angle: (RADIUS * (1.0 - np.cos(angle)), RADIUS * np.sin(angle)),
@@ -26,18 +26,18 @@ GAPS = {
 
 
 class Creeping(NamedTuple):
-    """Displacements at offsets of whole nodes by a force that has been there for ever, on a ring of them, and creep."""
+    """Displacements at offsets of whole nodes on a ring due to a permanent force, and their creep."""
 
     table: np.ndarray
-    at_once: float  # of what yields in the end
+    at_once: float  # share of the final displacement
     retardation_time: float
 
     def displacement(self, force):
-        """Return that of all nodes by such forces."""
+        """Return the displacements of all nodes due to nodal forces."""
         return np.fft.irfft(np.fft.rfft(self.table) * np.fft.rfft(force), force.size)
 
     def weights(self, step):
-        """Return what fades of a retarded force, what the old one and the new one add to it in a step of time."""
+        """Return the decay of a retarded force in a time step, and the weights of the old and the new force."""
         z = step / self.retardation_time
         mean = -np.expm1(-z) / z
         return np.exp(-z), mean - np.exp(-z), 1.0 - mean
@@ -49,7 +49,7 @@ def relaxed(omega):
 
 
 def bonded_layer(nodes, modulus):
-    """Return the table of an incompressible layer on a rigid plane, closed to a ring farther away than it is felt."""
+    """Return the table of an incompressible layer on a rigid plane, closed to a ring longer than its influence."""
     spacing, periods, images = 2.0 * np.pi * RADIUS / nodes, 64, 32
     count = periods * nodes
     k = 2.0 * np.pi / (count * spacing) * np.arange(1, images * count)
@@ -63,7 +63,7 @@ def bonded_layer(nodes, modulus):
 
 
 def start(nodes, gap, turn=1.5, angular_speed=1.0):
-    """Return angles turned and moments [N], the mean of four lattices, four steps a spacing."""
+    """Return rotation angles and moments [N], the mean of four phase-shifted meshes, with four steps per spacing."""
     ring = Creeping(coating(nodes).offsets(relaxed, 0.0)[:, 0], 0.5, 0.25)
     plane = Creeping(bonded_layer(nodes, 1e6), 0.25, 0.08)
     spacing = 2.0 * np.pi / nodes
@@ -101,7 +101,7 @@ def _roll(bodies, angle, angular_speed, gap):
 
 
 def main(*meshes: int) -> None:
-    """Print the largest moment and the steady one, for either gap."""
+    """Print the largest moment and the steady one for both gaps."""
     for nodes in meshes or (500, 1000, 2000):
         for gap in GAPS:
             angle, moment = start(nodes, gap)

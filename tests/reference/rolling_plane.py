@@ -1,7 +1,7 @@
 """A rigid ball that rolls on a flat rubber layer, frictionless: python -m tests.reference.rolling_plane [spacing [m]].
 
-Periodic transforms of closed forms of the layer's compliance, a grid of its own on the plane, and any gap: which of
-three that agree to the second order of x/R is used changes the moment by some tenths of a percent
+The method uses periodic transforms of closed forms of the layer's compliance, its own grid on the plane, and any gap:
+the choice among three that agree to the second order of x/R changes the moment by some tenths of a percent
 (docs/theory/planes-and-pairs.md).
 """
 
@@ -15,10 +15,12 @@ from scipy.sparse.linalg import LinearOperator, gmres
 RADIUS, THICKNESS, LOAD = 21e-3, 1e-3, 100.0
 INSTANTANEOUS, RELAXED, TIME = 6e6, 3e6, 0.125  # the shear modulus is RELAXED + (difference) i w TIME / (1 + i w TIME)
 
-#: height above the plane [m] at (x, z) [m], and the lever of the pressure, which is R times its slope along x
+#: Height above the plane [m] at (x, z) [m], and the moment arm of the pressure, R times the slope of the height along
+#: x.
 GAPS = {
     "paraboloid": lambda x, z: ((x**2 + z**2) / (2 * RADIUS), x),
-    "arcs": lambda x, z: (  # of the ball's own nodes, as far from each other on the plane as along the ball
+    # the ball's own nodes, with arcs along the ball as distances on the plane
+    "arcs": lambda x, z: (
         RADIUS * (1 - np.cos(z / RADIUS) * np.cos(x / RADIUS)),
         RADIUS * np.cos(z / RADIUS) * np.sin(x / RADIUS),
     ),
@@ -41,7 +43,7 @@ def compliance(k, omega, base_modulus):
 
 
 def influence(speed, base_modulus, spacing, half):
-    """Return displacements [m/N] by a force on a square patch, at offsets -2 half ... 2 half of (ξ, ζ), ξ backward."""
+    """Return displacements [m/N] due to a force on a square patch, at offsets up to ± 2 half of (ξ, ζ), ξ backward."""
     wake = speed * TIME * INSTANTANEOUS / RELAXED
     across = 30e-3 if base_modulus is None else 60e-3
     count_x = 2 * int(np.ceil((0.5 * across + 22 * wake + 4 * half * spacing) / spacing / 2))
@@ -49,13 +51,14 @@ def influence(speed, base_modulus, spacing, half):
     k_x = 2 * np.pi * np.fft.rfftfreq(count_x, spacing)[None, :]
     k_z = 2 * np.pi * np.fft.fftfreq(count_z, spacing)[:, None]
     total, round_trip = 0.0, 2 * np.pi / spacing
-    for p in range(-2, 3):  # what the grid's spacing lets pass for longer waves
+    for p in range(-2, 3):  # aliases of longer waves on the grid
         for q in range(-2, 3):
             x, z = k_x + p * round_trip, k_z + q * round_trip
             k = np.maximum(np.hypot(x, z), 1e-3 / across)
             patch = np.sinc(x * spacing / (2 * np.pi)) * np.sinc(z * spacing / (2 * np.pi))
             total = total + compliance(k, speed * x, base_modulus) * patch
-            if base_modulus is not None and p == q == 0:  # 1/k, whose images never end, by its potential at a depth
+            # 1/k has infinitely many images and is replaced by its potential at a depth
+            if base_modulus is not None and p == q == 0:
                 total = total - np.exp(-k * THICKNESS) / (2 * base_modulus * k)
     periodic = np.fft.irfft2(total, s=(count_z, count_x)) / spacing**2
     offset = np.arange(-2 * half, 2 * half + 1)
@@ -111,7 +114,7 @@ def rolling_moment(speed, base_modulus=None, gap="paraboloid", spacing=50e-6, re
 
 
 def main(spacing: float = 50e-6) -> None:
-    """Print the moments of the three gaps, at twice the spacing and at it."""
+    """Print the moments of the three gaps, with twice the spacing and with the spacing."""
     for speed, base in ((2.1e-3, None), (10.5e-3, None), (52.5e-3, None), (0.21, None), (52.5e-3, 1e7), (52.5e-3, 1e8)):
         for gap in GAPS:
             found = [1e3 * rolling_moment(speed, base, gap, step)[0] for step in (2 * spacing, spacing)]

@@ -1,7 +1,7 @@
-"""Conduction in the section of a wheel by finite elements of another code: python -m tests.reference.section_heat.
+"""Conduction in the section of a wheel by another finite-element code: python -m tests.reference.section_heat.
 
--∇·(r k ∇T) = r q(r, z) on [r_i, r_o] x [-L/2, L/2], with films at the surface, which may vary along z, at the hub, or
-its temperature, and at both faces; biquadratic elements, steps of Crank and Nicolson.
+-∇·(r k ∇T) = r q(r, z) on [r_i, r_o] x [-L/2, L/2], with convection at the surface, which may vary along z, at the hub,
+or a given hub temperature, and at both faces; biquadratic elements, Crank-Nicolson steps.
 """
 
 from __future__ import annotations
@@ -22,9 +22,10 @@ def _mass(u, v, w):
 
 
 class Section:
-    """A section cut into elements.
+    """A section divided into elements.
 
-    Lengths in m; conductivity in W/(m K), films in W/(m² K), `hub` one of them or None where its rise is given.
+    Lengths in m; conductivity in W/(m K), convection coefficients in W/(m² K), `hub` is one of them, or None for a
+    given rise.
     """
 
     def __init__(self, radii, width, conductivity, *, film, side, hub, elements=(24, 48)):
@@ -74,18 +75,18 @@ class Section:
         return rise
 
     def values(self, rise, radius, z):
-        """Return it on a grid of radii and places across, a row for each radius."""
+        """Return the rise on a grid of radii and places across, with a row for each radius."""
         places = np.stack([np.repeat(radius, len(z)), np.tile(z, len(radius))])
         return self.basis.interpolator(rise)(places).reshape(len(radius), len(z))
 
 
 def sample_source(radius, z):
-    """Return a heat that lies off the middle, near the surface [W/m³]."""
+    """Return a heat source that is off the middle, near the surface [W/m³]."""
     return 4e4 * np.exp(-(((z - 4e-3) / 6e-3) ** 2)) * (radius / 50e-3) ** 6
 
 
 def main() -> None:
-    """Print the largest rise of a section of 40 to 50 mm by 36 mm, by two meshes."""
+    """Print the largest rise of a section of 40 to 50 mm by 36 mm, on two meshes."""
     for elements in ((24, 48), (48, 96)):
         section = Section((40e-3, 50e-3), 36e-3, 0.25, film=15.0, side=12.0, hub=8.0, elements=elements)
         print(elements, f"{section.steady(sample_source).max():.8f} K")

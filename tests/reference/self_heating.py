@@ -1,8 +1,8 @@
-"""Torque and temperature of a coating that is equally warm everywhere: python -m tests.reference.self_heating.
+"""Torque and temperature of a coating with uniform temperature: python -m tests.reference.self_heating.
 
-A layer of 5 mm of the rubber of section 14 on a core of 20 mm, under 100 N. Of a standard linear solid a shift of the
-frequencies is a shift of the speed alone, so that one curve of the torque holds for every temperature. All the heat
-leaves through the surface: Omega T(a_T Omega) = 4 pi r_o^2 h_c (T - T_ambient).
+A layer of 5 mm of the rubber of section 14 on a core of 20 mm, under 100 N. For a standard linear solid, a shift of the
+frequencies is a shift of the speed alone, so that one torque curve applies to every temperature. All the heat leaves
+through the surface: Omega T(a_T Omega) = 4 pi r_o^2 h_c (T - T_ambient).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def torque_curve(slowest, fastest, nodes=300):
 
 
 def steady_rises(curve, angular_speed, *, convection, shift_rate, limit):
-    """Return rises of temperature [K] up to a limit, and whether each is stable, a_T being e^(-shift_rate rise)."""
+    """Return temperature rises [K] up to a limit, and whether each is stable, with a_T = e^(-shift_rate rise)."""
 
     def surplus(rise):
         torque = curve(np.log(angular_speed) - shift_rate * rise)

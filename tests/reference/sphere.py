@@ -6,21 +6,22 @@ import numpy as np
 
 
 def compliance(degree):
-    """Radial displacement by a radial traction P_n(cos theta), without shear, in units of radius / shear modulus.
+    """Return radial displacement / radial traction P_n(cos theta), without shear, in units of radius / shear modulus.
 
-    From Lamb's solution u = grad phi + (n+3) r^2 grad p / (2 (n+1)(2n+3)) - n x p / ((n+1)(2n+3)), with phi and p solid
-    harmonics of degree n >= 2, in units of the shear modulus: sigma_r,theta = 0 gives phi, and
-    sigma_rr = -p (2n^2+4n+3) / ((2n+3)(n+1)), u_r = -r p n (2n+1) / (2 (2n+3)(n^2-1)). Tends to 1/(2n), a half-space.
+    The solution is Lamb's u = grad phi + (n+3) r^2 grad p / (2 (n+1)(2n+3)) - n x p / ((n+1)(2n+3)), with phi and p
+    solid harmonics of degree n >= 2, in units of the shear modulus: sigma_r,theta = 0 gives phi, and sigma_rr = -p
+    (2n^2+4n+3) / ((2n+3)(n+1)), u_r = -r p n (2n+1) / (2 (2n+3)(n^2-1)). It tends to 1/(2n), a half-space.
     """
     n = np.asarray(degree, dtype=float)
     return n * (2 * n + 1) / (2 * (n - 1) * (2 * n**2 + 4 * n + 3))
 
 
 def approach(contact_radius, *, rings=80, planes=1):
-    """Return d / a^2 where radius and shear modulus are 1, under Hertz's load for the contact radius a.
+    """Return d / a^2 for radius and shear modulus 1, under Hertz's load for the contact radius a.
 
-    Of one plane relative to the mean of the ball (the degrees 0 and 1 move it as a whole), or of two opposite planes.
-    Pressure is constant on rings of polar angle; it acts along the radius, and the plane is at 1 - d.
+    The approach is that of one plane relative to the mean of the ball (the degrees 0 and 1 move it as a whole), or of
+    two opposite planes. Pressure is constant on rings of polar angle; it acts along the radius, and the plane is at 1 -
+    d.
     """
     edges = np.linspace(0.0, 1.3 * contact_radius, rings + 1)
     x, middle = np.cos(edges), np.cos(0.5 * (edges[1:] + edges[:-1]))

@@ -1,8 +1,8 @@
 """Transient rolling of the ball of section 14, without friction: python -m tests.reference.transient.
 
-Memory is one force a node: 1/mu* of the solid is that of springs which yield at once by J_0 and, behind a dashpot, by
-J_1 in the retardation time (docs/theory/transient.md). The contact of each instant is dense, and a ring of nodes
-turns with the ball.
+The memory is one force per node: 1/mu* of the solid is that of springs with the instantaneous compliance J_0 and,
+behind a dashpot, J_1 with the retardation time (docs/theory/transient.md). The contact at each instant is dense, and a
+ring of nodes turns with the ball.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ RADIUS = 21e-3
 
 
 class Ring:
-    """The elastic ball at its relaxed modulus: compliance between nodes, and displacements of all by forces on all."""
+    """The elastic ball with its relaxed modulus: compliance between nodes, and displacements of all nodes."""
 
     def __init__(self, nodes, half):
         """Tabulate all offsets of a ring as wide as the window."""
@@ -29,12 +29,12 @@ class Ring:
         self.transform = np.fft.rfft2(both_sides)
 
     def displacement(self, force):
-        """Return that of all nodes [m], shape (nodes, 2 half + 1), by such forces [N]."""
+        """Return the displacement of all nodes [m], shape (nodes, 2 half + 1), due to forces [N]."""
         spread = np.fft.rfft2(force, s=(self.nodes, self.width))
         return np.fft.irfft2(self.transform * spread, s=(self.nodes, self.width))[:, : 2 * self.half + 1]
 
     def contact(self, angle, load, known):
-        """Return forces of the ring, their moment and the depth at an angle, `known` being displaced already."""
+        """Return forces of the ring, their moment and the depth at an angle; `known` is the given displacement."""
         spacing = 2.0 * np.pi / self.nodes
         first = round(-angle / spacing)
         row, column, x, height = window(RADIUS, self.nodes, self.half, self.half, start=angle + first * spacing)
@@ -48,9 +48,9 @@ class Ring:
 
 
 def roll(time, angle, load, *, relaxed, ring):
-    """Return torques [N m] and depths [m] at the instants, forces being linear between them; two at once are a jump.
+    """Return torques [N m] and depths [m] at the instants, with linear forces between them; equal times are a jump.
 
-    At the first the ball is pressed in no time or, `relaxed`, has borne the load for ever.
+    At the first instant, the ball is pressed in zero time or, if `relaxed`, has supported the load permanently.
     """
     nothing = np.zeros((ring.nodes, 2 * ring.half + 1))
     share = 1.0 if relaxed else AT_ONCE
@@ -73,7 +73,10 @@ def roll(time, angle, load, *, relaxed, ring):
 
 
 def start(angular_speed, turn, relaxed, nodes):
-    """Return angles and torques of rolling that sets in at once, the mean of four lattices, eight steps a spacing."""
+    """Return angles and torques of rolling that starts at once, the mean of four phase-shifted meshes.
+
+    Each mesh takes eight steps per spacing.
+    """
     ring = Ring(nodes, round(0.030 * nodes))
     spacing = 2.0 * np.pi / nodes
     angle = np.arange(0.0, turn + spacing / 8.0, spacing / 8.0)

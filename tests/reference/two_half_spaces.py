@@ -1,9 +1,9 @@
-"""Two viscoelastic half-spaces that roll on one another, frictionless: sums over the past of Love's rectangle.
+"""Frictionless rolling of two viscoelastic half-spaces on each other: sums over the past of Love's rectangle.
 
-What presses on a moving body has been everywhere upstream: with the creep compliance J(s) a displacement is what the
-rectangle says at J(0), and at every past time s, a way V s further on, times dJ. Pressure is found on a dense matrix,
-and what each body loses from the slope of its own displacement under every patch. Nothing here is periodic or a
-transform.
+A pressed point of a moving body was loaded everywhere upstream: with the creep compliance J(s), its displacement is
+that of Love's rectangle times J(0), plus, for every past time s, that at the distance V s downstream times dJ. A dense
+matrix gives the pressure, and the slope of each body's own displacement under every patch gives its loss. Nothing here
+is periodic or a transform.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Solid:
-    """A standard linear solid: shear moduli at once and relaxed [Pa], relaxation time [s], Poisson's ratio."""
+    """A standard linear solid: instantaneous and relaxed shear modulus [Pa], relaxation time [s], Poisson's ratio."""
 
     instantaneous: float
     relaxed: float
@@ -25,7 +25,7 @@ class Solid:
 
 @dataclass(frozen=True)
 class Rolled:
-    """Moment of the pressure [N m], depth [m], and what each body loses per way [N]."""
+    """Moment of the pressure [N m], depth [m], and loss of each body per distance [N]."""
 
     moment: float
     depth: float
@@ -44,9 +44,10 @@ def _love(x, z, half_x, half_z):
 
 
 def kernel(solid: Solid, speed, spacing, xi, zeta):
-    """Return displacements [m/N] at (ξ, ζ), ξ along the way of the material, by a force on a square patch."""
+    """Return displacements [m/N] at (ξ, ζ), ξ in the direction of the material, due to a force on a square patch."""
     retardation = solid.time * solid.instantaneous / solid.relaxed
-    # Ways back, in panels of a spacing across the window, beyond which the rectangle is a smooth function of them.
+    # Upstream distances, in panels of one spacing across the window, beyond which the rectangle is a smooth function of
+    # them.
     across = np.arange(0.0, np.ptp(xi) + 4.0 * spacing, spacing)
     ends = np.append(across, across[-1] + np.geomspace(spacing, 40.0 * speed * retardation, 16))
     nodes, weights = np.polynomial.legendre.leggauss(4)

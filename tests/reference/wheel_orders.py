@@ -1,4 +1,4 @@
-"""Orders of the tread of a wheel from closed forms: Bessel functions of the order around at the wave number across.
+"""Orders of a wheel's tread from closed forms: Bessel functions, by the order around and the wave number across.
 
 With Z_m a modified Bessel function of either kind and e = exp(i (m phi + k z)), displacements in a tube are sums of
 
@@ -28,7 +28,7 @@ def _bessel(kind, order, x, slopes=0):
 
 
 def _solution(kind, field, m, k, nu, r):
-    """Displacement at a radius along r, phi and z, its slope along r, and the pressure lambda div u per modulus."""
+    """Return displacement along r, phi and z, its radial derivative, and the pressure lambda div u / modulus."""
     order = m + 1 if field == "pressure" else m
     f, df, ddf = (k**slopes * _bessel(kind, order, k * r, slopes) for slopes in (0, 1, 2))
     if field == "gradient":
@@ -42,7 +42,7 @@ def _solution(kind, field, m, k, nu, r):
 
 
 def _fields(kind, field, m, k, nu, r):
-    """Displacement along r, phi and z, stress per modulus and strain, rr, phiphi, zz, rphi, rz, phiz."""
+    """Return displacement along r, phi and z, stress / modulus, and strain, as rr, phiphi, zz, rphi, rz, phiz."""
     u, du, pressure = _solution(kind, field, m, k, nu, r)
     strain = [
         du[0],
@@ -57,20 +57,20 @@ def _fields(kind, field, m, k, nu, r):
 
 
 def _all_fields(m, k, nu, r):
-    """Six columns of displacement, stress per modulus and strain."""
+    """Return six columns of displacement, stress / modulus and strain."""
     return mpmath.matrix(
         [_fields(kind, field, m, k, nu, r) for kind in (1, -1) for field in ("gradient", "curl", "pressure")]
     ).T
 
 
 def _solutions(m, k, nu, r):
-    """Six columns of displacement and of stress per modulus on the surface r = const."""
+    """Return six columns of displacement and of stress / modulus on the surface r = const."""
     fields = _all_fields(m, k, nu, r)
     return mpmath.matrix([[fields[row, column] for column in range(6)] for row in (0, 1, 2, 3, 6, 7)])
 
 
 def _amplitudes(hub, layers, m, k):
-    """Amplitudes of the six solutions of all layers under each of three stresses on the surface, (6 layers, 3)."""
+    """Return amplitudes of the six solutions of all layers under each of three surface stresses, (6 layers, 3)."""
     size = 6 * len(layers)
     matrix = mpmath.zeros(size)
     scales = []
@@ -80,12 +80,13 @@ def _amplitudes(hub, layers, m, k):
         inner = _solutions(m, k, mpmath.mpf(nu), radius)
         radius += mpmath.mpf(thickness)
         outer = _solutions(m, k, mpmath.mpf(nu), radius)
-        for column in range(6):  # of like size, which may be 1e-70 and 1e70
+        # columns of similar size, which may be 1e-70 and 1e70
+        for column in range(6):
             size_of = max(abs(value) for value in [*inner[:, column], *outer[:, column]])
             inner[:, column] /= size_of
             outer[:, column] /= size_of
             scales.append(size_of)
-        # What one layer passes on to the next; the hub takes displacements, and the surface gives stresses.
+        # Continuity between layers; the hub fixes displacements, and the surface has given stresses.
         for row in range(6):
             for column in range(6):
                 if j > 0 or row < 3:
@@ -105,12 +106,12 @@ def _amplitudes(hub, layers, m, k):
 
 
 def order_fields(hub, layers, m, k, places):
-    """Displacement, stress and strain inside per surface stress along r, phi and z, (3 or 6, 3) [m/Pa], [-], [1/Pa].
+    """Return inner displacement, stress and strain per surface stress, (3 or 6, 3) [m/Pa], [-], [1/Pa].
 
     Parameters
     ----------
     hub, layers, m, k
-        As of `surface_compliance`.
+        Same as in `surface_compliance`.
     places : list of (radius, layer)
         Radius [m], and number of the layer from the hub outwards.
     """
@@ -129,16 +130,16 @@ def order_fields(hub, layers, m, k, places):
 
 
 def surface_compliance(hub, layers, m, k):
-    """Displacement per stress [m/Pa] at the surface of layers on a rigid hub, along r, phi and z.
+    """Return the displacement per stress [m/Pa] at the surface of layers on a rigid hub, along r, phi and z.
 
     Parameters
     ----------
     hub : float
-        Radius [m].
+        Radius of the hub [m].
     layers : list of (thickness, modulus, nu)
-        From the hub outwards [m], [Pa]; moduli may be complex.
+        Layers from the hub outwards [m], [Pa]; moduli may be complex.
     m : int
-        Order around.
+        Order around the axis.
     k : float
         Wave number across [1/m], > 0.
     """

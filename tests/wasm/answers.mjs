@@ -1,6 +1,6 @@
-// Answers requests, a JSON array on the standard input, by the package in a folder: `node answers.mjs PACKAGE [WAY]`.
-// By its module; or as "script" by viscoroll.single.js, read as a page does that was opened as a file; or as "worker"
-// by viscoroll-worker.js, of which node must make a worker as browsers have it.
+// Answers requests, a JSON array on the standard input, with the package in a folder: `node answers.mjs PACKAGE [WAY]`.
+// WAY selects the default "module"; "script", which uses viscoroll.single.js like a page opened as a file; or "worker",
+// which uses viscoroll-worker.js in a worker that Node sets up like those of browsers.
 
 import fs from "node:fs";
 import path from "node:path";
@@ -31,7 +31,7 @@ function byWorker(folder) {
   return { solve: (request) => ask("solve", request), scalars: () => ask("scalars"), end: () => worker.terminate() };
 }
 
-/** In the worker: the scope that browsers have, and then the file of the package. */
+/** Worker: set up the scope of browsers, then load the file of the package. */
 async function beWorker(folder) {
   globalThis.postMessage = (answer) => parentPort.postMessage(answer);
   await import(pathToFileURL(path.join(folder, "viscoroll-worker.js")));

@@ -9,7 +9,7 @@
 namespace viscoroll::wasm {
 namespace {
 
-/// The compiler sees to it that none is left out.
+/// The compiler warns if an enumerator has no case.
 std::string_view name_of(Status status) {
   switch (status) {
     case Status::converged:
@@ -56,13 +56,13 @@ Json or_null(const Value& value) {
   return value;
 }
 
-/// Nodes of a result by row and column.
+/// Access to the nodes of a result by row and column.
 class Nodes {
  public:
   explicit Nodes(const Result& result)
       : rows_(static_cast<std::size_t>(result.phi_nodes)), columns_(static_cast<std::size_t>(result.theta_nodes)) {}
 
-  /// @return of each row its column in the middle plane
+  /// @return value of each row in the middle plane
   template <class Value>
   [[nodiscard]] Json middle(const Value& value) const {
     Json all = Json::array();
@@ -70,7 +70,7 @@ class Nodes {
     return all;
   }
 
-  /// @return all columns of the first row
+  /// @return values of all columns of the first row
   template <class Value>
   [[nodiscard]] Json across(const Value& value) const {
     Json all = Json::array();
@@ -78,7 +78,7 @@ class Nodes {
     return all;
   }
 
-  /// @return rows of columns
+  /// @return rows of all columns
   template <class Value>
   [[nodiscard]] Json all(const Value& value) const {
     Json rows = Json::array();
@@ -105,8 +105,8 @@ bool is_name(std::string_view text) {
   return !text.empty();
 }
 
-/// The name that a message begins with, "load must be > 0 N", maybe behind a place, "ball.layers[0]: thickness must
-/// ..."; a place is the name where none follows.
+/// Return the name that a message begins with: "load must be > 0 N". It may follow a place: "ball.layers[0]: thickness
+/// must ...". Without a name, return the place.
 std::string parameter_of(const std::string& message) {
   const std::size_t colon = message.find(": ");
   std::string place = colon != std::string::npos && is_name(message.substr(0, colon)) ? message.substr(0, colon) : "";

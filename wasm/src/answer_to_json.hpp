@@ -1,5 +1,5 @@
 /// @file
-/// @brief Answers as JSON: results with their fields, or what is wrong.
+/// @brief Results, fields and error messages as JSON.
 #pragma once
 
 #include <string>
@@ -9,20 +9,21 @@
 
 namespace viscoroll::wasm {
 
-/// @brief Scalars by their names, with those of the mesh, state and warnings; what is undetermined or infinite is null.
-/// @param[in] result of a solve
+/// @brief Scalar results by name, with mesh, state and warnings. Undetermined or infinite values are null.
+/// @param[in] result result of a solve
 [[nodiscard]] Json result_to_json(const Result& result);
 
-/// @brief Fields over the nodes, x forward, z sideways, and heights in the middle plane.
-/// @param[in] result of a solve
-/// @param[in] with_friction whether nodes stick and slip: 1 and 2, 0 out of contact; null without
+/// @brief Fields over the nodes (x forward, z sideways) and heights in the middle plane.
+/// @param[in] result result of a solve
+/// @param[in] with_friction whether to return the state of each node (0 out of contact, 1 stick, 2 slip); null without
+/// friction
 [[nodiscard]] Json fields_to_json(const Result& result, bool with_friction);
 
-/// @return the table of scalar results: name, unit, description
+/// @return table of scalar results: name, unit, description
 [[nodiscard]] Json scalars_to_json();
 
-/// @param[in] message of an error
-/// @return with the parameter that it begins with, by its place in the case, or null
+/// @param[in] message error message
+/// @return the message and the parameter that it begins with, as its place in the case, or null
 [[nodiscard]] Json error_to_json(const std::string& message);
 
 }  // namespace viscoroll::wasm

@@ -32,7 +32,7 @@ Layer layer_from_json(const Json& json, const std::string& place) {
               .poisson_ratio = table.maybe_number("poisson_ratio"),
               .bulk_modulus = table.maybe_number("bulk_modulus"),
               .density = table.maybe_number("density").value_or(Layer{}.density)};
-  // Of heat: case files have it, and nothing here asks for it.
+  // Case files may contain the conductivity for temperatures, which this module does not compute.
   (void)table.maybe_number("conductivity");
   table.close();
   at_place(place, [&] { validate(layer, ""); });

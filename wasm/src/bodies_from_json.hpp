@@ -1,5 +1,5 @@
 /// @file
-/// @brief What rolls, and what it rolls on, as case files have them.
+/// @brief Rolling body and counterbody from the tables of a case file.
 #pragma once
 
 #include "table.hpp"
@@ -7,15 +7,16 @@
 
 namespace viscoroll::wasm {
 
-/// @brief Two bodies.
+/// @brief Rolling body and counterbody.
 struct Pair {
   RollingBody body;
-  Counterpart on;  ///< the rigid plane unless the case says otherwise
+  Counterpart on;  ///< rigid plane by default
 };
 
 /// @brief Take the tables of the bodies from a case.
-/// @param[in,out] file all of a case
-/// @throws std::invalid_argument for unknown and missing keys, values out of range, and unless one body rolls
+/// @param[in,out] file all tables of a case
+/// @throws std::invalid_argument for unknown and missing keys, values out of range, and unless exactly one rolling body
+/// is given
 [[nodiscard]] Pair pair_from_json(Table& file);
 
 }  // namespace viscoroll::wasm

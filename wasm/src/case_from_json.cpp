@@ -88,7 +88,7 @@ Case case_from_json(const Json& json) {
   if (!rolling.is_null()) read.load_case = load_case_from_json(rolling, "rolling");
   if (const Json* numerics = file.take("numerics")) read.options = options_from_json(*numerics, "numerics");
   file.close();
-  read.options.threads = 1;  // a worker has no others
+  read.options.threads = 1;  // a web worker has only one
   return read;
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Cases as JSON: the tables and keys of a case file.
+/// @brief Cases from JSON with the tables and keys of a case file.
 #pragma once
 
 #include "bodies_from_json.hpp"
@@ -9,14 +9,14 @@
 
 namespace viscoroll::wasm {
 
-/// @brief All that `solve` takes.
+/// @brief Arguments of `solve`.
 struct Case {
   Pair pair;
   LoadCase load_case;
-  Options options;  ///< on one thread
+  Options options;  ///< with one thread
 };
 
-/// @param[in] json tables of a case file that need no other files: bodies, rolling, numerics
+/// @param[in] json tables of a case file that do not refer to other files: bodies, rolling, numerics
 /// @throws std::invalid_argument for unknown and missing keys and values out of range, with their places
 [[nodiscard]] Case case_from_json(const Json& json);
 

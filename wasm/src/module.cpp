@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the module of WebAssembly exports: functions of texts, which are JSON.
+/// @brief Functions exported by the WebAssembly module. Arguments and results are JSON texts.
 
 #include <exception>
 #include <new>
@@ -15,7 +15,7 @@
 namespace viscoroll::wasm {
 namespace {
 
-/// No case is nested as deeply as calls may be that go through it.
+/// Parse a request. Nesting is limited, because deep recursion would overflow the stack; no case is nested as deeply.
 Json parsed(const char* request) {
   constexpr int kDeepest = 100;
   return Json::parse(request, [](int depth, Json::parse_event_t, const Json&) {
@@ -51,7 +51,7 @@ Json answer_to(const char* request) {
   }
 }
 
-/// Kept until the next call, by which JavaScript has read it.
+/// Keep the text until the next call; JavaScript has read it by then.
 const char* kept(const Json& json) {
   static std::string text;
   text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -63,7 +63,7 @@ const char* kept(const Json& json) {
 
 extern "C" {
 
-/// @param[in] request {"case": tables of a case file, "fields": whether they are wanted}
+/// @param[in] request {"case": tables of a case file, "fields": whether to return fields}
 /// @return {"result": ...} or {"error": {"message", "parameter"}}
 const char* solve(const char* request) { return viscoroll::wasm::kept(viscoroll::wasm::answer_to(request)); }
 

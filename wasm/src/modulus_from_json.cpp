@@ -11,7 +11,8 @@ namespace {
 constexpr auto kExtrapolations =
     std::to_array<Name<Extrapolation>>({{"error", Extrapolation::error}, {"hold", Extrapolation::hold}});
 
-/// Parameters are taken first, and checked, where that is needed to make the modulus, when all keys are known.
+/// Deferred construction: parameters are taken first, and the modulus is made, with its own input checks, once all keys
+/// are known.
 using Made = std::function<ShearModulus()>;
 
 Made elastic(Table& table) {
@@ -52,7 +53,7 @@ Made master_curve(Table& table) {
                                                               MasterCurve{}.extrapolation)}] { return modulus; };
 }
 
-/// Those that the library has itself; others are made of them in Python.
+/// Types of the C++ library; Python makes the others from these.
 constexpr auto kTypes = std::to_array<Name<Made (*)(Table&)>>({
     {"elastic", elastic},
     {"standard_linear_solid", standard_linear_solid},

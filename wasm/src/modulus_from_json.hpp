@@ -1,5 +1,5 @@
 /// @file
-/// @brief Shear moduli as case files have them.
+/// @brief Shear moduli from the tables of a case file.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace viscoroll::wasm {
 
-/// @param[in] json a table with the key `type`, or a number, which is an elastic modulus [Pa]
-/// @param[in] place where it stands in the case
+/// @param[in] json table with the key `type`, or a number, which is an elastic modulus [Pa]
+/// @param[in] place place of the table in the case
 /// @throws std::invalid_argument for unknown and missing keys and values out of range
 [[nodiscard]] ShearModulus modulus_from_json(const Json& json, const std::string& place);
 

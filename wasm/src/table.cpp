@@ -13,7 +13,7 @@ const Json kNull;
   throw std::invalid_argument(place + ": input should be a valid " + wanted + ", got " + shown(got));
 }
 
-/// JSON has no numbers for these; they have the names that TOML gives them.
+/// JSON has no such numbers; their names are those of TOML.
 constexpr auto kNotFinite = std::to_array<Name<double>>({{"inf", std::numeric_limits<double>::infinity()},
                                                          {"-inf", -std::numeric_limits<double>::infinity()},
                                                          {"nan", std::numeric_limits<double>::quiet_NaN()}});

@@ -15,14 +15,15 @@
 
 namespace viscoroll::wasm {
 
-/// @brief Keys stay in their order.
+/// @brief JSON with keys in their original order.
 using Json = nlohmann::ordered_json;
 
-/// @return what a message shows of a value, cut where it is long
+/// @return text of a value for messages, truncated if it is long
 [[nodiscard]] std::string shown(const Json& value);
 
-/// @brief Names among which a text chooses, as messages list them: "rigid, hollow, solid".
-/// @param[in] named anything with a member `name`
+/// @brief List of allowed names for messages: "rigid, hollow, solid".
+/// @param[in] named range whose elements have a member `name`
+/// @param[in] between separator
 template <class Named>
 [[nodiscard]] std::string names_of(const Named& named, std::string_view between = ", ") {
   std::string all;
@@ -30,14 +31,14 @@ template <class Named>
   return all;
 }
 
-/// @brief A value of an enumeration, and how a case names it.
+/// @brief A value and its name in a case, such as an enumerator.
 template <class Value>
 struct Name {
   std::string_view name;
   Value value;
 };
 
-/// @brief Check a part of a case, whose messages then begin with its place: "ball.layers[0]: thickness must be ...".
+/// @brief Check a part of a case and prefix its error messages with the place: "ball.layers[0]: thickness must be ...".
 template <class Check>
 auto at_place(const std::string& place, const Check& check) {
   try {
@@ -47,29 +48,30 @@ auto at_place(const std::string& place, const Check& check) {
   }
 }
 
-/// @brief A JSON object of which each key must be taken before it is closed; null is as good as left out.
-/// What is missing is told when it is closed: unknown keys, which may be misspelled, come first.
+/// @brief JSON object whose keys must all be taken before it is closed; null counts as missing.
+/// Missing keys are reported when the table is closed, after unknown keys, which may be misspelled.
 class Table {
  public:
-  /// @param[in] content any JSON, which must outlive this
-  /// @param[in] place where it stands: "ball.layers[0]"; empty for all of the case
-  /// @throws std::invalid_argument unless it is an object
+  /// @param[in] content any JSON, which must outlive this object
+  /// @param[in] place place in the case: "ball.layers[0]"; empty for the whole case
+  /// @throws std::invalid_argument unless `content` is an object
   Table(const Json& content, std::string place);
 
-  /// @brief Take a key that may be left out.
-  /// @return its value, or a null pointer without
+  /// @brief Take an optional key.
+  /// @return its value, or a null pointer if it is missing
   [[nodiscard]] const Json* take(std::string_view key);
-  /// @brief Take a key that must be there.
-  /// @return its value, or null, which is told when the table is closed
+  /// @brief Take a required key.
+  /// @return its value, or null, which is reported when the table is closed
   [[nodiscard]] const Json& require(std::string_view key);
 
-  /// @throws std::invalid_argument of all of these where the value is of another type
+  /// @throws std::invalid_argument (all four functions) if the value has another type
   [[nodiscard]] double number(std::string_view key);
   [[nodiscard]] std::optional<double> maybe_number(std::string_view key);
   [[nodiscard]] std::optional<int> maybe_integer(std::string_view key);
   [[nodiscard]] std::vector<double> numbers(std::string_view key);
 
   /// @brief Take a key whose value is one of several names.
+  /// @return the value of this name, or `otherwise` if the key is missing
   template <class Value, std::size_t kCount>
   [[nodiscard]] Value one_of(std::string_view key, const std::array<Name<Value>, kCount>& names, Value otherwise) {
     const Json* given = take(key);
@@ -81,15 +83,15 @@ class Table {
                                 shown(*given));
   }
 
-  /// @brief Take the key `type`, with which messages then name the table.
-  /// @return it, or null
+  /// @brief Take the key `type`; messages then name the type of the table.
+  /// @return its value, or null
   [[nodiscard]] const Json& take_type();
 
-  /// @return where the value of a key stands
+  /// @return place of the value of a key
   [[nodiscard]] std::string place_of(std::string_view key) const;
   [[nodiscard]] const std::string& place() const { return place_; }
 
-  /// @throws std::invalid_argument for keys that were not taken, and for those that were missing
+  /// @throws std::invalid_argument for keys that were not taken and for missing keys
   void close() const;
 
  private:

@@ -1,11 +1,14 @@
 /// @file
-/// @brief How many cores there are to compute on.
+/// @brief Number of cores that are available to this process.
 #pragma once
 
 namespace viscoroll {
 
-/// @return cores that this process may use, which is what `threads = 0` asks for: those of its affinity mask, or fewer
-/// where the control groups of Linux grant less time. Found once: a process that is moved later keeps its answer.
+/// @brief Number of cores that this process may use; `threads = 0` starts this many threads.
+///
+/// The count is the size of the affinity mask, or less where the control groups of Linux grant less processor time. It
+/// is determined once; later changes of the mask or of the control group have no effect.
+/// @return number of cores, at least 1
 [[nodiscard]] int core_count();
 
 }  // namespace viscoroll

@@ -1,29 +1,29 @@
 /// @file
-/// @brief How a rolling body is driven.
+/// @brief Drive of a rolling body: a given force, torque or creepage.
 #pragma once
 
 #include <variant>
 
 namespace viscoroll {
 
-/// @brief A given horizontal force Q on the center, forward: 0 for a sphere that a torque alone drives.
+/// @brief A given horizontal force Q on the center. With a force of 0 a torque alone drives the body.
 struct DriveForce {
-  double force = 0.0;  ///< Q [N], |Q| < friction * load
+  double force = 0.0;  ///< Q, positive forward [N], |Q| < friction * load
 };
 
-/// @brief A given driving torque T: 0 for a sphere that is towed.
+/// @brief A given driving torque T. With a torque of 0 the body is towed.
 struct DriveTorque {
   double torque = 0.0;  ///< T [N m]
 };
 
-/// @brief A given speed.
+/// @brief A given speed of the center, as creepages, and a given spin.
 struct DriveCreepage {
-  double creepage = 0.0;          ///< V_s / (Omega r_o) - 1 [-], forward
-  double lateral_creepage = 0.0;  ///< sideways speed of the center, per Omega r_o [-]
-  double spin = 0.0;              ///< turning about the downward axis through the contact, per Omega r_o [1/m]
+  double creepage = 0.0;          ///< V_s / (Omega r_o) - 1 [-], positive forward
+  double lateral_creepage = 0.0;  ///< sideways speed of the center divided by Omega r_o [-]
+  double spin = 0.0;  ///< angular speed about the downward axis through the contact, divided by Omega r_o [1/m]
 };
 
-/// @brief What closes the system for the linear speed V_s.
+/// @brief Condition that determines the linear speed V_s.
 using Drive = std::variant<DriveForce, DriveTorque, DriveCreepage>;
 
 }  // namespace viscoroll

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Exceptions of the library. Bad input is `std::invalid_argument`, thrown by every public entry.
+/// @brief Exceptions of the library. Every public function throws `std::invalid_argument` for invalid input.
 #pragma once
 
 #include <stdexcept>
@@ -7,18 +7,18 @@
 
 namespace viscoroll {
 
-/// @brief An iteration ended without a usable answer.
+/// @brief An iteration ended without a usable result.
 class ConvergenceError : public std::runtime_error {
  public:
-  /// @param[in] message what was tried
-  /// @param[in] iterations,residual as below
+  /// @param[in] message what the solver tried
+  /// @param[in] iterations,residual see the members of the same name
   ConvergenceError(const std::string& message, int iterations, double residual)
       : std::runtime_error(message), iterations_(iterations), residual_(residual) {}
 
-  /// @return iterations spent before giving up
+  /// @return number of iterations before the solver stopped
   [[nodiscard]] int iterations() const noexcept { return iterations_; }
 
-  /// @return residual of the last iterate [-], relative to what the message says
+  /// @return residual of the last iterate [-]; the message names the quantity to which it is relative
   [[nodiscard]] double residual() const noexcept { return residual_; }
 
  private:
@@ -26,7 +26,7 @@ class ConvergenceError : public std::runtime_error {
   double residual_;
 };
 
-/// @brief The observer of a running solve asked it to stop.
+/// @brief The observer canceled a running computation.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("the solve was cancelled by its observer") {}

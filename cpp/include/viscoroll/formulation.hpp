@@ -1,27 +1,28 @@
 /// @file
-/// @brief Forms of the contact equations between which a user may choose.
+/// @brief Options that select a form of the contact equations.
 #pragma once
 
 namespace viscoroll {
 
-/// @brief The compliance in the contact condition (46). Their difference is of the order of the strain: a measure of
-/// what linear theory does not know.
+/// @brief Compliance in the contact condition (46).
+///
+/// The two choices differ by terms of the order of the strain. Their difference measures the error of linear theory.
 enum class Compliance {
-  radial,    ///< C_RR (the paper's section 12): pressure along the radius; the one nearer to finite strain,
+  radial,    ///< C_RR (section 12 of the paper): the pressure acts along the radius; closer to finite strain, see
              ///< docs/theory/normal-contact.md
-  vertical,  ///< C_WW, the vertical block of Q^T C_s Q: pressure on the normals of the undeformed sphere
+  vertical,  ///< C_WW, the vertical block of Q^T C_s Q: the pressure acts along the normals of the undeformed sphere
 };
 
-/// @brief Traction on the patch of a node under unit nodal force.
+/// @brief Distribution of the traction on the patch of a node under a unit nodal force.
 enum class PatchLoad {
   flat,       ///< uniform in (phi, theta), equation (53)
   spherical,  ///< proportional to 1/sin(theta), equation (38)
 };
 
-/// @brief How far material travels between neighboring nodes of an undeformed sphere that rolls over the plane.
+/// @brief Distance that undeformed material travels from a node to the next as the sphere rolls over the plane.
 enum class SlipKinematics {
-  exact,  ///< the integral of y = r_o sin(theta) sin(phi): away from the middle plane the radius is smaller
-  flat,   ///< r_o times the spacing everywhere, the last form of (55a), for comparison with the paper
+  exact,  ///< integral of y = r_o sin(theta) sin(phi): the radius decreases away from the middle plane
+  flat,   ///< r_o times the spacing at every node, the last form of (55a); for comparison with the paper
 };
 
 }  // namespace viscoroll

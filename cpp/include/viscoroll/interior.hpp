@@ -1,9 +1,10 @@
 /// @file
-/// @brief What happens inside layers under tractions that are known: displacement, strain, stress, and loss.
+/// @brief Displacement, strain, stress and dissipation inside the layers under given tractions.
 ///
-/// Components are those along r, phi and theta, of tensors rr, phiphi, thetatheta, rphi, rtheta and phitheta; stress is
-/// positive in tension. On every body r points out of it, phi is the way of its material through the contact, and theta
-/// the way of the axis that is theta of what rolls. See docs/theory/inside.md.
+/// Vectors have the components r, phi and theta; tensors have the components rr, phiphi, thetatheta, rphi, rtheta and
+/// phitheta. Stress is positive in tension. On every body, r is the outward normal, phi the direction in which its
+/// material crosses the contact, and theta the lateral direction that is theta of the rolling body. See
+/// docs/theory/inside.md.
 #pragma once
 
 #include <array>
@@ -28,129 +29,140 @@
 
 namespace viscoroll {
 
-/// @brief What has an inside. That of a wheel is a tread straight across and without sides; a roller under a wheel is
-/// one, too.
+/// @brief A body with layers. The fields of a wheel are those of a tread without crown and without side faces; a roller
+/// under a wheel is such a tread and is given as a wheel.
 using LayeredShape = std::variant<CoatedSphere, CoatedCylinder, CoatedPlane, CoatedWheel>;
 
-/// @brief A place along the normal. Three of the stresses and of the strains jump where layers meet: there both have
-/// it.
+/// @brief A position along the normal, in one of the layers.
+///
+/// Three stresses and three strains jump at the boundary of two layers. The layer selects the side of the boundary.
 struct Place {
-  double position = 0.0;  ///< r, or in a plane the height above its surface, <= 0 [m]; in the closed layer
-  int layer = 0;          ///< number of the layer, from the center or the base outwards
+  double position = 0.0;  ///< r [m], or in a plane the height above its surface, <= 0 [m]; within the closed layer
+  int layer = 0;          ///< index of the layer, from the center or the base outwards
 
   friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// @brief Components of the fields: displacement (3), stress (6) and strain (6).
+/// @brief Number of components of the fields: displacement (3), stress (6) and strain (6).
 inline constexpr std::size_t kFieldComponents = 15;
 
-/// @brief Places at positions: two where layers meet, the outer layer's first.
-/// @param[in] shape with layers
-/// @param[in] positions [m], each within the layers; radii > 0
-/// @throws std::invalid_argument for bad input
+/// @brief Find the layers at positions.
+/// @param[in] shape body with layers
+/// @param[in] positions radii or heights [m], each within the layers; radii > 0
+/// @return one place for each position, or two at the boundary of two layers, the one in the outer layer first
+/// @throws std::invalid_argument for invalid input
 [[nodiscard]] std::vector<Place> places_at(const LayeredShape& shape, std::span<const double> positions);
 
 /// @brief Fields of single orders (m, n) per unit surface stress: displacement [m/Pa], stress [-] and strain [1/Pa].
-/// @param[in] shape with layers
-/// @param[in] angular_speed Omega of what rolls [rad/s], > 0
-/// @param[in] m,n orders of any sign, as many of the one as of the other; in a plane not both 0; n = 0 in a cylinder;
-/// n of a wheel per its outer radius
-/// @param[in] places where
-/// @param[in] radius of what rolls, that makes wave numbers of a plane orders [m], > 0; the others have their own
-/// @param[in] curvature sphere or paper, of a sphere
+/// @param[in] shape body with layers
+/// @param[in] angular_speed Omega of the rolling body [rad/s], > 0
+/// @param[in] m,n orders, any sign, arrays of equal length; not both 0 in a plane; n = 0 in a cylinder; in a wheel n is
+/// the wave number across times the outer radius
+/// @param[in] places positions along the normal
+/// @param[in] radius radius of the rolling body [m], > 0; on a plane the orders are wave numbers times this radius;
+/// other shapes use their own radius
+/// @param[in] curvature `sphere` or `paper`, for a sphere
 /// @param[in] observer progress and cancellation
 /// @return row-major [order][place][component][surface stress along r, phi, theta]
-/// @throws std::invalid_argument for bad input
-/// @throws Cancelled where the observer stopped it
+/// @throws std::invalid_argument for invalid input
+/// @throws Cancelled if the observer canceled the computation
 [[nodiscard]] std::vector<std::complex<double>> order_fields(const LayeredShape& shape, double angular_speed,
                                                              std::span<const int> m, std::span<const int> n,
                                                              std::span<const Place> places, double radius,
                                                              Curvature curvature = Curvature::sphere,
                                                              const Observer& observer = {});
 
-/// @brief What one body does to the surface of the other, and in which model: a solved contact.
+/// @brief Tractions of a solved contact on the surface of one of the two bodies.
 struct Tractions {
-  Mesh mesh;            ///< on whose nodes they are
-  double radius = 0.0;  ///< at which its angles are arcs: that of what rolls [m]
-  /// Of columns, where a wheel has others than the mesh [rad].
+  Mesh mesh;            ///< mesh of the nodes
+  double radius = 0.0;  ///< radius at which the angles of the mesh are arcs, that of the rolling body [m]
+  /// Spacing of the columns of a wheel, which differs from that of the mesh [rad]; none for other bodies.
   std::optional<double> theta_spacing = std::nullopt;
-  /// Of a wheel that rolls [m], infinite where it is flat; none of others.
+  /// Crown radius of a rolling wheel [m], infinite for a flat one; none for other bodies.
   std::optional<double> crown_radius = std::nullopt;
-  bool line = false;                           ///< a single row of nodes in plane strain: forces are per length
-  int phi_nodes = 0;                           ///< rows of the window
-  int theta_nodes = 0;                         ///< columns of the window
-  std::vector<double> pressure;                ///< [Pa], [phi][theta]
-  std::vector<double> shear_traction;          ///< on what rolls along x and z [Pa], [2][phi][theta]
+  bool line = false;                           ///< line contact: one row of nodes in plane strain, forces per length
+  int phi_nodes = 0;                           ///< number of rows of the window, odd
+  int theta_nodes = 0;                         ///< number of columns of the window, odd
+  std::vector<double> pressure;                ///< contact pressure [Pa], [phi][theta]
+  std::vector<double> shear_traction;          ///< on the rolling body, along x and z [Pa], [2][phi][theta]
   bool friction = false;                       ///< whether there are shear tractions
-  Compliance compliance = Compliance::radial;  ///< along which normals the pressure acts
-  Curvature curvature = Curvature::sphere;     ///< sphere or paper
-  PatchLoad patch_load = PatchLoad::flat;      ///< how a patch is loaded
-  bool counterpart = false;                    ///< whether it is what the other rolls on that they are to act on
-  /// Of that, along the path and across, > 0 where it bulges [1/m].
+  Compliance compliance = Compliance::radial;  ///< normals along which the pressure acts
+  Curvature curvature = Curvature::sphere;     ///< `sphere` or `paper`
+  PatchLoad patch_load = PatchLoad::flat;      ///< distribution of the traction on a patch
+  bool counterpart = false;                    ///< whether the tractions act on the counterbody instead
+  /// Curvature of the counterbody along the path and across it, > 0 for a convex surface [1/m].
   std::array<double, 2> counterpart_curvature{};
 };
 
-/// @return the tractions of a solution, on what rolls
-/// @param[in] body that rolls
+/// @brief Tractions of a solution on the rolling body.
+/// @param[in] body rolling body
 /// @param[in] result solution
-/// @param[in] load_case,options of the solve
+/// @param[in] load_case,options same as in `solve`
+/// @return the tractions
 [[nodiscard]] Tractions tractions_of(const RollingBody& body, const Result& result, const LoadCase& load_case,
                                      const Options& options = {});
 
 /// @brief Fields on surfaces r = const.
 struct InteriorFields {
-  std::vector<Place> places;  ///< surfaces, in the order asked for
-  std::vector<double> phi;    ///< [rad] of the body, in a plane of what rolls
-  std::vector<double> theta;  ///< likewise
+  std::vector<Place> places;  ///< surfaces, in the order of the argument
+  std::vector<double> phi;    ///< angle on the body, or for a plane on the rolling body [rad]
+  std::vector<double> theta;  ///< angle on the body, or for a plane on the rolling body [rad]
   /// Displacement [m], stress [Pa] and strain [-], row-major [place][component][phi][theta].
   std::vector<double> values;
 };
 
-/// @brief Fields inside the layers, by the sum over orders of what the tractions make there. Above a quarter of a
-/// spacing below the surface they are those of the patches, not of a smooth pressure. The displacement of a half-plane
-/// under a line is that of waves up to 1e9 contacts long, which a constant differs from.
-/// @param[in] shape with layers
-/// @param[in] angular_speed Omega of what rolls [rad/s], > 0
-/// @param[in] tractions on it
-/// @param[in] places where along r
-/// @param[in] phi,theta where along the surface [rad], within half a revolution of the lowest point, pi/2; phi in a
-/// plane within a third of one; theta within a whole one where it is straight across, and pi/2 under a line
-/// @param[in] max_order at which the sum ends, smoothly, > 0, where a place sees higher ones
+/// @brief Fields inside the layers under given tractions, by the sum over orders.
+///
+/// At depths below a quarter of a spacing the fields contain the pressure steps from patch to patch. In line contact
+/// the displacement of a half-plane is defined up to a constant; the sum contains waves up to 1e9 times as long as the
+/// contact.
+/// @param[in] shape body with layers
+/// @param[in] angular_speed Omega of the rolling body [rad/s], > 0
+/// @param[in] tractions tractions on the body
+/// @param[in] places positions along the normal
+/// @param[in] phi,theta positions along the surface [rad], within half a revolution of the lowest point at pi/2; phi of
+/// a plane within a third of a revolution; theta of a plane or wheel within a whole revolution; theta = pi/2 in line
+/// contact
+/// @param[in] max_order order at which the sum ends smoothly, > 0; it has no effect at depths that higher orders do not
+/// reach
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] observer progress and cancellation
-/// @throws std::invalid_argument for bad input
-/// @throws Cancelled where the observer stopped it
+/// @return the fields on all surfaces
+/// @throws std::invalid_argument for invalid input
+/// @throws Cancelled if the observer canceled the computation
 [[nodiscard]] InteriorFields interior_fields(const LayeredShape& shape, double angular_speed,
                                              const Tractions& tractions, std::span<const Place> places,
                                              std::span<const double> phi, std::span<const double> theta,
                                              std::optional<double> max_order = std::nullopt, int threads = 0,
                                              const Observer& observer = {});
 
-/// @brief Energy lost inside the layers, of the orders |m|, |n| <= max_order, of what rolls. Powers are per length
-/// under a line.
+/// @brief Energy dissipated inside the layers by the orders |m|, |n| <= max_order of the rolling body. In line contact
+/// powers are per unit length.
 struct LossDensity {
-  std::vector<Place> places;    ///< asked for, or those of the volume integral
-  std::vector<double> weights;  ///< dr of each place in the volume integral [m]; 0 where it was asked for
-  /// At equal spacings [rad], once around from -pi/2, where it is straight across maybe several times; pi/2 under a
-  /// line.
+  std::vector<Place> places;    ///< the requested places; without any, those of the volume integral
+  std::vector<double> weights;  ///< weight dr of each place in the volume integral [m]; 0 for requested places
+  /// Equally spaced angles from -pi/2 [rad], over one revolution, on planes and wheels possibly over several; pi/2 in
+  /// line contact.
   std::vector<double> theta;
-  std::vector<double> density;      ///< w(r, theta), per volume and passage of the contact [J/m^3], [place][theta]
-  std::vector<double> orders;       ///< m of the body, ascending: whole numbers, but in a plane
-  std::vector<double> order_power;  ///< lost in each layer by each order, in a plane by those around it [W], [layer][m]
+  std::vector<double> density;      ///< w(r, theta) per volume and pass of the contact [J/m^3], [place][theta]
+  std::vector<double> orders;       ///< orders m of the body, ascending; whole numbers, except in a plane
+  std::vector<double> order_power;  ///< power dissipated in each layer by each order, in a plane by the orders around
+                                    ///< it [W], [layer][m]
   double volume_power = 0.0;        ///< Omega of the body times the volume integral of w, without sin(theta) [W]
-  double surface_power = 0.0;       ///< put in by the tractions at the surface, of the same orders [W]
+  double surface_power = 0.0;       ///< power of the tractions at the surface, from the same orders [W]
 };
 
-/// @brief Energy lost per volume and passage of the contact: per revolution of what turns.
-/// @param[in] shape with layers
-/// @param[in] angular_speed Omega of what rolls [rad/s], > 0
-/// @param[in] tractions on it
-/// @param[in] places where w is wanted besides those of the volume integral, which are all where this is empty
-/// @param[in] max_order orders that are summed, in [1, 20000]
+/// @brief Energy dissipated per volume and pass of the contact, which is one revolution of a ball, roller or wheel.
+/// @param[in] shape body with layers
+/// @param[in] angular_speed Omega of the rolling body [rad/s], > 0
+/// @param[in] tractions tractions on the body
+/// @param[in] places places at which w is returned; empty: the places of the volume integral
+/// @param[in] max_order highest order of the sum, in [1, 20000]
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] observer progress and cancellation
-/// @throws std::invalid_argument for bad input
-/// @throws Cancelled where the observer stopped it
+/// @return density and powers
+/// @throws std::invalid_argument for invalid input
+/// @throws Cancelled if the observer canceled the computation
 [[nodiscard]] LossDensity loss_density(const LayeredShape& shape, double angular_speed, const Tractions& tractions,
                                        std::span<const Place> places, int max_order, int threads = 0,
                                        const Observer& observer = {});

@@ -1,29 +1,31 @@
 /// @file
-/// @brief The surface mesh.
+/// @brief Surface mesh.
 #pragma once
 
 #include <optional>
 
 namespace viscoroll {
 
-/// @brief Most nodes per revolution of a mesh: with more, a spacing's height is lost in the radius' round-off.
+/// @brief Largest number of nodes per revolution. On finer meshes the height difference over a spacing is lost in the
+/// round-off of the radius.
 inline constexpr int kMostNodesPerRevolution = 1000000;
 
 /// @brief Surface mesh: nodes at equal spacings in phi and theta, one of them at the lowest point.
 struct Mesh {
   int nodes_per_revolution = 0;  ///< 2 pi / spacing along phi, >= 16
-  /// N_t: the orders |m|, |n| <= N_t are summed, as in the paper, >= half of the nodes. None: the sum over all orders.
+  /// Truncation order N_t: the sum contains the orders |m|, |n| <= N_t, as in the paper; at least half of the nodes per
+  /// revolution. None: the sum over all orders.
   std::optional<int> max_order;
-  std::optional<int> theta_nodes_per_revolution;  ///< 2 pi / spacing along theta; none: as along phi
+  std::optional<int> theta_nodes_per_revolution;  ///< 2 pi / spacing along theta; none: the same as along phi
 
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };
 
 /// @return 2 pi / spacing along theta
 [[nodiscard]] int theta_nodes_per_revolution(const Mesh& mesh);
-/// @return angle between neighbors along phi [rad]
+/// @return angle between neighboring nodes along phi [rad]
 [[nodiscard]] double phi_spacing(const Mesh& mesh);
-/// @return angle between neighbors along theta [rad]
+/// @return angle between neighboring nodes along theta [rad]
 [[nodiscard]] double theta_spacing(const Mesh& mesh);
 
 /// @brief Check a mesh.

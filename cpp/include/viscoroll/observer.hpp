@@ -1,5 +1,5 @@
 /// @file
-/// @brief How a caller watches a long computation and stops it.
+/// @brief Progress reports and cancellation of a long computation.
 #pragma once
 
 #include <functional>
@@ -7,16 +7,16 @@
 
 namespace viscoroll {
 
-/// @brief A report from a running computation.
+/// @brief Progress of a running computation.
 struct Progress {
-  std::string_view stage;  ///< what is being done, in words
-  double fraction = 0.0;   ///< share of this stage that is done, in [0, 1]
+  std::string_view stage;  ///< description of the current stage
+  double fraction = 0.0;   ///< completed fraction of this stage, in [0, 1]
 };
 
-/// @brief Callbacks of a long computation. Both run on the thread that called the library, about every 20 ms.
+/// @brief Callbacks of a long computation. Both are called on the thread that called the library, about every 20 ms.
 struct Observer {
-  std::function<bool()> cancelled;                ///< true stops the computation with `Cancelled`
-  std::function<void(const Progress&)> progress;  ///< sees how far it is
+  std::function<bool()> cancelled;                ///< return true to stop the computation with `Cancelled`
+  std::function<void(const Progress&)> progress;  ///< receives the progress
 };
 
 }  // namespace viscoroll

@@ -1,5 +1,5 @@
 /// @file
-/// @brief How to solve.
+/// @brief Options of the solver.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,16 @@
 
 namespace viscoroll {
 
-/// @brief How to solve.
+/// @brief Options of the solver.
 struct Options {
-  std::optional<Mesh> mesh;                                ///< none: chosen and refined until `accuracy` is reached
-  double accuracy = 0.01;                                  ///< wanted relative error without a mesh [-], in [1e-4, 0.5]
-  Compliance compliance = Compliance::radial;              ///< compliance in the contact condition
-  Curvature curvature = Curvature::sphere;                 ///< what is kept of it in the equations of the layers
-  PatchLoad patch_load = PatchLoad::flat;                  ///< traction on a node's patch
-  SlipKinematics slip_kinematics = SlipKinematics::exact;  ///< with friction
-  int max_iterations = 2000;                               ///< linear systems on a mesh, >= 1
-  int threads = 0;                                         ///< 0 for all cores
+  std::optional<Mesh> mesh;                    ///< none: the solver refines a mesh until `accuracy` is reached
+  double accuracy = 0.01;                      ///< required relative error if no mesh is given [-], in [1e-4, 0.5]
+  Compliance compliance = Compliance::radial;  ///< compliance in the contact condition
+  Curvature curvature = Curvature::sphere;     ///< curvature terms in the layer equations of a sphere
+  PatchLoad patch_load = PatchLoad::flat;      ///< traction on the patch of a node
+  SlipKinematics slip_kinematics = SlipKinematics::exact;  ///< kinematics of slip, with friction
+  int max_iterations = 2000;                               ///< largest number of linear systems on a mesh, >= 1
+  int threads = 0;                                         ///< number of threads, 0 for all cores
   Observer observer;                                       ///< progress and cancellation
 };
 

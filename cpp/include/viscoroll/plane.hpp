@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a body rolls on: an unbounded plane covered by bonded viscoelastic layers.
+/// @brief Planes and grooves as counterbodies.
 #pragma once
 
 #include <optional>
@@ -10,42 +10,46 @@
 
 namespace viscoroll {
 
-/// @brief Material without end below a plane.
-/// Exactly one of `poisson_ratio` and `bulk_modulus` is given.
+/// @brief A homogeneous half-space. Exactly one of `poisson_ratio` and `bulk_modulus` is given.
 struct HalfSpace {
   ShearModulus shear_modulus;           ///< mu*(w) [Pa]
   std::optional<double> poisson_ratio;  ///< [-], real and constant, in (-1, 0.5]; 0.5 is incompressible
   std::optional<double> bulk_modulus;   ///< [Pa], > 0, real and constant
-  double density = 0.0;                 ///< [kg/m^3], >= 0; 0 leaves inertia out
+  double density = 0.0;                 ///< [kg/m^3], >= 0; with 0 there is no inertia
 };
 
-/// @brief Layers bonded to one another and to what carries them. Without layers and without a base it is rigid.
+/// @brief An unbounded plane: layers that are bonded to one another and to a base. Without layers and without a base
+/// the plane is rigid.
 struct CoatedPlane {
   std::vector<Layer> layers;      ///< from the base outwards
-  std::optional<HalfSpace> base;  ///< none: rigid
+  std::optional<HalfSpace> base;  ///< none: a rigid base
 };
 
-/// @brief What a ball rolls in or along, and a roller along: with radii of curvature, > 0 where it is hollow, < 0 where
-/// it bulges. Its layers and its base are taken to be flat, as good as they are thin beside the radii.
+/// @brief A groove, dish, race or drum: a surface that is curved across the path, along it, or both.
+///
+/// Radii of curvature are positive for a concave and negative for a convex surface. A positive radius is at least 1.02
+/// times that of the rolling body in the same direction. The layers and the base are treated as flat; the error is of
+/// the order of their thickness divided by the radii.
 struct Groove {
-  std::optional<double> radius;       ///< across the path [m], larger than the ball's where > 0; none: straight
-  std::optional<double> path_radius;  ///< along the path, in its plane [m], likewise: a dish, or the race of a bearing
-  CoatedPlane surface;                ///< rigid without layers and base
+  std::optional<double> radius;       ///< across the path [m]; none: straight, as under rollers
+  std::optional<double> path_radius;  ///< along the path, in its plane [m], for a dish or the race of a bearing; none:
+                                      ///< straight
+  CoatedPlane surface;                ///< layers and base; rigid without both
 };
 
-/// @return thickness of all layers together [m]
+/// @return total thickness of all layers [m]
 [[nodiscard]] double coating_thickness(const CoatedPlane& plane);
 
-/// @return whether nothing of the plane deforms
+/// @return whether the plane is rigid
 [[nodiscard]] bool is_rigid(const CoatedPlane& plane);
-/// @return whether nothing of the groove deforms
+/// @return whether the groove is rigid
 [[nodiscard]] bool is_rigid(const Groove& groove);
 
 /// @brief Check a plane, its layers and its base.
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const CoatedPlane& plane);
 
-/// @brief Check a groove; whether a ball fits is checked with the ball.
+/// @brief Check a groove. Whether a body fits into it is checked together with the body.
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const Groove& groove);
 

@@ -1,9 +1,10 @@
 /// @file
-/// @brief What a solve returns.
+/// @brief Results of the solver.
 ///
-/// Frame: y points down, x forward (the sense of rolling), phi from x towards y, theta from z; the lowest point is
-/// phi = theta = pi/2. Material crosses the contact towards growing phi, so the leading edge has x > 0. Contact
-/// tractions on the coating point up (F_W < 0); the pressure -F_W per area is positive outwards to the user.
+/// Frame: x points forward (the sense of rolling), y down and z sideways. phi runs from x towards y, theta is measured
+/// from z; the lowest point is phi = theta = pi/2. Material crosses the contact towards growing phi, so the leading
+/// edge has x > 0. The contact forces act upwards on the rolling body (F_W < 0); the pressure, -F_W per area, is
+/// positive.
 #pragma once
 
 #include <optional>
@@ -14,83 +15,85 @@
 
 namespace viscoroll {
 
-/// @brief How a solve ended.
+/// @brief State in which a solve ended.
 enum class Status {
-  converged,             ///< every condition holds, and the wanted accuracy where one was asked for
-  max_iterations,        ///< the active set still changed when the iterations ran out
-  accuracy_not_reached,  ///< solved on the finest mesh allowed, with an error estimate above the wanted accuracy
+  converged,             ///< all conditions are satisfied and, without a given mesh, the required accuracy is reached
+  max_iterations,        ///< the active set still changed after the largest number of iterations
+  accuracy_not_reached,  ///< solved on the finest mesh allowed, with an error estimate above the required accuracy
 };
 
-/// @brief What a user should know before relying on a result.
+/// @brief Kinds of warnings about a result.
 enum class WarningKind {
-  max_iterations,        ///< the active set still changed when the iterations ran out
-  accuracy_not_reached,  ///< the error estimate stays above the accuracy that was asked for
-  coarse_mesh,           ///< fewer than ten nodes across the contact on a given mesh
-  power_balance,         ///< open by more than a twentieth on a given mesh that is not coarse
-  pressure_peak,         ///< the largest pressure is less certain than asked for, or on a given mesh than a tenth
-  large_strain,          ///< beyond what linear theory is good for
-  contact_at_side,       ///< of a crowned wheel; with endless sides also where it ends nearer to them than the tread is
-                         ///< thick
-  edge_pressure,         ///< grows without bounds: of a flat tread with endless sides, or a flat wheel on what deforms
-  tight_crown,           ///< rounder than the tread is thick
+  max_iterations,        ///< the active set still changed after the largest number of iterations
+  accuracy_not_reached,  ///< the error estimate exceeds the required accuracy
+  coarse_mesh,           ///< fewer than ten nodes across the contact, on a given mesh
+  power_balance,         ///< the power balance has an error above 5 %, on a given mesh that is not coarse
+  pressure_peak,         ///< the relative error of the largest pressure exceeds `accuracy`, or 10 % on a given mesh
+  large_strain,          ///< the strain is beyond the range of linear theory
+  contact_at_side,  ///< the contact reaches the faces of a crowned wheel, or with endless sides ends closer to them
+                    ///< than the thickness of the tread
+  edge_pressure,    ///< the pressure is unbounded at the edges of a flat tread with endless sides, or of a flat
+                    ///< wheel on a deformable counterbody
+  tight_crown,      ///< the crown radius is smaller than the thickness of the tread
 };
 
-/// @brief A warning and its text for people.
+/// @brief A warning about a result.
 struct Warning {
-  WarningKind kind;     ///< which
-  std::string message;  ///< with the numbers that gave rise to it
+  WarningKind kind;     ///< kind of the warning
+  std::string message;  ///< text with the numbers that caused the warning
 };
 
-/// @brief One mesh of a solve that chooses its own.
+/// @brief Results on one mesh of a solve that refines its mesh.
 struct Refinement {
   Mesh mesh;                          ///< the mesh
   int contact_nodes = 0;              ///< nodes in contact
   double resisting_torque = 0.0;      ///< [N m]
-  std::optional<double> penetration;  ///< [m], none where it is undetermined
+  std::optional<double> penetration;  ///< [m]; none if it is undetermined
   double power_balance_error = 0.0;   ///< [-]
-  double error_estimate = 0.0;        ///< largest of power balance and changes from the mesh before [-]
+  double error_estimate = 0.0;        ///< largest of the power-balance error and the changes from the previous mesh [-]
 };
 
-/// @brief The scalar results, in SI units, each a member of the name that `result_scalars.def` gives it.
+/// @brief Scalar results in SI units. The members have the names in `result_scalars.def`.
 struct ResultScalars {
 #define VISCOROLL_SCALAR(type, name, unit, label, details) type name{};
 #include "viscoroll/result_scalars.def"
 #undef VISCOROLL_SCALAR
 };
 
-/// @brief Solution on the candidate window. Fields are row-major [phi][theta].
+/// @brief Solution on the window of candidate nodes. Fields are row-major [phi][theta].
 struct Result : ResultScalars {
-  Status status = Status::converged;  ///< how the solve ended
+  Status status = Status::converged;  ///< state in which the solve ended
 
-  Mesh mesh;                           ///< the mesh of this solution
-  int phi_nodes = 0;                   ///< rows of the fields
-  int theta_nodes = 0;                 ///< columns of the fields
-  std::vector<double> x;               ///< forward coordinate of the undeformed nodes [m]
-  std::vector<double> z;               ///< lateral coordinate of the undeformed nodes [m]
-  std::vector<double> pressure;        ///< contact pressure, positive [Pa]
-  std::vector<double> displacement;    ///< vertical displacement of the surface, positive upwards [m]; where the
-                                       ///< penetration is undetermined counted from that of the lowest point
-  std::vector<double> gap;             ///< height of the surface above the plane [m]
-  std::vector<unsigned char> contact;  ///< 1 where the node is in contact
-  std::vector<unsigned char> stick;    ///< 1 where it sticks
-  std::vector<unsigned char> slip;     ///< 1 where it is in contact and slips
-  std::vector<double> shear_traction;  ///< on the coating, along x and z [Pa], [2][phi][theta]
-  std::vector<double> slip_velocity;   ///< of the coating over the plane, along x and z, in contact [m/s], likewise
+  Mesh mesh;                         ///< mesh of this solution
+  int phi_nodes = 0;                 ///< rows of the fields
+  int theta_nodes = 0;               ///< columns of the fields
+  std::vector<double> x;             ///< forward coordinate of the undeformed nodes [m]
+  std::vector<double> z;             ///< lateral coordinate of the undeformed nodes [m]
+  std::vector<double> pressure;      ///< contact pressure, positive [Pa]
+  std::vector<double> displacement;  ///< vertical displacement of the surface, positive upwards [m]; if the penetration
+                                     ///< is undetermined, relative to the displacement of the lowest point
+  std::vector<double> gap;           ///< distance of the surface from the counterbody [m]
+  std::vector<unsigned char> contact;  ///< 1 if the node is in contact, else 0
+  std::vector<unsigned char> stick;    ///< 1 if the node sticks, else 0
+  std::vector<unsigned char> slip;     ///< 1 if the node is in contact and slips, else 0
+  std::vector<double> shear_traction;  ///< traction on the rolling body along x and z [Pa], [2][phi][theta]
+  std::vector<double> slip_velocity;   ///< velocity of the rolling body's surface relative to the counterbody along x
+                                       ///< and z, at nodes in contact [m/s], [2][phi][theta]
 
-  std::vector<Refinement> refinements;  ///< the meshes tried, coarse to fine; one entry with a mesh given
-  std::vector<Warning> warnings;        ///< what to know before relying on this
+  std::vector<Refinement> refinements;  ///< one entry for each mesh, coarse to fine; a single one on a given mesh
+  std::vector<Warning> warnings;        ///< warnings about this result
 };
 
-/// @brief Who touches, sticks and slips on a window, and under what: of a result, to be kept in others.
+/// @brief Frozen contact of a result, for `solve_kept`: nodes in contact and sticking, and their tractions.
 struct KeptContact {
-  int phi_nodes = 0;                   ///< rows of the fields, odd: the middle one is the lowest
-  int theta_nodes = 0;                 ///< columns, likewise
-  std::vector<unsigned char> contact;  ///< 1 where the node is in contact, [phi][theta]
-  std::vector<unsigned char> stick;    ///< 1 where it sticks
-  std::vector<double> pressure;        ///< [Pa]
-  std::vector<double> shear_traction;  ///< [Pa], [2][phi][theta]
-  double penetration = 0.0;            ///< [m], 0 where it is undetermined
-  double creepage = 0.0;               ///< [-], 0 where it is undetermined
+  int phi_nodes = 0;                   ///< rows of the fields, odd; the middle one is at the lowest point
+  int theta_nodes = 0;                 ///< columns of the fields, odd; the middle one is at the lowest point
+  std::vector<unsigned char> contact;  ///< 1 if the node is in contact, else 0, [phi][theta]
+  std::vector<unsigned char> stick;    ///< 1 if the node sticks, else 0, [phi][theta]
+  std::vector<double> pressure;        ///< [Pa], [phi][theta]
+  std::vector<double> shear_traction;  ///< along x and z [Pa], [2][phi][theta]
+  double penetration = 0.0;            ///< [m]; 0 if it is undetermined
+  double creepage = 0.0;               ///< [-]; 0 if it is undetermined
 };
 
 }  // namespace viscoroll

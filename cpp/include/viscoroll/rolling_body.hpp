@@ -1,5 +1,5 @@
 /// @file
-/// @brief What rolls, and what it rolls on.
+/// @brief The rolling body and the counterbody.
 #pragma once
 
 #include <variant>
@@ -11,12 +11,15 @@
 
 namespace viscoroll {
 
-/// @brief What rolls: a sphere, a wheel, or a roller in line contact, whose loads, forces, torques and powers are per
-/// length.
+/// @brief The rolling body: a ball, a wheel, or a roller. A roller is in line contact; its loads, forces, torques and
+/// powers are per unit length.
 using RollingBody = std::variant<CoatedSphere, CoatedCylinder, CoatedWheel>;
 
-/// @brief What it rolls on: a plane, which is rigid without layers and base; a groove, or a rail; or another one of its
-/// kind, a wheel's also a roller, on an axis of its own, that turns the other way with the same surface speed.
+/// @brief The counterbody.
+///
+/// Every body can roll on a plane, a groove, or a body of its own kind; a wheel can also roll on a roller. A plane or
+/// groove without layers and base is rigid. A ball, roller or wheel as counterbody turns about an axis of its own in
+/// the opposite sense, with the same surface speed.
 using Counterpart = std::variant<CoatedPlane, CoatedCylinder, Groove, CoatedSphere, CoatedWheel>;
 
 }  // namespace viscoroll

@@ -1,8 +1,9 @@
 /// @file
-/// @brief Transient rolling of a body on a counterpart: start, stop, stand, reverse.
+/// @brief Transient rolling of a body on a counterbody: it starts, stops, stands, reverses, or changes its load.
 ///
-/// Frame as in result.hpp: an angle that grows rolls forward, and without friction the contact goes r_o times the angle
-/// along the track. Inertia is left out. In line contact loads, forces, torques and energies are per length.
+/// The frame is that of result.hpp: the body rolls forward while its angle increases, and without friction the contact
+/// moves r_o times the angle along the track. Inertia of the layers is neglected. In line contact loads, forces,
+/// torques and energies are per unit length.
 #pragma once
 
 #include <cstdint>
@@ -17,35 +18,36 @@
 
 namespace viscoroll {
 
-/// @brief What the layers have gone through before the first instant. It decides the first turn.
+/// @brief Load history before the first instant. It affects the first revolution.
 enum class Start {
-  relaxed,  ///< it has borne the load for ever
-  fresh,    ///< it is pressed on in no time
+  relaxed,  ///< the load has acted for an infinite time
+  fresh,    ///< the load is applied instantaneously at the first instant
 };
 
-/// @brief How a history is computed.
+/// @brief Options of a transient computation.
 struct HistoryOptions {
-  std::optional<Mesh> mesh;                    ///< none: 16 nodes across the contact at rest, of a roller 48
+  /// Surface mesh; none: 16 nodes across the contact at rest, or 48 in line contact.
+  std::optional<Mesh> mesh;
   Compliance compliance = Compliance::radial;  ///< compliance in the contact condition
-  Curvature curvature = Curvature::sphere;     ///< sphere or paper
+  Curvature curvature = Curvature::sphere;     ///< `sphere` or `paper`
   double friction = 0.0;                       ///< Coulomb's coefficient between the two bodies [-], in [0, 4]
-  /// Force on the center, forward [N]; below friction * load in magnitude where the center has no mass.
+  /// Force on the center, positive forward [N]; |driving_force| < friction * load if the center has no mass.
   double driving_force = 0.0;
-  /// Moment about the center in place of a force on it, with friction [N m]; 0: towed.
+  /// Given moment about the center in place of a force on it, with friction [N m]; 0: the body is towed.
   std::optional<double> driving_torque = std::nullopt;
-  double mass = 0.0;          ///< of what moves with the center, with friction [kg], >= 0
-  double center_speed = 0.0;  ///< of the center with its mass at the first instant, forward [m/s]
-  int lattices = 4;           ///< shifted lattices that are averaged, 1 to 16
-  /// Steps while the coating turns by a spacing, 1 to 64; none: one step from each knot to the next.
+  double mass = 0.0;          ///< mass that moves with the center, with friction [kg], >= 0
+  double center_speed = 0.0;  ///< initial speed of a center with mass, positive forward [m/s]
+  int lattices = 4;           ///< number of phase-shifted meshes over which results are averaged, 1 to 16
+  /// Time steps per turn by one spacing, 1 to 64; none: one step from each waypoint to the next.
   std::optional<int> steps_per_spacing = 4;
-  double shortest_time = 1e-4;       ///< of what a modulus with a continuous spectrum is resolved for [s], > 0
-  double longest_time = 1e4;         ///< likewise [s]
-  double spectrum_tolerance = 0.01;  ///< largest relative error of the compliance by discrete times [-], in (0, 1)
-  int threads = 0;                   ///< 0 for all cores
+  double shortest_time = 1e-4;       ///< shortest time to which continuous spectra are resolved [s], > 0
+  double longest_time = 1e4;         ///< longest time to which continuous spectra are resolved [s], > shortest_time
+  double spectrum_tolerance = 0.01;  ///< largest relative error of a compliance with discrete times [-], in (0, 1)
+  int threads = 0;                   ///< number of threads, 0 for all cores
 };
 
-/// @brief The scalars of a history at an instant, in SI units, each a member of the name that `history_scalars.def`
-/// gives it. Energies are counted from the first instant.
+/// @brief Scalars of a history at an instant, in SI units. The members have the names in `history_scalars.def`. Work
+/// and dissipated energies are counted from the first instant.
 struct RollingInstant {
 #define VISCOROLL_HISTORY_SCALAR(name, unit, label, details) double name = 0.0;  ///< label [unit]. details
 #define VISCOROLL_HISTORY_SUMMARY VISCOROLL_HISTORY_SCALAR
@@ -54,22 +56,23 @@ struct RollingInstant {
 #undef VISCOROLL_HISTORY_SCALAR
 };
 
-/// @brief Fields of the contact of one lattice at an instant, row-major [phi][theta].
+/// @brief Contact pressure on one of the phase-shifted meshes at an instant, row-major [phi][theta].
 struct ContactField {
-  double time = 0.0;             ///< [s]
-  int phi_nodes = 0;             ///< rows
-  int theta_nodes = 0;           ///< columns
+  double time = 0.0;             ///< time of the instant [s]
+  int phi_nodes = 0;             ///< number of rows
+  int theta_nodes = 0;           ///< number of columns
   std::vector<double> x;         ///< forward coordinate of the undeformed nodes [m]
-  std::vector<double> z;         ///< lateral coordinate [m]
-  std::vector<double> pressure;  ///< [Pa]
+  std::vector<double> z;         ///< lateral coordinate of the undeformed nodes [m]
+  std::vector<double> pressure;  ///< contact pressure [Pa]
 };
 
-/// @brief A motion between knots, linear in time. Two knots at one time are a jump.
+/// @brief A prescribed motion: waypoints with linear interpolation in time. Two waypoints at one time are a jump.
 struct Motion {
-  std::vector<double> time;   ///< [s], at least one, not decreasing
-  std::vector<double> angle;  ///< psi [rad], as many
-  std::vector<double> load;   ///< P [N], as many, >= 0; at 0 the body has lifted off
-  /// Of the center since the first instant [m], as many, with friction; none: forces move the center.
+  std::vector<double> time;   ///< times of the waypoints [s], at least one, not decreasing
+  std::vector<double> angle;  ///< angle psi at each waypoint [rad]
+  std::vector<double> load;   ///< load P at each waypoint [N], >= 0; at 0 the body has lifted off
+  /// Distance traveled by the center at each waypoint since the first one [m], with friction; empty: the forces on the
+  /// center determine it.
   std::vector<double> center_way = {};
 };
 
@@ -77,35 +80,37 @@ struct Motion {
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const Motion& motion);
 
-/// @brief Everything that a history remembers, as numbers to be stored.
+/// @brief Complete state of a history, as numbers that can be stored.
 struct RollingState {
-  std::vector<double> numbers;  ///< in an order of the library's own
+  std::vector<double> numbers;  ///< in an internal order of the library
 };
 
-/// @brief A body on its way: state in, state out. Copies are independent of each other and share tables, so
-/// that a step can be tried and taken back.
+/// @brief A rolling body whose motion advances step by step.
+///
+/// Copies are independent of one another and share their tables, so that a step can be tried and undone.
 class RollingHistory {
  public:
-  /// On the rigid plane.
+  /// @brief Start a history on the rigid plane. The parameters are those of the next constructor.
   explicit RollingHistory(const RollingBody& body, double load, Start start = Start::relaxed,
                           const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
                           const Observer& observer = {});
-  /// @param[in] body what rolls, with layers or rigid
-  /// @param[in] on what it rolls on, likewise: one of the two deforms
-  /// @param[in] load P at the first instant [N], of a roller per length, > 0
-  /// @param[in] start what was before
-  /// @param[in] options how to compute
-  /// @param[in] time,angle of the first instant [s], [rad]
+  /// @brief Start a history on a counterbody.
+  /// @param[in] body rolling body, with layers or rigid
+  /// @param[in] on counterbody, with layers or rigid; at least one of the two bodies deforms
+  /// @param[in] load load P at the first instant [N], > 0; for rollers per unit length [N/m]
+  /// @param[in] start load history before the first instant
+  /// @param[in] options options of the computation
+  /// @param[in] time,angle time [s] and angle [rad] of the first instant
   /// @param[in] observer progress and cancellation
-  /// @throws std::invalid_argument for bad input, and layers that are not for this method
+  /// @throws std::invalid_argument for invalid input, and for layers to which this method does not apply
   RollingHistory(const RollingBody& body, const Counterpart& on, double load, Start start = Start::relaxed,
                  const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
                  const Observer& observer = {});
-  /// @brief Go on from a state.
-  /// @param[in] load the first one of its motion, by which a mesh is chosen where none is given [N] or [N/m], > 0
-  /// @param[in] state of a history of the same bodies and options
-  /// @param[in] body,on,options,observer as above
-  /// @throws std::invalid_argument for bad input, and where the state is of other bodies or of other options
+  /// @brief Continue from a stored state.
+  /// @param[in] load first load of the motion, > 0, which determines the mesh if `options` has none [N] or [N/m]
+  /// @param[in] state state of a history of the same bodies and options
+  /// @param[in] body,on,options,observer same as in the constructor above
+  /// @throws std::invalid_argument for invalid input, and for a state of other bodies or of other options
   RollingHistory(const RollingBody& body, const Counterpart& on, double load, const RollingState& state,
                  const HistoryOptions& options = {}, const Observer& observer = {});
   RollingHistory(const RollingHistory& other);
@@ -114,37 +119,39 @@ class RollingHistory {
   RollingHistory& operator=(RollingHistory&& other) noexcept;
   ~RollingHistory();
 
-  /// @brief Turn and load linearly in time, in steps of the library's choice.
-  /// @param[in] time [s], not before now; now for a jump
-  /// @param[in] angle [rad]
-  /// @param[in] load [N], >= 0; at 0 the body has lifted off
-  /// @param[in] center_way of the center since the first instant [m], with friction; none: forces move the center
+  /// @brief Advance to an instant. Angle and load change linearly in time; the library chooses the time steps.
+  ///
+  /// After an exception the history is unchanged.
+  /// @param[in] time time at the end [s], not before `now()`; equal to it for a jump
+  /// @param[in] angle angle at the end [rad]
+  /// @param[in] load load at the end [N], >= 0; at 0 the body has lifted off
+  /// @param[in] center_way distance traveled by the center since the first instant [m], with friction; none: the forces
+  /// on the center determine it
   /// @param[in] observer progress and cancellation
-  /// @return the instant at the end
-  /// @throws std::invalid_argument for bad input, and a drive that friction cannot balance; the history is then as it
-  /// was before
-  /// @throws ConvergenceError where no usable state was found; likewise
-  /// @throws Cancelled where the observer stopped it; likewise
+  /// @return scalars at the end
+  /// @throws std::invalid_argument for invalid input, and for a drive that friction cannot balance
+  /// @throws ConvergenceError if the solver finds no usable state
+  /// @throws Cancelled if the observer canceled the computation
   RollingInstant advance(double time, double angle, double load, std::optional<double> center_way = std::nullopt,
                          const Observer& observer = {});
 
-  /// @return the instant reached
+  /// @return scalars at the current instant
   [[nodiscard]] const RollingInstant& now() const;
-  /// @return contact of the first lattice at the instant reached
+  /// @return contact pressure on the first of the phase-shifted meshes at the current instant
   [[nodiscard]] ContactField contact() const;
-  /// @return steps taken since the first instant
+  /// @return number of time steps since the first instant
   [[nodiscard]] std::int64_t steps() const;
   /// @return the mesh
   [[nodiscard]] const Mesh& mesh() const;
-  /// @return largest relative error of the creep compliance by discrete retardation times [-]
+  /// @return largest relative error of the creep compliance with discrete retardation times [-]
   [[nodiscard]] double spectrum_error() const;
 
-  /// @return what is needed to go on from here, in a history of the same bodies and options
+  /// @return state from which a history of the same bodies and options can continue
   [[nodiscard]] RollingState state() const;
-  /// @brief Go on from a state.
-  /// @param[in] state of a history of the same bodies and options
+  /// @brief Continue from a stored state.
+  /// @param[in] state state of a history of the same bodies and options
   /// @param[in] observer progress and cancellation
-  /// @throws std::invalid_argument where it is of other bodies or of other options
+  /// @throws std::invalid_argument for a state of other bodies or of other options
   void restore(const RollingState& state, const Observer& observer = {});
 
  private:
@@ -153,15 +160,15 @@ class RollingHistory {
   std::unique_ptr<Impl> impl_;
 };
 
-/// @brief Follow a motion.
-/// @param[in,out] history at the first knot; where it is later, the motion is followed from there on. After an
-/// exception it is at the last instant that was reached
-/// @param[in] motion knots
+/// @brief Follow a prescribed motion.
+/// @param[in,out] history history at the first waypoint, or at a later time, from which it then follows the motion;
+/// after an exception it is at the last instant that was reached
+/// @param[in] motion waypoints
 /// @param[in] observer progress and cancellation
-/// @return all instants, that of the start first
-/// @throws std::invalid_argument for bad input, and a drive that friction cannot balance
-/// @throws ConvergenceError where no usable state was found
-/// @throws Cancelled where the observer stopped it
+/// @return scalars at all instants, beginning with the current one
+/// @throws std::invalid_argument for invalid input, and for a drive that friction cannot balance
+/// @throws ConvergenceError if the solver finds no usable state
+/// @throws Cancelled if the observer canceled the computation
 [[nodiscard]] std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion,
                                                const Observer& observer = {});
 

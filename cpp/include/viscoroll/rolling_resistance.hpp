@@ -1,7 +1,8 @@
 /// @file
-/// @brief Rolling resistance as a fitted surface over load and speed, for equations of motion that cannot solve for it.
+/// @brief Rolling resistance as a fitted surface over load and speed, for simulations that cannot solve the contact in
+/// every step.
 ///
-/// Python's `RollingResistance.from_study` fits it, and `save("torque.json")` writes it for `from_json`.
+/// In Python, `RollingResistance.from_study` fits the surface and `save("torque.json")` writes it for `from_json`.
 #pragma once
 
 #include <array>
@@ -11,26 +12,27 @@
 
 namespace viscoroll {
 
-/// @brief Torque T(P, Omega) = power lost / Omega, a polynomial of ln P and ln Omega for ln T, with its error.
+/// @brief Torque T(P, Omega) = dissipated power / Omega: a polynomial in ln P and ln Omega for ln T, with its error.
 struct RollingResistance {
-  std::array<double, 2> load{};           ///< P from and to [N], > 0
-  std::array<double, 2> angular_speed{};  ///< Omega from and to [rad/s], > 0
-  double radius = 0.0;                    ///< r_o [m], > 0
-  /// Of Chebyshev polynomials of ln P (rows) and ln Omega (columns), each mapped to [-1, 1], for ln(T / N m)
+  std::array<double, 2> load{};           ///< lowest and highest load P of the fit [N], > 0
+  std::array<double, 2> angular_speed{};  ///< lowest and highest speed Omega of the fit [rad/s], > 0
+  double radius = 0.0;                    ///< outer radius r_o [m], > 0
+  /// Coefficients of ln(T / N m) in Chebyshev polynomials of ln P (rows) and ln Omega (columns), each mapped to [-1,
+  /// 1].
   std::vector<std::vector<double>> coefficients;
-  double error = 0.0;          ///< root mean square relative error of points left out of the fit one by one [-]
-  double largest_error = 0.0;  ///< their largest [-]
+  double error = 0.0;          ///< root mean square of the relative leave-one-out errors of the fit [-]
+  double largest_error = 0.0;  ///< largest relative leave-one-out error [-]
 };
 
-/// @brief Evaluate a surface, odd in the speed.
+/// @brief Evaluate the torque of a surface. It is odd in the speed.
 ///
-/// Below the lowest speed T goes to 0 in proportion to it, as it does in the end for every material whose relaxation
-/// ends: T(P, Omega_1) Omega / Omega_1.
-/// @param[in] surface as it was fitted
+/// Below the lowest speed Omega_1 of the fit the torque is proportional to the speed, T(P, Omega_1) Omega / Omega_1,
+/// which is the limit of every material with a longest relaxation time.
+/// @param[in] surface fitted surface
 /// @param[in] load P [N], >= 0
-/// @param[in] angular_speed Omega [rad/s], of either sign
-/// @param[in] outside whether loads outside and speeds above the fitted range are refused, or the nearest T / P is held
-/// @return torque against the turning, of the sign of Omega [N m]
+/// @param[in] angular_speed Omega [rad/s], either sign
+/// @param[in] outside for a load outside the range of the fit or a speed above it: an error, or T / P at the nearer end
+/// @return resisting torque, with the sign of Omega [N m]
 /// @throws std::invalid_argument naming parameter, value, unit and range
 [[nodiscard]] double resisting_torque(const RollingResistance& surface, double load, double angular_speed,
                                       Extrapolation outside = Extrapolation::error);
@@ -39,11 +41,11 @@ struct RollingResistance {
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const RollingResistance& surface);
 
-/// @brief Take a surface from JSON, by nlohmann/json, which finds this by itself:
+/// @brief Read a surface from JSON. The library nlohmann/json finds this function by argument-dependent lookup:
 /// `nlohmann::json::parse(file).get<viscoroll::RollingResistance>()`.
-/// @param[in] json what `save("torque.json")` wrote
-/// @param[out] surface as it was fitted
-/// @throws Json::exception where a value is missing or of another type
+/// @param[in] json content of a file that `save("torque.json")` wrote
+/// @param[out] surface fitted surface
+/// @throws Json::exception if a value is missing or has another type
 /// @throws std::invalid_argument naming parameter, value, unit and range
 template <class Json>
 void from_json(const Json& json, RollingResistance& surface) {

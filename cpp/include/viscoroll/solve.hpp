@@ -1,5 +1,5 @@
 /// @file
-/// @brief Steady rolling contact of two bodies, of which one deforms at the least.
+/// @brief Steady rolling contact of two bodies, of which at least one deforms.
 #pragma once
 
 #include <memory>
@@ -13,54 +13,67 @@
 
 namespace viscoroll {
 
-/// @brief Solve steady rolling of what rolls on something, a rigid plane unless told otherwise: paper sections 11 to 13
-/// with the solvers of docs/theory/normal-contact.md and friction.md.
-/// @param[in] body rigid core and layers
+/// @brief Solve steady rolling of a body on a rigid plane: sections 11 to 13 of the paper with the solvers of
+/// docs/theory/normal-contact.md and docs/theory/friction.md.
+/// @param[in] body core and layers
 /// @param[in] load_case load, rolling speed, friction and drive
-/// @param[in] options how to solve
-/// @return the solution, with its status
-/// @throws std::invalid_argument for bad input, a load too large for the coating (penetration >= thickness),
-/// speeds at or above `critical_speed`, and drives with which what rolls slides without end
-/// @throws ConvergenceError where no usable state was found
-/// @throws Cancelled where the observer stopped the solve
+/// @param[in] options options of the solver
+/// @return the solution with its status
+/// @throws std::invalid_argument for invalid input, for a load that presses the body as deep as its layers are thick,
+/// for a speed at or above `critical_speed`, and for a drive with which the body never stops sliding
+/// @throws ConvergenceError if the solver finds no usable state
+/// @throws Cancelled if the observer canceled the computation
 [[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
 
-/// @brief The same on something that deforms or is curved: on a coated plane, a half-space, in a groove or on another
-/// ball, roller or wheel (docs/theory/rollers.md, planes-and-pairs.md and wheels.md).
-/// @param[in] body what rolls, rigid if it has no layers, unless `on` is a rigid plane
-/// @param[in] on what it rolls on; not both may be rigid
+/// @brief Solve steady rolling of a body on a counterbody that deforms or is curved: a coated plane, a half-space, a
+/// groove, or another ball, roller or wheel.
+///
+/// See docs/theory/rollers.md, docs/theory/planes-and-pairs.md and docs/theory/wheels.md.
+/// @param[in] body rolling body; rigid if it has no layers, but not on a rigid counterbody
+/// @param[in] on counterbody
 /// @param[in] load_case load, rolling speed, friction and drive; both surfaces pass the contact at Omega times the
 /// outer radius
-/// @param[in] options how to solve
+/// @param[in] options options of the solver
+/// @return the solution with its status
+/// @throws std::invalid_argument for the same reasons as on a rigid plane, and if both bodies are rigid
+/// @throws ConvergenceError if the solver finds no usable state
+/// @throws Cancelled if the observer canceled the computation
 [[nodiscard]] Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case,
                            const Options& options = {});
 
-/// @brief Solve anew with who touches, sticks and slips as it was: nodes neither join nor leave, so that quotients of
-/// small differences are derivatives (docs/theory/sensitivities.md).
-/// @param[in] body,on,load_case as of `solve`, a little different from what the state was solved for
-/// @param[in] state of a result
-/// @param[in] options how to solve, on the mesh of that result
-/// @throws std::invalid_argument for bad input, and a state that is not of that mesh
-/// @throws ConvergenceError where there is no solution near the state
-/// @throws Cancelled where the observer stopped the solve
+/// @brief Solve again with a frozen contact: the nodes in contact, sticking and slipping stay those of a state.
+///
+/// No node joins or leaves a set, so that quotients of small differences are derivatives
+/// (docs/theory/sensitivities.md).
+/// @param[in] body,on,load_case same as in `solve`, slightly different from the inputs for which the state was solved
+/// @param[in] state contact of a result
+/// @param[in] options options of the solver, with the mesh of that result
+/// @return the solution with its status
+/// @throws std::invalid_argument for invalid input, and for a state of another mesh
+/// @throws ConvergenceError if there is no solution near the state
+/// @throws Cancelled if the observer canceled the computation
 [[nodiscard]] Result solve_kept(const RollingBody& body, const Counterpart& on, const LoadCase& load_case,
                                 const KeptContact& state, const Options& options);
 
-/// @brief A body at one speed on one mesh, for many load cases: its spectrum and its influence tables are
-/// computed once. Threads may solve on it at the same time.
+/// @brief A body at one speed on one mesh, for many load cases. Its spectrum and its influence tables are computed
+/// once.
+///
+/// Several threads may solve with the same model at the same time.
 class RollingModel {
  public:
-  /// @param[in] body rigid core and layers
+  /// @brief Prepare a body on a rigid plane.
+  /// @param[in] body core and layers
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] mesh spacing and truncation
   /// @param[in] threads number of threads, 0 for all cores
-  /// @param[in] curvature what is kept of it in the equations of the layers
+  /// @param[in] curvature curvature terms in the layer equations of a sphere
   /// @param[in] observer progress and cancellation
-  /// @throws std::invalid_argument for bad input, and speeds at or above `critical_speed`
+  /// @throws std::invalid_argument for invalid input, and for a speed at or above `critical_speed`
+  /// @throws Cancelled if the observer canceled the computation
   RollingModel(const RollingBody& body, double angular_speed, const Mesh& mesh, int threads = 0,
                Curvature curvature = Curvature::sphere, const Observer& observer = {});
 
-  /// @brief The same on something that deforms.
+  /// @brief Prepare a body on a counterbody that deforms or is curved. The other parameters are those above.
   RollingModel(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh, int threads = 0,
                Curvature curvature = Curvature::sphere, const Observer& observer = {});
   ~RollingModel();
@@ -69,9 +82,10 @@ class RollingModel {
   RollingModel(const RollingModel&) = delete;
   RollingModel& operator=(const RollingModel&) = delete;
 
-  /// @brief The same as `viscoroll::solve` on this mesh.
-  /// @param[in] load_case at the speed of the model
-  /// @param[in] options how to solve; the mesh may be left out; accuracy and curvature are not looked at
+  /// @brief Solve a load case on this mesh, as `viscoroll::solve` does.
+  /// @param[in] load_case load case at the speed of the model
+  /// @param[in] options options of the solver; the mesh may be left out; `accuracy` and `curvature` have no effect
+  /// @return the solution with its status
   [[nodiscard]] Result solve(const LoadCase& load_case, const Options& options = {}) const;
 
  private:

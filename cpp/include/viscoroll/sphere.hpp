@@ -1,5 +1,5 @@
 /// @file
-/// @brief The rolling body: a rigid core covered by bonded viscoelastic layers.
+/// @brief A ball: a core, a cavity or nothing, covered by bonded viscoelastic layers.
 #pragma once
 
 #include <optional>
@@ -16,45 +16,47 @@ struct Layer {
   double thickness = 0.0;               ///< [m], at least 1e-9 of the radius of the rolling body
   ShearModulus shear_modulus;           ///< mu*(w) [Pa]
   std::optional<double> poisson_ratio;  ///< [-], real and constant, in (-1, 0.5]; 0.5 is incompressible
-  std::optional<double> bulk_modulus;   ///< [Pa], > 0, real and constant: Poisson's ratio then follows mu*(w)
-  double density = 0.0;                 ///< [kg/m^3], >= 0; 0 leaves inertia out
+  std::optional<double> bulk_modulus;   ///< [Pa], > 0, real and constant: Poisson's ratio then follows from mu*(w)
+  double density = 0.0;                 ///< [kg/m^3], >= 0; with 0 there is no inertia
 };
 
-/// @brief What lies within the innermost layer.
+/// @brief Inner boundary of the innermost layer.
 enum class InnerBoundary {
 #define VISCOROLL_INNER_BOUNDARY(name, NAME, details, is_core, is_free) name,
 #include "viscoroll/inner_boundaries.def"
 #undef VISCOROLL_INNER_BOUNDARY
 };
 
-/// @brief Layers bonded to one another, and to a rigid core if there is one. Without a core, the coating's mean
-/// rotation about the center is taken to be zero, for no other can be told from turning the sphere.
+/// @brief A ball: layers that are bonded to one another and, if there is one, to a rigid core.
+///
+/// Without a core, the mean rotation of the layers about the center is set to zero, because it cannot be distinguished
+/// from the rolling of the ball.
 struct CoatedSphere {
-  double core_radius = 0.0;                             ///< of the core or the cavity [m], > 0; 0 for a solid ball
-  std::vector<Layer> layers;                            ///< from the center outwards; none: a rigid ball
-  InnerBoundary inner_boundary = InnerBoundary::rigid;  ///< what lies within
+  double core_radius = 0.0;                             ///< radius of the core or cavity [m], > 0; 0 for a solid ball
+  std::vector<Layer> layers;                            ///< from the center outwards; empty: a rigid ball
+  InnerBoundary inner_boundary = InnerBoundary::rigid;  ///< inner boundary of the innermost layer
 };
 
-/// @brief How much of the sphere's curvature the equations of the layers keep. See docs/theory/layers.md.
+/// @brief Curvature terms that the layer equations of a sphere contain. See docs/theory/layers.md.
 enum class Curvature {
   sphere,  ///< the paper's orders (m, n) with the membrane stiffness of a sphere, (k^2 - 2) mu
-  paper,   ///< equation (26) as printed, k^2 mu, with which the paper's tables were made
-  exact,   ///< spherical harmonics in place of the orders (m, n): thick coatings, hollow and solid balls
+  paper,   ///< equation (26) as printed, with k^2 mu; the paper's tables were computed with it
+  exact,   ///< spherical harmonics in place of the orders (m, n): for thick coatings, hollow and solid balls
 };
 
 /// @return outer radius r_o [m]
 [[nodiscard]] double outer_radius(const CoatedSphere& sphere);
 
-/// @return thickness of all layers together [m]
+/// @return total thickness of all layers [m]
 [[nodiscard]] double coating_thickness(const CoatedSphere& sphere);
 
 /// @brief Check a layer.
 /// @param[in] layer any layer
-/// @param[in] prefix what stands before the parameter's name in messages
+/// @param[in] prefix text before the parameter's name in messages
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const Layer& layer, std::string_view prefix = "layer.");
 
-/// @brief Check a sphere and its layers, if it has some.
+/// @brief Check a sphere and its layers, if it has any.
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const CoatedSphere& sphere);
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Everything that the library offers.
+/// @brief Includes all public headers of the library.
 #pragma once
 
 #include "viscoroll/cores.hpp"               // IWYU pragma: export

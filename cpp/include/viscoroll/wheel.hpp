@@ -1,5 +1,5 @@
 /// @file
-/// @brief A wheel: a rigid hub covered by bonded viscoelastic layers, with a width, a crown and side faces.
+/// @brief A wheel: a rigid hub with bonded viscoelastic layers, a width, a crown and side faces.
 #pragma once
 
 #include <limits>
@@ -9,45 +9,49 @@
 
 namespace viscoroll {
 
-/// @brief What the hub of a crowned wheel looks like under the tread, and with it how thick the tread is at its sides.
+/// @brief Shape of the hub under a crowned tread. It determines the thickness of the tread towards its faces.
 enum class Hub {
-  straight,  ///< a cylinder: the tread is thinner at its sides
-  crowned,   ///< it follows the crown: the layers are as thick everywhere
+  straight,  ///< a cylinder: the tread is thinner towards its faces
+  crowned,   ///< the hub follows the crown: the thickness of the layers is the same everywhere
 };
 
-/// @brief What a tread ends in.
+/// @brief Lateral ends of the tread.
 enum class Sides {
-  free,     ///< faces at half the width, which bulge
-  endless,  ///< none: the tread goes on, but bears pressure within the width alone
+  free,     ///< the tread ends at faces at half the width, which can bulge
+  endless,  ///< the tread continues without end, but supports pressure only within the width
 };
 
-/// @brief Layers bonded to one another and to a rigid hub. Without a hub a wheel has no finite approach (see
-/// docs/theory/wheels.md).
+/// @brief Layers that are bonded to one another and to a rigid hub.
+///
+/// A hub is required, since the compliance of a wheel without one is infinite (docs/theory/wheels.md).
 struct CoatedWheel {
-  double core_radius = 0.0;   ///< of the hub, in the middle of its width [m], > 0
-  std::vector<Layer> layers;  ///< from the hub outwards, as thick as they are in the middle; none: a rigid wheel
-  double width = 0.0;         ///< from face to face [m], > 0, at most 1000 times the outer radius
-  /// Radius of the tread's profile across the path [m], from half the width to 1e6 times the outer radius; infinite
-  /// where the tread is flat.
+  double core_radius = 0.0;   ///< radius of the hub in the middle of its width [m], > 0
+  std::vector<Layer> layers;  ///< from the hub outwards, with the thickness in the middle; empty: a rigid wheel
+  double width = 0.0;         ///< distance between the faces [m], > 0, at most 1000 times the outer radius
+  /// Radius of the tread's profile across the path [m], from half the width to 1e6 times the outer radius; infinite for
+  /// a flat tread.
   double crown_radius = std::numeric_limits<double>::infinity();
-  Hub hub = Hub::straight;
-  Sides sides = Sides::free;
+  Hub hub = Hub::straight;    ///< shape of the hub
+  Sides sides = Sides::free;  ///< lateral ends of the tread
 };
 
-/// @return outer radius in the middle, r_o [m]
+/// @return outer radius in the middle of the width, r_o [m]
 [[nodiscard]] double outer_radius(const CoatedWheel& wheel);
 
-/// @return thickness of all layers together, in the middle [m]
+/// @return total thickness of all layers in the middle of the width [m]
 [[nodiscard]] double coating_thickness(const CoatedWheel& wheel);
 
-/// @return how far the crown lies below its middle at a distance from it [m]
-/// @param[in] wheel its crown
-/// @param[in] z along the axis [m], at most half the width
+/// @brief Depth of the crown's surface below its highest point.
+/// @param[in] wheel wheel with or without a crown
+/// @param[in] z distance from the middle along the axis [m], at most half the width
+/// @return depth [m]
 [[nodiscard]] double crown_drop(const CoatedWheel& wheel, double z);
 
-/// @brief Lowest rolling speed at which a wave of some order, straight along or oblique, keeps up with the surface.
-/// @param[in] wheel hub and layers; sides do not count
-/// @param[in] highest_frequency stands for the short-time limit of a `CustomModulus` [rad/s]
+/// @brief Lowest rolling speed at which a surface wave, along the path or oblique, keeps up with the contact
+/// (docs/theory/inertia.md).
+/// @param[in] wheel hub and layers; the sides have no effect
+/// @param[in] highest_frequency frequency at which a `CustomModulus` is evaluated in place of its short-time limit
+/// [rad/s]
 /// @return angular speed [rad/s]; infinite without inertia
 [[nodiscard]] double critical_speed(const CoatedWheel& wheel, double highest_frequency = 1e9);
 

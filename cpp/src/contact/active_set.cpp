@@ -13,15 +13,16 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-constexpr double kPredictionStiffness = 0.3;  // of a node's own: rather too many nodes than too few, which join last
-constexpr double kOverclosureFactor = 10.0;   // overclosure that is taken for one, per tolerance
-constexpr int kExchanges = 8;                 // passes in which nodes leave and join at once
+/// Stiffness of the prediction, relative to that of a node: rather too many nodes than too few, which join last.
+constexpr double kPredictionStiffness = 0.3;
+constexpr double kOverclosureFactor = 10.0;  // overclosure that counts as such, relative to the tolerance
+constexpr int kExchanges = 8;                // passes in which nodes may leave and join at once
 
 void find_gap(PressedSurface& surface, PressedNodes& contact) {
   contact.gap = surface.height(contact) - *contact.penetration * surface.weights();
 }
 
-/// Who touches, by the forces of the guess and the gaps that they leave.
+/// Predict the nodes in contact from the forces of the guess and the gaps under these forces.
 void predict_nodes(PressedSurface& surface, PressedNodes& contact) {
   const ArrayXd height = surface.height(contact);
   if (!contact.penetration) {
@@ -37,7 +38,7 @@ void predict_nodes(PressedSurface& surface, PressedNodes& contact) {
   if (!nodes.empty()) contact.nodes = std::move(nodes);
 }
 
-/// @return how many nodes left
+/// @return number of nodes that left
 std::size_t drop_tensile(PressedNodes& contact) {
   const auto is_tensile = [&](Index node) { return !(contact.pressing[node] > 0.0); };
   for (const Index node : contact.nodes) {
@@ -46,7 +47,8 @@ std::size_t drop_tensile(PressedNodes& contact) {
   return std::erase_if(contact.nodes, is_tensile);
 }
 
-/// Those that are there already, and those that have just left, have no gap. @return how many nodes joined
+/// Add the overclosed nodes. Nodes that are in contact or have just left have no gap yet and are skipped.
+/// @return number of nodes that joined
 std::size_t add_overclosed(PressedNodes& contact, double tolerance) {
   const double slack = kOverclosureFactor * tolerance * std::abs(*contact.penetration);
   std::vector<Index> added;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Who touches, where forces press alone: one active set, whatever solves its linear systems.
+/// @brief Active set for frictionless contact, independent of the method that solves its linear systems.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,50 +8,54 @@
 
 namespace viscoroll::detail {
 
-/// @brief Nodes in contact and what presses them.
+/// @brief Nodes in contact and the forces that press on them.
 struct PressedNodes {
-  Eigen::ArrayXd pressing;            ///< force on every node [N], 0 apart
-  std::vector<Eigen::Index> nodes;    ///< in contact, ascending
-  std::optional<double> penetration;  ///< [m]; none of a guess that leaves it to the gaps under its forces
-  Eigen::ArrayXd gap = {};            ///< of every node [m]; may be of the pass before where none has left
-  int passes = 0;                     ///< linear systems solved
+  Eigen::ArrayXd pressing;          ///< force on every node [N], 0 outside the contact
+  std::vector<Eigen::Index> nodes;  ///< nodes in contact, ascending
+  /// Penetration [m]; if a guess has none, it follows from the gaps under the forces of the guess.
+  std::optional<double> penetration;
+  Eigen::ArrayXd gap = {};  ///< gap of every node [m]; may be the gap of the previous pass if no node has left
+  int passes = 0;           ///< linear systems solved
   bool converged = false;
 };
 
-/// @brief A surface over a plane, and how nodes of it are pressed flat.
+/// @brief A surface above a plane, with the linear system that presses given nodes flat against the plane.
 class PressedSurface {
  public:
   virtual ~PressedSurface() = default;
 
-  /// @brief Find forces on the nodes and the penetration: gap = 0 there, and the load is borne.
-  /// @param[in,out] contact nodes; forces and penetration to start from
-  /// @param[in] tolerance of the residual, relative
+  /// @brief Find the penetration and the forces at which the gap of the nodes in contact is 0 and the forces sum to the
+  /// load.
+  /// @param[in,out] contact nodes in contact; initial forces and penetration, replaced by the solution
+  /// @param[in] tolerance relative residual
   virtual void press(PressedNodes& contact, double tolerance) = 0;
 
-  /// @return rise of every node above the plane at no penetration [m], by the forces on it
+  /// @return height of every node above the plane at zero penetration, under the forces of `contact` [m]
   [[nodiscard]] virtual Eigen::ArrayXd height(const PressedNodes& contact) = 0;
 
-  /// @return what the penetration counts at every node: 1, but for nodes that stand for more than one
+  /// @return weight of the penetration at every node: 1, or the number of nodes that an unknown represents
   [[nodiscard]] virtual const Eigen::ArrayXd& weights() const = 0;
 
-  /// @return force per own displacement of a node [N/m]
+  /// @return force per displacement that it causes at its own node [N/m]
   [[nodiscard]] virtual double stiffness() const = 0;
 };
 
-/// @brief How far passes go.
+/// @brief Limits and tolerances of the active set.
 struct ActiveSetOptions {
   int most_passes;
-  double first_tolerance;  ///< of residuals, while the set is far from the right one
-  double tightening;       ///< of the tolerance from pass to pass
-  double tolerance;        ///< of the last ones
-  double unsettled = 0.0;  ///< share of nodes that may be about to leave or join
+  double first_tolerance;  ///< residual while the set still changes much
+  double tightening;       ///< factor on the tolerance from pass to pass
+  double tolerance;        ///< residual of the last passes
+  double unsettled = 0.0;  ///< fraction of nodes that may still leave or join
 };
 
-/// @brief Active set, until nothing changes: drop all tensile nodes and add all overclosed ones, at first in the same
-/// pass, which is quick but may cycle, then only when there are none to drop.
-/// @param[in,out] surface and what it keeps for its systems
-/// @param[in] guess to start from
-/// @param[in] options limits
+/// @brief Find the contact with an active set, which ends when the set no longer changes.
+/// Each pass drops all tensile nodes and adds all overclosed ones. The first passes do both at once, which is fast but
+/// may cycle; later passes add nodes only if there are none to drop.
+/// @param[in,out] surface the surface, which may keep data between its linear systems
+/// @param[in] guess initial contact
+/// @param[in] options limits and tolerances
+/// @throws ConvergenceError if no node is loaded
 [[nodiscard]] PressedNodes find_contact(PressedSurface& surface, PressedNodes guess, const ActiveSetOptions& options);
 
 }  // namespace viscoroll::detail

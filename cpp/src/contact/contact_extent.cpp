@@ -14,7 +14,7 @@ double semi_axis(const Eigen::ArrayXd& coordinate, const Eigen::ArrayXd& weights
   return 2.0 * std::sqrt(((coordinate - middle).square() * weights).sum() / sum);
 }
 
-/// From one of the outermost patches to the other; of no contact 0.
+/// Distance between the outer sides of the outermost patches [m]; 0 without contact.
 double width(const SurfaceGrid& grid, const Eigen::ArrayXd& z) {
   if (z.size() == 0) return 0.0;
   return z.maxCoeff() - z.minCoeff() + grid.radius * grid.theta_spacing;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief How large a contact is.
+/// @brief Area, semi-axes and width of a contact.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,16 +11,18 @@
 namespace viscoroll::detail {
 
 struct ContactExtent {
-  double area;                        ///< [m^2], of a line per length [m]
-  double semi_axis_x;                 ///< of the ellipse with its second moments; half of the width of a line [m]
-  std::optional<double> semi_axis_z;  ///< likewise; a line has none
-  std::optional<double> width;        ///< across the path, from patch to patch [m]; a line has none
+  double area;  ///< contact area [m^2]; for a line contact, per unit length [m]
+  /// Semi-axis of the ellipse with the same second moments; for a line contact, half the width [m].
+  double semi_axis_x;
+  std::optional<double> semi_axis_z;  ///< across the path [m]; empty for a line contact
+  /// Width across the path, between the outer sides of the patches [m]; empty for a line contact.
+  std::optional<double> width;
 };
 
-/// @param[in] nodes of a window
-/// @param[in] contact those of them that touch
-/// @param[in] touching area in contact around each of these [m^2]
-/// @param[in] center_z where the contact's center is across the path, if the nodes are of one side alone [m]
+/// @param[in] nodes nodes of a window
+/// @param[in] contact numbers of the nodes in contact
+/// @param[in] touching area in contact around each of these nodes [m^2]
+/// @param[in] center_z center of the contact across the path [m], if `nodes` covers only one side
 [[nodiscard]] ContactExtent contact_extent(const SurfaceWindow& nodes, const std::vector<Eigen::Index>& contact,
                                            const Eigen::ArrayXd& touching,
                                            std::optional<double> center_z = std::nullopt);

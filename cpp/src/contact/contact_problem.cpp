@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::Index;
 
-/// The rows of some nodes.
+/// Rows of the given nodes.
 template <class Values>
 Values picked(const Values& values, const std::vector<Index>& nodes) {
   return values(nodes, Eigen::all);
@@ -44,7 +44,7 @@ ContactProblem coarsened(const ContactProblem& problem) {
     for (int k = coarse.theta.first; k <= coarse.theta.last; ++k) nodes.push_back(fine.number_of(2 * i, 2 * k));
   }
   ContactProblem result = with_nodes(problem, problem.surface->coarsened(), nodes);
-  // Where displacements are taken downstream of the nodes, coarse ones lie between those of two fine rows.
+  // If displacements are evaluated downstream of the nodes, those of a coarse mesh lie between two fine rows.
   const double share = problem.surface->collocation();
   const auto next_row = [&](Index node) { return nodes[static_cast<std::size_t>(node)] + fine.theta.count(); };
   for (Index node = 0; share > 0.0 && node < coarse.shape().size(); ++node) {
@@ -55,7 +55,7 @@ ContactProblem coarsened(const ContactProblem& problem) {
     for (const auto way : {&Friction::rigid_slip, &Friction::counterpart_way}) {
       const Eigen::ArrayX2d& fine_way = (*problem.friction).*way;
       Eigen::ArrayX2d& coarse_way = (*result.friction).*way;
-      for (Index node = coarse.theta.count(); node < coarse.shape().size(); ++node) {  // two fine ways are a coarse one
+      for (Index node = coarse.theta.count(); node < coarse.shape().size(); ++node) {  // two fine steps per coarse one
         const Index fine_node = nodes[static_cast<std::size_t>(node)];
         coarse_way.row(node) += (1.0 - share) * fine_way.row(fine_node - stride);
         if (share > 0.0) coarse_way.row(node) += share * fine_way.row(fine_node + stride);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief State of a contact, with friction or without.
+/// @brief State of a contact, with or without friction.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,46 +11,46 @@
 
 namespace viscoroll::detail {
 
-/// @brief Gap and slip of a coarser mesh, between its nodes.
+/// @brief Gap [m] and slip [m] of a coarser mesh, interpolated to the nodes of this mesh.
 struct SmoothFields {
   Eigen::ArrayXd gap;
   Eigen::ArrayX2d slip;
 };
 
-/// @brief Forces and where they act.
+/// @brief Nodal forces and the displacements, gaps and slips that belong to them.
 struct ContactSolution {
-  VectorField force;                     ///< on the surface at every node [N]: the pressing one along y is <= 0
-  VectorField displacement;              ///< of every node [m]; empty where nobody has asked for it yet
-  VectorField counterpart_displacement;  ///< the counterpart's share of it; no rows where it is rigid
-  Eigen::ArrayXd gap;                    ///< of every node to the counterpart [m]
+  VectorField force;         ///< force on the surface at every node [N]; the pressing component, along y, is <= 0
+  VectorField displacement;  ///< displacement of every node [m]; empty until it is computed
+  VectorField counterpart_displacement;  ///< part of the counterbody in it; no rows if the counterbody is rigid
+  Eigen::ArrayXd gap;                    ///< gap between every node and the counterbody [m]
   std::vector<Eigen::Index> contact;     ///< nodes in contact
-  double penetration = 0.0;              ///< of the lowest undeformed node, swollen as it turns [m]
+  double penetration = 0.0;  ///< penetration of the lowest undeformed node, including its centrifugal growth [m]
 
-  std::vector<Eigen::Index> stick;  ///< nodes in contact that stick; none without friction
-  Eigen::ArrayX2d slip;  ///< way over it along x and z, from node to node or in a step [m]; empty without friction
-  std::optional<double> creepage;  ///< [-], of a step in time the way of the center [m]; undetermined without friction
-  std::optional<SmoothFields> prolonged;  ///< of the coarser mesh that a start is from
+  std::vector<Eigen::Index> stick;  ///< sticking nodes; empty without friction
+  Eigen::ArrayX2d slip;             ///< slip along x and z, per row or per time step [m]; empty without friction
+  std::optional<double> creepage;   ///< [-], or displacement of the center in a time step [m]; empty if undetermined
+  std::optional<SmoothFields> prolonged;  ///< fields of the coarser mesh from which a start is interpolated
 
-  int iterations = 0;             ///< linear systems solved
-  int operator_applications = 0;  ///< by which they were solved
-  bool converged = false;         ///< every condition holds
-  double residual = 0.0;          ///< largest violation of the conditions [-], see the solver
+  int iterations = 0;             ///< number of linear systems solved
+  int operator_applications = 0;  ///< number of operator applications used to solve them
+  bool converged = false;         ///< whether all conditions hold
+  double residual = 0.0;          ///< largest violation of the conditions [-], defined by each solver
 };
 
-/// @brief Note what the forces of a state do.
+/// @brief Compute the displacements caused by the forces of a state.
 inline void find_displacements(const SurfaceOperator& surface, ContactSolution& state) {
   Displacements moved = surface.displacements(state.force);
   state.counterpart_displacement = moved.counterpart;
   state.displacement = std::move(moved).relative();
 }
 
-/// @return displacement of every node of what rolls by itself [m]
+/// @return displacement of every node of the rolling body alone [m]
 [[nodiscard]] inline VectorField own_displacement(const ContactSolution& state) {
   if (state.counterpart_displacement.rows() == 0) return state.displacement;
   return state.displacement - state.counterpart_displacement;
 }
 
-/// @return force that presses each node [N], >= 0
+/// @return pressing force at each node [N], >= 0
 [[nodiscard]] inline Eigen::ArrayXd pressing_force(const ContactSolution& contact) { return -contact.force.col(kDown); }
 
 }  // namespace viscoroll::detail

@@ -1,5 +1,5 @@
 /// @file
-/// @brief An end to steps of frictional contact that go back and forth between two states of a node.
+/// @brief End of cycles in which nodes alternate between two states of frictional contact.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,16 +12,18 @@
 
 namespace viscoroll::detail {
 
-/// @brief Ends cycles of two sets, and of two directions of slip. A node at the edge, where its own traction relieves
-/// it of pressure, may neither stick (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not
-/// seen from either side. Nor is rest from slip to and fro.
+/// @brief Ends cycles between two sets of nodes and between two directions of slip.
+/// A node at the edge whose own traction relieves it of pressure may neither stick (|t| > mu p) nor slip (t along S),
+/// so the two sets alternate; the third choice, to leave the contact, appears in neither. A node whose slip changes
+/// sign from step to step does not come to rest by itself either.
 class CycleBreaker {
  public:
   explicit CycleBreaker(Eigen::Index nodes) : now_(static_cast<std::size_t>(nodes)), last_(now_), before_last_(now_) {}
 
-  /// Take nodes out of contact for one step that changed their minds twice, if all others kept to theirs.
-  /// @param[in] progresses whether the residual fell meanwhile, and nothing goes back and forth
-  /// @return whether there were any
+  /// Take nodes that changed their state twice out of contact for one step, if all other nodes kept their states.
+  /// @param[in,out] sets sets of the next step
+  /// @param[in] progresses whether the residual fell meanwhile; if so, there is no cycle
+  /// @return whether any node was taken out
   bool free_undecided(ContactSets& sets, bool progresses) {
     before_last_.swap(last_);
     last_.swap(now_);
@@ -41,7 +43,7 @@ class CycleBreaker {
     return true;
   }
 
-  /// Let nodes stick for one step whose slip turned round in the last one: they passed their place of rest.
+  /// Let nodes whose slip reversed in the last step stick for one step, since they passed their position of rest.
   void rest_turned(ContactSets& sets) {
     directions_.resize(now_.size(), {0.0, 0.0});
     std::vector<Eigen::Array2d> turned(now_.size(), {0.0, 0.0});
@@ -59,10 +61,10 @@ class CycleBreaker {
   }
 
  private:
-  static constexpr double kTurned = 0.0;  // cosine of a turn
+  static constexpr double kTurned = 0.0;  // cosine of the angle beyond which slip counts as reversed
   enum State : unsigned char { kApart, kStick, kSlip };
   std::vector<State> now_, last_, before_last_;
-  std::vector<Eigen::Array2d> directions_;  // of slip, a step ago; 0 of nodes that did not
+  std::vector<Eigen::Array2d> directions_;  // directions of slip one step ago; 0 for nodes that did not slip
 };
 
 }  // namespace viscoroll::detail

@@ -28,7 +28,7 @@ double DriveRow::of(const VectorField& force, const VectorField& displacement, d
 
 namespace {
 
-/// Count the pushback, `factor` times, in what must balance the forces of a row.
+/// Add `factor` times the pushback to the forces that balance those of a row.
 DriveRow with_pushback(DriveRow row, const ContactState& state, double factor) {
   const auto [pushed_back, on_force] = pushback(state);
   row.value += factor * pushed_back;
@@ -64,7 +64,8 @@ DriveRow GivenMoment::row(const ContactState& state, double) const {
   return with_pushback(std::move(row), state, arms.radius / arm);
 }
 
-/// The body's own displacement, of the lever arms, is taken as it is: it hardly changes in a step.
+/// The displacement of the rolling body in the moment arms is kept at its current value, since it hardly changes in a
+/// step.
 DriveRow GivenMoment::row_of_pair(const ContactState& state, double arm) const {
   DriveRow row{.on_force = moment_per_force(displaced(state.arms, state.displacement, 0.0)) / arm,
                .on_displacement = {},

@@ -1,5 +1,6 @@
 /// @file
-/// @brief What closes the equations of rolling for the creepage: one row of the system each.
+/// @brief Drives: the condition on force, torque or speed that closes the equations for the creepage, one row of the
+/// system.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,61 +12,64 @@
 
 namespace viscoroll::detail {
 
-/// @brief Forces between two bodies, and what follows from them.
+/// @brief Contact forces between two bodies, and the geometry that their resultants depend on.
 struct ContactState {
   const SurfaceOperator& surface;
   const LeverArms& arms;
   const VectorField& force;  ///< [N]
-  VectorField displacement;  ///< of what rolls by itself [m]
+  VectorField displacement;  ///< displacement of the rolling body alone [m]
 };
 
-/// @brief The force with which pressure pushes what rolls back, along the deformed surface that it stands on,
+/// @brief Force with which pressure pushes the rolling body back along the deformed surface of the counterbody,
 /// linearized.
 struct Pushback {
   double force;  ///< [N]
   VectorField
-      on_force;  ///< its derivative [-], but for `SurfaceOperator::pushback`, which is taken as it is; or no rows
+      /// Derivative of the force [-], without the part of `SurfaceOperator::pushback`, which is kept constant; may have
+      /// no rows.
+      on_force;
 };
 
-/// @brief The sum of `SurfaceOperator::pushback` and of what the slope of the undeformed surface makes of the pressure.
-/// Under a rigid body the moment of the pressure per radius, for there the pressure itself has no moment: it stands on
-/// a sphere.
+/// @brief Sum of `SurfaceOperator::pushback` and the force due to the slope of the undeformed surface.
+/// Under a rigid body it is the moment of the pressure divided by the radius: the pressure on a sphere has no moment
+/// about its center.
 [[nodiscard]] Pushback pushback(const ContactState& state);
 
-/// @brief Moment of the contact forces about the center of what rolls, at displaced points:
-/// sum of (y + u_y) F_x - (x + share u_x) F_y, u its own displacement, less radius times pushback.
-/// @param[in] state of the contact
-/// @param[in] pressure_share 0 where pressure does no work along the plane, else 1
-/// @return [N m]
+/// @brief Moment of the contact forces about the center of the rolling body, at displaced points.
+/// It is the sum of (y + u_y) F_x - (x + pressure_share u_x) F_y, where u is the displacement of the rolling body
+/// alone, minus the radius times the pushback.
+/// @param[in] state state of the contact
+/// @param[in] pressure_share 0 if pressure does no work along the plane, else 1
+/// @return moment [N m]
 [[nodiscard]] double moment_about_center(const ContactState& state, double pressure_share);
 
-/// @brief A condition on forces F, displacements u and creepage c, as a force [N]:
-/// sum of on_force F + sum of on_displacement u + on_creepage c = value.
+/// @brief Linear condition on forces F, displacements u and creepage c, in the form of a force [N]: sum of on_force F +
+/// sum of on_displacement u + on_creepage c = value.
 struct DriveRow {
   VectorField on_force;
-  VectorField on_displacement;  ///< no rows where displacements do not matter
+  VectorField on_displacement;  ///< no rows if the condition does not depend on displacements
   double on_creepage;
   double value;
 
-  /// @return left side
+  /// @return left side of the condition
   [[nodiscard]] double of(const VectorField& force, const VectorField& displacement, double creepage) const;
 };
 
-/// @brief How a rolling body is driven, as the equations have it.
+/// @brief Condition that drives a rolling body.
 class DriveCondition {
  public:
   virtual ~DriveCondition() = default;
 
-  /// @brief The condition linearized at a state, where it is exact.
-  /// @param[in] state where
-  /// @param[in] creepage_force force that a creepage of 1 is to count for [N]
+  /// @brief Linearize the condition at a state; the row is exact there.
+  /// @param[in] state state of the contact
+  /// @param[in] creepage_force force that represents a creepage of 1 [N]
   [[nodiscard]] virtual DriveRow row(const ContactState& state, double creepage_force) const = 0;
 
-  /// @return the creepage, where it is what the drive gives
+  /// @return the creepage if the drive prescribes it
   [[nodiscard]] virtual std::optional<double> given_creepage() const { return std::nullopt; }
 };
 
-/// @brief A given force on the center, forward; the contact forces balance it, the pushback among them.
+/// @brief Given force on the center, positive forward, balanced by the contact forces and the pushback.
 class GivenForce : public DriveCondition {
  public:
   explicit GivenForce(double force) : force_(force) {}
@@ -75,11 +79,11 @@ class GivenForce : public DriveCondition {
   double force_;
 };
 
-/// @brief A given moment of the contact forces about the center, at displaced points.
+/// @brief Given moment of the contact forces about the center, at displaced points.
 class GivenMoment : public DriveCondition {
  public:
-  /// @param[in] moment [N m]
-  /// @param[in] pressure_share as for `moment_about_center`
+  /// @param[in] moment moment [N m]
+  /// @param[in] pressure_share same as in `moment_about_center`
   GivenMoment(double moment, double pressure_share) : moment_(moment), pressure_share_(pressure_share) {}
   [[nodiscard]] DriveRow row(const ContactState& state, double creepage_force) const override;
 
@@ -90,7 +94,8 @@ class GivenMoment : public DriveCondition {
   double pressure_share_;
 };
 
-/// @brief A given excess of the speed over that of the undeformed surface, relative to it.
+/// @brief Given creepage: the excess of the speed of the center over that of the undeformed surface, relative to the
+/// latter.
 class GivenCreepage : public DriveCondition {
  public:
   explicit GivenCreepage(double creepage) : creepage_(creepage) {}

@@ -1,96 +1,103 @@
 /// @file
-/// @brief Numbers of the search for states of stick and slip, each with what it is for, or the case that chose it.
+/// @brief Parameters of the search for states of stick and slip, each with its purpose or the cases that determined it.
 #pragma once
 
 namespace viscoroll::detail {
 
-/// @brief Of Newton steps at a given friction, and of how a state is reached by them. Residuals are those of all
-/// conditions, as forces, per normal force.
-///
-/// "Tried" are 972 cases of the friction grid and 70 of the campaign with half and twice a number, or what is given:
-/// none of them ended without a state.
+/// @brief Parameters of the Newton steps at a given friction and of the starting points. A residual is the norm of the
+/// violations of all conditions, as forces, per load.
+/// "Tried" compares half and twice a value, or the given values, on 972 cases of the friction grid and 70 randomized
+/// tests; every case found a state.
 struct FrictionSettings {
-  // What a state is.
+  // Convergence of a state
 
-  /// Its residual, times the friction where that is less than 1; nor less than the tolerance of a contact ...
+  /// Residual of a state, times the coefficient of friction if that is below 1, and at least the tolerance of the
+  /// contact ...
   double tolerance = 1e-10;
-  /// ... and by no less a friction than this, for the load itself is known to 1e-14.
+  /// ... and at least this coefficient, since the load itself is accurate to 1e-14.
   double least_friction = 0.01;
-  /// The same where steps no longer halve it. Not times the friction, it left nodes that stick with 2 % of the fastest
-  /// slip at a friction of 0.0048.
+  /// Same where steps no longer halve the residual. Without the coefficient of friction as a factor, sticking nodes
+  /// kept 2 % of the fastest slip at a coefficient of 0.0048.
   double round_off = 1e-8;
-  /// Slip of nodes that stick, per spread of the strain: a fifth of what the campaign allows. On meshes of a million
-  /// nodes the residual alone left them 1e-4 ...
+  /// Slip of sticking nodes relative to the range of the increments of displacement in the contact: a fifth of what the
+  /// randomized tests allow. On meshes of a million nodes the residual alone left 1e-4.
   double largest_creep = 2e-7;
-  /// ... before these steps.
+  /// Largest number of further steps that reduce this slip.
   int steps_of_rest = 3;
 
-  /// The residual of an instant of a motion, whose errors later ones inherit, and which direct solutions take to ...
+  /// Residual at one instant of a motion, which direct solutions reach; its errors carry over to later instants.
   double instant_tolerance = 1e-12;
-  /// ... or here, where steps no longer halve it.
+  /// Same where steps no longer halve the residual.
   double instant_round_off = 1e-10;
 
-  // When steps are in vain.
+  // Failure of an iteration
 
-  /// Residual that steps do not come back from in time, relative to that of the start where the start has more than 1:
-  /// a node that is carried by the whole lag of a spacing has forces far above a small load, and one step undoes them.
+  /// Residual at which an iteration stops as diverged, relative to that of the start if that is above 1. The limit is
+  /// large because a node that is displaced by the whole lag of a spacing has forces far above a small load, which one
+  /// step corrects.
   double hopeless = 1e3;
-  /// Steps of an iteration: two or three times what a state takes from full stick. With them only 4 of 10 000 that came
-  /// to a state would not have, ...
+  /// Steps of an iteration: two or three times what a state takes from full stick. Only 4 of 10 000 states needed more.
   int steps = 25;
-  /// ... which took up to so many, the residual halving ...
+  /// Largest number of steps of an iteration that continues because its residual halves ...
   int most_steps = 60;
-  /// ... in so many of them. Tried: half costs 1 % in products, twice is the same.
+  /// ... in this number of steps. Tried: half costs 1 % in operator applications, twice makes no difference.
   int halving = 12;
-  /// Operations in products that a search may take, some seconds, ...
+  /// Operations in operator applications that a search may perform (some seconds).
   double effort = 1e10;
-  /// ... or eight times the products of most states ...
+  /// Number of operator applications that a search may perform instead, eight times that of most states ...
   double products = 800;
-  /// ... within so many times that.
+  /// ... if they cost at most this multiple of `effort`.
   double costly = 4.0;
 
-  // How steps are taken.
+  // Newton steps
 
-  /// Those that may raise the residual while nodes find their sets. Tried: with half the longest way took 38 steps in
-  /// place of 20, with twice 22; products are the same to 1 % ...
+  /// First steps of an iteration, which may raise the residual while the sets settle. Tried: with half of them the
+  /// longest path took 38 steps instead of 20, with twice 22; operator applications agree to 1 %.
   int free_steps = 8;
-  /// ... which they have nearly found on a coarser mesh.
+  /// Same from a coarser mesh, whose sets are nearly correct.
   int free_steps_nearby = 3;
-  /// Of the least residual, from which free steps are taken back. Without it 79 cases of the friction grid, all at 0.01
-  /// and less, took 72 steps on average in place of 23.
+  /// Multiple of the least residual above which the search returns to the state with the least residual after the free
+  /// steps. Without this, 79 cases of the friction grid, all at friction of at most 0.01, took 72 steps on average
+  /// instead of 23.
   double astray = 2.0;
-  /// Shorter steps lead out of no cycle of nodes either. Tried: 0.25 costs 30 % more products, 0.01 is the same.
+  /// Shortest fraction of a step; shorter ones do not end cycles of nodes either. Tried: 0.25 costs 30 % more operator
+  /// applications, 0.01 makes no difference.
   double shortest_step = 0.05;
-  /// Beyond, what slides as a whole hardly changes, and steps lose themselves; where a drive is passed lies below.
+  /// Largest creepage [-]. Beyond it, a body that slides as a whole hardly changes and steps diverge; drives are met
+  /// below it.
   double most_creepage = 1.0;
-  /// Residual of a step by products, what its change of sets is worth; a tenth of it after the free ones. Tried: 1e-3
-  /// to 0.1 within 6 % of the products. All steps careful, up to 300 nodes in contact, were a fifth fewer and cost a
-  /// fifth to a third more products, in 657 cases of the campaign and 972 of the grid, each with a state.
+  /// Relative residual of a step with an iterative linear solver. Greater accuracy does not pay while the sets change;
+  /// steps after the free ones use a tenth of it. Tried: 1e-3 to 0.1 agree within 6 % of the operator applications.
+  /// With accurate steps only, contacts of up to 300 nodes took a fifth fewer steps but a fifth to a third more
+  /// operator applications (657 randomized tests and 972 cases of the grid, each with a state).
   double rough_step = 1e-2;
-  /// Of a careful step: from 10 coarser meshes from which rough ones did not lead, these did 8 times.
+  /// Relative residual of an accurate step. From 10 coarser meshes from which rough steps failed, accurate ones
+  /// succeeded 8 times.
   double exact_step = 1e-6;
 
-  // How a state is reached.
+  // Starting points
 
-  /// Traction per its limit from which a node slips as in the instant before: carried between two rows it has less.
+  /// Traction per friction limit above which a node is assumed to slip as at the previous instant: a traction
+  /// interpolated between two rows is below the limit.
   double likely_slip = 0.97;
 
-  /// Towards full stick, as a start: further ones move nodes with tension back and forth. Tried: half costs 5 % less,
-  /// twice a tenth to a quarter more.
+  /// Steps towards full stick, as a starting point; further ones move nodes with tension back and forth. Tried: half
+  /// costs 5 % less, twice 10 to 25 % more.
   int steps_of_full_stick = 6;
-  /// Steps from a coarser mesh that must have halved the residual ...
+  /// Steps from a coarser mesh after which the residual must have halved.
   int patience_nearby = 8;
-  /// ... and those from between two creepages, before the range is halved. Tried: all the same, for both end what
-  /// fails.
+  /// Same for steps from between two creepages, before the interval is halved. Tried: no difference, since both only
+  /// end iterations that fail.
   int patience_between = 14;
-  /// From which a given creepage was found at a friction of 4 where nothing else led to it.
+  /// Coefficient of friction from which a state with given creepage was found at a coefficient of 4, where no other
+  /// start succeeded.
   double easy_friction = 0.3;
-  /// Share of the way from there, on which strides are halved, that is too short to go on: a seventh halving. Tried:
-  /// 0.1 is the same.
+  /// Step of the logarithmic path from there, as a fraction of the whole, below which the search ends: after seven
+  /// halvings. Tried: 0.1 makes no difference.
   double shortest_stride = 0.01;
-  /// Below which the scale of creepages is linear.
+  /// Creepage below which the scale of creepages is linear [-].
   double small_creepage = 1e-5;
-  /// Of the range of creepages, to a millionth.
+  /// Halvings of the interval of creepages, to a millionth of it.
   int halvings = 20;
 };
 

@@ -19,13 +19,13 @@ namespace {
 
 constexpr const FrictionSettings& kSettings = kFrictionSettings;
 
-/// A state at a creepage, and how far it is from the condition of the drive that is wanted [N].
+/// A state at a given creepage, and the force by which it misses the condition of the drive [N].
 struct Passed {
   ContactSolution state;
   double excess;
 };
 
-/// @param[in] start from which it is searched
+/// @param[in] start state from which the search starts
 SearchLimits limits_of(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options) {
   const double share = std::clamp(problem.friction->coefficient, kSettings.least_friction, 1.0);
   const double affordable = kSettings.effort / problem.surface->operations();
@@ -61,10 +61,10 @@ class StateSearch {
   }
 
  private:
-  /// Linear systems, those of others on the way that was theirs among them.
+  /// Number of linear systems, including those of another search whose path to full stick is reused.
   [[nodiscard]] int iterations() const { return start_.iterations + newton_.systems() + shared_systems_; }
 
-  /// Begin at a state, with the creepage that the drive gives if it does.
+  /// Start from a state, with the creepage of the drive if the drive prescribes it.
   void start_from(ContactSolution state) {
     if (const auto given = problem_.friction->drive->given_creepage()) state.creepage = given;
     if (!state.creepage) state.creepage = 0.0;
@@ -72,7 +72,7 @@ class StateSearch {
     newton_.start_from(std::move(state));
   }
 
-  /// Newton steps from the present state to one at the friction that is wanted.
+  /// Take Newton steps from the current state to one at the wanted coefficient of friction.
   bool iterate(const StepLimits& limits = {}) {
     const bool is_found = newton_.iterate(wanted_.coefficient, limits);
     const double residual = newton_.state().residual;
@@ -80,7 +80,7 @@ class StateSearch {
     return is_found;
   }
 
-  /// From one of a coarser mesh or of a smaller box, with care where rough steps fail.
+  /// Start from the state of a coarser mesh or smaller box; take accurate steps if rough ones fail.
   bool from_state_with_friction() {
     start_from(start_);
     if (iterate({.patience = kSettings.patience_nearby})) return true;
@@ -90,14 +90,15 @@ class StateSearch {
 
   bool find() { return find_at_once() || (wanted_.drive->given_creepage() ? find_by_friction() : find_by_creepage()); }
 
-  /// Of 76 random cases 59 were found in one iteration, and the rest by none from elsewhere, nor by creepages.
+  /// Find full stick from the given start. 59 of 76 random cases converged in one iteration; other starting points and
+  /// given creepages did not help the rest.
   bool find_full_stick() {
     start_from(start_);
     return iterate();
   }
 
-  /// From full stick, which need not have a solution, most frictions are reached in one iteration; where a body slides
-  /// as a whole, from the contact without friction.
+  /// Full stick need not have a solution, but from it one iteration reaches most coefficients of friction. The
+  /// frictionless contact is the start for bodies that slide as a whole.
   bool find_at_once() {
     stick();
     if (iterate()) return true;
@@ -105,7 +106,7 @@ class StateSearch {
     return iterate();
   }
 
-  /// The way to full stick, which does not know the friction that is wanted: others may have gone it.
+  /// Take the steps to full stick. They do not depend on the wanted coefficient, so another search may have taken them.
   void stick() {
     const bool is_shared = wanted_.shared && problem_.friction->drive == wanted_.drive && !start_.creepage;
     if (is_shared) {
@@ -132,7 +133,8 @@ class StateSearch {
         {.state = sticking.state(), .systems = sticking.systems(), .products = system_.products() - products});
   }
 
-  /// From a friction that is easy to the one wanted, by steps on a logarithmic scale that are halved where they fail.
+  /// Increase or decrease the coefficient from `easy_friction` to the wanted one by logarithmic steps, halved where
+  /// they fail.
   bool find_by_friction() {
     const double ratio = wanted_.coefficient / kSettings.easy_friction;
     start_from(start_);
@@ -152,8 +154,8 @@ class StateSearch {
     return false;
   }
 
-  /// Forces and moments fall as the creepage rises, from those of a body that spins on the spot to those of one that
-  /// skids: halve the range of creepages in which the drive is passed, and try the drive itself from within it.
+  /// Force and moment fall as the creepage rises, from those of a body that spins in place to those of one that skids.
+  /// Halve the interval of creepages that contains the drive, and start steps with the drive itself from within it.
   bool find_by_creepage() {
     std::optional<Passed> near = find_at(0.0, start_);
     if (!near) return false;
@@ -174,8 +176,9 @@ class StateSearch {
     return false;
   }
 
-  /// The state at a given creepage.
-  /// @param[in] place of it, asinh(creepage / small_creepage)
+  /// Find the state at a given creepage.
+  /// @param[in] place asinh(creepage / small_creepage)
+  /// @param[in] from start
   std::optional<Passed> find_at(double place, const ContactSolution& from) {
     problem_.friction->drive = std::make_shared<GivenCreepage>(kSettings.small_creepage * std::sinh(place));
     start_from(from);
@@ -185,7 +188,7 @@ class StateSearch {
     return Passed{newton_.state(), system_.drive_excess(newton_.state())};
   }
 
-  /// From where the drive is passed on the straight line between two states.
+  /// Start from the linear interpolation between two states at the point where it satisfies the drive.
   bool arrive_between(const Passed& one, const Passed& other) {
     const double share = one.excess / (one.excess - other.excess);
     ContactSolution between = one.state;
@@ -196,8 +199,8 @@ class StateSearch {
     return iterate({.patience = kSettings.patience_between});
   }
 
-  /// The state, with further steps as long as they help: a residual that is small beside the load may leave creep that
-  /// is not small beside the way that sticking nodes are carried by the strain of the surface.
+  /// Return the state after further steps that reduce the slip of sticking nodes. A residual that is small compared
+  /// with the load may leave slip that is not small compared with the displacement of sticking nodes by the strain.
   [[nodiscard]] ContactSolution finished() {
     ContactSolution state = newton_.state();
     ContactSets sets = newton_.sets();
@@ -220,15 +223,15 @@ class StateSearch {
   }
 
   const Friction& wanted_;
-  ContactProblem problem_;  // whose drive is another one on the way
+  ContactProblem problem_;  // its drive is replaced during the search
   ContactSolution start_;
   SearchLimits limits_;
-  bool is_start_;  // of another one, where creep need not come to rest
+  bool is_start_;  // whether another solution starts from this one, so that sticking nodes may still slip
   StickSlipByProducts system_;
   SemismoothNewton newton_;
-  int shared_systems_ = 0;   // of the way to full stick
-  int shared_products_ = 0;  // the same, where others have gone it
-  double residual_ = 1.0;    // the last finite one, for the message of a failure
+  int shared_systems_ = 0;   // linear systems on the path to full stick
+  int shared_products_ = 0;  // operator applications on that path, if another search took it
+  double residual_ = 1.0;    // last finite residual, for the error message
 };
 
 }  // namespace

@@ -16,11 +16,11 @@ namespace {
 
 using Eigen::Index;
 
-/// Newton's method from so near: the directions of slip alone are not linear in the forces.
+/// Largest number of Newton steps. The start is nearby and only the directions of slip are nonlinear in the forces.
 constexpr int kMostSteps = 12;
-constexpr double kSettled = 1e-11;    // change of the forces in a step, per load
-constexpr double kUnsettled = 1e-6;   // after the last one
-constexpr double kExactStep = 1e-11;  // residual of its system
+constexpr double kSettled = 1e-11;    // change of the forces in a step that ends the iteration, per load
+constexpr double kUnsettled = 1e-6;   // largest change in the last step, per load
+constexpr double kExactStep = 1e-11;  // residual of the linear system of a step
 
 ContactSets sets_of(const StickSlipSystem& system, double friction, const std::vector<char>& sticks,
                     const ContactSolution& state) {

@@ -1,6 +1,6 @@
 /// @file
-/// @brief Contacts in which it is given who touches, sticks and slips: what parameters change before nodes join or
-/// leave. See docs/theory/sensitivities.md.
+/// @brief Frozen contact: the solution for given contacting, sticking and slipping nodes, as parameters change by so
+/// little that no node changes its state. See docs/theory/sensitivities.md.
 #pragma once
 
 #include "contact/contact_problem.hpp"
@@ -8,12 +8,12 @@
 
 namespace viscoroll::detail {
 
-/// @brief Solve for forces, penetration and creepage.
+/// @brief Solve a frozen contact for forces, penetration and creepage.
 /// @param[in] problem surface, friction and drive
-/// @param[in] kept nodes in contact and those of them that stick; with forces, penetration and creepage of a state near
-/// the one that is sought, from which the slipping nodes' directions follow
+/// @param[in] kept nodes in contact and the sticking ones among them, with forces, penetration and creepage of a nearby
+/// state, from which the directions of slip follow
 /// @param[in] options limits
-/// @throws ConvergenceError where the equations have no solution near that state
+/// @throws ConvergenceError if the equations have no solution near that state
 [[nodiscard]] ContactSolution solve_kept_contact(const ContactProblem& problem, ContactSolution kept,
                                                  const ContactOptions& options);
 

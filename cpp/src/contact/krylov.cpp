@@ -11,11 +11,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index kMostDirections = 120;  // kept before a restart, of large systems
-constexpr int kMostProducts = 360;      // some ten are enough
-constexpr double kStagnation = 0.5;     // of the residual over a restart
+constexpr Index kMostDirections = 120;  // before a restart, for large systems
+constexpr int kMostProducts = 360;      // some ten are usually enough
+constexpr double kStagnation = 0.5;     // reduction of the residual over a restart that is too small to go on
 
-/// Orthonormal directions of a Krylov space, with the least residual over it.
+/// Orthonormal basis of a Krylov space and the least residual over it.
 class Arnoldi {
  public:
   explicit Arnoldi(VectorXd residual) : right_side_{residual.norm()} {
@@ -27,14 +27,16 @@ class Arnoldi {
   [[nodiscard]] Index count() const { return static_cast<Index>(rotations_.size()); }
   [[nodiscard]] double residual() const { return std::abs(right_side_.back()); }
 
-  /// Add the image of the last direction, by way of the step that it is preconditioned to.
-  /// @return whether it adds anything
+  /// Add the image of the last direction.
+  /// @param[in] step last direction, preconditioned
+  /// @param[in] image matrix times `step`
+  /// @return whether the image adds a direction
   bool extend(VectorXd step, VectorXd image) {
     const Index n = count();
     steps_.push_back(std::move(step));
     VectorXd column = VectorXd::Zero(n + 2);
     const double before = image.norm();
-    for (int pass = 0; pass < 2; ++pass) {  // twice is enough for orthogonality to round-off
+    for (int pass = 0; pass < 2; ++pass) {  // two passes give orthogonality to round-off
       for (Index i = 0; i <= n; ++i) {
         const double share = directions_[static_cast<std::size_t>(i)].dot(image);
         image -= share * directions_[static_cast<std::size_t>(i)];
@@ -56,7 +58,7 @@ class Arnoldi {
     return adds;
   }
 
-  /// The combination of steps with the least residual.
+  /// Return the combination of steps with the least residual.
   [[nodiscard]] VectorXd combination() const {
     const Index n = count();
     VectorXd shares(n);
@@ -82,17 +84,17 @@ class Arnoldi {
   };
 
   std::vector<VectorXd> directions_;
-  std::vector<VectorXd> steps_;    // kept: to precondition their combination would take as long as another one
-  std::vector<VectorXd> columns_;  // of the triangle that rotations make of the Hessenberg matrix
+  std::vector<VectorXd> steps_;    // stored, since preconditioning their combination takes as long as another product
+  std::vector<VectorXd> columns_;  // columns of the triangular matrix that rotations make of the Hessenberg matrix
   std::vector<Rotation> rotations_;
-  std::vector<double> right_side_;  // rotated alike; its last number is the residual
+  std::vector<double> right_side_;  // rotated in the same way; its last entry is the residual
 };
 
 }  // namespace
 
 KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner, const VectorXd& right,
                             const VectorXd& guess, const KrylovTolerance& tolerance) {
-  // What no preconditioner is good for, as with shells that bend, takes as many directions as there are unknowns.
+  // Systems that no preconditioner suits, such as those of shells that bend, take as many directions as unknowns.
   const Index most_directions = right.size() > tolerance.small_system ? kMostDirections : right.size();
   const Index most_products = std::max<Index>(kMostProducts, most_directions);
   KrylovSolution solution{.unknowns = guess, .products = 0, .residual = 0.0};

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Linear systems that are known by their products alone.
+/// @brief Iterative solution of linear systems given by matrix-vector products.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,18 +10,19 @@ namespace viscoroll::detail {
 /// @brief A linear map.
 using LinearOperator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-/// @brief What a Krylov solve came to.
+/// @brief Result of a Krylov solution.
 struct KrylovSolution {
   Eigen::VectorXd unknowns;
-  int products;     ///< with the matrix
+  int products;     ///< number of products with the matrix
   double residual;  ///< norm of b - A x
 };
 
-/// @brief When a residual is small enough: as soon as its norm is below one of the two. And what that may cost.
+/// @brief Tolerance and cost of a Krylov solution, which ends when the norm of the residual is below either tolerance.
 struct KrylovTolerance {
   double absolute = 0.0;
-  double relative = 0.0;            ///< to the residual of the guess
-  Eigen::Index small_system = 600;  ///< unknowns up to which all directions may be taken, where few do not do
+  double relative = 0.0;  ///< relative to the residual of the guess
+  /// Number of unknowns up to which the method may take as many directions as unknowns.
+  Eigen::Index small_system = 600;
 };
 
 /// @brief Solve A x = b by GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869), preconditioned from
@@ -29,8 +30,8 @@ struct KrylovTolerance {
 /// @param[in] matrix A
 /// @param[in] preconditioner approximate inverse of A
 /// @param[in] right b
-/// @param[in] guess to start from
-/// @param[in] tolerance of the residual
+/// @param[in] guess initial x
+/// @param[in] tolerance tolerance of the residual
 [[nodiscard]] KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner,
                                           const Eigen::VectorXd& right, const Eigen::VectorXd& guess,
                                           const KrylovTolerance& tolerance);

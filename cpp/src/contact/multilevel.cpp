@@ -13,16 +13,17 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-constexpr Index kSmallWindow = 4096;  // nodes, of which no part is taken for the contact alone
-// Of a window, whose contact comes from any guess as quickly: 200 speeds by 10 loads took the same with 600 to 1200 of
-// them, and an eighth more where windows of 4096 were not coarsened either.
+/// Number of nodes up to which a window is solved as a whole, not in a box around the contact.
+constexpr Index kSmallWindow = 4096;
+// Number of nodes below which coarsening does not pay: 200 speeds by 10 loads took the same time with 600 to 1200, and
+// an eighth more if windows of 4096 nodes were not coarsened either.
 constexpr Index kFewNodes = 600;
-constexpr int kFewAcross = 16;                  // of its shorter side, of which the coarse one keeps 8
-constexpr Index kSmallFrictionalWindow = 2500;  // where forces along the plane come on top
-constexpr double kCoarseTolerance = 1e-4;       // of a contact that is to be interpolated
-// Forces along the plane may be a small part of the load, and what levels leave of them adds up.
+constexpr int kFewAcross = 16;  // least number of nodes in either direction, of which the coarse mesh keeps 8
+constexpr Index kSmallFrictionalWindow = 2500;  // number of nodes up to which friction needs no coarser mesh
+constexpr double kCoarseTolerance = 1e-4;       // residual of a contact that is interpolated
+// Tangential forces may be a small part of the load, and the errors of the levels add up.
 constexpr double kCoarseFrictionalTolerance = 1e-6;
-constexpr double kCoarseUnsettled = 0.001;  // of its nodes
+constexpr double kCoarseUnsettled = 0.001;  // fraction of its nodes
 
 ContactOptions rough(ContactOptions options) {
   options.tolerance = kCoarseTolerance;
@@ -31,7 +32,7 @@ ContactOptions rough(ContactOptions options) {
   return options;
 }
 
-/// Nodes up to a depth, the lowest ones at least, and no forces.
+/// Return a guess without forces that contains the nodes up to a depth, and at least the lowest ones.
 NormalContactGuess guess_within(const ContactProblem& problem, double depth) {
   const ArrayXd& initial_gap = problem.initial_gap;
   NormalContactGuess guess{.contact = {}, .pressing = ArrayXd::Zero(initial_gap.size()), .penetration = 0.0};
@@ -48,7 +49,7 @@ NormalContactGuess prolonged_guess(const LocatedContact& coarse, const Window& f
           .penetration = coarse.contact.penetration};
 }
 
-/// The state of a contact as a guess on a window that encloses its own.
+/// Return the state of a contact as a guess on a window that contains its own.
 NormalContactGuess guess_from(const LocatedContact& located, const Window& window) {
   NormalContactGuess guess{
       .contact = {}, .pressing = ArrayXd::Zero(window.shape().size()), .penetration = located.contact.penetration};
@@ -59,7 +60,7 @@ NormalContactGuess guess_from(const LocatedContact& located, const Window& windo
   return guess;
 }
 
-/// The box around two.
+/// Smallest box that contains two boxes.
 Window joined(const Window& one, const Window& other) {
   const auto join = [](const NodeRange& a, const NodeRange& b) {
     return NodeRange{std::min(a.first, b.first), std::max(a.last, b.last)};
@@ -67,7 +68,7 @@ Window joined(const Window& one, const Window& other) {
   return {join(one.phi, other.phi), join(one.theta, other.theta)};
 }
 
-/// Whether a contact of every other node is a start worth its price: where there are enough of them either way.
+/// Whether the window has enough nodes in both directions for a start from every other node to pay.
 bool is_worth_coarsening(const Window& window) {
   const auto [rows, columns] = window.shape();
   return window.shape().size() > kFewNodes && rows >= kFewAcross && (window.is_line() || columns >= kFewAcross);
@@ -94,10 +95,11 @@ LocatedContact press_multilevel(const ContactProblem& problem, double likely_dep
   }
 }
 
-/// The contact without friction, which others may have found.
+/// Return the frictionless contact, which another solution may have found already.
 LocatedContact pressed(const ContactProblem& problem, double likely_depth, const ContactOptions& options) {
   const auto& shared = problem.friction->shared;
-  const bool is_shared = shared && problem.initial_gap.size() <= kSmallFrictionalWindow;  // on the window itself
+  // A small window is solved as a whole, so the contact is on the window itself.
+  const bool is_shared = shared && problem.initial_gap.size() <= kSmallFrictionalWindow;
   if (is_shared) {
     if (const auto kept = shared->pressed()) return {.problem = problem, .contact = *kept};
   }
@@ -106,13 +108,13 @@ LocatedContact pressed(const ContactProblem& problem, double likely_depth, const
   return located;
 }
 
-/// Contact with friction from a frictionless one, or from a state with friction, on its own window.
+/// Add friction on the window of `start`, a frictionless contact or a state with friction.
 LocatedContact add_friction(LocatedContact start, const ContactOptions& options) {
   start.contact = solve_frictional_contact(start.problem, start.contact, options);
   return start;
 }
 
-/// A contact with friction from that of every other node, in a box around it.
+/// Solve a contact with friction, starting from that of every other node, in a box around it.
 LocatedContact refine(const LocatedContact& coarse, const ContactProblem& problem, const ContactOptions& options) {
   const Window box = box_around(coarse, 2, problem.surface->window());
   ContactProblem inside = within(problem, box);
@@ -132,7 +134,7 @@ LocatedContact solve_multilevel(const ContactProblem& problem, double likely_dep
     settled.tolerance = kCoarseFrictionalTolerance;
     return refine(solve_multilevel(coarse, likely_depth, settled), problem, options);
   };
-  // What has failed on two meshes is not tried on finer ones.
+  // A problem that failed on two meshes is not tried on finer ones.
   if (coarse.initial_gap.size() > kSmallFrictionalWindow) return from_coarse();
   try {
     return from_coarse();

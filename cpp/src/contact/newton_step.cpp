@@ -14,12 +14,16 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kLeastRigidity = 0.02;  // of the one symbol that stands for all slipping nodes
+/// Limits of the mean rigidity, which represents all slipping nodes in one symbol.
+constexpr double kLeastRigidity = 0.02;
 constexpr double kMostRigidity = 0.9;
 
-/// Nodes that stick, and the runs along phi that they lie in.
+/// Sticking nodes, and the runs along phi that contain them.
 struct StickRuns {
-  /// @param[in] rigid_slip,per_creepage ways from upstream neighbors, the latter per creepage [m]
+  /// @param[in] problem contact problem
+  /// @param[in] sets nodes in contact and their states
+  /// @param[in] rigid_slip slip per row at zero creepage [m]
+  /// @param[in] per_creepage slip per row and creepage [m]
   StickRuns(const ContactProblem& problem, const ContactSets& sets, const Eigen::ArrayX2d& rigid_slip,
             const Eigen::ArrayX2d& per_creepage) {
     const WindowShape shape = problem.surface->shape();
@@ -27,7 +31,7 @@ struct StickRuns {
     std::vector<Index> place(static_cast<std::size_t>(shape.size()), -1);
     for (std::size_t i = 0; i < sets.contact.size(); ++i) {
       if (!sets.states[i].stick) continue;
-      const Index node = sets.contact[i];  // ascending, so that the upstream neighbor has been here
+      const Index node = sets.contact[i];  // ascending, so the upstream neighbor has been visited
       const Index before = place[static_cast<std::size_t>(node - stride)];
       place[static_cast<std::size_t>(node)] = static_cast<Index>(nodes.size());
       nodes.push_back(node);
@@ -42,13 +46,16 @@ struct StickRuns {
   [[nodiscard]] ArrayXd way_per_creepage(Index column) const { return column_of(ways_per_creepage, column); }
 
   std::vector<Index> nodes;
-  std::vector<Index> heads;                // the node upstream of the run's first
-  std::vector<Eigen::Array2d> rigid_ways;  // from the head on
+  std::vector<Index> heads;                // node upstream of the first node of the run
+  std::vector<Eigen::Array2d> rigid_ways;  // from the head to the node
   std::vector<Eigen::Array2d> ways_per_creepage;
 
  private:
-  /// A node's way from the head of its run.
-  /// @param[in] before place of its upstream neighbor in `ways`; < 0 if that is the head
+  /// Slip of a node relative to the head of its run.
+  /// @param[in] from_upstream slip per row [m]
+  /// @param[in] node number of the node
+  /// @param[in] before index of its upstream neighbor in `ways`; < 0 if that is the head
+  /// @param[in] ways slip of the previous nodes of the run, relative to the head [m]
   static Eigen::Array2d since_head(const Eigen::ArrayX2d& from_upstream, Index node, Index before,
                                    const std::vector<Eigen::Array2d>& ways) {
     const Eigen::Array2d way = from_upstream.row(node).transpose();
@@ -60,7 +67,7 @@ struct StickRuns {
   }
 };
 
-/// Nodes that slip, and where to.
+/// Slipping nodes and their directions of slip.
 struct SlippingNodes {
   SlippingNodes(const ContactProblem& problem, const ContactSets& sets) {
     std::vector<TangentialState> states;
@@ -83,13 +90,13 @@ struct SlippingNodes {
 
   std::vector<Index> nodes;
   std::vector<Index> upstream;
-  std::vector<Index> places;  // among the nodes in contact
+  std::vector<Index> places;  // index among the nodes in contact
   Eigen::ArrayX2d direction;
   ArrayXd rigidity;
 };
 
-/// The equations of a step. Unknowns and conditions lie in the order p, t_x, t_z, s, penetration times scales.normal,
-/// creepage times step * scales.tangential: all of them forces.
+/// Equations of a step. Unknowns and conditions have the order p, t_x, t_z, s, penetration times scales.normal,
+/// creepage times step * scales.tangential; all of them are forces.
 class Equations {
  public:
   Equations(const ContactProblem& problem, double coefficient, const ConditionScales& scales, const ContactSets& sets,
@@ -176,7 +183,7 @@ class Equations {
     return result;
   }
 
-  /// Solves for the forces with inverse symbols, and for penetration and creepage exactly after that.
+  /// Solve for the forces with inverse symbols, then exactly for penetration and creepage.
   [[nodiscard]] VectorXd precondition(const VectorXd& right) const {
     VectorXd result(forces_ + 2);
     result.head(forces_) = precondition_forces(right.head(forces_));
@@ -201,12 +208,13 @@ class Equations {
     return v.segment(contacts_ + 2 * stick_.count(), slip_.count());
   }
 
-  /// Of the counterpart's material, at the state.
+  /// Displacement of the counterbody's material per creepage, at the current state.
   [[nodiscard]] Eigen::ArrayX2d way_per_creepage() const {
     return friction_.counterpart_way + counterpart_increments();
   }
 
-  /// A creepage times the increments at that creepage is taken as the sum of both changes less what it is.
+  /// The product of creepage and increments is linearized: the sum of the changes due to each, minus the current
+  /// product.
   [[nodiscard]] Eigen::ArrayX2d linearized_rigid_slip() const {
     return friction_.rigid_slip - *state_.creepage * counterpart_increments();
   }
@@ -216,19 +224,20 @@ class Equations {
     return increments(state_.counterpart_displacement, problem_.surface->shape().theta_nodes);
   }
 
-  /// Displacements by which nodes slide, at the state's creepage: the counterpart's material passes so much faster.
+  /// Displacements that enter the slip at the creepage of the state: the counterbody's material passes 1 + creepage
+  /// times as fast.
   [[nodiscard]] VectorField at_paces(const Displacements& of_each, const VectorField& relative) const {
     if (of_each.counterpart.rows() == 0) return relative;
     return relative + *state_.creepage * of_each.counterpart;
   }
 
-  /// Ways of the slipping nodes across their direction.
+  /// Components across the directions of the slipping nodes.
   [[nodiscard]] ArrayXd across_direction(const Eigen::ArrayX2d& ways) const {
     const Eigen::ArrayX2d way = ways(slip_.nodes, Eigen::all);
     return slip_.direction.col(0) * way.col(1) - slip_.direction.col(1) * way.col(0);
   }
 
-  /// Force that a creepage of 1 counts for.
+  /// Force that represents a creepage of 1 [N].
   [[nodiscard]] double creepage_force() const { return scales_.tangential * friction_.step; }
 
   [[nodiscard]] Eigen::Vector2d border_conditions(const VectorXd& forces) const {
@@ -237,7 +246,7 @@ class Equations {
     return {forces.head(contacts_).sum(), (drive_.on_force * force(unknowns)).sum()};
   }
 
-  /// What penetration and creepage do to the forces, and the two equations that are left for them.
+  /// Compute the response of the forces to penetration and creepage, and the remaining 2 x 2 system for these two.
   void prepare_border() {
     VectorXd penetration = VectorXd::Zero(forces_ + 2);
     penetration.head(contacts_).setConstant(-1.0);
@@ -280,7 +289,7 @@ class Equations {
   ConditionScales scales_;
   const ContactSolution& state_;
   const std::vector<Index>& contact_;
-  Eigen::ArrayX2d per_creepage_;  // ways from upstream neighbors that a creepage of 1 adds [m]
+  Eigen::ArrayX2d per_creepage_;  // slip per row added by a creepage of 1 [m]
   Eigen::ArrayX2d rigid_slip_;
   StickRuns stick_;
   SlippingNodes slip_;
@@ -293,7 +302,7 @@ class Equations {
   Eigen::Matrix2d border_inverse_;
 };
 
-/// Make forces the mean of what they and their mirror images say, for Krylov methods leave round-off that grows.
+/// Replace forces by the mean of themselves and their mirror images: Krylov methods leave round-off that grows.
 void symmetrize(const WindowShape& shape, VectorField& force) {
   for (Index row = 0; row < shape.phi_nodes; ++row) {
     for (Index k = 0; 2 * k < shape.theta_nodes; ++k) {

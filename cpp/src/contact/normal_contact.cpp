@@ -21,18 +21,19 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kFirstTolerance = 1e-5;  // of relative residuals, while the set is far from the right one
-constexpr double kTightening = 0.03;      // of the tolerance as the set comes closer
-constexpr double kFailure = 1e-8;         // relative residual that no answer can be built on
-constexpr Index kSmallContact = 1300;     // nodes: those of the rough mesh on which windows are tried
+constexpr double kFirstTolerance = 1e-5;  // relative residual while the set still changes much
+constexpr double kTightening = 0.03;      // factor on the tolerance from pass to pass
+constexpr double kFailure = 1e-8;         // relative residual above which a solution is unusable
+constexpr Index kSmallContact = 1300;  // `small_system` of GMRES; the size of the rough mesh on which windows are tried
 
-/// The equations of flat pressing without their matrix. Forces come first, then the penetration times a stiffness.
+/// Equations of frictionless contact, without their matrix. Forces come first, then the penetration times a stiffness.
 ///
-/// Where mirror images bear the same, one node stands for both, and its unknown is the force times the root of two:
-/// sums of squares are those of all nodes, and so is every step of a Krylov method.
+/// If the contact is mirror-symmetric, one node represents itself and its image, and its unknown is the force times
+/// sqrt(2). Sums of squares are then those of all nodes, and so is every step of a Krylov method.
 ///
-/// The preconditioner leaves no sum of forces, so that from a guess that bears the load all steps do: what a Krylov
-/// method sees is the compliance on forces without a sum, symmetric where the coating is lossless.
+/// The preconditioner returns forces that sum to zero, so that every step from a guess that supports the load supports
+/// it too. A Krylov method then meets the compliance restricted to forces that sum to zero, which is symmetric if the
+/// coating is lossless.
 class FlatEquations {
  public:
   FlatEquations(const ContactProblem& problem, const InverseConvolution& inverse, const std::vector<Index>& contact,
@@ -57,7 +58,7 @@ class FlatEquations {
     return right;
   }
 
-  /// A guess whose forces bear the load.
+  /// Return the unknowns of a guess, with its forces corrected so that they support the load.
   [[nodiscard]] VectorXd unknowns(const PressedNodes& contact) const {
     VectorXd unknowns(count_ + 1);
     for (Index i = 0; i < count_; ++i) unknowns[i] = roots_[i] * contact.pressing[rows_.node(i)];
@@ -68,7 +69,7 @@ class FlatEquations {
     return unknowns;
   }
 
-  /// Note what unknowns mean, with forces that bear the load to the last digit.
+  /// Store the solution in `contact`, with forces corrected to sum to the load to the last digit.
   void press(const VectorXd& unknowns, PressedNodes& contact) const {
     const double missing = problem_.normal_force - sum(unknowns);
     const VectorXd forces = (unknowns.head(count_) + missing / sum(uniform_) * uniform_).cwiseQuotient(roots_);
@@ -90,7 +91,7 @@ class FlatEquations {
     return result;
   }
 
-  /// Solves the same equations with the inverse symbol for the inverse of C.
+  /// Solve the same equations with the inverse symbol instead of the inverse of C.
   [[nodiscard]] VectorXd precondition(const VectorXd& right) const {
     VectorXd result(count_ + 1);
     result.head(count_) = precondition_forces(right.head(count_));
@@ -105,7 +106,7 @@ class FlatEquations {
     for (int row = 0; row < rows_.rows(); ++row) rows_.for_row(row, function);
   }
 
-  /// Of the forces of all nodes.
+  /// Sum of the forces of all nodes.
   [[nodiscard]] double sum(const VectorXd& unknowns) const { return roots_.dot(unknowns.head(count_)); }
 
   [[nodiscard]] VectorXd precondition_forces(const Eigen::Ref<const VectorXd>& right) const {
@@ -120,17 +121,18 @@ class FlatEquations {
   const InverseConvolution& inverse_;
   NodeRows rows_;
   Index count_;
-  VectorXd roots_;  // of how many nodes one stands for
+  VectorXd roots_;  // square root of the number of nodes that an unknown represents
   double stiffness_;
   double balance_;
-  VectorXd uniform_;         // forces that lower all nodes alike
-  mutable VectorXd scaled_;  // what is multiplied: memory that is given back and taken anew costs more than the product
+  VectorXd uniform_;         // forces that lower all nodes by the same amount
+  mutable VectorXd scaled_;  // operand of the products; freeing and allocating its memory costs more than the product
 };
 
-/// A surface whose compliance is known by its products: a Krylov method solves the systems.
+/// A surface whose compliance is given by operator applications; a Krylov method solves the systems.
 class SurfaceOfProducts : public PressedSurface {
  public:
-  /// @param[in] mirrored whether mirror images bear the same
+  /// @param[in] problem contact problem
+  /// @param[in] mirrored whether the contact is mirror-symmetric
   SurfaceOfProducts(const ContactProblem& problem, bool mirrored)
       : problem_(problem), mirrored_(mirrored), weights_(ArrayXd::Ones(problem.initial_gap.size())) {}
 
@@ -179,7 +181,8 @@ class SurfaceOfProducts : public PressedSurface {
   std::unique_ptr<InverseConvolution> inverse_;
 };
 
-/// The guess of a contact that is its own mirror image; nothing where it need not be. Forces are those of one side.
+/// Return the guess with forces that are their own mirror images, those of one side; nothing if the problem or the
+/// contact is not symmetric.
 std::optional<PressedNodes> mirrored(const ContactProblem& problem, const PressedNodes& guess) {
   if (!problem.surface->takes_mirrored() || !is_mirror_symmetric(problem)) return std::nullopt;
   const Index columns = problem.surface->shape().theta_nodes;
@@ -220,7 +223,7 @@ PressedNodes start_of(const NormalContactGuess& guess) {
   return {.pressing = guess.pressing, .nodes = guess.contact, .penetration = guess.penetration};
 }
 
-/// @param[in] first_tolerance of residuals, where systems that are solved less closely cost less
+/// @param[in] first_tolerance first residual, if less accurate solutions of the systems cost less
 template <class Surface>
 ContactSolution press(Surface&& surface, PressedNodes start, const ContactOptions& options, double first_tolerance) {
   PressedNodes contact = find_contact(surface, std::move(start),

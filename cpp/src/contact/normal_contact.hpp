@@ -1,5 +1,5 @@
 /// @file
-/// @brief Frictionless contact: who touches, and with which force. See docs/theory/normal-contact.md.
+/// @brief Frictionless contact: nodes in contact and their forces. See docs/theory/normal-contact.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,26 +10,27 @@
 
 namespace viscoroll::detail {
 
-/// @brief What a normal contact is started from.
+/// @brief Start of a frictionless contact.
 struct NormalContactGuess {
-  std::vector<Eigen::Index> contact;  ///< nodes, ascending, at least one
+  std::vector<Eigen::Index> contact;  ///< nodes in contact, ascending, at least one
   Eigen::ArrayXd pressing;            ///< force on every node [N]
-  double penetration;                 ///< [m]
+  double penetration;                 ///< penetration [m]
 };
 
-/// @brief Active set whose systems are solved by products and a Krylov method, the first ones roughly, or between few
-/// nodes by a matrix.
-/// @param[in] problem surface, initial gap and normal force; friction is left out
-/// @param[in] guess to start from
+/// @brief Solve a frictionless contact with an active set.
+/// The linear systems are solved iteratively with operator applications, at first approximately. Systems of few nodes
+/// use a matrix.
+/// @param[in] problem surface, initial gap and load; friction is ignored
+/// @param[in] guess start
 /// @param[in] options limits
-/// @return state whose residual is the largest overclosure, or opening in contact, per penetration; displacements are
-/// left out
+/// @return state without displacements; its residual is the largest overclosure, or gap in contact, per penetration
 [[nodiscard]] ContactSolution solve_normal_contact(const ContactProblem& problem, const NormalContactGuess& guess,
                                                    const ContactOptions& options);
 
-/// @brief The forces on given nodes, which stay in contact whatever comes of it: tension, too, and overclosure beside.
-/// @param[in] problem surface, initial gap and normal force; friction is left out
-/// @param[in] guess the nodes, and forces to start from
+/// @brief Solve for the forces on given nodes, which stay in contact even under tension, while other nodes may be
+/// overclosed.
+/// @param[in] problem surface, initial gap and load; friction is ignored
+/// @param[in] guess nodes in contact and initial forces
 /// @param[in] options limits
 [[nodiscard]] ContactSolution press_kept_nodes(const ContactProblem& problem, const NormalContactGuess& guess,
                                                const ContactOptions& options);

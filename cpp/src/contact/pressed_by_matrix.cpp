@@ -15,12 +15,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMostNodes = 600;  // whose factors take less time than the transforms of their window
-constexpr double kExact = 1e-14;         // of residuals, so that nothing is left of what was there before
-constexpr double kOfRound = 1e-5;        // of the residual that a round begins with
+constexpr std::size_t kMostNodes = 600;  // up to which factors take less time than the transforms of the window
+constexpr double kExact = 1e-14;         // residual at which no error of the previous pass remains
+constexpr double kOfRound = 1e-5;        // reduction of the residual before a restart
 constexpr int kMostRounds = 5;
-constexpr double kFailure = 1e-8;    // of residuals that no answer can be built on
-constexpr std::size_t kChanged = 6;  // one node in so many, with which factors are made anew
+constexpr double kFailure = 1e-8;    // residual above which a solution is unusable
+constexpr std::size_t kChanged = 6;  // factors are renewed if one node in this many has changed
 
 }  // namespace
 
@@ -39,7 +39,7 @@ Index PressedByMatrix::image_of(Index node) const {
   return node + width - 1 - 2 * (node % width);
 }
 
-/// One side of the path, where both sides touch alike.
+/// Nodes of one side of the path if both sides are in contact at the same places, else all nodes.
 PressedByMatrix::Unknowns PressedByMatrix::unknowns_of(const std::vector<Index>& contact) const {
   const bool is_alike = is_symmetric_ && std::ranges::all_of(contact, [&](Index node) {
                           return std::ranges::binary_search(contact, image_of(node));
@@ -55,7 +55,7 @@ PressedByMatrix::Unknowns PressedByMatrix::unknowns_of(const std::vector<Index>&
   return unknowns;
 }
 
-/// Of the nodes that are solved for, each with what it stands for.
+/// Compliance between the unknowns, including the mirror images that they represent.
 MatrixXd PressedByMatrix::compliance(const Unknowns& unknowns) const {
   MatrixXd matrix = *problem_.surface->normal_compliance(unknowns.nodes, unknowns.nodes);
   std::vector<Index> images;
@@ -87,8 +87,9 @@ void PressedByMatrix::follow(const std::vector<Index>& nodes, const MatrixXd& ma
   }
 }
 
-/// By the factors of nearly the same nodes; of those that these do not know by what each does to itself.
-/// @param[in] displacements times the stiffness
+/// Approximate forces from the factors of nearly the same nodes. A node that these do not contain has the force of its
+/// own stiffness alone.
+/// @param[in] displacements displacements times the stiffness
 VectorXd PressedByMatrix::about_forces(const VectorXd& displacements) const {
   VectorXd known = VectorXd::Zero(static_cast<Index>(factored_.size()));
   for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -110,8 +111,8 @@ void PressedByMatrix::press(PressedNodes& contact, double tolerance) {
   follow(unknowns.nodes, matrix);
   const Index count = matrix.rows();
   const VectorXd& counts = unknowns.counts;
-  const VectorXd uniform = about_forces(VectorXd::Ones(count));  // that lower all nodes alike
-  // Forces come first, then the penetration times the stiffness; the preconditioner leaves no sum of forces.
+  const VectorXd uniform = about_forces(VectorXd::Ones(count));  // forces that lower all nodes by the same amount
+  // Forces come first, then the penetration times the stiffness; the preconditioner returns forces that sum to zero.
   const auto times = [&](const VectorXd& vector) {
     VectorXd result(count + 1);
     result.head(count).noalias() = matrix * vector.head(count);
@@ -132,7 +133,7 @@ void PressedByMatrix::press(PressedNodes& contact, double tolerance) {
   VectorXd guess(count + 1);
   guess.head(count) = contact.pressing(unknowns.nodes).matrix();
   guess[count] = stiffness * contact.penetration.value_or(0.0);
-  // A preconditioner in single precision is linear to six digits: so many are won in a round.
+  // A preconditioner in single precision is linear to six digits, so GMRES restarts after five.
   const KrylovTolerance round{.absolute = kExact * right.norm(), .relative = kOfRound, .small_system = count + 1};
   KrylovSolution solution{.unknowns = guess, .products = 0, .residual = right.norm()};
   for (int i = 0; i < kMostRounds && solution.residual > round.absolute; ++i) {

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Small contacts without friction: the compliance between their nodes as a matrix, and its factors.
+/// @brief Small frictionless contacts, solved with the compliance matrix between their nodes and its factors.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,28 +11,28 @@
 
 namespace viscoroll::detail {
 
-/// @brief A surface on which so few nodes touch that products with a matrix take less time than those of the surface.
-/// Of a contact that is the same on both sides of the path one side is solved for. Factors are kept while few nodes
-/// come and go, and precondition a Krylov method.
+/// @brief A surface with so few nodes in contact that products with a matrix take less time than operator applications.
+/// If a contact is mirror-symmetric, only one side is solved for. Factors precondition a Krylov method; they are kept
+/// while few nodes join or leave.
 class PressedByMatrix : public PressedSurface {
  public:
-  /// @param[in] problem whose surface tells its compliance between nodes; outlives this object
+  /// @param[in] problem problem whose surface provides single entries of its compliance; must outlive this object
   explicit PressedByMatrix(const ContactProblem& problem);
 
-  /// @param[in] problem which
-  /// @param[in] nodes that may touch
-  /// @return whether they are few enough, and the compliance between them is known
+  /// @param[in] problem contact problem
+  /// @param[in] nodes nodes that may be in contact
+  /// @return whether the nodes are few enough and the compliance between them is available
   [[nodiscard]] static bool serves(const ContactProblem& problem, const std::vector<Eigen::Index>& nodes);
 
   void press(PressedNodes& contact, double tolerance) override;
   [[nodiscard]] Eigen::ArrayXd height(const PressedNodes& contact) override;
   [[nodiscard]] const Eigen::ArrayXd& weights() const override { return weights_; }
   [[nodiscard]] double stiffness() const override { return problem_.surface->normal_stiffness(); }
-  /// @return products with the surface, and with the matrix
+  /// @return number of operator applications and matrix products
   [[nodiscard]] int products() const { return products_; }
 
  private:
-  /// Nodes that are solved for, and how many each stands for.
+  /// Nodes that are unknowns, and the number of nodes that each represents.
   struct Unknowns {
     std::vector<Eigen::Index> nodes;
     Eigen::VectorXd counts;
@@ -49,8 +49,8 @@ class PressedByMatrix : public PressedSurface {
   Eigen::ArrayXd weights_;
   int products_ = 0;
   SingleFactors factors_;
-  std::vector<Eigen::Index> factored_;  // nodes, ascending
-  std::vector<Eigen::Index> places_;    // among these of each that is solved for, or -1
+  std::vector<Eigen::Index> factored_;  // nodes of the factored matrix, ascending
+  std::vector<Eigen::Index> places_;    // index of each unknown in `factored_`, or -1
 };
 
 }  // namespace viscoroll::detail

@@ -12,13 +12,13 @@ namespace {
 
 constexpr const FrictionSettings& kSettings = kFrictionSettings;
 
-/// Whether the last residual is at most half of that so many steps ago.
+/// Whether the last residual is at most half of the one `steps` steps earlier.
 bool is_halved(const std::vector<double>& residuals, std::size_t steps) {
   return residuals.back() <= 0.5 * residuals[residuals.size() - 1 - steps];
 }
 
-/// All that is linear in the forces, between two states; slip is but for a product of two changes, of the creepage and
-/// of the counterpart's displacement.
+/// Interpolate between two states. All fields are linear in the forces, except that slip contains the product of two
+/// changes, those of the creepage and of the counterbody's displacement.
 void interpolate(const ContactSolution& from, const ContactSolution& to, double share, ContactSolution& between) {
   const auto mix = [share](const auto& one, const auto& other, auto& mixed) { mixed = one + share * (other - one); };
   mix(from.force, to.force, between.force);
@@ -47,13 +47,13 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
     residuals.push_back(state_.residual);
     if (is_reached(residuals)) {
       if (state_.displacement.rows() > 0) return true;
-      // Gaps and slips are those of the equations, and nodes that are not in them have yet to agree.
+      // Gaps and slips are those of the equations; nodes outside the equations have not been checked yet.
       system_.find_displacements(state_);
       find_sets(friction);
       residuals.push_back(state_.residual);
       if (is_reached(residuals)) return true;
-      // The equations are corrected now. Later steps are compared with this state, not with residuals that knew nothing
-      // of the error.
+      // The residual now contains the error of the equations. Compare later steps with this state, not with earlier
+      // residuals, which did not contain that error.
       residuals.erase(residuals.end() - 2);
       best = state_;
       best_sets = sets_;
@@ -108,7 +108,7 @@ bool SemismoothNewton::is_in_vain(const std::vector<double>& residuals, const St
   return step >= limits.patience && !is_halved(residuals, residuals.size() - 1);
 }
 
-/// Halve a step that leads further away from a solution, which ends cycles of nodes between two states.
+/// Halve a step that raises the residual, which ends cycles of nodes between two states.
 void SemismoothNewton::shorten_step(double friction, const ContactSolution& before) {
   const ContactSolution full = state_;
   for (double share = 0.5; share > kSettings.shortest_step; share *= 0.5) {

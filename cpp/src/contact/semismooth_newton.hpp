@@ -1,6 +1,6 @@
 /// @file
-/// @brief States of stick and slip at a given friction, whatever solves the linear systems: the semismooth Newton
-/// iteration of docs/theory/friction.md.
+/// @brief States of stick and slip at a given friction: the semismooth Newton method of docs/theory/friction.md,
+/// independent of the solver of its linear systems.
 #pragma once
 
 #include <limits>
@@ -12,49 +12,50 @@
 
 namespace viscoroll::detail {
 
-/// @brief What a state is, and what finding one may take.
+/// @brief Convergence criteria of a state and limits of the search.
 struct SearchLimits {
   double tolerance;  ///< residual of a state
-  double round_off;  ///< the same where steps no longer halve it
-  int free_steps;    ///< that may raise the residual while nodes find their sets
+  double round_off;  ///< residual of a state if steps no longer halve it
+  int free_steps;    ///< first steps, which may raise the residual while the sets settle
   int most_systems = std::numeric_limits<int>::max();
   double most_products = std::numeric_limits<double>::infinity();
 };
 
-/// @brief How steps are taken, and after how many of them an iteration is given up.
+/// @brief Limits of one iteration.
 struct StepLimits {
-  int patience = kFrictionSettings.steps;  ///< that must have halved the residual
-  int most = kFrictionSettings.steps;      ///< more than these only as long as they go on to halve it
-  bool exact = false;                      ///< where rough steps have failed
+  int patience = kFrictionSettings.steps;  ///< steps after which the residual must have halved
+  /// Steps after which the iteration continues only while the residual keeps halving.
+  int most = kFrictionSettings.steps;
+  bool exact = false;  ///< whether to take accurate steps, after rough ones have failed
 };
 
-/// @brief Newton steps on forces, penetration and creepage together, from one state to another.
+/// @brief Newton steps on forces, penetration and creepage together.
 class SemismoothNewton {
  public:
-  /// @param[in,out] system which outlives this object
-  /// @param[in] limits of all iterations together
+  /// @param[in,out] system system of equations, which must outlive this object
+  /// @param[in] limits limits of all iterations together
   SemismoothNewton(StickSlipSystem& system, const SearchLimits& limits) : system_(system), limits_(limits) {}
 
-  /// @brief Take another state, with its gaps and slips, for the present one.
+  /// @brief Replace the current state by another one, with its gaps and slips.
   void start_from(ContactSolution state) { state_ = std::move(state); }
 
-  /// @brief Take steps from the present state, at a coefficient of friction that may be infinite.
-  /// @return whether they came to a state
+  /// @brief Take steps from the current state, at a coefficient of friction that may be infinite.
+  /// @return whether they converged
   [[nodiscard]] bool iterate(double friction, const StepLimits& limits = {});
 
-  /// @brief Solve for given sets from the present state.
+  /// @brief Solve for given sets, from the current state.
   void take_step(double friction, const ContactSets& sets, double tolerance);
 
-  /// @return the present state, found or not
+  /// @return the current state, converged or not
   [[nodiscard]] const ContactSolution& state() const { return state_; }
 
-  /// @return who touches, sticks and slips after it
+  /// @return contacting, sticking and slipping nodes that follow from the current state
   [[nodiscard]] const ContactSets& sets() const { return sets_; }
 
-  /// @return linear systems solved
+  /// @return number of linear systems solved
   [[nodiscard]] int systems() const { return systems_; }
 
-  /// @return whether enough has been tried
+  /// @return whether the limits of the search are reached
   [[nodiscard]] bool is_exhausted() const;
 
  private:

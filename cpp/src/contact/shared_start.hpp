@@ -1,5 +1,5 @@
 /// @file
-/// @brief What contacts that differ by their coefficient of friction alone begin with.
+/// @brief Starting points shared by contacts that differ only in their coefficient of friction.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace viscoroll::detail {
 
-/// @brief The contact without friction, and the state that the way to full stick leads to: found by the first contact,
-/// and the same for all of them. Threads may share it.
+/// @brief Frictionless contact, and the state at the end of the path to full stick. The first contact computes them and
+/// all others reuse them. Thread-safe.
 class SharedStart {
  public:
-  /// @brief A state, and what it took to come there.
+  /// @brief A state, with the linear systems and operator applications that it took.
   struct Stuck {
     ContactSolution state;
     int systems;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Steady stick and slip, whose equations are solved by products with the compliance.
+/// @brief Iterative solver for the stick-slip equations of steady rolling.
 #pragma once
 
 #include "contact/contact_problem.hpp"
@@ -8,10 +8,10 @@
 
 namespace viscoroll::detail {
 
-/// @brief The equations of a problem with friction: nodes slip from their upstream neighbors.
+/// @brief Equations of a problem with friction in which nodes slip relative to their upstream neighbors.
 class StickSlipByProducts : public StickSlipSystem {
  public:
-  /// @param[in] problem which outlives this object; its drive may change
+  /// @param[in] problem contact problem, which must outlive this object; its drive may change
   explicit StickSlipByProducts(const ContactProblem& problem);
 
   [[nodiscard]] ConditionScales scales() const override { return scales_; }
@@ -22,11 +22,11 @@ class StickSlipByProducts : public StickSlipSystem {
   void solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) override;
   [[nodiscard]] int products() const override { return products_; }
 
-  /// @return how far the forces of a state are from the drive's condition [N]
+  /// @return difference of both sides of the drive's condition [N]
   [[nodiscard]] double drive_excess(const ContactSolution& state) const;
 
-  /// @return largest slip of the nodes that stick, per spread of the ways by which strain moves nodes in contact from
-  /// their upstream neighbors
+  /// @return largest slip of the sticking nodes, relative to the range of the increments of displacement from upstream
+  /// neighbors in the contact
   [[nodiscard]] double creep(const ContactSolution& state, const ContactSets& sets) const;
 
  private:

@@ -9,9 +9,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kLeastKept = 0.97;  // of a coarse mesh's contact
+constexpr double kLeastKept = 0.97;  // least fraction of a coarse mesh's contact
 
-/// The traction that a node would have if all of its slip were undone.
+/// Traction of a node if all of its slip were reversed elastically.
 Eigen::Array2d trial_traction(const StickSlipSystem& system, const ContactSolution& state, Index node) {
   const Eigen::Array2d traction(state.force(node, kForward), state.force(node, kSideways));
   return traction - system.scales().tangential * state.slip.row(node).transpose();

@@ -8,7 +8,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// All nine entries of the compliance, in the order (r, phi, theta).
+/// Return the inverse of all nine entries of the compliance, in the order (r, phi, theta).
 InverseConvolution make_inverse(const SurfaceOperator& surface) {
   std::vector<const Table*> tables;
   for (const auto& table : surface.local().tables) tables.push_back(table.get());

@@ -1,5 +1,6 @@
 /// @file
-/// @brief What a contact with friction would do were its conditions the same everywhere: inverse symbols.
+/// @brief Preconditioner of contact with friction: inverse symbols of its conditions, as if they were the same at all
+/// nodes.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,24 +16,24 @@ class StickSlipPreconditioner {
  public:
   explicit StickSlipPreconditioner(const SurfaceOperator& surface);
 
-  /// @param[in] displacement of every node [m]
-  /// @return forces that would bring it about [N]
+  /// @param[in] displacement displacement of every node [m]
+  /// @return approximate forces that cause it [N]
   [[nodiscard]] VectorField force(const VectorField& displacement) const;
 
-  /// @brief Symbol of the inverse of (1 - kappa) + kappa c D C, D the difference from the upstream neighbor and C the
-  /// mean compliance along the plane: what turns the traction of a slipping node.
+  /// @brief Return the symbol of the inverse of (1 - kappa) + kappa c D C, for the direction of slipping nodes. D is
+  /// the difference from the upstream neighbor and C the mean compliance along the plane.
   /// @param[in] rigidity kappa, in (0, 1)
   /// @param[in] scale c [N/m]
   [[nodiscard]] ComplexBuffer turning_symbol(double rigidity, double scale) const;
 
-  /// @return a field multiplied by a symbol
+  /// @return field multiplied by a symbol
   [[nodiscard]] Eigen::ArrayXd apply(const ComplexBuffer& symbol, const Eigen::ArrayXd& field) const;
 
  private:
   const SurfaceOperator& surface_;
   InverseConvolution inverse_;
   SpectralProduct product_;
-  ComplexBuffer slip_compliance_;  // of D C
+  ComplexBuffer slip_compliance_;  // symbol of D C
 };
 
 }  // namespace viscoroll::detail

@@ -1,6 +1,6 @@
 /// @file
-/// @brief What a contact with friction is to the search for its stick and slip: one system of equations, whatever way
-/// nodes slip from, upstream neighbors or themselves a step ago, and whoever solves it.
+/// @brief Interface between the search for stick and slip and its system of equations. Slip may be relative to upstream
+/// neighbors or to the node's own position one step earlier.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,26 +10,26 @@
 
 namespace viscoroll::detail {
 
-/// @brief What a node in contact does.
+/// @brief State of a node in contact.
 struct TangentialState {
   bool stick;
-  Eigen::Array2d direction;  ///< of the traction of a slipping node, a unit vector
-  double rigidity;           ///< kappa = mu p / |r| in [0, 1) of a slipping node: how much its direction may turn
+  Eigen::Array2d direction;  ///< unit vector along the traction of a slipping node
+  double rigidity;           ///< kappa = mu p / |t - c S| in [0, 1) of a slipping node, by which its direction may turn
 };
 
-/// @brief Sets of a step: a node for each state.
+/// @brief Nodes in contact in a step, and the state of each.
 struct ContactSets {
   std::vector<Eigen::Index> contact;  ///< ascending
   std::vector<TangentialState> states;
 };
 
-/// @brief Forces per displacement by which conditions on gaps and slips are weighed against forces [N/m].
+/// @brief Stiffnesses that convert gaps and slips to forces [N/m].
 struct ConditionScales {
   double normal;
   double tangential;
 };
 
-/// @brief The equations of contact, stick and slip on a surface, linear once it is known who does what.
+/// @brief Equations of contact, stick and slip on a surface, linear for given sets.
 class StickSlipSystem {
  public:
   virtual ~StickSlipSystem() = default;
@@ -37,25 +37,25 @@ class StickSlipSystem {
   [[nodiscard]] virtual ConditionScales scales() const = 0;
   /// @return sum of the pressing forces [N]
   [[nodiscard]] virtual double load() const = 0;
-  /// @return number of the first node that may touch: those before it have no upstream neighbor
+  /// @return number of the first node that may be in contact: earlier ones have no upstream neighbor
   [[nodiscard]] virtual Eigen::Index first_node() const = 0;
-  /// @return how far the forces of a state are from the load and from what drives the body [N]
+  /// @return violation of the conditions on load and drive by the forces of a state [N]
   [[nodiscard]] virtual double imbalance(const ContactSolution& state) const = 0;
 
-  /// @brief Displacements, gaps and slips of all nodes by the forces, penetration and creepage of a state.
+  /// @brief Compute displacements, gaps and slips of all nodes from the forces, penetration and creepage of a state.
   virtual void find_displacements(ContactSolution& state) = 0;
 
-  /// @brief Solve the conditions of given sets: stick, S = 0, and along a slipping node's e' normal to its direction e,
-  /// (1 - kappa) t . e' + kappa c S . e' = 0, which turns e towards -S.
-  /// @param[in] friction coefficient, which may be infinite
-  /// @param[in] sets nodes in contact and what they do
-  /// @param[in] tolerance of the residual, relative to that of `state`; a direct solution is exact
-  /// @param[in,out] state forces, penetration, creepage, gaps and slips are replaced; without displacements
-  /// afterwards, gaps and slips are those of the equations alone, and elsewhere 0. Not finite where there is no
-  /// solution
+  /// @brief Solve the conditions of given sets: stick, S = 0; slip, along e' normal to the direction e of a node, (1 -
+  /// kappa) t . e' + kappa c S . e' = 0, which turns e towards -S.
+  /// @param[in] friction coefficient of friction, which may be infinite
+  /// @param[in] sets nodes in contact and their states
+  /// @param[in] tolerance residual relative to that of `state`; direct solutions are exact
+  /// @param[in,out] state forces, penetration, creepage, gaps and slips are replaced. If its displacements are empty
+  /// afterwards, gaps and slips are those of the equations and 0 at other nodes. Values are not finite if there is no
+  /// solution.
   virtual void solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) = 0;
 
-  /// @return products with the compliance so far
+  /// @return number of operator applications so far
   [[nodiscard]] virtual int products() const = 0;
 };
 

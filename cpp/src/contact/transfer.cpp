@@ -10,7 +10,7 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Nodes, along both directions, between which the contact lies.
+/// Ranges of nodes in both directions that contain the contact.
 std::pair<NodeRange, NodeRange> extent(const LocatedContact& located) {
   const Window& window = located.window();
   NodeRange phi{window.phi.last, window.phi.first};
@@ -24,21 +24,21 @@ std::pair<NodeRange, NodeRange> extent(const LocatedContact& located) {
   return {phi, theta};
 }
 
-/// A margin for nodes to join, of which the upstream neighbors of a contact with friction are some.
+/// Range with a margin for nodes that join, which also contains the upstream neighbors of a contact with friction.
 NodeRange padded(const NodeRange& range, int scale, const NodeRange& limits) {
   const int margin = 3 * scale + scale * range.count() / 50;
   return {std::max(scale * range.first - margin, limits.first), std::min(scale * range.last + margin, limits.last)};
 }
 
-/// Coarse nodes around a place of the fine mesh, along one direction: itself, or its two neighbors.
+/// Coarse nodes nearest to a node of the fine mesh, in one direction: the node itself, or its two neighbors.
 struct Neighbors {
   explicit Neighbors(int place) : low(static_cast<int>(std::floor(0.5 * place))), count(place % 2 == 0 ? 1 : 2) {}
   int low;
   int count;
 };
 
-/// Call function(node, coarse nodes) for every node of the fine window with the numbers of its nearest coarse nodes, of
-/// which those outside the coarse window are left out, and how many there are with them.
+/// Call function(node, nearest, count) for every node of the fine window. `nearest` are the numbers of its nearest
+/// coarse nodes inside the coarse window, `count` is their number including those outside.
 template <class Function>
 void for_nearest(const Window& coarse, const Window& fine, const Function& function) {
   const auto& [phi, theta] = coarse;
@@ -60,10 +60,11 @@ void for_nearest(const Window& coarse, const Window& fine, const Function& funct
   }
 }
 
-/// @param[in] coarse forces of the nodes of one window
-/// @param[in,out] forces of another one, 0
+/// @param[in] coarse forces of the nodes of the coarse window
+/// @param[in] window,fine coarse and fine window
+/// @param[in,out] forces forces of the fine window, initially 0
 void prolong(const auto& coarse, const Window& window, const Window& fine, auto& forces) {
-  const double patches = fine.is_line() ? 2.0 : 4.0;  // that share a coarse node's force
+  const double patches = fine.is_line() ? 2.0 : 4.0;  // fine patches that share a coarse node's force
   for_nearest(window, fine, [&](Index node, const std::vector<Index>& nearest, int count) {
     for (const Index coarse_node : nearest) forces.row(node) += coarse.row(coarse_node);
     forces.row(node) /= patches * count;
@@ -97,7 +98,7 @@ ContactSolution prolonged(const LocatedContact& coarse, const ContactProblem& fi
   for_nearest(coarse.window(), window, [&](Index node, const std::vector<Index>& nearest, int count) {
     if (std::ssize(nearest) < count) return;
     fields.gap[node] = coarse.contact.gap(nearest).mean();
-    fields.slip.row(node) = 0.5 * coarse.contact.slip(nearest, Eigen::all).colwise().mean();  // over half the way
+    fields.slip.row(node) = 0.5 * coarse.contact.slip(nearest, Eigen::all).colwise().mean();  // half of a coarse step
   });
   ContactSolution state{.force = prolonged_force(coarse, window), .penetration = coarse.contact.penetration};
   state.creepage = coarse.contact.creepage;

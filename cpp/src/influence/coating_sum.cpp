@@ -17,7 +17,7 @@ std::vector<double> scaled(std::vector<double> orders, double factor) {
   return orders;
 }
 
-/// Bands are made of what has been checked alone: arguments in braces are evaluated one after another.
+/// Check the body before bands are made from it: arguments in braces are evaluated in order.
 LayeredBody checked(LayeredBody body, double angular_speed) {
   require_rolling(body, angular_speed);
   return body;
@@ -26,7 +26,7 @@ LayeredBody checked(LayeredBody body, double angular_speed) {
 OrderSum order_sum(const LayeredBody& body, double angular_speed, const MeshOnBody& mesh,
                    std::vector<OrderBand> phi_bands, const std::vector<OrderBand>& theta_bands, int threads,
                    Watch& watch, const LocalMetric& metric, double inertia_tolerance) {
-  // Where the wave number is m / sine, the speed Omega sine sees the frequency m Omega.
+  // If the wave number is m / sine, the speed Omega sine gives the frequency m Omega.
   const HarmonicBody harmonics(body, angular_speed * metric.sine, scaled(all_orders(phi_bands), 1.0 / metric.sine),
                                measured_order(mesh.rounded()) / metric.sine);
   auto spectrum = make_spectrum(harmonics, highest(theta_bands), threads, watch, inertia_tolerance);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Sums over the orders of a layered body.
+/// @brief Influence tables of a layered body, summed over its orders.
 #pragma once
 
 #include <utility>
@@ -11,33 +11,33 @@
 
 namespace viscoroll::detail {
 
-/// @brief What the tables of a layered body on a mesh are summed from: on a plane that of what rolls, whose angles are
-/// arcs at the radius of the plane's metric.
+/// @brief Sum over orders from which the tables of a layered body on a mesh are made. On a plane the mesh is that of
+/// the rolling body, whose angles are arcs at the radius of the plane's metric.
 class CoatingSum : public TableSum {
  public:
   /// @param[in] body layers
   /// @param[in] angular_speed Omega [rad/s], > 0
-  /// @param[in] mesh spacings, and truncation, which a plane cannot have; the work of power tables is done per radian
-  /// of what it is the mesh of
+  /// @param[in] mesh spacings and truncation (not on a plane); work in power tables is per radian of the body that the
+  /// mesh belongs to
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  /// @param[in] inertia_tolerance relative error of the compliance that may be left of inertia
+  /// @param[in] inertia_tolerance relative error of the compliance up to which inertia may be neglected
   /// @throws std::invalid_argument for bad input and critical speeds
   CoatingSum(const LayeredBody& body, double angular_speed, const MeshOnBody& mesh, int threads, Watch& watch,
              double inertia_tolerance = kInertiaTolerance);
 
-  /// @brief The same with other orders than those of the mesh.
+  /// @brief Same with given orders instead of those of the mesh.
   CoatingSum(const LayeredBody& body, double angular_speed, const MeshOnBody& mesh, std::vector<OrderBand> phi_bands,
              const std::vector<OrderBand>& theta_bands, int threads, Watch& watch, const LocalMetric& metric = {},
              double inertia_tolerance = kInertiaTolerance);
 
-  /// @brief The high orders of a sphere in another metric. Forces are per area of the equator's metric.
+  /// @brief High orders of a sphere in another metric. Forces are per area of the equator's metric.
   CoatingSum(const LayeredBody& body, double angular_speed, const MeshOnBody& mesh, const LocalMetric& metric,
              int threads, Watch& watch);
 
   [[nodiscard]] const Mesh& mesh() const { return sum_.mesh(); }
 
-  /// @brief As `OrderSum::tables`.
+  /// @brief Same as `OrderSum::tables`.
   [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                           int threads, Watch& watch) const override {
     return sum_.tables(requests, phi_reach, theta_reach, threads, watch);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Half-transformed rows, as they are wanted column by column.
+/// @brief Storage of half-transformed rows, arranged for access by columns.
 #pragma once
 
 #include <complex>
@@ -9,32 +9,35 @@
 
 namespace viscoroll::detail {
 
-/// @brief The even or the odd part of a field.
+/// @brief Even or odd part of a field.
 struct FieldPart {
   std::size_t field;
   bool odd;
 };
 
-/// @brief Rows of real numbers in blocks of columns, one block after the other and each row by row: what is written a
-/// few rows at a time and read a block at a time passes through memory in one piece either way.
+/// @brief Real numbers in blocks of columns, each block stored row by row. Memory access is contiguous both when a few
+/// rows are written at a time and when a block is read at a time.
 class ColumnBlocks {
  public:
-  static constexpr std::size_t kColumns = 8;  ///< of a block: a cache line of every row
+  static constexpr std::size_t kColumns = 8;  ///< columns of a block: a cache line of every row
 
-  /// @param[in] columns number of them
-  /// @return blocks that hold them
+  /// @param[in] columns number of columns
+  /// @return number of blocks that contain them
   [[nodiscard]] static constexpr std::size_t count(std::size_t columns) { return (columns + kColumns - 1) / kColumns; }
 
-  /// @param[in] parts fields, each a table of rows and columns
+  /// @param[in] parts number of parts of fields, each of which is a table of `rows` and `columns`
   void resize(std::size_t parts, std::size_t rows, std::size_t columns) {
     rows_ = rows;
     blocks_ = count(columns);
     numbers_.resize(parts * rows_ * blocks_ * kColumns);
   }
 
-  /// @brief Keep a part of transformed rows: an even field's transform is real, an odd one's is -i times what is kept.
-  /// @param[in] lines of count(columns) * kColumns numbers each
-  /// @param[in] first,end rows
+  /// @brief Store one part of transformed rows. The transform of an even field is real; that of an odd field is -i
+  /// times the stored number.
+  /// @param[in] lines rows of count(columns) * kColumns numbers each
+  /// @param[in] number index of the part
+  /// @param[in] odd whether the part is odd
+  /// @param[in] first,end range of rows
   void store(const std::complex<double>* lines, std::size_t number, bool odd, std::size_t first, std::size_t end) {
     const std::size_t stride = 2 * blocks_ * kColumns;
     const double* pairs = reinterpret_cast<const double*>(lines) + (odd ? 1 : 0);
@@ -48,7 +51,7 @@ class ColumnBlocks {
     }
   }
 
-  /// @brief The other way. The other part of the lines stays.
+  /// @brief Inverse of `store`. The other part of the lines is unchanged.
   void load(std::size_t number, bool odd, std::size_t first, std::size_t end, std::complex<double>* lines) const {
     const std::size_t stride = 2 * blocks_ * kColumns;
     double* pairs = reinterpret_cast<double*>(lines) + (odd ? 1 : 0);
@@ -70,7 +73,7 @@ class ColumnBlocks {
     }
   }
 
-  /// @brief The other way.
+  /// @brief Inverse of `gather`.
   void scatter(const double* lines, std::size_t stride, std::size_t number, std::size_t block) {
     double* place = at(number, block);
     for (std::size_t row = 0; row < rows_; ++row, place += kColumns) {

@@ -8,7 +8,7 @@ Convolution::Convolution(WindowShape shape, const LoadedNodes& loaded, const std
     : product_(shape, doubled(shape, {.phi_nodes = loaded.rows, .theta_nodes = loaded.columns})),
       spectra_(tables.size()) {
   const WindowShape period = product_.period();
-  // Offsets of displaced nodes from loaded ones.
+  // Offsets of displaced nodes from loaded nodes.
   const int farthest_downstream = shape.phi_nodes - 1 - loaded.first_row;
   const int farthest_upstream = loaded.first_row + loaded.rows - 1;
   const int farthest_aside = (shape.theta_nodes + loaded.columns) / 2 - 1;

@@ -1,9 +1,9 @@
 /// @file
-/// @brief Transforms of lines. What does them is chosen when configuring: fft_fftw.cpp or fft_pocketfft.cpp.
+/// @brief Fourier transforms of lines. The library is chosen at configuration: fft_fftw.cpp or fft_pocketfft.cpp.
 ///
-/// No transform is normalized: backward after forward multiplies by the number of points. Forward has exp(-i ...),
-/// backward exp(+i ...). The same length gives the same bits in every run; plans may be made and executed on several
-/// threads at once.
+/// Transforms are not normalized: backward after forward multiplies by the number of points. Forward transforms have
+/// exp(-i ...), backward ones exp(+i ...). The same length gives the same bits in every run. Plans may be made and
+/// executed by several threads at once.
 #pragma once
 
 #include <complex>
@@ -14,7 +14,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief Allocates on cache lines, as the plans expect.
+/// @brief Allocator aligned to cache lines, as the plans require.
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;
@@ -29,18 +29,19 @@ struct CacheLineAllocator {
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
 };
 
-/// @brief Storage for transforms, which expect their operands on cache lines.
+/// @brief Buffers for transforms, whose operands must be aligned to cache lines.
 using RealBuffer = std::vector<double, CacheLineAllocator<double>>;
 using ComplexBuffer = std::vector<std::complex<double>, CacheLineAllocator<std::complex<double>>>;
 
-/// @return the least multiple of a cache line that holds so many numbers: the stride of lines to transform
+/// @return smallest multiple of a cache line that holds the given count of numbers: the stride of lines to be
+/// transformed
 template <class Number>
 [[nodiscard]] constexpr std::size_t cache_line_stride(std::size_t numbers) {
   constexpr std::size_t kLine = 64 / sizeof(Number);
   return (numbers + kLine - 1) / kLine * kLine;
 }
 
-/// @brief Transforms of a line of complex numbers, in place.
+/// @brief In-place transforms of a line of complex numbers.
 class ComplexFft {
  public:
   explicit ComplexFft(int length);
@@ -50,11 +51,11 @@ class ComplexFft {
   ComplexFft(const ComplexFft&) = delete;
   ComplexFft& operator=(const ComplexFft&) = delete;
 
-  /// @param[in,out] line `length` numbers on a cache line
+  /// @param[in,out] line `length` numbers, aligned to a cache line
   void forward(std::complex<double>* line) const;
   void backward(std::complex<double>* line) const;
 
-  /// @return the length >= `length`, even and of factors 2, 3, 5 and 7, at which a product with a spectrum takes the
+  /// @return length >= `length`, even and with factors 2, 3, 5 and 7, at which a product with a spectrum takes the
   /// least time
   [[nodiscard]] static int fast_length(int length);
 
@@ -63,8 +64,8 @@ class ComplexFft {
   std::unique_ptr<Impl> impl_;
 };
 
-/// @brief Transforms between lines of real numbers and their half spectra. Several lines at a time may take less time
-/// for each.
+/// @brief Transforms between lines of real numbers and their half spectra. Several lines at once may take less time per
+/// line.
 class RealFft {
  public:
   explicit RealFft(int length);
@@ -74,32 +75,32 @@ class RealFft {
   RealFft(const RealFft&) = delete;
   RealFft& operator=(const RealFft&) = delete;
 
-  /// @brief So many lines, and numbers from line to line of either kind.
+  /// @brief Number of lines, and strides between real lines and between spectra.
   struct Lines {
     std::size_t count = 1;
     std::size_t real_stride = 0;
     std::size_t spectrum_stride = 0;
   };
 
-  /// @return size of the scratch memory for several lines of `length` numbers. The caller keeps this memory from call
-  /// to call: allocating it in each call takes longer than the transforms.
+  /// @return number of doubles of scratch memory for several lines of `length` numbers. The caller keeps this memory
+  /// between calls, because allocating it in each call takes longer than the transforms.
   [[nodiscard]] static std::size_t scratch_size(int length);
 
-  /// @param[in,out] real `length` numbers each, on cache lines, overwritten
-  /// @param[out] spectrum `length / 2 + 1` numbers each, on cache lines
-  /// @param[in] lines how many
-  /// @param scratch `scratch_size` numbers on a cache line; none are needed for a single line
+  /// @param[in,out] real lines of `length` numbers, aligned to cache lines, overwritten
+  /// @param[out] spectrum lines of `length / 2 + 1` numbers, aligned to cache lines
+  /// @param[in] lines number and strides of the lines
+  /// @param scratch `scratch_size` numbers, aligned to a cache line; not used for a single line
   void forward(double* real, std::complex<double>* spectrum, const Lines& lines, double* scratch) const;
   void forward(double* real, std::complex<double>* spectrum) const { forward(real, spectrum, Lines{}, nullptr); }
 
-  /// @param[in,out] spectrum `length / 2 + 1` numbers each, on cache lines, overwritten
-  /// @param[out] real `length` numbers each, on cache lines
-  /// @param[in] lines how many
-  /// @param scratch as for `forward`
+  /// @param[in,out] spectrum lines of `length / 2 + 1` numbers, aligned to cache lines, overwritten
+  /// @param[out] real lines of `length` numbers, aligned to cache lines
+  /// @param[in] lines number and strides of the lines
+  /// @param scratch same as in `forward`
   void backward(std::complex<double>* spectrum, double* real, const Lines& lines, double* scratch) const;
   void backward(std::complex<double>* spectrum, double* real) const { backward(spectrum, real, Lines{}, nullptr); }
 
-  /// @return as `ComplexFft::fast_length`
+  /// @return same as `ComplexFft::fast_length`
   [[nodiscard]] static int fast_length(int length);
 
  private:

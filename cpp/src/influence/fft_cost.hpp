@@ -1,13 +1,14 @@
 /// @file
-/// @brief What transforms cost at one length and another: a fit to measured times, of each library's own.
+/// @brief Cost of a transform as a function of its length, fitted to measured times of each library.
 #pragma once
 
 namespace viscoroll::detail {
 
-/// @brief Nanoseconds for each number of a line, to and fro: a part of every line and one for each factor of its
-/// length.
+/// @brief Time [ns] per number of a line for a forward and a backward transform: a constant plus a contribution of each
+/// prime factor of the length.
 ///
-/// Only ratios matter, to choose among lengths: from machine to machine they differ less than the times.
+/// Only ratios matter, since the cost is used to choose among lengths. Ratios differ less between machines than times
+/// do.
 struct FftCost {
   double least;
   double factor_2;
@@ -16,7 +17,7 @@ struct FftCost {
   double factor_7;
 };
 
-// Each defined beside the transform that was measured.
+// Defined next to the transform that was measured.
 extern const FftCost kComplexFftCost;
 extern const FftCost kRealFftCost;
 

@@ -1,8 +1,8 @@
 /// @file
 /// @brief Transforms by FFTW, under the GNU General Public License, version 2 or later.
 ///
-/// Plans are made with FFTW_ESTIMATE, so that the same length gives the same plan and the same bits in every run, under
-/// one process-wide mutex, since FFTW's planner is not thread-safe; executing a plan is.
+/// Plans are made with FFTW_ESTIMATE, so that the same length gives the same plan and the same bits in every run. They
+/// are made under one process-wide mutex, because FFTW's planner is not thread-safe; executing a plan is.
 #include <fftw3.h>
 
 #include <cassert>
@@ -35,7 +35,7 @@ fftw_complex* as_fftw(std::complex<double>* line) { return reinterpret_cast<fftw
 
 [[maybe_unused]] bool is_aligned(const void* line) { return reinterpret_cast<std::uintptr_t>(line) % 64 == 0; }
 
-/// Calls a planner function of FFTW under the mutex.
+/// Call a planner function of FFTW under the mutex.
 template <class MakePlan>
 Plan plan(const MakePlan& make) {
   fftw_plan made = nullptr;
@@ -54,7 +54,8 @@ void transform(fftw_plan plan, std::complex<double>* line) {
 
 }  // namespace
 
-// FFTW 3.3.10 on an Intel Xeon with AVX-512, even lengths from 96 to 4200; 12 and 13 % from what was measured.
+// FFTW 3.3.10 on an Intel Xeon with AVX-512, even lengths from 96 to 4200; the fit is within 12 and 13 % of the
+// measured times.
 const FftCost kComplexFftCost{.least = 1.14, .factor_2 = 0.43, .factor_3 = 1.51, .factor_5 = 1.52, .factor_7 = 1.82};
 const FftCost kRealFftCost{.least = 0.88, .factor_2 = 0.14, .factor_3 = 0.64, .factor_5 = 0.56, .factor_7 = 0.98};
 

@@ -1,5 +1,6 @@
 /// @file
-/// @brief Lengths at which products are fast: a power of two may take less time than a shorter product of many factors.
+/// @brief Lengths at which products are fast: a power of two may take less time than a shorter length with many
+/// factors.
 #include <limits>
 
 #include "influence/fft.hpp"
@@ -8,12 +9,12 @@
 namespace viscoroll::detail {
 namespace {
 
-// Both axes take turns, of real lines each: at a number of a period, the time of one axis' transform adds to that of
-// the other's, taken at a length in the middle, and to that of the product itself, which waits for the memory.
+// Both axes are transformed, each as real lines. The time per number of a period is that of this axis, plus that of the
+// other axis at a typical length, plus that of the product, which is limited by memory.
 constexpr int kMiddle = 1024;
 constexpr double kProduct = 4.0;  // [ns], in the units of the costs
 
-/// @return [ns] for each number of a line, or infinity where the length has other factors
+/// @return time per number of a line [ns], or infinity if the length has other factors
 double time_per_number(int length, const FftCost& cost) {
   double time = cost.least;
   const auto divide = [&](int factor, double more) {
@@ -30,7 +31,7 @@ int fastest(int length, const FftCost& own) {
   const double rest = time_per_number(kMiddle, kRealFftCost) + kProduct;
   int best = length;
   double least = std::numeric_limits<double>::infinity();
-  // Costs were measured at even lengths, and a power of two is among those below twice the length.
+  // Costs were measured at even lengths. The candidates up to twice the length contain a power of two.
   for (int candidate = length + length % 2; candidate <= 2 * length; candidate += 2) {
     const double time = candidate * (time_per_number(candidate, own) + rest);
     if (time < least) {

@@ -26,8 +26,8 @@ void transform_line(const ComplexPlan& plan, bool forward, complex<double>* line
   plan.exec(reinterpret_cast<pocketfft::detail::cmplx<double>*>(line), 1.0, forward);
 }
 
-// PocketFFT has the half spectrum in as many numbers as the line: real part 0, real and imaginary part 1, ..., and for
-// an even length the real part of the last.
+// PocketFFT stores the half spectrum in as many numbers as the line has: real part 0, real and imaginary part 1, ...,
+// and for an even length the real part of the last order.
 
 void transform_line(const RealPlan& plan, std::size_t length, double* real, complex<double>* spectrum) {
   plan.exec(real, 1.0, true);
@@ -48,10 +48,11 @@ void transform_line(const RealPlan& plan, std::size_t length, const complex<doub
 
 #ifdef __GNUC__
 
-constexpr std::size_t kTogether = 4;  // lines
+constexpr std::size_t kTogether = 4;  // lines transformed at once
 using Lanes = double __attribute__((vector_size(kTogether * sizeof(double))));
 
-// As many lines at once as an instruction takes numbers. Nothing is called that is not compiled for those instructions.
+// Transform as many lines at once as an instruction has numbers. Functions called here must be compiled for the same
+// instructions, hence `flatten`.
 
 VISCOROLL_BEST_INSTRUCTIONS __attribute__((flatten)) void transform_together(const RealPlan& plan, std::size_t length,
                                                                              const double* real,
@@ -92,8 +93,8 @@ VISCOROLL_BEST_INSTRUCTIONS __attribute__((flatten)) void transform_together(con
 
 }  // namespace
 
-// Complex lines four at a time, real ones one by one, on an Intel Xeon with AVX-512, even lengths from 96 to 4200; 10
-// and 8 % from what was measured.
+// Complex lines four at a time, real lines one by one, on an Intel Xeon with AVX-512, even lengths from 96 to 4200; the
+// fit is within 10 and 8 % of the measured times.
 const FftCost kComplexFftCost{.least = -1.18, .factor_2 = 0.65, .factor_3 = 1.35, .factor_5 = 1.71, .factor_7 = 1.91};
 const FftCost kRealFftCost{.least = 3.33, .factor_2 = 0.26, .factor_3 = 0.92, .factor_5 = 1.14, .factor_7 = 2.80};
 
@@ -117,6 +118,9 @@ struct RealFft::Impl {
   std::size_t length;
 
   /// @param[in] from,to real lines and spectra, or the reverse
+  /// @param[in] from_stride,to_stride strides of the lines
+  /// @param[in] lines number of lines
+  /// @param scratch memory for lines that are transformed at once
   template <class From, class To>
   void transform(From* from, std::size_t from_stride, To* to, std::size_t to_stride, const Lines& lines,
                  [[maybe_unused]] double* scratch) const {

@@ -1,4 +1,4 @@
-// Public face of this folder: the full set of influence tables.
+// Public interface of this folder: the full set of influence tables.
 #include "viscoroll/influence.hpp"
 
 #include <array>

@@ -13,22 +13,24 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kLowest = 8.0;         // below which layers bend as a whole
-constexpr double kLargestRatio = 8.0;   // of the orders at the ends of a range
-constexpr double kLeftOut = 1e-15;      // of the terms of a polynomial
-constexpr double kOrdersPerNode = 1.5;  // from which nodes take less than the orders themselves
+constexpr double kLowest = 8.0;        // order below which layers bend as a whole
+constexpr double kLargestRatio = 8.0;  // ratio of the orders at both ends of a range
+constexpr double kLeftOut = 1e-15;     // size of the omitted terms of a polynomial
+/// Orders per node above which interpolation costs less than the orders themselves.
+constexpr double kOrdersPerNode = 1.5;
 
-/// Distance in ln n of the zeros of the layers' determinants from the real axis: those of a bonded layer lie at 70
-/// degrees from it. Of plates, which bend at 45 degrees, ranges turn out not to be resolved.
+/// Distance in ln n of the zeros of the layers' determinants from the real axis. Those of a bonded layer lie at 70
+/// degrees from the axis. Those of plates in bending lie at 45 degrees; their ranges turn out not to be resolved.
 constexpr double kNearestZero = 1.2;
 
-/// Chebyshev terms fall like powers of the sum of the half axes of the ellipse about the range that reaches the zeros.
+/// Number of nodes for a ratio of orders. Chebyshev terms decrease like powers of the sum of the semi-axes of the
+/// ellipse around the range that reaches the zeros.
 int node_count(double ratio) {
-  const double reach = 2.0 * kNearestZero / std::log(ratio);  // per half the range
+  const double reach = 2.0 * kNearestZero / std::log(ratio);  // relative to half the range
   return static_cast<int>(std::ceil(-std::log(kLeftOut) / std::asinh(reach))) + 1;
 }
 
-/// First and last but one of the orders of a band in [low, high).
+/// Indices of the first and of one past the last order of a band in [low, high).
 std::pair<Index, Index> orders_within(const OrderBand& band, double low, double high) {
   const double* begin = band.orders.data();
   const double* end = begin + band.orders.size();
@@ -50,7 +52,7 @@ void append(const Eigen::ArrayXd& more, Eigen::ArrayXd& all) {
   all.tail(more.size()) = more;
 }
 
-/// T_0, T_1, ... at some places, a row each.
+/// Chebyshev polynomials T_0, T_1, ... at the given places, one row each.
 RowMajorMatrix chebyshev_terms(const Eigen::ArrayXd& places, Index count) {
   RowMajorMatrix terms(count, places.size());
   terms.row(0).setOnes();
@@ -100,7 +102,7 @@ void InterpolatedOrders::append_polynomials(double low, double high, const std::
 }
 
 void InterpolatedOrders::append_themselves(double low, double high, const std::vector<OrderBand>& bands) {
-  std::vector<std::tuple<double, std::size_t, Index>> orders;  // with their band and number there
+  std::vector<std::tuple<double, std::size_t, Index>> orders;  // with band and index in the band
   for (std::size_t b = 0; b < bands.size(); ++b) {
     const auto [first, end] = orders_within(bands[b], low, high);
     for (Index i = first; i < end; ++i) orders.emplace_back(bands[b].orders[i], b, i);
@@ -114,7 +116,7 @@ void InterpolatedOrders::append_themselves(double low, double high, const std::v
   sampled_.conservativeResize(before + static_cast<Index>(orders.size()));
   for (Index place = before; const auto& [order, band, number] : orders) {
     sampled_[place] = order;
-    parts_[band].back().places.push_back(place++);  // a band's orders ascend
+    parts_[band].back().places.push_back(place++);  // the orders of a band ascend
   }
 }
 

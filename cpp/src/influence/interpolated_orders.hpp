@@ -1,9 +1,10 @@
 /// @file
-/// @brief Few orders at which a smooth compliance is found for sums over many, docs/theory/influence-tables.md.
+/// @brief Few sampled orders from which a smooth compliance is summed over many orders
+/// (docs/theory/influence-tables.md).
 ///
-/// Over some octaves the compliance is a polynomial in the logarithm of the order, to the last digits, while the waves
-/// and patches oscillate that it is multiplied by in a sum. These are known: they are summed with the polynomials once
-/// for all, and the compliance is asked for at the nodes of the polynomials alone.
+/// Over some octaves the compliance is a polynomial in the logarithm of the order, to the last digits. In a sum it
+/// multiplies waves and patches, which oscillate but are known in advance. Their sums with the polynomials are computed
+/// once, and the compliance is evaluated only at the nodes of the polynomials.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,27 +16,28 @@
 
 namespace viscoroll::detail {
 
-/// @brief The orders of some bands, and those that stand for them. Low orders, and ranges that hold few, stand for
-/// themselves.
+/// @brief Orders of some bands and the sampled orders that replace them. Low orders, and ranges with few orders, are
+/// sampled themselves.
 class InterpolatedOrders {
  public:
-  /// @brief Sampled orders in a row, the nodes of polynomials or orders of the bands themselves.
+  /// @brief Consecutive sampled orders: nodes of polynomials, or orders of the bands.
   struct Range {
     Eigen::Index first;
     Eigen::Index count;
     bool is_interpolated;
-    Eigen::Matrix2Xd last_terms;  ///< [2, node] of a Chebyshev series by values at the nodes
+    Eigen::Matrix2Xd last_terms;  ///< [2, node], last two terms of a Chebyshev series from values at the nodes
   };
 
   explicit InterpolatedOrders(const std::vector<OrderBand>& bands);
 
-  /// @return ascending
+  /// @return sampled orders, ascending
   [[nodiscard]] const Eigen::ArrayXd& sampled() const { return sampled_; }
   [[nodiscard]] const std::vector<Range>& ranges() const { return ranges_; }
 
-  /// @brief Sum over the orders of a band what each sampled order has to be multiplied by.
-  /// @param[in] terms of the band, [order, offset]
-  /// @param[in,out] sums [sampled order, offset], of as many offsets at least
+  /// @brief Sum, over the orders of a band, the factors of each sampled order.
+  /// @param[in] band index of the band
+  /// @param[in] terms terms of the band, [order, offset]
+  /// @param[in,out] sums [sampled order, offset], with at least as many offsets
   void add_sums(std::size_t band, const RowMajorMatrix& terms, RowMajorMatrix& sums) const;
 
   /// @return whether a band has orders in a range
@@ -48,7 +50,7 @@ class InterpolatedOrders {
     Eigen::Index first;
     Eigen::Index count;
     RowMajorMatrix basis;              // [node, order]
-    std::vector<Eigen::Index> places;  // of orders that stand for themselves
+    std::vector<Eigen::Index> places;  // indices of orders that are sampled themselves
   };
 
   void append_polynomials(double low, double high, const std::vector<OrderBand>& bands);

@@ -13,14 +13,14 @@ using cplx = std::complex<double>;
 
 constexpr cplx kI(0.0, 1.0);
 
-/// A spectrum and the sign with which it is an entry of the matrix of symbols.
+/// A spectrum, and the factor with which it enters the matrix of symbols.
 struct Symbol {
   std::size_t entry;
   const ComplexBuffer* spectrum;
-  cplx factor;  // -i of odd tables
+  cplx factor;  // -i for odd tables
 };
 
-/// Inverse of the matrix of symbols at every order, for each of its entries, row by row.
+/// Inverse of the matrix of symbols at every order, one spectrum per entry, row by row.
 template <int Fields>
 std::vector<ComplexBuffer> inverse(const std::vector<Symbol>& symbols, double points) {
   using Matrix = Eigen::Matrix<cplx, Fields, Fields, Fields == 1 ? 0 : Eigen::RowMajor>;
@@ -31,7 +31,7 @@ std::vector<ComplexBuffer> inverse(const std::vector<Symbol>& symbols, double po
     for (const Symbol& symbol : symbols) {
       matrix.data()[symbol.entry] += symbol.factor * points * points * (*symbol.spectrum)[i];
     }
-    if (matrix(0, 0) == cplx()) continue;  // a gap that keeps columns on cache lines
+    if (matrix(0, 0) == cplx()) continue;  // padding that keeps columns on cache lines
     const Matrix inverted = matrix.inverse();
     for (std::size_t entry = 0; entry < inverses.size(); ++entry) inverses[entry][i] = inverted.data()[entry];
   }
@@ -62,7 +62,7 @@ InverseConvolution::InverseConvolution(WindowShape shape, WindowShape period, co
   for (std::size_t p = 0; p < fields_; ++p) {
     for (std::size_t q = 0; q < fields_; ++q) {
       const std::size_t entry = p * fields_ + q;
-      // As of tables, without the factor -i.
+      // Spectra of odd tables are stored without the factor -i.
       if (odd[entry]) std::ranges::for_each(inverse_symbol_[entry], [](cplx& number) { number *= kI; });
       terms_.push_back({p, &inverse_symbol_[entry], q, 1.0, odd[entry]});
     }

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Approximate inverse of a convolution, for preconditioning.
+/// @brief Approximate inverse of a convolution, as a preconditioner.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,27 +13,29 @@
 
 namespace viscoroll::detail {
 
-/// @brief Inverse of the convolution with tables made periodic, see `PeriodicTable`.
+/// @brief Inverse of the convolution with tables that are made periodic, see `PeriodicTable`.
 class InverseConvolution {
  public:
   /// @param[in] shape window
-  /// @param[in] period of the domain, from the window to the doubled window: the longer, the better and dearer
-  /// @param[in] tables that reach across the window
-  /// @param[in] terms of a convolution of as many fields as results
+  /// @param[in] period period of the domain, from the window to the doubled window; a longer one is more accurate and
+  /// costs more
+  /// @param[in] tables tables that reach across the window
+  /// @param[in] terms terms of a convolution with as many fields as results
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   InverseConvolution(WindowShape shape, WindowShape period, const std::vector<const Table*>& tables,
                      const std::vector<ConvolutionTerm>& terms, int threads, Watch& watch);
 
-  /// @param[in] fields over the window, a column for each
+  /// @param[in] fields fields over the window, one column each
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  /// @return other ones, whose convolution is about `fields`
+  /// @return fields whose convolution is approximately `fields`
   [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& fields, int threads, Watch& watch) const;
 
-  /// @brief The same for a single field that is given and wanted at some nodes alone.
-  /// @param[in] nodes where
-  /// @param[in] values of the field there
+  /// @brief Same for a single field that is given and evaluated only at some nodes.
+  /// @param[in] nodes these nodes
+  /// @param[in] values values of the field at these nodes
+  /// @param[in] threads,watch same as above
   [[nodiscard]] Eigen::VectorXd apply(const NodeRows& nodes, const Eigen::VectorXd& values, int threads,
                                       Watch& watch) const;
 

@@ -14,7 +14,7 @@ int phi_period(WindowShape shape) { return RealFft::fast_length(2 * shape.phi_no
 
 std::size_t frequencies(int period) { return static_cast<std::size_t>(period / 2 + 1); }
 
-/// What displaces along P under forces along Q: [offset -reach ... reach, thetas * loaded theta + displaced theta].
+/// Displacement along P due to forces along Q: [offset -reach ... reach, thetas * loaded theta + displaced theta].
 MatrixXd table_of(int p, int q, WindowShape shape, int first_theta, const SphereInfluence& influence,
                   const OrderPhases& phases, const Worker& worker) {
   const Index thetas = shape.theta_nodes;

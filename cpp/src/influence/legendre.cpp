@@ -5,16 +5,16 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr int kBits = 512;  // a number is its mantissa times 2^(kBits exponent), the mantissa within 2^(+-kBits/2)
+constexpr int kBits = 512;  // a number is its mantissa times 2^(kBits exponent), with the mantissa within 2^(+-kBits/2)
 
-/// log2 of P_mm = sqrt((2m+1)!! / (2 (2m)!!)) sin^m where sin = 1.
+/// log2 of P_mm = sqrt((2m+1)!! / (2 (2m)!!)) sin^m at sin = 1.
 double sectoral_exponent(int order) {
   double log2 = -0.5;
   for (int i = 1; i <= order; ++i) log2 += 0.5 * std::log2(1.0 + 0.5 / i);
   return log2;
 }
 
-/// What leads from two degrees l - 1 and l to the next one and to the slope, P_(l+1) = next (cos P_l - before P_(l-1)).
+/// Coefficients of the recurrence P_(l+1) = next (cos P_l - before P_(l-1)) and of the slope.
 struct Recursion {
   Eigen::ArrayXd next, before, slope;
 
@@ -37,7 +37,6 @@ LegendreFunctions::LegendreFunctions(int order, int highest, const Eigen::ArrayX
   const double at_equator = sectoral_exponent(order);
   const Recursion recursion(order, highest);
   for (Eigen::Index i = 0; i < theta.size(); ++i) {
-    // cos by way of the distance from the equator, where all nodes are.
     const double cosine = std::cos(theta[i]);
     const double sine = std::sin(theta[i]);
     const double log2 = at_equator + order * std::log2(sine);

@@ -6,17 +6,17 @@
 
 namespace viscoroll::detail {
 
-/// @brief Functions P_lm(theta), normalized so that the integral of P^2 sin(theta) over [0, pi] is 1 and without the
-/// sign
-/// (-1)^m; a row for each degree m, m + 1, ..., a column for each angle.
+/// @brief Functions P_lm(theta), normalized so that the integral of P^2 sin(theta) over [0, pi] is 1, without the sign
+/// (-1)^m. There is one row per degree m, m + 1, ... and one column per angle.
 struct LegendreFunctions {
   Eigen::MatrixXd value;
   Eigen::MatrixXd slope;  ///< dP/dtheta
 
-  /// @brief By the recurrence in the degree, which is stable. Near the poles the first ones are smaller than any
-  /// double; they are carried with exponents of their own (T. Fukushima, J. Geod. 86 (2012) 271-285).
+  /// @brief Compute the functions by the recurrence in the degree, which is stable.
+  /// Near the poles the first functions underflow; they have separate exponents (T. Fukushima, J. Geod. 86 (2012)
+  /// 271-285).
   /// @param[in] order m >= 0
-  /// @param[in] highest degree, >= m
+  /// @param[in] highest highest degree, >= m
   /// @param[in] theta angles in (0, pi) [rad]
   LegendreFunctions(int order, int highest, const Eigen::ArrayXd& theta);
 };

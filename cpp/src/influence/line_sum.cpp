@@ -14,7 +14,7 @@ namespace {
 using cplx = std::complex<double>;
 using Eigen::Index;
 
-/// Forces across and along the line do not know of each other: other entries are 0.
+/// Forces along the line are not coupled to the others, so all other entries are 0.
 cplx value(const Eigen::Matrix3cd& compliance, Entry entry) {
   switch (entry) {
     case Entry::rr:
@@ -31,7 +31,7 @@ cplx value(const Eigen::Matrix3cd& compliance, Entry entry) {
 }
 
 std::vector<Eigen::Matrix3cd> line_spectrum(const HarmonicBody& body, int threads, Watch& watch) {
-  constexpr std::size_t kBlock = 16;  // orders that are solved in a row
+  constexpr std::size_t kBlock = 16;  // orders that are solved together
   std::vector<OrderAt> orders;
   orders.reserve(body.orders().size());
   for (std::size_t i = 0; i < body.orders().size(); ++i) orders.push_back({.i = i, .n = 0.0});

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Influence tables of line contact: from the compliance of orders m alone, docs/theory/rollers.md.
+/// @brief Influence tables of line contact, from the compliance of the orders m alone (docs/theory/rollers.md).
 #pragma once
 
 #include <vector>
@@ -13,19 +13,19 @@
 
 namespace viscoroll::detail {
 
-/// @brief Displacements by forces per length on the patches of a row of nodes: tables that reach no further sideways
-/// than the row itself.
+/// @brief Sum over orders for forces per unit length on the patches of a row of nodes along the path. Its tables have a
+/// single column.
 class LineSum : public TableSum {
  public:
-  /// @param[in] bands of orders, see `order_bands.hpp`
-  /// @param[in] body at the orders of all bands, one band after the other
-  /// @param[in] mesh spacing; the work of power tables is done per radian of what it is the mesh of
+  /// @param[in] bands bands of orders, see `order_bands.hpp`
+  /// @param[in] body body at the orders of all bands, one band after the other
+  /// @param[in] mesh spacing; work in power tables is per radian of the body that the mesh belongs to
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   LineSum(std::vector<OrderBand> bands, const HarmonicBody& body, const MeshOnBody& mesh, int threads, Watch& watch);
-  /// @param[in] bands of orders
+  /// @param[in] bands bands of orders
   /// @param[in] spectrum compliance of every order of all bands, in the real form of layer_system.hpp [m/Pa]
-  /// @param[in] radius that makes wave numbers orders [m]
+  /// @param[in] radius radius that converts wave numbers to orders [m]
   /// @param[in] mesh spacing
   LineSum(std::vector<OrderBand> bands, std::vector<Eigen::Matrix3cd> spectrum, double radius, const MeshOnBody& mesh);
 

@@ -28,7 +28,7 @@ void validate(const Mesh& mesh) {
   in_range("mesh.nodes_per_revolution", mesh.nodes_per_revolution, kFewestNodes, kMostNodesPerRevolution, "");
   const int theta_nodes = theta_nodes_per_revolution(mesh);
   in_range("mesh.theta_nodes_per_revolution", theta_nodes, kFewestNodes, kMostNodesPerRevolution, "");
-  constexpr int kLargestRatio = 100;  // of spacings; each order of the many would be summed for few offsets
+  constexpr int kLargestRatio = 100;  // ratio of spacings; beyond it, many orders would be summed for few offsets
   in_range("mesh.theta_nodes_per_revolution", theta_nodes, mesh.nodes_per_revolution / kLargestRatio,
            mesh.nodes_per_revolution * kLargestRatio, ", a hundred times nodes_per_revolution or a hundredth");
   if (mesh.max_order) {

@@ -8,7 +8,7 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr double kBothSides = 2.0 / 3.0 * std::numbers::pi;  // to 60 degrees
+constexpr double kBothSides = 2.0 / 3.0 * std::numbers::pi;  // 60 degrees on either side
 
 int rounded_nodes(double nodes_per_revolution) {
   constexpr double kFewest = 16.0;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Some nodes of a window, row by row.
+/// @brief Selected nodes of a window, row by row.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,14 +11,14 @@
 
 namespace viscoroll::detail {
 
-/// @brief Finds those of a list of nodes that lie in a row, so that products are fed with them and read at them without
-/// fields over the whole window. Nodes may stand for their mirror images across the middle column, too.
+/// @brief List of nodes with access by row, so that products are fed with and read at these nodes without fields over
+/// the whole window. Nodes may also represent their mirror images across the middle column.
 class NodeRows {
  public:
-  /// @param[in] shape window, of an odd number of columns where mirrored
-  /// @param[in] nodes ascending
-  /// @param[in] mirrored whether they come with mirror images at which fields are the same: those from the middle
-  /// column on are kept
+  /// @param[in] shape window; its number of columns is odd if mirrored
+  /// @param[in] nodes node numbers, ascending
+  /// @param[in] mirrored whether the nodes include their mirror images, at which fields are equal; only those from the
+  /// middle column on are kept
   NodeRows(WindowShape shape, const std::vector<Eigen::Index>& nodes, bool mirrored = false)
       : theta_nodes_(shape.theta_nodes), mirrored_(mirrored), first_column_(mirrored ? shape.theta_nodes / 2 : 0) {
     nodes_.reserve(nodes.size());
@@ -36,15 +36,15 @@ class NodeRows {
 
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(nodes_.size()); }
   [[nodiscard]] bool mirrored() const { return mirrored_; }
-  /// @return the column that those of `for_row` are counted from
+  /// @return column from which `for_row` counts
   [[nodiscard]] Eigen::Index first_column() const { return first_column_; }
   [[nodiscard]] int rows() const { return static_cast<int>(first_.size()) - 1; }
 
-  /// @return the node with a number in the list
+  /// @return number of the i-th node of the list
   [[nodiscard]] Eigen::Index node(Eigen::Index i) const { return nodes_[static_cast<std::size_t>(i)]; }
 
-  /// @brief Call function(i, k) for the i-th node of the list, in column first_column() + k, for every one in the row.
-  /// Where mirrored, its image is node(i) - 2 k.
+  /// @brief Call function(i, k) for every node of the list in a row; the i-th node lies in column first_column() + k.
+  /// If mirrored, the image of the node is node(i) - 2 k.
   template <class Function>
   void for_row(int row, const Function& function) const {
     const auto place = static_cast<std::size_t>(row);
@@ -59,7 +59,7 @@ class NodeRows {
   bool mirrored_;
   Eigen::Index first_column_;
   std::vector<Eigen::Index> nodes_;
-  std::vector<Eigen::Index> first_;  // number in the list of the first node of every row, and of the end
+  std::vector<Eigen::Index> first_;  // index in the list of the first node of every row, and of the end
 };
 
 }  // namespace viscoroll::detail

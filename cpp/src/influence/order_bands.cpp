@@ -15,32 +15,32 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr double kSharpness = 4.8;     // M / sigma of chi: what is left of it at order 0 is erfc(4.8) / 2 = 6e-12
-constexpr double kNegligible = 1e-13;  // weight of orders left out
-constexpr double kFirstOctave = 32.0;  // M of the first band
+constexpr double kSharpness = 4.8;     // middle / width of chi, whose complement at order 0 is erfc(4.8) / 2 = 6e-12
+constexpr double kNegligible = 1e-13;  // weight of omitted orders
+constexpr double kFirstOctave = 32.0;  // middle of the step of the first band
 constexpr double kFirstUnboundedOctave = 16.0;
 
-/// The last octave, in nodes per revolution: so many oscillations of a patch's transform fit into its end that they
-/// cancel.
+/// Order at the end of the last octave, in nodes per revolution. The transform of a patch oscillates so often over its
+/// step that the oscillations cancel.
 constexpr double kLastOctave = 16.0;
 
-/// Of the first step, where the modulus was measured: it must fall within less than its own order.
+/// Sharpness of the first step for a measured modulus: the step must fall within less than its own order.
 constexpr double kSharpnessOfMeasured = 13.0;
 
-/// Orders up to which a measured modulus is taken point by point; beyond, as if it were smooth.
+/// Highest order up to which a measured modulus is summed order by order; beyond, it is treated as smooth.
 constexpr double kMostRoughOrders = 2000.0;
 
 /// Smooth step from 1 to 0.
 struct Step {
-  double middle;  ///< order
+  double middle;  ///< order at which the step is 1/2
   double sharpness = kSharpness;
 
   [[nodiscard]] double operator()(double order) const { return 0.5 * std::erfc((order / middle - 1.0) * sharpness); }
-  /// Where nothing is left of it.
+  /// Order at which the step is negligible.
   [[nodiscard]] double end() const { return middle * (1.0 + 6.0 / sharpness); }
 };
 
-/// Orders 0, stride, 2 stride, ... with the weights of the trapezoidal rule, those of either sign taken together.
+/// Orders 0, stride, 2 stride, ... with the weights of the trapezoidal rule, orders of both signs taken together.
 template <class Weight>
 OrderBand make_band(double stride, double highest, int reach, const Weight& weight) {
   std::vector<double> orders;
@@ -65,7 +65,8 @@ std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution) {
 
 namespace {
 
-/// Octaves from the middle of one step on, up to `top`. `stride_of` is told how far from the load a band reaches [rad].
+/// Append octaves from the middle of one step up to `top`. The argument of `stride_of` is the distance from the load to
+/// which a band is confined [rad].
 template <class Stride>
 void append_octaves(Step below, double top, double spacing, const Stride& stride_of, std::vector<OrderBand>& bands) {
   const int half = static_cast<int>(std::lround(std::numbers::pi / spacing));
@@ -82,7 +83,7 @@ void append_octaves(Step below, double top, double spacing, const Stride& stride
   }
 }
 
-/// Bands up to `top`, of which the first is of whole orders.
+/// Bands up to `top`; the first one consists of whole orders.
 template <class Stride>
 std::vector<OrderBand> split(double spacing, double top, double rough_orders, const Stride& stride_of) {
   const int half = static_cast<int>(std::lround(std::numbers::pi / spacing));
@@ -97,8 +98,8 @@ std::vector<OrderBand> split(double spacing, double top, double rough_orders, co
 double spacing_of(int nodes_per_revolution) { return 2.0 * std::numbers::pi / nodes_per_revolution; }
 
 double highest_order(int nodes_per_revolution, double finest_order) {
-  // The number of orders, and with it the work, grows as this ratio. A mesh of fewer nodes does not resolve a contact
-  // on the layer.
+  // The number of orders, and with it the work, is proportional to this ratio. A mesh of fewer nodes does not resolve a
+  // contact on the layer.
   constexpr double kMostPerNode = 5000.0;
   if (finest_order > kMostPerNode * nodes_per_revolution) {
     reject("mesh.nodes_per_revolution",
@@ -109,26 +110,28 @@ double highest_order(int nodes_per_revolution, double finest_order) {
   return kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
 }
 
-/// Per middle of the first step: what is left out below is a uniform displacement.
+/// Lowest order relative to the middle of the first step; the omitted orders displace all nodes equally.
 constexpr double kLowestOfTables = 1e-9;
 
-/// With x the largest angle of a table, a stride h of the logarithms leaves exp(-(2 pi / h - middle x)^2 /
-/// (4 sharpness^2)): 1e-10 where x is 120 degrees, as in tables that reach 60 degrees to both sides.
+/// Stride of the logarithms for tables. With x the largest angle of a table, a stride h leaves the error exp(-(2 pi / h
+/// - middle x)^2 / (4 sharpness^2)): 1e-10 at x = 120 degrees, for tables that reach 60 degrees on either side.
 double stride_of_tables(double refinement, double widest) {
   constexpr double kLogarithmicStride = 0.07;
-  constexpr double kUsualWidest = 2.1;  // these 120 degrees
+  constexpr double kUsualWidest = 2.1;  // these 120 degrees [rad]
   return kLogarithmicStride / (refinement * std::max(1.0, widest / kUsualWidest));
 }
 
-/// The same for the angles of a window alone, in whose fields 1e-6 may be left.
+/// Stride of the logarithms for fields within a window, whose error may be 1e-6.
 double stride_of_fields(const Step& step, double refinement, double widest) {
-  constexpr double kRootOfDigits = 3.72;  // its square is ln(1e6)
+  constexpr double kRootOfDigits = 3.72;  // square root of ln(1e6)
   return 2.0 * std::numbers::pi / (step.middle * widest + 2.0 * kRootOfDigits * step.sharpness) / refinement;
 }
 
-/// All orders below a step, at equal ratios: their functions are as smooth in the logarithm.
-/// @param[in] stride of the logarithms
-/// @param[in] lowest order, per middle of the step
+/// Orders below a step, at equal ratios: their functions are as smooth in the logarithm.
+/// @param[in] step first step
+/// @param[in] stride stride of the logarithms
+/// @param[in] lowest lowest order, relative to the middle of the step
+/// @param[in] reach offset in spacings beyond which the band contributes nothing
 OrderBand low_orders(const Step& step, double stride, double lowest, int reach) {
   const auto count = static_cast<Eigen::Index>(std::log(step.end() / (lowest * step.middle)) / stride);
   const Eigen::ArrayXd orders =
@@ -174,7 +177,7 @@ std::vector<OrderBand> unbounded_octaves_within(double spacing, double top, doub
   using std::numbers::pi;
   const double highest = std::min(top, kLastOctave * 2.0 * pi / spacing);
   const Step first{.middle = std::min(kFirstUnboundedOctave, highest)};
-  // Those that begin where orders of tables do lie as close as these.
+  // Orders that begin as low as those of tables are as dense as those of tables.
   const double stride = lowest.share > kLowestOfTables ? stride_of_fields(first, refinement, largest_offset)
                                                        : stride_of_tables(refinement, largest_offset);
   std::vector<OrderBand> bands{low_orders(first, stride, lowest.share, static_cast<int>(std::lround(pi / spacing)))};
@@ -186,20 +189,21 @@ std::vector<OrderBand> unbounded_octaves_within(double spacing, double top, doub
 }
 
 double refinement_of(const std::vector<Layer>& layers) {
-  constexpr double kRefinementOfMeasured = 4.0;  // kinks leave an error of the second order in the stride
+  constexpr double kRefinementOfMeasured = 4.0;  // kinks leave an error of second order in the stride
   return measured_layers(layers).empty() ? 1.0 : kRefinementOfMeasured;
 }
 
 namespace {
 
-/// Whether two layers are of one material, as far as rolling can tell.
+/// Whether two layers have the same material at the relevant frequencies.
 bool are_alike(const Layer& a, const Layer& b, double angular_speed) {
-  const std::array frequencies{0.0, angular_speed, 8.0 * angular_speed};  // which every mesh asks for
+  const std::array frequencies{0.0, angular_speed, 8.0 * angular_speed};  // every mesh evaluates these
   return a.poisson_ratio == b.poisson_ratio && a.bulk_modulus == b.bulk_modulus &&
          complex_modulus(a.shear_modulus, frequencies) == complex_modulus(b.shear_modulus, frequencies);
 }
 
-/// Of the thinnest layer, at which an incompressible one yields most; neighbors of one material are one layer.
+/// Order of the thinnest layer, at which an incompressible layer is most compliant. Neighbors of one material count as
+/// one layer.
 double finest_order(const LayeredBody& body, double angular_speed) {
   const std::vector<Layer>& layers = body.layers;
   double thinnest = std::numeric_limits<double>::infinity();
@@ -212,7 +216,7 @@ double finest_order(const LayeredBody& body, double angular_speed) {
   return body.metric.radius / std::min(thinnest, thickness);
 }
 
-/// What is straight goes on without end: no order of it is whole.
+/// Straight directions are not periodic, so their orders are not whole and cannot be truncated.
 void require_all_orders(const Metric& metric, const Mesh& mesh) {
   if (!mesh.max_order) return;
   const std::string what = metric.is_wheel() ? "the tread of a wheel" : "a plane";
@@ -222,7 +226,7 @@ void require_all_orders(const Metric& metric, const Mesh& mesh) {
 
 }  // namespace
 
-// Tables are interpolated with kinks, and users' functions may be.
+// Tables are interpolated with kinks, and users' functions may have kinks.
 double material_rough_orders(const LayeredBody& body, double angular_speed, const Mesh& mesh) {
   const double asked = std::min(kMostRoughOrders, measured_order(mesh));
   double highest = 0.0;
@@ -234,7 +238,7 @@ double material_rough_orders(const LayeredBody& body, double angular_speed, cons
           std::max(highest, highest_kink(layer.shear_modulus, angular_speed, asked * angular_speed) / angular_speed);
     }
   }
-  return std::min({highest, kMostRoughOrders, 2.0 * measured_order(mesh)});  // which is approached slowly
+  return std::min({highest, kMostRoughOrders, 2.0 * measured_order(mesh)});  // `measured_order` is approached slowly
 }
 
 double exact_share(double wave_number, double middle) {

@@ -7,7 +7,7 @@ namespace viscoroll::detail {
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
 
 double spherical_bessel(int degree, double x) {
-  // The closed forms cancel at small x, where the series needs few terms.
+  // The closed forms cancel at small x, where a short series is used.
   const double y = x * x;
   switch (degree) {
     case 0:
@@ -22,7 +22,7 @@ double spherical_bessel(int degree, double x) {
 }
 
 std::array<double, kPatchShapes> spherical_patch_weights(double theta, double spacing) {
-  // Five Gauss points: exact to round-off on patches of a few degrees.
+  // Five Gauss points are exact to round-off on patches of a few degrees.
   constexpr std::array<double, 5> kPoints{-0.90617984593866399, -0.53846931010568309, 0.0, 0.53846931010568309,
                                           0.90617984593866399};
   constexpr std::array<double, 5> kWeights{0.23692688505618909, 0.47862867049936647, 0.56888888888888889,

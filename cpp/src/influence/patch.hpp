@@ -1,10 +1,10 @@
 /// @file
 /// @brief Traction on the patch of a node, in the Fourier domain.
 ///
-/// In theta a patch carries (1/Delta) times a Legendre polynomial P_p(2 (theta - theta_N) / Delta), whose order n is
-/// (-i)^p j_p(n Delta / 2), j_p the spherical Bessel function: j_0 = sinc is the flat patch (53). The 1/sin(theta) of
-/// the patch (38) is a sum of the first three, with weights that depend on the node's theta alone; what is left out is
-/// of the order (Delta/2)^3.
+/// In theta the traction on a patch is (1/Delta) times a Legendre polynomial P_p(2 (theta - theta_N) / Delta), whose
+/// order n is (-i)^p j_p(n Delta / 2), with the spherical Bessel function j_p; j_0 = sinc is the flat patch (53). The
+/// 1/sin(theta) of the patch (38) is a sum of the first three, with weights that depend only on theta of the node; the
+/// error is of order (Delta/2)^3.
 #pragma once
 
 #include <array>

@@ -9,20 +9,20 @@
 
 namespace viscoroll::detail {
 
-/// @brief Sum, over the offsets that a period cannot tell apart, of a table times a triangle in each direction.
+/// @brief Table times a triangle in each direction, summed over the offsets that are equal modulo the period.
 ///
-/// The triangle weighs an offset by the pairs of nodes at it. It keeps the symbol's Hermitian part positive where the
-/// convolution's is (Fejer), so that nothing small is divided by where the symbol is inverted; on a period as long as
-/// the window it makes T. F. Chan's optimal circulant (SIAM J. Sci. Stat. Comput. 9 (1988) 766-771).
+/// The triangle weights an offset by the number of pairs of nodes at it. It keeps the Hermitian part of the symbol
+/// positive if that of the convolution is (Fejer), so that the inverse symbol does not divide by small numbers. On a
+/// period as long as the window it gives T. F. Chan's optimal circulant (SIAM J. Sci. Stat. Comput. 9 (1988) 766-771).
 class PeriodicTable {
  public:
-  /// @param[in] table that reaches across the window, and outlives this object
+  /// @param[in] table table that reaches across the window and outlives this object
   /// @param[in] shape window
-  /// @param[in] period from the window to the doubled window
+  /// @param[in] period period, from the window to the doubled window
   PeriodicTable(const Table& table, WindowShape shape, WindowShape period)
       : table_(table), shape_(shape), period_(period) {}
 
-  /// @return the value at a place of the period
+  /// @return value at a place of the period
   [[nodiscard]] double operator()(int row, int column) const {
     const int j = row - period_.phi_nodes;
     const int l = column - period_.theta_nodes;

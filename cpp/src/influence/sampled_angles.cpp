@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Number of angles in a range of half the width `half_angle`, between which waves are polynomials: the coefficients of
-/// cos(x t) die out beyond the degree x, within some widths x^(1/3) of the edge of a Bessel function.
+/// Number of angles between which waves are interpolated by polynomials, in a range of half width `half_angle`. The
+/// coefficients of cos(x t) vanish beyond the degree x, within some widths x^(1/3) of the edge of a Bessel function.
 int sampled_angles(double half_angle, double highest_order) {
   const double x = half_angle * highest_order;
   return static_cast<int>(std::ceil(x + 6.0 * std::cbrt(x) + 6.0));
@@ -42,12 +42,12 @@ SampledOffsets::SampledOffsets(int reach, double spacing, double highest_order)
       odd(even) {
   const int half = count(reach, spacing, highest_order);
   if (half > reach) return;
-  const ChebyshevNodes places(2 * half);  // the first half of them is positive, the second one its mirror image
+  const ChebyshevNodes places(2 * half);  // the first half is positive, the second half is its mirror image
   sampled = places.places().head(half) * (reach * spacing);
   const MatrixXd basis = places.interpolation(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, 1.0));
   even = basis.leftCols(half) + basis.rightCols(half).rowwise().reverse();
   odd = basis.leftCols(half) - basis.rightCols(half).rowwise().reverse();
-  odd.row(0).setZero();  // to the last digit
+  odd.row(0).setZero();  // exactly
 }
 
 }  // namespace viscoroll::detail

@@ -1,12 +1,12 @@
 /// @file
-/// @brief Few angles that waves are summed at, and polynomials from there to the nodes of a mesh.
+/// @brief Few angles at which waves are summed, and interpolation from these to the nodes of a mesh.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace viscoroll::detail {
 
-/// @brief Places between -1 and 1, and what polynomials through values there are elsewhere.
+/// @brief Chebyshev points between -1 and 1, and polynomial interpolation from values at these points.
 struct ChebyshevNodes {
   Eigen::ArrayXd angle;
 
@@ -17,19 +17,19 @@ struct ChebyshevNodes {
   [[nodiscard]] Eigen::MatrixXd interpolation(const Eigen::ArrayXd& places) const;
 };
 
-/// @brief Offsets, none of them negative, that waves are summed at, and what even and odd sums are at those of a mesh,
-/// [offset, sampled]: themselves, or polynomials where fewer will do.
+/// @brief Nonnegative offsets at which waves are summed, and matrices [offset, sampled] that give even and odd sums at
+/// the offsets of a mesh. The sampled offsets are those of the mesh, or fewer if polynomials suffice.
 struct SampledOffsets {
-  Eigen::ArrayXd sampled;  ///< [rad]
+  Eigen::ArrayXd sampled;  ///< sampled offsets [rad]
   Eigen::MatrixXd even;
   Eigen::MatrixXd odd;
 
   /// @param[in] reach largest offset of the mesh [spacings]
-  /// @param[in] spacing of the mesh [rad]
-  /// @param[in] highest_order of the waves
+  /// @param[in] spacing spacing of the mesh [rad]
+  /// @param[in] highest_order highest order of the waves
   SampledOffsets(int reach, double spacing, double highest_order);
 
-  /// @return how many there are
+  /// @return number of sampled offsets
   [[nodiscard]] static int count(int reach, double spacing, double highest_order);
 };
 

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Transforms of real lines, one for each column: [frequency, column].
+/// Transforms of real lines, which are the columns: [frequency, column].
 Eigen::MatrixXcd transformed(const RealFft& fft, int period, int reach, const Eigen::Ref<const MatrixXd>& columns) {
   RealBuffer line(static_cast<std::size_t>(period));
   ComplexBuffer half(static_cast<std::size_t>(period / 2 + 1));

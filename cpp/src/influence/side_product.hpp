@@ -1,6 +1,6 @@
 /// @file
-/// @brief Products with the influence of free sides, which depends on where across the tread loads and displacements
-/// are.
+/// @brief Product with the influence of free faces, which depends on the positions of load and displacement across the
+/// tread.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,37 +14,37 @@
 
 namespace viscoroll::detail {
 
-/// @brief Forces on patches are gathered on the section's lines of nodes, which are few; there a transform along phi
-/// and a matrix for each frequency make displacements of them, which are read where they are asked for.
+/// @brief Product that gathers forces on patches on the few lines of nodes of the section, transforms them along phi,
+/// multiplies by one matrix per frequency, and reads the displacements at the columns.
 class SideProduct {
  public:
   /// @param[in] shape window
-  /// @param[in] columns of it, the same way as theta
-  /// @param[in] difference of the section
-  /// @param[in] factors at offsets across the window
-  /// @param[in] average whether means over patches are read, as where work is meant, or values at nodes
+  /// @param[in] columns columns of the window, in the direction of theta
+  /// @param[in] difference difference between the sections with and without faces
+  /// @param[in] factors factors at offsets across the window
+  /// @param[in] average whether the result is a mean over patches (for work) or the value at nodes
   SideProduct(WindowShape shape, const TreadColumns& columns, const SampledDifference& difference,
               const SideFactors& factors, bool average);
 
-  /// @param[in] loads a column for each of (r, phi, theta), or of r alone, and a row for each node
-  /// @return the same of what they cause
+  /// @param[in] loads one column per component (r, phi, theta), or r alone, and one row per node
+  /// @return displacements in the same layout
   [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& loads) const;
 
-  /// @return floating-point operations of it, roughly
+  /// @return approximate number of floating-point operations of a product
   [[nodiscard]] double operations() const;
 
  private:
-  /// One of the two parts about the middle of the tread.
+  /// The even or the odd part about the middle of the tread.
   struct Part {
-    std::vector<Eigen::MatrixXd> gathered;   // [component] shares of lines in the forces on columns, [line, column]
-    std::vector<Eigen::MatrixXd> read;       // [component] shares of lines in what columns show
-    std::vector<Eigen::MatrixXcd> spectrum;  // [frequency] of amplitudes component * lines + line
+    std::vector<Eigen::MatrixXd> gathered;   // [component], weights of lines in the forces on columns, [line, column]
+    std::vector<Eigen::MatrixXd> read;       // [component], weights of lines in the result at columns
+    std::vector<Eigen::MatrixXcd> spectrum;  // [frequency], for amplitudes component * lines + line
   };
 
   WindowShape shape_;
   Eigen::Index components_;
   Eigen::Index lines_;
-  int period_;  // along phi, so long that images do not meet
+  int period_;  // along phi, long enough to keep images apart
   RealFft fft_;
   std::array<Part, 2> parts_;
 };

@@ -20,8 +20,9 @@ using cplx = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Second derivatives of the splines through 1 at one of equidistant knots and 0 at the others, [knot, which one]: next
-/// to the first one no knot, at the last one the slope of what falls like 1/m from there on, for octaves are smooth.
+/// Second derivatives of the splines that are 1 at one of the equidistant knots and 0 at the others: [knot, index of
+/// that one]. The knot next to the first is not a knot. At the last one the slope is that of a function that decreases
+/// like 1/m from there on, because octaves are smooth.
 MatrixXd spline_bends(Index knots, double distance) {
   MatrixXd smooth = MatrixXd::Zero(knots, knots);
   MatrixXd bends = MatrixXd::Zero(knots, knots);

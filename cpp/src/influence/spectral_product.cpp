@@ -14,14 +14,14 @@ using cplx = std::complex<double>;
 using Eigen::Index;
 
 constexpr std::size_t kColumns = ColumnBlocks::kColumns;
-constexpr std::size_t kRows = 16;       // taken at a time
-constexpr Index kThreadedSize = 20000;  // nodes below which starting threads costs more than they save
+constexpr std::size_t kRows = 16;       // processed together
+constexpr Index kThreadedSize = 20000;  // nodes below which starting threads costs more than it saves
 
 std::size_t parts(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
 
 std::size_t unsigned_size(int count) { return static_cast<std::size_t>(count); }
 
-/// sum += sign * factor * line, for complex numbers as pairs of real ones
+/// sum += sign * factor * line, for complex numbers stored as pairs of real ones
 VISCOROLL_BEST_INSTRUCTIONS
 void add_product(double sign, const double* factor, const double* line, std::size_t count, double* sum) {
   for (std::size_t i = 0; i < 2 * count; i += 2) {
@@ -35,7 +35,7 @@ void add_product(double sign, const double* factor, const double* line, std::siz
 const double* as_pairs(const cplx* numbers) { return reinterpret_cast<const double*>(numbers); }
 double* as_pairs(cplx* numbers) { return reinterpret_cast<double*>(numbers); }
 
-/// Continue the numbers from the middle on to the other side of a circle: an even line, and an odd one that is added.
+/// Extend a line given from the middle on to the whole period: an even line, to which an odd one is added.
 void mirror(double* line, const double* odd, int length) {
   for (int k = 1; 2 * k < length; ++k) {
     line[length - k] = line[k] - odd[k];
@@ -43,7 +43,7 @@ void mirror(double* line, const double* odd, int length) {
   }
 }
 
-/// The other way.
+/// Inverse of `mirror`.
 void split(double* line, double* odd, int length) {
   odd[0] = 0.0;
   for (int k = 1; 2 * k < length; ++k) {
@@ -52,7 +52,7 @@ void split(double* line, double* odd, int length) {
   }
 }
 
-/// Numbers of an even and of an odd field, or of one of both, whose lines pass as one.
+/// Indices of an even and an odd field, or of one of them, whose lines are transformed as one.
 struct Couple {
   std::optional<std::size_t> even;
   std::optional<std::size_t> odd;
@@ -289,7 +289,7 @@ void SpectralProduct::multiply(const Parts& operands, const std::vector<Spectral
                      for (const SpectralTerm& term : terms) {
                        if (term.result != results[part].field || term.operand != operands[operand].field) continue;
                        if ((odd != term.odd) != results[part].odd) continue;
-                       // Odd ones come without their factor -i, and (-i)^2 = -1.
+                       // Odd ones are stored without their factor -i, and (-i)^2 = -1.
                        const double sign = odd && term.odd ? -term.sign : term.sign;
                        add_product(sign, as_pairs(term.spectrum->data() + block * size),
                                    as_pairs(work.columns.data() + operand * size), count * column_stride_,

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Fields over a window, multiplied in the Fourier domain.
+/// @brief Products of fields over a window with spectra, in the Fourier domain.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,46 +21,47 @@ struct WindowShape {
   friend bool operator==(const WindowShape&, const WindowShape&) = default;
 };
 
-/// @return the shortest period, of a fast length, on which a field over the window does not meet its images
+/// @return shortest period of fast lengths that keeps a field over the window apart from its images
 [[nodiscard]] WindowShape doubled(const WindowShape& shape);
 
-/// @return the same for fields that are nothing but on a smaller window inside
+/// @return same, for fields that are 0 outside a smaller window
 [[nodiscard]] WindowShape doubled(const WindowShape& shape, const WindowShape& loaded);
 
-/// @brief A factor between a field and a result, for all orders.
+/// @brief One term of a product: a field times a spectrum, added to a result.
 struct SpectralTerm {
-  std::size_t result;             ///< which result it adds to
-  const ComplexBuffer* spectrum;  ///< from `SpectralProduct::spectrum`
-  std::size_t operand;            ///< which field it is fed with
+  std::size_t result;             ///< index of the result
+  const ComplexBuffer* spectrum;  ///< spectrum from `SpectralProduct::spectrum`
+  std::size_t operand;            ///< index of the field
   double sign;
-  bool odd = false;  ///< whether the spectrum is of a table that is odd in theta
+  bool odd = false;  ///< whether the spectrum belongs to a table that is odd in theta
 };
 
-/// @brief Products of fields, continued by zeros to a periodic domain, with spectra over that domain.
+/// @brief Products of fields, extended by zeros to a periodic domain, with spectra over that domain.
 ///
-/// The spectra are of tables that are even or odd in theta: transformed along theta they are real but for a factor -i
-/// of odd ones. So a field is its even and its odd part, each of real numbers along theta's orders, transforms along
-/// phi are of real lines, and of a spectrum a quarter is kept. Of fields that are even or odd themselves there is one
-/// part.
+/// The spectra belong to tables that are even or odd in theta. Transformed along theta they are real, apart from a
+/// factor -i of odd tables. A field is therefore split into its even and its odd part, each with real numbers along the
+/// orders of theta; transforms along phi are those of real lines, and a quarter of a spectrum is stored. A field that
+/// is even or odd itself has one part.
 ///
-/// Rows of zeros are never transformed, and a column is transformed, multiplied and transformed back while it lies in
-/// the cache: memory is passed over three times, as much as for one two-dimensional transform. Buffers are kept from
-/// product to product, so an object serves one product at a time.
+/// Rows of zeros are not transformed, and a column is transformed, multiplied and transformed back while it is in the
+/// cache. Data pass through memory three times, as in one two-dimensional transform. Buffers are kept between products,
+/// so an object may compute one product at a time.
 class SpectralProduct {
  public:
-  /// @param[in] window where fields are given and wanted
-  /// @param[in] period of the domain, at least the window
+  /// @param[in] window nodes at which fields are given and evaluated
+  /// @param[in] period period of the domain, at least the window
   SpectralProduct(WindowShape window, WindowShape period);
 
   [[nodiscard]] WindowShape period() const { return period_; }
 
-  /// @return numbers from one column of a spectrum to the next: place p of column q is number q * column_stride() + p
+  /// @return stride between columns of a spectrum: place p of column q has the index q * column_stride() + p
   [[nodiscard]] std::size_t column_stride() const { return column_stride_; }
 
-  /// @brief Spectrum of a table over the whole domain, divided by the number of its points: at the orders up to half of
-  /// the period in either direction, of which the others are complex conjugates.
-  /// @param[in] value gives the table at (row, column), columns up to half of the period, on several threads
-  /// @param[in] odd whether it is odd in theta; then the factor -i of the spectrum is left out
+  /// @brief Return the spectrum of a table over the whole domain, divided by the number of points.
+  /// It contains the orders up to half the period in both directions; the others are complex conjugates.
+  /// @param[in] value function of (row, column) that returns the table, for columns up to half the period; called from
+  /// several threads
+  /// @param[in] odd whether the table is odd in theta; the factor -i of its spectrum is then omitted
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   template <class Value>
@@ -72,34 +73,35 @@ class SpectralProduct {
         odd, threads, watch);
   }
 
-  /// @brief Fills a row of a field: theta_nodes numbers, which are zero before.
+  /// @brief Function that fills a row of a field: theta_nodes numbers, initially 0.
   using Fill = std::function<void(int row, std::size_t field, double* line)>;
-  /// @brief Takes a row of a result: theta_nodes numbers.
+  /// @brief Function that takes a row of a result: theta_nodes numbers.
   using Take = std::function<void(int row, std::size_t result, const double* line)>;
 
   /// @param[in] fields number of fields
-  /// @param[in] fill gives them, rows in any order and on several threads
+  /// @param[in] fill provides the rows of fields, in any order and from several threads
   /// @param[in] terms summands
   /// @param[in] results number of results
-  /// @param[in] take receives them, those of a row one after the other on one thread
-  /// @param[in] threads number of threads, 0 for all cores; small products take one
+  /// @param[in] take receives the rows of results; those of one row one after the other in one thread
+  /// @param[in] threads number of threads, 0 for all cores; small products use one
   /// @param[in] watch progress and cancellation
   void apply(std::size_t fields, const Fill& fill, const std::vector<SpectralTerm>& terms, std::size_t results,
              const Take& take, int threads, Watch& watch) const;
 
-  /// @brief The same of fields each of which is even or odd across the middle column of the window: rows are given and
-  /// taken from that column on.
-  /// @param[in] odd whether each field is
+  /// @brief Same for fields that are even or odd about the middle column of the window; rows are filled and taken from
+  /// that column on.
+  /// @param[in] odd whether each field is odd
+  /// @param[in] fill,terms,results,take,threads,watch same as in `apply`
   void apply_mirrored(const std::vector<bool>& odd, const Fill& fill, const std::vector<SpectralTerm>& terms,
                       std::size_t results, const Take& take, int threads, Watch& watch) const;
 
-  /// @return floating-point operations of a product on a period, roughly
+  /// @return approximate number of floating-point operations of a product on a period
   [[nodiscard]] static double operations(WindowShape period, std::size_t fields, std::size_t terms,
                                          std::size_t results);
 
-  /// @param[in] operands one column for each field, rows being nodes
-  /// @param[in] terms,results,threads,watch as above
-  /// @return one column for each result
+  /// @param[in] operands one column per field and one row per node
+  /// @param[in] terms,results,threads,watch same as above
+  /// @return one column per result and one row per node
   [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& operands, const std::vector<SpectralTerm>& terms,
                                       std::size_t results, int threads, Watch& watch) const;
 
@@ -112,7 +114,7 @@ class SpectralProduct {
     RealBuffer odd_row;
     ComplexBuffer half_rows;
     RealBuffer lines;
-    RealBuffer scratch;  // of the transforms of several lines
+    RealBuffer scratch;  // memory of transforms of several lines
     ComplexBuffer columns;
     ComplexBuffer sums;
   };
@@ -120,25 +122,25 @@ class SpectralProduct {
   [[nodiscard]] ComplexBuffer transform(const std::function<void(int row, double* line, int columns)>& fill, bool odd,
                                         int threads, Watch& watch) const;
   [[nodiscard]] int useful_threads(int threads) const;
-  /// Room for so many parts.
+  /// Allocate buffers for the given number of parts.
   void reserve(std::size_t parts, int threads) const;
-  /// Call function(first, end, workspace) for rows of the window, some at a time.
+  /// Call function(first, end, workspace) for ranges of rows of the window.
   void for_rows(int threads, Watch& watch,
                 const std::function<void(std::size_t first, std::size_t end, Workspace& work)>& function) const;
-  /// A transformed row among those of a workspace.
+  /// Return a transformed row in a workspace.
   [[nodiscard]] std::complex<double>* half_row(Workspace& work, std::size_t place) const;
   void multiply(const Parts& operands, const std::vector<SpectralTerm>& terms, const Parts& results, int threads,
                 Watch& watch) const;
 
   WindowShape window_;
   WindowShape period_;
-  std::size_t columns_;        // of half a spectrum
-  std::size_t line_stride_;    // of columns before they are transformed
-  std::size_t column_stride_;  // of columns, in spectra as well
+  std::size_t columns_;        // columns of half a spectrum
+  std::size_t line_stride_;    // stride of columns before the transform
+  std::size_t column_stride_;  // stride of transformed columns and of spectra
   RealFft theta_fft_;
   RealFft phi_fft_;
   mutable std::vector<Workspace> workspaces_;
-  mutable ColumnBlocks rows_;  // of all parts, transformed along theta
+  mutable ColumnBlocks rows_;  // all parts, transformed along theta
 };
 
 }  // namespace viscoroll::detail

@@ -13,17 +13,18 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Below so many operations threads cost more than they save.
+/// Operations below which threads cost more than they save.
 constexpr double kWorthThreads = 4e6;
 
-/// Of products in one table, which takes time to make: 16 MB of matrices, and 2 MB where less is done with them.
+/// Limits of operations for joint products, whose table takes time to make: 16 MB of matrices with tangential
+/// components, 2 MB for r by r, which saves fewer operations.
 constexpr double kMostJointOperations = 8e6;
 constexpr double kMostRadialJointOperations = 1e6;
 
 constexpr Index kOrdersAtOnce = 8;
 constexpr Index kPhisAtOnce = 32;
 
-/// Each power of the metric is a convolution of its own.
+/// Each power of the metric is a separate convolution.
 std::vector<ConvolutionTerm> local_terms(const SphereInfluence& influence) {
   const std::size_t components = influence.components();
   const std::size_t tables = influence.local.size() / influence.powers;
@@ -49,12 +50,12 @@ double local_operations(WindowShape shape, const SphereInfluence& influence) {
   return SpectralProduct::operations(doubled(shape), fields, fields * components, fields);
 }
 
-/// Nodes from the equator to the far edge of a window, on one side.
+/// Number of nodes from the equator to the far edge of a window, on one side.
 int one_side(WindowShape shape, int first_theta) {
   return std::max(-first_theta, first_theta + shape.theta_nodes - 1) + 1;
 }
 
-/// Of the sums over phi and over the degrees, to amplitudes and back.
+/// Operations of the sums over phi and over the degrees, to amplitudes and back.
 double harmonic_operations(WindowShape shape, int first_theta, const SphereInfluence& influence) {
   const bool tangential = influence.tangential;
   const auto half = static_cast<double>(one_side(shape, first_theta));
@@ -67,7 +68,9 @@ double harmonic_operations(WindowShape shape, int first_theta, const SphereInflu
 /// Amplitudes of one component, or of phi and theta.
 using Amplitudes = std::vector<Eigen::ArrayXcd>;
 
-/// Amplitudes of the degrees. @param[in] force at thetas: real parts of all components, then the imaginary ones
+/// Sum forces to amplitudes of the degrees.
+/// @param[in] harmonic harmonics at thetas
+/// @param[in] force forces at thetas: real parts of all components, then imaginary parts
 Amplitudes summed(const MatrixXd& harmonic, const MatrixXd& force) {
   const MatrixXd sums = product(harmonic.leftCols(force.rows()), force);
   const Index count = force.cols() / 2;
@@ -80,7 +83,7 @@ Amplitudes summed(const MatrixXd& harmonic, const MatrixXd& force) {
   return amplitudes;
 }
 
-/// What degrees add up to at thetas, parts as above.
+/// Sum amplitudes of the degrees to displacements at thetas, with real and imaginary parts in the same order.
 MatrixXd seen(const MatrixXd& harmonic, const Amplitudes& amplitudes, Index thetas) {
   const auto count = static_cast<Index>(amplitudes.size());
   MatrixXd parts(harmonic.rows(), 2 * count);
@@ -161,7 +164,7 @@ double FactoredSphereProduct::operations() const {
   return harmonic_operations(shape_, first_theta_, *influence_) + (local_ ? local_->operations() : 0.0);
 }
 
-/// The even and the odd part about the equator of each component, as sums and differences of the two sides.
+/// Even and odd part of each component about the equator, as sums and differences of the two sides.
 /// @return [side * components * half + component * half + theta, phi]
 MatrixXd FactoredSphereProduct::folded(const Eigen::ArrayXXd& loads) const {
   MatrixXd sides = MatrixXd::Zero(2 * components_ * half_, shape_.phi_nodes);
@@ -194,14 +197,14 @@ Eigen::ArrayXXd FactoredSphereProduct::unfolded(const MatrixXd& sides) const {
   return result;
 }
 
-/// Put displacements in place of forces, at one order: a column of real and one of imaginary parts.
+/// Replace forces by displacements at one order; the two columns are real and imaginary parts.
 void FactoredSphereProduct::respond(const SphericalOrder& order, Eigen::Ref<MatrixXd> amplitudes) const {
   const MatrixXd force = amplitudes;
   amplitudes.setZero();
   const auto place = [&](std::size_t side, Index component) {
     return (static_cast<Index>(side) * components_ + component) * half_;
   };
-  // Of phi and theta: real parts of both, then imaginary parts of both.
+  // Components phi and theta: real parts of both, then imaginary parts of both.
   const auto along = [&](std::size_t side) -> MatrixXd {
     return MatrixXd(force.middleRows(place(side, 1), 2 * half_)).reshaped(half_, 4);
   };
@@ -209,7 +212,7 @@ void FactoredSphereProduct::respond(const SphericalOrder& order, Eigen::Ref<Matr
     amplitudes.middleRows(place(side, 1), 2 * half_) += seen(harmonic, pair, half_).reshaped(2 * half_, 2);
   };
   constexpr std::complex<double> kI(0.0, 1.0);
-  for (std::size_t side = 0; side < 2; ++side) {  // where P and E are even, D is odd
+  for (std::size_t side = 0; side < 2; ++side) {  // parity of P and E; that of D is opposite
     const EveryOtherDegree& own = order[side];
     const std::size_t other = 1 - side;
     const Eigen::ArrayXcd y = summed(own.loaded->p, force.middleRows(place(side, 0), half_)).front();

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Products with influence that depends on both thetas.
+/// @brief Products with an influence that depends on theta of both nodes.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,26 +13,28 @@
 
 namespace viscoroll::detail {
 
-/// @brief Displacements, or powers, of the nodes of a window by forces on them.
+/// @brief Displacements, or powers, of the nodes of a window due to forces on them.
 class SphereProduct {
  public:
   virtual ~SphereProduct() = default;
 
-  /// @param[in] loads a column for each component, a row for each node
-  /// @return the same of what they cause
+  /// @param[in] loads one column per component and one row per node
+  /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] watch progress and cancellation
+  /// @return displacements or powers in the same layout
   [[nodiscard]] virtual Eigen::ArrayXXd apply(const Eigen::ArrayXXd& loads, int threads, Watch& watch) const = 0;
 
-  /// @return floating-point operations of it, roughly
+  /// @return approximate number of floating-point operations of a product
   [[nodiscard]] virtual double operations() const = 0;
 };
 
-/// @brief Harmonic by harmonic: forces are summed to the amplitude of each order and degree, and these to
-/// displacements; what is above the degrees by transforms along both angles.
+/// @brief Product by vector spherical harmonics: forces are summed to the amplitude of each order and degree, and these
+/// to displacements. The part above the summed degrees uses transforms along both angles.
 class FactoredSphereProduct : public SphereProduct {
  public:
-  /// @param[in] shape window, no wider than the influence reaches
-  /// @param[in] first_theta its first column, from the equator
-  /// @param[in] influence of these and other nodes
+  /// @param[in] shape window, within the reach of the influence
+  /// @param[in] first_theta first column of the window, counted from the equator
+  /// @param[in] influence influence between these and possibly other nodes
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   FactoredSphereProduct(WindowShape shape, int first_theta, std::shared_ptr<const SphereInfluence> influence,
@@ -49,16 +51,16 @@ class FactoredSphereProduct : public SphereProduct {
 
   WindowShape shape_;
   int first_theta_;
-  Eigen::Index half_;  // thetas of one side, that of the equator among them
+  Eigen::Index half_;  // number of thetas on one side, including the equator
   Eigen::Index components_;
   std::shared_ptr<const SphereInfluence> influence_;
-  Eigen::MatrixXd waves_;               // [phi, 2 m] the cosine and [phi, 2 m + 1] minus the sine of m phi
-  std::vector<Eigen::ArrayXd> metric_;  // [power] what each node of the window has of it
+  Eigen::MatrixXd waves_;               // [phi, 2 m] is the cosine and [phi, 2 m + 1] minus the sine of m phi
+  std::vector<Eigen::ArrayXd> metric_;  // [power], factor of each node of the window
   std::optional<Convolution> local_;    // fields power * components + component
 };
 
-/// @brief The product that takes fewer operations: that of all influence in one table, as between few nodes, or
-/// harmonic by harmonic. Parameters as for these.
+/// @brief Create the product that takes fewer operations: `JointSphereProduct`, which suits few nodes, or
+/// `FactoredSphereProduct`. Parameters same as in these.
 [[nodiscard]] std::unique_ptr<const SphereProduct> make_sphere_product(WindowShape shape, int first_theta,
                                                                        std::shared_ptr<const SphereInfluence> influence,
                                                                        int threads, Watch& watch);

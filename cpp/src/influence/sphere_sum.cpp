@@ -18,7 +18,7 @@ using cplx = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Coefficients [power, node] of the polynomials that are 1 at one of some nodes and 0 at the others.
+/// Coefficients [power, node] of the polynomials that are 1 at one of the nodes and 0 at the others.
 MatrixXd lagrange_coefficients(const Eigen::ArrayXd& nodes) {
   const Index count = nodes.size();
   MatrixXd coefficients = MatrixXd::Zero(count, count);
@@ -36,16 +36,16 @@ MatrixXd lagrange_coefficients(const Eigen::ArrayXd& nodes) {
   return coefficients;
 }
 
-/// Metrics that hold all between the lowest one and 1: tables are analytic in the metric but for the pole of the
-/// distance, errors fall with the half width of the range.
+/// Sampled metrics between the lowest one and 1. Tables are analytic in the metric except at the pole of the distance,
+/// and errors decrease with the half width of the range.
 Eigen::ArrayXd sampled_metrics(double lowest) {
-  constexpr double kTolerance = 1e-5;  // a tenth of what the local metric leaves out
+  constexpr double kTolerance = 1e-5;  // a tenth of the error of the local metric
   const double width = 0.25 * (1.0 - lowest);
   const int count = width < kTolerance ? 1 : static_cast<int>(std::ceil(std::log(kTolerance) / std::log(width)));
   return 0.5 * (1.0 + lowest) + 0.5 * (1.0 - lowest) * ChebyshevNodes(std::clamp(count, 1, 12)).places();
 }
 
-/// Of a surface that is flat to a wave, all that the tables of the sphere are joined from.
+/// Tables, on a surface that is flat on the scale of a wave, from which those of the sphere are made.
 std::vector<TableRequest> flat_requests(const SphereRequest& request) {
   constexpr std::array kAll{Entry::rr, Entry::rphi, Entry::rtheta, Entry::phiphi, Entry::phitheta, Entry::thetatheta};
   std::vector<TableRequest> requests;
@@ -82,8 +82,8 @@ double SphereSum::values(const SphereRequest& request, int phi_reach, int half_t
   const double degrees = 0.5 * (highest_degree_ + 1.0) * (highest_degree_ + 2.0);
   const double harmonics = 2.0 * (request.tangential ? 3.0 : 1.0) * degrees * (half_theta + 1.0);
   if (!std::isfinite(exact_degree_)) return harmonics;
-  constexpr double kPerNode = 2.0 + 4.0;  // a table of both signs of phi, and the spectrum that it is padded to
-  constexpr double kRequests = 2.0;       // of what displaces, and of what it dissipates
+  constexpr double kPerNode = 2.0 + 4.0;  // table for phi of both signs, and its spectrum on the padded period
+  constexpr double kRequests = 2.0;       // for displacements and for dissipated power
   const double nodes = (phi_reach + 1.0) * (2.0 * half_theta + 1.0);
   const auto powers = static_cast<double>(sampled_metrics(std::cos(mesh_.theta_spacing() * half_theta)).size());
   return harmonics + kRequests * kPerNode * nodes * powers * static_cast<double>(flat_requests(request).size());
@@ -132,7 +132,7 @@ void SphereSum::add_degrees(const std::vector<SphereRequest>& requests, std::vec
     const double patch = sinc(0.5 * m * mesh_.phi_spacing());
     for (std::size_t r = 0; r < requests.size(); ++r) {
       const SphereRequest& request = requests[r];
-      // Derivatives are averages over patches, displacements are taken somewhat downstream of the nodes.
+      // Derivatives are averages over patches; displacements are evaluated somewhat downstream of the nodes.
       const cplx seen_from = request.power ? cplx(0.0, mesh_.turns() * m) * patch
                                            : std::polar(1.0, m * request.collocation * mesh_.phi_spacing());
       const cplx factor = scale * (m == 0 ? 1.0 : 2.0) * patch * seen_from;

@@ -19,7 +19,7 @@ using Eigen::MatrixXd;
 using Harmonic = MatrixXd Harmonics::*;
 using Middle = Eigen::ArrayXcd EveryOtherDegree::*;
 
-/// One of the products that displacement along a component is made of.
+/// One of the products whose sum is the displacement along a component.
 struct Term {
   Harmonic seen;
   Middle middle;
@@ -27,7 +27,7 @@ struct Term {
   cplx factor;
 };
 
-/// A C A^H, A the components of Y, Psi and Phi.
+/// Terms of A C A^H, where A are the components of Y, Psi and Phi.
 std::vector<Term> terms(int p, int q) {
   const cplx i(0.0, 1.0);
   constexpr auto kP = &Harmonics::p;
@@ -59,16 +59,17 @@ std::vector<Term> terms(int p, int q) {
   }
 }
 
-/// What becomes of a harmonic of the first degrees on the other side of the equator; of the others, the opposite.
+/// Sign of a harmonic of the degrees m, m + 2, ... at the mirror image of a node about the equator; those of the other
+/// degrees have the opposite sign.
 double mirrored(Harmonic harmonic) { return harmonic == &Harmonics::d ? -1.0 : 1.0; }
 
 MatrixXd every_other(const MatrixXd& degrees, Index first) {
   return degrees(Eigen::seq(first, Eigen::last, Eigen::fix<2>), Eigen::all);
 }
 
-/// Every other column, or what lies to a quarter each on its neighbors.
+/// Every other column, or means with a quarter of each neighbor.
 MatrixXd coarse_columns(const MatrixXd& fine, double mirror, bool wide) {
-  const Index count = fine.cols() / 2;  // the last one has two neighbors
+  const Index count = fine.cols() / 2;  // the last column has two neighbors
   MatrixXd coarse(fine.rows(), count);
   for (Index k = 0; k < count; ++k) {
     coarse.col(k) = fine.col(2 * k);
@@ -81,7 +82,7 @@ MatrixXd coarse_columns(const MatrixXd& fine, double mirror, bool wide) {
 
 std::shared_ptr<const Harmonics> coarse_harmonics(const Harmonics& fine, double even, bool wide) {
   Harmonics coarse{.p = coarse_columns(fine.p, even, wide), .d = {}, .e = {}};
-  if (fine.d.cols() > 0) {  // at the highest order there may be no degrees of a kind
+  if (fine.d.cols() > 0) {  // at the highest order one of the two sets of degrees may be empty
     coarse.d = coarse_columns(fine.d, -even, wide);
     coarse.e = coarse_columns(fine.e, even, wide);
   }
@@ -121,7 +122,7 @@ ThetaPatches::ThetaPatches(Index nodes, double spacing, PatchLoad load, int high
     const double middle = 0.5 * std::numbers::pi + spacing * static_cast<double>(k);
     theta_.segment(k * points_, points_) = middle + 0.5 * spacing * abscissas;
     auto share = weight_.segment(k * points_, points_);
-    // A force of 1 on the patch: what a traction gives is weighted by sin(theta).
+    // Weights of a unit force on the patch; a uniform traction is weighted by sin(theta).
     share = weights;
     if (load == PatchLoad::flat) share *= theta_.segment(k * points_, points_).sin();
     share /= share.sum();

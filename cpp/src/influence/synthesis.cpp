@@ -20,11 +20,12 @@ using cplx = std::complex<double>;
 using Eigen::Index;
 using RowMajor = RowMajorMatrix;
 
-/// A request with what its summands are multiplied by. A coefficient is even or odd in n, by its entry and its patches.
+/// A request and the factors of its summands. A coefficient is even or odd in n, depending on its entry and its
+/// patches.
 struct Kernel {
   TableRequest request;
   bool odd;
-  cplx phase;  // i^(receiver degree - source degree), and i of the sine where odd
+  cplx phase;  // i^(receiver degree - source degree), times i of the sine if odd
   [[nodiscard]] int receiver_shape() const { return request.power ? request.receiver_shape : 0; }
 };
 
@@ -45,7 +46,7 @@ Eigen::ArrayXd theta_weights(const Kernel& kernel, const OrderBand& band, double
   });
 }
 
-/// Weights of a kernel along phi, and the scale of the whole sum.
+/// Weights of a kernel along phi, with the scale of the whole sum.
 Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, const MeshOnBody& mesh, double radius) {
   const double spacing = mesh.phi_spacing();
   const double circumference = 2.0 * std::numbers::pi * radius;
@@ -57,7 +58,7 @@ Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, const M
   });
 }
 
-/// Share of the orders that is not summed by degrees.
+/// Fraction of the orders that is not summed by degrees.
 Eigen::ArrayXd local_share(double m, const Eigen::ArrayXd& n, const LocalMetric& metric) {
   if (metric.exact_degree == 0.0) return Eigen::ArrayXd::Ones(n.size());
   return 1.0 - (m * m + n.square()).sqrt().unaryExpr([&](double k) { return exact_share(k, metric.exact_degree); });
@@ -70,8 +71,8 @@ Eigen::Map<const RowMajor, Eigen::Unaligned, Eigen::OuterStride<>> every_other_r
   return {&sums(first, start), count, width, Eigen::OuterStride<>(2 * sums.outerStride())};
 }
 
-/// The waves of all bands along one direction, at the offsets of a mesh. The first bands are of long waves, which few
-/// offsets do for.
+/// Waves of all bands along one direction, at the offsets of a mesh. The first bands contain long waves, for which few
+/// offsets suffice.
 class BandWaves {
  public:
   BandWaves(const std::vector<OrderBand>& bands, double spacing, int reach) : long_(count_long(bands, spacing, reach)) {
@@ -90,12 +91,12 @@ class BandWaves {
   [[nodiscard]] std::size_t long_bands() const { return long_; }
   /// @return number of these offsets
   [[nodiscard]] Index few() const { return offsets_ ? offsets_->sampled.size() : 0; }
-  /// @return what sums there are at all offsets, [offset, few]
+  /// @return interpolation from few to all offsets, [offset, few]
   [[nodiscard]] const Eigen::MatrixXd& polynomials(bool odd) const { return odd ? offsets_->odd : offsets_->even; }
 
  private:
-  /// As many as save most multiplications. A band that does not reach as far is not smooth over all of it, nor is the
-  /// last one where it is cut off.
+  /// Number of long bands that saves most multiplications. A band with a smaller reach is not smooth over all offsets,
+  /// nor is the last band if it is truncated.
   static std::size_t count_long(const std::vector<OrderBand>& bands, double spacing, int reach) {
     std::size_t best = 0;
     double most_saved = 0.0;
@@ -118,7 +119,7 @@ class BandWaves {
   std::vector<Waves> waves_;  // [band]
 };
 
-/// The entries that some kernels ask for, at a list of orders n.
+/// Entries needed by some kernels, at a list of orders n.
 class EntryValues {
  public:
   EntryValues(double m, const Eigen::ArrayXd& n, const OrderSeries& series, const std::vector<Kernel>& kernels) {
@@ -138,7 +139,7 @@ class EntryValues {
   std::array<Eigen::ArrayXcd, kEntries> values_;
 };
 
-/// Real and imaginary parts, as the rows of an order.
+/// Store real and imaginary parts as the two rows of an order.
 template <class Values>
 void put(const Values& values, Index order, RowMajor& rows) {
   const Eigen::ArrayXcd evaluated = values;
@@ -146,12 +147,13 @@ void put(const Values& values, Index order, RowMajor& rows) {
   rows.row(2 * order + 1) = evaluated.imag().matrix().transpose();
 }
 
-/// Of the last terms of a polynomial in the orders, per the entry's size: ten times the noise of the compliance.
+/// Size of the last terms of a polynomial in the orders, relative to the entry, above which the entry is not resolved:
+/// ten times the noise of the compliance.
 constexpr double kUnresolved = 10.0 * kSeriesTolerance;
 
-/// What a kernel's sums along theta are multiplied from, at few offsets or at all, by its values at sampled orders.
+/// Factors of a kernel's values at sampled orders in its sums along theta, at few or at all offsets.
 struct SampledSums {
-  TableRequest weighed_as;  // of those that have the same weights and parity
+  TableRequest weighed_as;  // representative of the requests with the same weights and parity
   bool odd;
   RowMajor at_few;  // [sampled order, offset]
   RowMajor at_all;
@@ -185,13 +187,13 @@ class Synthesis {
       }
       sums_.emplace_back(2 * count, theta_reach + 1);
     }
-    // How the step to the degrees of a sphere varies with n is known of no polynomial.
+    // The step to the degrees of a sphere is not a polynomial in n.
     if (metric.exact_degree > 0.0) return;
     sampled_.emplace(theta_bands);
     for (std::size_t k = 0; k < kernels_.size(); ++k) find_sampled_sums(k);
   }
 
-  /// Orders m that are summed along theta together.
+  /// Number of orders m that are summed along theta together.
   static constexpr Index kBlock = 16;
   [[nodiscard]] std::size_t blocks() const { return (orders_.size() + kBlock - 1) / kBlock; }
 
@@ -214,7 +216,7 @@ class Synthesis {
     }
   }
 
-  /// Offsets in theta that are summed along phi together.
+  /// Number of offsets in theta that are summed along phi together.
   static constexpr int kStripe = 64;
   [[nodiscard]] std::size_t stripes() const { return static_cast<std::size_t>(theta_reach_ / kStripe + 1); }
 
@@ -233,7 +235,7 @@ class Synthesis {
   [[nodiscard]] bool is_odd_in_theta(std::size_t k) const { return kernels_[k].odd; }
 
  private:
-  /// What a kernel's values at sampled orders are multiplied by, which kernels of the same weights share.
+  /// Find the factors of a kernel's values at sampled orders, which kernels with the same weights share.
   void find_sampled_sums(std::size_t k) {
     const Kernel& kernel = kernels_[k];
     TableRequest weighed_as = kernel.request;
@@ -256,7 +258,8 @@ class Synthesis {
     sampled_sums_.push_back(std::move(sums));
   }
 
-  /// Sums over n of a block of orders m by few of the orders n. @return whether these tell all of them
+  /// Sum over n for a block of orders m, from few sampled orders n.
+  /// @return whether the sampled orders resolve all others
   bool sum_sampled(Index first, const std::vector<OrderSeries>& series, std::vector<RowMajor>& at_few,
                    const Worker& worker) {
     const auto count = static_cast<Index>(series.size());
@@ -285,7 +288,7 @@ class Synthesis {
     return true;
   }
 
-  /// Offsets that the bands of a range reach which are not summed at few.
+  /// Number of offsets that the bands of a range reach, without the bands summed at few offsets.
   [[nodiscard]] Index width_of(std::size_t range) const {
     Index width = 0;
     for (std::size_t band = theta_waves_.long_bands(); band < theta_bands_.size(); ++band) {
@@ -294,7 +297,7 @@ class Synthesis {
     return width;
   }
 
-  /// Whether the last terms of the polynomials are negligible in the entries that they make up.
+  /// Whether the last terms of the polynomials are negligible compared with the entries.
   [[nodiscard]] bool is_resolved(const EntryValues& values) const {
     for (const InterpolatedOrders::Range& range : sampled_->ranges()) {
       if (!range.is_interpolated) continue;
@@ -313,7 +316,7 @@ class Synthesis {
     return true;
   }
 
-  /// The same by all orders n.
+  /// Sum over n from all orders n.
   void sum_one_by_one(Index first, const std::vector<OrderSeries>& series, std::vector<RowMajor>& at_few,
                       const Worker& worker) {
     const auto count = static_cast<Index>(series.size());
@@ -331,7 +334,7 @@ class Synthesis {
     }
   }
 
-  /// Sums over m, at all offsets in phi and some in theta: of cosines and real parts, or of sines and imaginary ones.
+  /// Sums over m, at all offsets in phi and some in theta: cosines times real parts, or sines times imaginary parts.
   [[nodiscard]] RowMajor sum_of_bands(std::size_t k, Index start, Index width, bool odd, int phi_reach,
                                       const Worker& worker) const {
     RowMajor sum = RowMajor::Zero(phi_reach + 1, width);
@@ -353,8 +356,8 @@ class Synthesis {
     return sum;
   }
 
-  /// Weighted compliances of a block of orders m, at the orders n of a band, for each kernel: two rows for each m, of
-  /// the real parts and of the imaginary ones.
+  /// Weighted compliances of a block of orders m at the orders n of a band, for each kernel. Each m has two rows, real
+  /// and imaginary parts.
   [[nodiscard]] std::vector<RowMajor> evaluate(Index first, const std::vector<OrderSeries>& series, std::size_t band,
                                                const Worker& worker) const {
     const Eigen::ArrayXd& n = theta_bands_[band].orders;
@@ -385,8 +388,9 @@ class Synthesis {
   std::vector<std::vector<Eigen::ArrayXd>> theta_weights_;  // [kernel][band]
   std::optional<InterpolatedOrders> sampled_;
   std::vector<SampledSums> sampled_sums_;
-  std::vector<std::size_t> sums_of_;  // [kernel], among them
-  std::vector<RowMajor> sums_;  // [kernel], over n: two rows for each m, real and imaginary, and the offsets in theta
+  std::vector<std::size_t> sums_of_;  // [kernel], index in `sampled_sums_`
+  /// [kernel], sums over n: two rows per m (real, imaginary) and one column per offset in theta.
+  std::vector<RowMajor> sums_;
 };
 
 }  // namespace

@@ -1,9 +1,9 @@
 /// @file
-/// @brief From the compliance of all orders to influence tables on the surface, docs/theory/influence-tables.md.
+/// @brief Influence tables on the surface from the compliance of all orders (docs/theory/influence-tables.md).
 ///
-/// With patches alike at every node the compliance is translation invariant on the (phi, theta) torus, so one table per
-/// entry serves all pairs of nodes. The orders of `order_bands.hpp` are summed along theta, then along phi, as products
-/// of small matrices; no transform of the whole sphere is taken.
+/// With identical patches at all nodes the compliance is translation invariant on the (phi, theta) torus, so one table
+/// per entry serves all pairs of nodes. The orders of `order_bands.hpp` are summed along theta first, then along phi,
+/// as products of small matrices. No transform of the whole sphere is taken.
 #pragma once
 
 #include <memory>
@@ -19,21 +19,21 @@
 
 namespace viscoroll::detail {
 
-/// @brief Orders as they are seen from another place than the equator of a sphere, above the degrees that
-/// `sphere_sum.hpp` sums by themselves.
+/// @brief Local metric of a sphere away from its equator, for orders above the degrees that `sphere_sum.hpp` sums
+/// separately.
 struct LocalMetric {
-  double sine = 1.0;          ///< sin(theta): order m has the wave number m / sine along phi
-  double exact_degree = 0.0;  ///< middle of the step up to which wave numbers are left out; 0 leaves none out
+  double sine = 1.0;          ///< sin(theta); order m has the wave number m / sine along phi
+  double exact_degree = 0.0;  ///< middle of the step below which wave numbers are omitted; 0 omits none
 };
 
-/// @brief What the tables of a surface on a mesh are summed from, whatever body it is of.
+/// @brief Sum over orders from which the tables of a surface on a mesh are made, for any body.
 class OrderSum : public TableSum {
  public:
-  /// @param[in] mesh spacings; the work of power tables is done per radian of what it is the mesh of
-  /// @param[in] radius that makes wave numbers orders [m]
-  /// @param[in] phi_bands,theta_bands the orders m and n
-  /// @param[in] spectrum of all orders m, one band after the other, and up to the highest n
-  /// @param[in] metric where the orders count. Forces are per area of the equator's metric.
+  /// @param[in] mesh spacings; work in power tables is per radian of the body that the mesh belongs to
+  /// @param[in] radius radius that converts wave numbers to orders [m]
+  /// @param[in] phi_bands,theta_bands orders m and n
+  /// @param[in] spectrum compliance at all orders m, one band after the other, and up to the highest n
+  /// @param[in] metric local metric; forces are per area of the equator's metric
   OrderSum(const MeshOnBody& mesh, double radius, std::vector<OrderBand> phi_bands, std::vector<OrderBand> theta_bands,
            std::unique_ptr<Spectrum> spectrum, const LocalMetric& metric = {})
       : mesh_(mesh),

@@ -1,5 +1,5 @@
 /// @file
-/// @brief One influence table.
+/// @brief Influence table of one entry.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief A table over offsets j in [-phi_reach, phi_reach] and l in [-theta_reach, theta_reach], even or odd in l:
-/// half of it is stored.
+/// @brief Table over offsets j in [-phi_reach, phi_reach] and l in [-theta_reach, theta_reach], even or odd in l. Half
+/// of it is stored.
 class Table {
  public:
   Table(int phi_reach, int theta_reach, bool odd)
@@ -19,16 +19,16 @@ class Table {
         mirror_(odd ? -1.0 : 1.0),
         values_(static_cast<std::size_t>(2 * phi_reach + 1) * static_cast<std::size_t>(theta_reach + 1)) {}
 
-  /// @return [m/N], by offsets of the displaced node from the loaded one
+  /// @return influence [m/N] at the offsets of the displaced node from the loaded one
   [[nodiscard]] double operator()(int j, int l) const {
     return l < 0 ? mirror_ * row(j)[static_cast<std::size_t>(-l)] : row(j)[static_cast<std::size_t>(l)];
   }
 
-  /// @return the values at offsets l = 0 ... theta_reach
+  /// @return values at offsets l = 0 ... theta_reach
   [[nodiscard]] std::span<const double> row(int j) const { return {values_.data() + offset(j), row_length()}; }
   [[nodiscard]] std::span<double> row(int j) { return {values_.data() + offset(j), row_length()}; }
 
-  /// @return the factor between the values at -l and l, 1 or -1
+  /// @return factor between the values at -l and l, 1 or -1
   [[nodiscard]] double mirror() const { return mirror_; }
   [[nodiscard]] int phi_reach() const { return phi_reach_; }
   [[nodiscard]] int theta_reach() const { return theta_reach_; }
@@ -46,15 +46,17 @@ class Table {
 /// @brief Add a multiple of a table to another one of the same reach.
 void add(double factor, const Table& table, Table& sum);
 
-/// @brief What a patch of two spacings takes along phi of the offsets -1, 0, 1 and 2.
-/// @param[in] downstream share of displacements that is taken an offset further on
+/// @brief Weights of the offsets -1, 0, 1 and 2 along phi in the average over a patch of two spacings.
+/// @param[in] downstream weight of the displacement one offset downstream
 [[nodiscard]] inline std::array<double, 4> wide_patch_shares(double downstream) {
   return {0.25 * (1.0 - downstream), 0.5 - 0.25 * downstream, 0.25 + 0.25 * downstream, 0.25 * downstream};
 }
 
-/// @brief Averages of a table over patches of two spacings: a quarter, a half and a quarter each way; at every
-/// `stride`-th offset. A line has one way.
-/// @param[in] downstream share of displacements that is taken an offset further on
+/// @brief Averages of a table over patches of two spacings, with weights 1/4, 1/2 and 1/4 in each direction, at every
+/// `stride`-th offset. The table of a line contact has one direction.
+/// @param[in] fine table of the fine mesh
+/// @param[in] stride stride of the offsets [fine spacings]
+/// @param[in] downstream weight of the displacement one offset downstream
 [[nodiscard]] Table widened(const Table& fine, int stride, double downstream = 0.0);
 
 }  // namespace viscoroll::detail

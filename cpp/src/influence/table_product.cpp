@@ -11,13 +11,13 @@ namespace {
 
 using Eigen::Index;
 
-/// Nodes of a window whose products are taken by nodes where few of them are loaded.
+/// Number of nodes up to which products of a window are sums over nodes if few of them are loaded.
 constexpr Index kSmallWindow = 4096;
 
-/// Floating-point operations by nodes in the time of one of a transform.
+/// Operations of sums over nodes in the time of one operation of a transform.
 constexpr double kPerTransformed = 3.0;
 
-/// Rows of a table, the first of which is that of the first row of the window.
+/// Rows of a table, beginning with that of the first row of the window.
 struct Influence {
   const double* first;
   Index stride;
@@ -32,7 +32,7 @@ void add_influence(double value, const Influence& influence, const WindowShape& 
   }
 }
 
-/// Whether the mirror image of a field, about the middle column of a window, is itself.
+/// Whether a field is symmetric about the middle column of a window.
 bool is_its_image(const double* field, const WindowShape& shape) {
   const Index width = shape.theta_nodes;
   for (Index row = 0; row < shape.phi_nodes; ++row, field += width) {
@@ -60,7 +60,7 @@ bool TableProduct::is_quick_by_nodes(const Eigen::ArrayXXd& operands) const {
   return 2.0 * loaded * static_cast<double>(shape_.size()) < kPerTransformed * transformed;
 }
 
-/// Both halves of a table side by side, as far as the window reaches: of offsets along a row from one to the next.
+/// Both halves of a table side by side, up to the reach of the window; offsets along a row are contiguous.
 const Eigen::ArrayXXd& TableProduct::unfolded(std::size_t table) const {
   unfolded_.resize(tables_->size());
   Eigen::ArrayXXd& values = unfolded_[table];

@@ -15,8 +15,8 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// The shares of lines in what is at a place, which lies on one of the elements between every other line, or too far
-/// from the faces to feel them.
+/// Add the weights of lines at position z, which lies in an element (between every other line), or too far from the
+/// faces for them to have an effect.
 void add_shares(const ArrayXd& lines, double z, double weight, Eigen::Ref<Eigen::VectorXd> shares) {
   const double place = std::min(std::abs(z), lines[lines.size() - 1]);
   if (place < lines[0]) return;
@@ -26,7 +26,7 @@ void add_shares(const ArrayXd& lines, double z, double weight, Eigen::Ref<Eigen:
   for (std::size_t n = 0; n < 3; ++n) shares[first + static_cast<Index>(n)] += weight * values[n];
 }
 
-/// Places between which the shares are polynomials, on both sides of the middle.
+/// Positions between which the weights are polynomials, on both sides of the middle.
 std::vector<double> pieces(const ArrayXd& lines, double from, double to) {
   std::vector<double> places{from, to};
   for (Index i = 0; i < lines.size(); i += 2) {
@@ -38,7 +38,7 @@ std::vector<double> pieces(const ArrayXd& lines, double from, double to) {
   return places;
 }
 
-/// +1, or -1 on the other side of the middle.
+/// +1, or -1 on the other side of the middle if odd.
 double side(double z, bool odd) { return odd && z < 0.0 ? -1.0 : 1.0; }
 
 }  // namespace
@@ -51,7 +51,7 @@ MatrixXd mean_shares(const ArrayXd& lines, const TreadColumns& columns, Index co
     const double middle = columns.spacing * static_cast<double>(columns.first + k);
     const double from = std::max(middle - 0.5 * columns.spacing, -face);
     const double to = std::min(middle + 0.5 * columns.spacing, face);
-    if (!(from < to)) continue;  // beyond a face, where nothing presses
+    if (!(from < to)) continue;  // beyond a face, where there is no pressure
     const std::vector<double> places = pieces(lines, from, to);
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
       const double length = places[i + 1] - places[i];

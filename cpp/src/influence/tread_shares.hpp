@@ -1,27 +1,28 @@
 /// @file
-/// @brief How a section's lines of nodes share what columns of nodes across a tread bear and show.
+/// @brief Interpolation across a tread between the lines of nodes of a section and the columns of nodes of a mesh.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace viscoroll::detail {
 
-/// @brief Where columns lie across the tread.
+/// @brief Positions of columns across the tread.
 struct TreadColumns {
-  int first;       ///< number of the first one, from the middle
-  double spacing;  ///< of columns, and width of their patches [m]
+  int first;       ///< number of the first column, from the middle
+  double spacing;  ///< distance between columns, and width of their patches [m]
 };
 
-/// @brief The shares of lines in the means over patches, as far as these lie on the tread.
-/// @param[in] lines from the middle of the tread, or as far as its faces are felt, to its face [m]
-/// @param[in] columns where they lie
-/// @param[in] count of columns
-/// @param[in] odd whether what is shared changes its sign from one side of the middle to the other
+/// @brief Weights of lines in the means over patches, within the tread.
+/// @param[in] lines positions of the lines [m], ascending to the face, from the middle of the tread or from the
+/// distance at which its faces have an effect
+/// @param[in] columns positions of the columns
+/// @param[in] count number of columns
+/// @param[in] odd whether the field changes sign across the middle
 /// @return [line, column]
 [[nodiscard]] Eigen::MatrixXd mean_shares(const Eigen::ArrayXd& lines, const TreadColumns& columns, Eigen::Index count,
                                           bool odd);
 
-/// @return the shares of lines in the values in the middle of columns, likewise
+/// @return weights of lines in the values at the middle of columns, [line, column]; parameters same as in `mean_shares`
 [[nodiscard]] Eigen::MatrixXd node_shares(const Eigen::ArrayXd& lines, const TreadColumns& columns, Eigen::Index count,
                                           bool odd);
 

@@ -7,7 +7,7 @@ namespace viscoroll::detail {
 Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int reach) {
   using cplx = std::complex<double>;
   using Eigen::Index;
-  constexpr int kStride = 32;  // products in a row before round-off is shed
+  constexpr int kStride = 32;  // consecutive products before round-off is reset
   Waves waves{RowMajorMatrix(orders.size(), reach + 1), RowMajorMatrix(orders.size(), reach + 1)};
   for (Index i = 0; i < orders.size(); ++i) {
     const cplx step = std::polar(1.0, orders[i] * spacing);

@@ -17,10 +17,10 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 constexpr std::size_t kStates = 6;
 
-/// Of k^2 at the ends of a panel: wider ones hold exp(-k depth) only rarely, and would be sampled in vain.
+/// Largest ratio of k^2 at the ends of a panel. Wider panels rarely resolve exp(-k depth), so their samples are wasted.
 constexpr double kPanelRatio = 8.0;
 
-/// All entries under the loaded components. With k along theta, theta and r keep to themselves, and phi does.
+/// All entries under the loaded components. With k along theta, phi is not coupled to theta and r.
 std::vector<DepthSeries::Entry> entries_of(const LoadedComponents& loaded, bool along_theta) {
   const bool tangential = loaded[1] || loaded[2];
   std::vector<DepthSeries::Entry> entries;
@@ -36,7 +36,7 @@ std::vector<DepthSeries::Entry> entries_of(const LoadedComponents& loaded, bool 
 
 using Orders = std::span<const OrderInLayers<cplx>>;
 
-/// Entries of the states at boundaries, a column for each order.
+/// Entries of the states at boundaries, one column per order.
 Eigen::Matrix<cplx, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> solved(
     Orders orders, const std::vector<std::size_t>& boundaries, const std::vector<DepthSeries::Entry>& entries) {
   std::vector<std::vector<DepthState>> states(orders.size());
@@ -126,7 +126,7 @@ bool DepthSeries::is_resolved(const Panel<cplx>& panel) const {
       for (const Entry& entry : entries_) function(row++, entry.component < 3, entry.is_odd() ? highest_n : 1.0);
     }
   };
-  // Stresses are of the size of their load; displacements are judged by the largest of them.
+  // Stresses are compared with their load, displacements with the largest displacement.
   double displacement = 0.0;
   for_rows([&](Index row, bool displaced, double scale) {
     if (displaced) displacement = std::max(displacement, scale * panel.series.row(row).cwiseAbs().maxCoeff());
@@ -205,7 +205,7 @@ void DepthTransfer::state(std::size_t boundary, Index count, const LoadRows& loa
   const auto cosine = cosine_.head(is_shared() ? count : 0);
   const auto sine = sine_.head(is_shared() ? count : 0);
   if (is_shared()) {
-    // With k along theta: theta is along k, phi opposite to the direction across it.
+    // In the frame with k along theta, theta is along k, and phi is opposite to the direction across k.
     turned.row(1) = sine * loads.row(1).head(count) - cosine * loads.row(2).head(count);
     turned.row(2) = cosine * loads.row(1).head(count) + sine * loads.row(2).head(count);
   }

@@ -1,9 +1,9 @@
 /// @file
-/// @brief All components of displacement, stress and strain from the state at a place.
+/// @brief Components of displacement, stress and strain from the state at a place.
 ///
-/// A state holds u_r, v_phi, v_theta and the stresses on the surface r = const, r sigma = (s, tau_phi, tau_theta);
-/// those across it follow from the strains along the surface. Formulas in docs/theory/inside.md, none of which divides
-/// by b.
+/// A state contains u_r, v_phi, v_theta and the stresses on the surface r = const, r sigma = (s, tau_phi, tau_theta).
+/// The other stresses follow from the strains along the surface. The formulas of docs/theory/inside.md do not divide by
+/// b.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,33 +20,36 @@ namespace viscoroll::detail {
 enum Component : std::size_t {
   kDisplacement = 0,  ///< r, phi, theta
   kStress = 3,        ///< rr, phiphi, thetatheta, rphi, rtheta, phitheta
-  kStrain = 9,        ///< likewise
+  kStrain = 9,        ///< same order as the stresses
 };
 
-/// @return whether the component is i times its real form: one index phi or theta beside r
+/// @return whether the component is i times its real form: displacements along phi and theta, and the components rphi
+/// and rtheta of stress and strain
 [[nodiscard]] constexpr bool is_imaginary(std::size_t component) {
   constexpr std::array<bool, kFieldComponents> kImaginary{false, true,  true,  false, false, false, true, true,
                                                           false, false, false, false, true,  true,  false};
   return kImaginary[component];
 }
 
-/// @return whether the component changes sign with theta, under loads that are mirror images of themselves
+/// @return whether the component changes sign with theta under mirror-symmetric loads
 [[nodiscard]] constexpr bool is_odd_in_theta(std::size_t component) {
   constexpr std::array<bool, kFieldComponents> kOdd{false, false, true,  false, false, false, false, true,
                                                     true,  false, false, false, false, true,  true};
   return kOdd[component];
 }
 
-/// @brief Fields of one m and many n, a row for each component, in the real form.
+/// @brief Fields of one m and many n in the real form, one row per component.
 using ComponentRows = Eigen::Array<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// @brief What all components are made of by factors that do not know of n: the state, and three rows that do.
+/// @brief Rows from which all components follow with factors that do not depend on n: the state and three rows that
+/// depend on n.
 enum Basis : Eigen::Index {
   kState = 0,
-  kSpread = 6,  ///< m v_phi + n v_theta - p u_r, the change of area; p = 2 on a sphere, 1 on a cylinder or a wheel
-  kShape = 7,   ///< half of what phi is stretched more than theta: c (n v_theta - m v_phi) / 2, and half of u_r on a
-                ///< cylinder or a wheel; c^2 is the membrane stiffness per k^2
-  kTwist = 8,   ///< -c (m v_theta + n v_phi), twice the strain phitheta
+  kSpread = 6,  ///< m v_phi + n v_theta - p u_r, minus the change of area; p = 2 on a sphere, 1 on a cylinder or wheel,
+                ///< 0 on a plane
+  kShape = 7,  ///< half the difference of the strains along phi and theta: c (n v_theta - m v_phi) / 2, plus u_r / 2 on
+               ///< a cylinder or wheel; c^2 is the membrane stiffness per k^2
+  kTwist = 8,  ///< -c (m v_theta + n v_phi), twice the strain phitheta
   kBasisRows = 9,
 };
 
@@ -56,23 +59,23 @@ enum Basis : Eigen::Index {
   return kImaginary[static_cast<std::size_t>(row)];
 }
 
-/// @return whether a row of the basis changes sign with theta, under loads that are mirror images of themselves
+/// @return whether a row of the basis changes sign with theta under mirror-symmetric loads
 [[nodiscard]] constexpr bool is_odd_in_theta(Basis row) {
   constexpr std::array<bool, kBasisRows> kOdd{false, false, true, false, false, true, false, false, true};
   return kOdd[static_cast<std::size_t>(row)];
 }
 
-/// @brief The basis of all components.
-/// @param[in] metric of the body
-/// @param[in] place [m]
+/// @brief Compute the basis of all components.
+/// @param[in] metric metric of the body
+/// @param[in] place position along the normal [m]
 /// @param[in] m,n orders
-/// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; a column for each n
+/// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; one column per n
 /// @param[out] basis kBasisRows rows
 inline void field_basis(const Metric& metric, double place, double m, const Eigen::ArrayXd& n,
                         const ComponentRows& state, ComponentRows& basis) {
   using Row = Eigen::Array<std::complex<double>, 1, Eigen::Dynamic>;
   const Eigen::Array<double, 1, Eigen::Dynamic> across = metric.shrinkage(place) * n.transpose();
-  // Of the strain by tangential displacements, the part that changes no area carries the membrane stiffness.
+  // The membrane stiffness applies to the part of the tangential strain that does not change the area.
   const Eigen::Array<double, 1, Eigen::Dynamic> k2 = m * m + across.square();
   const Eigen::Array<double, 1, Eigen::Dynamic> membrane = k2.unaryExpr(
       [&](double square) { return square > 0.0 ? std::sqrt(metric.membrane_stiffness(square) / square) : 1.0; });
@@ -87,9 +90,9 @@ inline void field_basis(const Metric& metric, double place, double m, const Eige
   basis.row(kTwist) = -membrane * (m * state.row(2) + orders * state.row(1));
 }
 
-/// @brief All components from their basis.
-/// @param[in] medium at the place
-/// @param[in] length of a radian there [m], by which the stresses of a state are multiplied
+/// @brief Compute all components from their basis.
+/// @param[in] medium medium at the place
+/// @param[in] length length of a radian there [m], by which the stresses of a state are multiplied
 /// @param[in] basis kBasisRows rows, or sums of them over n
 /// @param[out] fields kFieldComponents rows
 inline void components_of(const Medium<std::complex<double>>& medium, double length, const ComponentRows& basis,
@@ -121,11 +124,11 @@ inline void components_of(const Medium<std::complex<double>>& medium, double len
   fields.row(kStrain + 5) = 0.5 * per_length * basis.row(kTwist);
 }
 
-/// @brief All components.
-/// @param[in] layers of the body
-/// @param[in] place where
+/// @brief Compute all components from a state.
+/// @param[in] layers layers of the body
+/// @param[in] place position and layer
 /// @param[in] m,n orders
-/// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; a column for each n
+/// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; one column per n
 /// @param[out] fields kFieldComponents rows
 inline void field_components(const LayerStack<std::complex<double>>& layers, const Place& place, double m,
                              const Eigen::ArrayXd& n, const ComponentRows& state, ComponentRows& fields) {

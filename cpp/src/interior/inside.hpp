@@ -1,5 +1,5 @@
 /// @file
-/// @brief A body as tractions on its surface see it.
+/// @brief Body whose interior is evaluated, with the speed at which its material passes the tractions.
 #pragma once
 
 #include "modal/layered_body.hpp"
@@ -7,22 +7,23 @@
 
 namespace viscoroll::detail {
 
-/// @brief Layers, and how fast their material crosses the contact.
+/// @brief Layers and the angular speed of their orders.
 struct Inside {
   LayeredBody body;
-  double angular_speed;  ///< by which order m has the frequency m Omega [rad/s]: that of the body, if it turns
+  double angular_speed;  ///< order m has the frequency m Omega [rad/s]; the angular speed of the body if it rotates
 };
 
-/// @param[in] shape with layers
-/// @param[in] angular_speed Omega of what rolls [rad/s], > 0
-/// @param[in] radius of what rolls [m], > 0, which makes wave numbers of a plane orders
-/// @param[in] line whether it touches along a line
-/// @param[in] curvature of a sphere: sphere or paper
-/// @throws std::invalid_argument for bad input, and for a line on a sphere or a wheel or a spot on a cylinder
+/// @param[in] shape body with layers
+/// @param[in] angular_speed Omega of the rolling body [rad/s], > 0
+/// @param[in] radius radius of the rolling body [m], > 0, which converts wave numbers of a plane to orders
+/// @param[in] line whether it is a line contact
+/// @param[in] curvature curvature terms of a sphere: sphere or paper
+/// @throws std::invalid_argument for bad input, for line contact of a sphere or wheel, and for point contact of a
+/// cylinder
 [[nodiscard]] Inside inside_of(const LayeredShape& shape, double angular_speed, double radius, bool line,
                                Curvature curvature);
 
-/// @return the same of checked tractions
+/// @return same, for the given tractions, which are checked
 [[nodiscard]] Inside inside_of(const LayeredShape& shape, double angular_speed, const Tractions& tractions);
 
 }  // namespace viscoroll::detail

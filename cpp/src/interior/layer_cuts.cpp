@@ -10,14 +10,14 @@
 namespace viscoroll {
 namespace {
 
-/// Places this close, relatively, are one.
+/// Relative distance below which two places are identical.
 constexpr double kSamePlace = 1e-12;
 
 bool is_same(double place, double end) {
   return std::isfinite(end) && std::abs(place - end) <= kSamePlace * std::max(std::abs(place), std::abs(end));
 }
 
-/// Where layers begin and end, whatever rolls on them.
+/// Boundaries of the layers, for any rolling body.
 struct Boundaries {
   std::vector<double> operator()(const CoatedPlane& plane) const { return detail::layered_body(plane, 1.0).boundaries; }
   template <class Turning>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Layers cut where fields are wanted, so that the recursion stops there.
+/// @brief Layers split at the places where fields are evaluated, so that the recursion stops there.
 #pragma once
 
 #include <complex>
@@ -12,22 +12,22 @@
 
 namespace viscoroll::detail {
 
-/// @brief The layers of a body, cut at a list of places.
+/// @brief Layers of a body, split at a list of places.
 class LayerCuts {
  public:
   LayerCuts(const LayeredBody& body, std::span<const Place> places);
 
-  /// @brief Pieces of the layers, outwards.
+  /// @brief Return the pieces of the layers, outwards.
   [[nodiscard]] LayerStack<std::complex<double>> pieces(const LayerStack<std::complex<double>>& layers) const;
 
-  /// @return number of boundaries between pieces, the innermost and the outermost among them
+  /// @return number of boundaries between pieces, including the innermost and the outermost
   [[nodiscard]] std::size_t boundaries() const { return boundaries_.size(); }
-  /// @return number of the boundary at a place
+  /// @return index of the boundary at a place
   [[nodiscard]] std::size_t boundary(std::size_t place) const { return boundary_[place]; }
 
  private:
   std::vector<double> boundaries_;     // between pieces, outwards
-  std::vector<std::size_t> layer_;     // that each piece belongs to
+  std::vector<std::size_t> layer_;     // layer of each piece
   std::vector<std::size_t> boundary_;  // [place]
 };
 

@@ -39,9 +39,9 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double kMostColumns = 2.0 * kMostNodesPerRevolution;  // twice around
+constexpr double kMostColumns = 2.0 * kMostNodesPerRevolution;  // two revolutions
 
-/// Forces on what rolls along x, y and z.
+/// Forces on the rolling body along x, y and z [N].
 VectorField nodal_forces(const Tractions& tractions, const SurfaceWindow& window) {
   const SurfaceGrid& grid = window.grid();
   ArrayXd area =
@@ -57,7 +57,8 @@ VectorField nodal_forces(const Tractions& tractions, const SurfaceWindow& window
   return force;
 }
 
-/// What the patches of columns theta make of orders n: real parts that are even and odd in n, the odd one times -i.
+/// Contribution of patches at the columns theta to orders n: real parts that are even and odd in n, the odd one times
+/// -i.
 struct ThetaWaves {
   RowMajor even;  // nodes by orders
   RowMajor odd;
@@ -69,7 +70,7 @@ ThetaWaves theta_waves(const NodeRange& range, double spacing, const ArrayXd& n,
     const double bessel = spherical_bessel(shape, 0.5 * n[j] * spacing);
     for (int k = range.first; k <= range.last; ++k) {
       const double angle = n[j] * k * spacing;
-      // (-i)^p j_p e^{-i n theta}, taken apart
+      // (-i)^p j_p e^{-i n theta}, split into even and odd part
       const double cosine = bessel * std::cos(angle);
       const double sine = bessel * std::sin(angle);
       waves.even(k - range.first, j) = shape == 0 ? cosine : shape == 1 ? -sine : -cosine;
@@ -79,7 +80,7 @@ ThetaWaves theta_waves(const NodeRange& range, double spacing, const ArrayXd& n,
   return waves;
 }
 
-/// Rows phi to orders m: sinc(m Delta / 2) e^{-i m phi}.
+/// Transform from rows phi to orders m: sinc(m Delta / 2) e^{-i m phi}.
 Eigen::MatrixXcd phi_waves(const NodeRange& range, double spacing, const ArrayXd& m) {
   Eigen::MatrixXcd waves(m.size(), range.count());
   for (int i = range.first; i <= range.last; ++i) {
@@ -164,7 +165,7 @@ LoadSpectrum::LoadSpectrum(const Tractions& tractions, const Metric& metric, con
   for (std::size_t shape = 0; shape < weights.size(); ++shape) {
     to_n.push_back(theta_waves(window.window().theta, window.grid().theta_spacing, n, static_cast<int>(shape)));
   }
-  // All forces add up to this area times the stress of order (0, 0).
+  // The sum of all forces is this area times the stress of order (0, 0).
   const double scale = metric.radius / metric.area_of_waves();
   const cplx i(0.0, 1.0);
   for (std::size_t component = 0; component < directions.size(); ++component) {
@@ -182,13 +183,13 @@ LoadSpectrum::LoadSpectrum(const Tractions& tractions, const Metric& metric, con
       even += rows * to_n[shape].even;
       odd += rows * to_n[shape].odd;
     }
-    // Real form: stresses along the surface are i times their new unknowns.
+    // Real form: stresses along the surface are i times their real unknowns.
     const cplx unit = component == 0 ? cplx(scale) : -i * scale;
     const bool theta = component == 2;
     orders_[static_cast<std::size_t>(theta ? Mirror::opposite : Mirror::same)][component] = unit * even;
     orders_[static_cast<std::size_t>(theta ? Mirror::same : Mirror::opposite)][component] = -i * unit * odd;
   }
-  // Round-off of what cancels in sums over a symmetric window.
+  // Round-off of terms that cancel in sums over a symmetric window.
   constexpr double kRoundOff = 1e-13;
   std::array<double, 2> largest{};
   for (std::size_t mirror = 0; mirror < 2; ++mirror) {

@@ -1,8 +1,8 @@
 /// @file
-/// @brief The orders of the tractions on the surface.
+/// @brief Orders of the tractions on the surface.
 ///
-/// Loads that are mirror images of themselves in the middle plane, r and phi even and theta odd in n, and those that
-/// are the opposite of their images keep to themselves in the layers. Orders n >= 0 of each are all there is to know.
+/// Loads that are symmetric about the middle plane (r and phi even in n, theta odd in n) and antisymmetric loads do not
+/// couple in the layers. Orders n >= 0 of both parts are therefore sufficient.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,41 +15,46 @@
 
 namespace viscoroll::detail {
 
-/// @brief Mirror images of themselves, or opposite to them.
+/// @brief Symmetric (same) or antisymmetric (opposite) about the middle plane.
 enum class Mirror : std::size_t { same, opposite };
 
 /// @brief Surface stresses r sigma of given tractions at a grid of orders, not necessarily whole.
 class LoadSpectrum {
  public:
-  /// @param[in] tractions of the plane
-  /// @param[in] metric of the body
+  /// @param[in] tractions tractions on the surface
+  /// @param[in] metric metric of the body
   /// @param[in] m,n orders >= 0
   LoadSpectrum(const Tractions& tractions, const Metric& metric, const Eigen::ArrayXd& m, const Eigen::ArrayXd& n);
 
-  /// @return whether there are loads of this kind
+  /// @return whether there are loads of this symmetry
   [[nodiscard]] bool has(Mirror mirror) const { return present_[static_cast<std::size_t>(mirror)]; }
-  /// @return which components are loaded
+  /// @return whether each component is loaded
   [[nodiscard]] const LoadedComponents& loaded() const { return loaded_; }
-  /// @brief Loads of the i-th order m at the orders n.
+  /// @brief Return the loads of the i-th order m at the orders n.
   [[nodiscard]] LoadRows loads(Mirror mirror, Eigen::Index i) const;
 
  private:
   using Orders = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  std::array<std::array<Orders, 3>, 2> orders_;  // [mirror][component], m by n; empty where there are none
+  std::array<std::array<Orders, 3>, 2> orders_;  // [mirror][component], m by n; empty if there are no such loads
   std::array<bool, 2> present_{};
   LoadedComponents loaded_{};
-  Eigen::Index count_;  // of orders n
+  Eigen::Index count_;  // number of orders n
 };
 
-/// @return their grid, on a surface whose orders are per this radius [m]
+/// @param[in] tractions tractions
+/// @param[in] radius radius of the surface [m], which defines its orders
+/// @return grid of the tractions
 [[nodiscard]] SurfaceGrid grid_of(const Tractions& tractions, double radius);
 
-/// @return the nodes of the tractions on it
+/// @param[in] tractions tractions
+/// @param[in] radius radius of the surface [m], which defines its orders
+/// @return nodes of the tractions
 [[nodiscard]] SurfaceWindow window_of(const Tractions& tractions, double radius);
 
 /// @brief Check tractions.
-/// @throws std::invalid_argument
+/// @param[in] tractions tractions
+/// @throws std::invalid_argument for values of the wrong count or out of range
 void validate(const Tractions& tractions);
 
 }  // namespace viscoroll::detail

@@ -1,4 +1,4 @@
-// Energy lost inside the coating: w(r, theta) and its volume integral, docs/theory/dissipation.md.
+// Energy dissipated inside the layers: density w(r, theta) and its volume integral, docs/theory/dissipation.md.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,14 +27,14 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using std::numbers::pi;
 
-constexpr double kDeepest = 14.0;  // exponent beyond which nothing of an order is left, squared
-/// Of fields, whose squares are added up.
+constexpr double kDeepest = 14.0;  // exponent of the decay with depth beyond which the square of an order is negligible
+/// Accuracy of the fields, whose squares are summed.
 constexpr DepthTransfers::Accuracy kAccuracy{.tolerance = 1e-10, .inertia = 1e-9};
-constexpr std::size_t kBlock = 8;  // orders that are added up in a row, whatever the threads
+constexpr std::size_t kBlock = 8;  // orders summed consecutively, for any number of threads
 
-/// Nodes of the volume integral through one layer: Gauss's in the root of the depth, where the loss falls like that of
-/// a Gaussian whatever the orders.
-/// @param[in] exponents of the quickest fall through the layer
+/// Number of nodes of the volume integral through one layer: Gauss points in the square root of the depth, in which the
+/// dissipation decays like a Gaussian at all orders.
+/// @param[in] exponents exponent of the fastest decay through the layer
 int radial_nodes(double exponents) { return 8 + static_cast<int>(std::ceil(1.6 * std::sqrt(exponents))); }
 
 struct WeightedPlaces {
@@ -42,7 +42,10 @@ struct WeightedPlaces {
   std::vector<double> weights;  // dr [m]
 };
 
-/// @param[in] outer,inner ends of a layer, or of a part of it
+/// @param[in] outer,inner boundaries of a layer, or of a part of it
+/// @param[in] layer index of the layer
+/// @param[in] exponents exponent of the fastest decay from `outer` to `inner`
+/// @param[in,out] nodes nodes are appended
 void append_nodes(double outer, double inner, int layer, double exponents, WeightedPlaces& nodes) {
   const auto [points, weights] = gauss_legendre(radial_nodes(exponents));
   for (Index i = 0; i < points.size(); ++i) {
@@ -52,11 +55,13 @@ void append_nodes(double outer, double inner, int layer, double exponents, Weigh
   }
 }
 
-/// @param[in] lowest,highest orders that reach in
+/// @param[in] body layers
+/// @param[in] lowest,max_order range of the orders
 WeightedPlaces volume_nodes(const LayeredBody& body, double lowest, double max_order) {
-  constexpr double kSeen = 12.0;  // exponent of what still matters at the top of a layer: 1e-10 of the loss
-  constexpr double kCenter = 6.907755278982137;  // ln(1000): deep enough for that of a solid ball
-  constexpr double kPart = 8.0;                  // by how much each part of a half-space is deeper than the one above
+  // Exponent at the top of a layer up to which an order matters: 1e-10 of the dissipation.
+  constexpr double kSeen = 12.0;
+  constexpr double kCenter = 6.907755278982137;  // ln(1000): deep enough for a solid ball
+  constexpr double kPart = 8.0;                  // ratio of the depths of successive parts of a half-space
   const Metric& metric = body.metric;
   WeightedPlaces nodes;
   for (std::size_t j = body.layers.size(); j-- > 0;) {
@@ -70,7 +75,7 @@ WeightedPlaces volume_nodes(const LayeredBody& body, double lowest, double max_o
       append_nodes(outer, inner, layer, 2.0 * highest * extent, nodes);
       continue;
     }
-    // Each order falls within its own wave: parts that grow hold all of them, to the lowest.
+    // Each order decays over its own wavelength; the growing parts cover all orders, down to the lowest.
     double from = 0.0;
     for (double to = kPart / highest; from < kSeen / lowest; from = to, to *= kPart) {
       append_nodes(metric.below(outer, from), metric.below(outer, to), layer, 2.0 * kSeen * kPart, nodes);
@@ -81,8 +86,8 @@ WeightedPlaces volume_nodes(const LayeredBody& body, double lowest, double max_o
 
 ArrayXd whole_numbers(int highest) { return ArrayXd::LinSpaced(highest + 1, 0.0, highest); }
 
-/// Orders m with the weights of an integral over them: whole numbers around a ring, of which 0 loses nothing; on a
-/// plane Gauss's on panels.
+/// Orders m with the weights of an integral over them. In a periodic direction they are whole numbers, of which 0
+/// dissipates nothing; on a plane, Gauss points on panels.
 struct PassingOrders {
   std::vector<double> orders;
   std::vector<double> weights;
@@ -94,9 +99,10 @@ struct PassingOrders {
       weights.front() = 0.0;
       return;
     }
-    constexpr double kLowest = 1e-4;  // waves of 1e4 revolutions: below, no more than that of an order's loss is left
-    constexpr double kPanelRatio = 1.5;    // layers are smooth in the logarithm of m
-    const double widest = 0.05 * highest;  // tractions vary with m r / a, of which there are 40, say
+    // Waves of 1e4 revolutions. Lower orders contribute at most this fraction of an order's dissipation.
+    constexpr double kLowest = 1e-4;
+    constexpr double kPanelRatio = 1.5;    // the response of layers is smooth in ln(m)
+    const double widest = 0.05 * highest;  // tractions vary on the scale r / a in m, typically up to 40 r / a
     const auto [points, gauss] = gauss_legendre(8);
     for (double low = kLowest; low < highest;) {
       const double high = std::min({kPanelRatio * low, low + widest, static_cast<double>(highest)});
@@ -109,12 +115,15 @@ struct PassingOrders {
   }
 };
 
-/// Orders n across: whole numbers; where it is straight across as if tracks lay side by side some circumferences apart.
+/// Orders n across the path. They are whole numbers; if the surface is straight across, parallel tracks are assumed at
+/// a distance of some circumferences.
 struct OrdersAcross {
   ArrayXd orders;
-  int circumferences = 1;  ///< from one track to the next, of which half are free of tractions
+  int circumferences = 1;  ///< distance between tracks; half of the surface is free of tractions
 
-  /// @param[in] width of the tractions [rad]
+  /// @param[in] metric metric of the body
+  /// @param[in] width width of the tractions [rad]
+  /// @param[in] highest highest order
   OrdersAcross(const Metric& metric, double width, int highest)
       : circumferences(metric.across == Way::line ? std::max(1, static_cast<int>(std::ceil(width / pi))) : 1) {
     if (metric.across == Way::nothing) highest = 0;
@@ -126,10 +135,10 @@ double width_of(const Tractions& tractions, double radius) {
   return tractions.theta_nodes * grid_of(tractions, radius).theta_spacing;
 }
 
-/// What some orders m lose.
+/// Dissipation of a block of orders m.
 struct Losses {
   Eigen::ArrayXXd density;   // theta by place
-  Eigen::ArrayXXd by_order;  // layer by order, of the block
+  Eigen::ArrayXXd by_order;  // layer by order of the block
   double surface = 0.0;
 };
 
@@ -139,7 +148,7 @@ struct OrderLoads {
   LoadRows opposite;
 };
 
-/// Those of all places, and the surface, for the power put in.
+/// Boundaries of all places, and the surface, where the power is put in.
 std::vector<std::size_t> boundaries_of(const LayerCuts& cuts, std::size_t places) {
   std::vector<std::size_t> boundaries;
   boundaries.reserve(places + 1);
@@ -211,7 +220,7 @@ class LossSum {
     losses.surface += weight * surface_loss(transfer, places_.size(), m, loads);
   }
 
-  /// w of order m at a place, over theta.
+  /// Density w of order m at a place, over theta.
   [[nodiscard]] ArrayXd density_of(const DepthTransfer& transfer, std::size_t p, const LayerStack<cplx>& layers,
                                    double m, Index count, const OrderLoads& loads, ComplexBuffer& line) const {
     const Medium<cplx>& medium = layers.media[static_cast<std::size_t>(places_[p].layer)];
@@ -223,7 +232,7 @@ class LossSum {
       transfer.state(p, count, mirror == Mirror::same ? loads.same : loads.opposite, state);
       field_components(layers, places_[p], m, n, state, fields[static_cast<std::size_t>(mirror)]);
     }
-    // Tensor components count twice off the diagonal.
+    // Off-diagonal tensor components count twice.
     constexpr std::array kTimes{1.0, 1.0, 1.0, 2.0, 2.0, 2.0};
     ArrayXd square = ArrayXd::Zero(theta_nodes_);
     Eigen::ArrayXcd trace = Eigen::ArrayXcd::Zero(theta_nodes_);
@@ -233,16 +242,16 @@ class LossSum {
       square += kTimes[c] * strain.abs2();
       if (c < 3) trace += strain;
     }
-    // An integral over orders that lie closer than whole ones.
+    // The orders are denser than whole numbers, so the sum is an integral over them.
     const double spacing = 1.0 / across_.circumferences;
     const cplx b = medium.b;
-    // K = mu (a + 2b/3) / b; an incompressible layer has no change of volume to lose by.
+    // K = mu (a + 2b/3) / b; an incompressible layer has no change of volume, hence no such dissipation.
     const double bulk = b == 0.0 ? 0.0 : (medium.mu * (1.0 - 4.0 / 3.0 * b) / b).imag();
     return 4.0 * pi * m * spacing * spacing *
            (2.0 * medium.mu.imag() * (square - trace.abs2() / 3.0) + bulk * trace.abs2());
   }
 
-  /// Sum of both kinds over n of either sign, by a transform.
+  /// Sum both symmetries over n of both signs, by a transform.
   void to_theta(const std::array<ComponentRows, 2>& fields, std::size_t component, ComplexBuffer& line) const {
     std::ranges::fill(line, 0.0);
     const auto row = static_cast<Index>(component);
@@ -257,15 +266,15 @@ class LossSum {
     transform_.backward(line.data());
   }
 
-  /// What the tractions put into order m, per Omega: -A / r m Im(conj(f)^T u), A the area of waves, (2 pi r)^2 on a
-  /// sphere, over orders of either sign.
+  /// Work of the tractions at order m: -A / r m Im(conj(f)^T u), with A the area of waves, (2 pi r)^2 on a sphere, over
+  /// orders of both signs. Times Omega it is a power.
   [[nodiscard]] double surface_loss(const DepthTransfer& transfer, std::size_t boundary, double m,
                                     const OrderLoads& loads) const {
     double sum = 0.0;
     for (const LoadRows* part : {&loads.same, &loads.opposite}) {
       ComponentRows state;
       transfer.state(boundary, across_.orders.size(), *part, state);
-      // The two kinds do not work on one another; order n = 0 is there once.
+      // The two symmetries do no work on each other; order n = 0 occurs once.
       const ArrayXd work = (part->conjugate() * state.topRows(3)).imag().colwise().sum().transpose();
       sum += 2.0 * work.sum() - work[0];
     }
@@ -290,7 +299,7 @@ class LossSum {
         }
       }
     }
-    // Transforms begin at the middle plane; users go around from -pi/2.
+    // Transforms begin at the middle plane; results go around from -pi/2.
     const int half = theta_nodes_ / 2;
     const double around = 2.0 * pi * across_.circumferences;
     for (int j = 0; j < theta_nodes_; ++j) loss.theta.push_back(0.5 * pi + around * (j - half) / theta_nodes_);

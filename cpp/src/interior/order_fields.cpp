@@ -1,4 +1,4 @@
-// Public face of single orders inside the layers.
+// Public interface for single orders inside the layers.
 #include <cmath>
 #include <string>
 
@@ -16,7 +16,7 @@ namespace {
 
 using cplx = std::complex<double>;
 
-/// From the real form: components and loads along phi and theta are i times theirs.
+/// Convert from the real form, in which components and loads along phi and theta are divided by i.
 cplx physical(cplx value, std::size_t component, int load) {
   const cplx i(0.0, 1.0);
   if (detail::is_imaginary(component)) value *= i;

@@ -1,4 +1,4 @@
-// Fields on surfaces r = const inside the coating: the sum over orders along theta, then along phi.
+// Fields on surfaces r = const inside the layers: sum over orders along theta, then along phi.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +29,8 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Sums end smoothly where exp(-9) is left of orders that hold little of the tractions: 1e-6 of the field.
+/// Exponent of the decay with depth at which sums end smoothly. The tractions contain little of these orders, so that
+/// the omitted part is 1e-6 of the field.
 constexpr double kEnd = 9.0;
 constexpr double kDeepest = 12.0;
 constexpr DepthTransfers::Accuracy kAccuracy{.tolerance = 1e-8, .inertia = 1e-6};
@@ -59,15 +60,15 @@ struct WeightedOrders {
   }
 };
 
-/// Angles from the lowest point, of which cosines and sines know the magnitude but for a sign.
+/// Angles from the lowest point as magnitude and sign, since cosines and sines depend on the magnitude up to a sign.
 struct Angles {
   ArrayXd magnitudes;             // ascending
-  std::vector<Index> number;      // of each angle's magnitude
-  std::vector<bool> is_negative;  // of each angle
+  std::vector<Index> number;      // index of the magnitude of each angle
+  std::vector<bool> is_negative;  // whether each angle is negative
 
   explicit Angles(std::span<const double> angles) {
     std::vector<double> unique;
-    constexpr double kSame = 1e-12;  // mesh nodes are found by sums
+    constexpr double kSame = 1e-12;  // angles of mesh nodes have round-off
     for (const double angle : angles) unique.push_back(std::abs(angle));
     std::ranges::sort(unique);
     const auto repeated = std::ranges::unique(unique, [](double a, double b) { return b - a < kSame; });
@@ -80,7 +81,7 @@ struct Angles {
   }
 };
 
-/// How far from the lowest point fields may be asked for, in one direction.
+/// Largest distance from the lowest point at which fields are evaluated, in one direction.
 struct Extent {
   double largest;    // [rad]
   const char* name;  // in messages
@@ -88,7 +89,7 @@ struct Extent {
   static Extent along(Way way) {
     using std::numbers::pi;
     if (way == Way::ring) return {pi, "within half a revolution of pi/2 rad"};
-    return {2.0 * pi / 3.0, "within a third of a revolution of pi/2 rad"};  // as far as low orders are summed rightly
+    return {2.0 * pi / 3.0, "within a third of a revolution of pi/2 rad"};  // beyond, the low orders are inaccurate
   }
 
   static Extent across(Way way) {
@@ -114,7 +115,7 @@ std::vector<double> from_lowest_point(const char* name, std::span<const double> 
   return offsets;
 }
 
-/// Of points from loads; around a ring no farther than to its other side.
+/// Largest offset of points from loads; in a periodic direction at most half a revolution.
 double largest_offset(std::span<const double> offsets, int nodes, double spacing, Way way) {
   double largest = 0.0;
   for (const double offset : offsets) largest = std::max(largest, std::abs(offset));
@@ -176,8 +177,9 @@ class WindowSum {
     const double spacing = grid_of(tractions, inside.body.metric.radius).phi_spacing;
     const double largest = largest_offset(phi_, tractions.phi_nodes, spacing, inside.body.metric.along);
     if (!inside.body.metric.is_curved()) {
-      // Summed across, too, what lies below an order holds its share of the sum: 1e-6 of an octave, of a hundred.
-      // So it does under a line where the base is held; a half-plane's displacement knows no longest wave.
+      // In sums that also run across the path, the waves below an order contribute in proportion to it: here 1e-6 of an
+      // octave. This also holds for a line contact on a rigid base. The displacement of a half-plane has no longest
+      // wave.
       const bool is_endless = !std::isfinite(inside.body.boundaries.front());
       const LowestOrder lowest = inside.body.metric.across == Way::nothing && is_endless
                                      ? LowestOrder{}
@@ -194,7 +196,8 @@ class WindowSum {
     if (metric.across == Way::nothing) return whole_orders(0, 1);
     const double largest = largest_offset(theta_, tractions.theta_nodes, spacing, metric.across);
     if (metric.across == Way::line) {
-      // Nothing remembers along this way: on what is rigid the lowest order is as those below, to its square.
+      // The material has no memory across the path. On a rigid base the lowest order therefore differs from longer
+      // waves only by its square.
       const bool is_held = std::isfinite(body.boundaries.front());
       const LowestOrder lowest{.share = body.metric.is_wheel() ? 1e-9
                                         : is_held              ? 1e-4
@@ -213,7 +216,7 @@ class WindowSum {
     return kinds;
   }
 
-  /// For each place, rows for the real and the imaginary part of every order m that reaches it, and in these
+  /// For each place, a row for the real and one for the imaginary part of every order m that matters there; columns are
   /// [mirror][component][magnitude of theta].
   [[nodiscard]] std::vector<RowMajor> sum_along_theta(std::size_t first, std::size_t last, int threads,
                                                       Watch& watch) const {
@@ -247,7 +250,7 @@ class WindowSum {
     return sums;
   }
 
-  /// Of every order n at every magnitude of theta.
+  /// Waves of every order n at every magnitude of theta.
   struct Waves {
     RowMajor cosines;
     RowMajor sines;
@@ -255,7 +258,7 @@ class WindowSum {
 
   [[nodiscard]] bool is_line() const { return body_.metric().across == Way::nothing; }
 
-  /// How many orders n there are up to k = `limit`.
+  /// Number of orders n up to k = `limit`.
   [[nodiscard]] Index reach(double m, double limit) const { return n_.count_up_to(std::sqrt(limit * limit - m * m)); }
 
   void add_order(Index i, std::size_t first, const DepthTransfer& transfer, const Waves& waves,
@@ -288,7 +291,7 @@ class WindowSum {
     }
   }
 
-  /// Columns for the magnitudes of theta in place of those for n.
+  /// Sum over n: one column per magnitude of theta instead of one per n.
   [[nodiscard]] ComponentRows sum_over_n(const ComponentRows& basis, Mirror mirror, const Waves& waves) const {
     const Index count = basis.cols();
     ComponentRows sums(kBasisRows, across_.magnitudes.size());
@@ -302,7 +305,7 @@ class WindowSum {
     }
     const Eigen::Array<double, 1, Eigen::Dynamic> weights = n_.weights.head(count).transpose();
     for (const bool odd : {false, true}) {
-      // Of loads opposite to their mirror image the even components run with the sine.
+      // Under antisymmetric loads the even components have the sine.
       std::vector<Index> rows;
       for (Index row = 0; row < kBasisRows; ++row) {
         if ((is_odd_in_theta(static_cast<Basis>(row)) != (mirror == Mirror::opposite)) == odd) rows.push_back(row);
@@ -311,7 +314,7 @@ class WindowSum {
       RowMajor parts(2 * size, count);
       for (Index i = 0; i < size; ++i) {
         const Index row = rows[static_cast<std::size_t>(i)];
-        // A factor i of the component and another of the sine.
+        // One factor i belongs to the component, another to the sine.
         const int quarters = (is_imaginary(static_cast<Basis>(row)) ? 1 : 0) + (odd ? 1 : 0);
         const Eigen::Array<double, 1, Eigen::Dynamic> real = weights * basis.row(row).real();
         const Eigen::Array<double, 1, Eigen::Dynamic> imaginary = weights * basis.row(row).imag();
@@ -328,7 +331,7 @@ class WindowSum {
     return sums;
   }
 
-  /// Re[(cos + i sin)(a + i b)], whose terms are even and odd in phi.
+  /// Re[(cos + i sin)(a + i b)], whose two terms are even and odd in phi.
   void sum_along_phi(const RowMajor& waves, double* values, const Worker& worker) const {
     using Part = Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>;
     const Index orders = waves.rows() / 2;

@@ -21,7 +21,7 @@ using cplx = std::complex<double>;
 
 std::string joined(std::string_view prefix, std::string_view name) { return std::string(prefix) + std::string(name); }
 
-/// Weights of a fit add up to 1 but for round-off.
+/// Largest sum of weights. The weights of a fit may exceed 1 by round-off.
 constexpr double kLargestSum = 1.0 + 1e-12;
 
 double weight_sum(const Prony& m) { return std::accumulate(m.weights.begin(), m.weights.end(), 0.0); }
@@ -90,7 +90,7 @@ struct Evaluator {
       cplx sum = equilibrium;
       for (std::size_t k = 0; k < m.weights.size(); ++k) {
         const double wt = w * m.relaxation_times[k];
-        // i wt / (1 + i wt) = wt (wt + i) / (1 + wt^2), divided through by wt where wt^2 would overflow
+        // i wt / (1 + i wt) = wt (wt + i) / (1 + wt^2); the second form avoids the overflow of wt^2
         sum += wt < 1e100 ? m.weights[k] * wt / (1.0 + wt * wt) * cplx(wt, 1.0) : cplx(m.weights[k], m.weights[k] / wt);
       }
       return m.instantaneous_modulus * sum;
@@ -118,14 +118,14 @@ struct Evaluator {
   void operator()(const CustomModulus& m) const { m.evaluate(omega, modulus); }
 };
 
-/// A modulus that the layers can be solved with: finite, stiff and passive.
+/// Check that a modulus is finite, has a positive storage modulus, and is passive.
 void require_passive(double omega, cplx mu) {
   const std::string where = "shear_modulus at " + text(omega) + " rad/s";
   if (!(std::isfinite(mu.real()) && std::isfinite(mu.imag()))) {
     reject(where, "finite", text(mu.real()) + (mu.imag() < 0 ? " - " : " + ") + text(std::abs(mu.imag())) + "i Pa");
   }
   if (!(mu.real() > 0.0)) reject(where, "of storage modulus > 0 Pa", mu.real());
-  // A loss of round-off size below zero is a lossless material.
+  // A negative loss modulus of the size of round-off belongs to a material without loss.
   if (mu.imag() < -1e-12 * mu.real()) reject(where, "passive, with loss modulus >= 0 Pa", mu.imag());
 }
 
@@ -151,12 +151,12 @@ std::vector<cplx> complex_modulus(const ShearModulus& modulus, std::span<const d
   for (const double w : omega) {
     if (!(std::isfinite(w) && w >= 0.0)) detail::reject("omega", ">= 0 rad/s", w);
   }
-  // A custom function that leaves an entry unwritten is caught as not finite.
+  // An entry that a custom function does not write stays NaN, which `require_passive` rejects.
   std::vector<cplx> mu(omega.size(), cplx(std::numeric_limits<double>::quiet_NaN()));
   std::visit(Evaluator{omega, mu}, modulus);
   for (std::size_t i = 0; i < omega.size(); ++i) {
     require_passive(omega[i], mu[i]);
-    if (omega[i] == 0.0) mu[i] = mu[i].real();  // mu*(-w) = conj mu*(w): at rest there is no loss
+    if (omega[i] == 0.0) mu[i] = mu[i].real();  // since mu*(-w) = conj mu*(w), there is no loss at rest
   }
   return mu;
 }

@@ -53,7 +53,7 @@ std::complex<double> interpolate(const MasterCurve& curve, double omega) {
   const std::size_t high = curve.frequency.size() - 1;
   if (omega < curve.frequency[low] || omega > curve.frequency[high]) {
     if (curve.extrapolation == Extrapolation::error) {
-      // A static modulus is that of 0 rad/s alone; orders of a plane, which need not be whole, come near to that.
+      // The static modulus is valid at 0 rad/s only. The continuous orders of a plane come close to that frequency.
       const std::string at_rest = low == 0 ? ", give the static modulus as a first entry at 0 rad/s," : "";
       reject("frequency",
              "within the master curve's table, " + text(curve.frequency[low]) + " to " + text(curve.frequency[high]) +

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Checking and interpolating a tabulated modulus.
+/// @brief Check and interpolation of a tabulated modulus.
 #pragma once
 
 #include <complex>
@@ -9,12 +9,17 @@
 
 namespace viscoroll::detail {
 
-/// @throws std::invalid_argument where the table is short, unsorted, of unequal columns or out of range
+/// @brief Check a tabulated modulus.
+/// @param[in] curve table
+/// @param[in] prefix text before the parameter's name in messages
+/// @throws std::invalid_argument if the table is short or unsorted, has columns of unequal length, or a value is out of
+/// range
 void validate_table(const MasterCurve& curve, std::string_view prefix);
 
 /// @brief Modulus at one frequency, linear in log(frequency) between entries.
 /// @param[in] curve a valid table
-/// @param[in] omega [rad/s], >= 0
+/// @param[in] omega angular frequency [rad/s], >= 0
+/// @return complex shear modulus [Pa]
 /// @throws std::invalid_argument outside the table, unless the curve holds its end values
 [[nodiscard]] std::complex<double> interpolate(const MasterCurve& curve, double omega);
 

@@ -1,5 +1,5 @@
-// Order m = n = 0 under the centrifugal load: the term -rho Omega^2 r of paper equation (27), with u_r and sigma_rr
-// alone.
+// Order m = n = 0 under the centrifugal load, the term -rho Omega^2 r of equation (27) of the paper. Its unknowns are
+// u_r and sigma_rr.
 #include "modal/centrifugal.hpp"
 
 #include <Eigen/Core>
@@ -21,12 +21,12 @@ using State = Eigen::Vector2d;  // u_r [m], r sigma_rr [stress unit x m]
 
 constexpr int kMaxTerms = 60;
 
-/// One radial step of (1 + x) dz/dx = (B + q (1 + x)^2 M) z - q r (1 + x)^3 e with z(0) = start, by its Taylor series;
-/// M = -e (1, 0) and e = (0, 1), so that the load and inertia enter as -q (1 + x)^2 (u_r + r (1 + x)).
+/// Solve (1 + x) dz/dx = (B + q (1 + x)^2 M) z - q r (1 + x)^3 e, z(0) = start, over one radial step by a Taylor
+/// series. Since M = -e (1, 0) and e = (0, 1), load and inertia enter as -q (1 + x)^2 (u_r + r (1 + x)).
 State advance(const Eigen::Matrix2d& elastic, double q, double load_radius, const State& start, double x) {
   State sum = start;
   State term = start;
-  // u_r + r (1 + x) as a series: the coefficients of the rigid part are r and r x.
+  // Terms of the series of u_r + r (1 + x); the rigid part contributes r and r x.
   std::array<double, 3> recent{start(0) + load_radius, 0.0, 0.0};
   for (int j = 0; j < kMaxTerms; ++j) {
     State next = elastic * term - j * term;
@@ -39,7 +39,7 @@ State advance(const Eigen::Matrix2d& elastic, double q, double load_radius, cons
   return sum;
 }
 
-/// Equations of u_r and r sigma_rr without inertia, those of layer_step.hpp at k = 0.
+/// Matrix of the equations of u_r and r sigma_rr without inertia, those of layer_step.hpp at k = 0.
 Eigen::Matrix2d elastic_matrix(const Metric& metric, double mu, double b) {
   const double bends = metric.bends();
   const double gamma = (metric.is_sphere() ? 3.0 : 4.0) - 4.0 * b;
@@ -53,12 +53,12 @@ std::vector<Eigen::Vector2d> centrifugal_states(const LayerStack<std::complex<do
   const bool is_free = inner_surface(layers.within).is_free;
   const double stress_unit = media.back().mu.real();
 
-  // u_r = compliance * (r sigma_rr) + offset, carried outwards from the rigid core; the surface is free.
+  // The recursion carries u_r = compliance * (r sigma_rr) + offset outwards from the rigid core to the free surface.
   double compliance = 0.0;
   double offset = 0.0;
   struct Step {
-    double stress;  // at the outer end, per what it starts from
-    double load;    // at the outer end, by the load within the step
+    double stress;  // at the outer end, per unit of the starting value
+    double load;    // at the outer end, due to the load within the step
     double compliance;
     double offset;
     bool ends_layer;
@@ -68,7 +68,8 @@ std::vector<Eigen::Vector2d> centrifugal_states(const LayerStack<std::complex<do
     const double mu = medium.mu.real() / stress_unit;
     const double b = medium.b.real();
     const Eigen::Matrix2d elastic = elastic_matrix(layers.metric, mu, b);
-    // In a solid ball the irregular solution, r^-3 of the regular one, dies out from this depth.
+    // In a solid ball the solution that is not regular at the center decays like r^-3 relative to the regular one. From
+    // this depth it is negligible at the surface.
     const double inner = std::max(medium.inner, 1e-6 * medium.outer);
     const double extent = std::log(medium.outer / inner);
     bool free = is_free && taken.empty();
@@ -110,7 +111,7 @@ double centrifugal_displacement(const LayeredBody& body, double angular_speed) {
 }  // namespace detail
 
 double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed) {
-  // The uniform displacement has no tangential part, for which the choice of curvature would count.
+  // The choice of the curvature terms affects tangential displacements only, and the uniform displacement has none.
   return detail::centrifugal_displacement(detail::layered_body(sphere), angular_speed);
 }
 

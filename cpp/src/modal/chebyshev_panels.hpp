@@ -1,5 +1,6 @@
 /// @file
-/// @brief Smooth functions of one variable as Chebyshev series on panels that are split until each is resolved.
+/// @brief Chebyshev series of smooth functions of one variable, on panels that are halved until each series is
+/// resolved.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,12 +15,14 @@
 
 namespace viscoroll::detail {
 
-constexpr int kPanelNodes = 16;               ///< Chebyshev nodes, and so terms, of a panel
-constexpr double kLargestPanelRatio = 512.0;  ///< of k^2 at the ends of a panel, over which a power law is resolved
+constexpr int kPanelNodes = 16;               ///< number of Chebyshev nodes and terms of a panel
+constexpr double kLargestPanelRatio = 512.0;  ///< ratio of k^2 over a panel, over which a power law is resolved
 
-/// @brief Several functions of x on [low, high], low > 0: row f holds the series of function f in T_0 ... T_15 of the
-/// coordinate that runs from -1 to 1 with ln x. Compliances fall like powers of the order, so they are smoothest in its
-/// logarithm. A panel from `low` = 0 holds constants.
+/// @brief Series of several functions of x on [low, high], low > 0.
+///
+/// Row f contains the coefficients of function f in T_0 ... T_15 of a coordinate that runs from -1 to 1, linear in ln
+/// x. Compliances decrease like powers of the order, so that they are smoothest in its logarithm. A panel with `low` =
+/// 0 contains constants.
 template <class Scalar>
 struct Panel {
   double low;
@@ -27,7 +30,7 @@ struct Panel {
   Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes, Eigen::RowMajor> series;
 };
 
-/// @return Chebyshev nodes of the first kind in [low, high], logarithmically
+/// @return Chebyshev nodes of the first kind in the logarithm of [low, high]
 [[nodiscard]] inline std::vector<double> chebyshev_nodes(double low, double high, int count) {
   std::vector<double> nodes;
   for (int j = 0; j < count; ++j) {
@@ -37,7 +40,7 @@ struct Panel {
   return nodes;
 }
 
-/// @return matrix that takes values at `chebyshev_nodes` (columns of the factor before it) to series
+/// @return matrix from values at `chebyshev_nodes` to coefficients; the values are the columns of the left factor
 [[nodiscard]] inline Eigen::MatrixXd chebyshev_transform(int count) {
   Eigen::MatrixXd matrix(count, count);
   for (int node = 0; node < count; ++node) {
@@ -48,25 +51,25 @@ struct Panel {
   return matrix;
 }
 
-/// @return nodes of a panel
+/// @return Chebyshev nodes of a panel
 [[nodiscard]] inline std::array<double, kPanelNodes> panel_nodes(double low, double high) {
   std::array<double, kPanelNodes> nodes{};
   std::ranges::copy(chebyshev_nodes(low, high, kPanelNodes), nodes.begin());
   return nodes;
 }
 
-/// @return matrix that takes values at the nodes of a panel (columns of the factor before it) to series
+/// @return matrix from values at the nodes of a panel to coefficients; the values are the columns of the left factor
 [[nodiscard]] inline const Eigen::Matrix<double, kPanelNodes, kPanelNodes, Eigen::RowMajor>& panel_transform() {
   static const Eigen::Matrix<double, kPanelNodes, kPanelNodes, Eigen::RowMajor> transform =
       chebyshev_transform(kPanelNodes);
   return transform;
 }
 
-/// @return series of functions by their values at the nodes of a panel
+/// @return coefficients of functions from their values at the nodes of a panel
 template <class Scalar>
 [[nodiscard]] Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> to_series(
     const Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes>& values) {
-  // Real and imaginary parts, which lie side by side, see the same transform.
+  // Real and imaginary parts are adjacent in memory, so that one real product transforms both.
   constexpr Eigen::Index kParts = Eigen::NumTraits<Scalar>::IsComplex ? 2 : 1;
   const Eigen::Index rows = kParts * values.rows();
   Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> series;
@@ -77,7 +80,7 @@ template <class Scalar>
   return series;
 }
 
-/// @brief Append the panel that holds constants on [0, high].
+/// @brief Append a panel of constants on [0, high].
 template <class Scalar>
 void append_constants(double high, const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& values,
                       std::vector<Panel<Scalar>>& panels) {
@@ -87,15 +90,16 @@ void append_constants(double high, const Eigen::Matrix<Scalar, Eigen::Dynamic, 1
   panels.push_back(std::move(panel));
 }
 
-/// @brief Append panels that resolve functions on [low, high]: first of `kLargestPanelRatio`, then halved where needed.
+/// @brief Append panels that resolve functions on [low, high]. Panels of at most `kLargestPanelRatio` are halved until
+/// they are resolved.
 /// @param[in] low,high interval, low > 0
-/// @param[in] sample returns the values of all functions at the nodes of a panel, a column for each
-/// @param[in] resolved judges a panel by its series
-/// @param[out] panels receives the panels in order
+/// @param[in] sample returns the values of all functions at the nodes of a panel, one column for each node
+/// @param[in] resolved returns whether the series of a panel is resolved
+/// @param[out] panels receives the panels in ascending order
 template <class Scalar, class Sample, class Resolved>
 void append_panels(double low, double high, const Sample& sample, const Resolved& resolved,
                    std::vector<Panel<Scalar>>& panels) {
-  constexpr double kSmallestRatio = 1.05;  // what a panel this narrow does not resolve is round-off
+  constexpr double kSmallestRatio = 1.05;  // the remainder of a panel this narrow is round-off
   if (high / low <= kLargestPanelRatio) {
     const Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> values = sample(panel_nodes(low, high));
     Panel<Scalar> panel{low, high, to_series(values)};

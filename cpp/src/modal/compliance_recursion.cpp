@@ -14,20 +14,21 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr double kDepth = 24.0;        // e-folds beyond which material is out of reach of the surface
-constexpr double kDepthInside = 36.0;  // e-folds beyond which nothing is left of what the surface bears
+constexpr double kDepth = 24.0;        // e-folds below which material does not affect the surface
+constexpr double kDepthInside = 36.0;  // e-folds below which the fields of the surface tractions are negligible
 
-/// Compliance of a half-space for waves of k = 1, in units of 1 / modulus.
+/// Compliance of a half-space for waves with k = 1, in units of 1 / modulus (docs/theory/planes-and-pairs.md).
 template <class Scalar>
 struct HalfSpaceCompliance {
   Scalar normal, mixed, along, across;
 
-  /// @param[in] b,mach2 as of a medium, the latter in the direction of k
+  /// @param[in] b ratio of the shear modulus to the confined modulus
+  /// @param[in] mach2 square of the Mach number of shear waves in the direction of k
   HalfSpaceCompliance(const Scalar& b, const Scalar& mach2) {
     using std::sqrt;
     const Scalar p_s = sqrt(1.0 - mach2);
     const Scalar p_l = sqrt(1.0 - b * mach2);
-    // Free of differences of nearly equal numbers at low speeds.
+    // This form contains no differences of nearly equal numbers at low speeds.
     const Scalar g = (1.0 + b - b * mach2) / (1.0 + p_l * p_s);
     const Scalar d = 4.0 - mach2 - 4.0 * g;
     normal = p_l / d;
@@ -37,7 +38,7 @@ struct HalfSpaceCompliance {
   }
 };
 
-/// Up to kLanes orders on their way outwards.
+/// Recursion for up to kLanes orders at the same time.
 template <class Scalar>
 class Batch {
  public:
@@ -65,8 +66,9 @@ class Batch {
     }
   }
 
-  /// Carry Y, in units of 1 / modulus of the layer, through all layers; `visit` sees it after every step and may stop
-  /// by false.
+  /// Carry Y, in units of 1 / modulus of the layer, through all layers.
+  /// @param[in] visit called after every step; false stops the recursion
+  /// @return false if `visit` stopped the recursion
   template <class Visit>
   bool carry(const Visit& visit) {
     for (std::size_t layer = 0; layer < media(0).size(); ++layer) {
@@ -81,8 +83,9 @@ class Batch {
     return true;
   }
 
-  /// Carry Y likewise, keeping it at the outer radius of every layer with what takes stresses down through the layer.
-  /// @param[in] keep called with lane, Y in the layer's unit, and the product of all F^-1 of the layer
+  /// Carry Y through all layers, and report it at the outer boundary of every layer with the matrix that carries
+  /// stresses down through the layer.
+  /// @param[in] keep called with the lane, Y in the layer's unit, and the product of all F^-1 of the layer
   template <class Keep>
   void carry_keeping(const Keep& keep) {
     std::array<Matrix3<Scalar>, kLanes> down;
@@ -90,7 +93,7 @@ class Batch {
     for (std::size_t layer = 0; layer < media(0).size(); ++layer) {
       const int steps = enter(layer);
       for (std::size_t l = 0; l < kLanes; ++l) {
-        // An order that starts above the layer's inner end has died out there.
+        // An order that starts above the layer's inner end is negligible there.
         const bool whole = inner_[l] == media(l)[layer].inner;
         down[l] = whole ? Matrix3<Scalar>(Matrix3<Scalar>::Identity()) : Matrix3<Scalar>(Matrix3<Scalar>::Zero());
       }
@@ -109,7 +112,7 @@ class Batch {
     }
   }
 
-  /// From the directions r, k and across k to r, phi and theta.
+  /// Rotation from the directions r, k and across k to r, phi and theta.
   [[nodiscard]] Eigen::Matrix3d turn(std::size_t l) const {
     const auto [cosine, sine] = direction(l);
     return Eigen::Matrix3d{{1.0, 0.0, 0.0}, {0.0, cosine, -sine}, {0.0, sine, cosine}};
@@ -136,7 +139,7 @@ class Batch {
   }
 
  private:
-  /// The order of a lane; the last order fills the lanes left over.
+  /// Order of a lane. Unused lanes repeat the last order.
   [[nodiscard]] const OrderInLayers<Scalar>& at(std::size_t l) const {
     return orders_[std::min(l, orders_.size() - 1)];
   }
@@ -144,11 +147,11 @@ class Batch {
   [[nodiscard]] const Metric& metric() const { return at(0).layers.metric; }
   /// k at the surface.
   [[nodiscard]] double order(std::size_t l) const { return std::hypot(at(l).m, at(l).n); }
-  /// Of it, what is across at a place.
+  /// Order across at a place.
   [[nodiscard]] double kappa(std::size_t l, double place) const { return at(l).n * metric().shrinkage(place); }
   /// k at a place.
   [[nodiscard]] double order_at(std::size_t l, double place) const { return std::hypot(at(l).m, kappa(l, place)); }
-  /// Cosine and sine of the angle between phi and the first direction along the surface that the equations are in.
+  /// Cosine and sine of the angle between phi and the first tangential direction of the equations.
   [[nodiscard]] std::array<double, 2> direction(std::size_t l) const {
     const double k = order(l);
     if (step_.is_wheel || k == 0.0) return {1.0, 0.0};
@@ -163,7 +166,8 @@ class Batch {
                            {y.rx.value(l), y.kx.value(l), y.xx.value(l)}};
   }
 
-  /// Number of steps through a layer, none where it is out of reach or a half-space; Y is taken to its unit.
+  /// Prepare the steps through a layer and convert Y to its unit.
+  /// @return number of steps; 0 for a half-space or a layer that does not affect the surface
   int enter(std::size_t layer) {
     int steps = 0;
     for (std::size_t l = 0; l < kLanes; ++l) {
@@ -217,14 +221,14 @@ class Batch {
     for (Lanes<Scalar>* entry : {&y.rr, &y.rk, &y.rx, &y.kk, &y.kx, &y.xx}) entry->set(l, factor * entry->value(l));
   }
 
-  /// Three stresses on what carries them; at a free surface three displacements. A solid ball starts like one on a
-  /// tiny core: what is not regular at the center dies out.
+  /// Starting states of a step: unit stresses with the displacements Y that they cause, or unit displacements at a free
+  /// surface. A solid ball starts like one on a tiny core, since solutions that are not regular at the center decay.
   [[nodiscard]] std::array<SolutionLanes<Scalar>, 3> start() const {
     const auto& y = compliance_;
     std::array<SolutionLanes<Scalar>, 3> states{{{y.rr, y.rk, y.rx}, {y.rk, y.kk, y.kx}, {y.rx, y.kx, y.xx}}};
     for (std::size_t l = 0; l < kLanes; ++l) {
       for (std::size_t i = 0; i < 3; ++i) {
-        // Order (0, 0) leaves rotations of the whole coating free.
+        // Order (0, 0) starts from stresses along the surface, because the coating can rotate freely as a whole.
         const bool free = at_free_surface_[l] && (order(l) > 0.0 || i == 0);
         states[i][free ? i : 3 + i].set(l, 1.0);
       }
@@ -235,9 +239,9 @@ class Batch {
   std::span<const OrderInLayers<Scalar>> orders_;
   StepLanes<Scalar> step_;
   SymmetricLanes<Scalar> compliance_;
-  std::array<double, kLanes> deepest_{};  // place below which nothing reaches the surface
-  std::array<double, kLanes> inner_{};    // place at which the order enters the layer
-  std::array<double, kLanes> extent_{};   // of its way through the layer, in e-folds of an order 1
+  std::array<double, kLanes> deepest_{};  // place below which material does not affect the surface
+  std::array<double, kLanes> inner_{};    // place at which the recursion enters the layer
+  std::array<double, kLanes> extent_{};   // from there to the outer boundary, in e-folds of an order 1
   std::array<bool, kLanes> at_free_surface_{};
   std::array<bool, kLanes> started_{};
 };
@@ -258,10 +262,10 @@ namespace {
 
 using cplx = std::complex<double>;
 
-/// What the recursion keeps of one order.
+/// Results of the outward recursion for one order.
 struct KeptOrder {
-  std::vector<Matrix3<cplx>> compliance;  // Y at the outer radius of each layer, per modulus of the layer
-  std::vector<Matrix3<cplx>> down;        // through each layer
+  std::vector<Matrix3<cplx>> compliance;  // Y at the outer boundary of each layer, in units of 1 / modulus of the layer
+  std::vector<Matrix3<cplx>> down;        // matrix that carries stresses down through each layer
 };
 
 /// States of one order in the directions r, k and across k, from the surface down.
@@ -279,7 +283,8 @@ std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrde
   }
   DepthState& inner = states.front();
   if (free_inside) {
-    // The first step started from displacements; order (0, 0) from stresses along the surface, for it turns freely.
+    // The first step started from displacements, but from stresses along the surface in order (0, 0), which rotates
+    // freely.
     const int free = uniform ? 1 : 3;
     inner.topRows(free) = stress.topRows(free) / media.front().mu;
     inner.bottomRows(3 - free) = stress.bottomRows(3 - free);
@@ -287,7 +292,7 @@ std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrde
     inner.bottomRows<3>() = stress;
   }
   if (!held && uniform) {
-    // No mean rotation of the surface.
+    // Subtract the mean rotation of the surface.
     const Eigen::Matrix<cplx, 2, 3> turning = states.back().middleRows<2>(1) / media.back().outer;
     inner.middleRows<2>(1) -= media.front().inner * turning;
     for (std::size_t layer = 0; layer < media.size(); ++layer) {

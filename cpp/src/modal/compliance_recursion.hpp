@@ -1,5 +1,5 @@
 /// @file
-/// @brief The compliance of the surface, carried outwards through the layers.
+/// @brief Recursion that carries the compliance of the surface outwards through the layers.
 #pragma once
 
 #include <complex>
@@ -10,56 +10,59 @@
 
 namespace viscoroll::detail {
 
-/// Largest exponent of a step by the order alone: Taylor terms cancel little.
+/// Largest exponent of a step due to the order. Up to this exponent the Taylor terms hardly cancel.
 inline constexpr double kStepExponent = 4.0;
 
-/// Largest relative growth of a radius in a step: the radius of convergence of the series is 1.
+/// Largest relative increase of the radius in a step. The radius of convergence of the series is 1.
 inline constexpr double kStepRatio = 0.25;
 
-/// Largest exponent of a step where shear waves are shorter than the order: kMaxTerms Taylor terms (layer_step.cpp) sum
-/// it to round-off.
+/// Largest exponent of a step if shear waves are shorter than the wave of the order. The kMaxTerms Taylor terms of
+/// layer_step.cpp sum it to round-off.
 inline constexpr double kWaveExponent = 20.0;
 
-/// @brief An order with the layers as it sees them.
+/// @brief An order and the layers with their moduli at this order.
 template <class Scalar>
 struct OrderInLayers {
   const LayerStack<Scalar>& layers;
-  double m;  ///< of either sign, not necessarily whole
-  double n;  ///< 0 where nothing varies across
+  double m;  ///< order along, any sign, not necessarily a whole number
+  double n;  ///< order across; 0 in plane strain
 };
 
 /// @brief Surface compliance of many orders (m, n): displacement per surface stress, in the real form of
 /// layer_system.hpp.
 ///
-/// With d = Y (r sigma), Y = 0 at the rigid core and that of a half-space in closed form, each step takes Y to
-/// (T11 Y + T12)(T21 Y + T22)^-1, the transition matrix T of a step being short enough to keep all digits. T itself is
-/// never formed: its product with (Y; I) is the Taylor series of the solution about the step's inner end. Material
-/// deeper than 24 e-folds changes the surface by exp(-48), and is left out.
-/// @param[in] orders all with layers of the same places; neighbors are solved side by side, best with like m^2 + n^2
-/// @param[out] compliances one for each [m/Pa]
+/// Let d = Y (r sigma), with Y = 0 at a rigid core and the closed form of Y at a half-space. Each step replaces Y by
+/// (T11 Y + T12)(T21 Y + T22)^-1, where T is the transition matrix of a step that is short enough to keep all digits. T
+/// is never formed: its product with (Y; I) is the Taylor series of the solution about the inner end of the step.
+/// Material deeper than 24 e-folds changes the surface by exp(-48) and is neglected.
+/// @param[in] orders orders whose layers have the same boundaries; neighbors are solved together, which is fastest if
+/// their m^2 + n^2 are similar
+/// @param[out] compliances one for each order [m/Pa]
 template <class Scalar>
 void surface_compliances(std::span<const OrderInLayers<Scalar>> orders, std::span<Matrix3<Scalar>> compliances);
 
-/// @brief The same for one order.
+/// @brief Surface compliance of one order.
+/// @return compliance [m/Pa]
 template <class Scalar>
 [[nodiscard]] Matrix3<Scalar> surface_compliance(const LayerStack<Scalar>& layers, double m, double n);
 
-/// @brief Whether every order's static stiffness stays positive through all layers, i.e. no resonance of an order
-/// lies below this speed.
-/// @param[in] orders with real moduli
+/// @brief Check whether the static stiffness of every order is positive through all layers, i.e. whether no order has a
+/// resonance below this speed.
+/// @param[in] orders orders with real moduli
 [[nodiscard]] bool are_subcritical(std::span<const OrderInLayers<double>> orders);
 
-/// @brief State at one place per r sigma at the surface: rows u_r, v_phi, v_theta [m], s, tau_phi, tau_theta [N/m], a
-/// column for each of s, tau_phi and tau_theta there [N/m].
+/// @brief State at one depth per r sigma at the surface. The rows are u_r, v_phi, v_theta [m], s, tau_phi and tau_theta
+/// [N/m]; the columns are s, tau_phi and tau_theta at the surface [N/m].
 using DepthState = Eigen::Matrix<std::complex<double>, 6, 3>;
 
 /// @brief States inside the layers, in the real form of layer_system.hpp.
 ///
-/// On its way outwards every step of the recursion inverts F = T21 Y + T22, the stresses at its outer end per stresses
-/// at its inner one. Kept, these inverses take the stresses at the surface down again, f = F^-1 f_outer and u = Y f:
-/// they fall with depth, so nothing overflows. Below 36 e-folds the state is 0. See docs/theory/inside.md.
-/// @param[in] orders all with layers of the same places
-/// @param[out] states for each order, at the inner boundary of the innermost layer and at the outer one of each
+/// Every outward step of the recursion inverts F = T21 Y + T22, the stresses at its outer end per stress at its inner
+/// end. The stored inverses carry the surface stresses down again, f = F^-1 f_outer and u = Y f. They decrease with
+/// depth, so that nothing overflows. Below 36 e-folds the state is 0. See docs/theory/inside.md.
+/// @param[in] orders orders whose layers have the same boundaries
+/// @param[out] states for each order, at the inner boundary of the innermost layer and at the outer boundary of each
+/// layer
 void depth_states(std::span<const OrderInLayers<std::complex<double>>> orders,
                   std::span<std::vector<DepthState>> states);
 

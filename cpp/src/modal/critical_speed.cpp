@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The layers at infinite frequency and unit speed. A layer without a finite short-time modulus is rigid there: it and
-/// all below it become the core, or the base.
+/// Layers with their short-time moduli at unit speed. A layer without a finite short-time modulus is rigid; together
+/// with all layers below it, it becomes the core or base.
 LayerStack<double> short_time_stack(const LayeredBody& body, double highest_frequency) {
   std::vector<double> moduli;
   moduli.reserve(body.layers.size());
@@ -37,7 +37,7 @@ LayerStack<double> at_speed(LayerStack<double> stack, double angular_speed) {
   return stack;
 }
 
-/// Speed at which the surface keeps up with the shear waves of a layer; infinite without inertia.
+/// Speed at which the surface reaches the shear wave speed of a layer; infinite without inertia.
 double shear_wave(const LayerStack<double>& stack, const Medium<double>& medium) {
   return medium.inertia > 0.0 ? std::sqrt(medium.mu / medium.inertia) / stack.metric.radius : kInfinity;
 }
@@ -46,29 +46,29 @@ double rayleigh_wave(const LayerStack<double>& stack, const Medium<double>& medi
   return rayleigh_ratio(medium.b) * shear_wave(stack, medium);
 }
 
-/// The slowest shear wave of any layer.
+/// Lowest shear wave speed of all layers.
 double slowest_shear_wave(const LayerStack<double>& stack) {
   double speed = kInfinity;
   for (const Medium<double>& medium : stack.media) speed = std::min(speed, shear_wave(stack, medium));
   return speed;
 }
 
-/// What bounds the speeds of surface waves: that of the outer layer's, of short waves, and a half-space's, of long
-/// ones.
+/// Upper bound of surface wave speeds: the Rayleigh speed of the outer layer, which short waves have, or of a
+/// half-space, which long waves have.
 double rayleigh_limit(const LayerStack<double>& stack) {
   const double outer = rayleigh_wave(stack, stack.media.back());
   return stack.media.front().is_endless() ? std::min(outer, rayleigh_wave(stack, stack.media.front())) : outer;
 }
 
-/// What no speed may reach. On a plane waves of any length run into slower layers, and away; around a center only whole
-/// orders may resonate.
+/// Upper bound of the critical speed. On a plane, waves of any length can escape into a layer with a lower shear wave
+/// speed; around a center only whole orders resonate.
 double speed_limit(const LayerStack<double>& stack) {
   const double rayleigh = rayleigh_limit(stack);
   return stack.metric.is_curved() ? rayleigh : std::min(rayleigh, slowest_shear_wave(stack));
 }
 
-/// Orders m, spaced geometrically, since the resonances depend smoothly on the order: whole ones, or waves from far
-/// longer than the layers are thick to far shorter.
+/// Orders m that are checked, spaced geometrically because resonances depend smoothly on the order. Around a center
+/// they are whole numbers; on a plane the waves reach from far longer than the thickness of the layers to far shorter.
 std::vector<double> orders_to_look_at(const LayerStack<double>& stack) {
   std::vector<double> orders;
   if (stack.metric.is_curved()) {
@@ -89,8 +89,8 @@ std::vector<double> orders_to_look_at(const LayerStack<double>& stack) {
   return orders;
 }
 
-/// Whether the stiffness of orders stays positive. The slowest waves run straight along the way, so n = 0; on a wheel,
-/// whose orders are not functions of m^2 + n^2, others are looked at, too.
+/// Whether the stiffness of orders is positive. The slowest waves travel along the path, so n = 0. On a wheel, whose
+/// compliance is not a function of m^2 + n^2, oblique waves are also checked.
 bool are_stiff(const LayerStack<double>& stack, const std::vector<double>& orders) {
   constexpr std::array kObliquities{0.0, 0.25, 0.5, 1.0, 2.0};  // n / m
   std::vector<OrderInLayers<double>> in_layers;
@@ -102,7 +102,7 @@ bool are_stiff(const LayerStack<double>& stack, const std::vector<double>& order
   return are_subcritical(in_layers);
 }
 
-/// Whether no order resonates up to this speed.
+/// Whether no order resonates at or below this speed.
 bool all_subcritical(const LayerStack<double>& stack, double angular_speed) {
   return angular_speed < speed_limit(stack) && are_stiff(at_speed(stack, angular_speed), orders_to_look_at(stack));
 }
@@ -110,7 +110,7 @@ bool all_subcritical(const LayerStack<double>& stack, double angular_speed) {
 double critical_speed(const LayerStack<double>& stack) {
   if (stack.media.empty()) return kInfinity;
   const double limit = speed_limit(stack);
-  // An outer layer without mass sets no limit of its own; far above every shear wave nothing new can resonate.
+  // An outer layer without density gives no finite limit. Far above all shear wave speeds no further order resonates.
   double high = std::min(limit, 100.0 * slowest_shear_wave(stack));
   if (std::isinf(high) || all_subcritical(stack, high * (1.0 - 1e-12))) return limit;
   double low = 0.0;
@@ -160,21 +160,21 @@ void require_subcritical(const LayeredBody& body, double angular_speed, double h
 }
 
 void require_damped_waves(const HarmonicBody& body) {
-  if (!body.metric().is_curved()) return;  // what has passed does not come back
+  if (!body.metric().is_curved()) return;  // waves do not return on a plane
   double next = 1.0;
   for (std::size_t i = 0; i < body.orders().size(); ++i) {
     const double m = body.orders()[i];
     if (m < next) continue;
     next = std::max(m + 1.0, 1.1 * m);
     std::vector<double> moduli;
-    double damping = 0.0;  // the largest m tan(delta)
+    double damping = 0.0;  // largest m tan(delta) of the layers
     for (std::size_t j = 0; j < body.body().layers.size(); ++j) {
       const std::complex<double> modulus = body.modulus(j, i);
       moduli.push_back(modulus.real());
       damping = std::max(damping, m * modulus.imag() / modulus.real());
     }
     const LayerStack<double> stack = body.body().stack(moduli, body.angular_speed());
-    const double slowest = slowest_shear_wave(stack);  // per rolling speed, which the inertia already holds
+    const double slowest = slowest_shear_wave(stack);  // relative to the rolling speed, which the inertia contains
     if (damping > 1.0 || slowest > 10.0 || are_stiff(stack, {m})) continue;
     reject("angular_speed",
            "below the speed at which the coating radiates waves of order " + text(m) + " that it hardly damps",

@@ -6,8 +6,8 @@
 namespace viscoroll::detail {
 namespace {
 
-/// The layers without inertia, in another metric.
-/// @param[in] surface place of the surface there
+/// Layers without inertia in another metric.
+/// @param[in] surface position of the surface in that metric
 template <class Scalar>
 LayerStack<Scalar> moved(const LayerStack<Scalar>& layers, const Metric& metric, double surface) {
   LayerStack<Scalar> moved{.metric = metric, .within = layers.within, .media = layers.media};
@@ -20,11 +20,11 @@ LayerStack<Scalar> moved(const LayerStack<Scalar>& layers, const Metric& metric,
   return moved;
 }
 
-/// Orders of wave numbers in the layers of each, which are kept.
+/// Orders with the same wave numbers in another metric, and their layers.
 template <class Scalar>
 class MovedOrders {
  public:
-  /// @param[in] metric where they are seen; a wheel's is turned, so that m and n change places
+  /// @param[in] metric the other metric; that of a wheel is rotated, so that m and n are exchanged
   MovedOrders(std::span<const OrderInLayers<Scalar>> orders, const Metric& metric) {
     const double scale = metric.radius / orders.front().layers.metric.radius;
     for (const OrderInLayers<Scalar>& order : orders) {

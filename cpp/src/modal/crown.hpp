@@ -1,8 +1,8 @@
 /// @file
-/// @brief What the crown of a wheel changes in the compliance of its tread, to the first order in its curvature.
+/// @brief Change of the compliance of a tread due to its crown, to first order in the curvature.
 ///
-/// The equations of a wheel know that its surface is a ring along the path, not that it is one across. In the first
-/// order both curvatures add up, and the other one by itself is a cylinder whose axis lies along the path
+/// The equations of a wheel contain the curvature of the surface along the path, not that across it. To first order
+/// both curvatures add up, and the curvature across by itself is that of a cylinder whose axis lies along the path
 /// (docs/theory/wheels.md).
 #pragma once
 
@@ -14,11 +14,13 @@
 
 namespace viscoroll::detail {
 
-/// @brief Add C_cylinder - C_plane, at the same wave numbers and moduli, the cylinder curved across, as often as the
-/// crown says. Without inertia, which would change this difference in the second order.
-/// @param[in] orders (m, n) in the layers of a wheel
-/// @param[in] crown of the wheel, not flat
-/// @param[in,out] compliances of these orders [m/Pa]
+/// @brief Add `crown.proportion` times C_cylinder - C_plane, at the same wave numbers and moduli, where the cylinder is
+/// curved across.
+///
+/// The difference is without inertia, which would change it in second order.
+/// @param[in] orders orders (m, n) in the layers of a wheel
+/// @param[in] crown crown of the wheel, not flat
+/// @param[in,out] compliances compliances of these orders [m/Pa]
 template <class Scalar>
 void add_crown(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown,
                std::span<Matrix3<Scalar>> compliances);

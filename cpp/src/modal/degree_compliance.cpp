@@ -15,11 +15,12 @@ namespace {
 using cplx = std::complex<double>;
 using std::numbers::sqrt2;
 
-/// u, v, s and tau of degree 1 under a uniform force of amplitude f, with f r^2 and the mean of u + sqrt(2) v, the
-/// share of the uniform displacement (1, sqrt(2)): r^-3 times its integral over r^2 dr.
+/// State of degree 1 under a uniform body force of amplitude f: u, v, s, tau, f r^2, and the integral of
+/// (u + sqrt(2) v) r^2 dr divided by r^3. The last one yields the mean amplitude of the uniform displacement
+/// (1, sqrt(2)).
 using State = Eigen::Matrix<cplx, 6, 1>;
 
-/// z' = B z in ln r.
+/// Matrix B of z' = B z, with the derivative with respect to ln r.
 Eigen::Matrix<cplx, 6, 6> weighed_matrix(const Medium<cplx>& medium, double stress_unit) {
   const cplx mu = medium.mu / stress_unit;
   const cplx b = medium.b;
@@ -36,15 +37,17 @@ Eigen::Matrix<cplx, 6, 6> weighed_matrix(const Medium<cplx>& medium, double stre
   return matrix;
 }
 
-/// Degree 1 of a hollow or solid ball; see `degree_compliance`.
+/// Compliance of degree 1 of a hollow or solid ball; see `degree_compliance`.
 DegreeCompliance free_degree_one(const LayerStack<cplx>& layers) {
-  constexpr double kCavity = 1e-4;  // of a solid ball: what it changes falls with its third power
-  constexpr double kStep = 0.5;     // in ln r, over which solutions stay of one size
+  constexpr double kCavity =
+      1e-4;                      // relative radius of a cavity in a solid ball; its effect falls with the third power
+  constexpr double kStep = 0.5;  // step in ln r, over which the size of solutions changes little
   const double surface = layers.metric.radius;
   const double stress_unit = std::abs(layers.media.back().mu);
   const double inner = std::max(layers.media.front().inner, kCavity * surface) / surface;
 
-  // A displacement of the free inner surface that is not uniform, and the uniform force. Lengths are per outer radius.
+  // Two solutions: a displacement of the free inner surface that is not uniform, and the uniform body force. Lengths
+  // are relative to the outer radius.
   Eigen::Matrix<cplx, 6, 2> states = Eigen::Matrix<cplx, 6, 2>::Zero();
   states(1, 0) = 1.0;
   states(4, 1) = inner * inner;
@@ -61,7 +64,8 @@ DegreeCompliance free_degree_one(const LayerStack<cplx>& layers) {
     radius = medium.outer / surface;
   }
 
-  // Stresses s and tau at the surface ask for the force -(s + sqrt(2) tau) / volume, with 1/3 as the unit of both.
+  // The body force -(s + sqrt(2) tau) / volume balances the stresses s and tau at the surface; a common factor 1/3
+  // cancels.
   const double volume = 1.0 - inner * inner * inner;
   const auto displacement = [&](double s, double tau) -> Eigen::Vector2cd {
     const double force = -(s + sqrt2 * tau) / volume;
@@ -82,14 +86,14 @@ DegreeCompliance free_degree_one(const LayerStack<cplx>& layers) {
 
 DegreeCompliance degree_compliance(const LayerStack<cplx>& layers, int degree) {
   if (degree == 0) {
-    // The surface has no tangential harmonic of degree 0; the membrane stiffness would be negative.
+    // Degree 0 has no tangential harmonic. With `exact` its membrane stiffness would be negative.
     LayerStack<cplx> radial = layers;
     radial.metric.curvature = Curvature::sphere;
     return {.radial = surface_compliance(radial, 0.0, 0.0)(0, 0), .mixed = 0.0, .along = 0.0, .across = 0.0};
   }
   if (degree == 1 && !inner_surface(layers.within).is_core) return free_degree_one(layers);
   if (degree == 1) {
-    // Along the diagonal k^2 is 2 to the last bit: a small core makes much of any stiffness against turning.
+    // m = n = 1 gives k^2 = 2 without round-off. On a small core, any stiffness against rotation has a large effect.
     const Matrix3<cplx> y = surface_compliance(layers, 1.0, 1.0);
     return {.radial = y(0, 0), .mixed = sqrt2 * y(0, 1), .along = y(1, 1) + y(1, 2), .across = y(1, 1) - y(1, 2)};
   }
@@ -115,7 +119,7 @@ std::vector<DegreeCompliance> degree_compliances(const HarmonicBody& body, const
   spectrum.series(i, series);
   const Eigen::ArrayXd degrees = Eigen::ArrayXd::LinSpaced(highest - from + 1, from, highest);
   const Eigen::ArrayXd k = (degrees * (degrees + 1.0)).sqrt();
-  // The entries at k^2 = L, whatever m and n make it up: rtheta and phitheta hold factors n, here k.
+  // Entries at k^2 = L, with m = 0 and n = k; rtheta and phitheta contain the factor n.
   const OrderValues values(0.0, k, series);
   Eigen::ArrayXcd radial, mixed, phi, phi_theta, theta;
   values.evaluate(Entry::rr, radial);
@@ -124,7 +128,8 @@ std::vector<DegreeCompliance> degree_compliances(const HarmonicBody& body, const
   values.evaluate(Entry::phitheta, phi_theta);
   values.evaluate(Entry::thetatheta, theta);
   for (Eigen::Index l = 0; l < k.size(); ++l) {
-    // phiphi = across + m^2/k^2 (along - across), thetatheta = along - the same, phitheta = m n/k^2 (along - across).
+    // phiphi = across + m^2/k^2 (along - across), thetatheta = along - m^2/k^2 (along - across), phitheta = m n/k^2
+    // (along - across).
     const cplx turned = order / k[l] * phi_theta[l];
     compliances.push_back({.radial = radial[l],
                            .mixed = cplx(0.0, 1.0) * mixed[l],

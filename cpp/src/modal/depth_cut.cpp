@@ -10,37 +10,37 @@
 namespace viscoroll::detail {
 
 double shear_decay(std::complex<double> mach2) {
-  constexpr double kLeast = 0.05;  // next to a critical speed the depth would be without end
+  constexpr double kLeast = 0.05;  // close to a critical speed the depth would be unbounded
   return std::clamp(std::sqrt(1.0 - mach2).real(), kLeast, 1.0);
 }
 
 namespace {
 
-/// How an order dies out with depth.
+/// Decay of an order with depth.
 class Fall {
  public:
-  /// @param[in] metric of the body
+  /// @param[in] metric metric of the body
   /// @param[in] m,n order along and across
-  /// @param[in] least e-folds per e-fold of an order 1, of all orders
+  /// @param[in] least smallest decay rate of all orders, relative to that of an order 1
   Fall(const Metric& metric, double m, double n, double least)
       : metric_(metric),
         around_(std::max(metric.fall(metric.is_wheel() ? m : std::hypot(m, n)), least)),
         across_(metric.is_wheel() ? n : 0.0) {}
 
-  /// @return e-folds between two places: of a wheel the integral of sqrt(m^2 + kappa^2) d ln r
+  /// @return e-folds between two places; on a wheel the integral of sqrt(m^2 + kappa^2) d ln r
   [[nodiscard]] double e_folds(double outer, double inner) const {
     const double folds = around_ * metric_.depth(outer, inner);
     if (across_ == 0.0) return folds;
     const double high = root(outer);
     const double low = root(inner);
-    // sqrt - m asinh(m / kappa), in differences
+    // difference of sqrt(m^2 + kappa^2) - m asinh(m / kappa) between both places
     return high - low - around_ * std::log((around_ + high) / (around_ + low)) + folds;
   }
 
-  /// @return the place that lies so many e-folds below another one
+  /// @return place that lies `folds` e-folds below another one
   [[nodiscard]] double below(double place, double folds) const {
     if (across_ == 0.0) return metric_.below(place, folds / around_);
-    // The rate falls with depth, so that steps at the rate of where they start end above the place.
+    // The rate decreases with depth, so that a step with the rate at its start ends above the wanted place.
     double deep = place;
     for (double left = folds; left > kCloseEnough * folds; left = folds - e_folds(place, deep)) {
       deep = metric_.below(deep, left / root(deep));
@@ -51,12 +51,12 @@ class Fall {
 
  private:
   static constexpr double kCloseEnough = 1e-3;
-  static constexpr double kCenter = 1e-9;  // of the radius: no hub is smaller
+  static constexpr double kCenter = 1e-9;  // relative to the starting place; no hub is smaller
 
   [[nodiscard]] double root(double place) const { return std::hypot(around_, across_ * place / metric_.radius); }
 
   Metric metric_;
-  double around_;  // the rate at which it falls in one turning about the center
+  double around_;  // decay exponent of the order around the center
   double across_;
 };
 
@@ -64,8 +64,8 @@ class Fall {
 
 template <class Scalar>
 double deepest_place(const LayerStack<Scalar>& layers, double m, double n, double exponent) {
-  // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling does,
-  // whose two solutions differ by the third power of the radius.
+  // At order 0 a rigid core affects the surface from any depth. Without a core only the uniform expansion does, whose
+  // two solutions differ by the third power of the radius.
   const bool held = inner_surface(layers.within).is_core;
   const Fall fall(layers.metric, m, n, held ? 1e-300 : 0.5);
   const double k = std::hypot(m, n);
@@ -82,7 +82,7 @@ double deepest_place(const LayerStack<Scalar>& layers, double m, double n, doubl
 }
 
 DepthLimit::DepthLimit(const LayeredBody& body, double angular_speed) : metric_(body.metric) {
-  const std::array passing{10.0 * angular_speed};  // slower than what passes a contact: softer, and so on the safe side
+  const std::array passing{10.0 * angular_speed};  // below the frequencies of a contact: softer, which is conservative
   for (const Layer& layer : body.layers) {
     const double modulus = std::abs(complex_modulus(layer.shear_modulus, passing).front());
     decay_ = std::min(decay_, shear_decay(layer.density * std::pow(angular_speed * metric_.radius, 2) / modulus));
@@ -90,7 +90,7 @@ DepthLimit::DepthLimit(const LayeredBody& body, double angular_speed) : metric_(
 }
 
 double DepthLimit::operator()(double place, double exponent) const {
-  // Of a wheel as orders across die out, later than those along.
+  // On a wheel the decay of orders across counts, which is slower than that of orders along.
   const double depth =
       metric_.is_wheel() ? (metric_.radius - place) / metric_.radius : metric_.depth(metric_.surface(), place);
   return depth > 0.0 ? exponent / (depth * decay_) - metric_.fall(0.0) : std::numeric_limits<double>::infinity();

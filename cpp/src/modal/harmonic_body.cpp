@@ -29,7 +29,7 @@ void require_rolling(const LayeredBody& body, double angular_speed) {
 
 namespace {
 
-/// Refuse a speed at which the shear waves of a damped layer are too short for the steps through it.
+/// Reject a speed at which the shear waves of a damped layer are too short for the steps through it.
 void require_resolved_waves(const HarmonicBody& body) {
   const double longest = body.metric().is_curved() ? std::log1p(kStepRatio) : std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < body.orders().size(); ++i) {
@@ -83,15 +83,15 @@ LayerStack<cplx> HarmonicBody::layers_at(std::size_t i) const {
 
 namespace {
 
-/// Of orders in layers, and the crown that these may follow.
+/// Compute the compliances of orders in layers, with the crown if there is one.
 template <class Scalar>
 void solve(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown, std::span<Matrix3<Scalar>> compliances) {
   surface_compliances<Scalar>(orders, compliances);
   if (!crown.is_flat()) add_crown<Scalar>(orders, crown, compliances);
 }
 
-/// Of a wheel without inertia whose layers share one relaxation function: a real problem for all orders.
-/// @param[in] layers in units of the innermost one's modulus
+/// Compute the compliances of a wheel without inertia whose layers share one relaxation function, with real numbers.
+/// @param[in] layers layers in units of the modulus of the innermost one
 void solve_real(const HarmonicBody& body, const LayerStack<double>& layers, std::span<const OrderAt> orders,
                 std::span<Eigen::Matrix3cd> compliances) {
   std::vector<OrderInLayers<double>> in_layers;

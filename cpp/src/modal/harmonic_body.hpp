@@ -1,5 +1,5 @@
 /// @file
-/// @brief A layered body at a speed, as a list of orders sees it.
+/// @brief A layered body at one speed, with the moduli of its layers at a list of orders.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,26 +13,27 @@
 
 namespace viscoroll::detail {
 
-/// @brief An order (m, n), m by its number in a list.
+/// @brief An order (m, n).
 struct OrderAt {
-  std::size_t i;
+  std::size_t i;  ///< index of m in the list of the body
   double n;
 };
 
-/// @brief Check what is about to roll, or to be rolled on: at least one layer, and a speed Omega > 0 [rad/s].
-/// @throws std::invalid_argument
+/// @brief Check that a body has at least one layer and that its speed is positive.
+/// @throws std::invalid_argument for a body without layers, and for Omega <= 0 rad/s
 void require_rolling(const LayeredBody& body, double angular_speed);
 
-/// @brief A body whose material crosses the contact at Omega r, r the radius of its metric, and so sees order m at the
-/// frequency m Omega.
+/// @brief A body whose material crosses the contact at the speed Omega r, where r is the radius of its metric. Order m
+/// then has the frequency m Omega.
 class HarmonicBody {
  public:
-  /// @param[in] body at least one layer
+  /// @param[in] body body with at least one layer
   /// @param[in] angular_speed Omega [rad/s], > 0
-  /// @param[in] orders m >= 0, > 0 on a plane, not necessarily whole
-  /// @param[in] measured_order materials that were measured, `MasterCurve` and `CustomModulus`, are not asked for
-  /// frequencies beyond this order's: from about half of it on they are taken at lower ones
-  /// @throws std::invalid_argument for bad input, at a critical speed, and where a modulus is not passive at an order
+  /// @param[in] orders orders m >= 0, on a plane > 0, not necessarily whole numbers
+  /// @param[in] measured_order highest order at which measured moduli, `MasterCurve` and `CustomModulus`, are
+  /// evaluated; from about half of it on the frequencies approach this limit smoothly
+  /// @throws std::invalid_argument for invalid input, for a speed at or above the critical one, and for a modulus that
+  /// is not passive at an order
   HarmonicBody(LayeredBody body, double angular_speed, std::vector<double> orders,
                double measured_order = std::numeric_limits<double>::infinity());
 
@@ -44,25 +45,25 @@ class HarmonicBody {
 
   /// @return complex shear modulus of a layer at the i-th order [Pa]
   [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const { return moduli_[layer][i]; }
-  /// @return that of the outermost layer, by which compliances are scaled
+  /// @return complex shear modulus of the outermost layer at the i-th order [Pa], the scale of compliances
   [[nodiscard]] std::complex<double> outer_modulus(std::size_t i) const { return moduli_.back()[i]; }
-  /// @return the largest one of a layer at the highest order [Pa]
+  /// @return largest magnitude of the layers' moduli at the highest order [Pa]
   [[nodiscard]] double stiffest_modulus() const;
 
-  /// @brief The same layers at other orders, within the range of these.
-  /// @param[in] orders m
-  /// @param[in] measured moduli that were measured, a row for each order and a column for each of `measured_layers`
+  /// @brief The same layers at other orders within the range of the present ones.
+  /// @param[in] orders orders m
+  /// @param[in] measured measured moduli [Pa], a row for each order and a column for each of `measured_layers`
   [[nodiscard]] HarmonicBody resampled(std::vector<double> orders, const Eigen::ArrayXXcd& measured) const;
 
-  /// @return the layers as the i-th order sees them
+  /// @return layers with their moduli at the i-th order
   [[nodiscard]] LayerStack<std::complex<double>> layers_at(std::size_t i) const;
 
-  /// @brief Displacement per surface stress in the real form of layer_system.hpp.
-  /// @param[in] orders best with neighbors of like m^2 + n^2
-  /// @param[out] compliances one for each [m/Pa]
+  /// @brief Surface compliances, displacement per surface stress, in the real form of layer_system.hpp.
+  /// @param[in] orders orders (m, n); neighbors with similar m^2 + n^2 are fastest
+  /// @param[out] compliances one for each order [m/Pa]
   void compliances(std::span<const OrderAt> orders, std::span<Eigen::Matrix3cd> compliances) const;
 
-  /// @return the compliance of one order [m/Pa]
+  /// @return compliance of one order [m/Pa]
   [[nodiscard]] Eigen::Matrix3cd compliance(const OrderAt& order) const;
 
  private:
@@ -72,11 +73,11 @@ class HarmonicBody {
   std::vector<std::vector<std::complex<double>>> moduli_;  // [layer][order]
 };
 
-/// @return the body at order 0 alone
+/// @return the body with order 0 only
 [[nodiscard]] HarmonicBody body_at_rest(LayeredBody body, double angular_speed);
 
-/// @brief Refuse the exact sphere where orders (m, n) are asked for.
-/// @throws std::invalid_argument
+/// @brief Reject the exact sphere for computations with orders (m, n).
+/// @throws std::invalid_argument for `Curvature::exact`
 void require_orders(Curvature curvature);
 
 }  // namespace viscoroll::detail

@@ -9,7 +9,7 @@ namespace {
 
 using cplx = std::complex<double>;
 
-/// An order that approaches a limit smoothly: series over such orders stay smooth.
+/// Order that approaches a limit smoothly, so that series in ln m stay smooth.
 double limited(double order, double limit) { return order / std::pow(1.0 + std::pow(order / limit, 4), 0.25); }
 
 }  // namespace

@@ -12,35 +12,35 @@
 namespace viscoroll::detail {
 
 /// @brief Complex shear moduli of layers at the frequencies m Omega.
-/// @param[in] layers of a coating
+/// @param[in] layers layers of a body
 /// @param[in] angular_speed Omega [rad/s]
-/// @param[in] orders m >= 0, not necessarily whole
-/// @param[in] measured_order materials that were measured, `MasterCurve` and `CustomModulus`, are not asked for
-/// frequencies beyond this order's: from about half of it on they are taken at lower ones
-/// @return [layer][order] [Pa]
+/// @param[in] orders orders m >= 0, not necessarily whole numbers
+/// @param[in] measured_order highest order at which measured moduli, `MasterCurve` and `CustomModulus`, are evaluated;
+/// from about half of it on the frequencies approach this limit smoothly
+/// @return moduli [Pa], [layer][order]
 [[nodiscard]] std::vector<std::vector<std::complex<double>>> harmonic_moduli(const std::vector<Layer>& layers,
                                                                              double angular_speed,
                                                                              const std::vector<double>& orders,
                                                                              double measured_order);
 
-/// @brief The same at other orders.
-/// @param[in] layers of a body
+/// @brief Complex shear moduli of layers at other orders, with given values of the measured moduli.
+/// @param[in] layers layers of a body
 /// @param[in] angular_speed Omega [rad/s]
-/// @param[in] orders m
-/// @param[in] measured moduli that were measured, a row for each order and a column for each of `measured_layers`
-/// @return [layer][order] [Pa]
+/// @param[in] orders orders m
+/// @param[in] measured measured moduli [Pa], a row for each order and a column for each of `measured_layers`
+/// @return moduli [Pa], [layer][order]
 [[nodiscard]] std::vector<std::vector<std::complex<double>>> resampled_moduli(const std::vector<Layer>& layers,
                                                                               double angular_speed,
                                                                               const std::vector<double>& orders,
                                                                               const Eigen::ArrayXXcd& measured);
 
-/// @return the highest frequency at which measured materials are asked for theirs [rad/s]
+/// @return highest frequency at which measured moduli are evaluated [rad/s]
 [[nodiscard]] double highest_frequency(double angular_speed, const std::vector<double>& orders, double measured_order);
 
-/// @return whether a modulus was measured, and so may have kinks
+/// @return whether a modulus is measured (a table or a user's function), so that it may have kinks
 [[nodiscard]] bool is_measured(const ShearModulus& modulus);
 
-/// @return those of some layers
+/// @return indices of the layers with measured moduli
 [[nodiscard]] std::vector<std::size_t> measured_layers(const std::vector<Layer>& layers);
 
 }  // namespace viscoroll::detail

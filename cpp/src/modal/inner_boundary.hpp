@@ -1,17 +1,17 @@
 /// @file
-/// @brief What the equations ask of an inner boundary.
+/// @brief Properties of an inner boundary that enter the layer equations.
 #pragma once
 
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief The two columns of inner_boundaries.def.
+/// @brief Properties of an inner boundary, from inner_boundaries.def.
 struct InnerSurface {
-  bool is_core;  ///< a rigid core holds the layer, and excludes rigid motions
-  bool is_free;  ///< nothing holds it
+  bool is_core;  ///< the layer is bonded to a rigid core, which excludes rigid motions
+  bool is_free;  ///< the inner surface of the layer is free of stress
 
-  /// @return whether there is a core or a cavity, which has a radius
+  /// @return whether there is a core or a cavity, and with it an inner radius
   [[nodiscard]] constexpr bool exists() const { return is_core || is_free; }
 };
 

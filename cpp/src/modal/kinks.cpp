@@ -15,12 +15,12 @@ namespace viscoroll::detail {
 
 double highest_kink(const ShearModulus& modulus, double low, double high) {
   constexpr double kTolerance = 1e-8;
-  constexpr int kUnused = 4;  // terms of a panel that must have died out
+  constexpr int kUnused = 4;  // number of last terms that must be negligible
   if (!(low < high)) return 0.0;
   const double ratio = std::min(2.0, high / low);
   std::vector<double> frequencies;
   std::vector<double> ends;
-  // Octaves that overlap by half: a kink may lie on the border of one.
+  // The octaves overlap by half, because a kink may lie on the border of an octave.
   for (double end = high; ends.empty() || end * std::numbers::sqrt2 > low * ratio; end /= std::numbers::sqrt2) {
     ends.push_back(std::max(end, low * ratio));
     std::ranges::copy(panel_nodes(ends.back() / ratio, ends.back()), std::back_inserter(frequencies));
@@ -29,7 +29,7 @@ double highest_kink(const ShearModulus& modulus, double low, double high) {
   try {
     moduli = complex_modulus(modulus, frequencies);
   } catch (const std::invalid_argument&) {
-    return high;  // whoever needs the orders says at which of them it has no value
+    return high;  // the evaluation at the orders later reports the frequency without a value
   }
   for (std::size_t octave = 0; octave < ends.size(); ++octave) {
     const Eigen::Map<const Eigen::RowVectorXcd> values(moduli.data() + octave * kPanelNodes, kPanelNodes);

@@ -1,8 +1,8 @@
 /// @file
 /// @brief Numbers of several orders side by side, for loops that the compiler vectorizes.
 ///
-/// A loop over lanes takes the number of one lane out, computes with it as with any number, and puts the result back;
-/// with everything inlined it becomes a few instructions on whole vectors. std::complex will not do: its product looks
+/// A loop over lanes reads the number of one lane, computes with it, and stores the result. If everything is inlined,
+/// the compiler turns the loop into a few vector instructions. std::complex prevents this, because its product checks
 /// for infinities.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace viscoroll::detail {
 
-constexpr std::size_t kLanes = 8;  ///< the widest vector of doubles there is
+constexpr std::size_t kLanes = 8;  ///< number of doubles in the widest vectors (AVX-512)
 
 /// @brief Complex number of one lane.
 struct LaneComplex {
@@ -33,7 +33,7 @@ VISCOROLL_PART_OF_CALLER LaneComplex inverse(LaneComplex a) {
 }
 VISCOROLL_PART_OF_CALLER double inverse(double a) { return 1.0 / a; }
 
-/// Largest part of a number: a size that costs no square root.
+/// Size of a number without a square root: the magnitude of its larger part.
 VISCOROLL_PART_OF_CALLER double size(double a) { return a < 0.0 ? -a : a; }
 VISCOROLL_PART_OF_CALLER double size(LaneComplex a) {
   const double re = size(a.re);

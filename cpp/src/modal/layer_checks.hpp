@@ -1,5 +1,5 @@
 /// @file
-/// @brief Checks of the layers of a body.
+/// @brief Input checks of the layers of a body.
 #pragma once
 
 #include <span>
@@ -8,12 +8,14 @@
 
 namespace viscoroll::detail {
 
-/// @throws std::invalid_argument for bad input, named "layers[j].<parameter>"
+/// @brief Check each layer.
+/// @throws std::invalid_argument for invalid input, which the message names "layers[j].<parameter>"
 void require_layers(std::span<const Layer> layers);
 
-/// @param[in] layers of a ball, a roller or a wheel, which have been checked one by one
-/// @param[in] core_radius [m], 0 of a solid ball
-/// @throws std::invalid_argument where a layer or the core is too small beside the body, see `kLargestLengthRatio`
+/// @brief Check that the layers and the core are not too small relative to the body (`kLargestLengthRatio`).
+/// @param[in] layers checked layers of a ball, roller or wheel
+/// @param[in] core_radius radius of the core [m]; 0 for a solid ball
+/// @throws std::invalid_argument if a layer or the core is too small
 void require_lengths(std::span<const Layer> layers, double core_radius);
 
 }  // namespace viscoroll::detail

@@ -3,10 +3,10 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr int kMaxTerms = 81;        // steps are short enough for 40
-constexpr double kRoundOff = 1e-17;  // of a term that is left out, relative to the sum
+constexpr int kMaxTerms = 81;        // steps without short shear waves need at most 40
+constexpr double kRoundOff = 1e-17;  // relative size of a negligible term
 
-/// The terms t_j = z_j x^j of a solution in one lane: t_j, t_{j-1} and t_{j-2}.
+/// Terms t_j = z_j x^j of a solution in one lane: t_j, t_{j-1} and t_{j-2}.
 template <class Scalar>
 struct Terms {
   const SolutionLanes<Scalar>& now;
@@ -15,15 +15,15 @@ struct Terms {
   double spread;  ///< c x
   std::size_t l;
 
-  /// Of (1 + c x) z.
+  /// Term of (1 + c x) z.
   [[nodiscard]] VISCOROLL_PART_OF_CALLER auto grown(std::size_t i) const { return now[i][l] + spread * before[i][l]; }
-  /// Of (1 + c x)^2 z.
+  /// Term of (1 + c x)^2 z.
   [[nodiscard]] VISCOROLL_PART_OF_CALLER auto grown_twice(std::size_t i) const {
     return now[i][l] + 2.0 * spread * before[i][l] + spread * spread * earlier[i][l];
   }
 };
 
-/// (B - c j) z in the directions r, k and across k.
+/// Derivatives (B - c j) z in the directions r, k and across k.
 /// @param[in] order c j
 template <class Scalar>
 VISCOROLL_PART_OF_CALLER auto turned_rates(const StepLanes<Scalar>& step, double order, const Terms<Scalar>& terms) {
@@ -44,7 +44,7 @@ VISCOROLL_PART_OF_CALLER auto turned_rates(const StepLanes<Scalar>& step, double
                     step.shear[l] * z[2][l] - (2.0 * across + order) * z[5][l]};
 }
 
-/// (B - j) z in the directions r, phi and z, where kappa = kappa_0 (1 + x).
+/// Derivatives (B - j) z in the directions r, phi and z, where kappa = kappa_0 (1 + x).
 template <class Scalar>
 VISCOROLL_PART_OF_CALLER auto wheel_rates(const StepLanes<Scalar>& step, double order, const Terms<Scalar>& terms) {
   const auto& [z, before, earlier, spread, l] = terms;
@@ -67,11 +67,13 @@ VISCOROLL_PART_OF_CALLER auto wheel_rates(const StepLanes<Scalar>& step, double 
           m * m * z[2][l] - order * z[5][l]};
 }
 
-/// The next term of a solution, added to its sum: (1 + c x) dz/dx = (B + q (1 + c x)^2 M) z gives the terms t_j = z_j
-/// x^j by t_{j+1} = x / (j+1) ((B - c j) t_j + q M (t_j + 2 c x t_{j-1} + (c x)^2 t_{j-2})); likewise what B itself
-/// has that grows along a wheel's radius.
+/// Compute the next term of a solution and add it to the sum.
+///
+/// The terms t_j = z_j x^j of the solution of (1 + c x) dz/dx = (B + q (1 + c x)^2 M) z follow from the recursion
+/// t_{j+1} = x / (j+1) ((B - c j) t_j + q M (t_j + 2 c x t_{j-1} + (c x)^2 t_{j-2})). On a wheel, the terms of B that
+/// grow with the radius are treated in the same way.
 /// @param[in] now,before t_j and t_{j-1}
-/// @param[in,out] next t_{j-2}, which t_{j+1} takes the place of
+/// @param[in,out] next t_{j-2}, replaced by t_{j+1}
 template <bool IsWheel, bool HasInertia, class Scalar>
 VISCOROLL_PART_OF_CALLER void add_term(const StepLanes<Scalar>& step, int j, const SolutionLanes<Scalar>& now,
                                        const SolutionLanes<Scalar>& before, SolutionLanes<Scalar>& next,
@@ -106,8 +108,8 @@ VISCOROLL_PART_OF_CALLER void add_term(const StepLanes<Scalar>& step, int j, con
   }
 }
 
-/// Whether a term and the one before are negligible in every component, since the normal displacement of a thin
-/// incompressible layer is far smaller than its neighbors; one term alone may vanish by parity.
+/// Whether the last two terms are negligible in every component. Each component is checked, because the normal
+/// displacement of a thin incompressible layer is far smaller than the others; one term alone may vanish by parity.
 template <class Scalar>
 VISCOROLL_PART_OF_CALLER bool are_negligible(const SolutionLanes<Scalar>& last, const SolutionLanes<Scalar>& before,
                                              const SolutionLanes<Scalar>& sum) {
@@ -125,7 +127,7 @@ VISCOROLL_PART_OF_CALLER bool are_negligible(const SolutionLanes<Scalar>& last, 
   return true;
 }
 
-/// One solution at the outer end.
+/// Replace a solution at the inner end by its value at the outer end.
 template <bool IsWheel, bool HasInertia, class Scalar>
 VISCOROLL_PART_OF_CALLER void sum_series(const StepLanes<Scalar>& step, SolutionLanes<Scalar>& sum) {
   SolutionLanes<Scalar> first = sum;
@@ -139,7 +141,7 @@ VISCOROLL_PART_OF_CALLER void sum_series(const StepLanes<Scalar>& step, Solution
   }
 }
 
-/// Cofactor of stress i in solution p.
+/// Cofactor of stress i of solution p in F.
 template <class Scalar>
 VISCOROLL_PART_OF_CALLER auto cofactor(const std::array<SolutionLanes<Scalar>, 3>& z, std::size_t l, std::size_t i,
                                        std::size_t p) {
@@ -150,7 +152,7 @@ VISCOROLL_PART_OF_CALLER auto cofactor(const std::array<SolutionLanes<Scalar>, 3
   return z[p1][i1][l] * z[p2][i2][l] - z[p2][i1][l] * z[p1][i2][l];
 }
 
-/// D F^-1 by cofactors; it is symmetric, so six entries are all.
+/// Compute D F^-1 by cofactors. The matrix is symmetric, so six entries suffice.
 template <class Scalar>
 VISCOROLL_PART_OF_CALLER void divide(const std::array<SolutionLanes<Scalar>, 3>& z,
                                      SymmetricLanes<Scalar>& compliance) {
@@ -180,7 +182,7 @@ VISCOROLL_PART_OF_CALLER void divide(const std::array<SolutionLanes<Scalar>, 3>&
   }
 }
 
-/// F^-1 by cofactors: row p is what start p contributes to the stresses at the outer end.
+/// Compute F^-1 by cofactors. Row p contains the amplitude of solution p per stress at the outer end.
 template <class Scalar>
 VISCOROLL_PART_OF_CALLER void invert_stress(const std::array<SolutionLanes<Scalar>, 3>& z,
                                             MatrixLanes<Scalar>& inverse_stress) {
@@ -193,7 +195,7 @@ VISCOROLL_PART_OF_CALLER void invert_stress(const std::array<SolutionLanes<Scala
   }
 }
 
-/// All three solutions at the outer end.
+/// Values of the three solutions at the outer end.
 template <class Scalar>
 VISCOROLL_PART_OF_CALLER std::array<SolutionLanes<Scalar>, 3> advanced(
     const StepLanes<Scalar>& step, const std::array<SolutionLanes<Scalar>, 3>& start) {

@@ -10,20 +10,23 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Where layers lie about a center.
+/// Boundaries of layers around a center.
 std::vector<double> radii(double inner, const std::vector<Layer>& layers) {
   std::vector<double> boundaries{inner};
   for (const Layer& layer : layers) boundaries.push_back(boundaries.back() + layer.thickness);
   return boundaries;
 }
 
-/// Thicknesses in the radius of the crown from which on it is the cylinder of its radius; rounder ones may have no hub.
+/// Crown radius, in thicknesses, above which the reference is the cylinder of this radius. Cylinders of smaller radii
+/// would have almost no hub.
 constexpr double kLeastRadius = 3.0;
 
-/// Those in the radius of the cylinder that stands for rounder ones, in proportion to the curvature.
+/// Radius of the reference for smaller crown radii, in thicknesses; the effect is proportional to the curvature.
 constexpr double kLinearRadius = 20.0;
 
-/// Where the section has the crown as it is: so flat that the difference is linear, as that which is taken off there.
+/// Least radius of the reference with free sides, in thicknesses. The section contains the actual crown, and an endless
+/// section that is crowned to first order is subtracted from it. The reference must be linear in the curvature like
+/// that endless section.
 constexpr double kLinearRadiusOfSection = 100.0;
 
 Crown crown_of(const CoatedWheel& wheel) {
@@ -36,7 +39,7 @@ Crown crown_of(const CoatedWheel& wheel) {
   return told_from(wheel.crown_radius > kLeastRadius * thickness ? wheel.crown_radius : kLinearRadius * thickness);
 }
 
-/// Where layers lie below a plane.
+/// Boundaries of layers below a plane.
 std::vector<double> heights(const std::vector<Layer>& layers) {
   std::vector<double> boundaries(layers.size() + 1, 0.0);
   for (std::size_t j = layers.size(); j-- > 0;) boundaries[j] = boundaries[j + 1] - layers[j].thickness;

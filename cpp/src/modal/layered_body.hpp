@@ -1,5 +1,5 @@
 /// @file
-/// @brief The one description of whatever has layers: sphere, cylinder, wheel, plane and half-space.
+/// @brief Common description of all bodies with layers: sphere, cylinder, wheel, plane and half-space.
 #pragma once
 
 #include <cmath>
@@ -16,26 +16,25 @@
 
 namespace viscoroll::detail {
 
-/// @brief The crown that the layers of a wheel follow across, as what a cylinder of some radius changes and how many
-/// times that, see crown.hpp: a rounder crown than can be told from its cylinder is told from a flatter one.
+/// @brief Crown of the layers of a wheel: the radius of a cylinder, and a factor on the change of the compliance that
+/// its curvature causes (crown.hpp). The effect of a strong crown is extrapolated from a flatter reference.
 struct Crown {
-  double radius = std::numeric_limits<double>::infinity();  ///< [m]; infinite: straight across
-  double proportion = 1.0;                                  ///< of the crown's curvature and that of this radius
+  double radius = std::numeric_limits<double>::infinity();  ///< radius of the reference [m]; infinite: straight across
+  double proportion = 1.0;                                  ///< curvature of the crown relative to the reference
 
   [[nodiscard]] bool is_flat() const { return std::isinf(radius); }
 };
 
-/// @brief Layers bonded to one another, the surface that they end at, and what they lie on. What a body is not said to
-/// be here nobody after this asks for.
+/// @brief Bonded layers with their surface and inner boundary. Later stages use only these members.
 struct LayeredBody {
   Metric metric;
-  std::vector<Layer> layers;                    ///< outwards; a half-space is one of infinite thickness
-  InnerBoundary within = InnerBoundary::rigid;  ///< the innermost layer
-  /// Where each layer begins and the outermost ends, outwards: places along the normal, see `Metric` [m].
+  std::vector<Layer> layers;                    ///< from inside outwards; a half-space has an infinite thickness
+  InnerBoundary within = InnerBoundary::rigid;  ///< inner boundary of the innermost layer
+  /// Boundaries of the layers, from inside outwards: places along the normal, see `Metric` [m].
   std::vector<double> boundaries;
-  Crown crown;  ///< of a wheel
+  Crown crown;  ///< crown of a wheel
 
-  /// @brief The layers at one frequency.
+  /// @brief Layers at one frequency.
   /// @param[in] moduli complex or real shear moduli of the layers [Pa]
   /// @param[in] angular_speed Omega [rad/s]
   template <class Scalar>
@@ -53,25 +52,28 @@ struct LayeredBody {
   }
 };
 
-/// @return the base of a plane, unless it is rigid, as a layer of infinite thickness, and the layers
+/// @return layers of a plane from the base outwards; the base is a layer of infinite thickness, unless it is rigid
 [[nodiscard]] std::vector<Layer> layers_from_base(const CoatedPlane& plane);
 
-/// @return the layers of a sphere, which has been checked
+/// @brief Check and describe a sphere.
 /// @param[in] sphere core and layers
-/// @param[in] curvature how much of it the equations keep
-/// @throws std::invalid_argument for bad input
+/// @param[in] curvature curvature terms in the layer equations
+/// @throws std::invalid_argument for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedSphere& sphere, Curvature curvature = Curvature::sphere);
 
-/// @return those of a cylinder, likewise
+/// @brief Check and describe a cylinder.
+/// @throws std::invalid_argument for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedCylinder& cylinder);
 
-/// @return those of a wheel, likewise, as of a tread without sides, as thick everywhere. What sides and hub make of it
-/// is the business of its section.
+/// @brief Check a wheel and describe its endless tread, with layers of the same thickness everywhere. The folder
+/// `section` adds the effects of faces and hub.
+/// @throws std::invalid_argument for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedWheel& wheel);
 
-/// @return those of a plane, likewise, its base among them
+/// @brief Check and describe a plane with its base.
 /// @param[in] plane layers and base
-/// @param[in] radius that makes wave numbers orders [m], > 0: that of what rolls
+/// @param[in] radius radius of the rolling body [m], > 0; orders are wave numbers times this radius
+/// @throws std::invalid_argument for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedPlane& plane, double radius);
 
 }  // namespace viscoroll::detail

@@ -8,7 +8,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Relative error of a modulus between the orders whose values it goes through: that of the series of compliances.
+/// Relative error of an interpolated modulus, that of the series of compliances.
 constexpr double kModulusTolerance = 1e-13;
 
 }  // namespace
@@ -23,7 +23,7 @@ std::optional<MeasuredModuli> MeasuredModuli::try_make(const HarmonicBody& body,
   moduli.layers_ = static_cast<Eigen::Index>(layers.size());
 
   Eigen::ArrayXd points(count);
-  Eigen::ArrayXXcd rest(count, moduli.layers_);  // what the polynomials leave of the moduli
+  Eigen::ArrayXXcd rest(count, moduli.layers_);  // moduli minus polynomials
   for (Eigen::Index i = 0; i < count; ++i) {
     const std::size_t order = orders[static_cast<std::size_t>(i)];
     points[i] = moduli.coordinate(body.orders()[order]);
@@ -32,7 +32,7 @@ std::optional<MeasuredModuli> MeasuredModuli::try_make(const HarmonicBody& body,
     }
   }
   const Eigen::ArrayXXd limit = kModulusTolerance * rest.abs();
-  Eigen::ArrayXd product = Eigen::ArrayXd::Ones(count);  // of distances to the nodes, twice each
+  Eigen::ArrayXd product = Eigen::ArrayXd::Ones(count);  // product of twice the distances to the nodes
   while (!(rest.abs() <= limit).all()) {
     Eigen::Index node = 0;
     if (std::cmp_equal(moduli.nodes_.size(), most_terms) || product.abs().maxCoeff(&node) == 0.0) return {};

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Moduli of which only values are known, between those values.
+/// @brief Interpolation of measured moduli between the orders of a run.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,25 +13,27 @@
 
 namespace viscoroll::detail {
 
-/// @brief The measured moduli of layers on a run of orders without kinks: polynomials of ln m.
+/// @brief Measured moduli of layers on a run of orders without kinks, as polynomials in ln m.
 ///
-/// They go through the values at some of the orders, taken one after another where the product of the distances to
-/// those before is largest (Leja's points, on which a polynomial is well conditioned), until they meet the values at
-/// all others. Between the orders they stand for moduli that nobody has asked for.
+/// The polynomials interpolate the moduli at some of the orders. These are Leja points: each one maximizes the product
+/// of the distances to the previous ones, which makes the interpolation well conditioned. Points are added until the
+/// polynomials agree with the moduli at all orders of the run. Between the orders the polynomials supply moduli without
+/// an evaluation of the user's function.
 class MeasuredModuli {
  public:
-  /// @brief Those of no layer.
+  /// @brief Moduli of no layer.
   MeasuredModuli() = default;
 
-  /// @brief Those of a run.
+  /// @brief Interpolate the moduli of a run.
   /// @param[in] body layers at the orders m
-  /// @param[in] orders numbers of the orders of the run, at least one, with m > 0 ascending
-  /// @param[in] most_terms of a polynomial
-  /// @return nothing where so many terms do not meet the moduli at every order of the run
+  /// @param[in] orders indices of the orders of the run, at least one, with m > 0 ascending
+  /// @param[in] most_terms largest number of terms of a polynomial
+  /// @return polynomials; none if `most_terms` terms do not agree with the moduli at every order of the run
   [[nodiscard]] static std::optional<MeasuredModuli> try_make(const HarmonicBody& body,
                                                               std::span<const std::size_t> orders, int most_terms);
 
-  /// @param[in] orders m within the run
+  /// @brief Evaluate the polynomials.
+  /// @param[in] orders orders m within the run
   /// @return moduli [Pa], a row for each order and a column for each of `measured_layers`
   [[nodiscard]] Eigen::ArrayXXcd at(std::span<const double> orders) const;
 
@@ -42,7 +44,7 @@ class MeasuredModuli {
   double highest_m_ = 1.0;
   // Newton's form: sum_j coefficients_[j] prod_{i < j} 2 (x - nodes_[i]), x from -1 to 1
   std::vector<double> nodes_;
-  std::vector<Eigen::ArrayXcd> coefficients_;  // of each layer
+  std::vector<Eigen::ArrayXcd> coefficients_;  // for each term, one number for each layer
   Eigen::Index layers_ = 0;
 };
 

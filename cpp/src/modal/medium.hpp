@@ -1,5 +1,5 @@
 /// @file
-/// @brief Layers as the material of one order sees them.
+/// @brief Layers at the frequency of one order.
 #pragma once
 
 #include <cmath>
@@ -10,11 +10,11 @@
 
 namespace viscoroll::detail {
 
-/// @brief A layer at one frequency. `Scalar` is double where every modulus is real, else std::complex<double>.
+/// @brief A layer at one frequency. `Scalar` is double if all moduli are real, else std::complex<double>.
 template <class Scalar>
 struct Medium {
-  double inner;    ///< place along the normal, see `Metric` [m]; -infinity of a half-space, which comes first
-  double outer;    ///< [m]
+  double inner;    ///< inner boundary, a place along the normal, see `Metric` [m]; -infinity for a half-space
+  double outer;    ///< outer boundary [m]
   Scalar mu;       ///< shear modulus [Pa]
   Scalar b;        ///< mu / (lambda + 2 mu), see `shear_ratio`
   double inertia;  ///< rho Omega^2 [Pa/m^2]
@@ -26,20 +26,22 @@ struct Medium {
 template <class Scalar>
 struct LayerStack {
   Metric metric;
-  InnerBoundary within = InnerBoundary::rigid;  ///< the innermost layer: a core, or the base of a plane
-  std::vector<Medium<Scalar>> media;            ///< from there outwards
+  InnerBoundary within = InnerBoundary::rigid;  ///< inner boundary of the innermost layer; rigid on a rigid base
+  std::vector<Medium<Scalar>> media;            ///< layers from inside outwards, a half-space first
 
-  /// @return rho (Omega length)^2 per modulus: the square of the speed of the material per that of its shear waves
+  /// @return rho (Omega length)^2 / modulus, the square of the ratio of the material's speed to its shear wave speed
   [[nodiscard]] Scalar mach2(const Medium<Scalar>& medium) const {
     const double length = metric.length(medium.outer);
     return medium.inertia * length * length / medium.mu;
   }
 };
 
-/// @brief Ratio b of the shear modulus to the confined modulus, mu / (lambda + 2 mu) = (1 - 2 nu) / (2 (1 - nu)) =
-/// mu / (K + 4/3 mu): 0 where the layer is incompressible.
-/// @param[in] layer gives its Poisson's ratio nu or its bulk modulus K, whichever it has
+/// @brief Ratio b of the shear modulus to the confined modulus.
+///
+/// b = mu / (lambda + 2 mu) = (1 - 2 nu) / (2 (1 - nu)) = mu / (K + 4/3 mu); 0 for an incompressible layer.
+/// @param[in] layer layer with a Poisson's ratio nu or a bulk modulus K
 /// @param[in] mu shear modulus [Pa]
+/// @return ratio [-]
 template <class Scalar>
 [[nodiscard]] Scalar shear_ratio(const Layer& layer, Scalar mu) {
   if (layer.bulk_modulus) return mu / (*layer.bulk_modulus + 4.0 / 3.0 * mu);

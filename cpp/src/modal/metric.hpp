@@ -1,5 +1,5 @@
 /// @file
-/// @brief How the surface of a layered body runs, and with it every surface at a depth.
+/// @brief Curvature of the surface of a layered body and of the parallel surfaces below it.
 #pragma once
 
 #include <cmath>
@@ -9,71 +9,76 @@
 
 namespace viscoroll::detail {
 
-/// @brief How a surface runs in one of its two directions.
+/// @brief Kind of one of the two tangential axes of a surface.
 enum class Way {
-  ring,     ///< around the center: orders are per radian
-  line,     ///< straight on: orders are per radius of the metric
-  nothing,  ///< straight on, and nothing varies: forces and powers are per length
+  ring,     ///< a circle around the center: orders are per radian
+  line,     ///< a straight line: orders are per radius of the metric
+  nothing,  ///< a straight line along which nothing varies: forces and powers are per unit length
 };
 
-/// @brief Below this k^2 a torus has orders that no sphere has: those of a sphere start at L = 2, its rigid motions.
+/// @brief Value of k^2 below which the torus of the orders (m, n) has orders that a sphere does not have: those of a
+/// sphere start with its rigid motions, L = 2.
 constexpr double kLowOrders = 4.0;
 
-/// @brief What makes orders wave numbers, and angles lengths. Places along the normal are radii where a way is a ring,
-/// else heights above the surface.
+/// @brief Metric of a surface: conversion of orders to wave numbers and of angles to lengths. Places along the normal
+/// are radii if an axis is a ring, else heights above the surface.
 struct Metric {
-  double radius;                            ///< r [m]: order k has the wave number k / r at the surface
-  Way along = Way::ring;                    ///< the direction in which material crosses the contact, phi
-  Way across = Way::ring;                   ///< theta
-  Curvature curvature = Curvature::sphere;  ///< how much of it the equations keep where both are rings
+  double radius;                            ///< r [m]; order k has the wave number k / r at the surface
+  Way along = Way::ring;                    ///< axis phi, in which material crosses the contact
+  Way across = Way::ring;                   ///< axis theta
+  Curvature curvature = Curvature::sphere;  ///< curvature terms in the layer equations of a sphere
 
   [[nodiscard]] constexpr bool is_curved() const { return along == Way::ring; }
   [[nodiscard]] constexpr bool is_sphere() const { return is_curved() && across == Way::ring; }
   [[nodiscard]] constexpr bool is_wheel() const { return is_curved() && across == Way::line; }
-  /// @return 1 where the surface bends towards the center that way, else 0
+  /// @return 1 if the surface is curved along an axis, else 0
   static constexpr double bend(Way way) { return way == Way::ring ? 1.0 : 0.0; }
-  /// @return in both ways together: times u_r / r the change of area by a displacement outwards
+  /// @return number of curved axes; multiplied by u_r / r, the relative change of area due to an outward displacement
   [[nodiscard]] constexpr double bends() const { return bend(along) + bend(across); }
 
-  /// @return the place of the surface
+  /// @return place of the surface [m]
   [[nodiscard]] constexpr double surface() const { return is_curved() ? radius : 0.0; }
 
-  /// @return e-folds of an order 1 between two places
+  /// @return number of e-folds of an order 1 between two places
   [[nodiscard]] double depth(double outer, double inner) const {
     return is_curved() ? std::log1p((outer - inner) / inner) : (outer - inner) / radius;
   }
-  /// @return the place that lies so many e-folds of an order 1 deeper
+  /// @return place that lies `depth` e-folds of an order 1 deeper [m]
   [[nodiscard]] double below(double place, double depth) const {
     return is_curved() ? place * std::exp(-depth) : place - depth * radius;
   }
 
-  /// @return an order across as it is at a place, per what it is at the surface: on a wheel it keeps its wave number,
-  /// and shrinks with the radius about the order along
+  /// @return ratio of the order across at a place to that at the surface; on a wheel the wave number across is the same
+  /// at all radii, so that the order is proportional to the radius
   [[nodiscard]] constexpr double shrinkage(double place) const { return is_wheel() ? place / radius : 1.0; }
 
-  /// @return length of a radian in one direction at a place [m]; 1 where nothing varies
+  /// @return length of a radian of an axis at a place [m]; 1 if nothing varies along the axis
   [[nodiscard]] constexpr double length(Way way, double place) const {
     return way == Way::ring ? place : way == Way::line ? radius : 1.0;
   }
-  /// @return that of a radian along [m]: orders per length are wave numbers, stresses times length are those of states
+  /// @return length of a radian of phi [m]: a wave number is an order divided by it, and the stresses of a state are
+  /// multiplied by it
   [[nodiscard]] constexpr double length(double place) const { return length(along, place); }
-  /// @return area of a radian by a radian at a place, so that measure times dr dphi dtheta is volume
+  /// @return area per dphi dtheta at a place, so that the volume element is measure dr dphi dtheta
   [[nodiscard]] constexpr double measure(double place) const { return length(along, place) * length(across, place); }
 
-  /// @return area of the surface over which what one wave of each order does adds up [m^2], or [m] where nothing varies
+  /// @return area of a period of the surface, over which the work of the waves of whole orders is summed [m^2], or [m]
+  /// in plane strain
   [[nodiscard]] constexpr double area_of_waves() const {
     constexpr double kTurn = 2.0 * std::numbers::pi;
     return measure(surface()) * kTurn * (across == Way::nothing ? 1.0 : kTurn);
   }
 
-  /// @return exponent by which the slowest solution of an order dies out with depth. Around a cylinder displacements
-  /// turn with the material: order 1 is a translation.
+  /// @return decay exponent with depth of the slowest solution of an order. On cylinders and wheels it is k - 1,
+  /// because the directions turn with the material and order 1 is a translation.
   [[nodiscard]] constexpr double fall(double k) const { return is_curved() && !is_sphere() ? k - 1.0 : k; }
 
-  /// @brief What the surface of a sphere adds to the stiffness against tangential displacements, per mu: L - 2 on a
-  /// sphere, where L = 2 are rigid motions; k^2 in the paper's equation (26), and where it is straight across.
-  /// See docs/theory/layers.md.
-  /// @param[in] k2 k^2 = m^2 + n^2; L = l (l + 1) of the exact sphere
+  /// @brief Membrane stiffness of the surface against tangential displacements, per mu (docs/theory/layers.md).
+  ///
+  /// It is L - 2 on a sphere, with rigid motions at L = 2, and k^2 in equation (26) of the paper and on a surface that
+  /// is straight across.
+  /// @param[in] k2 k^2 = m^2 + n^2; L = l (l + 1) for the exact sphere
+  /// @return stiffness [-]
   [[nodiscard]] constexpr double membrane_stiffness(double k2) const {
     if (!is_sphere() || curvature == Curvature::paper) return k2;
     return curvature == Curvature::sphere && k2 < kLowOrders ? 0.5 * k2 : k2 - 2.0;

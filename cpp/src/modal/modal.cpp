@@ -1,4 +1,4 @@
-// Public face of this folder: single orders, for callers outside the library.
+// Public functions for single orders.
 #include "viscoroll/modal.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using RowMajor6 = Eigen::Matrix<cplx, 6, 6, Eigen::RowMajor>;
 
 namespace {
 
-/// |m| of orders along the way.
+/// Magnitudes |m| of the orders along the path.
 std::vector<double> magnitudes_of(std::span<const int> m) {
   constexpr int kHighestOrder = 1000000;
   std::vector<double> magnitudes;
@@ -34,8 +34,9 @@ std::vector<double> magnitudes_of(std::span<const int> m) {
   return magnitudes;
 }
 
-/// The compliance at the i-th of the body's orders m, of negative m where so said. The fields are real, so order
-/// (-m, n) is the conjugate of order (m, -n).
+/// Compliance at the i-th order m of the body, or at -m. The fields are real, so that order (-m, n) is the complex
+/// conjugate of order (m, -n).
+/// @param[in] is_negative whether the order is -m
 ComplexMatrix3 physical_compliance(const detail::HarmonicBody& body, std::size_t i, bool is_negative, double n) {
   const Eigen::Matrix3cd compliance = detail::to_physical(body.compliance({.i = i, .n = is_negative ? -n : n}));
   ComplexMatrix3 matrix;
@@ -147,7 +148,7 @@ ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double rad
 
   detail::Matrix6<cplx> matrix = detail::elastic_matrix({.radius = radius, .curvature = curvature}, medium, m, n);
   matrix.bottomLeftCorner<3, 3>() += (medium.inertia * radius * radius * detail::inertia_matrix(m)).cast<cplx>();
-  // From the unknowns v = -i u of the tangential components to u.
+  // Convert the unknowns v = -i u of the tangential components to u.
   const cplx i(0.0, 1.0);
   for (const Eigen::Index k : {1, 2, 4, 5}) {
     matrix.row(k) *= i;

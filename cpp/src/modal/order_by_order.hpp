@@ -1,5 +1,5 @@
 /// @file
-/// @brief Spectrum of any body: each order m sampled along n by itself.
+/// @brief Spectrum of any body that samples every order m separately along n.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief Solves the layers at the Chebyshev nodes of every order m: about thirty solutions in place of N_t.
+/// @brief Spectrum that solves the layers at the Chebyshev nodes of every order m: about thirty solutions in place of
+/// N_t.
 class OrderByOrderSpectrum final : public Spectrum {
  public:
   OrderByOrderSpectrum(std::shared_ptr<const HarmonicBody> body, double highest_n)

@@ -19,29 +19,32 @@ using Cell = OrderPanels::Cell;
 using SmoothRun = OrderPanels::SmoothRun;
 using CellTerms = decltype(Cell::series);
 
-constexpr int kLeastOrderNodes = 6;  // Chebyshev nodes, and so terms, in ln m
+constexpr int kLeastOrderNodes = 6;  // Chebyshev nodes and terms in ln m
 constexpr int kMostOrderNodes = 24;
-// Distance in ln m of what orders do not see from the real axis.
-constexpr double kNearestPole = 0.5 * std::numbers::pi;   // of a modulus of frequency, or cut
-constexpr double kNearestBend = 0.25 * std::numbers::pi;  // of measured frequencies, where they near their highest
+// Distances of singularities from the real axis of ln m.
+constexpr double kNearestPole = 0.5 * std::numbers::pi;   // poles and branch cuts of a modulus
+constexpr double kNearestBend = 0.25 * std::numbers::pi;  // limited frequencies of measured moduli
 
-constexpr double kLargestOrderRatio = 8.0;  // of m at the ends of a cell, over which a relaxation is resolved
-constexpr double kSmallestRatio = 1.05;     // what a cell this narrow does not resolve is round-off
+constexpr double kLargestOrderRatio = 8.0;  // ratio of m over a cell, over which a relaxation is resolved
+constexpr double kSmallestRatio = 1.05;     // the remainder of a cell this narrow is round-off
 
 auto k_transform() { return panel_transform().cast<cplx>(); }
 
-/// Chebyshev terms in ln m of a function on a range, as far from its poles and cuts: terms fall like powers of the sum
-/// of the half axes of the ellipse about the range that reaches them.
+/// Number of Chebyshev terms in ln m of a function on a range, at a distance from its poles and branch cuts. The terms
+/// fall like powers of the sum of the semi-axes of the ellipse around the range that passes through the nearest
+/// singularity.
 int order_terms(double lowest_m, double highest_m, double distance) {
   const double reach = 2.0 * distance / std::log(highest_m / lowest_m);  // per half the range
   const double terms = -std::log(kSeriesTolerance) / std::asinh(reach);
   return std::clamp(static_cast<int>(std::ceil(terms)) + 1, kLeastOrderNodes, kMostOrderNodes);
 }
 
-/// Compliance times m and the modulus of the outer layer, of entries odd in n divided by n / m, at the nodes of a cell.
+/// Compliance at the nodes of a cell, multiplied by m and the modulus of the outer layer. Entries that are odd in n are
+/// divided by n / m.
 ///
-/// They are solved in three goes, so that a cell that must be halved is known by few of them: all k at the outermost m,
-/// by which the series in k is judged, all m at the outermost k, by which that in m is, and the rest.
+/// The nodes are solved in three groups, so that few solutions show whether a cell must be halved: all k at the
+/// outermost m, which show the convergence of the series in k; all m at the outermost k, which show that of the series
+/// in m; and the rest.
 class CellSamples {
  public:
   CellSamples(const HarmonicBody& body, const SmoothRun& run, const Cell& cell)
@@ -53,19 +56,21 @@ class CellSamples {
         body_(body.resampled(m_, run.measured.at(m_))),
         values_(m_count_, kEntries * kPanelNodes) {}
 
-  /// Whether the last terms along k are negligible at the outermost m.
+  /// Solve all k at the outermost m.
+  /// @return whether the last terms along k are negligible there
   [[nodiscard]] bool is_resolved_along_k() {
     solve({0, m_count_ - 1}, inner_nodes(kPanelNodes, 0));
     return is_resolved([&](int entry) { return (rows(entry) * k_transform()).eval(); }, kLastColumns);
   }
 
-  /// Whether the last terms along m are negligible at the outermost k.
+  /// Solve all m at the outermost k.
+  /// @return whether the last terms along m are negligible there
   [[nodiscard]] bool is_resolved_along_m() {
     solve(inner_nodes(m_count_, 1), {0, kPanelNodes - 1});
     return is_resolved([&](int entry) { return (m_transform_ * columns(entry)).eval(); }, kLastRows);
   }
 
-  /// Solve the remaining nodes; series in both directions.
+  /// Solve the remaining nodes and compute the series in both directions.
   void complete() {
     solve(inner_nodes(m_count_, 1), inner_nodes(kPanelNodes, 1));
     for (int entry = 0; entry < kEntries; ++entry) {
@@ -74,7 +79,8 @@ class CellSamples {
     }
   }
 
-  /// The same judged by the whole series: a feature may lie between the outermost orders.
+  /// Whether the last terms along k, or along m, are negligible in the whole series. The function may vary between the
+  /// outermost orders.
   [[nodiscard]] bool is_complete_along_k() const {
     return is_resolved([this](int entry) { return block(entry); }, kLastColumns);
   }
@@ -97,11 +103,11 @@ class CellSamples {
   [[nodiscard]] Eigen::Matrix<cplx, Eigen::Dynamic, kPanelNodes> block(int entry) const {
     return values_.middleCols<kPanelNodes>(Eigen::Index{entry} * kPanelNodes);
   }
-  /// An entry at the outermost m.
+  /// Values of an entry at the outermost m.
   [[nodiscard]] Eigen::Matrix<cplx, 2, kPanelNodes> rows(int entry) const {
     return values_(std::array{0, m_count_ - 1}, Eigen::seqN(entry * kPanelNodes, kPanelNodes));
   }
-  /// An entry at the outermost k.
+  /// Values of an entry at the outermost k.
   [[nodiscard]] Eigen::Matrix<cplx, Eigen::Dynamic, 2> columns(int entry) const {
     return values_(Eigen::all, std::array{entry * kPanelNodes, (entry + 1) * kPanelNodes - 1});
   }
@@ -120,7 +126,7 @@ class CellSamples {
   }
 
   void solve(const std::vector<int>& m_nodes, const std::vector<int>& k_nodes) {
-    // Side by side are orders of like k.
+    // Orders with the same k^2 / m^2 are adjacent.
     std::vector<OrderAt> orders;
     for (const int j : k_nodes) {
       for (const int i : m_nodes) {
@@ -150,11 +156,11 @@ class CellSamples {
   Eigen::MatrixXcd m_transform_;
   std::array<double, kPanelNodes> ratios_;  // k^2 / m^2
   double highest_n_ratio_;
-  HarmonicBody body_;  // at each m
+  HarmonicBody body_;  // at the nodes m_
   CellTerms values_;
 };
 
-/// Append the cells that resolve the compliance on the range of `cell`, halved where needed.
+/// Append cells that resolve the compliance on the range of `cell`, which is halved until they do.
 void append_cells(const HarmonicBody& body, const SmoothRun& run, Cell cell, const Worker& worker,
                   std::vector<Cell>& cells) {
   worker.checkpoint();
@@ -183,7 +189,7 @@ void append_cells(const HarmonicBody& body, const SmoothRun& run, Cell cell, con
   cells.push_back(std::move(cell));
 }
 
-/// T_0, T_1, ... of the coordinate of m in a cell.
+/// Values of T_0, T_1, ... at the coordinate of m in a cell.
 Eigen::RowVectorXd chebyshev_polynomials(const Cell& cell, double m) {
   const double x = 2.0 * std::log(m / cell.lowest_m) / std::log(cell.highest_m / cell.lowest_m) - 1.0;
   Eigen::RowVectorXd values(cell.series.rows());
@@ -193,7 +199,8 @@ Eigen::RowVectorXd chebyshev_polynomials(const Cell& cell, double m) {
   return values;
 }
 
-/// The longest run at the beginning of some orders, by their numbers.
+/// Longest smooth run at the beginning of a list of orders.
+/// @param[in] orders indices of the orders, ascending in m
 SmoothRun first_smooth_run(const HarmonicBody& body, std::span<const std::size_t> orders) {
   const auto order = [&](std::size_t i) { return body.orders()[i]; };
   const auto end = std::ranges::upper_bound(orders, kLargestOrderRatio * order(orders.front()), {}, order);
@@ -210,7 +217,7 @@ SmoothRun first_smooth_run(const HarmonicBody& body, std::span<const std::size_t
     return true;
   };
   extend_to(1);
-  // Twice as long until a kink lies within, then by halves up to the kink.
+  // Double the length until the run contains a kink, then bisect to the kink.
   std::size_t beyond = most + 1;
   while (run.count < most) {
     const std::size_t longer = std::min(2 * run.count, most);
@@ -258,7 +265,7 @@ OrderPanels::OrderPanels(std::shared_ptr<const HarmonicBody> body, double highes
 }
 
 void OrderPanels::find_ranges() {
-  const double lowest_m = body_->metric().is_curved() ? 2.0 : 0.0;  // whole orders below are few
+  const double lowest_m = body_->metric().is_curved() ? 2.0 : 0.0;  // there are few whole orders below
   const std::vector<double>& m = body_->orders();
   std::vector<std::size_t> ascending(m.size());
   std::iota(ascending.begin(), ascending.end(), std::size_t{0});

@@ -8,7 +8,7 @@
 namespace viscoroll {
 namespace {
 
-/// Its checks are those of a layer of any thickness.
+/// Layer with the material of a half-space, whose checks are those of a layer of any thickness.
 Layer as_layer(const HalfSpace& base) {
   return {.thickness = 1.0,
           .shear_modulus = base.shear_modulus,

@@ -16,7 +16,7 @@ namespace {
 
 using cplx = std::complex<double>;
 
-constexpr double kInertiaGrowth = 8.0;  // |f_{j+1}| / |f_j| stays below this in coatings of a rigid core
+constexpr double kInertiaGrowth = 8.0;  // upper bound of |f_{j+1}| / |f_j| for layers on a rigid core
 constexpr int kMaxInertiaOrder = 3;
 
 std::size_t softest_layer(const HarmonicBody& body) {
@@ -27,15 +27,15 @@ std::size_t softest_layer(const HarmonicBody& body) {
   return softest;
 }
 
-/// The same layers with so much more inertia.
+/// Layers with their inertia multiplied by a factor.
 LayerStack<double> with_inertia(LayerStack<double> layers, double factor) {
   for (Medium<double>& medium : layers.media) medium.inertia *= factor;
   return layers;
 }
 
-/// How much each term of the inertia series exceeds the one before, per eta: more than in other coatings in a thin
-/// shell on nothing, which is soft in bending. Taken from the change of the compliance by inertia.
-/// @param[in] layers in units of g, with inertia for eta = 1
+/// Ratio of successive terms of the inertia series per eta, estimated from the change of the compliance by inertia. It
+/// is largest for a thin shell without a core, which is soft in bending.
+/// @param[in] layers layers in units of g, with the inertia of eta = 1
 double inertia_growth(const LayerStack<double>& layers, double highest_eta) {
   const std::array at_rest_and_fast{with_inertia(layers, 0.0), with_inertia(layers, highest_eta)};
   constexpr double kHighestOrder = 2000.0;
@@ -59,8 +59,8 @@ double inertia_growth(const LayerStack<double>& layers, double highest_eta) {
   return growth;
 }
 
-/// Smallest order of the inertia series that leaves out less than the tolerance, if it is small enough.
-/// @param[in] ratio of its terms
+/// Smallest order of the inertia series whose omitted terms are below the tolerance; none above kMaxInertiaOrder.
+/// @param[in] ratio ratio of successive terms
 std::optional<int> inertia_order(double ratio, double tolerance) {
   double remainder = ratio;
   for (int order = 0; order <= kMaxInertiaOrder; ++order, remainder *= ratio) {
@@ -69,7 +69,7 @@ std::optional<int> inertia_order(double ratio, double tolerance) {
   return std::nullopt;
 }
 
-/// Entries in the order of `Entry`, free of their leading powers of m and n: rr, rphi/m, rtheta/n, phiphi,
+/// Entries in the order of `Entry`, divided by their leading powers of m and n: rr, rphi/m, rtheta/n, phiphi,
 /// phitheta/(m n), thetatheta.
 using Entries = std::array<double, kEntries>;
 
@@ -80,12 +80,12 @@ int highest_power(Eigen::Index entry, int j) {
   return j + (mixes_directions ? 1 : 0);
 }
 
-/// Samples F at a given k^2 on a grid in eta and t = m^2 / k^2, and takes it to coefficients of eta^j m^(2i).
+/// Coefficients of eta^j m^(2i) of F at a given k^2, from samples on a grid in eta and t = m^2 / k^2.
 class InertiaSeries {
  public:
-  /// @param layers in units of g, with inertia for eta = 1
-  /// @param highest_eta where the series is to hold; eta is counted in its units
-  /// @param order largest power of eta
+  /// @param[in] layers layers in units of g, with the inertia of eta = 1
+  /// @param[in] highest_eta largest eta of the series, the unit of eta
+  /// @param[in] order largest power of eta
   InertiaSeries(const LayerStack<double>& layers, double highest_eta, int order) : order_(order) {
     constexpr std::array<double, kMaxInertiaOrder + 1> kEtas{0.0, 1.0, -1.0, 0.5};
     etas_ = Eigen::Map<const Eigen::VectorXd>(kEtas.data(), order + 1);
@@ -99,12 +99,12 @@ class InertiaSeries {
     from_angles_ = dense_inverse(vandermonde(angles_));
   }
 
-  /// Row of the coefficient of entry, eta^j and m^(2i) in a panel.
+  /// Row of a panel that contains the coefficient of eta^j m^(2i) of an entry.
   [[nodiscard]] static Eigen::Index row_of(Eigen::Index entry, int j, int i, int order) {
     return (entry * (order + 1) + j) * (order + 2) + i;
   }
 
-  /// Coefficients at the nodes of a panel, a column for each.
+  /// Coefficients at the nodes of a panel, one column for each node.
   [[nodiscard]] Eigen::MatrixXd sample(const std::array<double, kPanelNodes>& k2) const {
     std::vector<OrderInLayers<double>> orders;
     orders.reserve(k2.size() * (1 + (layers_.size() - 1) * static_cast<std::size_t>(angles_.size())));
@@ -138,7 +138,7 @@ class InertiaSeries {
     });
   }
 
-  /// Whether the last terms of all coefficients are negligible in the entry that they make up.
+  /// Whether the last terms of all coefficients are negligible relative to their entry.
   [[nodiscard]] bool is_resolved(const Panel<double>& panel) const {
     const auto largest = [&](Entry entry) {
       return panel.series.row(row_of(static_cast<int>(entry), 0, 0, order_)).cwiseAbs().maxCoeff();
@@ -148,7 +148,7 @@ class InertiaSeries {
     for (Eigen::Index e = 0; e < kEntries; ++e) {
       for (int j = 0; j <= order_; ++j) {
         for (int i = 0; i <= highest_power(e, j); ++i) {
-          // Solving for the coefficients multiplies the round-off of the samples.
+          // The fit of the coefficients multiplies the round-off of the samples.
           const double noise = from_etas_.row(j).lpNorm<1>() * from_angles_.row(i).lpNorm<1>();
           const double limit = kSeriesTolerance * noise * sizes[static_cast<std::size_t>(e)];
           const double last = panel.series.row(row_of(e, j, i, order_)).tail<2>().cwiseAbs().maxCoeff();
@@ -168,8 +168,8 @@ class InertiaSeries {
     return matrix;
   }
 
-  /// Coefficients from the entries at eta and t of the grid, by their numbers; at k = 0, where m = 0, those of m^0
-  /// alone.
+  /// Coefficients from the entries at the grid points. At k = 0, where m = 0, only those of m^0 are set.
+  /// @param[in] entries_at returns the entries at the indices of eta and t
   template <class EntriesAt>
   [[nodiscard]] Eigen::VectorXd fit(double k2, const EntriesAt& entries_at) const {
     std::array<Eigen::MatrixXd, kEntries> grid;
@@ -192,7 +192,7 @@ class InertiaSeries {
     return coefficients;
   }
 
-  /// Entries without inertia, from the compliance along and across the direction of k.
+  /// Entries without inertia at t, from the compliance along and across k.
   static Entries rotated(const Matrix3<double>& y, double k2, double t) {
     const double along = y(1, 1);
     const double across = y(2, 2);
@@ -233,7 +233,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
     highest_eta = std::max(highest_eta, std::abs(spectrum->inertia_.back()));
   }
   const bool is_sphere = body.metric().is_sphere();
-  if (highest_eta > 0.0 && !is_sphere) return nullptr;  // how the series grows is known of spheres
+  if (highest_eta > 0.0 && !is_sphere) return nullptr;  // the growth of the terms is established for spheres only
   const double growth = highest_eta > 0.0 ? inertia_growth(*layers, highest_eta) : 0.0;
   const std::optional<int> order = inertia_order(growth * highest_eta, inertia_tolerance);
   if (!order) return nullptr;
@@ -275,7 +275,7 @@ void SelfSimilarSpectrum::series(std::size_t i, OrderSeries& series) const {
     target.low = panel.low;
     target.high = panel.high;
     target.series.resize(kEntries, kPanelNodes);
-    using Terms = Eigen::Array<double, 1, kPanelNodes>;  // numbers are real but for the powers of eta
+    using Terms = Eigen::Array<double, 1, kPanelNodes>;  // all numbers except the powers of eta are real
     for (Eigen::Index e = 0; e < kEntries; ++e) {
       const bool has_factor_m = e == static_cast<int>(Entry::rphi) || e == static_cast<int>(Entry::phitheta);
       cplx eta_power = unit * (has_factor_m ? m : 1.0);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Spectrum of spheres and planes whose layers share one relaxation function: one response for all orders m.
+/// @brief Spectrum of spheres and planes whose layers share one relaxation function. One response serves all orders m.
 #pragma once
 
 #include <memory>
@@ -9,22 +9,24 @@
 
 namespace viscoroll::detail {
 
-/// @brief Compliance of layers with moduli mu_l*(w) = c_l g(w) and real, constant Poisson's ratios.
+/// @brief Spectrum of layers with the moduli mu_l*(w) = c_l g(w) and real, constant Poisson's ratios.
 ///
-/// Without inertia it is F(k) / g(m Omega), F real and (but for the rotation from the direction of k to phi and theta)
-/// a function of k^2 = m^2 + n^2 alone. Inertia enters by eta = rho Omega^2 r_o^2 / g(m Omega), the complex square of a
-/// Mach number, tiny in most rolling. F is analytic in eta, and its j-th coefficient is a polynomial of degree j + 1 in
-/// m^2 at a given k^2, so a few terms serve every order:
+/// Without inertia the compliance is F(k) / g(m Omega), where F is real and, except for the rotation from the direction
+/// of k to phi and theta, a function of k^2 = m^2 + n^2 only. Inertia enters through
+/// eta = rho Omega^2 r_o^2 / g(m Omega), the complex square of a Mach number, which is small in most rolling. F is
+/// analytic in eta, and its j-th coefficient is a polynomial in m^2 of degree at most j + 1 at a given k^2, so that a
+/// few terms represent all orders:
 ///
 ///     C_mn = 1/g(m Omega) sum_j eta^j sum_i m^(2i) f_ji(k^2).
 class SelfSimilarSpectrum final : public Spectrum {
  public:
-  /// @param[in] body layers of a sphere, or of a plane without inertia, at the orders m
-  /// @param[in] highest_n largest order n that is asked for
-  /// @param[in] inertia_tolerance relative size of the terms of the inertia series that are left out
+  /// @param[in] body layers at the orders m
+  /// @param[in] highest_n largest order n that is evaluated
+  /// @param[in] inertia_tolerance relative size of the omitted terms of the inertia series
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  /// @return nothing for layers that are not self-similar, or too fast for a few terms of the series
+  /// @return spectrum; none for wheels, for layers that do not share one relaxation function, for bodies with inertia
+  /// that are not spheres, and for speeds at which a few terms of the series do not suffice
   [[nodiscard]] static std::unique_ptr<SelfSimilarSpectrum> try_make(const HarmonicBody& body, double highest_n,
                                                                      double inertia_tolerance, int threads,
                                                                      Watch& watch);

@@ -9,7 +9,7 @@ namespace {
 
 using cplx = std::complex<double>;
 
-/// The real factor by which one layer's modulus exceeds another's at every harmonic, if there is one.
+/// Real ratio of the moduli of two layers, if it is the same at every order.
 std::optional<double> common_ratio(const HarmonicBody& body, std::size_t layer, std::size_t reference) {
   constexpr double kRoundOff = 1e-14;
   const cplx ratio = body.modulus(layer, 0) / body.modulus(reference, 0);
@@ -21,7 +21,7 @@ std::optional<double> common_ratio(const HarmonicBody& body, std::size_t layer, 
   return ratio.real();
 }
 
-/// Whether the layer's Poisson's ratio is real and the same at every harmonic.
+/// Whether the Poisson's ratio of a layer is real and the same at every order.
 bool has_constant_poisson_ratio(const HarmonicBody& body, std::size_t layer) {
   const Layer& properties = body.body().layers[layer];
   return properties.poisson_ratio || std::holds_alternative<Elastic>(properties.shear_modulus);

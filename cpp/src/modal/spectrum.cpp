@@ -11,7 +11,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// values[i] = sum_j series[j] T_j(x[i]), by Clenshaw's recursion on blocks that the compiler vectorizes.
+/// Compute values[i] = sum_j series[j] T_j(x[i]) by Clenshaw's recursion on blocks that the compiler vectorizes.
 VISCOROLL_BEST_INSTRUCTIONS
 void sum_chebyshev(const std::array<double, kPanelNodes>& series, const double* x, double* values, Eigen::Index count) {
   constexpr int kBlock = 8;
@@ -79,7 +79,7 @@ void OrderValues::evaluate(Entry entry, Eigen::ArrayXcd& values) const {
     add_part(row.imag(), {0.0, 1.0});
   }
 
-  // From the real form to the components of the paper, and back the factor n of odd entries.
+  // Restore the factor n of odd entries, and convert the real form to the components of the paper.
   if (is_odd(entry)) values *= n_;
   if (entry == Entry::rphi || entry == Entry::rtheta) values *= std::complex<double>(0.0, -1.0);
 }

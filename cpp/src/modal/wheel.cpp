@@ -37,7 +37,7 @@ void validate(const CoatedWheel& wheel) {
                        " m (a CoatedCylinder has no ends)",
                    detail::text(wheel.width) + " m");
   }
-  // The elements of the section are as fine everywhere in the layers as its narrower side asks for.
+  // The narrower side of the section determines the size of all elements in the layers.
   constexpr double kThickest = 1000.0;
   const double thickness = coating_thickness(wheel);
   if (wheel.sides == Sides::free && thickness > kThickest * wheel.width) {
@@ -50,7 +50,8 @@ void validate(const CoatedWheel& wheel) {
     detail::reject("crown_radius", "at least half of the width, " + detail::text(0.5 * wheel.width) + " m",
                    detail::text(wheel.crown_radius) + " m");
   }
-  // The layers' crown enters by what it changes: beyond this radius the change is round-off, which no series resolves.
+  // The effect of the crown on the layers is a difference of compliances. Beyond this radius it is round-off, which no
+  // series resolves.
   constexpr double kFlattest = 1e6;
   if (std::isfinite(wheel.crown_radius) && wheel.crown_radius > kFlattest * radius) {
     detail::reject("crown_radius",

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The contact problem of a load case: what presses, slides and turns on the nodes of a window.
+/// @brief Contact problem of a load case: load, friction and kinematics at the nodes of a window.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief A load case on a model, and what follows from both before anything is solved.
+/// @brief A load case on a model, with the quantities that are known before the contact is solved.
 struct Assembly {
   const MeshModel& model;
   const LoadCase& load_case;
@@ -20,30 +20,33 @@ struct Assembly {
   ContactOptions limits;
   Formulation formulation;
   Nodes nodes;
-  ContactReach contact;    ///< estimated, rather from above
-  double estimated_depth;  ///< initial gap up to which nodes are likely to touch, by the estimated contact [m]
+  ContactReach contact;    ///< estimated size of the contact; rather too large than too small
+  double estimated_depth;  ///< initial gap up to which nodes are likely to touch, from the estimated contact [m]
 
   [[nodiscard]] const RollingPair& pair() const { return model.pair; }
-  /// @return `estimated_depth` of the free surface [m]
+  /// @return `estimated_depth`, scaled by the centrifugal growth of the rolling body [m]
   [[nodiscard]] double likely_depth() const { return model.swelling.own * estimated_depth; }
-  /// @brief With the radial compliance pressure does no work along the plane.
+  /// @return 0 with the radial compliance, whose pressure does no work along the plane, else 1
   [[nodiscard]] double pressure_share() const { return options.compliance == Compliance::vertical ? 1.0 : 0.0; }
-  /// @return whether one of the two ends beside the path
+  /// @return whether one of the two bodies ends at side faces
   [[nodiscard]] bool has_sides() const;
-  /// @return whether displacements are those from a place that rests
+  /// @return whether displacements are relative to a place at rest, so that the approach of the bodies is defined
   [[nodiscard]] bool approach_exists() const;
 
-  /// @return where displacements are taken
+  /// @return points at which displacements are evaluated
   [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& window) const;
+  /// @return moment arms of all nodes of the window, with the slope of the counterbody
   [[nodiscard]] LeverArms lever_arms(const SurfaceWindow& window) const;
-  /// @return those of some nodes, without the slope of what is rolled on
+  /// @return moment arms of some nodes, without the slope of the counterbody
   [[nodiscard]] LeverArms lever_arms(const SurfaceWindow& window, const std::vector<Eigen::Index>& at) const;
+  /// @return the contact problem on a window
   [[nodiscard]] ContactProblem problem(const SurfaceWindow& window) const;
 };
 
-/// @param[in] model both bodies at the load case's speed, on a mesh
+/// @brief Collect the quantities of a load case that are known before the contact is solved.
+/// @param[in] model both bodies at the speed of the load case, on a mesh
 /// @param[in] load_case load, friction and drive
-/// @param[in] options how to solve; its mesh and accuracy are not looked at
+/// @param[in] options solver options; mesh and accuracy are ignored
 /// @param[in] watch progress and cancellation
 [[nodiscard]] Assembly assemble(const MeshModel& model, const LoadCase& load_case, const Options& options,
                                 Watch& watch);

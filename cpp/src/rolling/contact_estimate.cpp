@@ -13,19 +13,19 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Of the softest layer.
+/// Smallest moduli of a group of layers.
 struct Softness {
-  double shear;     ///< modulus [Pa]
-  double confined;  ///< modulus of what cannot spread [Pa]
+  double shear;     ///< shear modulus [Pa]
+  double confined;  ///< modulus of a material that cannot expand sideways [Pa]
 };
 
-/// Layers between two that are rigid, or a half-space.
+/// Layers between two rigid bodies, or a half-space.
 struct Part {
   double thickness;  ///< [m]
   Softness moduli;
 };
 
-/// Moduli of some layers, at a frequency of passing.
+/// Total thickness and smallest moduli of some layers. `frequency` is that at which material passes the contact.
 Part part_of(std::span<const NamedLayer> layers, double frequency) {
   double thickness = 0.0;
   Softness least{.shear = std::numeric_limits<double>::infinity(), .confined = std::numeric_limits<double>::infinity()};
@@ -40,7 +40,7 @@ Part part_of(std::span<const NamedLayer> layers, double frequency) {
   return {.thickness = thickness, .moduli = least};
 }
 
-/// The layers of what rolls, those of what it rolls on, and its base.
+/// Layers of the rolling body, base of the counterbody, and layers of the counterbody.
 std::vector<Part> parts_of(const RollingPair& pair, double frequency) {
   std::vector<Part> parts;
   const auto append = [&](std::span<const NamedLayer> layers) {
@@ -54,27 +54,27 @@ std::vector<Part> parts_of(const RollingPair& pair, double frequency) {
   return parts;
 }
 
-/// Load of a contact as wide as `a` to either side, by the limits of thick and thin layers.
+/// Load of a contact of half-width `a`, from the limits of thick and thin layers.
 double load_at(double a, double radius, const Part& part, const ContactForm& form) {
   const auto& [thickness, moduli] = part;
   const double strip = std::pow(a, form.dimensions) / radius;
-  const double hertz = form.thick * moduli.shear * strip * a;  // nu = 0, the softest
+  const double hertz = form.thick * moduli.shear * strip * a;  // Poisson's ratio 0: most compliant
   const double incompressible = form.incompressible * moduli.shear * strip * std::pow(a, 4) / std::pow(thickness, 3);
   const double compressible = form.confined * moduli.confined * strip * a * a / thickness;
   return hertz + std::min(incompressible, compressible);
 }
 
-/// Of a circle, or a line, with the mean of the curvatures.
+/// Radius of a circle, or of a line contact, with the mean of the curvatures.
 double mean_radius(const RollingPair& pair) {
   const Curvatures& own = pair.body->curvatures();
   const Curvatures& counterpart = pair.on->curvatures();
   return pair.body->form().dimensions / (own.along + counterpart.along + own.across + counterpart.across);
 }
 
-/// Load of strips across, each of which is a roller's with the gap that the crown leaves it.
-/// @param[in] a half of the middle one's contact [m]
+/// Load as a sum over strips across the contact. Each strip is a roller with the gap that the crown leaves.
+/// @param[in] a half-width of the contact of the middle strip [m]
 double load_of_strips(double a, const RollingPair& pair, const Part& part) {
-  constexpr int kStrips = 32;  // the load is smooth in a to half a percent
+  constexpr int kStrips = 32;  // the load is a smooth function of a to half a percent
   const double along = pair.body->curvatures().along + pair.on->curvatures().along;
   const double across = pair.body->curvatures().across + pair.on->curvatures().across;
   const double half = std::min(0.5 * width(pair), a * std::sqrt(along / across));
@@ -94,14 +94,14 @@ double contact_radius(const RollingPair& pair, const std::vector<Part>& parts, d
   };
   const auto bears = [&](double a) {
     if (parts.size() == 1) return load_of(parts.front(), a) >= load;
-    double compliance = 0.0;  // they add up
+    double compliance = 0.0;  // compliances of the parts add up
     for (const Part& part : parts) compliance += 1.0 / load_of(part, a);
     return compliance * load <= 1.0;
   };
   double low = 0.0;
   double high = radius;
   while (!bears(high) && std::isfinite(high)) high *= 2.0;
-  // To the last digits: meshes are made to this measure, and results shall be smooth functions of the load.
+  // Bisect to the last digits: meshes depend on this size, and results should be smooth functions of the load.
   while (high - low > 1e-14 * high) {
     const double middle = 0.5 * (low + high);
     (bears(middle) ? high : low) = middle;
@@ -109,12 +109,12 @@ double contact_radius(const RollingPair& pair, const std::vector<Part>& parts, d
   return high;
 }
 
-/// Across, where a contact reaches so far along.
+/// Half-width of the contact across, for a given half-width along.
 double reach_across(const RollingPair& pair, double along) {
   if (std::isinf(width(pair))) return along;
   const double curvature = pair.body->curvatures().across + pair.on->curvatures().across;
   const double ratio = (pair.body->curvatures().along + pair.on->curvatures().along) / curvature;
-  // Of ellipses: the power is 1/2 in thin layers, and about 2/3 of a half-space.
+  // Exponent for ellipses: 1/2 in thin layers, and about 2/3 on a half-space.
   const double across = along * std::pow(ratio, ratio > 1.0 ? 2.0 / 3.0 : 0.5);
   return std::min(across, 0.5 * width(pair));
 }
@@ -122,7 +122,7 @@ double reach_across(const RollingPair& pair, double along) {
 }  // namespace
 
 ContactReach estimate_contact(const RollingPair& pair, double angular_speed, double load) {
-  constexpr int kPasses = 3;  // a fixed number of them makes it a smooth function of the load
+  constexpr int kPasses = 3;  // a fixed number, so that the result is a smooth function of the load
   double radius = contact_radius(pair, parts_of(pair, 0.0), load);
   for (int pass = 0; pass < kPasses; ++pass) {
     const double frequency = angular_speed * std::max(1.0, pair.body->radius() / radius);

@@ -1,33 +1,36 @@
 /// @file
-/// @brief Size of the contact before anything is solved.
+/// @brief Estimate of the contact size before the contact is solved.
 #pragma once
 
 #include "rolling/rolling_pair.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief How far the contact of a pair reaches, rather from above, for the size of the candidate window.
+/// @brief Extent of the contact of two bodies, rather too large than too small, for the size of the candidate window.
 ///
-/// The load is the sum of Hertz's, P = 8 G a^3 / (3 R), and of the thin bonded layer's, the softer of
-/// P = pi G a^6 / (32 R h^3) (incompressible) and P = pi M a^4 / (4 R h) (confined modulus M); the true load at a given
-/// a exceeds it, and the softest modulus of all layers is taken. A layer's modulus is the relaxed one, or half of that
-/// at the frequency Omega r_o / a of what passes the contact where this is more: a coating that relaxes almost wholly,
-/// but not in so short a time, is as stiff as it rolls.
-/// Of a roller: P = pi G a^2 / (2 R), 2 G a^5 / (15 R h^3) and 2 M a^3 / (3 R h) per length.
-/// Of two bodies, and of layers on a half-space: the compliances, a load's inverse at a given a, add up. Of a groove:
-/// the circle with the mean of both curvatures. Of a wheel: strips of its width, each as a roller with the gap that the
-/// crown leaves it.
-/// @param[in] pair what rolls, and what it rolls on
+/// The load of a contact of half-width a is the sum of Hertz's, P = 8 G a^3 / (3 R), and of the smaller of two loads of
+/// a thin bonded layer: P = pi G a^6 / (32 R h^3) (incompressible) and P = pi M a^4 / (4 R h) (confined modulus M). The
+/// true load at a given a is larger. The smallest modulus of all layers is used. The modulus of a layer is the larger
+/// of its relaxed modulus and half of its modulus at the frequency Omega r_o / a at which material passes the contact:
+/// a coating that relaxes almost completely, but not within this time, is estimated by its stiffness in rolling.
+///
+/// - Roller: P = pi G a^2 / (2 R), 2 G a^5 / (15 R h^3) and 2 M a^3 / (3 R h) per length.
+/// - Two bodies, or layers on a half-space: the compliances (the inverse of the load at a given a) add up.
+/// - Groove: a circle with the mean of both curvatures.
+/// - Wheel: strips of its width, each a roller with the gap that the crown leaves.
+///
+/// @param[in] pair rolling body and counterbody
 /// @param[in] angular_speed Omega [rad/s]
-/// @param[in] load P [N]
-/// @return along and across, of a ball the same a
+/// @param[in] load P [N], for a roller per length
+/// @return half-widths along and across; both are a for a ball
 [[nodiscard]] ContactReach estimate_contact(const RollingPair& pair, double angular_speed, double load);
 
-/// @brief A load that no coating of such layers bears, from above: a thousand times those of Hertz and of the thin
-/// incompressible bonded layer for a contact as wide as the body, of the stiffest layer at the highest harmonic.
-/// @param[in] pair what rolls, and what it rolls on
-/// @param[in] stiffest_modulus the largest shear modulus of a layer at the highest harmonic [Pa]
-/// @return load [N], of a roller per length
+/// @brief Upper bound of the loads that a coating of such layers can support: a thousand times the loads of Hertz and
+/// of the thin incompressible bonded layer for a contact as wide as the body, with the stiffest layer at the highest
+/// harmonic.
+/// @param[in] pair rolling body and counterbody
+/// @param[in] stiffest_modulus largest shear modulus of a layer at the highest harmonic [Pa]
+/// @return load [N], for a roller per length
 [[nodiscard]] double unbearable_load(const RollingPair& pair, double stiffest_modulus);
 
 }  // namespace viscoroll::detail

@@ -1,5 +1,5 @@
 /// @file
-/// @brief How two bodies touch: in a spot, or along a line.
+/// @brief Point contact and line contact.
 #pragma once
 
 #include <numbers>
@@ -7,16 +7,18 @@
 
 namespace viscoroll::detail {
 
-/// @brief What follows from a contact's form alone. Along a line loads, forces, torques and powers are per length.
+/// @brief Constants that depend only on the form of the contact. In line contact, loads, forces, torques and powers are
+/// per length.
 ///
-/// With shear modulus G, Poisson's ratio 0, the confined modulus M, relative radius R and thickness h, a contact that
-/// reaches `a` to either side and has d dimensions bears, where the layer is thick, Hertz's load `thick` G a^(d+1) / R,
-/// and where it is thin, `incompressible` G a^(d+4) / (R h^3) or `confined` M a^(d+2) / (R h).
+/// With shear modulus G, Poisson's ratio 0, confined modulus M, relative radius R and thickness h, a contact with d
+/// dimensions and half-width a supports Hertz's load `thick` G a^(d+1) / R on a thick layer, and `incompressible` G
+/// a^(d+4) / (R h^3) or `confined` M a^(d+2) / (R h) on a thin layer.
 struct ContactForm {
-  int dimensions;  ///< 2 of a spot, 1 of a line
+  int dimensions;  ///< 2 for a point contact, 1 for a line contact
   std::string_view load_unit;
   std::string_view torque_unit;
-  bool half_space_rests;  ///< far away; under a line each octave of longer waves adds as much to displacements
+  bool half_space_rests;  ///< whether a half-space is at rest far away; in line contact, every octave of longer waves
+                          ///< adds the same displacement
   double thick;
   double incompressible;
   double confined;

@@ -1,4 +1,4 @@
-// A roller, or another one that it rolls on, touching along a line: docs/theory/rollers.md.
+// Roller, as the rolling body or the counterbody, in line contact or under a wheel: docs/theory/rollers.md.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -14,7 +14,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// A row of nodes has no spacing sideways: its nodes bear forces per length.
+/// A line contact has a single row of nodes without lateral spacing; nodal forces are forces per length.
 void require_line_mesh(const Mesh& mesh) {
   if (mesh.theta_nodes_per_revolution) {
     reject("mesh.theta_nodes_per_revolution", "left out with a roller, whose contact is a single row of nodes",
@@ -33,7 +33,7 @@ void require_crossing(const Crossing& crossing) {
   require_curvature_of_cylinder(crossing.curvature);
 }
 
-/// Under a wheel it is a tread without sides.
+/// Layers of the roller; under a wheel they are a tread without side faces.
 LayeredBody layers_of(const CoatedCylinder& cylinder, const Crossing& crossing) {
   require_crossing(crossing);
   LayeredBody layers = layered_body(cylinder);
@@ -48,13 +48,13 @@ BodySurface surface_of(const CoatedCylinder& cylinder, const Crossing& crossing)
   return crossing.form.is_line() ? surface_under_line(layers, crossing) : surface_under_spot(layers, crossing);
 }
 
-/// At the same arcs as the nodes of what rolls on it.
+/// Profile at the same arc lengths as the nodes of the rolling body.
 Profile profile_of(double radius, const SurfaceWindow& points) {
   const Eigen::ArrayXd forward = (std::numbers::pi / 2.0 - points.phi()) * (points.grid().radius / radius);
   return {.drop = 2.0 * radius * (0.5 * forward).sin().square(), .slope = forward.sin()};
 }
 
-/// The patch of a node is a meter wide: forces on nodes are forces per length.
+/// The patch of a node is one meter wide, so that nodal forces are forces per length.
 Nodes nodes_of(double radius, const Mesh& mesh) {
   const int phi = nodes_to_60_degrees(mesh.nodes_per_revolution);
   return {.grid = {.radius = radius, .phi_spacing = phi_spacing(mesh), .theta_spacing = 1.0 / radius},

@@ -1,6 +1,6 @@
 /// @file
-/// @brief All that is asked of the drives that a user gives: a kind of drive is its struct in the public header and a
-/// paragraph of drives.cpp.
+/// @brief Functions of the drives that a user can give. A kind of drive is its struct in the public header and a block
+/// in drives.cpp.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief What of the motion of the center, and of what moves it, a drive gives; the rest is found.
+/// @brief Quantities that a drive prescribes: force, torque or creepage of the center, and the motion of the guide. The
+/// solver finds the others.
 struct GivenMotion {
   std::optional<double> force;     ///< Q [N]
   std::optional<double> torque;    ///< T [N m]
@@ -22,14 +23,16 @@ struct GivenMotion {
   double spin = 0.0;               ///< [1/m]
 };
 
+/// @return the quantities that a drive prescribes
 [[nodiscard]] GivenMotion given_motion(const Drive& drive);
 
-/// @param[in] drive what closes the equations for the speed
-/// @param[in] pressure_share as for `moment_about_center`
-/// @return its condition, a row of the system
+/// @brief Condition of a drive, which is a row of the system.
+/// @param[in] drive closes the equations for the speed
+/// @param[in] pressure_share same as in `moment_about_center`
 [[nodiscard]] std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_share);
 
-/// @throws std::invalid_argument for numbers that are not finite, and those that no friction can hold
+/// @throws std::invalid_argument for numbers that are not finite, and for a force or torque that friction cannot
+/// balance
 void validate_drive(const LoadCase& load_case, const RoundBody& body);
 
 }  // namespace viscoroll::detail

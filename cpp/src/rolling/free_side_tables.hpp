@@ -1,5 +1,5 @@
 /// @file
-/// @brief Influence on a tread that ends at two faces.
+/// @brief Influence of forces on a tread that ends at two faces.
 #pragma once
 
 #include <array>
@@ -13,28 +13,28 @@
 
 namespace viscoroll::detail {
 
-/// @brief How nodes of a body cross the contact.
+/// @brief Nodes of a body and its speed.
 struct MeshAtSpeed {
   MeshOnBody mesh;
   double angular_speed;  ///< of this body [rad/s]
 };
 
-/// @brief What the faces of a tread add, summed over all orders.
+/// @brief Change of the compliance due to the faces of a tread, summed over all orders.
 /// @param[in] wheel at least one layer
-/// @param[in] layers of it
-/// @param[in] rolling nodes on it
-/// @param[in] tangential whether loads along phi and z occur, or those along r alone
+/// @param[in] layers layers of the wheel
+/// @param[in] rolling nodes on the wheel and its speed
+/// @param[in] tangential whether forces along phi and z occur, or forces along r only
 /// @param[in] execution threads, progress and cancellation
 [[nodiscard]] SideSum sum_of_sides(const CoatedWheel& wheel, const LayeredBody& layers, const MeshAtSpeed& rolling,
                                    bool tangential, const Execution& execution);
 
-/// @brief Tables of the endless tread, and sums of what the faces add, made as they are first asked for.
+/// @brief Tables of the endless tread, and sums of the effect of the faces, computed when they are first needed.
 class FreeSideTables final : public SurfaceTables {
  public:
   /// @param[in] endless tables of the same layers without faces
   /// @param[in] wheel at least one layer
-  /// @param[in] layers of it
-  /// @param[in] crossing how its material crosses the contact
+  /// @param[in] layers layers of the wheel
+  /// @param[in] crossing motion of the material through the contact
   FreeSideTables(std::unique_ptr<const SurfaceTables> endless, CoatedWheel wheel, LayeredBody layers,
                  const Crossing& crossing);
 
@@ -50,7 +50,7 @@ class FreeSideTables final : public SurfaceTables {
   LayeredBody layers_;
   MeshAtSpeed rolling_;
   mutable std::timed_mutex mutex_;
-  mutable std::array<std::shared_ptr<const SideSum>, 2> sums_;  // of loads along r alone, and of all
+  mutable std::array<std::shared_ptr<const SideSum>, 2> sums_;  // for forces along r only, and for all forces
 };
 
 }  // namespace viscoroll::detail

@@ -11,7 +11,7 @@ namespace {
 
 auto all_of(const SurfaceWindow& points) { return Eigen::seqN(Index{0}, points.shape().size()); }
 
-/// @param[in] nodes numbers of some, or all of them
+/// @param[in] nodes numbers of some or all of them
 template <class Nodes>
 ArrayXd lever_at(const SurfaceWindow& points, const RollingPair& pair, const Nodes& nodes) {
   ArrayXd slope = points.x()(nodes) / points.grid().radius;
@@ -25,7 +25,7 @@ ArrayXd slope_at(const SurfaceWindow& points, const Swelling& swelling, const Ro
   return -swelling.met() * pair.on->curvatures().along * lever_at(points, pair, nodes);
 }
 
-/// As if what swells did so in all directions.
+/// Gap for centrifugal growth in all directions.
 ArrayXd swollen_gap(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
   ArrayXd gap = swelling.own * points.height();
   const ArrayXd drop = pair.on->profile(points).drop;
@@ -38,7 +38,7 @@ ArrayXd swollen_gap(const SurfaceWindow& points, const Swelling& swelling, const
 ArrayXd initial_gap(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
   ArrayXd gap = swollen_gap(points, swelling, pair);
   if (swelling == Swelling{} || !std::isfinite(width(pair))) return gap;
-  // A tread does not swell along its axis, nor does its crown.
+  // A tread does not grow along its axis, so that its crown does not change.
   const SurfaceWindow across(points.grid(), {{0, 0}, points.window().theta});
   const ArrayXd grown = swollen_gap(across, swelling, pair) - swollen_gap(across, {}, pair);
   gap -= grown.replicate(points.shape().phi_nodes, 1);

@@ -1,6 +1,6 @@
 /// @file
-/// @brief The gap between two undeformed bodies, and the lever of the pressure that belongs to it:
-/// See docs/theory/planes-and-pairs.md.
+/// @brief Gap between two undeformed bodies, and the moment arm of the pressure that belongs to it: see
+/// docs/theory/planes-and-pairs.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,34 +12,34 @@
 
 namespace viscoroll::detail {
 
-/// @param[in] points nodes of what rolls
-/// @param[in] swelling of the free surfaces, by the turning
+/// @brief Gap between the undeformed bodies.
+/// @param[in] points nodes of the rolling body
+/// @param[in] swelling centrifugal growth of the free surfaces
 /// @param[in] pair both bodies
-/// @return at every node, 0 where the lowest one is [m]
+/// @return gap of every node, 0 at the lowest one [m]
 [[nodiscard]] Eigen::ArrayXd initial_gap(const SurfaceWindow& points, const Swelling& swelling,
                                          const RollingPair& pair);
 
-/// @brief By which share of the speed the surface that a body rolls on lags, where it turns too and is nearer to its
-/// own axis: 0 of a straight one.
-/// @return at every node [-]
+/// @brief Fraction of the speed by which the surface of the counterbody lags if the counterbody turns: a node nearer to
+/// the axis of the counterbody is slower. The lag is 0 for a straight counterbody.
+/// @return lag of every node [-]
 [[nodiscard]] Eigen::ArrayXd counterpart_delay(const SurfaceWindow& points, const Swelling& swelling,
                                                const RollingPair& pair);
 
-/// @brief What the moment of the pressure is made of: the relative radius times the slope of the undeformed gap along
-/// the nodes.
-/// @param[in] points nodes of what rolls
+/// @brief Moment arm of the pressure: the relative radius times the slope of the undeformed gap along the nodes.
+/// @param[in] points nodes of the rolling body
 /// @param[in] pair both bodies
-/// @return at every node [m]
+/// @return moment arm of every node [m]
 [[nodiscard]] Eigen::ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair);
-/// @return the same of some nodes
+/// @return the same for some nodes [m]
 [[nodiscard]] Eigen::ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair,
                                             const std::vector<Eigen::Index>& nodes);
 
-/// @return slope of what a body rolls on where it touches it, swollen but not deformed, downwards along the way of the
-/// material, at every node [-]
+/// @return slope of the counterbody's surface where a node of the rolling body meets it, with centrifugal growth but
+/// without deformation, downwards in the direction in which material passes, at every node [-]
 [[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const Swelling& swelling,
                                                const RollingPair& pair);
-/// @return the same of some nodes
+/// @return the same for some nodes [-]
 [[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const Swelling& swelling,
                                                const RollingPair& pair, const std::vector<Eigen::Index>& nodes);
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a layered body does along a line, whatever body it is.
+/// @brief Surface of any layered body in line contact.
 #pragma once
 
 #include "modal/layered_body.hpp"
@@ -7,12 +7,14 @@
 
 namespace viscoroll::detail {
 
-/// @param[in] layers of a body, at least one; those of a plane with the radius of what rolls
-/// @param[in] crossing how its material crosses the contact
+/// @brief Sum of the orders of a body in line contact.
+/// @param[in] layers layers of a body, at least one; for a plane, with the radius of the rolling body
+/// @param[in] crossing motion of the material through the contact
 [[nodiscard]] std::unique_ptr<const TableSum> sum_under_line(const LayeredBody& layers, const Crossing& crossing);
 
-/// @param[in] layers of a body, at least one; those of a plane with the radius of what rolls
-/// @param[in] crossing how its material crosses the contact
+/// @brief Properties of the surface of a body in line contact.
+/// @param[in] layers same as in `sum_under_line`
+/// @param[in] crossing motion of the material through the contact
 [[nodiscard]] BodySurface surface_under_line(const LayeredBody& layers, const Crossing& crossing);
 
 }  // namespace viscoroll::detail

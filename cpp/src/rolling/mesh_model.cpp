@@ -10,22 +10,24 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Loads that alternate from row to row see the mesh's highest order m. The displacement at the nodes resists them with
-/// the real part of its compliance alone, |C| cos(a), which dies out as the phase a comes close to 90 degrees, as that
-/// of a Kelvin-Voigt material does, and lets pressures zigzag behind the leading edge long before. Displacements that
-/// are taken s spacings downstream resist with |C| cos(a - pi s), in full at s = a / pi. Up to the phase that a modulus
-/// with one relaxation time has where it falls by half, as the paper's rubber, they are taken at the nodes, as the
-/// paper has it. See docs/theory/normal-contact.md.
+/// @brief Distance downstream of the nodes at which displacements are evaluated [spacings].
+///
+/// Forces that alternate from row to row excite the highest order m of the mesh, whose compliance is C = |C| exp(-ia).
+/// Displacements at the nodes resist such forces with |C| cos(a) only. This vanishes as the phase a approaches 90
+/// degrees, as in a Kelvin-Voigt material, and pressures behind the leading edge alternate at much smaller phases.
+/// Displacements s spacings downstream resist with |C| cos(a - pi s), which is the full |C| at s = a / pi. Up to the
+/// largest phase of a modulus with one relaxation time that falls by half, such as the paper's rubber, displacements
+/// are evaluated at the nodes, as in the paper. See docs/theory/normal-contact.md, "Strong memory".
 /// @param[in] normal,along compliance of that order
 double stable_collocation(std::complex<double> normal, std::complex<double> along) {
   const double halved = std::atan(1.0 / std::sqrt(8.0)) / std::numbers::pi;
-  constexpr double kOnset = 4.0;  // from none to a / pi at four thirds of that phase, so that torques do not jump
-  constexpr double kMost = 0.25;  // of what is all but viscous the balance of power opens with more
+  constexpr double kOnset = 4.0;  // slope of a ramp to a / pi at 4/3 of that phase: torques do not jump
+  constexpr double kMost = 0.25;  // a larger shift increases the error of the power balance of nearly viscous materials
   const double full = std::max(-std::arg(normal), -std::arg(along)) / std::numbers::pi;
   return std::clamp(std::min(full, kOnset * (full - halved)), 0.0, kMost);
 }
 
-/// @throws std::invalid_argument where what rolls would fill what it rolls in
+/// @throws std::invalid_argument if the rolling body would grow to fill the counterbody in which it rolls
 void require_room_to_swell(const RollingPair& pair, const Swelling& swelling, double angular_speed) {
   const Curvatures& own = pair.body->curvatures();
   const Curvatures& on = pair.on->curvatures();

@@ -1,4 +1,4 @@
-// A plane, or a groove whose layers are a plane's, under a spot or a line: docs/theory/rollers.md and
+// Plane, or groove with the layers of a plane, under a point or line contact: docs/theory/rollers.md and
 // planes-and-pairs.md.
 #include <memory>
 #include <optional>
@@ -13,7 +13,8 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Of what rolls in a groove, radius by radius: in a closer one contact is no longer shallow.
+/// Largest ratio of the radius of the rolling body to that of the groove: in a closer fit, the contact is no longer
+/// shallow.
 constexpr double kClosestFit = 1.0 / 1.02;
 
 BodySurface surface_of(const CoatedPlane& plane, const Crossing& crossing) {
@@ -22,10 +23,10 @@ BodySurface surface_of(const CoatedPlane& plane, const Crossing& crossing) {
   return crossing.form.is_line() ? surface_under_line(layers, crossing) : surface_under_spot(layers, crossing);
 }
 
-/// @param[in] hollow_radius > 0 where the surface is hollow [m]; none: straight
+/// @param[in] hollow_radius radius of a hollow surface [m], > 0; none for a straight surface
 double curvature(const std::optional<double>& hollow_radius) { return hollow_radius ? -1.0 / *hollow_radius : 0.0; }
 
-/// @param[in] own curvature of what rolls [1/m]
+/// @param[in] own curvature of the rolling body [1/m]
 void require_room(std::string_view name, double curvature, const RoundBody& body, double own) {
   if (-curvature <= kClosestFit * own) return;
   const std::string room = own > 0.0 ? "larger than that of the " + std::string(body.name()) + ", " + text(1.0 / own) +
@@ -34,7 +35,7 @@ void require_room(std::string_view name, double curvature, const RoundBody& body
   reject(name, room, text(-1.0 / curvature) + " m");
 }
 
-/// Along a line only the path may be curved.
+/// In line contact, only the path may be curved.
 void require_straight_across(const RoundBody& body, const std::optional<double>& radius) {
   if (!radius || !body.form().is_line()) return;
   reject("on.radius", "left out under a roller, which touches along a line", text(*radius) + " m");
@@ -61,7 +62,7 @@ class PlaneBody : public Body {
   CoatedPlane plane_;
 };
 
-/// The layers of a plane under a surface that is curved along the path, across it, or both.
+/// Layers of a plane under a surface that is curved along the path, across it, or both.
 class GrooveBody final : public PlaneBody {
  public:
   explicit GrooveBody(const Groove& groove)

@@ -21,37 +21,38 @@ namespace viscoroll::detail {
 namespace {
 
 constexpr int kFewestNodesPerRevolution = 64;
-constexpr double kMostContactNodes = 3e6;            // a third of a gigabyte of fields
-constexpr double kInertiaShare = 1e-3;               // of the accuracy, that inertia may miss
-constexpr double kMostFrictionalContactNodes = 4e5;  // whose Krylov methods keep some tens of vectors
+constexpr double kMostContactNodes = 3e6;  // fields of a third of a gigabyte
+constexpr double kInertiaShare = 1e-3;     // relative error of the inertia terms, as a fraction of the accuracy
+constexpr double kMostFrictionalContactNodes = 4e5;  // their Krylov methods store some tens of vectors
 constexpr double kMostFurtherEffort = 6e6;           // nodes in contact times operator applications
-constexpr double kMostNodesForPressure = 5e4;        // in contact, where all else is settled: a second or two
-constexpr double kMostLineNodesForPressure = 4e3;    // in line contact, likewise
-constexpr double kMostEffortForPressure = 1e6;       // nodes of a line times operator applications: half a second
-constexpr double kFruitful = 0.9;                    // of the error on the mesh before
-constexpr int kMostFruitlessMeshes = 2;              // one may be the first that sees a narrow peak
-constexpr double kLeftByMesh = 0.25;                 // of an error on the mesh before, where it falls as it may hope to
+constexpr double kMostNodesForPressure = 5e4;        // in contact, after all other results have settled: 1 to 2 s
+constexpr double kMostLineNodesForPressure = 4e3;    // in line contact, after all other results have settled
+constexpr double kMostEffortForPressure = 1e6;       // nodes of a line contact times operator applications: 0.5 s
+constexpr double kFruitful = 0.9;                    // a mesh that leaves more of the error has not reduced it
+constexpr int kMostFruitlessMeshes = 2;              // the first of them may only have detected a narrow peak
+constexpr double kLeftByMesh = 0.25;  // fraction of an error that remains on the next mesh if it falls as expected
 
 int whole_nodes(double nodes_per_revolution) {
   const double nodes = std::round(nodes_per_revolution);
   return static_cast<int>(std::clamp<double>(nodes, kFewestNodesPerRevolution, kMostNodesPerRevolution));
 }
 
-/// Spacing across per that along, of a contact that is longer in one direction.
+/// Ratio of the spacing across to that along, for a contact that is longer in one direction.
 double aspect_of(const ContactReach& contact) {
   constexpr double kNarrowest = 0.25;
-  constexpr double kWidest = 2.0;  // what ends at sides asks for more nodes across than its length does
+  constexpr double kWidest = 2.0;  // contacts that end at side faces need more nodes across than their length suggests
   return std::clamp(contact.across / contact.along, kNarrowest, kWidest);
 }
 
-/// Nodes in the estimated contact radius that should do. Nodes that join the contact one by one leave a staircase in
-/// the torque over load or speed, of 0.4 % with 41 nodes across the contact of the paper's example, falling with the
-/// power 2.3 of their number. A tenth of the accuracy is asked of it; the estimate is half as wide again as the
-/// contact.
+/// Number of nodes in the estimated contact radius that should suffice. Nodes that join the contact one by one leave a
+/// staircase in the torque over load or speed: 0.4 % with 41 nodes across the contact of the paper's example, falling
+/// with the power 2.3 of their number. It should be a tenth of the accuracy. The estimated contact is half as wide
+/// again as the contact.
 double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 0.004 / accuracy, 1.0 / 2.3); }
 
-/// Most nodes in contact of a mesh. One that the accuracy asks for by itself may have many; further ones, where answers
-/// change by more than they should, no more than take some seconds with the operator applications of the mesh before.
+/// Largest number of nodes in contact. A mesh that the accuracy itself requires may have many. Further meshes, which
+/// are needed if results change by more than they should, may take at most some seconds with the operator applications
+/// of the previous mesh.
 double most_contact_nodes(const LoadCase& load_case, const Options& options, double planned, int applications) {
   const bool has_friction = load_case.friction > 0.0;
   const bool costly = has_friction || options.curvature == Curvature::exact;
@@ -60,13 +61,13 @@ double most_contact_nodes(const LoadCase& load_case, const Options& options, dou
   return std::min(has_friction ? kMostFrictionalContactNodes : kMostContactNodes, std::max(planned, cheap));
 }
 
-/// A number that the caller did not give, and the size by which its errors are judged.
+/// A result that the caller did not prescribe, and the size relative to which its error is measured.
 struct Answer {
   double value;
   double size;
 };
 
-/// What a user may read first: always in the same order for the same load case.
+/// Scalar results that are checked for convergence, always in the same order for the same load case.
 std::vector<Answer> answers(const Result& result, const LoadCase& load_case, double radius) {
   const double torque = std::abs(result.resisting_torque);
   const double negligible = std::max(1e-10 * load_case.load * result.semi_axis_x, std::numeric_limits<double>::min());
@@ -90,7 +91,7 @@ std::vector<Answer> answers(const Result& result, const LoadCase& load_case, dou
   return answers;
 }
 
-/// Largest change of an answer, relative to its size on either mesh.
+/// Largest change of a result, relative to its size on either mesh.
 double largest_change(const std::vector<Answer>& now, const std::vector<Answer>& before) {
   double largest = 0.0;
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -100,20 +101,20 @@ double largest_change(const std::vector<Answer>& now, const std::vector<Answer>&
   return largest;
 }
 
-/// Relative to the larger one.
+/// Change of the largest pressure, relative to the larger one.
 double change_of_pressure(const Result& now, const Result& before) {
   return std::abs(now.max_pressure - before.max_pressure) /
          std::max({now.max_pressure, before.max_pressure, std::numeric_limits<double>::min()});
 }
 
-/// Meshes of twice the nodes each, until two of them agree.
+/// Solver on a sequence of meshes, each with twice the nodes, until two of them agree.
 class Refiner {
  public:
   Refiner(const RollingPair& pair, const LoadCase& load_case, const Options& options, Watch& watch)
       : pair_(pair), load_case_(load_case), options_(options), watch_(watch) {
     const ContactReach contact = estimate_contact(pair, load_case.angular_speed, load_case.load);
     if (std::isfinite(width(pair))) aspect_ = aspect_of(contact);
-    // The first mesh is to show the error of the second, which should do.
+    // The first mesh serves to estimate the error of the second, which should suffice.
     const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * pair.body->radius() / contact.along;
     mesh_ = make_mesh(nodes);
   }
@@ -136,7 +137,7 @@ class Refiner {
     return mesh;
   }
 
-  /// Solve on the next mesh. @return whether another one is to follow
+  /// Solve on the next mesh. @return whether another mesh is to follow
   [[nodiscard]] bool advance() {
     try {
       const MeshModel model =
@@ -160,13 +161,13 @@ class Refiner {
     return goes_on && go_on_with(2.0 * mesh_.nodes_per_revolution);
   }
 
-  /// But for the largest pressure.
+  /// Whether all results except the largest pressure have settled.
   [[nodiscard]] bool is_settled(const Result& result) const {
     return result.status == Status::converged && result.error_estimate <= options_.accuracy;
   }
 
-  /// Whether meshes that a pressure is worth would settle the largest one: of a peak that none of them resolves the
-  /// caller is told.
+  /// Whether meshes of acceptable cost would settle the largest pressure. If no such mesh resolves its peak, a warning
+  /// reports this.
   [[nodiscard]] bool may_settle_pressure() const {
     const bool is_line = best_->theta_nodes == 1;
     const double nodes = refinements_.back().contact_nodes;
@@ -180,16 +181,16 @@ class Refiner {
            best_->max_pressure_error * std::pow(kLeftByMesh, meshes) <= options_.accuracy;
   }
 
-  /// Whether the next mesh would ask for more than is at hand.
+  /// Whether the next mesh would exceed the limits of memory or time.
   [[nodiscard]] bool is_finest() const {
-    constexpr double kPlanned = 16.0;  // the second mesh is to do, its contact somewhat larger than the first one says
+    constexpr double kPlanned = 16.0;  // for the second mesh, whose contact may be somewhat larger than on the first
     const double next = 4.0 * refinements_.back().contact_nodes;
     return mesh_.nodes_per_revolution == kMostNodesPerRevolution ||
            next > most_contact_nodes(load_case_, options_, kPlanned * refinements_.front().contact_nodes,
                                      best_->operator_applications);
   }
 
-  /// Throw what no mesh has led around, in terms of what the caller gave.
+  /// Rethrow the failure that occurred on every mesh, in terms of the caller's input.
   [[noreturn]] void report() const {
     try {
       std::rethrow_exception(failure_);
@@ -199,7 +200,7 @@ class Refiner {
     }
   }
 
-  /// @return whether that is another mesh than the last
+  /// @return whether the mesh differs from the previous one
   bool go_on_with(double nodes_per_revolution) {
     return mesh_ != std::exchange(mesh_, make_mesh(nodes_per_revolution));
   }
@@ -212,11 +213,11 @@ class Refiner {
     if (best_ && is_settled(*best_) && result.max_pressure_error > kFruitful * best_->max_pressure_error) ++fruitless_;
     Refinement& step = result.refinements.back();
     std::vector<Answer> found = answers(result, load_case_, pair_.body->radius());
-    // There is nothing to compare the first mesh with.
+    // The first mesh has no previous mesh to compare with.
     step.error_estimate = best_ ? std::max(step.power_balance_error, largest_change(found, answers_)) : 1.0;
     result.error_estimate = step.error_estimate;
     has_ended_ = result.status != Status::converged;
-    // What was sought for the pressure alone is no reason to lose the rest.
+    // Keep the earlier result: this mesh was meant to improve the pressure only.
     if (has_ended_ && best_ && is_settled(*best_)) return;
     refinements_.push_back(step);
     answers_ = std::move(found);
@@ -227,10 +228,10 @@ class Refiner {
   const LoadCase& load_case_;
   const Options& options_;
   Watch& watch_;
-  std::optional<double> aspect_;  // of patches, where those of the body are not square
+  std::optional<double> aspect_;  // of patches, if those of the body are not square
   Mesh mesh_;
   bool has_ended_ = false;
-  int fruitless_ = 0;           // meshes on which the largest pressure is hardly more certain than on those before
+  int fruitless_ = 0;           // meshes that hardly reduced the error of the largest pressure
   std::optional<Result> best_;  // on the finest mesh that was solved
   std::vector<Answer> answers_;
   std::vector<Refinement> refinements_;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Choosing the mesh: refine until the error estimate is small enough.
+/// @brief Choice of the mesh: refine until the error estimate is small enough.
 #pragma once
 
 #include "parallel.hpp"
@@ -10,9 +10,9 @@
 
 namespace viscoroll::detail {
 
-/// @brief Solve on finer and finer meshes until the larger of the power-balance error and the changes from the mesh
-/// before is below `options.accuracy`, or the finest mesh allowed is reached. Where a finer mesh cannot be solved, the
-/// answer of the finest that could comes back.
+/// @brief Solve on finer and finer meshes until the larger of the power-balance error and the changes from the previous
+/// mesh is below `options.accuracy`, or the finest mesh allowed is reached. If a finer mesh cannot be solved, return
+/// the result of the finest mesh that was solved.
 [[nodiscard]] Result solve_to_accuracy(const RollingPair& pair, const LoadCase& load_case, const Options& options,
                                        Watch& watch);
 

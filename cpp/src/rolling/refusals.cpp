@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMostNodes = 25000000;  // of a window: some ten gigabytes
 
-/// The layer that relaxes most, and to which share of its modulus at the frequency of what passes the contact.
+/// Layer that relaxes most, and the ratio of its relaxed modulus to that at the frequency of passing the contact.
 struct Relaxation {
   std::string layer;
   double modulus;  ///< relaxed [Pa]
@@ -36,13 +36,13 @@ Relaxation strongest_relaxation(const RollingPair& pair, double frequency) {
   return strongest;
 }
 
-/// What drives a body that slides as a whole.
+/// Drive of a body that slides as a whole.
 struct Sliding {
   double force;   ///< on the center [N]
-  double moment;  ///< about it [N m]
+  double moment;  ///< about the center [N m]
 };
 
-/// Of what skids, and of what spins on the spot.
+/// Drives of a body that skids (creepage 1) and of a body that spins in place (creepage -1).
 std::array<Sliding, 2> sliding(const Assembly& assembly, ContactProblem problem) {
   std::array<Sliding, 2> found{};
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
@@ -55,7 +55,7 @@ std::array<Sliding, 2> sliding(const Assembly& assembly, ContactProblem problem)
   return found;
 }
 
-/// @param[in] least,most between which something rolls without sliding for ever
+/// @param[in] least,most limits between which the body rolls without sliding permanently
 void require_between(const std::string& name, double given, double least, double most, const RoundBody& body,
                      std::string_view unit) {
   if (given > least && given < most) return;
@@ -99,7 +99,7 @@ void require_bearable_load(const MeshModel& model, double load) {
 }
 
 void require_lasting_stiffness(const Assembly& assembly) {
-  constexpr double kLeastShare = 3e-3;  // below, sets of nodes in contact do not settle
+  constexpr double kLeastShare = 3e-3;  // below this ratio, the sets of nodes in contact do not settle
   const double passing =
       assembly.load_case.angular_speed * std::max(1.0, assembly.nodes.grid.radius / assembly.contact.along);
   const Relaxation relaxation = strongest_relaxation(assembly.pair(), passing);
@@ -122,7 +122,7 @@ void require_contact(const Assembly& assembly, double friction, double penetrati
     if (friction == 0.0) {
       assembly.pair().body->require_stiffness();
       assembly.pair().on->require_stiffness();
-      // Nothing else lifts it: equations of a contact as wide as these are not to be solved.
+      // No other cause is possible; such a wide contact is outside the validity of the equations.
       reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
     }
     reject("friction",
@@ -143,8 +143,8 @@ void require_reachable_drive(const Assembly& assembly, const ContactProblem& pro
   try {
     limits = sliding(assembly, problem);
   } catch (const ConvergenceError&) {
-    // No lever of friction is longer than the radius, nor is that of the pressure about the center, nor the slope of a
-    // counterpart times it.
+    // The moment arms of friction, and of the pressure about the center, are at most the radius, and so is the slope of
+    // the counterbody times the radius.
     const double largest = (load_case.friction + 2.0) * load_case.load;
     limits = {Sliding{-largest, -largest * body.radius()}, Sliding{largest, largest * body.radius()}};
   }

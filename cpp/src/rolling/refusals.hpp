@@ -1,5 +1,6 @@
 /// @file
-/// @brief What is absurd, or beyond what the method can say: each refused with a message, `std::invalid_argument`.
+/// @brief Checks of inputs that are absurd or outside the validity of the method. Each check throws
+/// `std::invalid_argument` with a message, unless its comment names another exception.
 #pragma once
 
 #include <string>
@@ -8,40 +9,45 @@
 
 namespace viscoroll::detail {
 
-/// @brief Forms of the equations that the bodies have no tables for.
+/// @brief Reject formulations for which the bodies have no tables.
 void require_formulation(const MeshModel& model, const Options& options);
 
-/// @brief Loads that no coating of such layers bears.
+/// @brief Reject loads that no coating of such layers can support.
 void require_bearable_load(const MeshModel& model, double load);
 
-/// @brief Steady rolling has gone on for ever: order m = 0 has relaxed, and leaves a groove all around that a modulus
-/// of next to nothing cannot bound.
+/// @brief Reject moduli that relax to almost nothing. In steady state, order m = 0 has relaxed completely: the load
+/// leaves a groove around the whole circumference, whose depth such a modulus does not limit.
 void require_lasting_stiffness(const Assembly& assembly);
 
-/// @brief A window with more nodes than can be held.
-/// @throws MeshTooFine
+/// @brief Reject a window with more nodes than fit into memory.
+/// @throws MeshTooFine if the window has too many nodes
 void require_few_nodes(const Window& window, const Mesh& mesh);
 
-/// @brief A penetration [m] through to the core, none at all, and forces of friction that lift what rolls out of its
-/// own contact.
-/// @param[in] friction with which the contact was solved
-/// @throws ConvergenceError where the penetration is no number
+/// @brief Reject a penetration [m] that reaches the core, a penetration that is not positive, and friction that lifts
+/// the rolling body off its contact.
+/// @param[in] assembly the load case
+/// @param[in] friction coefficient with which the contact was solved
+/// @param[in] penetration approach of the bodies [m]
+/// @throws ConvergenceError if the penetration is not finite
 void require_contact(const Assembly& assembly, double friction, double penetration);
 
-/// @brief Where no state was found: a driving force or torque out of reach of what slides as a whole.
+/// @brief Reject a driving force or torque outside the range of a body that slides as a whole. Called if the solver
+/// found no state.
 void require_reachable_drive(const Assembly& assembly, const ContactProblem& problem);
 
-/// @brief The load, always.
+/// @brief Reject the load unconditionally.
 /// @param[in] pair both bodies
 /// @param[in] load [N], or per length
-/// @param[in] reason what becomes of what rolls
+/// @param[in] reason effect of the load on the rolling body, for the message
 [[noreturn]] void reject_load(const RollingPair& pair, double load, const std::string& reason);
 
-/// @brief The load whose contact no window holds, always.
+/// @brief Reject a load whose contact fits into no window.
 [[noreturn]] void reject_contact_over_60_degrees(const RollingPair& pair, double load);
 
-/// @brief A load that presses what rolls as deep as all layers are thick.
-/// @param[in] depth of the free surface [m]
+/// @brief Reject a load that presses the rolling body deeper than the total thickness of all layers.
+/// @param[in] pair both bodies
+/// @param[in] load [N], or per length
+/// @param[in] depth displacement of the free surface [m]
 void require_depth(const RollingPair& pair, double load, double depth);
 
 }  // namespace viscoroll::detail

@@ -18,7 +18,8 @@ using Eigen::ArrayX2d;
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Values as a result has them, without another array in between: on large windows these are what memory is full of.
+/// Values in the type of the result, without an intermediate array: on large windows these arrays take most of the
+/// memory.
 template <class Values>
 std::vector<double> to_vector(const Eigen::ArrayBase<Values>& values) {
   std::vector<double> result(static_cast<std::size_t>(values.size()));
@@ -26,7 +27,7 @@ std::vector<double> to_vector(const Eigen::ArrayBase<Values>& values) {
   return result;
 }
 
-/// Columns of a number of rows, one after the other, of what a function puts into them.
+/// Two columns with a number of rows, one after the other, filled by a function.
 template <class Function>
 std::vector<double> columns(Index rows, const Function& function) {
   std::vector<double> result(2 * static_cast<std::size_t>(rows));
@@ -35,7 +36,7 @@ std::vector<double> columns(Index rows, const Function& function) {
   return result;
 }
 
-/// Arms of the nodes in contact where what rolls is displaced to, by itself.
+/// Moment arms of the nodes in contact, displaced by the rolling body's own displacement.
 LeverArms displaced_arms(const Assembly& given, const HeldContact& held) {
   const double share = given.pressure_share();
   const std::vector<Index>& contact = held.contact.contact;
@@ -51,7 +52,8 @@ std::vector<unsigned char> mask(const std::vector<Index>& nodes, Index size) {
   return values;
 }
 
-/// A sum of forces or moments without the round-off of what cancels in it, and of steps towards what a drive gives.
+/// Sum of forces or moments, without the round-off of canceling terms and the remainder of an iteration towards a given
+/// value.
 double settled(double sum, double largest_summand, std::optional<double> given = std::nullopt) {
   constexpr double kRoundOff = 1e-12;
   constexpr double kLeftBySteps = 1e-9;
@@ -59,8 +61,8 @@ double settled(double sum, double largest_summand, std::optional<double> given =
   return std::abs(sum) < kRoundOff * largest_summand ? 0.0 : sum;
 }
 
-/// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed surface;
-/// under a rigid ball that is the ball's.
+/// D_2 = sum of p dw_2/dxi: force of the pressure along the counterbody's deformed surface. Under a rigid ball it
+/// follows from the surface of the ball.
 double deformed_pushback(const Assembly& given, const HeldContact& held) {
   switch (held.problem.surface->deforming()) {
     case Deforming::rolling:
@@ -109,7 +111,7 @@ class Summary {
     const double penetration = contact_.penetration - given_.model.centrifugal;
     r.penetration = penetration;
     r.center_height = radius() - penetration;
-    // A half-space is strained as deep as the contact is wide.
+    // In a half-space, the contact width takes the place of the thickness.
     const double contact_size = std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
     r.strain = penetration / (layer_thickness(given_.pair()) + half_space_share(given_.pair()) * contact_size);
   }
@@ -126,7 +128,7 @@ class Summary {
     r.spin_moment =
         settled((window_.z()(contact) * forward - window_.x()(contact) * sideways).sum(), load * r.semi_axis_x);
 
-    // A counterpart that slopes down ahead of the pressure takes that share of it off the moment.
+    // The slope of the counterbody reduces the moment of the pressure about the center.
     r.driving_torque = settled(moment(arms_, force_) - radius() * counterpart_force(r), load * radius(), motion.torque);
   }
 
@@ -149,7 +151,7 @@ class Summary {
         r.driving_torque * load_case.angular_speed + (r.driving_force + force_of_turning_counterpart(r)) * speed;
     const double guided = r.lateral_force * motion.lateral_creepage + r.spin_moment * motion.spin;
     work -= guided * load_case.angular_speed * radius();
-    // Below this share of the largest torque that the load could exert, both are round-off of a lossless coating.
+    // Smaller powers, relative to the largest torque that the load could cause, are round-off of a lossless coating.
     const double negligible =
         std::max(1e-10 * load_case.load * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());
     r.power_balance_error =
@@ -157,7 +159,7 @@ class Summary {
   }
 
   void add_fields(Result& r) const {
-    // The paper's flat patch has the size of those on the equator.
+    // The paper's flat patch has the size of the patches on the equator.
     const bool flat = given_.options.patch_load == PatchLoad::flat && given_.model.curvature != Curvature::exact;
     const ArrayXd area = flat ? ArrayXd(ArrayXd::Constant(area_.size(), flat_area_)) : area_;
     const ArrayXd pressure = -force_.col(kDown) / area;
@@ -187,14 +189,14 @@ class Summary {
     r.slip_velocity = columns(size_, [&](auto& velocity) { add_slip_velocity(velocity); });
   }
 
-  /// What the way to the ends of the outermost patches says, of fields that are there.
+  /// Results and warnings that depend on the distance to the ends of the outermost patches. The fields must be set.
   void add_limits(Result& r) const {
     const SurfaceGrid& grid = window_.grid();
     ContactReach reach = contact_reach(r);
     reach.along += 0.5 * grid.radius * grid.phi_spacing;
     reach.across += 0.5 * grid.radius * grid.theta_spacing;
     const double clear = 0.5 * width(given_.pair()) - reach.across;
-    // Patches end at the sides but for round-off.
+    // Patches end at the side faces except for round-off.
     if (std::isfinite(clear)) r.face_distance = clear > 1e-9 * reach.across ? clear : 0.0;
     r.warnings = warnings_of_bodies(reach);
     if (!r.strain) return;
@@ -205,7 +207,7 @@ class Summary {
  private:
   [[nodiscard]] double radius() const { return window_.grid().radius; }
 
-  /// Numbers of the nodes in contact where those of all nodes are.
+  /// Set the values of the nodes in contact in a field of all nodes.
   template <class Values, class Field>
   void put(const Values& values, Field field) const {
     Index i = 0;
@@ -224,11 +226,11 @@ class Summary {
     return warnings;
   }
 
-  /// Of the pressure on the body, backward: what the counterpart's surface, deformed and curved, makes of it.
+  /// Backward force of the pressure on the body, due to the deformed and curved surface of the counterbody.
   [[nodiscard]] double counterpart_force(const Result& r) const { return pushback_ - r.resisting_torque * curvature_; }
 
-  /// Its work per way, beside that of the force on the center: the moment about the counterpart's axis, which turns as
-  /// well, per its radius.
+  /// Force whose work supplements that of the force on the center if the counterbody turns: the moment about the axis
+  /// of the counterbody, divided by its radius.
   [[nodiscard]] double force_of_turning_counterpart(const Result& r) const {
     if (curvature_ == 0.0) return 0.0;
     double moment = r.resisting_torque;
@@ -236,16 +238,16 @@ class Summary {
     return curvature_ * moment;
   }
 
-  /// Of the nodes in contact; a node takes spacing / Omega to its neighbor.
+  /// Set the slip velocity of the nodes in contact; a node takes spacing / Omega to reach its neighbor's position.
   void add_slip_velocity(Eigen::Map<ArrayX2d>& velocity) const {
     if (contact_.slip.rows() == 0) return;
     const double rate = given_.load_case.angular_speed / window_.grid().phi_spacing;
     for (const Index node : contact_.contact) velocity.row(node) = rate * contact_.slip.row(node);
   }
 
-  /// A node's patch reaches half way to both neighbors: it slides half of the way from the one before and half of the
-  /// way to the one after. Friction takes work and gives none, where the one after has left the contact and may move
-  /// ahead of the force.
+  /// Power dissipated by slip. The patch of a node extends half a spacing to both neighbors, so that its force acts
+  /// over half of the slip from the previous node and half of the slip to the next node. If the next node has left the
+  /// contact, it may move ahead of the force; friction supplies no power, so such a node contributes nothing.
   [[nodiscard]] double slip_power() const {
     const Index stride = window_.shape().theta_nodes;
     const Index rest = size_ - stride;
@@ -264,11 +266,11 @@ class Summary {
   const Losses& losses_;
   Index size_;
   VectorField force_;  // on the nodes in contact
-  LeverArms arms_;     // of these, displaced
-  double curvature_;   // of the counterpart along the path, as it is met [1/m]
-  double pushback_;    // of the pressure along the deformed surface of the counterpart, D_2 [N]
-  double flat_area_;   // of a patch [m^2]
-  ArrayXd area_;       // of those in contact
+  LeverArms arms_;     // of the nodes in contact, displaced
+  double curvature_;   // of the counterbody along the path, with centrifugal growth [1/m]
+  double pushback_;    // D_2, force of the pressure along the deformed surface of the counterbody [N]
+  double flat_area_;   // of a patch on the equator [m^2]
+  ArrayXd area_;       // of the patches in contact [m^2]
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 /// @file
-/// @brief From a solved contact to what a user asks for.
+/// @brief Results of a solved contact in the form that users read.
 #pragma once
 
 #include "rolling/window_search.hpp"
@@ -7,14 +7,15 @@
 
 namespace viscoroll::detail {
 
-/// Largest error of the torque, per strain, beside finite strain with the viscosities of Newton and of Jaumann: h/r_o =
-/// 1/84, 1/21 and 1/5, Poisson's ratio 0.3 and 1/2 (tests/reference/finite_strain_table.py finds 0.72).
+/// Largest relative error of the torque per strain, compared with finite strain and the viscosities of Newton and
+/// Jaumann for h/r_o = 1/84, 1/21 and 1/5 and Poisson's ratios 0.3 and 1/2 (tests/reference/finite_strain_table.py
+/// gives 0.72).
 inline constexpr double kErrorPerStrain = 0.75;
 
-/// @return how far the nodes in contact reach
+/// @return extent of the nodes in contact
 [[nodiscard]] ContactReach contact_reach(const Result& result);
 
-/// @brief Torques, powers and fields of a solved contact.
+/// @brief Compute torques, powers and fields of a solved contact.
 [[nodiscard]] Result make_result(const Assembly& given, const HeldContact& held);
 
 }  // namespace viscoroll::detail

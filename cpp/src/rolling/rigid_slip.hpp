@@ -1,5 +1,5 @@
 /// @file
-/// @brief How undeformed bodies slide over one another as they roll.
+/// @brief Slip between undeformed bodies in rolling.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,17 +12,18 @@
 
 namespace viscoroll::detail {
 
-/// @brief Ways from row to row along x and z [m]; 0 in the first row.
+/// @brief Displacements from row to row along x and z [m]; 0 in the first row.
 struct RigidWays {
-  /// Of what rolls over what it rolls on at no creepage of a drive: radii are smaller away from the middle (Heathcote),
-  /// and a guide adds lateral creepage, and spin about the vertical axis
+  /// Slip of the rolling body over the counterbody at zero creepage of the drive: radii are smaller away from the
+  /// middle (Heathcote slip), and a guide adds lateral creepage and spin about the vertical axis
   Eigen::ArrayX2d slip;
-  Eigen::ArrayX2d counterpart_way;  ///< of the surface of what it rolls on, at no creepage
+  Eigen::ArrayX2d counterpart_way;  ///< displacement of the counterbody's surface at zero creepage
 };
 
-/// @param[in] points where displacements are taken
-/// @param[in] swelling of the free surfaces, by the turning
-/// @param[in] kinematics with Heathcote slip or without
+/// @brief Slip and displacement of undeformed bodies from row to row.
+/// @param[in] points positions at which displacements are evaluated
+/// @param[in] swelling centrifugal growth of the free surfaces
+/// @param[in] kinematics with or without Heathcote slip
 /// @param[in] pair both bodies
 /// @param[in] given lateral creepage and spin
 [[nodiscard]] RigidWays rigid_slip(const SurfaceWindow& points, const Swelling& swelling, SlipKinematics kinematics,

@@ -61,7 +61,7 @@ auto checked_body(const Shape& shape) {
   return make_body(shape);
 }
 
-/// Nodes from the lowest one to where a surface that bulges has turned by 60 degrees, too.
+/// Nodes from the lowest one to the place at which a convex counterbody has turned by 60 degrees as well.
 NodeRange within_60_degrees(const NodeRange& range, double curvature, double distance) {
   const double turned = curvature * distance;  // from node to node [rad]
   const double most = turned > 0.0 ? std::numbers::pi / 3.0 / turned : range.last;

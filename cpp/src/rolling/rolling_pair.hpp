@@ -1,5 +1,5 @@
 /// @file
-/// @brief Two bodies that roll on one another, and what both together are.
+/// @brief Two bodies that roll on one another, and properties of the pair.
 #pragma once
 
 #include <memory>
@@ -15,42 +15,44 @@ struct RollingPair {
   std::shared_ptr<const Body> on;
 };
 
-/// @throws std::invalid_argument naming parameter, value, unit and range, where a body is none or the two cannot roll
-/// on one another
+/// @brief Check and combine both bodies.
+/// @throws std::invalid_argument with parameter, value, unit and range, if a body is invalid or the two cannot roll on
+/// one another
 [[nodiscard]] RollingPair rolling_pair(const RollingBody& body, const Counterpart& on);
 
-/// @return nodes of a mesh on what rolls, where neither surface has turned by more than 60 degrees
+/// @return nodes of a mesh on the rolling body at which neither surface has turned by more than 60 degrees
 [[nodiscard]] Nodes nodes_of(const RollingPair& pair, const Mesh& mesh);
 
-/// @brief How the material of both crosses the contact.
+/// @brief Motion of the material of both bodies through the contact.
 /// @param[in] pair both bodies
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] mesh spacing and truncation
-/// @param[in] curvature what is kept of it in the equations of the layers
-/// @param[in] execution of the sums
-/// @param[in] inertia_tolerance relative error of the compliance that may be left of inertia
+/// @param[in] curvature curvature terms retained in the layer equations
+/// @param[in] execution threads, progress and cancellation
+/// @param[in] inertia_tolerance largest relative error of the compliance due to the truncated expansion in inertia
 [[nodiscard]] Crossing crossing_of(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
                                    const Execution& execution, double inertia_tolerance);
 
-/// @return R of 1/R = 1/R_1 + 1/R_2 along the path [m]
+/// @return relative radius R along the path, 1/R = 1/R_1 + 1/R_2 [m]
 [[nodiscard]] double relative_radius(const RollingPair& pair);
 
-/// @return across, within which they touch; infinite where neither has sides [m]
+/// @return width within which the bodies can touch; infinite if neither has side faces [m]
 [[nodiscard]] double width(const RollingPair& pair);
 
-/// @return all layers of both, those of the body first
+/// @return all layers of both bodies, those of the rolling body first
 [[nodiscard]] std::vector<NamedLayer> layers(const RollingPair& pair);
 
-/// @return whether displacements are those from a place that rests
+/// @return whether displacements are relative to a place at rest, so that the approach of the bodies is defined
 [[nodiscard]] bool approach_exists(const RollingPair& pair);
 
-/// @return thickness of all of them together [m], maybe infinite
+/// @return total thickness of all layers [m]; infinite with a half-space
 [[nodiscard]] double thickness(const RollingPair& pair);
 
-/// @return the same without half-spaces [m]
+/// @return total thickness without half-spaces [m]
 [[nodiscard]] double layer_thickness(const RollingPair& pair);
 
-/// @return how soft a half-space is, beside the softest layer, at rest: from 0, rigid or none, to 1
+/// @return ratio of the compliance of the half-space to that of the softest layer at rest, at most 1; 0 without a
+/// half-space
 [[nodiscard]] double half_space_share(const RollingPair& pair);
 
 }  // namespace viscoroll::detail

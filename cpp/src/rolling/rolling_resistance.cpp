@@ -13,14 +13,14 @@ namespace {
 using detail::reject;
 using detail::text;
 
-/// Loads and speeds at an end are those of the study, but for round-off.
+/// Loads and speeds at an end of the range are those of the study except for round-off.
 constexpr double kSlack = 1e-12;
 
 double mapped(double value, const std::array<double, 2>& range) {
   return 2.0 * std::log(value / range[0]) / std::log(range[1] / range[0]) - 1.0;
 }
 
-/// Clenshaw's recurrence: sum of coefficient(i) T_i(x).
+/// Sum of coefficient(i) T_i(x) by Clenshaw's recurrence.
 template <class Coefficient>
 double chebyshev_sum(std::size_t count, const Coefficient& coefficient, double x) {
   double next = 0.0;

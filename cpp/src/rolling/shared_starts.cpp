@@ -9,7 +9,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// As many as a study takes turns with: loads, and drives.
+/// Number of starts that are kept: as many loads and drives as a study alternates between.
 constexpr std::size_t kKept = 16;
 
 std::vector<double> numbers_of(const GivenMotion& motion) {

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Starts of the load cases of a model with friction, by all that they depend on.
+/// @brief Starting points for the load cases of a model with friction, found by everything that they depend on.
 #pragma once
 
 #include <deque>
@@ -15,12 +15,13 @@
 
 namespace viscoroll::detail {
 
-/// @brief The last few starts of a model. Threads may share it.
+/// @brief The last few starting points of a model. Threads may share it.
 class SharedStarts {
  public:
-  /// @param[in] load_case whose coefficient of friction is not looked at
-  /// @param[in] options how it is solved
-  /// @param[in] window in which
+  /// @return the starting point of load cases that differ by their coefficient of friction only
+  /// @param[in] load_case load and drive; its coefficient of friction is ignored
+  /// @param[in] options solver options
+  /// @param[in] window window of nodes
   [[nodiscard]] std::shared_ptr<SharedStart> of(const LoadCase& load_case, const Options& options,
                                                 const Window& window);
 

@@ -1,4 +1,4 @@
-// Public face of the library: checks the input once and dispatches.
+// Public interface of the library: checks the input once and calls the solver.
 #include "viscoroll/solve.hpp"
 
 #include <memory>

@@ -13,7 +13,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Of as many rows and columns, around the lowest node.
+/// Window around the lowest node with as many rows and columns as the state.
 Window window_of(const KeptContact& state, const Window& widest) {
   const auto range = [](const std::string& name, int nodes, const NodeRange& most) {
     const int to_edge = nodes / 2;

@@ -13,21 +13,22 @@
 
 namespace viscoroll::detail {
 
-/// @brief Solve one load case: tables, contact, powers. A window whose edge is touched grows.
-/// @param[in] model of both bodies at the load case's speed, on a mesh
+/// @brief Solve one load case: tables, contact, powers. If the contact touches the edge of the window, the window
+/// grows.
+/// @param[in] model both bodies at the speed of the load case, on a mesh
 /// @param[in] load_case load, friction and drive
-/// @param[in] options how to solve; its mesh and accuracy are not looked at
+/// @param[in] options solver options; mesh and accuracy are ignored
 /// @param[in] watch progress and cancellation
-/// @param[in] seen reach of the contact on a coarser mesh, where there was one
-/// @throws std::invalid_argument where the load presses what rolls through its coating
-/// @throws ConvergenceError where no contact was found
-/// @throws MeshTooFine where the mesh needs too many nodes
+/// @param[in] seen extent of the contact on a coarser mesh, if there was one
+/// @throws std::invalid_argument if the load presses the rolling body through its coating
+/// @throws ConvergenceError if no contact was found
+/// @throws MeshTooFine if the mesh needs too many nodes
 [[nodiscard]] Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options,
                                      Watch& watch, const std::optional<ContactReach>& seen = std::nullopt);
 
-/// @brief The same with who touches, sticks and slips kept as in a state on that mesh.
-/// @throws std::invalid_argument for a state that is not of that mesh
-/// @throws ConvergenceError where there is no solution near the state
+/// @brief Solve one load case with the sets of contacting, sticking and slipping nodes of a state on the same mesh.
+/// @throws std::invalid_argument if the state belongs to another mesh
+/// @throws ConvergenceError if there is no solution near the state
 [[nodiscard]] Result solve_kept_case(const MeshModel& model, const LoadCase& load_case, const Options& options,
                                      Watch& watch, const KeptContact& state);
 

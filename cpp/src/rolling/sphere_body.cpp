@@ -1,4 +1,4 @@
-// A ball, or another one that it rolls on, touching in a spot: translation-invariant tables of the orders (m, n), or
+// Ball, as the rolling body or the counterbody, in point contact: translation-invariant tables of the orders (m, n), or
 // those of the exact sphere.
 #include <cmath>
 #include <memory>
@@ -14,9 +14,10 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Inertia joins neighboring degrees on the exact sphere: it is left out there, or the speed refused where it counts.
+/// Inertia couples neighboring degrees of the exact sphere. It is left out if it is negligible; otherwise the speed is
+/// rejected.
 CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
-  constexpr double kNegligible = 1e-3;  // of rho (Omega r_o)^2 per modulus, which changes the torque by less
+  constexpr double kNegligible = 1e-3;  // of rho (Omega r_o)^2 / |modulus|; the torque changes by less
   const HarmonicBody body = body_at_rest(layered_body(sphere), angular_speed);
   const double speed = angular_speed * body.radius();
   for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
@@ -32,7 +33,7 @@ CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
   return sphere;
 }
 
-/// With inertia in what it is displaced by alone.
+/// Surface of the exact sphere, with inertia in the centrifugal displacement only.
 BodySurface surface_of_exact_sphere(const CoatedSphere& sphere, const Crossing& crossing) {
   const double radius = outer_radius(sphere);
   const double speed = crossing.angular_speed_at(radius);
@@ -50,7 +51,8 @@ BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
   return surface_under_spot(layered_body(sphere, crossing.curvature), crossing);
 }
 
-/// The height of what rolls on it, so many times: the gap's slope along the nodes is x over the relative radius.
+/// Height of the rolling body's nodes times the ratio of the radii: the slope of the gap along the nodes is then x
+/// divided by the relative radius.
 Profile profile_of(double radius, const SurfaceWindow& points) {
   return {.drop = points.grid().radius / radius * points.height(), .slope = points.x() / radius};
 }

@@ -52,7 +52,7 @@ std::shared_ptr<const SphereInfluence> SphereTables::influence(const SphereReque
     phi_reach = std::max(phi_reach, widest.phi_reach);
     half_theta = std::max(half_theta, widest.half_theta());
   }
-  // What displaces will dissipate: the local metric serves both at once.
+  // Displacements and dissipation are both needed, and one local metric serves both sums.
   std::vector<SphereRequest> requests{request, request};
   requests.back().power = !request.power;
   auto influences = sum_.influences(requests, phi_reach, half_theta, execution.threads, execution.watch);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Influence on the exact sphere.
+/// @brief Influence of forces on the exact sphere.
 #pragma once
 
 #include <memory>
@@ -12,24 +12,24 @@
 
 namespace viscoroll::detail {
 
-/// @brief Influence as summed for an earlier load case, where it reaches far enough.
+/// @brief Influence on the exact sphere, reused from an earlier load case if it reaches far enough.
 class SphereTables final : public SurfaceTables {
  public:
-  /// @param[in] sum makes influence
-  /// @param[in] mesh that it is made on
+  /// @param[in] sum computes the influence
+  /// @param[in] mesh mesh of the influence
   SphereTables(SphereSum sum, const Mesh& mesh) : sum_(std::move(sum)), mesh_(mesh) {}
 
-  /// @throws MeshTooFine where harmonics and tables have more values than can be held
+  /// @throws MeshTooFine if harmonics and tables have more values than fit into memory
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_on(const SurfaceWindow& nodes,
                                                                    const Formulation& formulation,
                                                                    const Execution& execution) const override;
 
  private:
-  /// @throws MeshTooFine where they are too many
+  /// @throws MeshTooFine if harmonics and tables have too many values
   void require_few_values(const SphereRequest& request, int phi_reach, int half_theta) const;
-  /// @param[in] request which one
+  /// @param[in] request kind of influence
   /// @param[in] phi_reach,half_theta offsets and thetas that it reaches at least
-  /// @param[in] execution of the sum
+  /// @param[in] execution threads, progress and cancellation
   [[nodiscard]] std::shared_ptr<const SphereInfluence> influence(const SphereRequest& request, int phi_reach,
                                                                  int half_theta, const Execution& execution) const;
 
@@ -41,7 +41,7 @@ class SphereTables final : public SurfaceTables {
   SphereSum sum_;
   Mesh mesh_;
   mutable std::timed_mutex mutex_;
-  mutable std::vector<Entry> entries_;  // the widest of each request
+  mutable std::vector<Entry> entries_;  // the widest one for each request
 };
 
 }  // namespace viscoroll::detail

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a layered body does under a spot.
+/// @brief Surface of any layered body in point contact.
 #pragma once
 
 #include <memory>
@@ -9,15 +9,17 @@
 
 namespace viscoroll::detail {
 
-/// @param[in] layers of any body; those of a plane with the radius of what rolls; at least one
-/// @param[in] crossing how its material crosses the contact
+/// @brief Sum of the orders of a body in point contact.
+/// @param[in] layers layers of a body, at least one; for a plane, with the radius of the rolling body
+/// @param[in] crossing motion of the material through the contact
 [[nodiscard]] std::unique_ptr<const TableSum> sum_under_spot(const LayeredBody& layers, const Crossing& crossing);
 
-/// @param[in] layers as for `sum_under_spot`
-/// @param[in] crossing how its material crosses the contact
+/// @brief Properties of the surface of a body in point contact.
+/// @param[in] layers same as in `sum_under_spot`
+/// @param[in] crossing motion of the material through the contact
 [[nodiscard]] BodySurface surface_under_spot(const LayeredBody& layers, const Crossing& crossing);
 
-/// @brief The same with other tables than those of that sum.
+/// @brief Same as above, with other tables than those of `sum_under_spot`.
 [[nodiscard]] BodySurface surface_under_spot(const LayeredBody& layers, const Crossing& crossing,
                                              std::unique_ptr<const SurfaceTables> tables);
 

@@ -9,7 +9,8 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Up to this reach the compliance of the orders costs more than their sums: tables of all kinds are made together.
+/// Up to this reach, computing the compliances of the orders costs more than summing them, so that tables of all kinds
+/// are made together.
 constexpr int kShortReach = 128;
 
 std::vector<TableRequest> requests(const Formulation& formulation, TableKind kind) {
@@ -36,7 +37,7 @@ TableOperator::Tables TableStore::tables(const Formulation& formulation, TableKi
   const auto lock = lock_watched(mutex_, execution.watch, "waiting for another thread's tables");
   if (const TableSet* set = find(formulation, kind)) {
     if (set->phi_reach >= phi_reach && set->theta_reach >= theta_reach) return set->tables;
-    // Rising loads are to ask for few sets.
+    // Extend the reach by half, so that increasing loads need few new sets.
     phi_reach = std::max(phi_reach, std::min(3 * set->phi_reach / 2, mesh_.nodes_per_revolution / 2));
     theta_reach = std::max(theta_reach, std::min(3 * set->theta_reach / 2, theta_nodes_per_revolution(mesh_) / 2));
   }

@@ -14,17 +14,17 @@
 
 namespace viscoroll::detail {
 
-/// @brief What influence tables are for.
+/// @brief Purpose of influence tables.
 enum class TableKind {
   displacement,  ///< those of `displacement_tables`
   dissipation,   ///< those of `dissipation_tables`
 };
 
-/// @brief Tables as made for an earlier load case, where that is enough.
+/// @brief Influence tables of a body, reused from an earlier load case if they reach far enough.
 class TableStore final : public SurfaceTables {
  public:
-  /// @param[in] sum makes tables
-  /// @param[in] mesh whose revolution bounds their reach
+  /// @param[in] sum computes the tables
+  /// @param[in] mesh mesh whose revolution limits the reach of the tables
   TableStore(std::unique_ptr<const TableSum> sum, const Mesh& mesh) : sum_(std::move(sum)), mesh_(mesh) {}
 
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_on(const SurfaceWindow& nodes,
@@ -40,13 +40,13 @@ class TableStore final : public SurfaceTables {
     TableOperator::Tables tables;
   };
 
-  /// @param[in] formulation which tables
-  /// @param[in] kind which of them
+  /// @param[in] formulation formulation of the contact
+  /// @param[in] kind purpose of the tables
   /// @param[in] phi_reach,theta_reach offsets that they reach at least
-  /// @param[in] execution of the sum
+  /// @param[in] execution threads, progress and cancellation
   [[nodiscard]] TableOperator::Tables tables(const Formulation& formulation, TableKind kind, int phi_reach,
                                              int theta_reach, const Execution& execution) const;
-  /// Sum the tables of some kinds at once, and keep them.
+  /// Sum the tables of some kinds together and store them.
   void add(const Formulation& formulation, std::span<const TableKind> kinds, int phi_reach, int theta_reach,
            const Execution& execution) const;
   [[nodiscard]] const TableSet* find(const Formulation& formulation, TableKind kind) const;
@@ -54,7 +54,7 @@ class TableStore final : public SurfaceTables {
   std::unique_ptr<const TableSum> sum_;
   Mesh mesh_;
   mutable std::timed_mutex mutex_;
-  mutable std::vector<TableSet> sets_;  // the widest of each kind
+  mutable std::vector<TableSet> sets_;  // the widest one for each formulation and kind
 };
 
 }  // namespace viscoroll::detail

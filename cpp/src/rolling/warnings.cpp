@@ -10,10 +10,10 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr int kFewestNodesAcross = 10;     // the example with 5 nodes in contact is 14 % off, by its own estimate 1 %
-constexpr double kLargestEstimate = 0.05;  // of a mesh that is worth something
-constexpr double kLargestDoubt = 0.1;      // of the largest pressure; smooth ones have 0.08 on ten nodes across
-constexpr double kLargestStrain = 0.2;     // beyond, no finite-strain computation stands behind the error of the model
+constexpr int kFewestNodesAcross = 10;     // with 5 nodes the paper's example is 14 % off, and its own estimate is 1 %
+constexpr double kLargestEstimate = 0.05;  // largest error estimate of a useful mesh
+constexpr double kLargestDoubt = 0.1;      // of the largest pressure; smooth pressures have 0.08 with ten nodes across
+constexpr double kLargestStrain = 0.2;     // no finite-strain computation supports the model error beyond this strain
 
 /// Lines of nodes that cross the contact, in the direction with fewer of them.
 int nodes_across(const Result& result) {
@@ -52,7 +52,7 @@ std::string pressure_peak_text(const Result& result, double good) {
 }  // namespace
 
 std::vector<Warning> warnings_of(const Result& result, const Options& options, bool mesh_given) {
-  std::vector<Warning> warnings = result.warnings;  // those of the body
+  std::vector<Warning> warnings = result.warnings;  // those of the bodies
   if (result.status == Status::max_iterations) {
     warnings.push_back({WarningKind::max_iterations, "the contact still changed when the " +
                                                          std::to_string(options.max_iterations) +

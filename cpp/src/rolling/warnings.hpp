@@ -1,5 +1,5 @@
 /// @file
-/// @brief What a user should know before relying on a result.
+/// @brief Warnings about a result.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 namespace viscoroll::detail {
 
 /// @brief Warnings of a finished solve.
-/// @param[in] result all but its warnings beside those of the body
+/// @param[in] result complete, with the warnings of the bodies only
 /// @param[in] options with which it was solved
-/// @param[in] mesh_given whether the mesh was the caller's
+/// @param[in] mesh_given whether the caller chose the mesh
 [[nodiscard]] std::vector<Warning> warnings_of(const Result& result, const Options& options, bool mesh_given);
 
 }  // namespace viscoroll::detail

@@ -1,4 +1,4 @@
-// A wheel, or another one that it rolls on, touching in a spot that may reach its sides: docs/theory/wheels.md.
+// Wheel, as the rolling body or the counterbody, in point contact that may reach its side faces: docs/theory/wheels.md.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -14,7 +14,7 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr int kFewestColumns = 4;  // to either side of the middle: coarser meshes still have some
+constexpr int kFewestColumns = 4;  // on either side of the middle, so that coarser meshes still have some
 
 void require_wheel_options(const Options& options) {
   if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT with a wheel", "SPHERICAL");
@@ -28,7 +28,7 @@ void require_curvature_of_wheel(Curvature curvature) {
 
 bool has_free_sides(const CoatedWheel& wheel) { return wheel.sides == Sides::free && !wheel.layers.empty(); }
 
-/// The tread without sides, and what they add to it where they are free.
+/// Surface of the endless tread, with the effect of the faces if these are free.
 BodySurface surface_of(const CoatedWheel& wheel, const Crossing& crossing) {
   require_curvature_of_wheel(crossing.curvature);
   if (wheel.layers.empty()) return {};
@@ -45,7 +45,7 @@ LayeredBody layers_of(const CoatedWheel& wheel, const Crossing& crossing) {
   return layered_body(wheel);
 }
 
-/// At the same arcs as the nodes of what rolls on it.
+/// Profile at the same arc lengths as the nodes of the rolling body.
 Profile profile_of(const CoatedWheel& wheel, const SurfaceWindow& points) {
   const double radius = outer_radius(wheel);
   const Eigen::ArrayXd forward = (std::numbers::pi / 2.0 - points.phi()) * (points.grid().radius / radius);
@@ -54,7 +54,8 @@ Profile profile_of(const CoatedWheel& wheel, const SurfaceWindow& points) {
           .slope = (1.0 - crown / radius) * forward.sin()};
 }
 
-/// Columns whose patches are of equal width, as near to the mesh's as lets an odd number of them end at the sides.
+/// Nodes with columns of equal width. Their width is as close to the spacing of the mesh as is possible with an odd
+/// number of columns that ends at the side faces.
 Nodes nodes_of(const CoatedWheel& wheel, const Mesh& mesh, const Body& on) {
   const double radius = outer_radius(wheel);
   const double width = std::min(wheel.width, on.width());
@@ -68,23 +69,24 @@ Nodes nodes_of(const CoatedWheel& wheel, const Mesh& mesh, const Body& on) {
           .widest = {{-phi, phi}, {-aside, aside}}};
 }
 
-/// What the torque of a tread without sides lacks, by the distance from the contact to the sides of a tread that ends:
-/// what finite elements of its section find, at Poisson's ratio 1/2 (docs/theory/wheels.md).
+/// Relative error of the torque of an endless tread, as a function of the distance from the contact to the side faces,
+/// from finite elements of the section at Poisson's ratio 1/2 (docs/theory/wheels.md).
 double error_of_sides(const CoatedWheel& wheel, double across) {
   constexpr double kAtSides = 0.11;
-  constexpr double kFall = 2.2;  // per thickness
+  constexpr double kFall = 2.2;  // decay exponent per thickness
   return kAtSides * std::exp(-kFall * (0.5 * wheel.width - across) / coating_thickness(wheel));
 }
 
-/// Of what the crown changes, and of a profile that is taken as thick everywhere as in the middle; both are those of
-/// the section where sides are free.
+/// Relative error of the torque due to the crown, and due to a thickness that is taken as equal everywhere. With free
+/// sides, the section includes both.
 double error_of_crown(const CoatedWheel& wheel, const ContactReach& contact) {
   if (std::isinf(wheel.crown_radius)) return 0.0;
   const double slope = contact.across / wheel.crown_radius;
   if (wheel.sides == Sides::free) return slope * slope;
-  // What the first order in the curvature changes, of which it leaves a sixth to a twentieth.
+  // Change of the torque in first order of the curvature; the remaining error is a sixth to a twentieth of it.
   constexpr double kFirstOrder = 0.17;
-  // A tread that grows thinner to its sides is one of the thickness h - 0.1 a^2 / R_c, and twice as much softer.
+  // A tread that becomes thinner towards its faces acts like one of the thickness h - 0.1 a^2 / R_c. The relative
+  // change of the torque is twice that of the thickness.
   constexpr double kThinner = 0.2;
   const double thickness = coating_thickness(wheel);
   const double size = std::sqrt(contact.along * contact.across);

@@ -12,21 +12,23 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Overclosure outside the box of a contact, per penetration, that shows that the contact reaches there.
+/// Overclosure outside the box of a contact, relative to the penetration, above which the contact extends beyond the
+/// box.
 constexpr double kOverclosure = 1e-8;
 
-constexpr double kMarginOfEstimate = 1.1;  // of windows around a contact that was estimated, rather from above ...
-constexpr double kMarginOfSeen = 1.2;      // ... and around one that was seen on a coarser mesh
+constexpr double kMarginOfEstimate = 1.1;  // of windows around an estimated contact, which is rather too large
+constexpr double kMarginOfSeen = 1.2;      // of windows around a contact that was found on a coarser mesh
 
-constexpr double kRoundOff = 1e-9;  // in nodes: contacts that were seen are whole numbers of them, times the margin
+constexpr double kRoundOff =
+    1e-9;  // in nodes: a contact on a coarser mesh is a whole number of nodes, times the margin
 
-constexpr int kRoughNodes = 16;  // from the lowest one to the edge of a window, on a mesh that is to show its size
+constexpr int kRoughNodes = 16;  // from the lowest node to the edge of a window, on a mesh that shows its size
 
-constexpr double kPressedThrough = 10.0;  // depths in thicknesses that no coating bears
+constexpr double kPressedThrough = 10.0;  // depth, in thicknesses, that no coating can support
 
-constexpr Eigen::Index kFewNodes = 1024;    // that show whether a window holds a contact ...
-constexpr Eigen::Index kManyNodes = 16384;  // ... and whether it is far from holding it
-constexpr double kOverrun = 1.0 / 3.0;      // of a side, which a circle does that is a twentieth larger than the window
+constexpr Eigen::Index kFewNodes = 1024;    // enough to show whether a window contains a contact
+constexpr Eigen::Index kManyNodes = 16384;  // enough to show whether a contact extends far beyond a window
+constexpr double kOverrun = 1.0 / 3.0;  // fraction of a side; reached by a circle a twentieth larger than the window
 
 /// Nodes to either side of the lowest one.
 struct HalfWidths {
@@ -36,12 +38,12 @@ struct HalfWidths {
   [[nodiscard]] Window window() const { return {{-phi, phi}, {-theta, theta}}; }
 };
 
-/// Smallest gap of the nodes that a box leaves out.
+/// Smallest gap of the nodes outside a box.
 double least_gap_outside(const Window& box, const Eigen::ArrayXd& gap, const Window& window) {
   const Eigen::Index columns = window.theta.count();
   const Eigen::Index left = box.theta.first - window.theta.first;
   const Eigen::Index right = window.theta.last - box.theta.last;
-  double least = 0.0;  // that of nodes in contact
+  double least = 0.0;  // gap of nodes in contact
   for (int i = window.phi.first; i <= window.phi.last; ++i) {
     const auto row = gap.segment(static_cast<Eigen::Index>(i - window.phi.first) * columns, columns);
     const bool beside = i < box.phi.first || i > box.phi.last;
@@ -52,8 +54,8 @@ double least_gap_outside(const Window& box, const Eigen::ArrayXd& gap, const Win
   return least;
 }
 
-/// The contact without friction, as a window cuts it off.
-/// @param[in] most_nodes up to which every other node is left out
+/// Solve the contact without friction within a window, which may cut it off.
+/// @param[in] most_nodes the mesh is coarsened to at most this number of nodes
 LocatedContact press(const Assembly& assembly, ContactProblem problem, Eigen::Index most_nodes) {
   problem.friction.reset();
   while (problem.initial_gap.size() > most_nodes) problem = coarsened(problem);
@@ -63,8 +65,8 @@ LocatedContact press(const Assembly& assembly, ContactProblem problem, Eigen::In
   return pressed;
 }
 
-/// Whether much of one of the sides of its window lies within a contact: a mesh too coarse to tell who touches the rim
-/// is fine enough to tell that a wider window would not do either.
+/// Whether a large part of one side of the window lies within the contact. A mesh that is too coarse to show which
+/// nodes at the rim touch is fine enough to show that the contact extends far beyond the window.
 bool is_cut_off(const LocatedContact& pressed) {
   const WindowShape shape = pressed.window().shape();
   Eigen::Array4d touching = Eigen::Array4d::Zero();
@@ -79,8 +81,8 @@ bool is_cut_off(const LocatedContact& pressed) {
   return std::max(along, across) > kOverrun;
 }
 
-/// Whether a window holds the contact without friction, before stick and slip are sought; loads that press through to
-/// the core are refused.
+/// Whether a window contains the contact without friction, which is tested before stick and slip are computed. Loads
+/// that press through to the core are rejected.
 bool holds_pressed_contact(const Assembly& assembly, const ContactProblem& problem, bool is_widest) {
   const auto holds = [&](const LocatedContact& pressed) {
     if (touches_edge(pressed, pressed.window())) return false;
@@ -103,8 +105,8 @@ LocatedContact solve_contact(const Assembly& assembly, const ContactProblem& pro
 }
 
 /// @param[in] is_widest whether there is no wider window
-/// @param[in] is_seen whether it need not be shown first that it holds the contact without friction
-/// @return nothing where the contact reaches the edge of the window
+/// @param[in] is_seen whether a coarser mesh has shown that the window contains the contact without friction
+/// @return nothing if the contact reaches the edge of the window
 std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Window& window, bool is_widest,
                                            bool is_seen) {
   require_few_nodes(window, assembly.model.mesh);
@@ -124,13 +126,13 @@ std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Windo
       require_contact(assembly, assembly.load_case.friction, whole.penetration);
       return HeldContact{.nodes = nodes, .problem = std::move(problem), .contact = std::move(whole), .losses = losses};
     }
-    // The box that was thought to hold the contact does not.
+    // The box that was expected to contain the contact does not.
     located = solve_on_window(problem, whole, assembly.limits);
   }
 }
 
-/// The same without friction, on a mesh that leaves a window kRoughNodes to a side.
-/// @param[in] simplified whether by pressure along the radius alone, on the torus where the sphere is exact
+/// Whether a window contains the contact without friction, on a mesh with kRoughNodes nodes to each side of the window.
+/// @param[in] simplified whether to use the radial compliance, flat patches, and the torus in place of the exact sphere
 bool holds_contact_roughly(const Assembly& assembly, const HalfWidths& half, bool simplified) {
   const double coarsening = static_cast<double>(half.phi) / kRoughNodes;
   const auto coarsened = [coarsening](int nodes) { return static_cast<int>(nodes / coarsening); };
@@ -153,8 +155,8 @@ bool holds_contact_roughly(const Assembly& assembly, const HalfWidths& half, boo
   return solve_in_window(roughly, width.window(), false, true).has_value();
 }
 
-/// Whether a window holds the contact, as far as a mesh shows that is much coarser: of a load that is far beyond the
-/// estimate, or absurd, fine meshes on window after window would take long.
+/// Whether a window contains the contact according to a much coarser mesh. For absurd loads, or loads far beyond the
+/// estimate, fine meshes on one window after another would take long.
 bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool is_widest) {
   if (half.phi < 3 * kRoughNodes) return true;
   const SurfaceGrid& grid = assembly.nodes.grid;
@@ -166,13 +168,13 @@ bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool 
   const auto reject_if_beyond = [&](double depth) {
     if (depth > bearable_depth) reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
   };
-  // Where simpler equations ask for a larger window than the given ones, it costs little; unless there is none, and the
-  // load would be refused that those might bear.
+  // The simplified equations may require a larger window than the given ones, which costs little. In the widest window
+  // they might reject a load that the given equations support, so that the given ones decide.
   const bool is_decisive = is_widest && depth_at_edge <= bearable_depth;
   try {
     if (holds_contact_roughly(assembly, half, !is_decisive)) return true;
   } catch (const ConvergenceError&) {
-    reject_if_beyond(assembly.estimated_depth);  // estimates are from above, if not by so much
+    reject_if_beyond(assembly.estimated_depth);  // estimates are too large, but not by such a factor
     throw;
   }
   reject_if_beyond(depth_at_edge);

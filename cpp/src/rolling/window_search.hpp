@@ -1,5 +1,5 @@
 /// @file
-/// @brief Solving the contact, in a window that holds it: from a likely one on to wider ones.
+/// @brief Solution of the contact in a window that contains it; the search starts with a likely window and widens it.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief A contact in a window that holds it.
+/// @brief A contact in a window that contains it.
 struct HeldContact {
   SurfaceWindow nodes;
   ContactProblem problem;
@@ -17,12 +17,12 @@ struct HeldContact {
   Losses losses;
 };
 
-/// @brief Solve in windows, each half as wide again as the one before, until one holds the contact.
+/// @brief Solve in windows, each half as wide again as the one before, until one contains the contact.
 /// @param[in] assembly the load case
-/// @param[in] seen reach of the contact on a coarser mesh, where there was one
-/// @throws std::invalid_argument for loads under which no window does
-/// @throws ConvergenceError where no contact was found
-/// @throws MeshTooFine where the mesh needs too many nodes
+/// @param[in] seen extent of the contact on a coarser mesh, if there was one
+/// @throws std::invalid_argument for loads whose contact no window contains
+/// @throws ConvergenceError if no contact was found
+/// @throws MeshTooFine if the mesh needs too many nodes
 [[nodiscard]] HeldContact find_held_contact(const Assembly& assembly, const std::optional<ContactReach>& seen);
 
 }  // namespace viscoroll::detail

@@ -20,9 +20,9 @@ using Eigen::MatrixXd;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// The real matrix in place of one entry: itself, or of a complex symmetric a + i b the symmetric (a, -b; -b, -a),
-/// whose factors exist without pivots in whatever order, as a > 0 (R. J. Vanderbei, SIAM Journal on Optimization 5
-/// (1995) 100-113).
+/// Add the real form of one entry: a real entry itself, or for an entry a + i b of a complex symmetric matrix the
+/// symmetric block (a, -b; -b, -a). Its factors exist without pivoting in every order, because a > 0 (R. J. Vanderbei,
+/// SIAM Journal on Optimization 5 (1995) 100-113).
 void add_entry(int row, int column, double value, Triplets& triplets) { triplets.emplace_back(row, column, value); }
 
 void add_entry(int row, int column, cplx value, Triplets& triplets) {
@@ -32,11 +32,11 @@ void add_entry(int row, int column, cplx value, Triplets& triplets) {
   triplets.emplace_back(2 * row + 1, 2 * column + 1, -value.real());
 }
 
-/// How many real unknowns stand for one.
+/// Number of real unknowns per unknown.
 template <class Scalar>
 constexpr int kReals = std::is_same_v<Scalar, double> ? 1 : 2;
 
-/// What the last unknowns are left with as all others are eliminated.
+/// Stiffness of the last unknowns after the elimination of all others.
 MatrixXd condensed(const Triplets& lower, Index size, Index within) {
   Sparse matrix(size, size);
   matrix.setFromTriplets(lower.begin(), lower.end());
@@ -115,7 +115,7 @@ SectionCompliance::Elimination SectionCompliance::elimination(Parity part) const
   result.place.assign(3 * mesh_.lines() * mesh_.rows(), -1);
   std::vector<std::size_t> surface;
   for (std::size_t line = 0; line < mesh_.lines(); ++line) {
-    for (std::size_t row = 1; row < mesh_.rows(); ++row) {  // the hub does not move
+    for (std::size_t row = 1; row < mesh_.rows(); ++row) {  // the hub is fixed
       for (std::size_t component = 0; component < 3; ++component) {
         if (line == 0 && (component == 2) == (part == kEvenPart)) continue;
         const std::size_t unknown = 3 * mesh_.node(line, row) + component;
@@ -144,7 +144,7 @@ SectionCompliance::Elimination SectionCompliance::elimination(Parity part) const
   Sparse pattern(result.within, result.within);
   pattern.setFromTriplets(neighbors.begin(), neighbors.end());
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  Eigen::AMDOrdering<int>()(pattern, order);  // place n is taken by unknown order.indices()[n]
+  Eigen::AMDOrdering<int>()(pattern, order);  // unknown order.indices()[n] has place n
   Eigen::VectorXi place(result.within);
   for (int n = 0; n < result.within; ++n) place[order.indices()[n]] = n;
   for (int& unknown : result.place) {

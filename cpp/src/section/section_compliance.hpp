@@ -1,5 +1,5 @@
 /// @file
-/// @brief What loads on a tread's section do to its surface, at one order around the axis.
+/// @brief Compliance of the surface of a tread's section, at one order around the axis.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,55 +14,58 @@
 
 namespace viscoroll::detail {
 
-/// @brief Shear modulus and Lame's first parameter, in any unit of stress.
+/// @brief Shear modulus and Lame's first parameter, in a common unit of stress.
 template <class Scalar>
 struct SectionMedium {
   Scalar shear;
   Scalar lame;
 };
 
-/// @brief Which part of displacements: that with U and V even about the middle of the tread, and W odd, or the other.
+/// @brief Parts of the displacements. In the even part U and V are even about the middle of the tread and W is odd; in
+/// the odd part it is the reverse.
 enum Parity : std::size_t { kEvenPart, kOddPart };
 
-/// @brief Of all loads; those that are mirror images about the middle displace the even part alone.
+/// @brief Parts for arbitrary loads. Loads that are symmetric about the middle displace the even part only.
 inline constexpr std::array kBothParts{kEvenPart, kOddPart};
 
-/// @brief The section's stiffness condensed onto the lines of nodes that may bear loads. Eliminating the surface last
-/// leaves its own stiffness as the last corner of the factors: nothing is solved for.
+/// @brief Stiffness of the section, condensed onto the lines of nodes that can be loaded, and its inverse.
 ///
-/// Loads and displacements at the surface are along its normal, phi and its tangent, (1, s), 1 and (-s, 1) where it
-/// falls by s: what slides along a crown does not come nearer to what it rolls on, and pressure acts along the normal.
+/// The unknowns of the loaded surface are eliminated last, so that their stiffness is the last corner of the factors;
+/// no system is solved. Loads and displacements at the surface are along its normal, phi and its tangent. With the
+/// slope s of the surface these directions are (1, s) in (r, z), 1 in phi, and (-s, 1) in (r, z). Pressure acts along
+/// the normal, and a displacement along the crown does not change the gap.
 class SectionCompliance {
  public:
   template <class Scalar>
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
   /// @param[in] mesh half of the section
-  /// @param[in] tangential whether loads along phi and z occur, or those along r alone
+  /// @param[in] tangential whether there are tangential loads besides normal ones
   SectionCompliance(SectionMesh mesh, bool tangential);
 
   [[nodiscard]] const SectionMesh& mesh() const { return mesh_; }
 
-  /// @param[in] m order, >= 0, not necessarily whole
-  /// @param[in] layers what they are made of, from the hub outwards
-  /// @param[in] parts that are asked for
-  /// @return [part] displacements per load on half of the section, per radian: rows and columns component (U, V, W) *
-  /// `loaded_lines()` + line, zero where the middle of the tread cannot move [1/(unit of stress)/m]
+  /// @brief Compliance at one order.
+  /// @param[in] m order, >= 0, not necessarily a whole number
+  /// @param[in] layers material of each layer, from the hub outwards
+  /// @param[in] parts requested parts
+  /// @return for each part, displacements per load on half of the section and per radian [1/(unit of stress)/m]; rows
+  /// and columns are component (U, V, W) * `loaded_lines()` + line; zero where symmetry fixes the middle of the tread
   template <class Scalar>
   [[nodiscard]] std::array<Matrix<Scalar>, 2> at(double m, const std::vector<SectionMedium<Scalar>>& layers,
                                                  std::span<const Parity> parts = kBothParts) const;
 
  private:
-  /// Places of the unknowns in the order in which they are eliminated.
+  /// Order in which the unknowns are eliminated.
   struct Elimination {
-    std::vector<int> place;   // [3 * node + component], < 0 where nothing moves
-    int within = 0;           // number of those that are eliminated
-    std::vector<int> loaded;  // [place - within], row of the result
+    std::vector<int> place;   // [3 * node + component] position in this order; < 0 for a fixed displacement
+    int within = 0;           // number of eliminated unknowns
+    std::vector<int> loaded;  // [place - within] row of the result
   };
   [[nodiscard]] Elimination elimination(Parity part) const;
-  /// Put unknowns along normal and tangent in place of those along r and z at the surface of a column's last element.
+  /// Replace the unknowns along r and z at the surface of a column's last element by those along normal and tangent.
   void turn_surface(std::size_t column, ElementStiffness& stiffness) const;
-  /// [row of the result] length of the direction that it is along.
+  /// Length of the direction vector of each row of the result.
   [[nodiscard]] Eigen::VectorXd lengths() const;
 
   SectionMesh mesh_;

@@ -15,7 +15,7 @@ enum Strain : Index { kRadial, kHoop, kAxial, kRadialHoop, kHoopAxial, kRadialAx
 
 std::array<double, 3> quadratic_slopes(double x) { return {x - 0.5, -2.0 * x, x + 0.5}; }
 
-/// Values and gradients of the nine functions at a point, and what the point counts.
+/// Values and gradients of the nine shape functions at a Gauss point, and the weight of the point.
 struct Point {
   Eigen::Matrix<double, kElementNodes, 1> value, along_r, along_z;
   double r;
@@ -47,7 +47,7 @@ Point point(const std::array<double, kElementNodes>& r, const std::array<double,
   return p;
 }
 
-/// Strain of order 0, and what m adds to it.
+/// Strain rows of order 0, and the part that is multiplied by m.
 std::array<StrainRows, 2> strain_rows(const Point& p) {
   std::array<StrainRows, 2> rows{StrainRows::Zero(), StrainRows::Zero()};
   auto& [rest, order] = rows;
@@ -70,7 +70,7 @@ std::array<StrainRows, 2> strain_rows(const Point& p) {
   return rows;
 }
 
-/// Terms of the powers of m of (a + m b)^T weight (a + m b).
+/// Add (a + m b)^T weight (a + m b) to the powers of m, with a = rows[0] and b = rows[1].
 template <class Rows, class Weight>
 void add_square(const std::array<Rows, 2>& rows, const Weight& weight, PowersOfOrder& powers) {
   const Rows rest = weight * rows[0];

@@ -9,13 +9,14 @@ namespace {
 
 using Size = std::function<double(double)>;
 
-/// What of a bonded tread's end is felt falls by e^-1.4 in each thickness where it is incompressible, faster elsewhere:
-/// of the stiffness under a punch 2e-4 are left.
+/// Distance of the end of an endless section from the width, in thicknesses. The effect of the end of a bonded tread
+/// decays by e^-1.4 per thickness if the tread is incompressible, and faster otherwise; it changes the stiffness under
+/// a punch by 2e-4.
 constexpr double kEndlessReach = 6.0;
 
-/// Edges of elements of about a given size, from `first` to `last`.
+/// Edges of elements from `first` to `last` with about the given size.
 std::vector<double> edges(double first, double last, const Size& size) {
-  // Samples of the size, so many that their sum is that of a smooth function, fine ends included.
+  // The number of samples resolves the size function, also at fine ends.
   constexpr double kFewestSamples = 400.0;
   const double in_ends = 4.0 * (last - first) / std::min(size(first), size(last));
   const int samples = static_cast<int>(std::max(kFewestSamples, in_ends));
@@ -35,7 +36,7 @@ std::vector<double> edges(double first, double last, const Size& size) {
   return result;
 }
 
-/// Edges with a middle between each and the next.
+/// Edges and the middles between them.
 Eigen::ArrayXd with_middles(const std::vector<double>& edges) {
   Eigen::ArrayXd places(2 * static_cast<Eigen::Index>(edges.size()) - 1);
   for (Eigen::Index i = 0; i < places.size(); ++i) {
@@ -45,7 +46,7 @@ Eigen::ArrayXd with_middles(const std::vector<double>& edges) {
   return places;
 }
 
-/// Of the crown at a distance from the middle; where it ends upright, nearly so.
+/// Slope of the crown at a distance from the middle. It is limited where the crown is vertical.
 double crown_slope(const CoatedWheel& wheel, double z) {
   if (std::isinf(wheel.crown_radius)) return 0.0;
   constexpr double kLeastCosine = 1e-3;

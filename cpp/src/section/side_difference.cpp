@@ -14,26 +14,28 @@ using cplx = std::complex<double>;
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// In place of none: so little changes compliances by 1e-6 of the square of width over thickness, and elements with
-/// linear pressures do not lock.
+/// Ratio mu / (lambda + 2 mu) of incompressible layers in the elements. It changes compliances by 1e-6, multiplied by
+/// the square of width over thickness. Elements with linear pressures do not lock.
 constexpr double kLeastShearRatio = 1e-6;
 
-/// Shortest waves that the elements at the face carry, 2 pi / 3.4 of them long, are the last that are asked for.
+/// Phase per element at the face of the last sampled order. Its waves, 2 pi / 3.4 elements long, are the shortest that
+/// the elements represent.
 constexpr double kLastPhase = 3.4;
 
-/// From order to order: the difference follows ln m like a rational function, whose poles lie pi/2 off the real axis.
+/// Ratio of successive orders. In ln m the difference behaves like a rational function with poles pi/2 off the real
+/// axis.
 constexpr double kLargestRatio = 1.3;
 
-/// Width in thicknesses from which on the middle of a flat tread does not feel its faces: what they change falls like
-/// e^(-2.2 e/h) with the distance e, to 2e-8 here.
+/// Width of a flat tread, in thicknesses, above which its faces do not affect the middle. Their effect decays like
+/// e^(-2.2 e/h) with the distance e, to 2e-8 in the middle of this width.
 constexpr double kWide = 16.0;
 
-/// Lengths of a straight section in the radius of the crown that shows what is linear in the curvature: slopes stay
-/// below this one's inverse.
+/// Radius of the reference crown, in lengths of the straight section. Its slopes stay below the inverse of this number,
+/// so that its effect is linear in the curvature.
 constexpr double kLinearRadius = 20.0;
 
-/// Thicknesses in the radius of a section that goes straight on along the path: what curves there is felt in its
-/// inverse.
+/// Radius of a section that is straight along the path, in thicknesses. The relative effect of its curvature is the
+/// inverse of this number.
 constexpr double kStraightRadius = 1e4;
 
 constexpr double kFlat = std::numeric_limits<double>::infinity();
@@ -43,7 +45,7 @@ CoatedWheel straight_across(CoatedWheel wheel) {
   return wheel;
 }
 
-/// All layers follow a crown.
+/// Wheel that is straight along the path, with layers that all follow a crown.
 CoatedWheel straight_along(CoatedWheel wheel, double crown_radius) {
   wheel.core_radius = kStraightRadius * coating_thickness(wheel);
   wheel.crown_radius = crown_radius;
@@ -53,13 +55,13 @@ CoatedWheel straight_along(CoatedWheel wheel, double crown_radius) {
 
 double length(const SectionMesh& mesh) { return mesh.z()[mesh.z().size() - 1]; }
 
-/// A flat tread of no more of the width than its faces change.
+/// Wheel whose width is reduced, if it is flat, to the part that its faces affect.
 CoatedWheel felt_part(CoatedWheel wheel) {
   if (std::isinf(wheel.crown_radius)) wheel.width = std::min(wheel.width, kWide * coating_thickness(wheel));
   return wheel;
 }
 
-/// The layers, where none of them is complex.
+/// Materials with real moduli, if all moduli are real.
 std::optional<std::vector<SectionMedium<double>>> real_media(const std::vector<SectionMedium<cplx>>& layers) {
   std::vector<SectionMedium<double>> real;
   constexpr double kRoundOff = 1e-13;
@@ -83,7 +85,7 @@ ArrayXd sampled_orders(const CoatedWheel& wheel, const SectionFineness& fineness
   return orders;
 }
 
-/// With the factors of u_phi = i V.
+/// The stored matrix contains the factors i of u_phi = i V.
 void SampledDifference::set(Parity part, Index order, Eigen::MatrixXcd matrix) {
   const Index lines = z.size();
   if (components > 1) {
@@ -124,7 +126,7 @@ std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCrown::at(double m,
                                                                   std::span<const Parity> parts) const {
   auto change = crowned_.at(lengthening_ * m, layers, parts);
   const auto straight = straight_.at(lengthening_ * m, layers, parts);
-  // Loads per radian are spread over as much longer ones.
+  // A load per radian is distributed over a radian that is longer by this factor.
   for (const Parity part : parts) {
     change[part] = proportion_ * lengthening_ * (change[part] - straight[part]);
   }
@@ -149,7 +151,7 @@ SampledDifference SideDifference::at_orders(const ArrayXd& orders) const {
   return room;
 }
 
-/// Half of it, since forces on lines and on their mirror images are counted together.
+/// The result is half of the difference, because a force on a line includes that on its mirror image.
 std::array<Eigen::MatrixXcd, 2> SideDifference::at(double m, const std::vector<SectionMedium<cplx>>& layers,
                                                    std::span<const Parity> parts, const Worker& worker) const {
   const auto solved = [&](const auto& media) {

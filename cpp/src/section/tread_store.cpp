@@ -12,11 +12,12 @@
 namespace viscoroll::detail {
 namespace {
 
-/// As many as a study takes turns with; some megabytes each, of layers that do not creep alike some ten times as many.
+/// Number of cached treads, enough for those among which a study alternates. Each takes some megabytes, or about ten
+/// times as many for layers with different relaxation functions.
 constexpr std::size_t kKept = 8;
-constexpr Eigen::Index kMostNumbers = 16777216;  // of them all: 256 MB
+constexpr Eigen::Index kMostNumbers = 16777216;  // largest number of complex numbers in the cache, 256 MB
 
-/// All that a difference depends on.
+/// All numbers on which a difference depends.
 using Key = std::vector<double>;
 
 Key key_of(const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers) {
@@ -27,7 +28,8 @@ Key key_of(const CoatedWheel& wheel, bool tangential, const std::vector<double>&
   return key;
 }
 
-/// But for the round-off of ratios of moduli. What is infinite, as the radius of no crown, is like nothing else.
+/// Whether two keys are equal except for the round-off of ratios of moduli. Infinite numbers, such as the radius of a
+/// missing crown, are equal to themselves only.
 bool are_alike(const Key& first, const Key& second) {
   constexpr double kRoundOff = 1e-12;
   return std::ranges::equal(first, second, [](double a, double b) {
@@ -65,7 +67,7 @@ class TreadStore {
   }
 
   std::mutex mutex_;
-  std::deque<Entry> entries_;  // the latest first
+  std::deque<Entry> entries_;  // the most recent first
 };
 
 TreadStore& treads() {
@@ -79,7 +81,7 @@ Differences kept_differences(const CoatedWheel& wheel, bool tangential, const st
                              const std::function<std::vector<SampledDifference>()>& find) {
   Key key = key_of(wheel, tangential, numbers);
   if (auto kept = treads().find(key)) return kept;
-  // Not under the lock: others may want another tread meanwhile.
+  // Without the lock, because other threads may need another tread meanwhile.
   auto differences = std::make_shared<const std::vector<SampledDifference>>(find());
   treads().add(std::move(key), differences);
   return differences;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Surfaces that are nearly those of another operator.
+/// @brief Base class of operators that differ little from another operator.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief An operator with products of its own, whose window, body and local compliance are those of the one that it
+/// @brief Operator with its own products, whose window, body and local compliance are those of the operator that it
 /// corrects.
 class CorrectedOperator : public SurfaceOperator {
  public:
@@ -21,7 +21,7 @@ class CorrectedOperator : public SurfaceOperator {
   [[nodiscard]] double row_distance() const override { return nearby_->row_distance(); }
 
  protected:
-  /// @param[in] nearby operator on the same window
+  /// @param[in] nearby operator on the same window that this one corrects
   explicit CorrectedOperator(std::shared_ptr<const SurfaceOperator> nearby) : nearby_(std::move(nearby)) {}
   [[nodiscard]] const SurfaceOperator& nearby() const { return *nearby_; }
 

@@ -1,13 +1,13 @@
 /// @file
-/// @brief How a surface bends where another one touches it.
+/// @brief Curvatures of a surface at the contact.
 #pragma once
 
 namespace viscoroll::detail {
 
-/// @brief Of a surface, > 0 where it bulges, < 0 where it is hollow [1/m].
+/// @brief Curvatures of a surface [1/m], positive if the surface is convex, negative if it is concave.
 struct Curvatures {
-  double along = 0.0;   ///< the path
-  double across = 0.0;  ///< the path
+  double along = 0.0;   ///< along the path
+  double across = 0.0;  ///< across the path
 
   friend bool operator==(const Curvatures&, const Curvatures&) = default;
 };

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The surface of a tread that ends at two faces.
+/// @brief Surface of a tread that ends at two free faces.
 #pragma once
 
 #include <functional>
@@ -11,19 +11,19 @@
 
 namespace viscoroll::detail {
 
-/// @brief An endless tread's surface, and what the faces add to it. Scales and preconditioners are those of the endless
-/// one.
+/// @brief Operator of an endless tread plus the effect of the faces. Scales and preconditioners are those of the
+/// endless tread.
 class FreeSidesOperator : public CorrectedOperator {
  public:
   using Difference = std::shared_ptr<const SampledDifference>;
-  /// Gives factors of the power lost.
+  /// Function that returns the factors of the dissipated power.
   using DissipationSource = std::function<SideFactors(int phi_reach)>;
 
-  /// @param[in] endless operator on the same window
-  /// @param[in] difference of the section
-  /// @param[in] factors of displacements, reaching across the window
-  /// @param[in] dissipation_source those of the power lost
-  /// @param[in] column_distance between neighbors across [m]
+  /// @param[in] endless operator of the endless tread on the same window
+  /// @param[in] difference difference between the section with faces and the endless section
+  /// @param[in] factors factors of the displacements, which reach across the window
+  /// @param[in] dissipation_source factors of the dissipated power
+  /// @param[in] column_distance distance between neighbors across the path [m]
   FreeSidesOperator(std::shared_ptr<const SurfaceOperator> endless, Difference difference, SideFactors factors,
                     DissipationSource dissipation_source, double column_distance);
 
@@ -32,15 +32,15 @@ class FreeSidesOperator : public CorrectedOperator {
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                     const Eigen::VectorXd& pressing) const override;
-  /// Patches of twice the length lie on a whole patch and half of each neighbor.
+  /// Coarser mesh: a patch of twice the length covers a whole patch and half of each neighbor.
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override;
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override;
-  /// From the power of every order, summed as the displacements are.
+  /// Dissipated work from the power of every order, summed in the same way as the displacements.
   [[nodiscard]] Losses dissipation(const VectorField& force) const override;
 
  private:
   [[nodiscard]] SideProduct product(const SideFactors& factors, bool average) const;
-  /// What the faces add.
+  /// Displacements due to the faces.
   [[nodiscard]] VectorField addition(const VectorField& force) const;
 
   Difference difference_;

@@ -6,20 +6,20 @@
 
 namespace viscoroll::detail {
 
-/// @brief Mean slope from row to row over the patches of nodes, which are as long as their distance: of the differences
-/// over two rows and over four what leaves no error of second order, but for the last two rows, where hardly anything
-/// presses. See docs/theory/planes-and-pairs.md.
-/// @param[in] values at the nodes, row by row
-/// @param[in] row nodes in a row
-/// @param[in] distance of rows [m]
-/// @return at every node, 0 in the first and the last row
+/// @brief Mean slope along the path over the patch of each node, which is as long as the distance between rows.
+/// It combines the differences over two and four rows so that the error of second order cancels, except next to the
+/// first and last row, where there is hardly any pressure. See docs/theory/planes-and-pairs.md.
+/// @param[in] values values at the nodes, row by row
+/// @param[in] row nodes per row
+/// @param[in] distance distance between rows [m]
+/// @return slope at every node, 0 in the first and the last row
 [[nodiscard]] Eigen::ArrayXd patch_slope(const Eigen::ArrayXd& values, Eigen::Index row, double distance);
 
-/// @brief What displacements that are taken downstream of the nodes are at these, by cubics through four rows.
-/// @param[in] values downstream of the nodes, row by row
-/// @param[in] row nodes in a row
-/// @param[in] downstream by how much, see `SurfaceOperator::collocation` [rows], >= 0
-/// @return at every node; in the first two and the last row, where nothing presses, as they are
+/// @brief Interpolate displacements evaluated downstream of the nodes back to the nodes, by cubics through four rows.
+/// @param[in] values values downstream of the nodes, row by row
+/// @param[in] row nodes per row
+/// @param[in] downstream distance from the nodes, see `SurfaceOperator::collocation` [rows], >= 0
+/// @return value at every node; unchanged in the first two rows and the last one, where there is no pressure
 [[nodiscard]] Eigen::ArrayXd at_nodes(const Eigen::ArrayXd& values, Eigen::Index row, double downstream);
 
 }  // namespace viscoroll::detail

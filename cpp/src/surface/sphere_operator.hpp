@@ -1,5 +1,5 @@
 /// @file
-/// @brief The surface of the exact sphere.
+/// @brief Surface of the exact sphere.
 #pragma once
 
 #include <functional>
@@ -12,18 +12,18 @@
 
 namespace viscoroll::detail {
 
-/// @brief Displacements on the exact sphere, of what rolls or of what it rolls on, whose influence depends on both
-/// thetas. Translation-invariant tables of the same coating with the membrane stiffness of a sphere stand for it in
-/// scales and preconditioners.
+/// @brief Displacements on the exact sphere, of the rolling body or of the counterbody. The influence depends on theta
+/// of both nodes. Scales and preconditioners use translation-invariant tables of the same coating, with the membrane
+/// stiffness of a sphere.
 class SphereOperator : public CorrectedOperator {
  public:
   using Influence = std::shared_ptr<const SphereInfluence>;
-  /// Gives the influence on the power lost, for thetas from -half_theta to half_theta.
+  /// Function that returns the influence for the dissipated power, for theta from -half_theta to half_theta.
   using DissipationSource = std::function<Influence(int phi_reach, int half_theta)>;
 
   /// @param[in] nearby operator on the same window, with `Curvature::sphere`
-  /// @param[in] influence on displacements, reaching across the window
-  /// @param[in] dissipation_source influence on the dissipation
+  /// @param[in] influence influence for displacements, which reaches across the window
+  /// @param[in] dissipation_source influence for the dissipated power
   SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, Influence influence,
                  DissipationSource dissipation_source);
 
@@ -32,10 +32,10 @@ class SphereOperator : public CorrectedOperator {
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                     const Eigen::VectorXd& pressing) const override;
-  /// Patches of twice the width lie on a whole patch and half of each neighbor.
+  /// Coarser mesh: a patch of twice the width covers a whole patch and half of each neighbor.
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override;
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override;
-  /// From the spectral power of each degree and order, summed as the displacements are.
+  /// Dissipated work from the power of each degree and order, summed in the same way as the displacements.
   [[nodiscard]] Losses dissipation(const VectorField& force) const override;
 
  private:

@@ -6,7 +6,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// The sum of tables, as far as both reach.
+/// Sum of two tables, up to the smaller reach.
 std::shared_ptr<const Table> sum_of(const Table& first, const Table& second, double sign) {
   const int phi_reach = std::min(first.phi_reach(), second.phi_reach());
   const int theta_reach = std::min(first.theta_reach(), second.theta_reach());
@@ -18,7 +18,7 @@ std::shared_ptr<const Table> sum_of(const Table& first, const Table& second, dou
   return sum;
 }
 
-/// Normal and tangential compliances add up; the tangents turn around with the normal.
+/// Normal and tangential compliances add up; mixed ones are subtracted, because the tangents reverse with the normal.
 double sign_of(std::size_t entry) {
   const auto mixed = static_cast<Entry>(entry);
   return mixed == Entry::rphi || mixed == Entry::rtheta ? -1.0 : 1.0;

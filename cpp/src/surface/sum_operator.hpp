@@ -1,5 +1,5 @@
 /// @file
-/// @brief Two surfaces that are pressed together.
+/// @brief Two deformable surfaces in contact.
 #pragma once
 
 #include <memory>
@@ -8,11 +8,11 @@
 
 namespace viscoroll::detail {
 
-/// @brief The sum of the operators of two bodies on one window: that of what rolls and that of what it rolls on.
+/// @brief Sum of the operators of the rolling body and of the counterbody on one window.
 class SumOperator : public SurfaceOperator {
  public:
-  /// @param[in] rolling of the body that rolls
-  /// @param[in] counterpart of what it rolls on, on the same window
+  /// @param[in] rolling operator of the rolling body
+  /// @param[in] counterpart operator of the counterbody, on the same window
   SumOperator(std::shared_ptr<const SurfaceOperator> rolling, std::shared_ptr<const SurfaceOperator> counterpart);
 
   [[nodiscard]] const Window& window() const override { return rolling_->window(); }

@@ -21,11 +21,11 @@ struct Angle {
   double versine;
 };
 
-/// The nodes at one distance from the middle, which lie on a circle about the axis of rolling.
+/// Circle about the axis of rolling on which the nodes at one distance from the middle lie.
 struct Circle {
-  double z;       ///< sideways [m]
+  double z;       ///< position sideways [m]
   double radius;  ///< [m]
-  double drop;    ///< below the largest one [m]
+  double drop;    ///< largest radius minus this radius [m]
 };
 
 Circle circle_at(const SurfaceGrid& grid, int column) {
@@ -41,7 +41,7 @@ Circle circle_at(const SurfaceGrid& grid, int column) {
   return {.z = z, .radius = grid.radius - drop, .drop = drop};
 }
 
-/// Angle of every row from the lowest point, forward [rad].
+/// Angle of every row from the lowest point, positive forward [rad].
 Eigen::ArrayXd row_angles(const SurfacePoints& points) {
   return Eigen::ArrayXd::NullaryExpr(points.window.phi.count(), [&](Eigen::Index row) {
     return -(static_cast<double>(points.window.phi.first + row) + points.shift) * points.grid.phi_spacing;
@@ -169,8 +169,8 @@ std::array<std::array<WindowField, 3>, 3> SurfacePoints::axes() const {
   const Eigen::ArrayXd forward = row_angles(*this);
   const Eigen::ArrayXd sine = forward.sin();
   const Eigen::ArrayXd cosine = forward.cos();
-  const Eigen::ArrayXd tilt = z().columns / grid.radius_across();  // the normal's share along z
-  // The other share is the sine of theta, by which a sphere's circles are smaller, too.
+  const Eigen::ArrayXd tilt = z().columns / grid.radius_across();  // component of the normal along z
+  // The other component is sin(theta), by which the circles of a sphere are smaller as well.
   const Eigen::ArrayXd level = over_columns(window, [&](int column) { return std::cos(column * grid.theta_spacing); });
   const Eigen::ArrayXd columns = Eigen::ArrayXd::Ones(tilt.size());
   const Eigen::ArrayXd rows = Eigen::ArrayXd::Ones(forward.size());

@@ -12,7 +12,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Components (r, phi, theta) that are displaced and loaded.
+/// Number of components (r, phi, theta) that are displaced and loaded.
 std::size_t components(const Formulation& formulation) {
   return formulation.compliance == Compliance::radial && !formulation.tangential ? 1 : 3;
 }
@@ -25,7 +25,7 @@ TableRequest displacement_request(const Formulation& formulation, Entry entry, s
   return {.entry = entry, .source_shape = static_cast<int>(source), .phi_shift = formulation.collocation};
 }
 
-/// Work between patch shapes whose degrees add up to 2 at most, as exact as the displacements.
+/// Pairs of patch shapes whose degrees add up to at most 2, which makes the work as accurate as the displacements.
 std::vector<std::pair<std::size_t, std::size_t>> shape_pairs(const Formulation& formulation) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t receiver = 0; receiver < shapes(formulation); ++receiver) {
@@ -36,7 +36,7 @@ std::vector<std::pair<std::size_t, std::size_t>> shape_pairs(const Formulation& 
   return pairs;
 }
 
-/// Exchanging the degrees conjugates i^(receiver - source): one table serves both.
+/// Exchanging the two degrees conjugates i^(receiver - source), so one table serves both orders.
 TableRequest dissipation_request(Entry entry, std::size_t receiver, std::size_t source) {
   return {.entry = entry,
           .source_shape = static_cast<int>(std::max(receiver, source)),
@@ -48,7 +48,7 @@ double dissipation_sign(std::size_t receiver, std::size_t source) {
   return receiver > source && (receiver - source) % 2 == 1 ? -1.0 : 1.0;
 }
 
-/// Finds the tables of a formulation, whose loaded fields are numbered component * shapes + shape.
+/// Finds the tables of a formulation. Its loaded fields have the numbers component * shapes + shape.
 class Terms {
  public:
   explicit Terms(const Formulation& formulation) : formulation_(formulation), shapes_(shapes(formulation)) {}
@@ -93,10 +93,10 @@ class Terms {
   std::size_t shapes_;
 };
 
-/// Share of the period of a whole window below which a product of its own is made for forces on a part of it.
+/// Fraction of the period of a whole window below which forces on part of the window have a product of their own.
 constexpr double kWorthOwnProduct = 0.8;
 
-/// The rows, and the columns around the middle, that hold all forces.
+/// Rows, and columns around the middle, that contain all forces.
 LoadedNodes loaded_nodes(const VectorField& force, const Window& window) {
   const auto [rows, columns] = window.shape();
   if (window.theta.first != -window.theta.last) return {.first_row = 0, .rows = rows, .columns = columns};
@@ -116,7 +116,7 @@ LoadedNodes loaded_nodes(const VectorField& force, const Window& window) {
   return {.first_row = first, .rows = last - first + 1, .columns = 2 * aside + 1};
 }
 
-/// Call function(node, image) for the nodes of one side, those in the middle among them.
+/// Call function(node, image) for the nodes of one side, including those in the middle.
 template <class Function>
 void for_images(const Window& window, const Function& function) {
   const Eigen::Index columns = window.theta.count();
@@ -126,7 +126,7 @@ void for_images(const Window& window, const Function& function) {
   }
 }
 
-/// Whether mirror images bear the same forces, sideways the opposite ones.
+/// Whether forces are mirror-symmetric: equal at mirror images, but opposite along z.
 bool is_mirrored(const VectorField& force, const Window& window) {
   bool same = true;
   for_images(window, [&](Eigen::Index node, Eigen::Index image) {
@@ -136,7 +136,7 @@ bool is_mirrored(const VectorField& force, const Window& window) {
   return same;
 }
 
-/// Give mirror images the displacements of the other side.
+/// Copy the displacements of one side to the mirror images.
 void mirror(VectorField& displacement, const Window& window) {
   for_images(window, [&](Eigen::Index node, Eigen::Index image) {
     displacement(image, kForward) = displacement(node, kForward);
@@ -394,7 +394,7 @@ std::shared_ptr<const SurfaceOperator> TableOperator::coarsened() const {
   SurfaceGrid grid = grid_;
   grid.phi_spacing *= 2.0;
   grid.theta_spacing *= 2.0;
-  // What is loaded and what is displaced are both averages over wider patches where work is lost.
+  // In the dissipated work, both the loads and the displacements are averages over wider patches.
   return std::make_shared<TableOperator>(
       flat, grid, window_.coarsened(),
       flat_tables(*tables_, displacement_tables,
@@ -414,7 +414,7 @@ Losses TableOperator::dissipation(const VectorField& force) const {
   const auto [rows, columns] = window_.shape();
   const Tables tables = dissipation_source_(rows - 1, columns - 1);
   const std::vector<ConvolutionTerm> terms = Terms(formulation_).dissipation();
-  Eigen::ArrayXd lost = Eigen::ArrayXd::Zero(rows);  // summed in an order that threads do not change
+  Eigen::ArrayXd lost = Eigen::ArrayXd::Zero(rows);  // summed in an order that does not depend on the threads
   const auto lose = [&, width = columns](bool mirrored) -> SpectralProduct::Take {
     const Eigen::Index middle = mirrored ? width / 2 : 0;
     return [&, mirrored, middle, width](int row, std::size_t field, const double* line) {

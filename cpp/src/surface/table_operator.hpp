@@ -1,5 +1,5 @@
 /// @file
-/// @brief Surfaces whose compliance is translation invariant along phi and theta, but for rotations.
+/// @brief Surfaces whose compliance is translation invariant in phi and theta, apart from rotations.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,47 +19,49 @@
 
 namespace viscoroll::detail {
 
-/// @brief Which terms of C_r = Q^T C_s Q are kept, and how patches are loaded.
+/// @brief Terms of C_r = Q^T C_s Q in use, and the traction on a patch.
 struct Formulation {
   Compliance compliance;
   PatchLoad patch_load;
-  bool tangential;           ///< whether forces along the plane occur
+  bool tangential;           ///< whether tangential forces occur
   double collocation = 0.0;  ///< see `SurfaceOperator::collocation` [spacings]
-  /// Of what a body rolls on. Its frame is the mirror image of the body's, so that forces and displacements
-  /// along it keep their signs; its normals turn with its curvatures alone. Radial compliance and flat patches.
+  /// Whether the surface is that of the counterbody. Its frame is the mirror image of the rolling body's, so that
+  /// forces and displacements along it keep their signs; its normals turn only by its curvatures. It has radial
+  /// compliance and flat patches.
   bool is_counterpart = false;
   Curvatures counterpart_curvatures = {};
 
   friend bool operator==(const Formulation&, const Formulation&) = default;
 };
 
-/// @brief Tables that the displacements of a formulation are made of, that of r by r first.
+/// @brief Tables needed for the displacements of a formulation, that of r by r first.
 [[nodiscard]] std::vector<TableRequest> displacement_tables(const Formulation& formulation);
 
-/// @brief Tables that the work lost in the body is made of.
+/// @brief Tables needed for the work dissipated in the body.
 [[nodiscard]] std::vector<TableRequest> dissipation_tables(const Formulation& formulation);
 
-/// @return [component][axis] of r, phi and theta, or of r alone, at every node: what forces along the axes load
+/// @return [component][axis] at every node, with components r, phi and theta, or r alone: load along a component per
+/// force along an axis
 [[nodiscard]] std::vector<std::array<WindowField, 3>> load_directions(const Formulation& formulation,
                                                                       const SurfacePoints& points);
 
-/// @return [shape] the share of every node's load that its patch bears in the shape of a Legendre polynomial, by column
+/// @return [shape][column] fraction of the load of a node that its patch carries in the shape of a Legendre polynomial
 [[nodiscard]] std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const SurfacePoints& points);
 
-/// @brief C_r = Q^T C_s Q over the nodes of a window: rotations around translation-invariant tables. With the radial
-/// compliance Q is taken as it is at the lowest point, where y is r, x is -phi and z is -theta, but that forces along
-/// the plane press with their share of r, and u_r moves the surface along the plane.
+/// @brief Compliance C_r = Q^T C_s Q on the nodes of a window: translation-invariant tables between rotations.
+/// With the radial compliance, Q is that of the lowest point, where y is r, x is -phi and z is -theta, except that
+/// tangential forces press with their component along r, and u_r moves the surface along the plane.
 class TableOperator : public SurfaceOperator {
  public:
   using Tables = std::shared_ptr<const std::vector<Table>>;
-  /// Gives tables for the requests of `dissipation_tables` when the dissipation is asked for.
+  /// Function that returns the tables of `dissipation_tables`, called when the dissipated work is computed.
   using DissipationSource = std::function<Tables(int phi_reach, int theta_reach)>;
 
-  /// @param[in] formulation as for `displacement_tables`
+  /// @param[in] formulation same as in `displacement_tables`
   /// @param[in] grid,window nodes
-  /// @param[in] tables for the requests of `displacement_tables`, reaching across the window
-  /// @param[in] dissipation_source tables of the dissipation
-  /// @param[in] execution of this and of all products
+  /// @param[in] tables tables of `displacement_tables`, which reach across the window
+  /// @param[in] dissipation_source tables of the dissipated work
+  /// @param[in] execution threads and progress of this and of all products
   TableOperator(const Formulation& formulation, const SurfaceGrid& grid, const Window& window, Tables tables,
                 DissipationSource dissipation_source, const Execution& execution);
 
@@ -75,30 +77,31 @@ class TableOperator : public SurfaceOperator {
                                                     const Eigen::VectorXd& pressing) const override;
   [[nodiscard]] std::optional<Eigen::MatrixXd> normal_compliance(
       const std::vector<Eigen::Index>& displaced, const std::vector<Eigen::Index>& loaded) const override;
-  /// Patches of twice the width lie on a whole patch and half of each neighbor, so that tables are averages of tables;
-  /// they are flat.
+  /// Coarser mesh: a patch of twice the width covers a whole patch and half of each neighbor, so its tables are
+  /// averages of tables. Its patches are flat.
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override;
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override;
   [[nodiscard]] const LocalCompliance& local() const override { return local_; }
   [[nodiscard]] double collocation() const override { return formulation_.collocation; }
   [[nodiscard]] bool takes_mirrored() const override;
   [[nodiscard]] double operations() const override;
-  /// The sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s), docs/theory/normal-contact.md.
+  /// Dissipated work: the sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s), docs/theory/normal-contact.md.
   [[nodiscard]] Losses dissipation(const VectorField& force) const override;
 
  private:
-  /// Of forces along x, y and z, that along a component and in a shape, field being component * shapes + shape.
+  /// Load along a component and in a patch shape, due to forces along x, y and z; `field` is component * shapes +
+  /// shape.
   [[nodiscard]] double load(const VectorField& force, Eigen::Index row, Eigen::Index column, std::size_t field) const;
   [[nodiscard]] std::size_t fields() const { return local_.directions.size() * weights_.size(); }
-  /// Products are made when they are asked for: of the windows that boxes lie in, most never are.
+  /// Created on first use: most windows that contain boxes never need the product.
   [[nodiscard]] const Convolution& spectral_displacements() const;
   [[nodiscard]] VectorField displacement(const VectorField& force, const Convolution& product) const;
-  /// @return nothing where transforms take less time
+  /// @return displacements by sums over the loaded nodes; empty if transforms take less time
   [[nodiscard]] std::optional<VectorField> displacement_by_nodes(const VectorField& force) const;
-  /// Rows of a product from a column on: what forces load, and what it moves.
+  /// Rows of a product, from a column on: loads due to forces, and displacements due to results.
   [[nodiscard]] SpectralProduct::Fill loads(const VectorField& force, Eigen::Index middle) const;
   [[nodiscard]] SpectralProduct::Take moves(VectorField& result, Eigen::Index middle) const;
-  /// Whether each component of mirrored forces is odd in theta.
+  /// Whether each component of mirror-symmetric forces is odd in theta.
   [[nodiscard]] std::vector<bool> odd_components() const;
 
   Formulation formulation_;
@@ -107,8 +110,8 @@ class TableOperator : public SurfaceOperator {
   Tables tables_;
   DissipationSource dissipation_source_;
   LocalCompliance local_;
-  std::vector<Eigen::ArrayXd> weights_;  // of the patch shapes
-  TableProduct by_nodes_;                // of windows few nodes of which are loaded
+  std::vector<Eigen::ArrayXd> weights_;  // weights of the patch shapes
+  TableProduct by_nodes_;                // product for windows with few loaded nodes
   mutable std::optional<Convolution> displacements_;
   Execution execution_;
 };

@@ -15,7 +15,8 @@
 namespace viscoroll::detail {
 namespace {
 
-/// As far as the tables of the endless tread reach: what is beyond is the round-off of elements and splines.
+/// Add the effect of free faces as far as the tables of the endless tread reach; beyond is only the round-off of
+/// elements and splines.
 void add_sides(std::span<const SampledDifference> differences, const SideSum& sum, const Crossing& crossing,
                const RowShape& shape, std::vector<MirroredTables>& tables) {
   const SideFactors factors = sum.factors({.phi_reach = static_cast<int>(tables.front().reach())});
@@ -29,7 +30,7 @@ CreepingTables tables_alike(const Body& at_rest, const Crossing& crossing, const
   const LayeredBody layers = at_rest.layered(crossing);
   const auto sum = crossing.form.is_line() ? sum_under_line(layers, crossing) : sum_under_spot(layers, crossing);
   std::vector<MirroredTables> tables;
-  tables.emplace_back(*sum, shape, threads, watch);  // in place of a list, which copies
+  tables.emplace_back(*sum, shape, threads, watch);  // an initializer list would copy
   if (at_rest.free_tread() != nullptr) {
     const double radius = layers.metric.radius;
     const SideSum sides =

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The tables of one of two bodies that creep.
+/// @brief Influence tables of one of two viscoelastic bodies.
 #pragma once
 
 #include "rolling/body.hpp"
@@ -8,11 +8,11 @@
 
 namespace viscoroll::detail {
 
-/// @brief Tables of elastic layers at rest or, where layers do not creep alike, of each of their retardation times;
-/// with what the sides of a tread add that are free.
-/// @param[in] at_rest with every modulus as it is at rest, without inertia; not rigid
-/// @param[in] unlike its layers where they do not creep alike, else none
-/// @param[in] crossing at any speed
+/// @brief Influence tables of elastic layers with relaxed moduli or, for layers with different relaxation functions, of
+/// each of their retardation times, including the effect of free side faces.
+/// @param[in] at_rest body with relaxed moduli, without inertia; not rigid
+/// @param[in] unlike its layers if they have different relaxation functions, else null
+/// @param[in] crossing motion of the material at any speed
 /// @param[in] shape of the rows
 [[nodiscard]] CreepingTables tables_of(const Body& at_rest, const LayerSpectrum* unlike, const Crossing& crossing,
                                        const RowShape& shape);

@@ -20,7 +20,7 @@ Eigen::MatrixXd bordered_inverse(const Eigen::MatrixXd& inverse, const Eigen::Ma
   wide.bottomLeftCorner(added, before) = -edge.transpose();
   wide.bottomRightCorner(added, added) = complement;
   // The inverse of an ill-conditioned complement is symmetric only up to its own round-off, but sums of forces are
-  // found by rows and by columns alike.
+  // computed both by rows and by columns.
   return 0.5 * (wide + wide.transpose());
 }
 

@@ -8,10 +8,10 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Part of a window that a first guess of the contact takes.
+/// Fraction of the window that the first guess of the contact covers.
 constexpr double kContactShare = 0.8;
 
-/// Where the last forces have been carried to.
+/// Last forces, moved with the contact.
 VectorField carried(Index half_nodes, const ContactPlace& place, const LastForces& last_window) {
   VectorField force = VectorField::Zero(half_nodes * place.count, 3);
   const double lowest =

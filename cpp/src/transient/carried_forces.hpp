@@ -1,5 +1,5 @@
 /// @file
-/// @brief Forces to start from: those of the contact before, where they have been carried to.
+/// @brief Starting forces: those of the previous contact, moved with the contact.
 #pragma once
 
 #include "surface/surface_operator.hpp"
@@ -9,17 +9,17 @@ namespace viscoroll::detail {
 
 /// @brief Forces of the last window.
 struct LastForces {
-  const VectorField& force;  ///< of what is below, row by row
-  Eigen::Index count;        ///< of its rows
-  double lowest;             ///< place of its middle row from the lowest point [spacings]
+  const VectorField& force;  ///< at the nodes of the contact, row by row
+  Eigen::Index count;        ///< number of rows
+  double lowest;             ///< position of the middle row relative to the lowest point [spacings]
 };
 
-/// @brief The last forces for a new load, which stay below while nodes pass, or those of a first contact, which the
-/// window was made a little wider than.
+/// @brief Last forces, scaled to a new load; they stay at the lowest point while nodes pass. For a first contact,
+/// guessed forces in a window that is a little wider than the contact.
 /// @param[in] pair both bodies
-/// @param[in] place of the window
-/// @param[in] last forces; none of a first contact
-/// @param[in] load that they are to bear
+/// @param[in] place window
+/// @param[in] last last forces; empty for a first contact
+/// @param[in] load sum of the forces
 [[nodiscard]] VectorField carried_forces(const CreepingPair& pair, const ContactPlace& place, const LastForces& last,
                                          double load);
 

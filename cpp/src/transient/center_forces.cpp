@@ -10,7 +10,7 @@ using Eigen::ArrayXd;
 
 ArrayXd node_weights(const ActingPlaces& at) { return half_weights(at.pair.half_nodes()).replicate(at.place.count, 1); }
 
-/// How far a body's nodes are displaced along an axis, against the sense of the forces.
+/// Displacement of the nodes of a body along an axis, opposite to the direction of the forces.
 ArrayXd displaced(const ActingPlaces& at, std::size_t body, Axis axis) {
   const HalfField& deformed = at.deformed[body];
   const ArrayXd along_axis =
@@ -25,7 +25,8 @@ ArrayXd slope(const ActingPlaces& at, const ArrayXd& values) {
   return patch_slope(values, at.pair.half_nodes(), grid.radius * grid.phi_spacing);
 }
 
-/// Of the counterpart's deformed surface, along which pressure pushes back; under a rigid body it is that body's own.
+/// Slope of the counterbody's deformed surface, along which the pressure pushes back. Under a rigid body it is the
+/// slope of that body's surface.
 ArrayXd pushing_slope(const ActingPlaces& at) {
   const auto& bodies = at.pair.bodies;
   if (bodies.size() > 1) return slope(at, displaced(at, 1, kDown));
@@ -33,7 +34,7 @@ ArrayXd pushing_slope(const ActingPlaces& at) {
   return at.place.lever / relative_radius(at.pair.pair);
 }
 
-/// How deep below the center forces along the plane act.
+/// Depth below the center at which tangential forces act.
 ArrayXd depth_below_center(const ActingPlaces& at) {
   if (!at.pair.bodies.front().rolls) return at.place.nodes.points().y().values();
   return at.place.nodes.points().y().values() - displaced(at, 0, kDown);

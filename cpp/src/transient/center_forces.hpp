@@ -1,6 +1,6 @@
 /// @file
-/// @brief What the forces of a contact do to the center of what rolls: rows of sums over them,
-/// See docs/theory/planes-and-pairs.md.
+/// @brief Effect of the contact forces on the center of the rolling body, as rows of coefficients of the nodal forces:
+/// see docs/theory/planes-and-pairs.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,33 +11,34 @@
 
 namespace viscoroll::detail {
 
-/// @brief Where forces act at an instant.
+/// @brief Positions at which forces act at an instant.
 struct ActingPlaces {
   const CreepingPair& pair;
   const ContactPlace& place;
-  /// Each body's own displacements in the window, by its components, as `RowMemory` has them.
+  /// Displacements of each body in the window, by its components, as in `RowMemory`
   std::span<const HalfField> deformed;
 };
 
-/// @return Q, the force on the center that balances forces at the nodes, for a unit of each [-]
+/// @return coefficients of Q, the force on the center that balances the nodal forces [-]
 [[nodiscard]] VectorField force_on_center(const ActingPlaces& at);
 
-/// @return T, their moment about the center, for a unit of each [m]
+/// @return coefficients of T, the moment of the nodal forces about the center [m]
 [[nodiscard]] VectorField moment_about_center(const ActingPlaces& at);
 
-/// @return force along the way of the center that takes as much power as Q and what turns the counterpart, for a unit
-/// of each [-]
+/// @brief Force on the displacement of the center that has the power of Q and of the moment that turns the counterbody.
+/// @param[in] at positions of the forces
 /// @param[in] penetration of the center [m]
+/// @return coefficients of the nodal forces [-]
 [[nodiscard]] VectorField force_along_track(const ActingPlaces& at, double penetration);
 
-/// @return slopes of the counterpart's own displacement along the way of the material, forward, down and sideways, at
-/// every node [-]; no rows where it is rigid
+/// @return slopes of the counterbody's own displacement in the direction in which material passes, forward, down and
+/// sideways, at every node [-]; no rows if the counterbody is rigid
 [[nodiscard]] VectorField counterpart_slopes(const ActingPlaces& at);
 
-/// @return the condition on the center for forces of a half, at displaced nodes
+/// @return the condition on the center for forces on half of the nodes, at displaced nodes
 [[nodiscard]] CenterRow center_row(const ActingPlaces& at, const CenterCondition& condition);
 
-/// @return whether that row depends on displacements
+/// @return whether the condition on the center depends on displacements
 [[nodiscard]] bool depends_on_displacements(const CreepingPair& pair, const CenterCondition& condition);
 
 }  // namespace viscoroll::detail

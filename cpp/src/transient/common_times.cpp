@@ -11,7 +11,8 @@ namespace {
 using cplx = std::complex<double>;
 using std::numbers::pi;
 
-/// Times of the intervals at which errors are looked at, closest at the intervals' ends, as extrema of such products.
+/// Times in the intervals at which errors are evaluated; they are densest at the ends of the intervals, as are the
+/// extrema of such products.
 Eigen::ArrayXd sampled(std::span<const TimeRange> intervals) {
   constexpr double kFewest = 64.0;  // per interval
   constexpr double kPerEFold = 64.0;
@@ -27,7 +28,7 @@ Eigen::ArrayXd sampled(std::span<const TimeRange> intervals) {
   return Eigen::Map<const Eigen::ArrayXd>(times.data(), static_cast<Eigen::Index>(times.size()));
 }
 
-/// How well a list of times stands for others: 0 at its own.
+/// Error of a list of times over sampled times; it is 0 at the times of the list.
 class Misfit {
  public:
   Misfit(Eigen::ArrayXd times, double longest) : times_(std::move(times)), values_(1.0 - times_ / longest) {}
@@ -53,7 +54,7 @@ class Misfit {
 
 std::vector<double> common_times(std::span<const TimeRange> intervals, std::span<const double> exact,
                                  double tolerance) {
-  constexpr double kAsGoodAsExact = 1e-6;  // nearer ones would weigh against each other
+  constexpr double kAsGoodAsExact = 1e-6;  // closer times would have weights that cancel
   std::vector<double> times{intervals.back().longest};
   Misfit anywhere(sampled(intervals), times.front());
   Misfit of_exact(Eigen::Map<const Eigen::ArrayXd>(exact.data(), static_cast<Eigen::Index>(exact.size())),
@@ -66,8 +67,8 @@ std::vector<double> common_times(std::span<const TimeRange> intervals, std::span
     }
   };
   add_until(of_exact, kAsGoodAsExact);
-  // Of terms that lag by less than a quarter of a turn, as all these do, the sum is at least 1/sqrt(2) of the sum of
-  // their moduli.
+  // All terms lag by less than a quarter of a turn, so that the modulus of their sum is at least 1/sqrt(2) of the sum
+  // of their moduli.
   add_until(anywhere, tolerance / std::numbers::sqrt2);
   std::ranges::sort(times);
   return times;
@@ -88,14 +89,14 @@ Eigen::VectorXcd shares(std::span<const double> times, const cplx& lambda) {
 }
 
 Contour contour_around(std::span<const TimeRange> intervals, double left) {
-  // The shares grow with the angle of lambda up to a quarter of a turn, and have their poles at half of one; a third
-  // of that takes few points, and costs few digits.
+  // The functions phi_j grow with the angle of lambda up to a quarter of a turn and have their poles at half a turn. A
+  // third of half a turn requires few points and loses few digits.
   constexpr double kHeight = pi / 3.0;
   const double half_width = 0.5 * std::log(intervals.back().longest / intervals.front().shortest);
   const cplx center = 0.5 * std::log(intervals.back().longest * intervals.front().shortest);
   const double half_length = std::hypot(half_width, kHeight);
   const double decay = half_width > 0.0 ? std::asinh(kHeight / half_width) : left;
-  constexpr double kFewest = 0.4;  // for the poles outside, three times as far from a single time as the contour is
+  constexpr double kFewest = 0.4;  // for the poles outside, three times as far from a single time as the contour
   const int count = static_cast<int>(std::ceil(std::max(0.5 * left / decay, kFewest * left)));
   Contour contour;
   for (int q = 0; q < count; ++q) {

@@ -11,7 +11,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// By how much shares may differ from those of an inverse that steps correct.
+/// Largest relative change of the shares of the bodies for which the inverse is kept; Newton steps correct the
+/// difference.
 constexpr double kNearlySame = 1e-2;
 
 double sum(const std::vector<double>& shares) { return std::accumulate(shares.begin(), shares.end(), 0.0); }
@@ -21,7 +22,8 @@ MatrixXd normal_compliance(const StepOperator& surface, const std::vector<Index>
   return surface.normal_compliance(displaced, loaded);
 }
 
-/// Nothing moves sideways in the middle: any compliance does there.
+/// Compliance between nodes. Nodes on the middle line do not move sideways, so that any sideways compliance serves
+/// there.
 MatrixXd compliance(const StepOperator& surface, const std::vector<Index>& displaced,
                     const std::vector<Index>& loaded) {
   MatrixXd matrix = surface.compliance(displaced, loaded);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Forces of a contact by its displacements, from earlier contacts of nearly the same nodes.
+/// @brief Contact forces from displacements, by an inverse kept from earlier contacts of nearly the same nodes.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,31 +10,32 @@
 
 namespace viscoroll::detail {
 
-/// @brief Forces in three directions, by the inverse of a surface that has hardly changed: what is left, steps correct.
+/// @brief Stiffness for forces in three directions, from the inverse of a surface that has hardly changed; Newton steps
+/// correct the difference.
 class ContactStiffness : public KeptInverse {
  public:
   ContactStiffness();
 };
 
-/// @brief Pressing forces on the nodes of a contact alone: those that are in the inverse and apart bear none by the
-/// forces that undo theirs. Of the compliance that the inverse is of, or a multiple of it, it is exact.
+/// @brief Stiffness for normal forces on the nodes of a contact. Nodes of the inverse that have separated are given
+/// zero force by correction forces. The result is exact for the compliance of the inverse and for multiples of it.
 class ContactInverse : public KeptInverse {
  public:
   ContactInverse();
 
-  /// @brief Cover the nodes of a contact, and note which of the inverse's are apart.
-  /// @param[in] surface whose compliance it is
-  /// @param[in] contact numbers in a window, ascending
+  /// @brief Include the nodes of a contact, and find the nodes of the inverse that have separated.
+  /// @param[in] surface provides the compliance
+  /// @param[in] contact numbers of the nodes in a window, ascending
   void follow(const StepOperator& surface, const std::vector<Eigen::Index>& contact);
 
-  /// @return forces on the nodes of the last `follow` by displacements there
+  /// @return normal forces on the nodes of the last `follow` for displacements of these nodes
   [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& displacement) const;
 
  private:
-  std::vector<Eigen::Index> touching_;  // places in the inverse of each node
-  std::vector<Eigen::Index> apart_;     // places of the others
-  double scale_ = 1.0;                  // of the inverse
-  DenseFactors reactions_;              // of these others' own rows
+  std::vector<Eigen::Index> touching_;  // positions of the contact nodes in the inverse
+  std::vector<Eigen::Index> apart_;     // positions of the separated nodes in the inverse
+  double scale_ = 1.0;                  // factor on the inverse
+  DenseFactors reactions_;              // factors of the rows of the separated nodes
 };
 
 }  // namespace viscoroll::detail

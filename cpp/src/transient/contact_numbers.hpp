@@ -1,30 +1,35 @@
 /// @file
-/// @brief What of a contact a history tells at an instant: how large it is, and what forces there do about the center.
+/// @brief Scalar results of a contact at an instant: its size, and the forces and moments about the center.
 #pragma once
 
 #include "transient/touch.hpp"
 
 namespace viscoroll::detail {
 
-/// @return area of a patch that is flat, as those of the half fields are
+/// @return area of a flat patch, as used by the half fields [m^2]
 [[nodiscard]] double flat_patch(const SurfaceGrid& grid);
 
-/// @brief Approach, size and pressure of a contact.
-/// @param[in,out] now instant whose load is known
-/// @throws std::invalid_argument where a coating is pressed in by its thickness
+/// @brief Set approach, size and pressure of a contact.
+/// @param[in] pair both bodies
+/// @param[in] touch contact
+/// @param[in,out] now instant whose load is set
+/// @throws std::invalid_argument if a coating is compressed by its whole thickness
 void tell_extent(const CreepingPair& pair, const Touch& touch, RollingInstant& now);
 
-/// @brief Forces that work along ways [N].
+/// @brief Forces that do work besides the torque [N].
 struct CenterPower {
-  double along_track = 0.0;  ///< of the center
-  /// By what the center goes farther than it rolls: what the counterpart loses as its displacement passes.
+  double along_track = 0.0;  ///< on the displacement of the center
+  /// On the distance by which the center moves farther than the body rolls; the work is dissipated in the counterbody
+  /// as its displacement passes
   double creeping = 0.0;
 };
 
-/// @brief Moments about the center, and the force on it. Pressure works along the plane where it moves what it stands
-/// on along it.
+/// @brief Set the moments about the center and the force on it. With the vertical compliance, the pressure also does
+/// work along the plane, because it displaces the surface in this direction.
+/// @param[in] pair both bodies
+/// @param[in] touch contact
 /// @param[in,out] now instant
-/// @return what works beside the torque
+/// @return forces that do work besides the torque
 [[nodiscard]] CenterPower tell_moments(const CreepingPair& pair, const Touch& touch, RollingInstant& now);
 
 }  // namespace viscoroll::detail

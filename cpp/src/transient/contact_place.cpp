@@ -11,8 +11,8 @@ using Eigen::Index;
 
 namespace {
 
-/// As at the lowest point, but that forces along the plane press with their share of r, and u_r moves the surface along
-/// the plane: docs/theory/friction.md.
+/// Directions of the plane at the lowest point, with two corrections: tangential forces also press with their component
+/// along r, and u_r moves the surface along the plane (docs/theory/friction.md, "Radial compliance").
 Axes level_axes(const Eigen::ArrayXd& forward_share, const Eigen::ArrayXd& sideways_share, double sense,
                 Index half_nodes) {
   const HalfField forward = as_field(forward_share, half_nodes);
@@ -35,7 +35,8 @@ Axes axes_of_rolling(const CreepingPair& pair, const SurfaceWindow& nodes) {
   return axes;
 }
 
-/// Its frame is the mirror image of that of what rolls, and its normals turn with its curvatures.
+/// Directions at the counterbody. Its frame is the mirror image of that of the rolling body, and its normals turn with
+/// its curvatures.
 Axes axes_of_counterpart(const CreepingPair& pair, const SurfaceWindow& nodes) {
   const Curvatures& curvatures = pair.pair.on->curvatures();
   return level_axes(-curvatures.along * nodes.x(), -curvatures.across * nodes.z(), 1.0, pair.half_nodes());
@@ -53,7 +54,7 @@ std::vector<Axes> axes_at(const CreepingPair& pair, const SurfaceWindow& nodes) 
 }
 
 ContactPlace place_at(const CreepingPair& pair, double shift, Index half_rows, double angle) {
-  const double lowest = -angle / pair.nodes.grid.phi_spacing - shift;  // row under the center, not whole
+  const double lowest = -angle / pair.nodes.grid.phi_spacing - shift;  // row below the center, not an integer
   const double middle = std::round(lowest);
   const auto aside = static_cast<int>(half_rows);
   SurfaceWindow nodes(pair.nodes.grid, {{-aside, aside}, {0, static_cast<int>(pair.half_nodes()) - 1}},

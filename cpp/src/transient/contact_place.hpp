@@ -1,5 +1,5 @@
 /// @file
-/// @brief Where the nodes around the contact are, at an instant.
+/// @brief Positions of the nodes around the contact at an instant.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,29 +11,31 @@
 
 namespace viscoroll::detail {
 
-/// @brief Rows of nodes around the lowest point. Their numbers go on as it rolls: row I is that of either body which
-/// meets there.
+/// @brief Rows of nodes around the lowest point. Row numbers continue as the body rolls: row I of both bodies meets at
+/// the same place.
 struct ContactPlace {
-  Eigen::Index first;  ///< row
-  Eigen::Index count;  ///< of rows
+  Eigen::Index first;  ///< number of the first row
+  Eigen::Index count;  ///< number of rows
   SurfaceWindow nodes;
   Eigen::ArrayXd gap;      ///< between the undeformed bodies, 0 at the lowest point [m]
-  Eigen::ArrayXd lever;    ///< of the pressure, whose moment is the rolling resistance [m]
-  std::vector<Axes> axes;  ///< of every body; empty ones where pressure is radial and there is no friction
+  Eigen::ArrayXd lever;    ///< moment arm of the pressure; its moment is the rolling resistance [m]
+  std::vector<Axes> axes;  ///< of every body; empty if pressure is radial and there is no friction
 };
 
-/// @return directions of the plane at the nodes, of every body as in `ContactPlace`
+/// @return directions of the plane at the nodes of every body, same as in `ContactPlace`
 [[nodiscard]] std::vector<Axes> axes_at(const CreepingPair& pair, const SurfaceWindow& nodes);
 
+/// @brief Rows around the lowest point at an angle.
 /// @param[in] pair both bodies
 /// @param[in] shift of the nodes at angle 0 [spacings]
 /// @param[in] half_rows rows on either side of the lowest one
 /// @param[in] angle turned [rad]
 [[nodiscard]] ContactPlace place_at(const CreepingPair& pair, double shift, Eigen::Index half_rows, double angle);
 
+/// @brief Rows with given numbers and nodes.
 /// @param[in] pair both bodies
-/// @param[in] first row
-/// @param[in] nodes of it and those after it
+/// @param[in] first number of the first row
+/// @param[in] nodes nodes of the first row and those after it
 [[nodiscard]] ContactPlace place_of(const CreepingPair& pair, Eigen::Index first, SurfaceWindow nodes);
 
 }  // namespace viscoroll::detail

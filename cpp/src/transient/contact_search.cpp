@@ -12,7 +12,7 @@ using Eigen::Index;
 
 namespace {
 
-/// @param[in] level_axes as of `StepOperator::Part`
+/// @param[in] level_axes same as in `StepOperator::Part`
 StepOperator surface_of(const Touch& touch, const std::vector<Axes>& level_axes) {
   std::vector<StepOperator::Part> parts;
   for (std::size_t b = 0; b < touch.yielding.of_bodies.size(); ++b) {
@@ -25,8 +25,8 @@ StepOperator surface_of(const Touch& touch, const std::vector<Axes>& level_axes)
   return {std::move(parts), touch.checkpoint};
 }
 
-/// By which share of its speed the counterpart's surface lags on the way from one place to another, by Simpson's rule:
-/// depths are squares of that.
+/// Fraction of its speed by which the counterbody's surface lags on average between two positions, by Simpson's rule;
+/// depths are quadratic in the distance.
 ArrayXd mean_delay(const CreepingPair& pair, const SurfaceWindow& from, const SurfaceWindow& to) {
   if (pair.pair.on->curvatures().along == 0.0) return ArrayXd::Zero(to.shape().size());
   const SurfaceWindow between(to.grid(), to.window(), 0.5 * (from.shift() + to.shift()));
@@ -35,14 +35,15 @@ ArrayXd mean_delay(const CreepingPair& pair, const SurfaceWindow& from, const Su
          6.0;
 }
 
-/// Ways of nodes over what they touch in a step, along x and z.
+/// Displacements of nodes over the counterbody in a step, along x and z.
 struct Ways {
-  Eigen::ArrayX2d known;      ///< but for what the new forces displace, and the way of the center
-  Eigen::ArrayX2d by_center;  ///< for a unit of that
+  Eigen::ArrayX2d known;      ///< without those by the new forces and by the center
+  Eigen::ArrayX2d by_center;  ///< per unit displacement of the center
 };
 
-/// Rows of the counterpart are matched with those of what rolls, but its material passes as fast as the center goes: by
-/// what one way is longer than the other it passes its own displacement, too, at the slope that this had before.
+/// Displacements of nodes over the counterbody. Rows of the counterbody stay matched with those of the rolling body,
+/// but its material passes as far as the center moves. Over the difference of both distances, a node also passes along
+/// the counterbody's own displacement, with the slope before the step.
 Ways ways_of(const CreepingPair& pair, const ContactPlace& before, const Touch& touch, const Departure& departure) {
   const ContactPlace& place = touch.place;
   const ArrayXd delay = mean_delay(pair, before.nodes, place.nodes);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The contact of an instant, by what there is between the bodies: nothing but pressure, friction, or air.
+/// @brief Contact at an instant: frictionless, with friction, or lifted off.
 #pragma once
 
 #include "transient/carried_forces.hpp"
@@ -9,31 +9,32 @@
 
 namespace viscoroll::detail {
 
+/// @brief Solve the frictionless contact.
 /// @param[in] pair both bodies
 /// @param[in] touch place and known displacements
-/// @param[in] last forces to start from
-/// @param[in] load times what has yielded
+/// @param[in] last starting forces
+/// @param[in] load load times the compliance factor `touch.yielding.sum`
 /// @param[in,out] inverse of an earlier contact
 [[nodiscard]] StickSlip touch_smooth(const CreepingPair& pair, const Touch& touch, const LastForces& last, double load,
                                      ContactInverse& inverse);
 
-/// @brief Where nodes come from in a step with friction.
+/// @brief Motion of the nodes before a step with friction ends.
 struct Departure {
-  double turned;                 ///< angle by which what rolls turns until its end [rad]
-  std::vector<HalfField> borne;  ///< displacement of every body before, of the rows of the window
+  double turned;                 ///< angle by which the rolling body turns in the step [rad]
+  std::vector<HalfField> borne;  ///< earlier displacement of every body, on the rows of the window
 };
 
-/// @brief The contact of docs/theory/transient-bodies.md, where nodes that met stay matched.
-/// @param[in] pair,touch,last as above
-/// @param[in] departure where nodes come from
+/// @brief Solve the contact with friction of docs/theory/transient-friction.md, in which nodes that met stay matched.
+/// @param[in] pair,touch,last same as in `touch_smooth`
+/// @param[in] departure motion of the nodes in the step
 /// @param[in] load [N]
-/// @param[in] center what decides how far it comes
+/// @param[in] center condition for the displacement of the center
 /// @param[in,out] stiffness of an earlier contact
 [[nodiscard]] StickSlip touch_with_friction(const CreepingPair& pair, const Touch& touch, const LastForces& last,
                                             const Departure& departure, double load, const CenterCondition& center,
                                             ContactStiffness& stiffness);
 
-/// @brief The bodies just touch with what they remember, and bear nothing.
+/// @brief Position of bodies that just touch with their remembered displacements and support no load.
 [[nodiscard]] StickSlip touch_lifted(const CreepingPair& pair, const Touch& touch, const CenterCondition& center);
 
 }  // namespace viscoroll::detail

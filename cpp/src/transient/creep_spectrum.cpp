@@ -16,7 +16,7 @@ namespace {
 
 using cplx = std::complex<double>;
 
-/// Terms of a Prony series by ascending time, those of equal times as one.
+/// Terms of a Prony series by ascending time; terms of equal times are merged.
 std::vector<std::pair<double, double>> merged_terms(const Prony& series) {
   constexpr double kSame = 1e-12;
   std::vector<std::pair<double, double>> terms;  // (time, weight)
@@ -36,12 +36,12 @@ std::vector<std::pair<double, double>> merged_terms(const Prony& series) {
   return merged;
 }
 
-/// The secular equation sum g_k / (1 - tau_k / lambda) = 1, whose roots interlace with the relaxation times.
+/// Secular equation sum g_k / (1 - tau_k / lambda) = 1, whose roots interlace with the relaxation times.
 class SecularEquation {
  public:
   explicit SecularEquation(std::vector<std::pair<double, double>> terms) : terms_(std::move(terms)) {}
 
-  /// A root as its distance, in ln(lambda), from one of the relaxation times: that keeps the digits of close pairs.
+  /// Root as its distance, in ln(lambda), from one of the relaxation times, which keeps the digits of close pairs.
   struct Root {
     std::size_t origin;
     double distance;
@@ -69,7 +69,7 @@ class SecularEquation {
 
   [[nodiscard]] double time(const Root& root) const { return terms_[root.origin].first * std::exp(root.distance); }
 
-  /// lambda_j / sum g_k tau_k / (1 - tau_k / lambda_j)^2, per 1/G_0.
+  /// lambda_j / sum g_k tau_k / (1 - tau_k / lambda_j)^2, in units of 1/G_0
   [[nodiscard]] double weight(const Root& root) const {
     double sum = 0.0;
     for (const auto& [tau, g] : terms_) sum += g * tau / std::pow(excess(tau, root), 2);
@@ -104,7 +104,8 @@ CreepSpectrum spectrum_of(const Prony& series) {
   return spectrum;
 }
 
-/// Adds a term where it is resolved; else it yields at once, or with those that are as good as never reached.
+/// Spectrum of terms that are resolved in a range of times. Faster terms join the instantaneous compliance, and slower
+/// terms form one term that practically does not relax.
 class RangedSpectrum {
  public:
   RangedSpectrum(double instantaneous, const TimeRange& range) : range_(range) {
@@ -137,14 +138,15 @@ class RangedSpectrum {
   double slow_ = 0.0;
 };
 
-/// Distance in ln(lambda) at which the trapezoidal rule for the Cole-Cole function is exact to 1e-6: its poles lie
-/// pi (1 - alpha) / alpha off the axis.
+/// Spacing in ln(lambda) at which the trapezoidal rule for the Cole-Cole function is exact to 1e-6: its poles lie pi (1
+/// - alpha) / alpha off the axis.
 double cole_cole_spacing(double order) {
   constexpr double kDigits = 13.8;  // -ln 1e-6
   return std::min(2.0 * std::pow(std::numbers::pi, 2) * (1.0 - order) / (order * kDigits), 1.0);
 }
 
-/// K. S. Cole and R. H. Cole, J. Chem. Phys. 9 (1941) 341-351: distribution of times of 1 / (1 + (s tau)^alpha).
+/// Distribution of the retardation times of 1 / (1 + (s tau)^alpha): K. S. Cole and R. H. Cole, J. Chem. Phys. 9 (1941)
+/// 341-351.
 CreepSpectrum cole_cole_spectrum(const FractionalZener& solid, const TimeRange& range) {
   const double alpha = solid.order;
   const double share = solid.relaxed_modulus / solid.instantaneous_modulus;
@@ -174,7 +176,7 @@ std::vector<double> log_spaced(double low, double high, double per_decade) {
   return values;
 }
 
-/// Angular frequencies at which a fit is asked for: all that a program of these times can see.
+/// Angular frequencies of a fit: all that a motion with times in the range can excite.
 std::vector<double> fitted_frequencies(const ShearModulus& modulus, const TimeRange& range) {
   constexpr double kPerDecade = 8.0;
   double low = 0.1 / range.longest;
@@ -190,8 +192,8 @@ std::vector<double> fitted_frequencies(const ShearModulus& modulus, const TimeRa
   return log_spaced(low, high, kPerDecade);
 }
 
-/// Nonnegative least squares of the relative compliance itself: real and imaginary parts at all frequencies, and its
-/// value at rest.
+/// Nonnegative least squares of the relative compliance: real and imaginary parts at all frequencies, and its relaxed
+/// value.
 CreepSpectrum fitted_spectrum(const ShearModulus& modulus, const TimeRange& range) {
   constexpr double kTimesPerDecade = 6.0;
   const std::vector<double> frequencies = fitted_frequencies(modulus, range);
@@ -203,7 +205,7 @@ CreepSpectrum fitted_spectrum(const ShearModulus& modulus, const TimeRange& rang
   Eigen::MatrixXcd terms(rows + 1, static_cast<Eigen::Index>(times.size()) + 1);
   for (Eigen::Index i = 0; i <= rows; ++i) {
     const double omega = i < rows ? frequencies[static_cast<std::size_t>(i)] : 0.0;
-    const cplx stiffness = i < rows ? values[static_cast<std::size_t>(i)] / relaxed : 1.0;  // errors shall be relative
+    const cplx stiffness = i < rows ? values[static_cast<std::size_t>(i)] / relaxed : 1.0;  // makes errors relative
     terms(i, 0) = stiffness;
     for (Eigen::Index j = 1; j < terms.cols(); ++j) {
       terms(i, j) = stiffness / cplx(1.0, omega * times[static_cast<std::size_t>(j - 1)]);
@@ -226,7 +228,7 @@ CreepSpectrum fitted_spectrum(const ShearModulus& modulus, const TimeRange& rang
 }
 
 CreepSpectrum zener_spectrum(const FractionalZener& solid, const TimeRange& range) {
-  constexpr double kFinestSpacing = 0.2;  // below, the spectrum is a peak that a few fitted times hold better
+  constexpr double kFinestSpacing = 0.2;  // finer: a narrow peak, which few fitted times represent better
   if (solid.order == 1.0) {
     return spectrum_of(
         standard_linear_solid(solid.instantaneous_modulus, solid.relaxed_modulus, solid.relaxation_time));

@@ -22,7 +22,7 @@ std::vector<Layer> layers_of(const std::vector<NamedLayer>& named) {
 
 double relaxed_modulus(const ShearModulus& modulus) { return complex_modulus(modulus, std::array{0.0}).front().real(); }
 
-/// Largest difference of two moduli, each per its value at rest.
+/// Largest relative difference of two moduli, each divided by its relaxed value.
 double difference(const ShearModulus& a, const ShearModulus& b, std::span<const double> frequencies) {
   const auto values_a = complex_modulus(a, frequencies);
   const auto values_b = complex_modulus(b, frequencies);
@@ -48,7 +48,7 @@ void rest(CoatedPlane& plane) {
 
 void rest(Groove& groove) { rest(groove.surface); }
 
-/// Of a ball, a roller or a wheel.
+/// Relax the layers of a ball, a roller or a wheel.
 template <class Round>
 void rest(Round& body) {
   for (Layer& layer : body.layers) rest(layer);

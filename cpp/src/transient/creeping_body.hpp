@@ -1,5 +1,5 @@
 /// @file
-/// @brief What of a body its histories know: an elastic surface on rows of nodes, and how it creeps.
+/// @brief A viscoelastic body in transient rolling: elastic surface on rows of nodes, and its creep.
 #pragma once
 
 #include <optional>
@@ -11,30 +11,31 @@
 
 namespace viscoroll::detail {
 
-/// @brief A body whose displacements are those of elastic ones under loads that creep: of one, where its layers share a
-/// relaxation function, else of one for each retardation time.
+/// @brief Body whose displacements are those of elastic bodies under retarded forces: of one elastic body if its layers
+/// share one relaxation function, else of one for each retardation time.
 struct CreepingBody {
-  bool rolls;                        ///< it is what rolls, else what that rolls on
-  CreepSpectrum spectrum;            ///< per what its tables displace; of tables for each time all weights are 1
-  std::optional<Eigen::Index> ring;  ///< rows of nodes around it; none of a track
+  bool rolls;                        ///< whether it is the rolling body, else the counterbody
+  CreepSpectrum spectrum;            ///< relative to the tables; all weights are 1 if every time has its own table
+  std::optional<Eigen::Index> ring;  ///< number of rows around the body; none for a track
   CreepingTables tables;
 
-  /// @return parts of a force that have yielded, for each of the tables: of one that has just come,
+  /// @return compliance factor of each table for a force that has just been applied
   [[nodiscard]] std::vector<double> parts_at_once() const;
-  /// @return of one that has been there for ever,
+  /// @return compliance factor of each table for a force that has acted for an infinite time
   [[nodiscard]] std::vector<double> parts_at_rest() const;
-  /// @return and of what a force changes by in a step, at its end
+  /// @return compliance factor of each table for the change of a force in a step, at the end of the step
   [[nodiscard]] std::vector<double> parts_after(const TimeStep& step) const;
 };
 
-/// @return whether layers creep alike at every order: they share one relaxation function, and no bulk modulus
+/// @brief Whether all orders of the layers creep in the same way: the layers share one relaxation function, and no
+/// viscoelastic layer has a bulk modulus.
 /// @param[in] layers at least one
-/// @param[in] range of the times at which they are compared
+/// @param[in] range times at which they are compared
 [[nodiscard]] bool creep_alike(const std::vector<NamedLayer>& layers, const TimeRange& range);
 
-/// @return what rolls, with every modulus as it is at rest, without inertia
+/// @return the rolling body with relaxed moduli, without inertia
 [[nodiscard]] RollingBody at_rest(const RollingBody& body);
-/// @return what it rolls on, likewise
+/// @return the counterbody with relaxed moduli, without inertia
 [[nodiscard]] Counterpart at_rest(const Counterpart& on);
 
 }  // namespace viscoroll::detail

@@ -7,7 +7,8 @@
 namespace viscoroll::detail {
 namespace {
 
-/// A fit whose shortest time, far below all that is asked for, stands for what yields at once.
+/// Spectrum with an instantaneous compliance. In a fit without one, the shortest time, far below all relevant times,
+/// takes its place.
 CreepSpectrum yielding_at_once(CreepSpectrum creep) {
   if (creep.instantaneous > 0.0) return creep;
   creep.instantaneous = creep.weights.front();
@@ -38,7 +39,7 @@ std::vector<CreepingModulus> creeping_moduli(const std::vector<Layer>& layers, c
 }
 
 std::vector<double> relaxation_times(const CreepSpectrum& creep) {
-  // Between its poles the compliance falls from infinity above one retardation time to minus infinity below the next.
+  // Between its poles, the compliance falls from infinity above one retardation time to minus infinity below the next.
   const CreepingModulus modulus{.relaxed = 1.0, .creep = creep};
   std::vector<double> times;
   times.reserve(creep.size());

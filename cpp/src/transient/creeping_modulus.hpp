@@ -1,8 +1,9 @@
 /// @file
-/// @brief Moduli off the axis of real frequencies, where a body's retardation times are looked for:
-/// docs/theory/transient.md, "Layers with different relaxation functions".
+/// @brief Moduli off the axis of real frequencies, where the retardation times of a body lie.
 ///
-/// In place of s stands the time -1/s, which is positive where a body of discrete times may have one of its own.
+/// See docs/theory/transient.md, "Layers with different relaxation functions".
+///
+/// The time -1/s takes the place of s. It is positive where a body with discrete times may have a retardation time.
 #pragma once
 
 #include <complex>
@@ -13,7 +14,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief A shear modulus by its creep.
+/// @brief Shear modulus, given by its creep function.
 struct CreepingModulus {
   double relaxed;       ///< mu*(0) [Pa]
   CreepSpectrum creep;  ///< times ascending, J_0 > 0
@@ -34,13 +35,13 @@ struct CreepingModulus {
   [[nodiscard]] std::complex<double> at_frequency(double omega) const;
 };
 
-/// @brief The moduli of layers that creep, each by itself.
-/// @param[in] layers whose moduli yield in part at once: KelvinVoigt does not
+/// @brief Moduli of layers with their own creep functions.
+/// @param[in] layers layers with an instantaneous compliance, which excludes KelvinVoigt
 /// @param[in] range in which continuous spectra are resolved
 /// @throws std::invalid_argument for bad parameters
 [[nodiscard]] std::vector<CreepingModulus> creeping_moduli(const std::vector<Layer>& layers, const TimeRange& range);
 
-/// @return times at which a modulus has its poles, ascending: one below each of its retardation times [s]
+/// @return relaxation times, which are the poles of the modulus, ascending: one below each retardation time [s]
 [[nodiscard]] std::vector<double> relaxation_times(const CreepSpectrum& creep);
 
 }  // namespace viscoroll::detail

@@ -26,7 +26,7 @@ void require_yielding_at_once(const Body& body, std::string_view prefix, const T
   }
 }
 
-/// Of layers that do not creep alike.
+/// Spectrum of layers with different relaxation functions.
 BodySpectrum layer_spectrum(LayeredBody body, const HistoryOptions& options, const TimeRange& range) {
   auto layers = std::make_shared<const LayerSpectrum>(std::move(body), range, options.spectrum_tolerance);
   const auto& times = layers->retardation_times();
@@ -60,20 +60,21 @@ Crossing crossing_at_rest(const RollingPair& pair, const HistoryOptions& options
   return crossing_of(pair, kAnySpeed, *options.mesh, options.curvature, {options.threads, watch}, kInertiaTolerance);
 }
 
-/// Rows around the one of two bodies; a body that turns beside another one need not have a whole number of them, and is
-/// taken to be that much larger or smaller.
+/// Number of rows around one of the two bodies. A body that turns beside another one need not have a whole number of
+/// rows; it is modeled as if it were slightly larger or smaller.
 std::optional<Index> ring_of(const Body& body, const SurfaceGrid& grid) {
   if (body.radius() == 0.0) return std::nullopt;
   const double distance = grid.radius * grid.phi_spacing;
   return std::lround(2.0 * std::numbers::pi * body.radius() / distance);
 }
 
-/// Rows that tables may reach: the waves of some 500 low orders take 256 MB of them while they are summed.
+/// Largest reach of tables in rows: while they are summed, the waves of some 500 low orders take 256 MB.
 constexpr Index kLongestTrack = 32768;
 
-/// On a plane, which has no radius of its own, the mesh may be that of a larger body with the same nodes: sums are good
-/// within a quarter of its revolution (docs/theory/planes-and-pairs.md). The datum of a half-plane depends on it: along
-/// a line it is the same for all reaches, so that tables can be made longer.
+/// A plane has no radius of its own, so that its mesh may be that of a larger body with the same nodes; sums are
+/// accurate within a quarter of the revolution of that body (docs/theory/planes-and-pairs.md). The datum of a
+/// half-plane depends on this revolution. In line contact it is therefore the same for all reaches, so that tables can
+/// be extended.
 Crossing on_track(Crossing crossing, Index reach) {
   if (crossing.form.is_line()) reach = kLongestTrack;
   const auto nodes = static_cast<Index>(crossing.mesh.nodes_per_revolution);
@@ -140,10 +141,10 @@ void require_followed(const RollingPair& pair, const HistoryOptions& options) {
 }
 
 TableSize first_size(const RollingPair& at_rest, const Mesh& mesh, const ContactReach& contact) {
-  constexpr double kDiesOut = 24.0;  // thicknesses, where a bonded layer has a billionth left
+  constexpr double kDiesOut = 24.0;  // thicknesses at which the influence of a bonded layer has fallen to 1e-9
   const SurfaceGrid& grid = nodes_of(at_rest, mesh).grid;
   const double half_nodes = std::ceil(1.1 * contact.across / (grid.radius * grid.theta_spacing)) + 2.0;
-  const double turn = 0.5 * mesh.nodes_per_revolution;  // farther only where it is rolled
+  const double turn = 0.5 * mesh.nodes_per_revolution;  // extended only if the body rolls farther
   const double reach = std::min(kDiesOut * thickness(at_rest) / (grid.radius * grid.phi_spacing), turn);
   return {.half_nodes = static_cast<Index>(half_nodes), .track_reach = static_cast<Index>(std::ceil(reach))};
 }

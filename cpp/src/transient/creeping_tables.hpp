@@ -1,5 +1,5 @@
 /// @file
-/// @brief The elastic surfaces whose displacements, by forces that lag, add up to those of a body that creeps.
+/// @brief Elastic surfaces whose displacements under retarded forces add up to those of a viscoelastic body.
 #pragma once
 
 #include <functional>
@@ -12,24 +12,24 @@
 
 namespace viscoroll::detail {
 
-/// @brief What forces displace once parts of them have yielded.
+/// @brief Tables of the displacement of a body under scaled forces.
 struct YieldingTables {
-  std::vector<double> parts;  ///< of the forces, for each of the body's tables
-  double share;               ///< times these tables
+  std::vector<double> parts;  ///< compliance factor of each of the body's tables
+  double share;               ///< factor on `tables`
   std::shared_ptr<const MirroredTables> tables;
 };
 
-/// @brief Tables of a body: one, of which every term of its creep takes its weight, where its layers share a relaxation
-/// function; else one for what yields at once and one for each retardation time.
+/// @brief Tables of a body: one table, to which all creep weights apply, if its layers share one relaxation function;
+/// else one table for the instantaneous compliance and one for each retardation time.
 class CreepingTables {
  public:
-  /// @param[in] tables of one shape and reach
+  /// @param[in] tables tables of equal shape and reach
   explicit CreepingTables(std::vector<MirroredTables> tables)
       : tables_(std::make_shared<const std::vector<MirroredTables>>(std::move(tables))) {}
 
   [[nodiscard]] const std::vector<MirroredTables>& all() const { return *tables_; }
   [[nodiscard]] std::size_t count() const { return tables_->size(); }
-  /// @return number of the tables that a retardation time's forces displace by
+  /// @return number of the table that belongs to a retardation time
   [[nodiscard]] std::size_t of_term(std::size_t term) const { return count() == 1 ? 0 : term + 1; }
 
   [[nodiscard]] Eigen::Index components() const { return tables_->front().components(); }
@@ -37,10 +37,11 @@ class CreepingTables {
   [[nodiscard]] Eigen::Index height() const { return tables_->front().height(); }
   [[nodiscard]] Eigen::Index reach() const { return tables_->front().reach(); }
   [[nodiscard]] bool dies_out() const { return tables_->front().dies_out(); }
-  /// @return displacement of a node in the middle by a unit force that has been there for ever, along r [m/N]
+  /// @return relaxed displacement of a node in the middle under a unit force along r [m/N]
   [[nodiscard]] double own_compliance() const;
 
-  /// @param[in] parts of the forces that have yielded, one for each of the tables
+  /// @brief Combine the tables with a compliance factor for each.
+  /// @param[in] parts compliance factor of each table
   /// @param[in] checkpoint called every few milliseconds
   [[nodiscard]] YieldingTables yielding(std::vector<double> parts, const std::function<void()>& checkpoint) const;
 

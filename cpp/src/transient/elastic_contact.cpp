@@ -13,27 +13,28 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kFirstTolerance = 1e-4;  // of residuals as displacements per penetration, in the first pass
-constexpr double kTolerance = 1e-11;      // and in all others
+constexpr double kFirstTolerance = 1e-4;  // of displacements relative to the penetration, in the first pass
+constexpr double kTolerance = 1e-11;      // in all other passes
 constexpr int kMostPasses = 200;
-constexpr int kMostProducts = 400;  // of a pass
+constexpr int kMostProducts = 400;  // of one pass
 
-/// Nodes in contact up to which an inverse is kept: of more it takes more memory than a cache holds, and seconds to
-/// make.
+/// Largest number of contact nodes for which an inverse is kept. A larger one does not fit into the cache and takes
+/// seconds to compute.
 constexpr std::size_t kMostKept = 1000;
 
-/// Nodes in contact up to which a matrix displaces them in less time than the tables do.
+/// Largest number of contact nodes that a matrix displaces in less time than the tables.
 constexpr std::size_t kMostDense = 150;
 
-constexpr int kFewProducts = 12;  // of a pass with an inverse of this compliance; with more it is of another one
+constexpr int kFewProducts = 12;  // of a pass with a current inverse; more show that it is outdated
 
-/// A coating over the plane: conjugate gradients solve the systems.
+/// Surface of a coating under normal forces; conjugate gradients solve the linear systems.
 class CoatingSurface : public PressedSurface {
  public:
   CoatingSurface(const ElasticContactProblem& problem, ContactInverse& inverse)
       : problem_(problem), inverse_(inverse), weights_(problem.weights.reshaped()) {}
 
-  /// Begins with what the preconditioner says, which keeps the sum of forces as it is.
+  /// Solve the equations of the nodes in contact. The iteration starts from the estimate of the preconditioner, and its
+  /// steps keep the sum of the forces.
   void press(PressedNodes& contact, double tolerance) override {
     const auto& nodes = contact.nodes;
     is_kept_ = nodes.size() <= kMostKept;
@@ -42,7 +43,7 @@ class CoatingSurface : public PressedSurface {
     if (nodes.size() <= kMostDense) matrix_ = problem_.surface.normal_compliance(nodes, nodes);
     const VectorXd weight = weights_(nodes);
     const VectorXd gap = problem_.gap.reshaped()(nodes);
-    const VectorXd by_weight = about_forces(weight);  // forces that displace all nodes alike
+    const VectorXd by_weight = about_forces(weight);  // forces that displace all nodes equally
     VectorXd forces = is_kept_ ? about_forces(-gap) : VectorXd(contact.pressing(nodes));
     double penetration = (problem_.load - weight.dot(forces)) / weight.dot(by_weight);
     forces += penetration * by_weight;
@@ -86,13 +87,14 @@ class CoatingSurface : public PressedSurface {
   [[nodiscard]] double stiffness() const override { return 1.0 / problem_.surface.own_compliance(); }
 
  private:
-  /// Of many nodes the forces of each alone tell its displacement well enough for some tens of products, as thin layers
-  /// do.
+  /// Approximate forces for displacements. Without an inverse, the own compliance of each node serves, at the cost of
+  /// some tens of products.
   [[nodiscard]] VectorXd about_forces(const VectorXd& displacements) const {
     return is_kept_ ? inverse_.times(displacements) : VectorXd(displacements / problem_.surface.own_compliance());
   }
 
-  /// Of the nodes in contact, by a matrix or by a product with the tables, which tells those of the others, too.
+  /// Displacements of the nodes in contact, by a matrix, or by a product with the tables, which also gives those of the
+  /// other nodes.
   [[nodiscard]] VectorXd displacements(const std::vector<Index>& nodes, const VectorXd& forces) {
     if (matrix_.rows() > 0) return matrix_ * forces;
     ArrayXd pressing = ArrayXd::Zero(problem_.gap.size());
@@ -101,7 +103,7 @@ class CoatingSurface : public PressedSurface {
     return displaced_.reshaped()(nodes);
   }
 
-  /// @param[in] first,last rows that bear forces
+  /// @param[in] first,last rows with forces
   void displace(const ArrayXd& pressing, Index first, Index last) {
     pressing_ = pressing;
     displaced_ = problem_.surface.normal_displacement(
@@ -111,10 +113,10 @@ class CoatingSurface : public PressedSurface {
   const ElasticContactProblem& problem_;
   ContactInverse& inverse_;
   ArrayXd weights_;
-  bool is_kept_ = false;    // the inverse, of the present contact
-  Eigen::MatrixXd matrix_;  // compliance of few nodes
-  ArrayXd pressing_;        // forces of the last product, ...
-  HalfField displaced_;     // ... and what they displace
+  bool is_kept_ = false;    // whether the inverse is used for the present contact
+  Eigen::MatrixXd matrix_;  // compliance between few nodes
+  ArrayXd pressing_;        // forces of the last product
+  HalfField displaced_;     // displacements of the last product
 };
 
 }  // namespace
@@ -126,7 +128,7 @@ PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const A
   for (Index node = 0; node < guess.size(); ++node) {
     if (start.pressing[node] > 0.0) start.nodes.push_back(node);
   }
-  // By an inverse the last digits cost nothing.
+  // With an inverse, full accuracy has no further cost.
   const double first_tolerance = start.nodes.size() <= kMostKept ? kTolerance : kFirstTolerance;
   PressedNodes contact = find_contact(
       surface, std::move(start),

@@ -17,8 +17,8 @@ constexpr int kMostStepsPerSpacing = 64;
 
 }  // namespace
 
-/// 16 nodes across the contact at rest; of a line three times as many, for no others beside them smooth their
-/// staircase.
+/// Mesh with 16 nodes across the contact at rest. A line contact has three times as many, because no neighboring nodes
+/// across smooth its staircase.
 Mesh chosen_mesh(double outer_radius, double contact_radius, bool is_line) {
   const double across = is_line ? 48.0 : 16.0;
   constexpr double kFewest = 64.0;

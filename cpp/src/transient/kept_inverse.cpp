@@ -13,10 +13,11 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Nodes that may be in it, per node in contact: who comes and goes at the edge while a spacing passes stays in it.
+/// Largest number of nodes of the inverse per node in contact. Nodes that join and leave at the edge while a spacing
+/// passes stay in the inverse.
 constexpr double kMostNodes = 1.5;
 
-/// Unknowns that are added at once, for products to be quick.
+/// Number of unknowns that are added at once, for fast products.
 constexpr Index kTogether = 48;
 
 bool are_near(const std::vector<double>& a, const std::vector<double>& b, double most_change) {

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The inverse of the compliance between the nodes of a contact, kept from step to step.
+/// @brief Inverse of the compliance between the nodes of a contact, kept from step to step.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,43 +11,43 @@
 
 namespace viscoroll::detail {
 
-/// @brief Forces on some nodes of a window by their displacements. Compliance knows differences alone, and a contact
-/// keeps its place in the window as the body rolls through: one inverse serves many steps. Nodes that join border it.
-/// Copies share it.
+/// @brief Stiffness between some nodes of a window. The compliance depends only on offsets between nodes, and a contact
+/// stays in place in the window while the body rolls, so that one inverse serves many steps. Nodes that join are added
+/// by bordering. Copies share the inverse.
 class KeptInverse {
  public:
-  /// @return [components * displaced + component][components * loaded + component]; of nodes by themselves, where both
-  /// are the same, with an inverse
+  /// @return compliance matrix [components * displaced + component][components * loaded + component]; invertible if
+  /// both sets of nodes are equal
   using Compliance = Eigen::MatrixXd (*)(const StepOperator& surface, const std::vector<Eigen::Index>& displaced,
                                          const std::vector<Eigen::Index>& loaded);
 
-  /// @param[in] components of a node
+  /// @param[in] components unknowns of a node
   /// @param[in] compliance between two sets of nodes
-  /// @param[in] most_change of a surface's shares, relative, with which an inverse is kept
+  /// @param[in] most_change largest relative change of the surface's shares for which an inverse is kept
   KeptInverse(Eigen::Index components, Compliance compliance, double most_change)
       : components_(components), compliance_(compliance), most_change_(most_change) {}
 
-  /// @brief Have all nodes of a contact in it, and few beside them.
-  /// @param[in] surface of the parts that the inverse was begun with; it stays one by the shares of then
-  /// @param[in] contact numbers in a window, ascending
-  /// @return whether it has changed
+  /// @brief Include all nodes of a contact, and few others.
+  /// @param[in] surface surface of the same parts as before; the inverse keeps the shares with which it was begun
+  /// @param[in] contact numbers of the nodes in a window, ascending
+  /// @return whether the inverse has changed
   bool cover(const StepOperator& surface, const std::vector<Eigen::Index>& contact);
 
-  /// @brief Be made anew next time: of another compliance.
+  /// @brief Discard the inverse, because the compliance has changed.
   void forget() { inverse_.reset(); }
 
-  /// @return the nodes it has: those of the contact, and such as touched lately
+  /// @return nodes of the inverse: those of the contact, and others that were recently in contact
   [[nodiscard]] const std::vector<Eigen::Index>& nodes() const { return inverse_->nodes; }
 
-  /// @return as `Compliance` has its rows and columns [N/m]
+  /// @return inverse, with rows and columns as in `Compliance` [N/m]
   [[nodiscard]] const Eigen::MatrixXd& matrix() const { return inverse_->matrix; }
 
-  /// @return of the surface that it is of
+  /// @return shares of the surface to which the inverse belongs
   [[nodiscard]] const std::vector<double>& shares() const { return inverse_->shares; }
 
   void write(NumberWriter& numbers) const;
-  /// @param[in] numbers of what another one has written
-  /// @param[in] last number that a node may have
+  /// @param[in] numbers data written by another object
+  /// @param[in] last largest valid number of a node
   void read(NumberReader& numbers, Eigen::Index last);
 
  private:

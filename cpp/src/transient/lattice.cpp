@@ -18,10 +18,10 @@ namespace {
 
 using Eigen::Index;
 
-/// Steps in which a load rises on a coating with friction.
+/// Number of steps in which the load is applied with friction.
 constexpr int kPressingSteps = 8;
 
-/// Parts that have yielded after steps whose durations differ by the round-off of their times.
+/// Whether compliance factors are equal, up to the round-off of the durations of steps.
 bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
   constexpr double kRoundOff = 1e-10;
   return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kRoundOff * std::abs(x); });
@@ -34,7 +34,7 @@ Lattice::Lattice(std::shared_ptr<const CreepingPair> pair, double shift, Index h
   for (const CreepingBody& body : pair_->bodies) memories_.emplace_back(body);
 }
 
-/// Tables that are sums serve on while steps take as long.
+/// Tables that are sums are reused while steps have the same duration.
 template <class Parts>
 Yielding Lattice::yielding(const Parts& parts_in, const Checkpoint& checkpoint) {
   last_.resize(pair_->bodies.size());
@@ -86,7 +86,7 @@ Touch Lattice::before_contact(const PairStep* step, const Yielding& yielding, co
   return touch;
 }
 
-/// Search a contact. If there is none, the load or the drive may be the cause, and is refused.
+/// Search for a contact. If there is none, check whether the load or the drive is the cause, and reject it.
 template <class Search>
 auto Lattice::explaining_failure(const Attempt& attempt, const Search& search) {
   try {
@@ -98,7 +98,7 @@ auto Lattice::explaining_failure(const Attempt& attempt, const Search& search) {
   }
 }
 
-/// A load that is too large for the coating even without friction.
+/// Reject a load that is too large for the coating even without friction.
 void Lattice::require_bearable_load(const Attempt& attempt) {
   const double load = attempt.end.load;
   for (bool is_within = false; !is_within;) {
@@ -109,8 +109,8 @@ void Lattice::require_bearable_load(const Attempt& attempt) {
   }
 }
 
-/// A force on the center, or a moment about it, that friction does not balance even where the body slides as a whole,
-/// forward or back: docs/theory/friction.md has the same in steady rolling.
+/// Reject a force on the center, or a moment about it, that friction does not balance even if the body slides as a
+/// whole, forward or backward. The check for steady rolling is that of docs/theory/friction.md.
 void Lattice::require_reachable_drive(const Attempt& attempt) {
   const CenterCondition& center = attempt.center;
   if (!pair_->has_friction() || center.way != 0.0) return;
@@ -118,7 +118,7 @@ void Lattice::require_reachable_drive(const Attempt& attempt) {
   try {
     sliding = {slid(attempt, Sense::back), slid(attempt, Sense::forward)};
   } catch (const ConvergenceError&) {
-    return;  // there is nothing to compare with
+    return;  // there is no range to compare with
   }
   const RoundBody& body = *pair_->pair.body;
   const auto require = [&](double RollingInstant::* member, const std::string& name, double given,
@@ -139,7 +139,8 @@ void Lattice::require_reachable_drive(const Attempt& attempt) {
   }
 }
 
-/// The contact of a body that slides as a whole: its center goes by a radius, far beyond what any node is displaced by.
+/// Contact of a body that slides as a whole: its center moves by a radius, much farther than the forces displace any
+/// node.
 RollingInstant Lattice::slid(const Attempt& attempt, Sense sense) {
   const double radius = pair_->nodes.grid.radius;
   const CenterCondition led{
@@ -169,7 +170,7 @@ std::vector<HalfField> Lattice::displacements(const ContactPlace& place) const {
   return fields;
 }
 
-/// Where displacements do not die out, as those of a half-space, all that a track remembers displaces the contact.
+/// If displacements do not decay, as on a half-space, the whole memory of a track displaces the contact.
 void Lattice::require_reach(const ContactPlace& place) const {
   if (pair_->track_reach >= pair_->most_track_reach()) return;
   for (std::size_t b = 0; b < memories_.size(); ++b) {
@@ -181,7 +182,8 @@ void Lattice::require_reach(const ContactPlace& place) const {
   }
 }
 
-/// A dish or a ring closes on itself, which the rows of a track do not know: what it remembers is not met from behind.
+/// A dish or a ring closes on itself, but the rows of a track do not: the contact would not meet the memory ahead of
+/// it.
 void Lattice::require_open_track(const ContactPlace& place) const {
   const double turning = std::abs(pair_->pair.on->curvatures().along);
   if (turning == 0.0) return;
@@ -198,7 +200,7 @@ void Lattice::require_open_track(const ContactPlace& place) const {
   }
 }
 
-/// Whether the contact ends within the window, which is made wider where it does not.
+/// Whether the contact ends within the window; if not, widen the window.
 bool Lattice::fits(const Touch& touch, double load) {
   const Index half_nodes = pair_->half_nodes();
   const Index most = pair_->nodes.widest.phi.last;
@@ -241,7 +243,7 @@ void Lattice::take_friction(const Touch& touch) {
   now_.stick_share = static_cast<double>(contact.sticking) / std::max(1.0, static_cast<double>(contact.nodes.size()));
 }
 
-/// Energy lost by slip in a step, by the mean of old and new tractions of each node.
+/// Energy dissipated by slip in a step, from the mean of the old and new tractions of each node.
 double Lattice::slip_work(const Touch& touch) const {
   const Index half_nodes = pair_->half_nodes();
   VectorField force = touch.contact.force / touch.yielding.sum;
@@ -307,7 +309,7 @@ void Lattice::advance(const PairStep& step, const StepEnd& end, const Checkpoint
   }
   take_stored_energy();
   const double used = now_.stored_energy - before.stored_energy + now_.dissipated_energy - before.dissipated_energy;
-  // A jump is elastic, whatever its way: it takes the energy that it stores.
+  // A jump is elastic over any distance: its work is the energy that it stores.
   const double work = duration == 0.0 ? used
                                       : 0.5 * ((before.driving_torque + now_.driving_torque) * turn +
                                                (before.load + end.load) * (now_.penetration - before.penetration) +

@@ -1,5 +1,5 @@
 /// @file
-/// @brief One lattice of material nodes that rolls, stands and turns back: docs/theory/transient.md.
+/// @brief One of the phase-shifted meshes of material nodes: docs/theory/transient.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,19 +18,19 @@
 
 namespace viscoroll::detail {
 
-/// @brief A contact that does not fit between the sides of the tables.
+/// @brief Error for a contact that reaches the sides of the tables.
 class ContactTooWide : public std::runtime_error {
  public:
   ContactTooWide() : std::runtime_error("the contact reaches the side of the tables") {}
 };
 
-/// @brief A track that remembers more than its tables reach.
+/// @brief Error for a track whose memory extends farther than its tables reach.
 class TrackTooLong : public std::runtime_error {
  public:
   TrackTooLong() : std::runtime_error("the track is remembered farther than its tables reach") {}
 };
 
-/// @brief Scalars that are averaged over lattices and stored for each of them.
+/// @brief Scalars that are averaged over the phase-shifted meshes and stored for each of them.
 inline constexpr std::array kLatticeScalars{
 #define VISCOROLL_HISTORY_SCALAR(name, unit, label, details) &RollingInstant::name,
 #define VISCOROLL_HISTORY_SUMMARY(name, unit, label, details)
@@ -39,40 +39,44 @@ inline constexpr std::array kLatticeScalars{
 #undef VISCOROLL_HISTORY_SCALAR
 };
 
-/// @brief Nodes at angles (I + shift) spacing + angle turned, what they bear, and what each body remembers of it.
+/// @brief One of the phase-shifted meshes: nodes at angles (I + shift) spacing + angle turned, their forces, and the
+/// memory of each body.
 class Lattice {
  public:
   using Checkpoint = std::function<void()>;
 
-  /// @param[in] pair shared by all lattices
+  /// @param[in] pair data shared by all meshes
   /// @param[in] shift of the nodes at angle 0 [spacings], in [0, 1)
-  /// @param[in] half_rows rows on either side of the lowest one that may touch, to begin with
+  /// @param[in] half_rows initial number of rows on either side of the lowest one that may touch
   Lattice(std::shared_ptr<const CreepingPair> pair, double shift, Eigen::Index half_rows);
 
-  /// @brief The first contact, at rest.
+  /// @brief Solve the first contact, at rest.
+  /// @param[in] start fresh or relaxed
+  /// @param[in] at angle and load
+  /// @param[in] center_speed initial speed of the center [m/s]
   /// @param[in] checkpoint called every few milliseconds, here and below
   void start(Start start, const StepEnd& at, double center_speed, const Checkpoint& checkpoint);
 
-  /// @brief Turn and load linearly in time.
-  /// @param[in] step weights of the time that it takes
-  /// @param[in] end of the step
+  /// @brief Advance by a step in which angle and load are linear in time.
+  /// @param[in] step weights of the time step
+  /// @param[in] end end of the step
   /// @throws ContactTooWide, TrackTooLong, ConvergenceError
   void advance(const PairStep& step, const StepEnd& end, const Checkpoint& checkpoint);
 
-  /// @brief The same history on wider tables.
+  /// @brief Continue the same history on larger tables.
   void widen(std::shared_ptr<const CreepingPair> pair, const Checkpoint& checkpoint);
 
   void write(NumberWriter& numbers) const;
-  /// @brief Take over what a lattice of the same bodies has written.
+  /// @brief Restore the state that a mesh of the same bodies has written.
   void read(NumberReader& numbers, const Checkpoint& checkpoint);
 
   [[nodiscard]] const RollingInstant& now() const { return now_; }
   [[nodiscard]] ContactField field() const;
 
  private:
-  /// A contact to be found.
+  /// Data of a search for a contact.
   struct Attempt {
-    const PairStep* step;  ///< none for a first contact
+    const PairStep* step;  ///< null for a first contact
     const Yielding& yielding;
     const StepEnd& end;
     const CenterCondition& center;
@@ -80,17 +84,17 @@ class Lattice {
   };
   enum class Sense { back, forward };
 
-  /// @param[in] parts_in gives the parts of the forces that have yielded in a body, by its number
+  /// @param[in] parts_in returns the compliance factors of a body, given its number
   template <class Parts>
   [[nodiscard]] Yielding yielding(const Parts& parts_in, const Checkpoint& checkpoint);
-  /// @param[in] step none for a first contact, on bodies that bear nothing else
+  /// @param[in] step null for a first contact of unloaded bodies
   [[nodiscard]] Touch touch(const PairStep* step, const Yielding& yielding, const StepEnd& end,
                             const CenterCondition& center, const Checkpoint& checkpoint);
-  /// @brief The place of a contact and the displacements there that the new forces do not change.
+  /// @brief Position of a contact, and displacements there that do not depend on the new forces.
   [[nodiscard]] Touch before_contact(const PairStep* step, const Yielding& yielding, const StepEnd& end,
                                      const Checkpoint& checkpoint) const;
   [[nodiscard]] StickSlip search(const Touch& touch, const StepEnd& end, const CenterCondition& center);
-  /// @param[in] attempt of the search, by which a failure is explained
+  /// @param[in] attempt data of the search, used to explain a failure
   /// @param[in] search called without arguments
   template <class Search>
   auto explaining_failure(const Attempt& attempt, const Search& search);
@@ -106,7 +110,7 @@ class Lattice {
   void take_stored_energy();
   [[nodiscard]] double slip_work(const Touch& touch) const;
   void lose(double energy, bool in_what_rolls);
-  /// Of every body, on the rows of a window.
+  /// Displacements of every body on the rows of a window.
   [[nodiscard]] std::vector<HalfField> displacements(const ContactPlace& place) const;
   void forget_contact();
 
@@ -115,14 +119,14 @@ class Lattice {
   Eigen::Index half_rows_;
   std::vector<RowMemory> memories_;   // of every body
   std::vector<YieldingTables> last_;  // of every body, in the last step
-  ContactInverse inverse_;            // without friction,
-  ContactStiffness stiffness_;        // and with it
-  VectorField force_;                 // of what is below on the window at the last angle, row by row
-  Eigen::Index first_ = 0;            // its first row,
-  Eigen::Index count_ = 0;            // and how many there are
-  double lowest_ = 0.0;               // place of the window's middle row from the lowest point [spacings]
+  ContactInverse inverse_;            // without friction
+  ContactStiffness stiffness_;        // with friction
+  VectorField force_;                 // at the nodes of the last window, row by row
+  Eigen::Index first_ = 0;            // first row of the last window
+  Eigen::Index count_ = 0;            // number of its rows
+  double lowest_ = 0.0;               // position of its middle row relative to the lowest point [spacings]
   CenterPower power_;                 // at the last instant
-  double center_acceleration_ = 0.0;  // of the center with its mass, as the integration in time has it [m/s^2]
+  double center_acceleration_ = 0.0;  // of a center with mass, in the time integration [m/s^2]
   RollingInstant now_;
 };
 

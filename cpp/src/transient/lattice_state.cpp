@@ -1,4 +1,4 @@
-// What a lattice hands out: its state as numbers, and its contact.
+// State of a phase-shifted mesh as numbers, and its contact field.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -12,7 +12,7 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Forces as saved states have them: pressing, forward, sideways.
+/// Order and signs of forces in saved states: pressing, forward, sideways.
 constexpr std::array<std::pair<Axis, double>, 3> kSaved{{{kDown, -1.0}, {kForward, 1.0}, {kSideways, 1.0}}};
 
 }  // namespace
@@ -28,7 +28,7 @@ void Lattice::write(NumberWriter& numbers) const {
   numbers.put(static_cast<double>(count_));
   for (const auto& [axis, sign] : kSaved) numbers.put(as_field(sign * force_.col(axis), pair_->half_nodes()));
   for (const RowMemory& memory : memories_) memory.write(numbers);
-  // What is known of the last contact and the last step: the next one is then the same to the last bit.
+  // Data of the last contact and the last step, so that the next step is identical to the last bit.
   for (std::size_t b = 0; b < memories_.size(); ++b)
     numbers.put(last_.empty() ? std::vector<double>{} : last_[b].parts);
   inverse_.write(numbers);
@@ -37,7 +37,7 @@ void Lattice::write(NumberWriter& numbers) const {
 
 void Lattice::read(NumberReader& numbers, const Checkpoint& checkpoint) {
   for (const auto member : kLatticeScalars) {
-    // A line has no width.
+    // A line contact has no width.
     now_.*member = member == &RollingInstant::semi_axis_z ? numbers.get_if_any() : numbers.get();
   }
   const double spacing = pair_->nodes.grid.phi_spacing;

@@ -33,8 +33,8 @@ std::vector<double> compared_frequencies(const std::vector<Layer>& layers, const
 
 std::vector<SurfaceOrder> compared_orders(const LayeredBody& body) {
   constexpr int kCount = 25;
-  constexpr double kLongest = 0.05;   // wave number by the thickness of all layers
-  constexpr double kShortest = 20.0;  // by that of the thinnest, below which nothing is felt
+  constexpr double kLongest = 0.05;   // wave number times the total thickness
+  constexpr double kShortest = 20.0;  // times the smallest thickness: such waves do not reach below that layer
   constexpr double kLowest = 2.0;     // orders 0 and 1 are rigid motions around a center
   double thickness = 0.0;
   double thinnest = std::numeric_limits<double>::infinity();
@@ -42,7 +42,7 @@ std::vector<SurfaceOrder> compared_orders(const LayeredBody& body) {
     if (std::isfinite(layer.thickness)) thickness += layer.thickness;
     thinnest = std::min(thinnest, layer.thickness);
   }
-  if (thickness == 0.0) thickness = thinnest = body.metric.radius;  // a half-space, alike at all orders
+  if (thickness == 0.0) thickness = thinnest = body.metric.radius;  // a half-space, which is the same at all orders
   const double low = std::max(kLongest * body.metric.radius / thickness, body.metric.is_curved() ? kLowest : 0.0);
   const double high = std::max(kShortest * body.metric.radius / thinnest, low);
   std::vector<SurfaceOrder> orders;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Orders and frequencies at which the creep of layers is looked at.
+/// @brief Orders and frequencies at which the creep of layers is evaluated.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace viscoroll::detail {
 
-/// @brief An order of a surface, not necessarily whole.
+/// @brief An order of a surface, not necessarily an integer.
 struct SurfaceOrder {
   double m;  ///< along
   double n;  ///< across
 };
 
-/// @return frequencies of a range of times, at equal ratios, without those that a master curve refuses [rad/s]
+/// @return frequencies of a range of times at equal ratios, without those outside a master curve [rad/s]
 [[nodiscard]] std::vector<double> compared_frequencies(const std::vector<Layer>& layers, const TimeRange& range);
 
-/// @return orders at equal ratios, from waves that are far longer than all layers are thick to such as are far shorter
+/// @return orders at equal ratios, for waves from much longer than the total thickness to much shorter than every layer
 [[nodiscard]] std::vector<SurfaceOrder> compared_orders(const LayeredBody& body);
 
 }  // namespace viscoroll::detail

@@ -13,7 +13,7 @@ namespace {
 using cplx = std::complex<double>;
 using Eigen::Index;
 
-/// Whether some of a layer that creeps stays elastic.
+/// Whether a viscoelastic layer has an elastic bulk modulus.
 bool has_elastic_bulk(const Layer& layer, const CreepingModulus& modulus) {
   return layer.bulk_modulus.has_value() && modulus.creep.size() > 0;
 }
@@ -58,8 +58,8 @@ LayerSpectrum::LayerSpectrum(LayeredBody body, const TimeRange& range, double to
     : body_(std::move(body)), moduli_(creeping_moduli(body_.layers, range)) {
   at_rest_ = relaxed(body_, moduli_);
   const std::vector<TimeRange> intervals = intervals_of(body_, moduli_);
-  // Orders that do not reach below the outermost layer creep as it does: that their kernels, which are singular, weigh
-  // its own times alone keeps the others smooth.
+  // Orders that do not reach below the outermost layer creep as this layer does, and their kernels are singular. With
+  // weights at the own times of this layer only, the tables of the other times stay smooth.
   times_ = common_times(intervals, moduli_.back().creep.retardation_times, tolerance);
   constexpr double kToTheLastDigit = 40.0;
   WeighedContour contour = this->contour(kToTheLastDigit);

@@ -14,7 +14,7 @@ Eigen::ArrayX2d along_plane(const VectorField& displacement) {
   return displacement(Eigen::all, std::array{kForward, kSideways});
 }
 
-/// Of several bodies the stiffness is that of the level window.
+/// With several bodies, the stiffness is that of the level window, and the difference to it is an excess.
 bool has_excess(const StickSlipProblem& problem) { return problem.surface.parts().size() > 1; }
 
 std::vector<HalfField> displaced_by(const StickSlipProblem& problem, const VectorField& guess) {
@@ -72,8 +72,8 @@ void MatchedByFactors::find_displacements(ContactSolution& state) {
   imbalance_ = center_excess(state);
 }
 
-/// A node apart bears no force; one that slips bears what friction allows, and along the normal of its slip the
-/// traction turns with it. In the middle nothing moves sideways.
+/// Conditions of the sets. A separated node has zero force. At a slipping node, the traction is limited by friction,
+/// and across the slip direction it turns with the slip. Nodes on the middle line do not move sideways.
 std::vector<Condition> MatchedByFactors::conditions(double friction, const ContactSets& sets) const {
   std::vector<Condition> conditions;
   for (std::size_t i = 0; i < equations_.covered().size(); ++i) {

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Stick and slip of an instant, whose equations are solved by dense factors: contacts of some hundred nodes.
+/// @brief Direct solver for stick and slip at an instant, with dense factors: for contacts of some hundred nodes.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace viscoroll::detail {
 
-/// @brief Factors of the nodes that touch, or did lately.
+/// @brief Direct stick-slip solver with factors of the nodes that are, or recently were, in contact.
 class MatchedByFactors final : public MatchedSurfaces {
  public:
-  /// @param[in] problem which outlives this object
-  /// @param[in] guess of the forces
+  /// @param[in] problem must outlive this object
+  /// @param[in] guess forces to start from
   /// @param[in,out] stiffness of an earlier contact
   MatchedByFactors(const StickSlipProblem& problem, const VectorField& guess, ContactStiffness& stiffness);
 
-  /// The equations hold to round-off, but that the center's may have moved since.
+  /// The equations hold to round-off, except that the condition of the center may have changed since.
   [[nodiscard]] double imbalance(const ContactSolution&) const override { return imbalance_; }
   void solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) override;
   void find_displacements(ContactSolution& state) override;

@@ -15,7 +15,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Unknowns and conditions are forces: of each node along x, down and z, then penetration and way per own compliance.
+/// Equations of the sets. All unknowns and conditions are in units of force: the forces of each node along x, down and
+/// z, then the penetration and the displacement of the center, divided by the own compliance.
 class MatchedByProducts::Equations {
  public:
   Equations(const StickSlipProblem& problem, const ConditionScales& scales, const CenterRow& center, double friction,
@@ -28,7 +29,7 @@ class MatchedByProducts::Equations {
 
   [[nodiscard]] Index size() const { return 3 * nodes() + 2; }
 
-  /// What the conditions leave of a state.
+  /// Residual of the conditions in a state.
   [[nodiscard]] VectorXd residual(const ContactSolution& state) const {
     const VectorXd at = unknowns_of(state);
     VectorXd left(size());
@@ -80,7 +81,7 @@ class MatchedByProducts::Equations {
     return left;
   }
 
-  /// As if nodes displaced themselves alone.
+  /// Approximate inverse, as if the forces of a node displaced only this node.
   [[nodiscard]] VectorXd about_inverse(const VectorXd& left) const {
     VectorXd unknowns = by_blocks(left);
     const Vector2d border = schur_.solve(left.tail<2>() - sums(unknowns));
@@ -108,7 +109,7 @@ class MatchedByProducts::Equations {
     return left;
   }
 
-  /// Of the load and of the center.
+  /// Sums of forces of the load and of the condition on the center.
   [[nodiscard]] Vector2d sums(const VectorXd& unknowns) const {
     Vector2d sums(0.0, center_.way * unknowns[3 * nodes() + 1] / scales_.tangential);
     for (Index i = 0; i < nodes(); ++i) {
@@ -175,7 +176,7 @@ double MatchedByProducts::imbalance(const ContactSolution& state) const {
   return std::hypot(load, center_excess(state));
 }
 
-/// Nodes that are no longer in contact bear nothing.
+/// Remove the forces of nodes that are no longer in contact.
 void MatchedByProducts::take_off_apart(const ContactSets& sets, ContactSolution& state) {
   VectorField force = VectorField::Zero(state.force.rows(), 3);
   force(sets.contact, Eigen::all) = state.force(sets.contact, Eigen::all);

@@ -1,16 +1,17 @@
 /// @file
-/// @brief Stick and slip of an instant, whose equations are solved by products with the compliance: large contacts.
+/// @brief Iterative solver for stick and slip at an instant, with products with the compliance: for large contacts.
 #pragma once
 
 #include "transient/matched_surfaces.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief Krylov's method, preconditioned as if nodes displaced themselves alone: some twenty products a system.
+/// @brief Iterative stick-slip solver: a Krylov method, about twenty products per system. The preconditioner contains
+/// the own block of each node.
 class MatchedByProducts final : public MatchedSurfaces {
  public:
-  /// @param[in] problem which outlives this object
-  /// @param[in] guess of the forces
+  /// @param[in] problem must outlive this object
+  /// @param[in] guess forces to start from
   MatchedByProducts(const StickSlipProblem& problem, const VectorField& guess);
 
   [[nodiscard]] double imbalance(const ContactSolution& state) const override;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Stick and slip of what rolls over what it rolls on: nodes slip from where they were a step ago.
+/// @brief Stick and slip between body and counterbody: nodes slip from their own positions in the previous step.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief The conditions of an instant, whoever solves its linear systems.
+/// @brief Conditions at an instant, common to all solvers of its linear systems.
 class MatchedSurfaces : public StickSlipSystem {
  public:
   [[nodiscard]] ConditionScales scales() const override { return scales_; }
@@ -20,16 +20,17 @@ class MatchedSurfaces : public StickSlipSystem {
   void find_displacements(ContactSolution& state) override;
 
  protected:
-  /// @param[in] problem which outlives this object
-  /// @param[in] displaced by a guess of the forces; may be empty where the center's condition knows none
+  /// @param[in] problem must outlive this object
+  /// @param[in] displaced displacements under a guess of the forces; may be empty if the condition on the center does
+  /// not depend on them
   MatchedSurfaces(const StickSlipProblem& problem, const std::vector<HalfField>& displaced);
 
   [[nodiscard]] const StickSlipProblem& problem() const { return problem_; }
-  /// @return what holds for the center, by the displacements that were found last
+  /// @return condition on the center, for the displacements found last
   [[nodiscard]] const CenterRow& center() const { return center_; }
-  /// @return how far a state is from that [N]
+  /// @return residual of the condition on the center [N]
   [[nodiscard]] double center_excess(const ContactSolution& state) const;
-  /// @return whether a node is in the middle of its row, where nothing moves sideways
+  /// @return whether a node is in the middle of its row, where the sideways displacement is zero
   [[nodiscard]] bool in_middle(Eigen::Index node) const { return node % problem_.surface.half_nodes() == 0; }
   void count_products(int more) { products_ += more; }
 

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kPhi = 1;  // the component that changes its sign with the sense of phi
+constexpr Index kPhi = 1;  // component whose sign depends on the sense of phi
 
-/// Multiplications from checkpoint to checkpoint: some tens of milliseconds.
+/// Multiplications between two checkpoints; they take some tens of milliseconds.
 constexpr Index kAtOnce = 100'000'000;
 
 constexpr std::array kEntriesInUse{Entry::rr,     Entry::rphi,     Entry::rtheta,
@@ -29,7 +29,7 @@ std::vector<TableRequest> requests(Index components) {
   return requests;
 }
 
-/// The offset beyond which no value of some tables is above a share of the center of them all.
+/// Offset beyond which all values are negligible relative to the sum of the center values of all tables.
 Index useful_reach(const std::vector<std::vector<Table>>& tables) {
   constexpr double kNegligible = 1e-10;
   std::vector<double> centers(tables.front().size());
@@ -90,7 +90,7 @@ MirroredTables MirroredTables::sum_of(std::span<const MirroredTables> tables, st
 }
 
 MirroredTables::Extent MirroredTables::extent_of(const std::vector<std::vector<Table>>& tables, const RowShape& shape) {
-  constexpr double kLeft = 1e-6;  // which moments do not notice
+  constexpr double kLeft = 1e-6;  // too small to affect moments
   double center = 0.0;
   double end = 0.0;
   for (const auto& of_sum : tables) {
@@ -109,7 +109,7 @@ MirroredTables::MirroredTables(const std::vector<Table>& tables, const RowShape&
   const auto fill = [&](Index p, Index q, int j, Eigen::Ref<HalfField> block) {
     const SignedEntry source = entry_of(static_cast<std::size_t>(p), static_cast<std::size_t>(q));
     const Table& table = tables[static_cast<std::size_t>(source.entry)];
-    const double image = q == 2 ? -1.0 : 1.0;  // of the force on the other side
+    const double image = q == 2 ? -1.0 : 1.0;  // sign of the force on the other side
     for (Index k = 0; k < half_nodes; ++k) {
       for (Index from = 0; from < half_nodes; ++from) {
         const auto near = static_cast<int>(k - from);
@@ -203,7 +203,7 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, const 
                          HalfField& result) const {
   const auto [shift, reach] = frame;
   const Index count = last - first + 1;
-  // The nodes beside the loaded ones are left out of the product.
+  // The product leaves out the nodes beside the loaded ones.
   const auto sources = loads.middleCols(first, count);
   const auto is_loaded = [&](Index node) {
     for (Index p = 0; p < components(); ++p) {
@@ -237,7 +237,7 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, const 
     for (Index j = offsets.first; j <= std::min(up, offsets.first + offsets.count - 1); ++j) {
       result.col(place + j) += forward.block((j - offsets.first) * height(), source, height(), 1);
     }
-    // Half way around the ring both offsets are the same one.
+    // Half way around the ring both offsets are the same.
     const Index down = std::min({reach, place, shape_.ring && *shape_.ring % 2 == 0 ? *shape_.ring / 2 - 1 : reach});
     for (Index j = std::max<Index>(1, offsets.first); j <= std::min(down, offsets.first + offsets.count - 1); ++j) {
       result.col(place - j) += other.block((j - offsets.first) * height(), source, height(), 1);
@@ -247,7 +247,7 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, const 
 
 HalfField MirroredTables::displaced(const HalfField& loads, Index first, Index last, const Frame& frame,
                                     const std::function<void()>& checkpoint) const {
-  constexpr Index kTogether = 64;  // rows, for products to be quick and the fields between them not too large
+  constexpr Index kTogether = 64;  // rows, for fast products and intermediate fields of moderate size
   const Index offsets = std::max<Index>(1, kAtOnce / (kTogether * height() * height()));
   HalfField result = HalfField::Zero(height(), loads.cols() + 2 * frame.shift);
   for (Index row = first; row <= last; row += kTogether) {

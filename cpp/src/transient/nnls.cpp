@@ -29,8 +29,8 @@ class ActiveSet {
   }
 
  private:
-  /// Go to the least squares of the positive unknowns, and let go of those that would become negative on the way.
-  /// @return false where round-off would take the newest one out again
+  /// Move to the least squares of the positive unknowns, and remove those that would become negative on the way.
+  /// @return false if round-off would remove the newest unknown again
   bool step_inside(Index newest) {
     for (;;) {
       const VectorXd target = matrix_(Eigen::all, positive_).colPivHouseholderQr().solve(right_);

@@ -1,12 +1,12 @@
 /// @file
-/// @brief Linear least squares with unknowns that are not negative.
+/// @brief Nonnegative linear least squares.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace viscoroll::detail {
 
-/// @brief Minimize |A x - b| with x >= 0 by the active set of C. L. Lawson and R. J. Hanson, Solving Least Squares
+/// @brief Minimize |A x - b| with x >= 0, by the active set of C. L. Lawson and R. J. Hanson, Solving Least Squares
 /// Problems (1974), chapter 23.
 /// @param[in] matrix A
 /// @param[in] right b

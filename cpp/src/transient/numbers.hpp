@@ -1,5 +1,5 @@
 /// @file
-/// @brief A state as a sequence of numbers.
+/// @brief Conversion between a state and a sequence of numbers.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,10 +13,10 @@
 
 namespace viscoroll::detail {
 
-/// @brief Rows that are counted, to either side: beyond, their places are lost in round-off.
+/// @brief Largest row index to either side; positions of rows beyond it are lost in round-off.
 inline constexpr double kMostRows = 1e15;
 
-/// @brief Appends numbers.
+/// @brief Writer that appends numbers to a sequence.
 class NumberWriter {
  public:
   explicit NumberWriter(std::vector<double>& numbers) : numbers_(numbers) {}
@@ -37,8 +37,8 @@ class NumberWriter {
   std::vector<double>& numbers_;
 };
 
-/// @brief Reads what a `NumberWriter` has written.
-/// All members throw std::invalid_argument where the numbers are not such.
+/// @brief Reader of numbers that a `NumberWriter` has written. All members throw std::invalid_argument if the numbers
+/// do not form a state.
 class NumberReader {
  public:
   explicit NumberReader(std::span<const double> numbers) : rest_(numbers) {}
@@ -50,7 +50,7 @@ class NumberReader {
     return number;
   }
 
-  /// @return a number, or NaN for none
+  /// @return a number, or NaN if there is none
   [[nodiscard]] double get_if_any() {
     require(!rest_.empty());
     const double number = rest_.front();
@@ -58,10 +58,10 @@ class NumberReader {
     return number;
   }
 
-  /// @return a number of things, at most `most`
+  /// @return a count of at most `most`
   [[nodiscard]] Eigen::Index count(double most = 1e9) { return whole(get(), most); }
 
-  /// @return the number of a row, of either sign
+  /// @return a row index of either sign
   [[nodiscard]] Eigen::Index row() {
     const double number = get();
     if (!(std::abs(number) <= kMostRows && number == std::floor(number))) refuse();
@@ -82,7 +82,7 @@ class NumberReader {
     return values;
   }
 
-  /// @return numbers of things, each at most `most`
+  /// @return indices of at most `most`
   [[nodiscard]] std::vector<Eigen::Index> indices(Eigen::Index most) {
     const auto taken = take(static_cast<std::size_t>(count()));
     std::vector<Eigen::Index> indices(taken.size());
@@ -91,7 +91,7 @@ class NumberReader {
     return indices;
   }
 
-  /// Refuse numbers that do not fit each other.
+  /// Reject numbers that are not consistent.
   static void require(bool holds) {
     if (!holds) refuse();
   }

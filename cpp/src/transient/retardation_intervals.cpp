@@ -7,7 +7,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Relative difference of times that are the same but for round-off.
+/// Relative difference of times that are equal up to round-off.
 constexpr double kSame = 1e-9;
 
 /// Times at which a modulus changes its sign.
@@ -29,7 +29,7 @@ bool is_mixed(std::span<const CreepingModulus> moduli, bool has_elastic_part, do
   return !all && std::ranges::any_of(moduli, is_negative);
 }
 
-/// Ascending intervals, those that touch as one.
+/// Ascending intervals; intervals that touch are merged.
 std::vector<TimeRange> joined(std::vector<TimeRange> intervals) {
   std::ranges::sort(intervals, {}, &TimeRange::shortest);
   std::vector<TimeRange> result;

@@ -1,4 +1,4 @@
-// Public face of this folder: checks the input once and averages the lattices.
+// Public interface of this folder: checks the input once and averages over the phase-shifted meshes.
 #include "viscoroll/rolling_history.hpp"
 
 #include <algorithm>
@@ -30,13 +30,13 @@ using detail::StepEnd;
 using detail::text;
 using Eigen::Index;
 
-/// Which part of a motion is followed.
+/// Fraction of a motion that is computed.
 struct Share {
   double from = 0.0;
   double to = 1.0;
 };
 
-/// Lattices on which a step is tried, whose memory serves the next one too. Copies begin without it.
+/// Meshes on which a step is tried. Their memory is reused for the next step; copies start without it.
 struct Trial {
   std::vector<Lattice> lattices = {};
 
@@ -53,14 +53,14 @@ struct Trial {
 struct RollingHistory::Impl {
   detail::RollingPair at_rest;
   std::vector<detail::BodySpectrum> spectra;
-  double inertia = 0.0;  // largest rho r_o^2 per modulus that yields at once [s^2]
+  double inertia = 0.0;  // largest rho r_o^2 / (instantaneous modulus) [s^2]
   HistoryOptions options;
   std::shared_ptr<const CreepingPair> pair;
   std::vector<Lattice> lattices;
   Trial trial;
   RollingInstant now;
   double last_step = 0.0;                  // [s]
-  std::optional<detail::Stretch> stretch;  // that has begun and not ended
+  std::optional<detail::Stretch> stretch;  // has begun and not ended
   std::int64_t steps = 0;
 
   [[nodiscard]] std::shared_ptr<const CreepingPair> with(const detail::TableSize& size, detail::Watch& watch) const {
@@ -90,9 +90,8 @@ struct RollingHistory::Impl {
     enlarge({.half_nodes = pair->half_nodes(), .track_reach = reach}, watch);
   }
 
-  /// Run on all lattices; a contact that proves too wide for the tables, or a track too long, starts over on larger
-  /// ones.
-  /// @param[in] fraction that is done, as of `parallel_for`
+  /// Run on all meshes. If a contact is too wide or a track too long for the tables, start over on larger tables.
+  /// @param[in] fraction completed fraction, same as in `parallel_for`
   template <class Body>
   void on_lattices(detail::Watch& watch, const Body& body, const std::function<double()>& fraction = {}) {
     for (;;) {
@@ -112,7 +111,7 @@ struct RollingHistory::Impl {
     }
   }
 
-  /// Of all bodies: what yields at once, per what yields in the end.
+  /// Sum over the bodies of the instantaneous compliance relative to the relaxed compliance.
   [[nodiscard]] double instantaneous() const {
     double sum = 0.0;
     for (const detail::BodySpectrum& body : spectra) sum += body.spectrum.instantaneous;
@@ -134,7 +133,7 @@ struct RollingHistory::Impl {
   [[nodiscard]] std::vector<StepEnd> path_to(const StepEnd& end);
 };
 
-/// Of both bodies how they creep, and the mesh. @return about where they touch at rest
+/// Check the input; set the creep of both bodies and the mesh. @return estimated extent of the contact at rest
 detail::ContactReach RollingHistory::Impl::know(const RollingBody& body, const Counterpart& on, double load,
                                                 detail::Watch& watch) {
   const detail::RollingPair given = detail::rolling_pair(body, on);
@@ -150,7 +149,7 @@ detail::ContactReach RollingHistory::Impl::know(const RollingBody& body, const C
   return contact;
 }
 
-/// Tables and lattices, which bear nothing yet.
+/// Create tables and meshes, without forces.
 void RollingHistory::Impl::lay(const detail::ContactReach& contact, detail::Watch& watch) {
   const detail::Nodes nodes = detail::nodes_of(at_rest, *options.mesh);
   pair = with(detail::first_size(at_rest, *options.mesh, contact), watch);
@@ -171,15 +170,15 @@ RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lat
   for (const RollingInstant& one : of_lattices) {
     variance += std::pow(one.resisting_torque - mean.resisting_torque, 2) / std::max(count - 1.0, 1.0);
   }
-  // Shifts that are a share of the spacing each cancel the harmonics of the staircase, of which the estimate knows
-  // none: the spread per number of lattices is a bound found by trial.
+  // Meshes shifted by equal fractions of the spacing cancel harmonics of the staircase, which the estimate does not
+  // include: the spread divided by the number of meshes is an empirical bound.
   mean.error_estimate = of_lattices.size() > 1 ? std::sqrt(variance) / count : std::numeric_limits<double>::quiet_NaN();
   mean.time = time;
   if (!detail::approach_exists(pair->pair)) mean.penetration = std::numeric_limits<double>::quiet_NaN();
   return mean;
 }
 
-/// What moves the center is enough, and not too much.
+/// Check that the quantities that move the center are complete and consistent.
 void RollingHistory::Impl::require_forces(const StepEnd& to) const {
   if (to.center_way) {
     detail::require_finite("center_way", *to.center_way);
@@ -240,7 +239,7 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   }
 }
 
-/// Of a stretch that has begun, the steps that are left.
+/// Steps to the end of a segment; for a segment that has begun, the remaining steps.
 std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
   if (!stretch || stretch->taken == 0 || stretch->end != end) {
     stretch =
@@ -290,7 +289,7 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
   std::atomic<std::size_t> done{0};
   const auto fraction = [&] {
     const double of_path = static_cast<double>(done) / static_cast<double>(path.size() * count);
-    return std::lerp(of_motion.from, of_motion.to, std::min(of_path, 1.0));  // what starts over is counted again
+    return std::lerp(of_motion.from, of_motion.to, std::min(of_path, 1.0));  // repeated steps count again
   };
   on_lattices(
       watch,
@@ -454,7 +453,7 @@ StepEnd knot_of(const Motion& motion, std::size_t k) {
   return knot;
 }
 
-/// The knot ahead: of knots at one time, that behind the one which was reached.
+/// Next waypoint. Of several waypoints at the present time, it is the one after the waypoint that has been reached.
 std::size_t next_knot(const Motion& motion, const RollingInstant& now) {
   std::size_t next = 0;
   while (motion.time[next] < now.time) ++next;

@@ -10,12 +10,12 @@ namespace {
 
 using Eigen::Index;
 
-/// Since a row bore a load; finite, for states are.
+/// Time since the last load of a row that was never loaded; finite, because numbers of states are finite.
 constexpr double kNever = std::numeric_limits<double>::max();
 
 double inner(const HalfField& a, const HalfField& b) { return a.cwiseProduct(b).sum(); }
 
-/// What each retardation time of a body displaces in the end, where the force is.
+/// Relaxed displacement of each retardation time of a body at the place of a unit force.
 std::vector<double> sizes_of(const CreepingBody& body) {
   std::vector<double> sizes;
   sizes.reserve(body.spectrum.size());
@@ -25,7 +25,8 @@ std::vector<double> sizes_of(const CreepingBody& body) {
   return sizes;
 }
 
-/// When the share of what is retarded that is left has fallen to a millionth, about what a table's far end is cut at.
+/// Time in which all but a millionth of the retarded displacement recovers. Tables that fall to this fraction count as
+/// decayed.
 double fading_time(const CreepingBody& body) {
   constexpr double kForgotten = 1e-6;
   const CreepSpectrum& spectrum = body.spectrum;
@@ -45,7 +46,7 @@ double fading_time(const CreepingBody& body) {
     return sum;
   };
   double low = 0.0;
-  double high = -std::log(kForgotten) * longest;  // where even the slowest term alone has fallen to it
+  double high = -std::log(kForgotten) * longest;  // at which the slowest term alone has decayed to it
   while (high - low > 1e-3 * high) {
     const double middle = 0.5 * (low + high);
     (left(middle) > kForgotten ? low : high) = middle;
@@ -291,7 +292,7 @@ void RowMemory::read(NumberReader& numbers, const CreepingTables& tables) {
 RowMemory RowMemory::widened(const CreepingTables& tables, const std::function<void()>& checkpoint) const {
   RowMemory wide(*this);
   wide.reach_ = tables.reach();
-  // What is displaced from farther away, now that tables tell, was not kept yet.
+  // Rows that only the larger tables reach have not been stored before.
   if (const auto alive = living()) {
     wide.cover(alive->first - wide.reach_, alive->last - alive->first + 1 + 2 * wide.reach_);
   }

@@ -1,6 +1,6 @@
 /// @file
-/// @brief What rows of material nodes remember of the forces they have borne, and what that displaces: around a body
-/// that turns, or along a track that rests.
+/// @brief Memory of rows of material nodes, around a rotating body or along a track at rest: past forces and their
+/// displacements.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,17 @@
 
 namespace viscoroll::detail {
 
-/// @brief Memory of a body's nodes, which never move through the rows. With each retarded force a_j its displacement
-/// K_j a_j is kept, which follows the same equation: a step needs one product for each of the body's tables, K_j F, and
+/// @brief Memory of a body's nodes, which stay in their rows. With each retarded force a_j its displacement K_j a_j is
+/// stored, which follows the same equation. A step therefore needs one product K_j F for each of the body's tables, and
 /// energies are sums.
 ///
-/// Rows have numbers of either sign. Around a ring those that lie whole turns apart are one row. Along a track a row
-/// lives until all but a millionth of what is retarded has crept back there; what is out of the reach of living rows is
-/// forgotten. So rows go by the time since they bore a load, never by their distance: what rolls may come back to them.
+/// Rows have numbers of either sign. Around a ring, rows a whole number of turns apart are the same row. Along a track,
+/// a row is alive until all but a millionth of its retarded displacement has recovered; rows beyond the reach of living
+/// rows are dropped. Rows are dropped by the time since their last load, not by distance, because the body may come
+/// back to them.
 class RowMemory {
  public:
-  /// @param[in] body whose tables, spectrum and ring it has
+  /// @param[in] body provides tables, spectrum and ring
   explicit RowMemory(const CreepingBody& body);
 
   /// @brief Forces and their displacements by each of the body's tables, on consecutive rows.
@@ -31,46 +32,46 @@ class RowMemory {
     std::vector<HalfField> displacements;
   };
 
-  /// @brief The body has borne a load for ever.
+  /// @brief Set the state after a load has acted for an infinite time.
   void relax(const Load& load);
-  /// @brief A load has come in no time.
+  /// @brief Apply a load instantaneously.
   void press(const Load& load);
-  /// @brief A step of time, in which forces change linearly to a new load.
-  /// @param[in] step its weights
-  /// @param[in] duration that it takes [s]
-  /// @param[in] load at its end
-  /// @return energy that the body lost in it, what was forgotten among it [J]
+  /// @brief Advance by a time step, in which forces change linearly to a new load.
+  /// @param[in] step weights of the step
+  /// @param[in] duration of the step [s]
+  /// @param[in] load at the end of the step
+  /// @return energy that the body dissipates in the step, including the energy of dropped rows [J]
   double advance(const TimeStep& step, double duration, const Load& load);
 
-  /// @return sum J_j K_j h_j on some rows: the displacement at the end of a step that does not come from its new forces
+  /// @return sum J_j K_j h_j on some rows: displacement at the end of a step that does not depend on the new forces
   [[nodiscard]] HalfField known_displacement(const TimeStep& step, Eigen::Index first, Eigen::Index count) const;
 
-  /// @return K_0 F + sum J_j K_j a_j on some rows: all of the displacement of now
+  /// @return K_0 F + sum J_j K_j a_j on some rows: the present displacement
   [[nodiscard]] HalfField displacement(Eigen::Index first, Eigen::Index count) const;
 
   /// @return J_0 F.K_0 F / 2 + sum J_j a_j.K_j a_j / 2 [J]
   [[nodiscard]] double stored_energy() const { return stored_; }
-  /// @return rows that are kept
+  /// @return number of stored rows
   [[nodiscard]] Eigen::Index rows() const { return now_.force.cols(); }
 
-  /// @brief Rows from the first to the last.
+  /// @brief Range of rows from the first to the last.
   struct Span {
     Eigen::Index first;
     Eigen::Index last;
   };
-  /// @return those of a track that live; none around a ring, and where no row does
+  /// @return living rows of a track; none for a ring, or if no row is alive
   [[nodiscard]] std::optional<Span> living() const;
 
-  /// @return whether anything is kept of a row
+  /// @return whether a row is stored
   [[nodiscard]] bool keeps(Eigen::Index row) const { return column(row).has_value(); }
 
   void write(NumberWriter& numbers) const;
-  /// @brief Take over what another memory of the same shape has written.
+  /// @brief Restore the state that another memory of the same shape has written.
   void read(NumberReader& numbers, const CreepingTables& tables);
 
-  /// @param[in] tables with more nodes aside
+  /// @brief Transfer the memory to wider tables.
+  /// @param[in] tables tables with more nodes across
   /// @param[in] checkpoint called every few milliseconds
-  /// @return the same memory on these
   [[nodiscard]] RowMemory widened(const CreepingTables& tables, const std::function<void()>& checkpoint) const;
 
  private:
@@ -83,40 +84,40 @@ class RowMemory {
     HalfField displacement;
   };
 
-  /// @return number of the tables of a retardation time
+  /// @return number of the table of a retardation time
   [[nodiscard]] std::size_t table_of(std::size_t term) const { return now_.displacements.size() == 1 ? 0 : term + 1; }
 
-  /// @return the column of a row; none where nothing is kept of it
+  /// @return column of a row; none if the row is not stored
   [[nodiscard]] std::optional<Eigen::Index> column(Eigen::Index row) const;
-  /// Have some rows of a track among those that are kept.
+  /// Store some rows of a track as well.
   void cover(Eigen::Index first, Eigen::Index count);
-  /// Keep these columns alone; those that are new remember nothing.
+  /// Keep only these columns; new columns have no memory.
   void keep(Eigen::Index first, Eigen::Index count);
-  /// How long ago the rows of a track bore their last load.
+  /// Advance the times since the rows of a track were loaded.
   void age(double duration, const Load& load);
-  /// Leave out the rows of a track that nothing is left of, and that no living row displaces.
-  /// @return energy that they had stored [J]
+  /// Drop the rows of a track that have recovered and that no living row displaces.
+  /// @return energy that was stored in them [J]
   double forget(const Load& load);
   [[nodiscard]] double stored_in(Eigen::Index column) const;
-  /// @return a field of a load's rows on all rows
+  /// @return field on the rows of a load, extended to all rows
   [[nodiscard]] HalfField spread(Eigen::Index first, const HalfField& field) const;
   [[nodiscard]] Borne spread(const Load& load) const;
-  /// @return displacement of all rows by forces on all rows
+  /// @return displacement of all rows under forces on all rows
   [[nodiscard]] HalfField displaced(const HalfField& force, const MirroredTables& tables,
                                     const std::function<void()>& checkpoint) const;
-  /// Find all displacements from the forces.
+  /// Compute all displacements from the forces.
   void displace(const CreepingTables& tables, const std::function<void()>& checkpoint);
   void find_stored_energy();
 
   std::optional<Eigen::Index> ring_;
   double instantaneous_;
   std::vector<double> weights_;
-  double fading_;                   // time in which all but a millionth of what is retarded has crept back [s]
-  Eigen::Index reach_;              // of the tables [rows]
+  double fading_;                   // time in which all but a millionth of the retarded displacement recovers [s]
+  Eigen::Index reach_;              // reach of the tables [rows]
   Eigen::Index first_ = 0;          // row of the first column
   Borne now_;                       // F and K_j F
-  std::vector<Retarded> retarded_;  // of every retardation time
-  Eigen::ArrayXd idle_;             // time since each row of a track bore a load [s]
+  std::vector<Retarded> retarded_;  // for every retardation time
+  Eigen::ArrayXd idle_;             // time since each row of a track was loaded [s]
   double stored_ = 0.0;
 };
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the free sides of a tread add to the influence of its rows of nodes.
+/// @brief Effect of the free sides of a tread on the influence of its rows of nodes.
 #pragma once
 
 #include "influence/side_sum.hpp"
@@ -7,15 +7,16 @@
 
 namespace viscoroll::detail {
 
-/// @brief As `MirroredTables` have it, of loads that are mirror images, which the even part of the section bears.
+/// @brief Influence in the form of `MirroredTables`, for mirror-symmetric forces, to which the even part of the section
+/// responds.
 ///
-/// Means over patches are what forces are gathered by, values at nodes what is read: half the sum of that and of the
-/// other way round is symmetric, and does the same work.
-/// @param[in] difference of the section, of loads with as many components; its even part
-/// @param[in] factors at offsets along phi
-/// @param[in] shape of the rows
-/// @param[in] column_distance between neighbors across [m]
-/// @return influence of a row on those 0, 1, ... ahead, as far as the factors reach, one below the other [m/N]
+/// Forces are gathered by means over patches, and displacements are read at nodes. Half the sum of this and of the
+/// reverse is symmetric and does the same work.
+/// @param[in] difference difference of the section for as many components; its even part is used
+/// @param[in] factors factors at offsets along phi
+/// @param[in] shape rows of nodes
+/// @param[in] column_distance distance between neighboring nodes across [m]
+/// @return influence of a row on the rows 0, 1, ... ahead, up to the reach of the factors, one below the other [m/N]
 [[nodiscard]] HalfField side_influence(const SampledDifference& difference, const SideFactors& factors,
                                        const RowShape& shape, double column_distance);
 

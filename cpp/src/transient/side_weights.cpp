@@ -15,11 +15,11 @@ using cplx = std::complex<double>;
 using Eigen::Index;
 using WeighedContour = LayerSpectrum::WeighedContour;
 
-/// 3e-5 of the difference at any frequency is left by these sums; elements know it to a thousandth.
+/// -ln of the error of the sums. They leave 3e-5 of the difference at any frequency; the elements leave a thousandth.
 constexpr double kLeft = 14.0;
 
-/// Layers in a unit in which the real part of every modulus is positive. At a point off the axis of real times all
-/// moduli lie on one side of that axis, within half a turn.
+/// Layers in a unit of stress in which the real part of every modulus is positive. At a point off the axis of real
+/// times, all moduli lie on one side of that axis, within half a turn.
 struct UprightMedia {
   cplx unit;  // [Pa]
   std::vector<SectionMedium<cplx>> layers;
@@ -45,7 +45,7 @@ UprightMedia upright(const LayerStack<Scalar>& layers) {
   return {.unit = size * turn, .layers = std::move(media)};
 }
 
-/// All that the weights depend on beside the dimensions.
+/// All quantities, besides the dimensions, on which the weights depend.
 std::vector<double> numbers_of(const LayerSpectrum& layers, const WeighedContour& contour) {
   std::vector<double> numbers;
   const auto put = [&](const UprightMedia& media) {
@@ -102,11 +102,11 @@ std::shared_ptr<const std::vector<SampledDifference>> side_weights(const LayerSp
 
 SideSum sum_of_side_weights(const std::shared_ptr<const std::vector<SampledDifference>>& weights,
                             const LayerSpectrum& layers, const MeshOnBody& mesh) {
-  constexpr double kAnySpeed = 1.0;  // without inertia it enters nothing
+  constexpr double kAnySpeed = 1.0;  // without inertia it has no effect
   std::vector<OrderBand> bands = phi_bands(layers.body_at_rest(), kAnySpeed, mesh.rounded());
   const auto count = static_cast<Index>(all_orders(bands).size());
   const std::shared_ptr<const SampledDifference> first{weights, &weights->front()};
-  return {first, std::move(bands), Eigen::VectorXcd::Ones(count), mesh};  // per Pa as they are
+  return {first, std::move(bands), Eigen::VectorXcd::Ones(count), mesh};  // already per Pa
 }
 
 }  // namespace viscoroll::detail

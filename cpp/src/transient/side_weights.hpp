@@ -1,5 +1,5 @@
 /// @file
-/// @brief What free sides add to the weights of layers that do not creep alike, order by order.
+/// @brief Effect of free sides on the weights of layers with different relaxation functions, order by order.
 #pragma once
 
 #include <memory>
@@ -12,23 +12,23 @@
 
 namespace viscoroll::detail {
 
-/// @brief As `LayerSpectrum::weights_of`: sums over retardation times are taken from sections solved at complex moduli
-/// around them. The last few treads of the process are kept.
-/// @param[in] layers of the tread as if without sides
+/// @brief Weights in the form of `LayerSpectrum::weights_of`: the sums over retardation times use sections solved at
+/// complex moduli around these times. The process keeps the results of the last few treads.
+/// @param[in] layers layers of the endless tread
 /// @param[in] tread at least one layer
-/// @param[in] tangential whether loads along phi and z occur, or those along r alone
+/// @param[in] tangential whether forces along phi and z occur, or forces along r only
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] watch progress and cancellation
-/// @return of what yields at once, and of each retardation time: even parts at some orders [1/Pa/m]
+/// @return weights for the instantaneous compliance and for each retardation time: even parts at some orders [1/Pa/m]
 [[nodiscard]] std::shared_ptr<const std::vector<SampledDifference>> side_weights(const LayerSpectrum& layers,
                                                                                  const CoatedWheel& tread,
                                                                                  bool tangential, int threads,
                                                                                  Watch& watch);
 
-/// @return the sums over all orders that every one of them has
-/// @param[in] weights at least one
-/// @param[in] layers of the tread
-/// @param[in] mesh on it
+/// @brief Sum over all orders, which all weights share.
+/// @param[in] weights at least one weight
+/// @param[in] layers layers of the tread
+/// @param[in] mesh mesh of the tread
 [[nodiscard]] SideSum sum_of_side_weights(const std::shared_ptr<const std::vector<SampledDifference>>& weights,
                                           const LayerSpectrum& layers, const MeshOnBody& mesh);
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Creep spectra in saved states, which go on with the retardation times that they were made with.
+/// @brief Creep spectra in saved states, so that a history continues with the retardation times with which it began.
 #pragma once
 
 #include "transient/creep_spectrum.hpp"
@@ -7,12 +7,12 @@
 
 namespace viscoroll::detail {
 
-/// @return largest difference of two creep functions, per what has yielded after an infinite time [-]
+/// @return largest difference of two creep functions, relative to their relaxed values [-]
 [[nodiscard]] double difference(const CreepSpectrum& a, const CreepSpectrum& b);
 
 void write(const CreepSpectrum& spectrum, NumberWriter& numbers);
 
-/// @throws std::invalid_argument where the numbers are no spectrum
+/// @throws std::invalid_argument if the numbers do not form a spectrum
 [[nodiscard]] CreepSpectrum read_spectrum(NumberReader& numbers);
 
 }  // namespace viscoroll::detail

@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kGrowth = 1.1;
 constexpr double kLargestLoadChange = 0.05;
-constexpr double kFirstShare = 1e-3;  // of a leg, where the material has times that are shorter still
+constexpr double kFirstShare = 1e-3;  // of a segment, if the material has even shorter times
 constexpr double kFirstTime = 0.05;   // of the shortest retardation time
 
 }  // namespace
 
 double most_turn(double spacing, std::optional<int> steps_per_spacing) {
-  constexpr double kMostSteps = 1e7;  // whose instants are some two gigabytes
+  constexpr double kMostSteps = 1e7;  // their instants take some two gigabytes
   return steps_per_spacing ? kMostSteps * spacing / *steps_per_spacing : std::numeric_limits<double>::infinity();
 }
 

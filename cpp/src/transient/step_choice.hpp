@@ -1,5 +1,5 @@
 /// @file
-/// @brief Which steps of time a history takes from one knot to the next.
+/// @brief Choice of the time steps of a history from one waypoint to the next.
 #pragma once
 
 #include <optional>
@@ -7,32 +7,33 @@
 
 namespace viscoroll::detail {
 
-/// @brief A straight piece of a motion.
+/// @brief A segment of a motion between two waypoints.
 struct Leg {
   double duration;       ///< [s], >= 0
   double turn;           ///< [rad]
-  double relative_load;  ///< change of load per the larger load [-]
+  double relative_load;  ///< change of the load relative to the larger load [-]
 };
 
-/// @param[in] spacing,steps_per_spacing as of `StepChoice`
-/// @return how far a leg may turn for its steps to fit into memory [rad]
+/// @param[in] spacing,steps_per_spacing same as in `StepChoice`
+/// @return largest turn of a segment whose steps fit into memory [rad]
 [[nodiscard]] double most_turn(double spacing, std::optional<int> steps_per_spacing);
 
-/// @return change per the larger of two values, neither below 0 [-]
+/// @return change relative to the larger of two values, neither of them negative [-]
 [[nodiscard]] double relative_change(double before, double after);
 
-/// @brief By spacing while it rolls; after an event, and at standstill, from short steps to longer ones.
+/// @brief Choice of time steps: by the spacing while the body rolls; after an event, and at standstill, from short
+/// steps to longer ones.
 class StepChoice {
  public:
   /// @param[in] spacing along phi [rad]
-  /// @param[in] steps_per_spacing none: one step for each leg
-  /// @param[in] shortest_time shortest retardation time [s]; infinite without one
+  /// @param[in] steps_per_spacing none: one step for each segment
+  /// @param[in] shortest_time shortest retardation time [s]; infinite if there is none
   StepChoice(double spacing, std::optional<int> steps_per_spacing, double shortest_time)
       : spacing_(spacing), steps_per_spacing_(steps_per_spacing), shortest_time_(shortest_time) {}
 
-  /// @param[in] leg ahead
-  /// @param[in] last the step before it [s], 0 after a jump and at the start
-  /// @return ends of the steps as shares of the leg, ascending to 1
+  /// @param[in] leg next segment
+  /// @param[in] last previous step [s], 0 after a jump and at the start
+  /// @return ends of the steps as fractions of the segment, ascending to 1
   [[nodiscard]] std::vector<double> shares(const Leg& leg, double last) const;
 
  private:

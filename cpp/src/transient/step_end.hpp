@@ -1,17 +1,17 @@
 /// @file
-/// @brief Where a step ends.
+/// @brief End of a time step.
 #pragma once
 
 #include <optional>
 
 namespace viscoroll::detail {
 
-/// @brief Where a step ends, in which angle, load and a given way of the center change linearly.
+/// @brief End of a step, in which angle, load and a given displacement of the center change linearly.
 struct StepEnd {
   double time;                       ///< [s]
   double angle;                      ///< [rad]
   double load;                       ///< [N]
-  std::optional<double> center_way;  ///< since the first instant [m]; none: forces decide
+  std::optional<double> center_way;  ///< displacement since the first instant [m]; none if forces decide
 
   bool operator==(const StepEnd&) const = default;
 };

@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 
-/// The sum of what each part gives; of a single part with a share of 1 nothing is changed.
+/// Sum over the parts; a single part with a share of 1 is not changed.
 template <class Field, class Parts>
 Field summed(const Parts& parts, const auto& field) {
   Field sum = field(parts.front());
@@ -20,7 +20,7 @@ Field summed(const Parts& parts, const auto& field) {
   return sum;
 }
 
-/// Directions of the plane, a row each, by their components.
+/// Directions of the plane at a node, one in each row, by their components.
 Matrix3d axes_of(const Axes& axes, Index node) {
   Matrix3d rows;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -31,7 +31,7 @@ Matrix3d axes_of(const Axes& axes, Index node) {
   return rows;
 }
 
-/// Along the axes, from what the components are.
+/// Compliance along the axes, from the compliance of the components.
 MatrixXd along_axes(MatrixXd compliance, const Axes& axes, const std::vector<Index>& displaced,
                     const std::vector<Index>& loaded) {
   for (std::size_t i = 0; i < displaced.size(); ++i) {
@@ -59,7 +59,7 @@ LoadedRows loaded_rows(const VectorField& force, Index half_nodes) {
   return {.first = first / half_nodes, .last = last / half_nodes};
 }
 
-/// Tables take the forces of what rolls on what is below.
+/// Add the displacement along the axes. Tables use the forces of the rolling body on the counterbody.
 void add_displacement(double share, const Axes& axes, const HalfField& displaced, VectorField& sum) {
   for (const Axis axis : {kForward, kDown, kSideways}) {
     const HalfField moved = along(axes[static_cast<std::size_t>(axis)], displaced);

@@ -14,9 +14,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kExactness = 1e-13;  // of linear systems, as relative residuals
+constexpr double kExactness = 1e-13;  // relative residual of linear systems
 
-constexpr Index kColumns = 100;  // of the largest systems some milliseconds
+constexpr Index kColumns = 100;  // of the largest systems between two checkpoints; some milliseconds
 
 }  // namespace
 
@@ -24,7 +24,8 @@ StickSlipEquations::StickSlipEquations(const StickSlipProblem& problem, double o
                                        ContactStiffness& stiffness)
     : problem_(problem), stiffness_(stiffness), own_compliance_(own_compliance), gap_(problem.gap), way_(problem.way) {}
 
-/// What follows from the nodes alone: the forces if all of them touched and stuck, by the penetration and the way.
+/// Compute quantities that depend on the nodes only: the forces if all of them touched and stuck, as functions of the
+/// penetration and the displacement of the center.
 void StickSlipEquations::cover(const std::vector<Index>& contact) {
   const bool is_new = stiffness_.cover(problem_.surface, contact);
   if (!is_new && !to_frame_.empty()) return;
@@ -75,7 +76,7 @@ void StickSlipEquations::weigh_center() {
   by_center_ = forces_by(row);
 }
 
-/// Forces along x, down and z by displacements along them [3 * nodes + axis].
+/// Forces along x, down and z for displacements along them [3 * nodes + axis].
 MatrixXd StickSlipEquations::forces_by(MatrixXd displacements) const {
   const auto count = static_cast<Index>(to_frame_.size());
   const auto of_node = [](MatrixXd& field, Index i) { return field.middleRows<3>(3 * i); };
@@ -124,7 +125,8 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
     matrix(depth, row) = by_closed_(3 * condition.place + condition.axis, 1);
     matrix(way, row) = by_center_[3 * condition.place + condition.axis];
   }
-  // Load and center: sums of forces, weighed as `closed_` and the center's row weigh displacements.
+  // Rows of load and center: sums of forces, with the weights that `closed_` and the row of the center give
+  // displacements.
   const Eigen::RowVector3d pressing = closed_.col(1).transpose() * by_closed_;
   matrix.row(depth).tail<2>() = pressing.tail<2>();
   right[depth] = problem_.load - pressing[0];
@@ -134,7 +136,7 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
   matrix.row(way).tail<2>() = of_center.tail<2>();
   matrix(way, way) += center_.way;
   right[way] = center_.value - of_center[0];
-  // Forces and ways on one scale: a heavy center must not serve as pivot for anything but its own way.
+  // Scale forces and displacements equally: a heavy center must be the pivot of its own displacement only.
   const double largest = center_.on_force.abs().maxCoeff();
   const double share = own_compliance_ / std::max(largest, std::abs(center_.way) * own_compliance_);
   matrix.row(way) *= share;
@@ -151,7 +153,8 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
   return result;
 }
 
-/// While the same displacements are free, tractions turn alone: then the last factors precondition a Krylov method.
+/// Solve a system. If the same displacements are free as before, only tractions turn, and the last factors precondition
+/// a Krylov method.
 VectorXd StickSlipEquations::solved(const std::vector<Condition>& conditions, const MatrixXd& matrix,
                                     const VectorXd& right) {
   std::vector<std::pair<Index, Axis>> free;

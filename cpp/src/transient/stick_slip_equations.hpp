@@ -1,8 +1,9 @@
 /// @file
-/// @brief The linear equations of stick and slip for nodes in contact, and nodes beside them.
+/// @brief Linear equations of stick and slip for the nodes in contact and nodes beside them.
 ///
-/// The stiffness of a contact gives its forces if all nodes touched the plane and stuck to it. Unknown is how far the
-/// displacements that are free are from that: of slipping nodes along the plane, of nodes apart in all directions.
+/// The stiffness of a contact gives its forces if all nodes touched the plane and stuck to it. The unknowns are the
+/// differences of the free displacements from that state: tangential displacements of slipping nodes, and all
+/// displacements of separated nodes.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,44 +16,43 @@
 
 namespace viscoroll::detail {
 
-/// @brief What holds where a displacement is free: on_force . (forces on the node) + on_move . (its free displacements)
-/// = 0.
+/// @brief Condition for a free displacement: on_force . (forces on the node) + on_move . (its free displacements) = 0.
 struct Condition {
-  Eigen::Index place;  ///< of the node among those covered
-  Axis axis;           ///< that is free
+  Eigen::Index place;  ///< position of the node among the covered nodes
+  Axis axis;           ///< free direction
   Eigen::Vector3d on_force;
   Eigen::Vector3d on_move;
 };
 
-/// @brief What the equations give, of the nodes covered [3 * nodes + axis].
+/// @brief Solution of the equations at the covered nodes [3 * nodes + axis].
 struct StickSlipForces {
   Eigen::VectorXd forces;
-  Eigen::VectorXd moves;  ///< of free displacements
+  Eigen::VectorXd moves;  ///< free displacements
   double penetration;
-  double way;  ///< of the center
+  double way;  ///< displacement of the center
 };
 
-/// @brief Equations of one instant, whatever its nodes do.
+/// @brief Equations at an instant, for any sets of sticking, slipping and separated nodes.
 class StickSlipEquations {
  public:
-  /// @param[in] problem which outlives this object
-  /// @param[in] own_compliance of a node along the plane, which weighs conditions against forces
+  /// @param[in] problem must outlive this object
+  /// @param[in] own_compliance of a node along the plane; scales conditions relative to forces
   /// @param[in,out] stiffness of an earlier contact
   StickSlipEquations(const StickSlipProblem& problem, double own_compliance, ContactStiffness& stiffness);
 
-  /// @brief Have some nodes in the equations, and such as touched lately.
+  /// @brief Include the nodes of a contact, and nodes that were recently in contact.
   void cover(const std::vector<Eigen::Index>& contact);
 
   [[nodiscard]] const std::vector<Eigen::Index>& covered() const { return stiffness_.nodes(); }
-  /// @brief Take for known by how much gaps and slips of nodes are more than the equations have them, where the surface
-  /// is not quite that of the stiffness.
+  /// @brief Add known differences of gaps and slips of nodes to the equations, where the surface differs from that of
+  /// the stiffness.
   void correct(const std::vector<Eigen::Index>& nodes, const Eigen::ArrayXd& gap, const Eigen::ArrayX2d& slip);
 
-  /// @brief What is to hold for the center.
+  /// @brief Set the condition on the center.
   void drive(CenterRow row);
 
-  /// @param[in] conditions one for each displacement that is free; what is not, touches and sticks
-  /// @return not finite where the equations are singular
+  /// @param[in] conditions one for each free displacement; without a condition, a node touches and sticks
+  /// @return solution; not finite if the equations are singular
   [[nodiscard]] StickSlipForces solve(const std::vector<Condition>& conditions);
 
  private:
@@ -66,13 +66,13 @@ class StickSlipEquations {
   ContactStiffness& stiffness_;
   double own_compliance_;
   CenterRow center_;
-  Eigen::ArrayXd gap_;                     // of the problem, corrected,
-  Eigen::ArrayX2d way_;                    // and likewise
-  std::vector<Eigen::Matrix3d> to_frame_;  // of the surface, of displacements along the axes, of nodes covered
-  Eigen::MatrixX3d closed_;     // displacements that close all gaps and undo all ways: given, by penetration, by way
-  Eigen::MatrixX3d by_closed_;  // forces of these
-  Eigen::VectorXd by_center_;   // what the center's row makes of displacements
-  std::vector<std::pair<Eigen::Index, Axis>> factored_;  // places and axes of the displacements that were free
+  Eigen::ArrayXd gap_;                     // gap of the problem, corrected
+  Eigen::ArrayX2d way_;                    // displacements of the problem, corrected
+  std::vector<Eigen::Matrix3d> to_frame_;  // from the axes to the frame of the surface, for each covered node
+  Eigen::MatrixX3d closed_;     // close all gaps and undo all slips: columns for given values, penetration, center
+  Eigen::MatrixX3d by_closed_;  // forces of these displacements
+  Eigen::VectorXd by_center_;   // coefficients of displacements in the row of the center
+  std::vector<std::pair<Eigen::Index, Axis>> factored_;  // positions and axes of the displacements that were free
   DenseFactors factors_;
 };
 

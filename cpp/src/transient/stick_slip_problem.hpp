@@ -1,5 +1,5 @@
 /// @file
-/// @brief Stick and slip at one instant of a motion, before anything is solved.
+/// @brief Problem of stick and slip at one instant of a motion.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,19 +11,19 @@
 
 namespace viscoroll::detail {
 
-/// @brief An elastic problem in scaled forces, whose stick and slip belong to the way of this step. Arrays have the
-/// nodes row by row.
+/// @brief Elastic problem in scaled forces, in which stick and slip refer to the displacement in this step. Arrays
+/// contain the nodes row by row.
 struct StickSlipProblem {
   const StepOperator& surface;
-  Eigen::ArrayXd gap;   ///< without these forces, up to a constant
-  Eigen::ArrayX2d way;  ///< of the nodes along x and z over what they touch, without these forces and the center's
-  Eigen::ArrayX2d by_center;  ///< what the way of the center adds to it, for a unit
-  Eigen::ArrayXd weights;     ///< of `half_weights`
-  double load;                ///< sum of the pressing forces
+  Eigen::ArrayXd gap;   ///< without the new forces, up to a constant
+  Eigen::ArrayX2d way;  ///< slip of the nodes along x and z, without the new forces and the displacement of the center
+  Eigen::ArrayX2d by_center;  ///< contribution to the slip per unit displacement of the center
+  Eigen::ArrayXd weights;     ///< same as in `half_weights`
+  double load;                ///< sum of the normal forces
   double friction;            ///< coefficient
-  /// What holds for the center, in scaled forces, by what these displace (`StepOperator::displaced`)
+  /// Condition on the center, in scaled forces, for displacements of the parts (`StepOperator::displaced`)
   std::function<CenterRow(const std::vector<HalfField>& displaced)> center;
-  bool center_moves;  ///< whether that depends on displacements
+  bool center_moves;  ///< whether the condition on the center depends on displacements
 };
 
 }  // namespace viscoroll::detail

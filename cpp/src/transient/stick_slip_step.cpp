@@ -18,8 +18,9 @@ namespace {
 
 using Eigen::Index;
 
-/// Nodes that touch, up to which dense factors pay. With 300 two soft balls take twice as long by products, with 550 as
-/// long, and unlike layers two thirds, with 1500 half; and factors want nine numbers for each pair of nodes.
+/// Largest number of contact nodes for which dense factors pay. Two deformable balls take twice as long by products
+/// with 300 nodes, equally long with 550 (two thirds with dissimilar layers), and half as long with 1500. Factors also
+/// need nine numbers for each pair of nodes.
 constexpr Index kMostDense = 500;
 
 std::unique_ptr<StickSlipSystem> system_of(const StickSlipProblem& problem, const VectorField& guess,
@@ -28,8 +29,9 @@ std::unique_ptr<StickSlipSystem> system_of(const StickSlipProblem& problem, cons
   return std::make_unique<MatchedByFactors>(problem, guess, stiffness);
 }
 
-/// Pressing forces of the same contact without friction, whose search comes from any guess. Steps of stick and slip do
-/// not where far more nodes are guessed than touch: those then pull by thousands of loads.
+/// Normal forces of the same contact without friction, whose search converges from any guess. Steps of stick and slip
+/// do not converge if far more nodes are guessed than are in contact: the surplus nodes then pull with thousands of
+/// loads.
 VectorField without_friction(const StickSlipProblem& problem, const VectorField& guess) {
   const Index half_nodes = problem.surface.half_nodes();
   const ElasticContactProblem smooth{.surface = problem.surface,
@@ -42,9 +44,9 @@ VectorField without_friction(const StickSlipProblem& problem, const VectorField&
   return force;
 }
 
-/// The same conditions, except that one node sticks where all slip: the nearest to sticking. If all slip along a line
-/// at the tractions of their own pressures, the conditions say nothing of the displacement of a center that forces
-/// move.
+/// System with the same conditions, except that if all nodes slip, the node nearest to sticking sticks. If all nodes
+/// slip in line contact, with the tractions of their own pressures, the conditions do not determine the displacement of
+/// a center that forces move.
 class OneSticks : public StickSlipSystem {
  public:
   explicit OneSticks(StickSlipSystem& system) : system_(system) {}
@@ -69,8 +71,8 @@ class OneSticks : public StickSlipSystem {
  private:
   static constexpr Index kNone = -1;
 
-  /// If the node that stuck in the last step slips again, sticking took more traction than friction gives: the other
-  /// nodes move the center on, until one of those sticks that slip in the other direction.
+  /// Select the node that sticks. If the node that stuck in the last step slips again, sticking took more traction than
+  /// friction allows: the other nodes move the center on, until one of those that slip in the other direction sticks.
   void hold_one(ContactSets& sets) {
     Eigen::Array2d exceeded(0.0, 0.0);
     const auto last = std::ranges::find(sets.contact, held_node_);
@@ -88,9 +90,10 @@ class OneSticks : public StickSlipSystem {
   Index held_node_ = kNone;
 };
 
-/// @param[in] system of `newton`
-/// @return whether it finds a state. Who does what is first told by forces alone, for gaps and ways are those of the
-/// step before.
+/// Start from forces and iterate. The first sets follow from the forces alone, because gaps and displacements are those
+/// of the previous step.
+/// @param[in] system system of `newton`
+/// @return whether a state is found
 [[nodiscard]] bool finds_from(const VectorField& force, double friction, const StickSlipSystem& system,
                               SemismoothNewton& newton) {
   ContactSolution state{.force = force,
@@ -104,11 +107,11 @@ class OneSticks : public StickSlipSystem {
   return newton.iterate(friction);
 }
 
-/// From the largest friction that there is, at which nearly all sticks, to the given one: sets change little between
-/// two that are near each other.
+/// Start from the largest coefficient of friction, at which nearly all nodes stick, and go down to the given one: the
+/// sets change little between two similar coefficients.
 [[nodiscard]] bool descends_from(const VectorField& force, double friction, const StickSlipSystem& system,
                                  SemismoothNewton& newton) {
-  constexpr double kLess = 0.7;  // found by trial: rollers of 20 to 100 nodes in contact descend to 0.01 and less
+  constexpr double kLess = 0.7;  // by trial: line contacts of 20 to 100 nodes reach 0.01 and less
   double reached = kLargestFriction;
   bool is_found = finds_from(force, reached, system, newton);
   while (is_found && reached > friction) {
@@ -118,9 +121,9 @@ class OneSticks : public StickSlipSystem {
   return is_found;
 }
 
-/// If all nodes slip along a line, their forces are the same for a range of displacements of the center, and say
-/// nothing of where in it the center goes. Nothing moves it: it stays where it is, if that is in the range. The search
-/// alone ends at either end of the range, depending on round-off, and a symmetric contact would move to one side.
+/// If all nodes slip in line contact, their forces are the same for a range of displacements of the center, and do not
+/// determine the displacement in this range. The center then stays at rest, if that is in the range. The search alone
+/// would end at either end of the range, depending on round-off, and move a symmetric contact to one side.
 /// @param[in,out] state,sets of a state that was found
 void let_center_rest(const StickSlipProblem& problem, const StickSlipSystem& system, ContactSolution& state,
                      ContactSets& sets) {

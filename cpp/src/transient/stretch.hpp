@@ -1,5 +1,5 @@
 /// @file
-/// @brief A stretch of a motion that some steps of have been taken.
+/// @brief A segment of a motion of which some steps have been taken.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace viscoroll::detail {
 
-/// @brief From one knot to the next, as it was when its first step began: who goes on in the middle of it divides it
-/// alike.
+/// @brief Segment from one waypoint to the next, as it was when its first step began: a resumed segment uses identical
+/// steps.
 struct Stretch {
   StepEnd begin;
   StepEnd end;
-  double last_step;   ///< before it [s]
-  std::size_t taken;  ///< steps of it
+  double last_step;   ///< step before the segment [s]
+  std::size_t taken;  ///< number of steps taken in the segment
 };
 
 void write(const std::optional<Stretch>& stretch, NumberWriter& numbers);
 
-/// @throws std::invalid_argument where the numbers are others
+/// @throws std::invalid_argument if the numbers do not form a segment
 [[nodiscard]] std::optional<Stretch> read_stretch(NumberReader& numbers);
 
 }  // namespace viscoroll::detail

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What one step of time does to the memory of a node whose force changes linearly in it.
+/// @brief Effect of one time step on the memory of a node whose force changes linearly in the step.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,12 @@
 
 namespace viscoroll::detail {
 
-/// @brief Exponential integration of lambda_j a_j' + a_j = F: exact for forces that are linear in time, so of second
-/// order in the step. See docs/theory/transient.md.
+/// @brief Exponential integration of lambda_j a_j' + a_j = F. It is exact for forces that are linear in time, hence of
+/// second order in the step. See docs/theory/transient.md.
 struct TimeStep {
-  /// What a term of the spectrum becomes: a_new = decay a + on_old F_old + on_new F_new, and the energy it loses,
-  /// change dF.K dF + mixed dF.K e + state e.K e with dF = F_new - F_old and e = F_old - a.
+  /// Coefficients of a term of the spectrum: a_new = decay a + on_old F_old + on_new F_new. The energy that it
+  /// dissipates is lost_change dF.K dF + lost_mixed dF.K e + lost_state e.K e with dF = F_new - F_old and e = F_old -
+  /// a.
   struct Term {
     double weight;  ///< J_j
     double decay;
@@ -23,11 +24,11 @@ struct TimeStep {
     double lost_state;
   };
 
-  /// @param[in] spectrum of the coating
+  /// @param[in] spectrum spectrum of the coating
   /// @param[in] duration [s], 0 for a jump
   TimeStep(const CreepSpectrum& spectrum, double duration);
 
-  double compliance;  ///< c = J_0 + sum J_j on_new: share of the new force that has yielded at the end
+  double compliance;  ///< c = J_0 + sum J_j on_new: compliance for the new force at the end of the step
   std::vector<Term> terms;
 };
 

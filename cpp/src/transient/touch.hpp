@@ -1,5 +1,5 @@
 /// @file
-/// @brief Who touches at an instant, and what that displaces in each of two bodies.
+/// @brief Contact at an instant, and its displacements in each of two bodies.
 #pragma once
 
 #include <cstddef>
@@ -13,40 +13,41 @@
 
 namespace viscoroll::detail {
 
-/// @brief What the new forces displace in each body, once parts of them have yielded.
+/// @brief Compliance of the bodies for the new forces.
 struct Yielding {
   std::vector<YieldingTables> of_bodies;
   double sum;  ///< of the shares of their tables
 };
 
-/// @brief Who touches at an angle, in forces scaled by what has yielded in all bodies.
+/// @brief Contact at an angle, in forces scaled by the sum of the shares of all bodies.
 struct Touch {
   ContactPlace place;
   Yielding yielding;
   std::vector<HalfField> known;  ///< K h of every body
-  StickSlip contact;             ///< without friction only with what presses
-  /// K p' of every body's every tables, over their reach
+  StickSlip contact;             ///< without friction, pressing forces only
+  /// K p' of every table of every body, over its reach
   std::vector<std::vector<HalfField>> moved;
   std::function<void()> checkpoint;  ///< to be called every few milliseconds
 };
 
-/// @return displacements of all bodies along an axis, against the sense of the forces
+/// @return displacements of all bodies along an axis, opposite to the direction of the forces
+/// @param[in] axis direction
 /// @param[in] axes,fields of every body
 [[nodiscard]] HalfField against(Axis axis, const std::vector<Axes>& axes, const std::vector<HalfField>& fields);
 
-/// @return what all bodies remember, which opens the gap
+/// @return remembered displacements of all bodies, which open the gap
 [[nodiscard]] HalfField known_gap(const CreepingPair& pair, const Touch& touch);
 
-/// @return what the contact does to a body's nodes in the window, by their components
+/// @return forces of the contact on a body's nodes in the window, by their components
 [[nodiscard]] HalfField by_components(const CreepingPair& pair, const Touch& touch, std::size_t body);
 
-/// @brief Find what the forces of a contact displace in each body.
+/// @brief Compute the displacements due to the forces of a contact in each body.
 void find_displacements(const CreepingPair& pair, Touch& touch);
 
-/// @return every body's own displacement in the window, all of it
+/// @return total displacement of every body in the window
 [[nodiscard]] std::vector<HalfField> deformed(const CreepingPair& pair, const Touch& touch);
 
-/// @return what a body comes to bear, and how that displaces it
+/// @return new load of a body, with its displacements
 [[nodiscard]] RowMemory::Load load_of(const CreepingPair& pair, const Touch& touch, std::size_t body);
 
 }  // namespace viscoroll::detail

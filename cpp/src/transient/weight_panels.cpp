@@ -11,14 +11,14 @@ namespace {
 
 using Eigen::Index;
 
-/// What is known of each weight: r by r, r by the direction of k per k, across k, along it, and their difference per
-/// k^2, which turns with the direction of k.
+/// Functions that represent each weight: r by r, r by the direction of k divided by k, across k, along k, and the
+/// difference of the last two divided by k^2, which turns with the direction of k.
 enum Function : std::uint8_t { kRadial, kMixed, kAcross, kAlong, kTurning };
 constexpr Index kFunctions = 5;
 
 Index row_of(std::size_t weight, Function function) { return kFunctions * static_cast<Index>(weight) + function; }
 
-/// At orders k across nothing, where the directions are r, k and across k.
+/// Functions at orders with n = 0, where the directions are r, k and across k.
 Eigen::MatrixXd functions_at(const LayerSpectrum& layers, const std::array<double, kPanelNodes>& k2) {
   std::vector<SurfaceOrder> orders;
   orders.reserve(k2.size());
@@ -35,7 +35,7 @@ Eigen::MatrixXd functions_at(const LayerSpectrum& layers, const std::array<doubl
   return values;
 }
 
-/// Of order (0, 0), which has no direction.
+/// Functions at order (0, 0), which has no direction.
 Eigen::VectorXd functions_at_zero(const LayerSpectrum& layers) {
   const SurfaceOrder zero{.m = 0.0, .n = 0.0};
   const auto weights = layers.weights_of(std::span(&zero, 1)).front();
@@ -47,9 +47,9 @@ Eigen::VectorXd functions_at_zero(const LayerSpectrum& layers) {
   return values;
 }
 
-/// Whether the last terms of all functions are negligible beside the compliance at rest.
+/// Whether the last terms of all functions are negligible compared with the relaxed compliance.
 bool is_resolved(const Panel<double>& panel) {
-  constexpr double kTolerance = 1e-11;  // sums around the contour keep twelve digits of the whole
+  constexpr double kTolerance = 1e-11;  // sums around the contour keep twelve digits of the total
   const Index weights = panel.series.rows() / kFunctions;
   const auto size = [&](Function function) {
     Eigen::RowVectorXd at_rest = Eigen::RowVectorXd::Zero(kPanelNodes);
@@ -71,7 +71,7 @@ bool is_resolved(const Panel<double>& panel) {
 
 WeightPanels::WeightPanels(const LayerSpectrum& layers, double lowest_m, double highest_m, double highest_n,
                            int threads, Watch& watch) {
-  constexpr double kPart = 64.0;  // of k^2, that one thread resolves
+  constexpr double kPart = 64.0;  // ratio of k^2 that one thread resolves
   const double most = highest_m * highest_m + highest_n * highest_n;
   const bool is_sphere = layers.metric().is_sphere();
   std::vector<double> bounds{is_sphere ? kZeroOrder : lowest_m * lowest_m};

@@ -11,7 +11,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Without inertia it enters nothing but the frequencies of moduli, which are those at rest.
+/// Without inertia the speed affects only the frequencies of moduli, which are relaxed ones.
 constexpr double kAnySpeed = 1.0;
 
 std::shared_ptr<const OrderWeights> weights_of(const LayerSpectrum& layers, const std::vector<double>& m,
@@ -44,8 +44,8 @@ std::vector<std::unique_ptr<const TableSum>> weights_under_spot(const LayerSpect
 
 std::vector<std::unique_ptr<const TableSum>> weights_under_line(const LayerSpectrum& layers, const MeshOnBody& mesh,
                                                                 int threads, Watch& watch) {
-  constexpr std::size_t kBlock = 16;  // orders that are solved in a row
-  // Each order by itself: there are few.
+  constexpr std::size_t kBlock = 16;  // orders that are solved together
+  // Each order is solved separately, because there are few.
   const std::vector<OrderBand> bands = phi_bands(layers.body_at_rest(), kAnySpeed, mesh.rounded());
   const std::vector<double> m = all_orders(bands);
   std::vector<std::vector<Eigen::Matrix3cd>> spectra(layers.weights(), std::vector<Eigen::Matrix3cd>(m.size()));

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Influence tables of layers that share no relaxation function: one set for each of their retardation times.
+/// @brief Influence tables of layers with different relaxation functions: one set for each retardation time.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,17 @@
 
 namespace viscoroll::detail {
 
-/// @brief What the tables of every weight are summed from: as those of an elastic body, whose compliance it is.
-/// @param[in] layers of a sphere or a plane
-/// @param[in] mesh spacings
+/// @brief Sums for the tables of every weight, as for an elastic body with this weight as its compliance.
+/// @param[in] layers layers of a sphere or a plane
+/// @param[in] mesh spacings of the nodes
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] watch progress and cancellation
-/// @return of what yields at once, and of each retardation time
+/// @return sums for the instantaneous compliance and for each retardation time
 [[nodiscard]] std::vector<std::unique_ptr<const TableSum>> weights_under_spot(const LayerSpectrum& layers,
                                                                               const MeshOnBody& mesh, int threads,
                                                                               Watch& watch);
 
-/// @return the same under a line, of a cylinder or a plane
+/// @return the same sums in line contact, for a cylinder or a plane
 [[nodiscard]] std::vector<std::unique_ptr<const TableSum>> weights_under_line(const LayerSpectrum& layers,
                                                                               const MeshOnBody& mesh, int threads,
                                                                               Watch& watch);

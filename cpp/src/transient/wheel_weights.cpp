@@ -15,10 +15,10 @@ using cplx = std::complex<double>;
 /// Rows of a weight: entries of each term in m^2 / k^2.
 constexpr Index kPerWeight = Index{kEntries} * kPanelNodes;
 
-/// Rows of the weights of one order, entry by entry.
+/// Number of rows of the weights of one order, entry by entry.
 Index rows_of(const LayerSpectrum& layers) { return kEntries * static_cast<Index>(layers.weights()); }
 
-/// The weights of one order, entries that are odd in n per n, those that are odd in m per m.
+/// Weights of one order. Entries that are odd in n are divided by n, and those that are odd in m by m.
 Eigen::VectorXd entries_of(const std::vector<Eigen::Matrix3d>& weights, double m, double n) {
   Eigen::VectorXd entries(kEntries * static_cast<Index>(weights.size()));
   for (std::size_t w = 0; w < weights.size(); ++w) {
@@ -29,12 +29,12 @@ Eigen::VectorXd entries_of(const std::vector<Eigen::Matrix3d>& weights, double m
   return entries;
 }
 
-/// Whether the last terms are negligible beside the compliance at rest.
-/// @param[in] panel rows (weight, any, entry), the first of which are as large as any
-/// @param[in] per_weight rows of each
-/// @param[in] m_divisor what entries that are odd in m are divided by
+/// Whether the last terms are negligible compared with the relaxed compliance.
+/// @param[in] panel rows (weight, any, entry), of which the first are at least as large as the others
+/// @param[in] per_weight number of rows of each weight
+/// @param[in] m_divisor divisor of entries that are odd in m
 bool is_resolved(const Panel<double>& panel, Index per_weight, double m_divisor) {
-  constexpr double kTolerance = 1e-11;  // sums around the contour keep twelve digits of the whole
+  constexpr double kTolerance = 1e-11;  // sums around the contour keep twelve digits of the total
   const auto size = [&](Entry entry) {
     Eigen::RowVectorXd at_rest = Eigen::RowVectorXd::Zero(kPanelNodes);
     for (auto row = static_cast<Index>(entry); row < panel.series.rows(); row += per_weight) {
@@ -50,7 +50,7 @@ bool is_resolved(const Panel<double>& panel, Index per_weight, double m_divisor)
   return true;
 }
 
-/// Of m = 0, where entries that are odd in m vanish.
+/// Panels of m = 0, where entries that are odd in m vanish.
 std::vector<Panel<double>> panels_of_zero(const LayerSpectrum& layers, double highest_n) {
   constexpr double kAnything = 1.0;
   const auto sample = [&](const std::array<double, kPanelNodes>& k2) {
@@ -74,10 +74,10 @@ std::vector<Panel<double>> panels_of_zero(const LayerSpectrum& layers, double hi
   return panels;
 }
 
-/// m^2 / k^2 at Chebyshev nodes between 0 and 1.
+/// Chebyshev nodes of m^2 / k^2 between 0 and 1.
 double direction(int node) { return 0.5 + 0.5 * std::cos(std::numbers::pi * (node + 0.5) / kPanelNodes); }
 
-/// At nodes in k^2, as series in m^2 / k^2.
+/// Weights at nodes in k^2, as series in m^2 / k^2.
 Eigen::MatrixXd directions_at(const LayerSpectrum& layers, const std::array<double, kPanelNodes>& k2) {
   static const Eigen::MatrixXd transform = chebyshev_transform(kPanelNodes);
   Eigen::MatrixXd values(kPanelNodes * rows_of(layers), kPanelNodes);
@@ -101,7 +101,7 @@ Eigen::MatrixXd directions_at(const LayerSpectrum& layers, const std::array<doub
   return values;
 }
 
-/// T_0, T_1, ... at x.
+/// Chebyshev polynomials T_0, T_1, ... at x.
 Eigen::Vector<double, kPanelNodes> chebyshev_polynomials(double x) {
   Eigen::Vector<double, kPanelNodes> values;
   values[0] = 1.0;
@@ -114,7 +114,7 @@ double coordinate(const Panel<double>& panel, double k2) {
   return 2.0 * std::log(k2 / panel.low) / std::log(panel.high / panel.low) - 1.0;
 }
 
-/// One weight of an order m at k^2.
+/// Entries of one weight of an order m at k^2.
 Eigen::Vector<double, kEntries> value_at(const Panel<double>& panel, std::size_t weight, double m2, double k2) {
   const auto rows = panel.series.middleRows<kPerWeight>(kPerWeight * static_cast<Index>(weight));
   const Eigen::Vector<double, kPerWeight> at_k2 = rows * chebyshev_polynomials(coordinate(panel, k2));
@@ -128,7 +128,7 @@ void append(const Panel<double>& panel, OrderSeries& series) {
 }  // namespace
 
 WheelWeights::WheelWeights(const LayerSpectrum& layers, double highest_m, double highest_n, int threads, Watch& watch) {
-  constexpr double kPart = 16.0;  // of k^2, that one thread resolves
+  constexpr double kPart = 16.0;  // ratio of k^2 that one thread resolves
   const double most = highest_m * highest_m + highest_n * highest_n;
   std::vector<double> bounds{1.0};
   while (bounds.back() < most) bounds.push_back(std::min(kPart * bounds.back(), most));
@@ -150,7 +150,7 @@ WheelWeights::WheelWeights(const LayerSpectrum& layers, double highest_m, double
 }
 
 void WheelWeights::series(std::size_t weight, double m, double highest_n, OrderSeries& series) const {
-  // As powers of m^2 / k^2 the directions change over a panel; over this ratio of k^2 sixteen terms hold them.
+  // Powers of m^2 / k^2 vary over a panel; sixteen terms represent them over this ratio of k^2.
   constexpr double kRatio = 3.0;
   series.clear();
   const double highest = m * m + highest_n * highest_n;

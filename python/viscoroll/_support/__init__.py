@@ -1,1 +1,1 @@
-"""What all of the package shares: arguments, texts, tables, pictures, files; it knows no ball and no layer."""
+"""Code shared by the whole package: arguments, texts, tables, pictures, files. It does not depend on bodies."""

@@ -1,4 +1,4 @@
-"""Shape and type of arguments, settled once before they reach the core, which checks their values."""
+"""Checks and conversions of the shape and type of arguments; the core checks their values."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 Member = TypeVar("Member", bound=Enum)
 
-#: An array of real numbers, of any shape.
+#: Array of real numbers, of any shape.
 Floats: TypeAlias = NDArray[np.float64]
 
 __all__ = [
@@ -43,26 +43,26 @@ __all__ = [
 
 
 def require_type(name: str, value: object, kind: type | UnionType, *, optional: bool = False) -> None:
-    """Raise a TypeError for what is of another class of this package, or of none of several."""
+    """Raise a TypeError unless `value` is an instance of `kind`, or None if that is allowed (`optional`)."""
     if not (isinstance(value, kind) or (optional and value is None)):
         wanted = f"a {kind_names(kind)}{' or None' if optional else ''}"
         raise TypeError(f"{name} must be {wanted}, got {shown(value)}")
 
 
 def kind_names(kind: type | UnionType) -> str:
-    """Return the public name of a class of this package, or those of several."""
+    """Return the public name of a class of this package, or the names of several classes joined by "or"."""
     return " or ".join(f"viscoroll.{one.__name__}" for one in get_args(kind) or (kind,))
 
 
 def as_member(name: str, value: Member | str, kind: type[Member]) -> Member:
-    """Return a member of an enumeration, of which the name in any case serves as well.
+    """Return a member of an enumeration, given as such or by its name in upper or lower case.
 
     Raises
     ------
     TypeError
-        Where `value` is neither a member nor a text.
+        If `value` is neither a member nor a text.
     ValueError
-        For a text that names none.
+        If a text is not the name of a member.
     """
     if isinstance(value, kind):
         return value
@@ -75,7 +75,7 @@ def as_member(name: str, value: Member | str, kind: type[Member]) -> Member:
 
 
 def require_callable(name: str, value: object) -> None:
-    """Raise a TypeError for what is neither callable nor None."""
+    """Raise a TypeError if a value is neither callable nor None."""
     if value is not None and not callable(value):
         raise TypeError(f"{name} must be callable or None, got {shown(value)}")
 
@@ -86,9 +86,10 @@ def as_float(name: str, value: object) -> float:
     Raises
     ------
     TypeError
-        Where `value` is not a real number: a string, a complex number, an array of several, None.
+        If `value` is not a real number, but for example a string, a complex number, None or an array of several
+        numbers.
     ValueError
-        Where it is beyond the range of a float.
+        If the number is beyond the range of a float.
     """
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
@@ -117,7 +118,7 @@ def as_not_negative(name: str, value: object, unit: str = "") -> float:
 
 
 def as_kelvin(name: str, value: object) -> float:
-    """Return a temperature [K], which is refused below 100 K, where no rubber is rubber: most likely degrees C."""
+    """Return a temperature [K]; reject values below 100 K, where no rubber is rubbery: they are probably in °C."""
     temperature = as_float(name, value)
     if not 100.0 <= temperature < float("inf"):
         raise ValueError(f"{name} must be >= 100 K (20 °C are 293.15 K), got {temperature:g} K")
@@ -130,9 +131,9 @@ def as_int(name: str, value: object) -> int:
     Raises
     ------
     TypeError
-        Where `value` is not an integer.
+        If `value` is not an integer.
     ValueError
-        Where it does not fit into 32 bits.
+        If the number does not fit into 32 bits.
     """
     try:
         if isinstance(value, bool):
@@ -151,9 +152,9 @@ def as_float_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     Raises
     ------
     TypeError
-        Where an entry is not a real number.
+        If an entry is not a real number.
     ValueError
-        Where an entry is beyond the range of a float, or rows differ in length.
+        If an entry is beyond the range of a float, or if rows differ in length.
     """
     array = _each(as_float, name, _as_array(name, values))
     if array.dtype.kind not in "fiu":
@@ -167,13 +168,13 @@ def as_floats(name: str, values: ArrayLike) -> tuple[float, ...]:
     Raises
     ------
     TypeError
-        Where an entry is not a real number.
+        If an entry is not a real number.
     ValueError
-        Where `values` is not one-dimensional, or an entry is beyond the range of a float.
+        If `values` is not one-dimensional, or if an entry is beyond the range of a float.
     """
     if isinstance(values, list | tuple):
         for index, value in enumerate(values):
-            if isinstance(value, bool):  # which NumPy converts beside numbers
+            if isinstance(value, bool):  # NumPy converts it to a number in a list with numbers
                 raise TypeError(f"{name}[{index}] must be a real number, got {_described(value)}")
     array = _as_array(name, values, wanted="one-dimensional")
     if array.ndim != 1:
@@ -187,9 +188,9 @@ def as_orders(name: str, values: ArrayLike) -> NDArray[np.int32]:
     Raises
     ------
     TypeError
-        Where the entries are not integers.
+        If an entry is not an integer.
     ValueError
-        Where an entry is above 1e6 in size, beyond any order of use, or rows differ in length.
+        If an entry exceeds 1e6 in magnitude, which is more than any useful order, or if rows differ in length.
     """
     array = _each(as_int, name, _as_array(name, values))
     if array.dtype.kind not in "iu":
@@ -205,9 +206,9 @@ def store_floats(target: object, names: Sequence[str], *, optional: Sequence[str
     Raises
     ------
     TypeError
-        Where one is not a real number; the message names it behind `prefix`.
+        If an attribute is not a real number. The message gives the name of the attribute, preceded by `prefix`.
     ValueError
-        Where one is beyond the range of a float.
+        If an attribute is beyond the range of a float.
     """
     given = [name for name in optional if getattr(target, name) is not None]
     for name in (*names, *given):
@@ -215,7 +216,7 @@ def store_floats(target: object, names: Sequence[str], *, optional: Sequence[str
 
 
 def store_positive(target: object, units: dict[str, str]) -> None:
-    """Replace fields of a frozen dataclass, by their names with units, by finite floats > 0."""
+    """Replace the fields of a frozen dataclass that are keys of `units` by finite floats > 0, or raise an error."""
     for name, unit in units.items():
         object.__setattr__(target, name, as_positive(name, getattr(target, name), unit))
 
@@ -228,7 +229,7 @@ def _as_array(name: str, values: ArrayLike, *, wanted: str = "an array") -> NDAr
 
 
 def _each(convert: Callable[[str, object], Any], name: str, array: NDArray[Any]) -> NDArray[Any]:
-    """Convert the entries of an array of objects one by one: NumPy keeps integers beyond 64 bits as such."""
+    """Convert the entries of an array of objects one by one: NumPy stores integers beyond 64 bits as objects."""
     if array.dtype.kind != "O":
         return array
     entries = [
@@ -241,6 +242,6 @@ def _each(convert: Callable[[str, object], Any], name: str, array: NDArray[Any])
 def _described(value: Any) -> str:
     if isinstance(value, np.ndarray):
         return f"array of shape {value.shape}"
-    if isinstance(getattr(value, "value", None), float):  # with an interval
+    if isinstance(getattr(value, "value", None), float):  # a value with an interval, as `Parameter`
         return f"{shown(value)}; give its value"
     return f"{type(value).__name__} {shown(value)}"

@@ -1,4 +1,4 @@
-"""What a user should know before relying on a result, as Python's own warnings."""
+"""Warnings about results, as Python warnings."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ if TYPE_CHECKING:
 
 __all__ = ["ResultWarning", "kept_in_results", "warn"]
 
-#: Python's own filters belong to all threads at once; studies solve on many.
+#: Whether `warn` is silent in this context. Python's warning filters apply to all threads, and studies use many.
 _SILENT: ContextVar[bool] = ContextVar("silent", default=False)
 
 
 class ResultWarning(UserWarning):
-    """A result that is less certain than a user might think: its mesh, its accuracy, or its strain.
+    """Warning that a result is less certain than it seems, because of its mesh, its accuracy or its strain.
 
-    The same texts stand in `Result.warnings`; ``warnings.simplefilter("ignore", viscoroll.ResultWarning)`` silences
-    them, ``"error"`` in place of ``"ignore"`` makes them exceptions.
+    `Result.warnings` contains the same texts. ``warnings.simplefilter("ignore", viscoroll.ResultWarning)`` silences
+    these warnings; ``"error"`` instead of ``"ignore"`` turns them into exceptions.
     """
 
 
 def warn(messages: Iterable[str]) -> None:
-    """Warn of every message, as seen from the call into this package."""
+    """Issue a `ResultWarning` for every message, attributed to the call into this package."""
     if _SILENT.get():
         return
     for message in messages:
@@ -34,7 +34,7 @@ def warn(messages: Iterable[str]) -> None:
 
 
 def _calls_within() -> int:
-    """Return how many calls the caller of this function is away from code outside of this package."""
+    """Return the number of calls between the caller of this function and code outside of this package."""
     package = __name__.partition(".")[0]
     frame, calls = sys._getframe(1), 0
     while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == package:
@@ -44,7 +44,7 @@ def _calls_within() -> int:
 
 @contextmanager
 def kept_in_results() -> Iterator[None]:
-    """Leave what there is to warn of to the results, for those who count it over many of them."""
+    """Suppress `warn` in a block whose caller evaluates the warnings in the results instead."""
     token = _SILENT.set(True)
     try:
         yield

@@ -1,4 +1,4 @@
-"""Packages that only some parts of viscoroll need, imported where they do."""
+"""Imports of optional packages, which only some parts of viscoroll need."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ __all__ = ["extra"]
 
 
 @dataclass(frozen=True, slots=True)
-class extra:  # noqa: N801  (read as a word of the language: `with extra("plot"): import matplotlib`)
-    """Import packages of an extra, with a message that says how to get them.
+class extra:  # noqa: N801  (used like a statement: `with extra("plot"): import matplotlib`)
+    """Context for imports of packages of an extra; if a package is missing, the error says how to install it.
 
     Parameters
     ----------
     name : str
-        The extra of viscoroll that installs them.
+        Extra of viscoroll that installs the packages.
 
     Raises
     ------
     ImportError
-        Where one is not installed, with the command that installs it; its `name` is the package.
+        If a package is not installed. The message gives the command that installs it; `name` is the package.
 
     Examples
     --------
@@ -37,12 +37,12 @@ class extra:  # noqa: N801  (read as a word of the language: `with extra("plot")
     name: str
 
     def __enter__(self) -> None:
-        """Begin."""
+        """Enter the context."""
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
-        """Name extra and command where a package is missing."""
+        """Raise an ImportError with the command that installs the extra if a package is missing."""
         if isinstance(error, ModuleNotFoundError) and error.name is not None:
             package = error.name.partition(".")[0]
             if package != "viscoroll":

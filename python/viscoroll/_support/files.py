@@ -1,4 +1,4 @@
-"""Files that results are written to: by the suffix of the path, as a table or as netCDF."""
+"""Output files of results: CSV tables, netCDF, pictures and text, each written completely or not at all."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _Saved = TypeVar("_Saved")
 
 
 def ending_in(suffixes: Collection[str], path: str | Path, *, name: str = "path") -> Path:
-    """Return a path that ends in one of some suffixes, in capitals or not; refuse others."""
+    """Return a path that ends in one of `suffixes`, in upper or lower case; raise a ValueError for others."""
     path = Path(path)
     if path.suffix.lower() not in suffixes:
         *others, last = suffixes
@@ -33,32 +33,32 @@ def ending_in(suffixes: Collection[str], path: str | Path, *, name: str = "path"
 
 
 def save(saved: _Saved, path: str | Path, formats: Mapping[str, Callable[[_Saved, Path], object]]) -> None:
-    """Write a file by that one of some functions, by suffix, which the path names; refuse other suffixes."""
+    """Write a file with the function of `formats` for the suffix of the path; raise a ValueError for others."""
     path = ending_in(formats, path)
     formats[path.suffix.lower()](saved, path)
 
 
 @contextlib.contextmanager
 def draft_of(path: Path) -> Iterator[Path]:
-    """Open a block that writes a draft of a file: the file appears complete when the block ends, or not at all.
+    """Open a block that writes a draft of a file, which replaces the file when the block ends without an error.
 
     Yields
     ------
     Path
-        The draft, beside the file and with its suffix. It is removed if the block fails.
+        Path of the draft, in the folder of the file and with its suffix. The draft is removed if the block fails.
 
     Raises
     ------
     OSError
-        If the block raises one, with the name of the file: libraries report a full disk without it.
+        If the block raises an OSError. The name of the file is added, which libraries omit for a full disk.
     """
-    target = path.resolve()  # a symbolic link stays one
+    target = path.resolve()  # replace the target of a symbolic link, not the link
     draft = target.with_name(f"{target.stem}.writing{target.suffix}")
     try:
         yield draft
         draft.replace(target)
     except OSError as error:
-        if error.filename not in (None, str(draft)):  # of another file
+        if error.filename not in (None, str(draft)):  # the error concerns another file
             raise
         reason = error.strerror or f"cannot be written, the disk may be full ({error})"
         raise OSError(error.errno or errno.EIO, reason, str(path)) from None
@@ -68,7 +68,7 @@ def draft_of(path: Path) -> Iterator[Path]:
 
 
 def write_csv(columns: Mapping[str, Sequence[Any]], path: Path) -> None:
-    """Write columns of equal lengths, below their names, which hold the units."""
+    """Write columns of equal lengths as CSV, below their names, which contain the units."""
     with draft_of(path) as draft, draft.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(columns)
@@ -76,8 +76,8 @@ def write_csv(columns: Mapping[str, Sequence[Any]], path: Path) -> None:
 
 
 def save_picture(figure: Figure, path: Path) -> None:
-    """Write a figure in the format of the suffix."""
-    content = BytesIO()  # where writing fails, matplotlib raises errors that hide those of the file
+    """Write a figure in the format that the suffix of the path gives."""
+    content = BytesIO()  # if writing fails, matplotlib raises errors that hide those of the file
     figure.savefig(content, format=path.suffix.lower().removeprefix("."), dpi=150)
     with draft_of(path) as draft:
         draft.write_bytes(content.getvalue())
@@ -90,11 +90,11 @@ def write_text(text: str, path: Path) -> None:
 
 
 def write_netcdf(dataset: xarray.Dataset, path: Path, *, encoding: Mapping[str, Any] | None = None) -> None:
-    """Write a dataset as netCDF; `encoding` is that of ``xarray.Dataset.to_netcdf``."""
+    """Write a dataset as netCDF; `encoding` is the argument of ``xarray.Dataset.to_netcdf``."""
     with extra("files"):
-        import netCDF4  # noqa: F401  (what xarray writes with)
+        import netCDF4  # noqa: F401  (xarray writes with it)
     with draft_of(path) as draft:
-        draft.touch()  # raises what is true: netCDF4 reports a PermissionError for a full disk, too
+        draft.touch()  # raises the true error; netCDF4 reports a PermissionError also for a full disk
         try:
             dataset.to_netcdf(draft, engine="netcdf4", encoding=encoding)
         except (OSError, RuntimeError) as error:

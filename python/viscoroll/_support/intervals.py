@@ -1,4 +1,4 @@
-"""How far a number may lie from what was found, by draws of it."""
+"""Intervals of results, from the scatter of draws."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["as_confidence", "half_width", "student"]
 
 
 def as_confidence(confidence: object) -> float:
-    """Return a probability, or raise a TypeError or ValueError."""
+    """Return a confidence level in (0, 1) as a float, or raise a TypeError or ValueError."""
     number = as_float("confidence", confidence)
     if not 0.0 < number < 1.0:
         raise ValueError(f"confidence must be in (0, 1), got {number!r}")
@@ -19,10 +19,10 @@ def as_confidence(confidence: object) -> float:
 
 
 def half_width(draws: Floats, confidence: float) -> Floats:
-    """Return half the width of intervals, by the scatter of draws along the first axis.
+    """Return half the width of intervals, from the scatter of draws along the first axis.
 
-    By Student's quantile, whose error is that of the standard deviation: 7 % of a width of 100 draws. Quantiles of so
-    few draws scatter twice as much, and cover less than they claim.
+    The width is Student's quantile times the standard deviation, whose error is 7 % with 100 draws. Empirical quantiles
+    of so few draws scatter twice as much, and their intervals cover less than the confidence level.
     """
     return np.asarray(student(confidence, len(draws) - 1) * np.std(draws, axis=0, ddof=1))
 

@@ -1,4 +1,4 @@
-"""What was meant by keyword arguments that a function does not have."""
+"""Suggestions for unknown keyword arguments."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 _SHEAR = "E / (2 (1 + nu))"
 _YOUNG = "E Y youngs_modulus young_modulus elastic_modulus"
 
-#: Names that users try, in any case, what they are called here, and how that follows where it is another number.
+#: Names that users try, in upper or lower case; the parameter's name here; and its formula if its value differs.
 _SYNONYMS = (
     ("h t height", "thickness", ""),
     (f"{_YOUNG} tensile_modulus", "shear_modulus", _SHEAR),
@@ -69,14 +69,14 @@ _SYNONYMS = (
 
 
 def meant(name: str, known: Collection[str]) -> str:
-    """Return what may have been meant by a name, as code, or nothing.
+    """Return a suggestion for an unknown name, as code, or an empty text.
 
     Parameters
     ----------
     name : str
-        What was given.
+        The unknown name.
     known : collection of str
-        Names that there are.
+        The valid names.
 
     Examples
     --------
@@ -90,7 +90,7 @@ def meant(name: str, known: Collection[str]) -> str:
 
 
 def explained(function: _Function) -> _Function:
-    """Return a function whose TypeError for unknown keyword arguments says what was meant by them."""
+    """Return a function whose TypeError for unknown keyword arguments suggests the right ones."""
 
     @functools.wraps(function)
     def call(*arguments: Any, **keywords: Any) -> Any:
@@ -110,18 +110,18 @@ def explained(function: _Function) -> _Function:
 
 
 def explain_keywords(namespace: dict[str, Any]) -> None:
-    """Explain unknown keyword arguments of all functions and classes in ``__all__`` of a module."""
+    """Apply `explained` to all functions and classes in ``__all__`` of a module."""
     for name in namespace["__all__"]:
         value = namespace[name]
         if isinstance(value, FunctionType):
             namespace[name] = explained(value)
-            namespace[name].__module__ = namespace["__name__"]  # by which pickles find it
+            namespace[name].__module__ = namespace["__name__"]  # pickle finds the function by it
         elif isinstance(value, type) and "__init__" in vars(value):
             value.__init__ = explained(value.__init__)  # type: ignore[misc]
 
 
 def _is_of_the_call(error: TypeError) -> bool:
-    """Whether an error was raised by a call of this module itself: there is no frame below."""
+    """Whether the call in this module itself raised an error, so that its traceback has no frame below."""
     return error.__traceback__ is not None and error.__traceback__.tb_next is None
 
 

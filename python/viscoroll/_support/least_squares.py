@@ -1,4 +1,4 @@
-"""Least squares with confidence intervals."""
+"""Least-squares fits with confidence intervals."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ __all__ = ["Fit", "Parameter", "fit_law", "with_intervals"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter:
-    """A fitted parameter.
+    """Fitted parameter with its confidence interval.
 
     Attributes
     ----------
     value : float
         Best value, in `unit`.
     lower, upper : float
-        Its confidence interval, in `unit`.
+        Ends of the confidence interval, in `unit`.
     unit : str
         SI unit.
     """
@@ -42,22 +42,23 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class Fit:
-    """A law with fitted parameters.
+    """Law with fitted parameters.
 
     Attributes
     ----------
     law : str
-        The formula.
+        Formula of the law.
     parameters : mapping of str to Parameter
-        By name, in the order of `covariance`.
+        Parameters by name, in the order of `covariance`.
     covariance : ndarray
-        Covariance of the parameters.
+        Covariance matrix of the parameters.
     confidence : float
-        Probability that an interval holds the true value [-], for errors that are independent, normal and of one size.
+        Probability that an interval contains the true value [-], for errors that are independent, normal and of equal
+        size.
     r_squared : float
-        1 - (squared residuals) / (squared deviations from the mean) [-]; NaN where the torque does not vary.
+        1 - (squared residuals) / (squared deviations from the mean) [-]; NaN if the torque does not vary.
     degrees_of_freedom : int
-        Points less parameters.
+        Number of points minus number of parameters.
     """
 
     law: str
@@ -74,7 +75,7 @@ class Fit:
         Parameters
         ----------
         x : array_like
-            Load [N], thickness [m] or friction [-], of any shape.
+            Load [N], thickness [m] or coefficient of friction [-], of any shape.
 
         Returns
         -------
@@ -84,12 +85,12 @@ class Fit:
         return np.asarray(self._model(np.asarray(x, dtype=np.float64), *self._values()))
 
     def confidence_band(self, x: ArrayLike) -> tuple[Floats, Floats]:
-        """Return bounds of the law itself, point by point, to first order in the parameters.
+        """Return pointwise confidence bounds of the law, to first order in the parameters.
 
         Parameters
         ----------
         x : array_like
-            As of `predict`.
+            Same as in `predict`.
 
         Returns
         -------
@@ -108,7 +109,7 @@ class Fit:
         return torque - margin, torque + margin
 
     def __repr__(self) -> str:
-        """Return the law, its parameters and intervals."""
+        """Return a text with the law, its parameters and their intervals."""
         rows = [
             f"  {name} = {p.value:.6g} {p.unit} in [{p.lower:.6g}, {p.upper:.6g}]"
             for name, p in self.parameters.items()
@@ -128,14 +129,14 @@ def fit_law(
     units: dict[str, str],
     confidence: float,
 ) -> Fit:
-    """Fit ``model(x, *parameters)`` to `y` from `start`; `units` names the parameters.
+    """Fit ``model(x, *parameters)`` to `y`, starting from `start`; `units` has the names of the parameters.
 
     Raises
     ------
     ValueError
-        For a confidence out of range, and where the data do not determine the parameters.
+        For a confidence out of range, or if the data do not determine the parameters.
     ConvergenceError
-        Where the iteration does not converge.
+        If the iteration does not converge.
     """
     with extra("studies"):
         from scipy.optimize import least_squares
@@ -173,7 +174,7 @@ def fit_law(
 def with_intervals(
     units: Mapping[str, str], values: Floats, covariance: Floats, confidence: float, degrees_of_freedom: int
 ) -> dict[str, Parameter]:
-    """Return the parameters that `units` names, with their intervals by the quantiles of Student."""
+    """Return the parameters, named by `units`, with intervals from Student's quantiles."""
     margins = student(confidence, degrees_of_freedom) * np.sqrt(np.diag(covariance))
     return {
         name: Parameter(value=float(v), lower=float(v - m), upper=float(v + m), unit=unit)

@@ -1,4 +1,4 @@
-"""What all pictures share, with matplotlib (the extra `viscoroll[plot]`)."""
+"""Base of all pictures, with matplotlib (the extra `viscoroll[plot]`)."""
 
 from __future__ import annotations
 
@@ -17,10 +17,13 @@ __all__ = ["Picture", "drawn"]
 
 
 class Picture(Figure):
-    """A figure that a notebook shows as the value of a cell, once: pyplot, which shows its own, knows nothing of it."""
+    """Figure that a notebook displays as the value of a cell.
+
+    The figure is not registered with pyplot, which would display it a second time.
+    """
 
     def _repr_png_(self) -> bytes:
-        """Return the picture, for notebooks in which matplotlib has not been set up to do so."""
+        """Return the picture as PNG, for notebooks in which matplotlib has not registered a formatter."""
         file = BytesIO()
         self.savefig(file, format="png", bbox_inches="tight")
         return file.getvalue()
@@ -33,28 +36,28 @@ def drawn(
     figsize: tuple[float, float],
     compose: Callable[[Picture], object] | None = None,
 ) -> Picture | Axes:
-    """Draw into axes of the caller's, or a new picture.
+    """Draw into the caller's axes, or into a new picture.
 
     Parameters
     ----------
     draw : callable
         Called with the axes.
     ax : matplotlib.axes.Axes or None
-        The caller's.
+        Axes of the caller; None for a new picture.
     figsize : (float, float)
-        Of a new picture [inch].
+        Size of a new picture [inch].
     compose : callable, optional
-        Called with a new picture, of which the axes that `draw` fills are one part; without it they are all.
+        Called with a new picture that has more than the axes for `draw`. By default, the picture has only these axes.
 
     Returns
     -------
     Picture or matplotlib.axes.Axes
-        What a notebook shows once: the new picture, or the axes, whose figure shows itself.
+        The new picture, which a notebook displays once, or `ax`.
 
     Raises
     ------
     TypeError
-        Where `ax` is something else.
+        If `ax` is neither axes nor None.
     """
     if ax is None:
         picture = Picture(figsize=figsize, layout="constrained")
@@ -70,7 +73,7 @@ def drawn(
 
 
 def _way_to_a_file(target: object) -> str:
-    """Say how a picture gets to the file that was given in place of axes."""
+    """Return a hint how to save a figure if a file was given instead of axes, else an empty text."""
     if not isinstance(target, str | PathLike):
         return ""
     return f"; without ax there is a figure, whose savefig({shown(fspath(target))}) writes a file"

@@ -1,4 +1,4 @@
-"""Methods `plot`: what type checkers know of them, and what their docstrings have in common."""
+"""Common type and common docstring sections of the methods `plot`."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ ImportError
 
 
 class _Plot(Protocol):
-    """A method of an object."""
+    """Type of the method `plot` of an object."""
 
     @overload
     def __call__(self) -> Figure: ...
@@ -42,22 +42,22 @@ class _Plot(Protocol):
 
 
 class _Method(Protocol):
-    """A method of a class."""
+    """Type of the method `plot` of a class."""
 
     def __get__(self, instance: object, owner: type | None = None, /) -> _Plot: ...
 
 
 def plots(part: str) -> Callable[[Callable[[Any, Axes | None], Figure | Axes]], _Method]:
-    """Tell type checkers, and readers of its docstring, that a method draws a new figure, or into axes of the caller's.
+    """Return a decorator that adds type and docstring sections to a method drawing a new figure or into given axes.
 
     Parameters
     ----------
     part : str
-        What it draws into the caller's.
+        Noun or pronoun for what the method draws into given axes.
     """
 
     def told(method: Callable[[Any, Axes | None], Figure | Axes]) -> _Method:
-        if method.__doc__:  # python -OO has none
+        if method.__doc__:  # None with python -OO
             method.__doc__ = inspect.cleandoc(method.__doc__) + _TOLD.format(part=part)
         return cast(_Method, method)
 

@@ -1,4 +1,4 @@
-"""How a caller sees how far a long computation is: by a function of its own, or by a bar."""
+"""Progress reports of long computations, to a function of the caller or a bar."""
 
 from __future__ import annotations
 
@@ -13,26 +13,26 @@ from .text import shown
 
 __all__ = ["ProgressLike", "Report", "counted", "reporting"]
 
-#: Called with what is being done, in words, and the share of it that is done.
+#: Function called with the current stage, in words, and the completed fraction of it [-].
 Report: TypeAlias = Callable[[str, float], object]
 
-#: True for a bar, a function for one's own, False or None for nothing.
+#: True for a bar, a function of the caller, False or None for no reports.
 ProgressLike: TypeAlias = bool | Report | None
 
 
 @contextmanager
 def reporting(progress: ProgressLike) -> Iterator[Report | None]:
-    """Hand out what a computation reports to, and end the bar with the block.
+    """Yield the function to which a computation reports, or None; the bar ends with the block.
 
     Parameters
     ----------
     progress : bool or callable or None
-        As the caller gave it.
+        Argument of the caller.
 
     Raises
     ------
     TypeError
-        Where it is something else.
+        If `progress` has another type.
     ImportError
         For True, without the extra `viscoroll[studies]`.
     """
@@ -56,21 +56,21 @@ def reporting(progress: ProgressLike) -> Iterator[Report | None]:
 
 @contextmanager
 def counted(progress: ProgressLike, *, total: int, unit: str, done: int = 0) -> Iterator[Callable[[], None]]:
-    """Hand out what is to be called after each of so many parts, and end the bar with the block.
+    """Yield a function to call after each part of a computation; the bar ends with the block.
 
     Parameters
     ----------
     progress : bool or callable or None
-        As the caller gave it; a function is called as progress("<unit>s", share of them that is done).
+        Argument of the caller. A function is called as progress("<unit>s", completed fraction).
     total, done : int
-        Number of parts, and of those done before.
+        Number of parts, and number of parts that are completed already (default 0).
     unit : str
-        What a part is.
+        Noun for a part.
 
     Raises
     ------
     TypeError, ImportError
-        As of `reporting`.
+        Same as in `reporting`.
     """
     if progress is True:
         with _bars()(total=total, initial=done, unit=unit) as bar:
@@ -90,11 +90,11 @@ def counted(progress: ProgressLike, *, total: int, unit: str, done: int = 0) -> 
 
 @cache
 def _bars() -> Any:
-    """Return the kind of bar for where this runs, of a notebook or of a terminal.
+    """Return the class of bars for this environment, a notebook or a terminal.
 
-    Found once: filters of warnings belong to all threads.
+    The result is cached, because the import changes the warning filters, which apply to all threads.
     """
     with extra("studies"), warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # without ipywidgets a notebook shows the bar of a terminal, which will do
+        warnings.simplefilter("ignore")  # without ipywidgets, a notebook shows a text bar
         from tqdm.auto import tqdm
     return tqdm

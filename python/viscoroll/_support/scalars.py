@@ -1,4 +1,4 @@
-"""Classes whose attributes are scalars that tables of the core describe."""
+"""Classes whose attributes are the scalars in tables of the core."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _Class = TypeVar("_Class", bound=type)
 
 
 def units_in_contact(scalars: Iterable[ScalarDescription], *, line_contact: bool) -> dict[str, str]:
-    """Return the unit of every scalar; in line contact forces, torques and energies are per length."""
+    """Return the unit of every scalar by name; in line contact, forces, torques and energies are per length."""
     return {scalar.name: unit_in_contact(scalar.unit, line_contact=line_contact) for scalar in scalars}
 
 
@@ -34,9 +34,9 @@ def with_scalars(scalars: Iterable[ScalarDescription], *, kind: str | None = Non
     Parameters
     ----------
     scalars : iterable of ScalarDescription
-        The table of the core.
+        Table of the core.
     kind : str, optional
-        Type of all attributes; by default that of each scalar.
+        Type of all attributes; by default, the type of each scalar in the table.
     """
 
     def described(owner: _Class) -> _Class:
@@ -49,7 +49,7 @@ def with_scalars(scalars: Iterable[ScalarDescription], *, kind: str | None = Non
 
 
 def _entry(scalar: ScalarDescription, kind: str) -> str:
-    """Return a scalar's entry in a section of attributes."""
+    """Return the entry of a scalar for the section Attributes of a docstring."""
     unit = "-" if scalar.unit == "1" else scalar.unit
     text = f"{scalar.label[0].upper()}{scalar.label[1:]} [{unit}]. {scalar.details}".rstrip()
     return f"{scalar.name} : {kind}\n" + textwrap.indent(textwrap.fill(text, 112), "    ")

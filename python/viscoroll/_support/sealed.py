@@ -1,6 +1,6 @@
-"""Checksums of netCDF files, checked before the netCDF library reads a file, which may crash on a damaged one.
+"""Checksums of netCDF files, verified before the netCDF library reads a file, because it may crash on damaged files.
 
-The checksum stands behind the content, where other programs do not read.
+The checksum follows the content of the file, where other programs do not read.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ _LENGTH = len(_MARK) + 64
 
 
 def seal(draft: Path) -> None:
-    """Append the checksum of its content to the draft of a file."""
+    """Append to a draft of a file the checksum of its content."""
     checksum = _checksum(draft.read_bytes())
     with draft.open("ab") as file:
         file.write(_MARK + checksum)
 
 
 def load_sealed(path: Path) -> xarray.Dataset:
-    """Return the dataset of a netCDF file that has its checksum.
+    """Return the dataset of a netCDF file, after verifying its checksum.
 
     Raises
     ------

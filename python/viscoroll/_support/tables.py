@@ -1,4 +1,4 @@
-"""Small tables with units, as notebooks show them."""
+"""Small HTML tables with units, for notebooks."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from .units import UNITS
 
 __all__ = ["ParameterTable", "handy", "html_table", "number_text", "unit_text"]
 
-#: Of a long sequence so many entries are shown at its beginning, and one at its end.
+#: Number of entries that are displayed at the beginning of a long sequence, in addition to the last entry.
 _SHOWN = 4
 
-#: Prefixes of units that people read, and of which units.
+#: Factors of the prefixes that `handy` uses, and units that take a prefix.
 _PREFIXES = {"M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3}
 _PREFIXED = frozenset({"m", "m^2", "m/s", "N", "N m", "N/m", "Pa", "W", "W/m"})
 
-#: Notebooks align text to the right, which suits numbers alone.
+#: HTML attribute for text cells: by default, notebooks align them to the right.
 _LEFT = ' style="text-align: left"'
 
 
@@ -30,7 +30,7 @@ def html_table(title: str, rows: Iterable[Sequence[str]], *, head: Sequence[str]
     Parameters
     ----------
     title : str
-        What stands above it.
+        Caption above the table.
     rows : iterable of sequence of str
         Texts of the cells.
     head : sequence of str, optional
@@ -41,17 +41,17 @@ def html_table(title: str, rows: Iterable[Sequence[str]], *, head: Sequence[str]
 
 
 def number_text(value: object) -> str:
-    """Return a number with six digits, and "undetermined" for none."""
+    """Return a number with six digits, or "undetermined" for None."""
     return "undetermined" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
 def unit_text(unit: str) -> str:
-    """Return a unit as it is written: nothing for a pure number."""
+    """Return a unit as text; empty for a dimensionless quantity."""
     return "" if unit == "1" else unit
 
 
 def handy(values: Sequence[float | None], unit: str) -> tuple[list[str], str]:
-    """Return numbers as people read them: five digits, and one unit for all with the prefix that suits the largest.
+    """Return numbers with five digits, and their common unit with the prefix that suits the largest number.
 
     Examples
     --------
@@ -75,18 +75,18 @@ def _factor(prefix: str, unit: str) -> float:
 
 
 class ParameterTable:
-    """Base of inputs whose parameters a notebook shows as a table, those of what they hold in tables within."""
+    """Base of inputs whose parameters a notebook displays as a table, with nested tables for nested inputs."""
 
     __slots__ = ()
 
     def _repr_html_(self) -> str:
-        """Return the parameters with units."""
+        """Return a table of the parameters with units, as HTML."""
         rows = [_row([escape(name.replace("_", " ")), *_cells(name, value)]) for name, value in _given(self)]
         return _framed(type(self).__name__, "".join(rows))
 
 
 def _given(holder: Any) -> list[tuple[str, Any]]:
-    """Return name and value of what was given, and of what of the shape follows from it."""
+    """Return names and values of the parameters that are not None, and the outer radius if there is one."""
     pairs = [(field.name, getattr(holder, field.name)) for field in fields(holder)]
     if hasattr(holder, "outer_radius"):
         pairs.append(("outer_radius", holder.outer_radius))
@@ -112,7 +112,7 @@ def _cells(name: str, value: Any) -> tuple[str, str]:
 
 
 def _few(values: tuple[float, ...]) -> str:
-    """Return some of many numbers, and how many there are."""
+    """Return the text of a sequence; for a long one, some of its numbers and its length."""
     if len(values) <= _SHOWN + 1:
         return ", ".join(map(number_text, values)) or "none"
     return f"{', '.join(map(number_text, values[:_SHOWN]))}, …, {number_text(values[-1])} ({len(values)})"

@@ -1,4 +1,4 @@
-"""Content of TOML files."""
+"""Reader of TOML files."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def read_toml(path: Path) -> dict[str, Any]:
     Raises
     ------
     ValueError
-        If the content is not TOML. The caller adds the name of the file.
+        If the content is not TOML. The message does not give the name of the file, which the caller adds.
     OSError
         If the file cannot be read.
     """
@@ -23,5 +23,5 @@ def read_toml(path: Path) -> dict[str, Any]:
         return tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except RecursionError:
         raise ValueError("not a TOML file: nested too deeply") from None
-    except ValueError as error:  # TOMLDecodeError and UnicodeDecodeError are, and integers of thousands of digits
+    except ValueError as error:  # TOMLDecodeError, UnicodeDecodeError, or too many digits of an integer
         raise ValueError(f"not a TOML file: {error}") from None

@@ -1,13 +1,13 @@
-"""Units of what this package takes and gives, by name."""
+"""Units of parameters, by name, and units in line contact."""
 
 from __future__ import annotations
 
 __all__ = ["UNITS", "unit_in_contact"]
 
-#: Units in line contact of what is counted per length there.
+#: Units in line contact of quantities that are per length there.
 _PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "J": "J/m", "m^2": "m"}
 
-#: Units of the parameters that this package names; drives add theirs.
+#: Units of parameters of this package.
 UNITS = {
     "load": "N",
     "angular_speed": "rad/s",
@@ -52,5 +52,5 @@ UNITS = {
 
 
 def unit_in_contact(unit: str, *, line_contact: bool) -> str:
-    """Return a unit as it is in a spot, or in line contact, where forces, torques, powers and areas are per length."""
+    """Return a unit in point or line contact; in line contact, forces, torques, powers and areas are per length."""
     return _PER_LENGTH.get(unit, unit) if line_contact else unit

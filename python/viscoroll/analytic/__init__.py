@@ -1,4 +1,4 @@
-"""Closed forms to set beside the solver: each holds in a limit, and none is used by it.
+"""Closed forms for comparison with the solver, each valid in a limit. The solver does not use them.
 
     >>> from viscoroll import StandardLinearSolid, analytic
     >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
@@ -9,12 +9,12 @@
 
 Contacts at rest: `hertz`, `hertz_ellipse`, `thin_compressible_layer`, `thin_incompressible_layer`. Resisting torques:
 `low_speed_torque` with one of the times `loss_time`, `sphere_loss_time` and `brilliantov_poschel_time`;
-`greenwood_tabor_torque` and `persson_torque`, of crowned wheels, too; `winkler_torque` of a thin coating. Of rollers,
-per length: `hertz_line`, `thin_compressible_layer_line` and `thin_incompressible_layer_line` at rest,
-`winkler_torque_line` of a thin coating, `hunter` on a half-plane, and the traction of `carter_force`. `applicable` says
-which torques a body has. Loads and speeds may be arrays.
+`greenwood_tabor_torque` and `persson_torque`, also for crowned wheels; `winkler_torque` for a thin coating. For
+rollers, per unit length: `hertz_line`, `thin_compressible_layer_line` and `thin_incompressible_layer_line` at rest,
+`winkler_torque_line` for a thin coating, `hunter` on a half-plane, and the traction of `carter_force`. `applicable`
+returns the torques that are valid for a body. Loads and speeds may be arrays.
 
-All quantities are in SI units and all moduli are shear moduli, but where a name says otherwise.
+All quantities are in SI units, and all moduli are shear moduli unless a name says otherwise.
 """
 
 from .._support.keywords import explain_keywords

@@ -1,4 +1,4 @@
-"""What contacts at rest have in common: the shape of their pressure, and how large they are on layers."""
+"""Contacts at rest: shape of the pressure, and estimate of the contact size on layers."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ __all__ = ["Coating", "PressureBell", "load_and_sizes", "reach_at_rest"]
 
 
 class Coating(Protocol):
-    """Layers on what rolls, and the radius of the gap: all that closed forms know of a body."""
+    """Properties of a body that closed forms use: its layers, and the radius of the gap before deformation."""
 
     @property
     def layers(self) -> Sequence[Layer]: ...
@@ -34,7 +34,7 @@ class Coating(Protocol):
 
 
 class PressureBell:
-    """Pressure p₀ (1 - s²/a²)ᵏ at the distance s from the middle of a contact."""
+    """Pressure p₀ (1 - s²/a²)ᵏ at the distance s from the center of a contact."""
 
     __slots__ = ()
 
@@ -43,11 +43,11 @@ class PressureBell:
 
     @property
     def reach(self) -> Floats:
-        """Distance a of the edge from the middle [m]."""
+        """Distance a of the edge from the center [m]."""
         raise NotImplementedError
 
     def pressure(self, distance: ArrayLike) -> Floats:
-        """Pressure at a distance from the middle [Pa], 0 outside of the contact.
+        """Return the pressure at a distance from the center [Pa], 0 outside the contact.
 
         Parameters
         ----------
@@ -69,7 +69,7 @@ class PressureBell:
         return plain(self.max_pressure * inside**self.exponent)
 
 
-#: A contact at rest on a thick or thin layer, by keywords.
+#: Function that returns a contact at rest on a thick or a thin layer, with keyword arguments.
 _Limit: TypeAlias = "Callable[..., _Contact]"
 
 
@@ -81,10 +81,11 @@ class _Contact(Protocol):
 def reach_at_rest(
     body: Coating, load: ArrayLike, *, thick: _Limit, squeezed: _Limit, springs: _Limit
 ) -> NDArray[np.float64]:
-    """Estimate radius or half width at rest [m], of layers as if mixed: the lesser of the thick and the thin limit.
+    """Estimate the contact radius or half-width at rest [m], the smaller one of the thick and the thin limit.
 
-    Of the thin limits, squeezed out sideways or a bed of springs, the larger one counts, since a thin layer gives way
-    in both manners at once.
+    Several layers are replaced by one with the mean compliance and the mean Poisson's ratio. There are two thin limits,
+    a layer that is squeezed out sideways and a bed of springs. The larger one is used, since a thin layer deforms in
+    both ways at once.
     """
     h = body.thickness
     mixed = [(layer.thickness / h, *at_rest(layer)) for layer in body.layers]
@@ -99,5 +100,5 @@ def reach_at_rest(
 def load_and_sizes(
     load: ArrayLike, unit: str, radius: float, thickness: float
 ) -> tuple[NDArray[np.float64], float, float]:
-    """Return load, radius and thickness of a thin layer, checked."""
+    """Check load, radius and thickness of a thin layer, and return them."""
     return positives("load", load, unit), as_positive("radius", radius, "m"), as_positive("thickness", thickness, "m")

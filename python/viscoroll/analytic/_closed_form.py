@@ -1,4 +1,4 @@
-"""A closed form of the torque, and what layers must have in common for one."""
+"""Closed form of the resisting torque, and conditions that it imposes on the layers."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ __all__ = ["ClosedForm", "at_rest", "is_homogeneous", "is_known_throughout", "is
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ClosedForm:
-    """Resisting torque of one ball or roller by a closed form, and where it is valid.
+    """Closed form of the resisting torque of one body, with its range of validity.
 
     Attributes
     ----------
     torque : callable
-        torque(load, angular_speed) → T [N m], of P [N] and Ω [rad/s], which may be arrays; of a roller T and P are per
-        length [N, N/m]. Calling the object does it.
+        torque(load, angular_speed) → T [N m], for loads P [N] and angular speeds Ω [rad/s], which may be arrays. For
+        rollers T and P are per unit length [N, N/m]. Calling the object is equivalent.
     holds : callable
         holds(load, angular_speed) → array of bool: whether contact and speed are small enough for the form, so that
-        these add no more than about 10 % to the errors it has of its own.
+        they add at most about 10 % to its other errors.
     validity : str
-        The same in words.
+        Condition of `holds` in words.
     """
 
     torque: Callable[[ArrayLike, ArrayLike], Floats]
@@ -42,23 +42,23 @@ class ClosedForm:
     validity: str
 
     def __call__(self, load: ArrayLike, angular_speed: ArrayLike) -> Floats:
-        """Evaluate the torque."""
+        """Return the torque."""
         return self.torque(load, angular_speed)
 
 
 def is_real(layers: Sequence[Layer]) -> bool:
-    """Whether Poisson's ratio of every layer is real."""
+    """Return whether Poisson's ratio of every layer is real."""
     return all(layer.poisson_ratio is not None for layer in layers)
 
 
 def is_homogeneous(layers: Sequence[Layer]) -> bool:
-    """Whether all layers are of one material."""
+    """Return whether all layers have the same material."""
     materials = [(layer.shear_modulus, layer.poisson_ratio, layer.bulk_modulus) for layer in layers]
     return all(material == materials[0] for material in materials)
 
 
 def is_known_throughout(modulus: ShearModulusLike) -> bool:
-    """Whether a modulus is known at all frequencies."""
+    """Return whether a modulus is defined at all frequencies."""
     try:
         complex_modulus(modulus, [1e-12, 1e12])
     except ValueError:
@@ -67,7 +67,7 @@ def is_known_throughout(modulus: ShearModulusLike) -> bool:
 
 
 def shared_loss_time(layers: Sequence[Layer]) -> float | None:
-    """Return the loss time [s] that the shear moduli of all layers share, if they do."""
+    """Return the loss time [s] if the shear moduli of all layers have the same one, otherwise None."""
     try:
         times = [loss_time(layer.shear_modulus) for layer in layers]
     except ValueError:
@@ -76,7 +76,7 @@ def shared_loss_time(layers: Sequence[Layer]) -> float | None:
 
 
 def at_rest(layer: Layer) -> tuple[float, float]:
-    """Shear modulus [Pa] and Poisson's ratio of a layer at rest."""
+    """Return shear modulus [Pa] and Poisson's ratio of a layer at rest."""
     modulus = float(complex_modulus(layer.shear_modulus, 0.0).real)
     if layer.poisson_ratio is not None:
         return modulus, layer.poisson_ratio

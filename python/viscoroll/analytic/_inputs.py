@@ -1,4 +1,4 @@
-"""Arguments of the closed forms: shape, type and range, in the words of the core."""
+"""Input checks of the closed forms: shape, type and range, with the messages of the core."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ __all__ = [
     "positives",
 ]
 
-#: A float where all arguments are numbers, else an array of their common shape.
+#: Float if all arguments are numbers, otherwise an array of their common shape.
 Floats: TypeAlias = "float | NDArray[np.float64]"
 
 
 def positives(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
-    """Return numbers > 0 of any shape, or raise a TypeError or ValueError, as all of these functions do."""
+    """Return positive numbers as an array of any shape; otherwise raise a TypeError or ValueError."""
     array = as_float_array(name, values)
     bad = array[~(np.isfinite(array) & (array > 0.0))]
     if bad.size:
@@ -54,19 +54,19 @@ def poisson(value: object, *, compressible: bool = False) -> float:
 
 
 def one_volume(poisson_ratio: float | None, bulk_modulus: float | None) -> None:
-    """Refuse both Poisson's ratio and bulk modulus, and neither."""
+    """Raise a ValueError unless exactly one of Poisson's ratio and bulk modulus is given."""
     if (poisson_ratio is None) == (bulk_modulus is None):
         given = "none" if poisson_ratio is None else "both"
         raise ValueError(f"poisson_ratio or bulk_modulus must be given, and not both, got {given}")
 
 
 def complex_modulus(modulus: ShearModulusLike, angular_frequency: ArrayLike) -> NDArray[np.complex128]:
-    """Evaluate any accepted modulus [Pa] at ω [rad/s] of any shape, with the checks of the core."""
+    """Return any accepted modulus [Pa] at frequencies ω [rad/s] of any shape, with the checks of the core."""
     omega = as_float_array("angular_frequency", angular_frequency)
     return _core.complex_modulus(to_core(modulus), omega.ravel()).reshape(omega.shape)
 
 
 def plain(values: ArrayLike) -> Floats:
-    """Return a float for a single value, and the array otherwise."""
+    """Return a single value as a float, and any other array unchanged."""
     array = np.asarray(values, dtype=np.float64)
     return float(array) if array.ndim == 0 else array

@@ -1,4 +1,4 @@
-"""Closed forms of the torque that balls, rollers and wheels have alike."""
+"""Closed forms of the torque that apply to balls, rollers and wheels."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
 
 __all__ = ["Reach", "slow_form", "thin_form"]
 
-#: Radius or half width of the contact at rest [m], by the load.
+#: Function that returns the radius or half-width of the contact at rest [m] for a load.
 Reach: TypeAlias = "Callable[[ArrayLike], NDArray[np.float64]]"
 
 
 def slow_form(body: Coating, loss_time: float, reach: Reach, reach_name: str) -> ClosedForm:
-    """Return the torque of slow rolling, of a body whose compliance at rest is C(0) (1 - iωt)."""
+    """Return the low-speed torque of a body whose surface compliance at low frequency is C(0) (1 - iωt)."""
 
     def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
         return low_speed_torque(load=load, angular_speed=angular_speed, radius=body.outer_radius, loss_time=loss_time)
@@ -40,7 +40,10 @@ def slow_form(body: Coating, loss_time: float, reach: Reach, reach_name: str) ->
 
 
 def thin_form(body: Coating, winkler: Callable[..., Floats], reach: Reach, reach_name: str) -> ClosedForm | None:
-    """Return the torque of a coating that is a bed of springs, unless it is none or is not known in time."""
+    """Return the torque of a thin coating as a bed of springs.
+
+    The result is None if the coating is incompressible or its relaxation function is not a sum of exponentials.
+    """
     layer, h = body.layers[0], body.thickness
     material, (_, nu) = layer.shear_modulus, at_rest(layer)
     if not isinstance(material, KNOWN_IN_TIME) or nu == 0.5:

@@ -1,4 +1,4 @@
-"""Which closed forms a body has on a rigid plane, or a ball on another one."""
+"""Closed forms that are valid for a body on a rigid plane, or for a ball on another ball."""
 
 from __future__ import annotations
 
@@ -31,13 +31,14 @@ if TYPE_CHECKING:
 
 __all__ = ["ClosedForm", "applicable"]
 
-#: Width of a flat tread from which on its faces count for no more than 10 %, in thicknesses: three make 27 %, as h/w.
+#: Width of a flat tread, in thicknesses, from which on the side faces change the result by at most 10 %. The change is
+#: proportional to h/w, 27 % at three thicknesses.
 _WIDE = 10.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _BallCoating:
-    """Layers between a ball and a plane, or two balls, whose gap is that of a ball of the outer radius on a plane."""
+    """Layers between a ball and a plane or between two balls, with the radius of the equivalent ball on a plane."""
 
     layers: Sequence[Layer]
     thickness: float
@@ -46,32 +47,42 @@ class _BallCoating:
 
 
 def applicable(ball: RollingBody, *, on: CoatedSphere | None = None) -> dict[str, ClosedForm]:
-    """Find the closed forms of the resisting torque that suit the materials and layers of a body.
+    """Return the closed forms of the resisting torque that are valid for the materials and layers of a body.
 
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        Rigid core and layers.
+        Rolling body.
     on : CoatedSphere, optional
-        Another ball that a ball rolls on; without it a rigid plane.
+        Ball on which a ball rolls; by default the counterbody is a rigid plane.
 
     Returns
     -------
     dict of str to ClosedForm
-        ``"low_speed"`` for layers that share one loss time at rest, each with a real Poisson's ratio, or for one
-        material with a bulk modulus; ``"greenwood_tabor"`` (the paper's equation (64), all lost) and ``"persson"`` for
-        one material throughout; ``"winkler"`` for one that is compressible and known in time, on a rigid core. Of a
-        roller ``"low_speed"``, ``"hunter"`` for one standard linear solid, and ``"winkler_line"``; of a flat wheel the
-        same, per length times its width, and of a crowned one ``"low_speed"``, ``"greenwood_tabor"`` and ``"persson"``.
-        Of two balls those of the coated one where the other is rigid, with 1/R = 1/R₁ + 1/R₂, and those on the plane
-        between two alike. Empty where none suits. Ask each form's `holds` about loads and speeds.
+        Valid closed forms by name; the dict may be empty. The `holds` of each form checks loads and speeds.
 
     Raises
     ------
     TypeError
-        For something else than a body that rolls, and for a roller or wheel on a ball.
+        If `ball` is not a rolling body, or if a roller or wheel is combined with `on`.
     ValueError
-        For materials that are not known at rest.
+        If a material is not defined at rest.
+
+    Notes
+    -----
+    Balls:
+
+    * ``"low_speed"``: all layers share one loss time and have real Poisson's ratios, or there is a single material with
+      a bulk modulus.
+    * ``"greenwood_tabor"`` (the paper's equation (64), all work dissipated) and ``"persson"``: a single material.
+    * ``"winkler"``: a single compressible material whose relaxation function is a sum of exponentials, on a rigid core.
+
+    Rollers: ``"low_speed"``, ``"hunter"`` for a single standard linear solid, and ``"winkler_line"``. Flat wheels: the
+    same forms, per unit length times the width. Crowned wheels: ``"low_speed"``, ``"greenwood_tabor"`` and
+    ``"persson"``.
+
+    Two balls: if one is rigid, the forms of the coated one with 1/R = 1/R₁ + 1/R₂; if both are identical, the forms of
+    one on the plane between them.
 
     Examples
     --------
@@ -127,7 +138,7 @@ def _coating(ball: CoatedSphere, radius: float) -> _BallCoating:
 
 
 def _faster(form: ClosedForm, turns: float) -> ClosedForm:
-    """Return a form of a ball that turns so many times as fast, for its surface to be as fast."""
+    """Return the form of a ball that rotates faster by the factor `turns`, so that the surface speeds agree."""
 
     def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
         return form.torque(load, turns * as_float_array("angular_speed", angular_speed))
@@ -156,7 +167,7 @@ def _of_ball(ball: _BallCoating) -> dict[str, ClosedForm | None]:
 def _half_space(
     body: Coating, reach: Reach, *, room: float, crown_radius: float | None = None
 ) -> dict[str, ClosedForm | None]:
-    """Return the forms of contacts that reach no farther than a fifth of the room around them."""
+    """Return the half-space forms, valid for contacts up to a fifth of the size `room` of the layer [m]."""
     layer, radius = body.layers[0], body.outer_radius
     modulus, nu = at_rest(layer)
 
@@ -195,7 +206,7 @@ def _half_space(
 
 
 def _loss_time(ball: _BallCoating) -> float | None:
-    """Return t of a compliance C(0) (1 - iωt), if the ball has one."""
+    """Return t of a surface compliance C(0) (1 - iωt) of the ball, or None if it does not have this form."""
     time = shared_loss_time(ball.layers)
     if time is None or is_real(ball.layers):
         return time
@@ -239,7 +250,7 @@ def _hunter(roller: CoatedCylinder, half_width: Reach) -> ClosedForm | None:
         return hunter(load=load, speed=speed, radius=radius, shear_modulus=material, poisson_ratio=nu).moment
 
     def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        # The wake of the contact, f V τ long, must not feel the core either.
+        # The wake of the contact, with the length f V τ, must not reach the core either.
         wake = positives("angular_speed", angular_speed, "rad/s") * radius * retardation
         met: NDArray[np.bool_] = (half_width(load) <= 0.2 * roller.thickness) & (wake <= 0.5 * roller.thickness)
         return met
@@ -264,7 +275,7 @@ def _of_wheel(wheel: CoatedWheel) -> dict[str, ClosedForm | None]:
 
 
 def _over_width(form: ClosedForm, wheel: CoatedWheel) -> ClosedForm:
-    """Return a form of line contact for all of a flat wheel, which is so wide that its faces do not count."""
+    """Return a form of line contact for a flat wheel that is wide enough to neglect its side faces."""
 
     def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
         return form(np.asarray(load) / wheel.width, angular_speed) * wheel.width
@@ -277,14 +288,14 @@ def _over_width(form: ClosedForm, wheel: CoatedWheel) -> ClosedForm:
 
 
 def _along_path(wheel: CoatedWheel, roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:
-    """Estimate half the contact's length at rest [m]: on an ellipse, or all of the width where that is narrower."""
+    """Estimate half of the contact length at rest [m], the larger one of an ellipse and of a line over the width."""
     line = _half_width(roller, np.asarray(load) / wheel.width)
     if math.isinf(wheel.crown_radius):
         return line
     share = math.sqrt(wheel.outer_radius / wheel.crown_radius)
 
     def of_ball(thin: Callable[..., PointContact], *, load: ArrayLike, **layer: float) -> PointContact:
-        """Contact of a thin layer on an ellipse as wide, for its length, as the gap around it."""
+        """Return a thin-layer contact on an ellipse with the aspect ratio of the contours of the gap."""
         return thin(load=np.asarray(load) * share, **layer)
 
     ellipse = reach_at_rest(

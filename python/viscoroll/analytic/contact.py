@@ -1,4 +1,4 @@
-"""Contacts at rest between a rigid plane and an elastic or coated ball: thick and thin limits."""
+"""Point contacts at rest between a rigid plane and an elastic or coated ball: thick and thin limits."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ class PointContact(PressureBell):
     radius : float or ndarray
         Contact radius a [m].
     approach : float or ndarray
-        d, by which ball and plane come closer [m]; `penetration` of a solve.
+        Approach d of ball and plane [m], the `penetration` of a result.
     max_pressure : float or ndarray
-        p₀, at the center [Pa].
+        Pressure p₀ at the center [Pa].
     exponent : float
-        k [-]: 1/2 for Hertz, 1 and 2 for a thin layer that is compressible and incompressible.
+        k [-]: 1/2 for Hertz, 1 for a thin compressible layer, 2 for a thin incompressible layer.
     """
 
     radius: Floats
@@ -40,38 +40,38 @@ class PointContact(PressureBell):
 
     @property
     def reach(self) -> Floats:
-        """The radius."""
+        """Contact radius [m]."""
         return self.radius
 
 
 def hertz(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio: float) -> PointContact:
-    """Contact of a rigid plane with a solid elastic sphere: a³ = 3 (1-ν) P R / (8 G), d = a²/R.
+    """Return the contact of a rigid plane with a solid elastic sphere: a³ = 3 (1-ν) P R / (8 G), d = a²/R.
 
-    Valid without friction for a ≪ R, and on a coating for a ≪ h. An incompressible sphere comes closer by less than
-    a²/R, in proportion to a/R: by Lamb's solution for the exact sphere, a single plane comes closer to its mean by 6 %
-    less at a/R = 0.1 and 3 % at 0.05, two opposite planes to its center by 2.9 and 1.4 %. (The paper's curvature terms
-    make the first two numbers 4 and 2 %.)
+    Valid without friction for a ≪ R, and on a coating for a ≪ h. The approach of an incompressible sphere is smaller
+    than a²/R, in proportion to a/R. By Lamb's solution for the exact sphere, the approach of a single plane to the mean
+    of the sphere is 6 % smaller at a/R = 0.1 and 3 % at 0.05; that of two opposite planes to its center is 2.9 and
+    1.4 % smaller. (With the paper's curvature terms, the first two numbers are 4 and 2 %.)
 
     Parameters
     ----------
     load : array_like
-        P [N], > 0.
+        Load P [N], > 0.
     radius : float
-        R [m], > 0.
+        Radius R [m], > 0.
     shear_modulus : float
-        G [Pa], > 0.
+        Shear modulus G [Pa], > 0.
     poisson_ratio : float
-        ν [-], in (-1, 0.5].
+        Poisson's ratio ν [-], in (-1, 0.5].
 
     Returns
     -------
     PointContact
-        With the exponent 1/2 and p₀ = 3P / (2πa²).
+        Contact with the exponent 1/2 and p₀ = 3P / (2πa²).
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
@@ -92,45 +92,47 @@ def hertz(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio
 def thin_compressible_layer(
     *, load: ArrayLike, radius: float, thickness: float, shear_modulus: float, poisson_ratio: float
 ) -> PointContact:
-    """Contact on a thin compressible coating, a bed of springs: P = π M a⁴ / (4 R h), d = a²/(2R).
+    """Return the contact on a thin compressible coating, a bed of springs: P = π M a⁴ / (4 R h), d = a²/(2R).
 
-    M = λ + 2μ = 2 G (1-ν)/(1-2ν) is the modulus of a layer that cannot give way sideways. Valid for a ≫ h, and only
-    where the layer yields by its volume, (1-2ν) a² ≫ h². It is the leading term in h/a: the exact load at given a is
-    larger by the share s h/a, and so the radius at given load smaller by s h/(4a), with s from the exact layer:
+    M = λ + 2μ = 2 G (1-ν)/(1-2ν) is the modulus of a layer that cannot expand sideways. Valid for a ≫ h, and only if
+    the layer deforms mainly by its change of volume, (1-2ν) a² ≫ h². The formula is the leading term in h/a. The exact
+    load at given a is larger by the fraction s h/a, so the radius at given load is smaller by the fraction s h/(4a),
+    with s from the exact layer:
 
     == ==== ==== ==== ==== ===== ==== ==== =====
     ν  0    0.1  0.2  0.3  0.4   0.45 0.48 0.49
     s  0.73 0.76 0.72 0.49 -0.45 -2.2 -6.1 -10.8
     == ==== ==== ==== ==== ===== ==== ==== =====
 
-    Nearly incompressible layers must be thin indeed: for 5 % of the radius a is 10 h at ν = 0.45, and 50 h at 0.49.
+    Nearly incompressible layers must be very thin: an accuracy of 5 % in the radius requires a = 10 h at ν = 0.45, and
+    50 h at 0.49.
 
     Parameters
     ----------
     load : array_like
-        P [N], > 0.
+        Load P [N], > 0.
     radius : float
         Outer radius R [m], > 0.
     thickness : float
-        h of the coating [m], > 0.
+        Thickness h of the coating [m], > 0.
     shear_modulus : float
-        G [Pa], > 0.
+        Shear modulus G [Pa], > 0.
     poisson_ratio : float
-        ν [-], in (-1, 0.5).
+        Poisson's ratio ν [-], in (-1, 0.5).
 
     Returns
     -------
     PointContact
-        With the exponent 1 and p₀ = M a² / (2 R h).
+        Contact with the exponent 1 and p₀ = M a² / (2 R h).
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
-    Johnson, Contact Mechanics, section 5.8 (in the plane); M. J. Jaffar, Int. J. Mech. Sci. 31 (1989) 229-235.
+    Johnson, Contact Mechanics, section 5.8 (plane strain); M. J. Jaffar, Int. J. Mech. Sci. 31 (1989) 229-235.
 
     Examples
     --------
@@ -150,37 +152,37 @@ def thin_compressible_layer(
 def thin_incompressible_layer(
     *, load: ArrayLike, radius: float, thickness: float, shear_modulus: float
 ) -> PointContact:
-    """Contact on a thin incompressible bonded coating, without friction: P = π G a⁶ / (32 R h³), d = a²/(4R).
+    """Return the contact on a thin incompressible bonded coating without friction: P = π G a⁶ / (32 R h³), d = a²/(4R).
 
-    The coating is squeezed out sideways like a film that sticks to the core and slips on the plane:
-    (h³/3G) ∇²p = -(d - r²/2R), with p = 0 and no flow at the edge. Valid for a ≫ h, but slow to become so: at given a
-    the exact load is 2.2 times as large at a = 10 h, and larger by the share 8.8 h/a in the limit. The load at given d,
-    2π G R² d³/h³, is much closer: 13 % below the exact one at a = 10 h, 4 % at 20 h.
+    The coating is squeezed out sideways, like a film that sticks to the core and slips on the plane: (h³/3G)
+    ∇²p = -(d - r²/2R), with p = 0 and no flow at the edge. Valid for a ≫ h, but convergence is slow: at given a, the
+    exact load is 2.2 times as large at a = 10 h, and larger by the fraction 8.8 h/a in the limit. The load at given d,
+    2π G R² d³/h³, is much more accurate: 13 % below the exact one at a = 10 h, 4 % at 20 h.
 
     Parameters
     ----------
     load : array_like
-        P [N], > 0.
+        Load P [N], > 0.
     radius : float
         Outer radius R [m], > 0.
     thickness : float
-        h of the coating [m], > 0.
+        Thickness h of the coating [m], > 0.
     shear_modulus : float
-        G [Pa], > 0.
+        Shear modulus G [Pa], > 0.
 
     Returns
     -------
     PointContact
-        With the exponent 2 and p₀ = 3 G a⁴ / (32 R h³).
+        Contact with the exponent 2 and p₀ = 3 G a⁴ / (32 R h³).
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
-    Johnson, Contact Mechanics, section 5.8 (in the plane); M. J. Jaffar, Int. J. Mech. Sci. 31 (1989) 229-235;
+    Johnson, Contact Mechanics, section 5.8 (plane strain); M. J. Jaffar, Int. J. Mech. Sci. 31 (1989) 229-235;
     J. R. Barber, Int. J. Mech. Sci. 32 (1990) 129-132.
 
     Examples
@@ -198,7 +200,7 @@ def thin_incompressible_layer(
 def _on_disk(
     load: NDArray[np.float64], a: NDArray[np.float64], *, approach: NDArray[np.float64], exponent: float
 ) -> PointContact:
-    """Fit the pressure p₀ (1 - r²/a²)ᵏ, whose sum is π a² p₀ / (k+1), to the load."""
+    """Return a contact whose pressure p₀ (1 - r²/a²)ᵏ, with the integral π a² p₀ / (k+1), balances the load."""
     return PointContact(
         radius=plain(a),
         approach=plain(approach),

@@ -1,4 +1,4 @@
-"""Hertz's contact of bodies that are not as curved along the path as across it, such as crowned wheels."""
+"""Hertz's contact of bodies with different curvatures along and across the path, such as crowned wheels."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = ["EllipticContact", "axis_ratio", "hertz_ellipse"]
 
-#: Halvings of the bracket of ln(b/a): to the last digit of a float.
+#: Bisections of ln(b/a), to double precision.
 _BISECTIONS = 64
 
 
@@ -28,11 +28,11 @@ class EllipticContact:
     Attributes
     ----------
     semi_axis_x, semi_axis_z : float or ndarray
-        a along the path and b across it [m].
+        Semi-axes a along the path and b across it [m].
     approach : float or ndarray
-        d, by which wheel and plane come closer [m].
+        Approach d of wheel and plane [m].
     max_pressure : float or ndarray
-        p₀, at the center [Pa].
+        Pressure p₀ at the center [Pa].
     """
 
     semi_axis_x: Floats
@@ -42,16 +42,16 @@ class EllipticContact:
 
     @property
     def reach(self) -> Floats:
-        """The semi-axis along the path."""
+        """Semi-axis along the path [m]."""
         return self.semi_axis_x
 
     def pressure(self, x: ArrayLike, z: ArrayLike) -> Floats:
-        """Pressure at a point [Pa], 0 outside of the contact.
+        """Return the pressure at a point [Pa], 0 outside the contact.
 
         Parameters
         ----------
         x, z : array_like
-            Along the path and across it, from the center [m].
+            Coordinates along the path and across it, from the center [m].
 
         Returns
         -------
@@ -67,33 +67,34 @@ class EllipticContact:
 def hertz_ellipse(
     *, load: ArrayLike, radius: float, crown_radius: float, shear_modulus: float, poisson_ratio: float
 ) -> EllipticContact:
-    """Contact of a rigid plane with a solid elastic body of two radii of curvature.
+    """Return the contact of a rigid plane with a solid elastic body that has two radii of curvature.
 
-    Valid without friction for semi-axes well below both radii; of a tread well below its thickness and the distance to
-    its faces. Equal radii are `hertz`; for R_c ≫ R the middle tends to `hertz_line` under its load per length.
+    Valid without friction if the semi-axes are well below both radii, and for a tread also well below its thickness and
+    the distance to its faces. For equal radii the result is that of `hertz`. For R_c ≫ R the center tends to
+    `hertz_line` under the local load per unit length.
 
     Parameters
     ----------
     load : array_like
-        P [N], > 0.
+        Load P [N], > 0.
     radius : float
-        R along the path [m], > 0.
+        Radius R along the path [m], > 0.
     crown_radius : float
-        R_c across it [m], > 0.
+        Radius R_c across the path [m], > 0.
     shear_modulus : float
-        G [Pa], > 0.
+        Shear modulus G [Pa], > 0.
     poisson_ratio : float
-        ν [-], in (-1, 0.5].
+        Poisson's ratio ν [-], in (-1, 0.5].
 
     Returns
     -------
     EllipticContact
-        With p₀ = 3P / (2πab).
+        Contact with p₀ = 3P / (2πab).
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
@@ -125,23 +126,26 @@ def hertz_ellipse(
 
 @cache
 def axis_ratio(radius_ratio: float) -> float:
-    """Return b/a of Hertz's ellipse, short over long, by the smaller over the larger radius of curvature."""
+    """Return the aspect ratio b/a of Hertz's ellipse, short over long axis.
+
+    `radius_ratio` is the ratio of the smaller to the larger radius of curvature.
+    """
     low, high = math.log(1e-12), 0.0
     for _ in range(_BISECTIONS):
         middle = 0.5 * (low + high)
         ratio = math.exp(middle)
         k, d = _integrals(ratio)
-        # The curvatures along the long and the short axis are as d and (k - d) / ratio².
+        # The curvatures along the long and the short axis are proportional to d and (k - d) / ratio².
         low, high = (middle, high) if d * ratio**2 < radius_ratio * (k - d) else (low, middle)
     return math.exp(0.5 * (low + high))
 
 
 def _integrals(ratio: float) -> tuple[float, float]:
-    """Complete elliptic integrals K and D = (K - E)/m of the parameter m = 1 - ratio², by Gauss's means."""
+    """Return the complete elliptic integrals K and D = (K - E)/m with m = 1 - ratio², by arithmetic-geometric means."""
     m = 1.0 - ratio**2
     a, b, share, weight = 1.0, ratio, 0.5, 0.5
     c = 1.0
-    while c > 1e-9 * a:  # the next one would be its square
+    while c > 1e-9 * a:  # quadratic convergence: the next c is of the order of the square
         c = 0.5 * (a - b)
         a, b, weight = 0.5 * (a + b), math.sqrt(a * b), 2.0 * weight
         share += weight * c**2 / m if m > 0.0 else 0.0

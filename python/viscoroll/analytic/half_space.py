@@ -1,4 +1,4 @@
-"""Rolling torque of a ball or crowned wheel whose contact is so small that it sees a half-space, at any speed."""
+"""Rolling torque of a ball or crowned wheel whose contact is small enough to treat it as a half-space."""
 
 from __future__ import annotations
 
@@ -30,27 +30,27 @@ def greenwood_tabor_torque(
     loss_fraction: float = 1.0,
     crown_radius: float | None = None,
 ) -> Floats:
-    """Torque of Greenwood and Tabor, T = α (3⁴ (1-ν) R P⁴ / (2¹⁵ G))^(1/3) = (3/16) α P a.
+    """Return the torque of Greenwood and Tabor, T = α (3⁴ (1-ν) R P⁴ / (2¹⁵ G))^(1/3) = (3/16) α P a.
 
-    The front half of Hertz's contact at rest pushes back with the moment 3Pa/16, of which the rear half returns all but
-    the fraction α. The paper's equation (64) has α = 1. It knows no speed: take α from a test of the material. Valid
-    for a ≪ R, and on a coating for a ≪ h.
+    The front half of Hertz's contact at rest resists with the moment 3Pa/16, of which the rear half returns the
+    fraction 1 - α. The paper's equation (64) has α = 1. The formula does not contain the speed: determine α from a test
+    of the material. Valid for a ≪ R, and on a coating for a ≪ h.
 
     Parameters
     ----------
     load : array_like
-        P [N], > 0.
+        Load P [N], > 0.
     radius : float
-        R [m], > 0.
+        Radius R [m], > 0.
     shear_modulus : float
-        G [Pa], > 0.
+        Shear modulus G [Pa], > 0.
     poisson_ratio : float
-        ν [-], in (-1, 0.5].
+        Poisson's ratio ν [-], in (-1, 0.5].
     loss_fraction : float, default 1
-        α [-], in [0, 1].
+        Fraction α of the work that is dissipated [-], in [0, 1].
     crown_radius : float, optional
-        R_c across the path [m], > 0, of a crowned wheel: a is then the semi-axis along the path of `hertz_ellipse`.
-        Without it, R.
+        Radius R_c across the path [m], > 0, of a crowned wheel; by default R. The length a is the semi-axis along the
+        path of `hertz_ellipse`.
 
     Returns
     -------
@@ -60,7 +60,7 @@ def greenwood_tabor_torque(
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
@@ -95,17 +95,18 @@ def persson_torque(
     frequency_factor: float = 1.0,
     crown_radius: float | None = None,
 ) -> Floats:
-    """Torque of a solid sphere from the spectrum of Hertz's pressure, at any speed and for any material.
+    """Return the torque of a solid sphere from the spectrum of Hertz's pressure, at any speed and for any material.
 
     T = R ∫ d²q/(2π)² (1-ν) (q_x/|q|) |p̂(q)|² G″(q_x V) / |G(q_x V)|² over all q, with V = ΩR and
-    p̂(q) = 3P (sin qa - qa cos qa) / (qa)³. A wave of pressure p̂ that passes at speed V moves the surface of a
-    half-space by (1-ν) p̂ / (|q| G), which lags, and so loses the power q_x V (1-ν) G″ |p̂|² / (|q| |G|²); their sum
-    is TΩ. The limit at low speed is `low_speed_torque`. Valid for a ≪ R, and on a coating for a ≪ h.
+    p̂(q) = 3P (sin qa - qa cos qa) / (qa)³. A pressure wave p̂ that moves at the speed V displaces the surface of a
+    half-space by (1-ν) p̂ / (|q| G). The displacement lags behind the pressure, which dissipates the power
+    q_x V (1-ν) G″ |p̂|² / (|q| |G|²). The sum over all waves is TΩ. The limit at low speed is `low_speed_torque`. Valid
+    for a ≪ R, and on a coating for a ≪ h.
 
-    The pressure stays Hertz's, on a disk of the radius that |G| gives at the frequency V/a; so the torque is exact to
-    first order in the loss. A real contact leans forward. Torque of the solver over that of this form, on a nearly
-    solid ball (core R/1000, ν = 1/2, a = R/20 at rest, standard linear solid of relaxation time τ) for V τ/a from 0.01
-    to 30, with a at rest:
+    The pressure is that of Hertz on a disk, with the radius for |G| at the frequency V/a, so the torque is exact to
+    first order in the loss. The pressure of a real contact is larger at the front. The table lists the ratio of the
+    solver's torque to this one on a nearly solid ball (core R/1000, ν = 1/2, a = R/20 at rest, standard linear solid
+    with the relaxation time τ) for V τ/a from 0.01 to 30, with a at rest:
 
     ========= ====== =========== ====== ==============
     G(∞)/G(0) least  at V τ/a    most   at V τ/a
@@ -116,36 +117,38 @@ def persson_torque(
     100       0.93   2 and more  1.53   0.01
     ========= ====== =========== ====== ==============
 
-    What lacks at high speed grows with the contact, since the slowest waves of a ball are not those of a half-space: at
-    a = R/10 the last row has 0.89.
+    The deficit at high speed grows with the contact, since the slowest waves of a ball are not those of a half-space:
+    at a = R/10 the last row has 0.89.
 
     Parameters
     ----------
     load : array_like
-        P [N], > 0.
+        Load P [N], > 0.
     angular_speed : array_like
-        Ω [rad/s], > 0, of a shape that broadcasts with that of the load.
+        Angular speed Ω [rad/s], > 0, of a shape that broadcasts with that of the load.
     radius : float
-        R [m], > 0.
+        Radius R [m], > 0.
     shear_modulus : ShearModulus or callable
-        μ*(ω) [Pa], as in `Layer`; used from 1e-12 to 1e5 times V/a, so that a master curve must be held.
+        Shear modulus μ*(ω) [Pa], as in `Layer`. It is evaluated at 1e-12 to 1e5 times V/a, so a master curve must use
+        ``extrapolation="hold"``.
     poisson_ratio, bulk_modulus : float
-        ν [-] in (-1, 0.5], or K [Pa] > 0: one of them, as in `Layer`.
+        Poisson's ratio ν [-], in (-1, 0.5], or bulk modulus K [Pa], > 0: exactly one of them, as in `Layer`.
     frequency_factor : float, default 1
-        c [-], ≥ 0: the radius of the contact belongs to the modulus at the frequency c V/a; 0 for the relaxed one.
+        Factor c [-], ≥ 0: the contact radius is that for the modulus at the frequency c V/a, and for c = 0 that for the
+        relaxed modulus.
     crown_radius : float, optional
-        R_c across the path [m], > 0, of a crowned wheel, whose contact is the ellipse of `hertz_ellipse`: a is its
-        semi-axis along the path, and qa stands for √((q_x a)² + (q_z b)²). Without it, R.
+        Radius R_c across the path [m], > 0, of a crowned wheel; by default R. The contact is then the ellipse of
+        `hertz_ellipse`, a is its semi-axis along the path, and qa is replaced by √((q_x a)² + (q_z b)²).
 
     Returns
     -------
     float or ndarray
-        T [N m], with a numerical error below 1e-5, and below 1e-4 for V τ/a above 1e3.
+        Torque T [N m], with a relative numerical error below 1e-5, or below 1e-4 for V τ/a above 1e3.
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
@@ -162,7 +165,7 @@ def persson_torque(
     size, factor = as_positive("radius", radius, "m"), as_not_negative("frequency_factor", frequency_factor)
     across = size if crown_radius is None else as_positive("crown_radius", crown_radius, "m")
     compliance = _half_space_compliance(shear_modulus, poisson_ratio, bulk_modulus)
-    # Of one G, for a unit load on a unit 1/E*: all others have the same shape.
+    # Reference contact for a unit load and 1/E* = 1. All other contacts have the same aspect ratio.
     unit = hertz_ellipse(load=1.0, radius=size, crown_radius=across, shear_modulus=1.0, poisson_ratio=0.5)
     slender = float(unit.semi_axis_x / unit.semi_axis_z)
     frequencies, weights = _spectrum(slender)
@@ -179,7 +182,7 @@ def persson_torque(
 def _half_space_compliance(
     shear_modulus: ShearModulusLike, poisson_ratio: float | None, bulk_modulus: float | None
 ) -> Callable[[ArrayLike], NDArray[np.complex128]]:
-    """Return (1-ν*)/G* [1/Pa] as a function of ω: the displacement by a pressure p is (1-ν*)/G* p/|q|."""
+    """Return (1-ν*)/G* [1/Pa] as a function of ω. A pressure wave p causes the displacement (1-ν*)/G* p/|q|."""
     one_volume(poisson_ratio, bulk_modulus)
     if bulk_modulus is None:
         nu = poisson(poisson_ratio)
@@ -201,10 +204,10 @@ def _semi_axis(
     factor: float,
     unit_cube: float,
 ) -> float:
-    """Solve a³ = a₁³ P |S(c V/a)|/S₁ for a, with a₁ under a unit load on S₁ = 1/2: of a ball a₁³ = 3R/16.
+    """Solve a³ = a₁³ P |S(c V/a)|/S₁ for a, with a₁ for a unit load and S₁ = 1/2. For a ball, a₁³ = 3R/16.
 
-    The modulus of a material that relaxes grows no faster than ω, so that a step divides the relative error by three at
-    least.
+    The modulus of a material that relaxes grows at most in proportion to ω, so each step divides the relative error by
+    at least three.
     """
     a = radius
     for _ in range(40):
@@ -214,10 +217,11 @@ def _semi_axis(
 
 @cache
 def _spectrum(slender: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Quadrature ∫∫ f(x) x c(φ) L(x cosφ) dφ dx ≈ Σ w_j L(s_j) over a quarter plane, with f = |p̂|²/P² at x = qa.
+    """Return nodes and weights of ∫∫ f(x) x c(φ) L(x cosφ) dφ dx ≈ Σ w_j L(s_j), with f = |p̂|²/P² at x = qa.
 
-    c is q_x/|q| = cosφ/√(cos²φ + (a/b)² sin²φ), with φ in the plane in which the ellipse is round. With cosφ = sech t
-    the trapezoidal rule in t converges exponentially. Beyond x = 20π, f is replaced by its mean over an oscillation.
+    The integral extends over a quarter plane. c is q_x/|q| = cosφ/√(cos²φ + (a/b)² sin²φ), with φ in the plane in which
+    the ellipse is a circle. With cosφ = sech t the trapezoidal rule in t converges exponentially. Beyond x = 20π, f is
+    replaced by its mean over an oscillation.
     """
     edges = [*np.geomspace(1e-5, np.pi, 15), *np.pi * np.arange(2, 20), *np.geomspace(20 * np.pi, 1e5, 9)]
     x, dx = _gauss_panels(edges)
@@ -232,7 +236,7 @@ def _spectrum(slender: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]
 
 
 def _gauss_panels(edges: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Nodes and weights of Gauss's rule with eight points on each panel."""
+    """Return nodes and weights of Gauss's rule with eight points on each panel."""
     nodes, weights = np.polynomial.legendre.leggauss(8)
     ends = np.asarray(edges, dtype=np.float64)
     half = 0.5 * np.diff(ends)[:, None]

@@ -1,4 +1,4 @@
-"""Hunter's rigid cylinder that rolls on a viscoelastic half-plane."""
+"""Hunter's solution for a rigid cylinder that rolls on a viscoelastic half-plane."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ class HunterContact:
     Attributes
     ----------
     half_width : float or ndarray
-        Half of the distance of both edges [m].
+        Half-width a of the contact [m].
     center : float or ndarray
-        Where the middle between them lies ahead of the lowest point [m].
+        Distance of the middle of the contact ahead of the lowest point [m].
     moment : float or ndarray
-        M = Σ x p per length [N], the rolling resistance times R.
+        Moment M = Σ x p per unit length [N], the rolling resistance times R.
     load : float or ndarray
-        P per length [N/m].
+        Load P per unit length [N/m].
     relaxation_length : float or ndarray
-        l = V τ, the way of the material in its relaxation time [m].
+        Distance l = V τ that the material travels in its relaxation time [m].
     chebyshev : tuple of float or ndarray
-        c₀, c₁ and c₂ of g √(1-t²) = c₀ + c₁ t + c₂ (2t²-1) [Pa], g = p + l p', t = ∓1 at the leading and the trailing
-        edge.
+        Coefficients c₀, c₁ and c₂ of g √(1-t²) = c₀ + c₁ t + c₂ (2t²-1) [Pa], with g = p + l p', and t = -1 at the
+        leading and 1 at the trailing edge.
     """
 
     half_width: Floats
@@ -47,22 +47,23 @@ class HunterContact:
     chebyshev: tuple[Floats, Floats, Floats]
 
     def pressure(self, x: ArrayLike) -> Floats:
-        """Pressure at a place: what g leaves of itself, p = ∫ g exp(-(ξ-s)/l) ds/l from the leading edge on.
+        """Return the pressure p = ∫ g exp(-(ξ-s)/l) ds/l, integrated from the leading edge to the point ξ.
 
         Parameters
         ----------
         x : array_like
-            Ahead of the lowest point [m], of a shape that broadcasts with that of the half width.
+            Distance ahead of the lowest point [m], of a shape that broadcasts with that of the half-width.
 
         Returns
         -------
         float or ndarray
-            p [Pa], 0 outside of the contact.
+            p [Pa], 0 outside the contact.
         """
         per_length = np.asarray(self.half_width) / np.asarray(self.relaxation_length)
         t = (np.asarray(self.center) - as_float_array("x", x)) / np.asarray(self.half_width)
         inside = np.clip(t, -1.0, 1.0)
-        # With t = -cos θ the roots at both edges are gone. Memory of more than 40 l ahead is less than round-off.
+        # t = -cos θ removes the square-root singularities at both edges. Contributions from more than 40 l ahead are
+        # below round-off.
         last, first = np.arccos(-inside), np.arccos(-np.maximum(inside - _MEMORY / per_length, -1.0))
         points, weights = np.polynomial.legendre.leggauss(_POINTS)
         angles = np.multiply.outer(0.5 * (points + 1.0), last - first) + first
@@ -73,7 +74,8 @@ class HunterContact:
         return plain(0.5 * per_length * (last - first) * np.tensordot(weights, kept, axes=1) * (abs(t) < 1.0))
 
 
-#: Relaxation lengths, and points of Gauss for an exponential over so many, to 1e-12.
+#: Length of the integral in relaxation lengths, and number of Gauss points that integrate the exponential over it to
+#: 1e-12.
 _MEMORY, _POINTS = 40.0, 64
 
 
@@ -85,17 +87,17 @@ def hunter(
     shear_modulus: StandardLinearSolid,
     poisson_ratio: float,
 ) -> HunterContact:
-    """Solve rolling of a rigid cylinder on a half-plane of a standard linear solid, or the other way around.
+    """Solve rolling of a rigid cylinder on a half-plane of a standard linear solid, or the reverse.
 
-    With ξ = -x the way of the material, l = V τ, f = G₀/G_∞ and the slope of the surface w', the solid's law turns the
-    half-plane's integral equation into one for g = p + l p',
+    Let ξ = -x be the coordinate along the motion of the material, l = V τ, f = G₀/G_∞, and w' the slope of the surface.
+    The material law turns the integral equation of the half-plane into one for g = p + l p',
 
         w' + f l w'' = -(1-ν)/(π G_∞) ∫ g(s)/(ξ - s) ds,
 
-    with w' = -ξ/R in contact, |ξ - ξ₀| < a. So g is a sum of Chebyshev polynomials,
-    g √(1-t²) = P/(π a) - G_∞ (c₁ t + a (2t² - 1)/2) / ((1-ν) R), with t = (ξ - ξ₀)/a and c₁ = ξ₀ + f l. Pressure
-    without a jump at the trailing edge and a slope without one at the leading edge, where the solution ahead is an
-    integral over the past, leave two equations with the modified Bessel functions at a/l and a/(f l):
+    with w' = -ξ/R in the contact, |ξ - ξ₀| < a. So g is a sum of Chebyshev polynomials,
+    g √(1-t²) = P/(π a) - G_∞ (c₁ t + a (2t² - 1)/2) / ((1-ν) R), with t = (ξ - ξ₀)/a and c₁ = ξ₀ + f l. The pressure is
+    continuous at the trailing edge, and the slope at the leading edge, ahead of which the solution is an integral over
+    the past. These two conditions contain the modified Bessel functions at a/l and a/(f l):
 
         P̂ I₀ - c₁ I₁ - (a/2) I₂ = 0,  P̂ K₀ + c₁ K₁ - (a/2) K₂ = 0,  P̂ = (1-ν) R P / (π a G_∞).
 
@@ -106,27 +108,27 @@ def hunter(
     Parameters
     ----------
     load : array_like
-        P per length [N/m], > 0.
+        Load P per unit length [N/m], > 0.
     speed : array_like
-        V, at which material crosses the contact [m/s], > 0, of a shape that broadcasts with that of the load.
+        Speed V at which the material passes the contact [m/s], > 0, of a shape that broadcasts with that of the load.
     radius : float
-        R [m], > 0.
+        Radius R [m], > 0.
     shear_modulus : StandardLinearSolid
-        G₀, G_∞ and τ.
+        Material with G₀, G_∞ and τ.
     poisson_ratio : float
-        ν [-], in (-1, 0.5].
+        Poisson's ratio ν [-], in (-1, 0.5].
 
     Returns
     -------
     HunterContact
-        Width, place, moment and pressure.
+        Half-width, position, moment and pressure.
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
     ImportError
-        Without SciPy (the extra `viscoroll[studies]`).
+        If SciPy is missing (the extra `viscoroll[studies]`).
 
     References
     ----------
@@ -153,7 +155,7 @@ def hunter(
     length = velocity * shear_modulus.relaxation_time
     a = solid.half_width(force, length)
     shift = solid.shift(a, length)
-    # ξ₀, and the moments of p and g: -M = (l + ξ₀) P - (stiffness / 2) a² c₁.
+    # ξ₀, and moments of p and g: -M = (l + ξ₀) P - (stiffness / 2) a² c₁.
     center = shift - solid.ratio * length
     moment = 0.5 * solid.stiffness * a**2 * shift - (length + center) * force
     pressures = (force / (np.pi * a), -solid.stiffness / np.pi * shift, -0.5 * solid.stiffness / np.pi * a)
@@ -169,23 +171,23 @@ def hunter(
 
 @dataclass(frozen=True, slots=True)
 class _Solid:
-    """π G_∞ / ((1-ν) R) [Pa/m], and G₀/G_∞."""
+    """Stiffness π G_∞ / ((1-ν) R) [Pa/m] and ratio G₀/G_∞ of the half-plane."""
 
     stiffness: float
     ratio: float
 
     def shift(self, a: NDArray[np.float64], length: NDArray[np.float64]) -> NDArray[np.float64]:
-        """C₁ [m] of a contact of half width a [m]."""
+        """Return c₁ [m] for contacts of half-width a [m]."""
         i0, i1, i2, k0, k1, k2 = self._bessel(a, length)
         return np.asarray(0.5 * a * (k2 * i0 - k0 * i2) / (k1 * i0 + k0 * i1))
 
     def load(self, a: NDArray[np.float64], length: NDArray[np.float64]) -> NDArray[np.float64]:
-        """P [N/m] of a contact of half width a [m]."""
+        """Return the load P [N/m] for contacts of half-width a [m]."""
         i0, i1, i2, *_ = self._bessel(a, length)
         return np.asarray(self.stiffness * a * (self.shift(a, length) * i1 + 0.5 * a * i2) / i0)
 
     def half_width(self, force: NDArray[np.float64], length: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Bisect between the half widths of elastic contacts with G₀ and with G_∞."""
+        """Return the half-width [m], by bisection between those of elastic contacts with G₀ and G_∞."""
         high = np.sqrt(2.0 * force / self.stiffness)
         low = high / np.sqrt(self.ratio)
         for _ in range(60):
@@ -195,7 +197,7 @@ class _Solid:
         return np.asarray(0.5 * (low + high))
 
     def _bessel(self, a: NDArray[np.float64], length: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-        """I₀, I₁, I₂ at a/l and K₀, K₁, K₂ at a/(f l), without their exponentials, which cancel."""
+        """Return I₀, I₁, I₂ at a/l and K₀, K₁, K₂ at a/(f l), without their exponential factors, which cancel."""
         with extra("studies"):
             from scipy.special import ive, kve
 

@@ -1,6 +1,7 @@
-"""Contacts of rollers at rest, in plane strain: the thick and the thin limits, and Carter's creep curve.
+"""Line contacts of rollers at rest in plane strain, thick and thin limits, and Carter's creep curve.
 
-Loads are per length of the roller. ``radius`` is the relative one, 1/R = 1/R₁ + 1/R₂, where both bodies are curved.
+Loads are per unit length of the roller. If both bodies are curved, ``radius`` is the effective radius,
+1/R = 1/R₁ + 1/R₂.
 """
 
 from __future__ import annotations
@@ -33,13 +34,13 @@ class LineContact(PressureBell):
     Attributes
     ----------
     half_width : float or ndarray
-        a [m].
+        Half-width a [m].
     approach : float or ndarray or None
-        d, by which roller and plane come closer [m]; None on a half-plane, where it has no limit: ∫ dk/k diverges.
+        Approach d of roller and plane [m]; None on a half-plane, where it is unbounded: ∫ dk/k diverges.
     max_pressure : float or ndarray
-        p₀, in the middle [Pa].
+        Pressure p₀ in the middle [Pa].
     exponent : float
-        k [-]: 1/2 for Hertz, 1 and 2 for a thin layer that is compressible and incompressible.
+        k [-]: 1/2 for Hertz, 1 for a thin compressible layer, 2 for a thin incompressible layer.
     """
 
     half_width: Floats
@@ -49,35 +50,35 @@ class LineContact(PressureBell):
 
     @property
     def reach(self) -> Floats:
-        """The half width."""
+        """Half-width [m]."""
         return self.half_width
 
 
 def hertz_line(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio: float) -> LineContact:
-    """Contact of a rigid cylinder with an elastic half-plane, or the other way around: a² = 2 (1-ν) P R / (π G).
+    """Return the contact of a rigid cylinder and an elastic half-plane, or the reverse: a² = 2 (1-ν) P R / (π G).
 
-    Valid without friction for a ≪ R. Compliances (1-ν)/G of two elastic bodies add.
+    Valid without friction for a ≪ R. For two elastic bodies, add their compliances (1-ν)/G.
 
     Parameters
     ----------
     load : array_like
-        P per length [N/m], > 0.
+        Load P per unit length [N/m], > 0.
     radius : float
-        R [m], > 0.
+        Radius R [m], > 0.
     shear_modulus : float
-        G [Pa], > 0.
+        Shear modulus G [Pa], > 0.
     poisson_ratio : float
-        ν [-], in (-1, 0.5].
+        Poisson's ratio ν [-], in (-1, 0.5].
 
     Returns
     -------
     LineContact
-        With the exponent 1/2 and p₀ = 2P / (πa); without an approach.
+        Contact with the exponent 1/2 and p₀ = 2P / (πa); its approach is None.
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
@@ -98,32 +99,32 @@ def hertz_line(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_
 def thin_compressible_layer_line(
     *, load: ArrayLike, radius: float, thickness: float, shear_modulus: float, poisson_ratio: float
 ) -> LineContact:
-    """Contact on a thin compressible coating, a bed of springs: P = 2 M a³ / (3 R h), d = a²/(2R).
+    """Return the contact on a thin compressible coating, a bed of springs: P = 2 M a³ / (3 R h), d = a²/(2R).
 
-    M = λ + 2μ = 2 G (1-ν)/(1-2ν). Valid for a ≫ h and (1-2ν) a² ≫ h², to the order h/a.
+    M = λ + 2μ = 2 G (1-ν)/(1-2ν). Valid for a ≫ h and (1-2ν) a² ≫ h², with errors of the order h/a.
 
     Parameters
     ----------
     load : array_like
-        P per length [N/m], > 0.
+        Load P per unit length [N/m], > 0.
     radius : float
-        R [m], > 0.
+        Radius R [m], > 0.
     thickness : float
-        h of the coating [m], > 0.
+        Thickness h of the coating [m], > 0.
     shear_modulus : float
-        G [Pa], > 0.
+        Shear modulus G [Pa], > 0.
     poisson_ratio : float
-        ν [-], in (-1, 0.5).
+        Poisson's ratio ν [-], in (-1, 0.5).
 
     Returns
     -------
     LineContact
-        With the exponent 1 and p₀ = M a² / (2 R h).
+        Contact with the exponent 1 and p₀ = M a² / (2 R h).
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
@@ -149,31 +150,31 @@ def thin_compressible_layer_line(
 def thin_incompressible_layer_line(
     *, load: ArrayLike, radius: float, thickness: float, shear_modulus: float
 ) -> LineContact:
-    """Contact on a thin incompressible bonded coating, without friction: P = 2 G a⁵ / (15 R h³), d = a²/(6R).
+    """Return the contact on a thin incompressible bonded coating without friction: P = 2 G a⁵ / (15 R h³), d = a²/(6R).
 
     The coating is squeezed out sideways: (h³/3G) p'' = -(d - x²/2R), with p = 0 and no flow at the edge. Valid for
-    a ≫ h, but slow to become so: errors are of the order h/a.
+    a ≫ h, but convergence is slow: errors are of the order h/a.
 
     Parameters
     ----------
     load : array_like
-        P per length [N/m], > 0.
+        Load P per unit length [N/m], > 0.
     radius : float
-        R [m], > 0.
+        Radius R [m], > 0.
     thickness : float
-        h of the coating [m], > 0.
+        Thickness h of the coating [m], > 0.
     shear_modulus : float
-        G [Pa], > 0.
+        Shear modulus G [Pa], > 0.
 
     Returns
     -------
     LineContact
-        With the exponent 2 and p₀ = G a⁴ / (8 R h³).
+        Contact with the exponent 2 and p₀ = G a⁴ / (8 R h³).
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
@@ -205,33 +206,33 @@ def carter_force(
     shear_modulus: float,
     poisson_ratio: float,
 ) -> Floats:
-    """Traction of a roller that creeps, F = μ P (1 - (1 - |c| R / (μ a))²), and μ P from |c| = μ a / R on.
+    """Return the traction of a creeping roller, F = μ P (1 - (1 - |c| R / (μ a))²), or μ P for |c| ≥ μ a / R.
 
-    Carter's curve of elastic rollers on which pressure causes no slip: an incompressible body on a rigid one, or two
-    alike. a is Hertz's half width; a zone behind the leading edge sticks.
+    Carter's curve applies to elastic rollers on which the pressure causes no slip: an incompressible body on a rigid
+    one, or two identical bodies. a is Hertz's half-width. A zone behind the leading edge sticks.
 
     Parameters
     ----------
     creepage : array_like
-        c [-], of either sign.
+        Creepage c [-], of either sign.
     load : array_like
-        P per length [N/m], > 0, of a shape that broadcasts with the creepage's.
+        Load P per unit length [N/m], > 0, of a shape that broadcasts with that of the creepage.
     radius : float
-        R [m], > 0.
+        Radius R [m], > 0.
     friction : float
-        Coulomb's coefficient μ [-], > 0.
+        Coefficient of friction μ [-], > 0.
     shear_modulus, poisson_ratio : float
-        G [Pa], > 0, and ν [-], in (-1, 0.5], as of `hertz_line`.
+        Shear modulus G [Pa], > 0, and Poisson's ratio ν [-], in (-1, 0.5], the same as in `hertz_line`.
 
     Returns
     -------
     float or ndarray
-        F per length [N/m], with the sign of the creepage.
+        Traction F per unit length [N/m], with the sign of the creepage.
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Rolling so slowly that the torque grows in proportion to speed: T = P Ω R t, with a time t of the material."""
+"""Rolling at low speed, where the torque is proportional to speed: T = P Ω R t, with a time t of the material."""
 
 from __future__ import annotations
 
@@ -16,42 +16,43 @@ if TYPE_CHECKING:
 
 __all__ = ["brilliantov_poschel_time", "loss_time", "low_speed_torque", "sphere_loss_time"]
 
-#: Frequencies [rad/s] at which a modulus shows its behavior at rest: far below those of any material in use.
+#: Frequencies [rad/s] at which a modulus has its low-frequency limit: far below those of any material in use.
 _AT_REST = np.array([1e-12, 1e-9])
 
 
 def low_speed_torque(*, load: ArrayLike, angular_speed: ArrayLike, radius: float, loss_time: float) -> Floats:
-    """Resisting torque of slow rolling, T = P Ω R t.
+    """Return the resisting torque of slow rolling, T = P Ω R t.
 
-    Holds for any load, thickness and number of layers, as long as the compliance of the surface at small ω is real but
-    for one factor 1 - iωt. Then the power lost is Ω² t ∫ p (-∂²u/∂φ²) dA, and the surface follows the plane wherever p
-    is not 0, so that -∂²u/∂φ² = R and the integral is P R, whatever the shape of the contact.
+    The formula holds for any load, thickness and number of layers, as long as the surface compliance at small ω is a
+    real function times one factor 1 - iωt. The dissipated power is then Ω² t ∫ p (-∂²u/∂φ²) dA. The surface follows the
+    plane wherever p is not 0, so -∂²u/∂φ² = R, and the integral is P R for any shape of the contact.
 
-    Valid without friction and inertia, with the radial compliance (the vertical one differs by a share of the order of
-    the strain), for Ω R t ≪ a with the contact radius a. It is approached slowly: a solid sphere of a standard linear
-    solid with half of its instantaneous modulus at rest has 10 % less at Ω R t = 0.05 a.
+    Valid without friction and inertia, for Ω R t ≪ a with the contact radius a, and with the radial compliance. (With
+    the vertical compliance the relative difference is of the order of the strain.) The limit is approached slowly: for
+    a solid sphere of a standard linear solid whose relaxed modulus is half of its instantaneous modulus, the torque is
+    10 % lower at Ω R t = 0.05 a.
 
     Parameters
     ----------
     load : array_like
-        P [N], > 0.
+        Load P [N], > 0.
     angular_speed : array_like
-        Ω [rad/s], > 0.
+        Angular speed Ω [rad/s], > 0.
     radius : float
         Outer radius R [m], > 0.
     loss_time : float
-        t [s], ≥ 0. For a coating: the `loss_time` that all layers share, each with a real Poisson's ratio. For a solid
-        sphere whose bulk and shear are lossy in different degrees: `sphere_loss_time`.
+        Time t [s], ≥ 0. For a coating: the `loss_time` that all layers share, each with a real Poisson's ratio. For a
+        solid sphere whose bulk and shear have different loss factors: `sphere_loss_time`.
 
     Returns
     -------
     float or ndarray
-        T [N m].
+        Resisting torque T [N m].
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
@@ -67,27 +68,27 @@ def low_speed_torque(*, load: ArrayLike, angular_speed: ArrayLike, radius: float
 
 
 def loss_time(shear_modulus: ShearModulusLike) -> float:
-    """Time t of a material at rest, lim G″(ω) / (ω G′(ω)) for ω → 0.
+    """Return the loss time t of a material at rest, the limit of G″(ω) / (ω G′(ω)) for ω → 0.
 
-    It is Σ g_k τ_k / g_∞ of a Prony series and η/G of a Kelvin-Voigt solid, and 0 without loss.
+    The loss time is Σ g_k τ_k / g_∞ for a Prony series, η/G for a Kelvin-Voigt solid, and 0 without loss.
 
     Parameters
     ----------
     shear_modulus : ShearModulus or callable
-        μ*(ω) [Pa], as in `Layer`.
+        Shear modulus μ*(ω) [Pa], as in `Layer`.
 
     Returns
     -------
     float
-        t [s], ≥ 0.
+        Loss time t [s], ≥ 0.
 
     Raises
     ------
     TypeError
-        For something else than a modulus.
+        If `shear_modulus` is not a modulus.
     ValueError
-        Where the limit does not exist, as for a fractional solid of an order below 1 and for a master curve that does
-        not reach down to ω = 0.
+        If the limit does not exist, as for a fractional solid of an order below 1, or for a master curve that does not
+        extend to ω = 0.
 
     References
     ----------
@@ -113,38 +114,38 @@ def loss_time(shear_modulus: ShearModulusLike) -> float:
 def sphere_loss_time(
     *, shear_modulus: float, poisson_ratio: float, shear_viscosity: float, bulk_viscosity: float = 0.0
 ) -> float:
-    """Time t of a solid Kelvin-Voigt sphere, whose surface sees shear and bulk together.
+    """Return the loss time t of a solid Kelvin-Voigt sphere with losses in shear and in bulk.
 
     t = (1+ν)/(Y (1-ν)) · [(4/3) (1-ν+ν²) η_s + (1-2ν)² η_b] with Young's modulus Y = 2G (1+ν).
 
-    It is -d/dω of the phase of a half-space's compliance (1-ν*)/G* = (3K*+4G*) / (2G* (3K*+G*)) at ω = 0, with
-    G* = G + iωη_s and K* = K + iωη_b. It is η_s/G at ν = 1/2, and wherever both viscosities share one time,
-    η_s/G = η_b/K. Valid for the radius of contact well below that of the sphere (or the thickness of a coating).
+    This is -d/dω of the phase of the half-space compliance (1-ν*)/G* = (3K*+4G*) / (2G* (3K*+G*)) at ω = 0, with
+    G* = G + iωη_s and K* = K + iωη_b. It equals η_s/G at ν = 1/2, and if both viscosities have the same time,
+    η_s/G = η_b/K. Valid if the contact radius is well below the radius of the sphere, or the thickness of a coating.
 
     Parameters
     ----------
     shear_modulus : float
-        G at rest [Pa], > 0.
+        Shear modulus G at rest [Pa], > 0.
     poisson_ratio : float
-        ν at rest [-], in (-1, 0.5].
+        Poisson's ratio ν at rest [-], in (-1, 0.5].
     shear_viscosity : float
-        η_s [Pa s], ≥ 0; `loss_time` times G for any material.
+        Shear viscosity η_s [Pa s], ≥ 0; for any material, `loss_time` times G.
     bulk_viscosity : float, default 0
-        η_b [Pa s], ≥ 0.
+        Bulk viscosity η_b [Pa s], ≥ 0.
 
     Returns
     -------
     float
-        t [s], for `low_speed_torque`.
+        Loss time t [s], for `low_speed_torque`.
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     See Also
     --------
-    brilliantov_poschel_time : the coefficient of 1998, which this one corrects.
+    brilliantov_poschel_time : the coefficient of 1998, of which this is the correction.
 
     References
     ----------
@@ -165,34 +166,35 @@ def sphere_loss_time(
 def brilliantov_poschel_time(
     *, shear_modulus: float, poisson_ratio: float, shear_viscosity: float, bulk_viscosity: float = 0.0
 ) -> float:
-    """Coefficient of Brilliantov and Pöschel (1998) as printed, for comparison; `sphere_loss_time` is the right one.
+    """Return the coefficient of Brilliantov and Pöschel (1998) as printed; `sphere_loss_time` corrects it.
 
     t = (1/3) (3η₂-η₁)²/(3η₂+2η₁) · (1-ν²)(1-2ν)/(Y ν²) with η₁ = 2η_s and η₂ = η_b.
 
-    Its derivation errs in a change of coordinates, as Zheng et al. (2011) found. It is right where both viscosities
-    share one time, η_s/G = η_b/K. Elsewhere it vanishes at ν = 1/2 for any shear viscosity, and where η₁ = 3η₂, and it
-    grows without bound for ν → 0. With η_b = 0 it is 18, 0.69 and 0.15 times the right one at ν = 0.1, 0.3 and 0.4.
+    Zheng et al. (2011) found an error in a change of coordinates in its derivation. The coefficient is correct if both
+    viscosities have the same time, η_s/G = η_b/K. Otherwise it vanishes at ν = 1/2 for any shear viscosity and at
+    η₁ = 3η₂, and it is unbounded for ν → 0. With η_b = 0 it is 18, 0.69 and 0.15 times the correct one at ν = 0.1, 0.3
+    and 0.4.
 
     Parameters
     ----------
     shear_modulus : float
-        G at rest [Pa], > 0.
+        Shear modulus G at rest [Pa], > 0.
     poisson_ratio : float
-        ν at rest [-], in (-1, 0.5], not 0.
+        Poisson's ratio ν at rest [-], in (-1, 0.5], not 0.
     shear_viscosity : float
-        η_s [Pa s], > 0.
+        Shear viscosity η_s [Pa s], > 0.
     bulk_viscosity : float, default 0
-        η_b [Pa s], ≥ 0.
+        Bulk viscosity η_b [Pa s], ≥ 0.
 
     Returns
     -------
     float
-        t [s], for `low_speed_torque`.
+        Coefficient t [s], for `low_speed_torque`.
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Rolling torque of balls and rollers with a thin compressible coating, a bed of springs with memory, at any speed."""
+"""Rolling torque of bodies with a thin compressible coating, treated as a bed of viscoelastic springs."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ __all__ = ["KNOWN_IN_TIME", "longest_time", "winkler_torque", "winkler_torque_li
 #: Materials whose relaxation function is a sum of exponentials.
 KNOWN_IN_TIME = (Elastic, KelvinVoigt, StandardLinearSolid, Prony)
 
-#: Strips across half of the contact, by Gauss's rule in the angle ψ; bisections of a strip's length; and steps to the
-#: contact's size, each of which divides the error by four at least.
+#: Strips across half of the contact, by Gauss's rule in the angle ψ; bisections for the length of a strip; and
+#: iterations for the size of the contact, each of which divides the error by at least four.
 _STRIPS, _BISECTIONS, _STEPS = 16, 50, 26
 
 
@@ -35,51 +35,53 @@ def winkler_torque(
     poisson_ratio: float | None = None,
     bulk_modulus: float | None = None,
 ) -> Floats:
-    """Torque of a ball whose coating is a bed of viscoelastic springs, p = (1/h) ∫ M(t - t') dδ(t'), strip by strip.
+    """Return the torque of a ball whose coating is a bed of viscoelastic springs, p = (1/h) ∫ M(t - t') dδ(t').
 
-    M* = 2 μ* (1-ν)/(1-2ν), or K + 4μ*/3, is the modulus of a layer that cannot give way sideways; in time it is
-    M(t) = M_∞ + Σ M_k exp(-t/τ_k), and a dashpot η besides for Kelvin and Voigt. Material at the lateral distance z
-    meets the plane at x = a, a² = a₀² - z², unstrained, and after the way u is pressed by δ = (a u - u²/2) / R. With
-    l_k = Ω R τ_k and Φ_n = ∫ Φ_(n-1) du from Φ₀ = exp(-u/l), which is uⁿ/n! for l = ∞, integration by parts gives
+    M* = 2 μ* (1-ν)/(1-2ν), or K + 4μ*/3, is the modulus of a layer that cannot expand sideways. As a function of time
+    it is M(t) = M_∞ + Σ M_k exp(-t/τ_k), for a Kelvin-Voigt solid with an additional dashpot η. Material at the lateral
+    distance z meets the plane unstrained at x = a, a² = a₀² - z². After the distance u it is compressed by
+    δ = (a u - u²/2) / R. With l_k = Ω R τ_k and Φ_n = ∫ Φ_(n-1) du from Φ₀ = exp(-u/l), which is uⁿ/n! for l = ∞,
+    integration by parts gives
 
         R h p = Σ M_k (a Φ₁ - Φ₂)(u; l_k) + η Ω R (a - u).
 
-    The strip ends at u = L, where p is 0 again. Load and torque are the integrals over z of q = ∫ p du and
-    m = ∫ (a - u) p du = (a - L) q + ∫ q du, which replace Φ_n by Φ_(n+1) and Φ_(n+2).
+    A strip ends at u = L, where p is 0 again. Load and torque are the integrals over z of q = ∫ p du and
+    m = ∫ (a - u) p du = (a - L) q + ∫ q du, in which Φ_(n+1) and Φ_(n+2) replace Φ_n.
 
-    Valid for a thin coating as `thin_compressible_layer` is, with its errors of the order h/a, without friction and
-    inertia, and for coatings that forget within a revolution, Ω τ_k ≪ 2π. At given load the torque is closer than the
-    contact: of the solver's (a standard linear solid, V τ from 0.1 to 1 a) it is within 0.5 % from a = 3 h on at
-    ν = 0.3 and within 1.2 % from 10 h on at ν = 0.45 where the moduli differ by two, 2.5 % where they differ by ten.
+    Valid for a thin coating under the conditions of `thin_compressible_layer`, with errors of the order h/a, without
+    friction and inertia, and for coatings that relax within a revolution, Ω τ_k ≪ 2π. At given load the torque is more
+    accurate than the contact size. Compared with the solver (standard linear solid, V τ from 0.1 to 1 a), the error is
+    within 0.5 % for a ≥ 3 h at ν = 0.3. At ν = 0.45 and a ≥ 10 h it is within 1.2 % if the moduli differ by a factor of
+    two, and 2.5 % if they differ by a factor of ten.
 
     Parameters
     ----------
     load : array_like
-        P [N], > 0.
+        Load P [N], > 0.
     angular_speed : array_like
-        Ω [rad/s], > 0, of a shape that broadcasts with that of the load.
+        Angular speed Ω [rad/s], > 0, of a shape that broadcasts with that of the load.
     radius : float
         Outer radius R [m], > 0.
     thickness : float
-        h of the coating [m], > 0.
+        Thickness h of the coating [m], > 0.
     shear_modulus : Elastic, KelvinVoigt, StandardLinearSolid or Prony
-        μ*(ω): a material that is known in time.
+        Shear modulus μ*(ω) whose relaxation function is a sum of exponentials.
     poisson_ratio, bulk_modulus : float
-        ν [-] in (-1, 0.5), or K [Pa] > 0: one of them, as in `Layer`.
+        Poisson's ratio ν [-], in (-1, 0.5), or bulk modulus K [Pa], > 0: exactly one of them, as in `Layer`.
 
     Returns
     -------
     float or ndarray
-        T [N m].
+        Torque T [N m].
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
-    The derivation above; for cylinders in the same manner K. L. Johnson, Contact Mechanics, section 9.4.
+    The derivation above; the same for cylinders in K. L. Johnson, Contact Mechanics, section 9.4.
 
     Examples
     --------
@@ -96,7 +98,7 @@ def winkler_torque(
     forces, speeds = positives("load", load, "N"), positives("angular_speed", angular_speed, "rad/s")
 
     def torque(force: float, speed: float) -> float:
-        # Between the cube and the fourth power of a₀, as dashpots or springs bear the load.
+        # The load grows between a₀³ (dashpots) and a₀⁴ (springs).
         a0 = (4.0 * force * size * h / (np.pi * springs.moduli.sum())) ** 0.25
         for _ in range(_STEPS):
             borne, moment = springs.load_and_moment(a0, speed * size)
@@ -116,24 +118,24 @@ def winkler_torque_line(
     poisson_ratio: float | None = None,
     bulk_modulus: float | None = None,
 ) -> Floats:
-    """Torque per length of a roller whose coating is a bed of viscoelastic springs: one strip of `winkler_torque`.
+    """Return the torque per unit length of a roller whose coating is a bed of springs: one strip of `winkler_torque`.
 
     Parameters
     ----------
     load : array_like
-        P per length [N/m], > 0.
+        Load P per unit length [N/m], > 0.
     angular_speed, radius, thickness, shear_modulus, poisson_ratio, bulk_modulus
-        As of `winkler_torque`.
+        The same as in `winkler_torque`.
 
     Returns
     -------
     float or ndarray
-        T per length [N].
+        Torque T per unit length [N].
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; the message names parameter, value, unit and range.
+        If an argument is invalid; the message names the argument, its value, unit and allowed range.
 
     References
     ----------
@@ -154,7 +156,7 @@ def winkler_torque_line(
     forces, speeds = positives("load", load, "N/m"), positives("angular_speed", angular_speed, "rad/s")
 
     def torque(force: float, speed: float) -> float:
-        # Between the square and the cube of a, as dashpots or springs bear the load.
+        # The load grows between a² (dashpots) and a³ (springs).
         a = float(np.cbrt(1.5 * force * size * h / springs.moduli.sum()))
         for _ in range(_STEPS):
             borne, moment = (float(value[0]) for value in springs.strips(np.array([a]), speed * size))
@@ -166,7 +168,7 @@ def winkler_torque_line(
 
 @dataclass(frozen=True, slots=True)
 class _Springs:
-    """M(t) of a coating: springs M_k [Pa] with relaxation times τ_k [s], the last one ∞, and a dashpot [Pa s]."""
+    """Relaxation function M(t) of a coating: springs M_k [Pa] with times τ_k [s], the last ∞, and a dashpot [Pa s]."""
 
     moduli: NDArray[np.float64]
     times: NDArray[np.float64]
@@ -175,20 +177,24 @@ class _Springs:
     def load_and_moment(self, a0: float, velocity: float) -> tuple[float, float]:
         """Return load and torque of a contact that begins at the radius a₀ [m], times R h."""
         nodes, weights = np.polynomial.legendre.leggauss(_STRIPS)
-        psi = 0.25 * np.pi * (1.0 + nodes)  # z = a₀ sin ψ, both sides alike
+        psi = 0.25 * np.pi * (1.0 + nodes)  # z = a₀ sin ψ; both sides are identical
         a = a0 * np.cos(psi)
         load, moment = self.strips(a, velocity)
         widths = 0.5 * np.pi * weights * a
         return float(widths @ load), float(widths @ moment)
 
     def strips(self, a: NDArray[np.float64], velocity: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return loads and torques per width of strips that begin at x = a [m], times R h."""
+        """Return loads and torques per unit width of strips that begin at x = a [m], times R h."""
         length = self._length(a, velocity)
         q, sum_of_q = (self._pressure(a, length, velocity, integrals=count) for count in (1, 2))
         return q, (a - length) * q + sum_of_q
 
     def _length(self, a: NDArray[np.float64], velocity: float) -> NDArray[np.float64]:
-        """Find L in [a, 2a]: pressed until a, a spring with memory cannot press any more at 2a, where δ is 0 again."""
+        """Return the length L of each strip [m], in [a, 2a].
+
+        The compression grows until u = a and is 0 again at u = 2a, where springs with relaxation no longer exert
+        pressure.
+        """
         low, high = a, 2.0 * a
         for _ in range(_BISECTIONS):
             middle = 0.5 * (low + high)
@@ -199,7 +205,7 @@ class _Springs:
     def _pressure(
         self, a: NDArray[np.float64], u: NDArray[np.float64], velocity: float, *, integrals: int = 0
     ) -> NDArray[np.float64]:
-        """Return R h p after the way u, or its first or second integral."""
+        """Return R h p after the distance u, or its first or second integral over u."""
         rate = 1.0 / (velocity * self.times[:, None])
         phi = _repeated_integrals(u, rate)
         n = 1 + integrals
@@ -209,7 +215,7 @@ class _Springs:
 
 
 def _repeated_integrals(u: NDArray[np.float64], rate: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Integrate exp(-u/l) up to four times from 0, Φ_n = uⁿ (1/n! - y/(n+1)! + y²/(n+2)! - ...) at y = u/l."""
+    """Return exp(-u/l) and its first four integrals from 0, Φ_n = uⁿ (1/n! - y/(n+1)! + y²/(n+2)! - ...) at y = u/l."""
     y = u * rate
     small = np.minimum(y, 1.0)
     series = np.zeros_like(y)
@@ -257,6 +263,6 @@ def _shear_springs(modulus: ShearModulus) -> _Springs:
 
 
 def longest_time(modulus: ShearModulus) -> float:
-    """Return how long a material remembers [s]: its longest relaxation time, 0 for none."""
+    """Return the longest relaxation time of a material [s], 0 if it has none."""
     times = _shear_springs(modulus).times[:-1]
     return float(times.max(initial=0.0))

@@ -1,4 +1,4 @@
-"""The page on which cases are tried, served and solved on this machine (the extra `viscoroll[cli]`)."""
+"""Interactive page for cases, which this machine serves and solves (the extra `viscoroll[cli]`)."""
 
 from .answer import answer, scalars
 from .server import PageServer, serve

@@ -1,4 +1,4 @@
-"""Answers to the requests of the page: a case as JSON in, numbers and fields, or what is wrong with it, out."""
+"""Answers to requests of the page: a case as JSON gives numbers and fields, or an error message."""
 
 from __future__ import annotations
 
@@ -23,36 +23,36 @@ __all__ = ["OTHER_TABLES", "answer", "readable_case", "scalars"]
 #: Keys of a request.
 _KEYS = {"case", "fields"}
 
-#: Tables of case files that the page does not have.
+#: Tables of case files that the page does not support.
 OTHER_TABLES = ("thermal", "motion", "sweep", "design")
 
-#: How a message begins: the place in the case, where it has one, and the name of the parameter.
+#: Pattern of the beginning of a message: the place in the case, if there is one, and the name of the parameter.
 _BEGINNING = re.compile(r"(?:(?P<place>[\w.\[\]]+): )?(?P<name>[a-z]\w*(?:\.\w+|\[\d+\])*) (?:must|has)")
 
-#: A message about the place itself: "rolling.load: input should be a valid number".
+#: Pattern of a message about the place itself, such as "rolling.load: input should be a valid number".
 _PLACE = re.compile(r"(?P<place>[a-z]\w*(?:\.\w+|\[\d+\])*): ")
 
 
 def scalars() -> list[dict[str, str]]:
-    """Return name, unit and description of every scalar result, as the table of the core has them."""
+    """Return name, unit and description of every scalar result, from the table of the core."""
     return [{"name": one.name, "unit": one.unit, "description": one.label} for one in _core.result_scalars()]
 
 
 def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
-    """Solve the case of a request, which is read as a case file is.
+    """Solve the case of a request, which has the format of a case file.
 
     Parameters
     ----------
     request : dict
-        ``case``: the tables of a case file, without names of files; ``fields``: whether fields are wanted.
+        ``case``: the tables of a case file, without names of files; ``fields``: whether to return fields.
     progress : callable, optional
-        As of `viscoroll.solve`; what it raises ends the solve and is raised here.
+        Same as in `viscoroll.solve`. An exception that it raises ends the solve and propagates.
 
     Returns
     -------
     dict
         ``{"result": {"scalars", "state", "warnings", "fields"}}``, in SI units, or ``{"error": {"message",
-        "parameter"}}``: the message of a case file, and the parameter that it begins with, or None.
+        "parameter"}}``: the message as for a case file, and the parameter at its beginning, or None.
     """
     try:
         if not isinstance(request, dict) or "case" not in request or set(request) - _KEYS:
@@ -74,12 +74,12 @@ def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
 
 
 def readable_case(document: object) -> Case:
-    """Return the case that tables describe. No file is read.
+    """Return the case that tables describe, without reading any file.
 
     Raises
     ------
     ValueError, TypeError
-        If the tables are not valid, name a file, or ask for more than a solve.
+        If the tables are not valid, refer to a file, or include tables of `OTHER_TABLES`.
     """
     if not isinstance(document, dict):
         raise ValueError("case must be an object of the tables of a case file")
@@ -96,7 +96,7 @@ def _parameter(message: str) -> str | None:
 
 
 def _finite(value: float | int | str | None) -> float | int | str | None:
-    """JSON has no numbers for infinite and undefined values."""
+    """Return None for infinite and undefined values, for which JSON has no numbers, else the value."""
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
@@ -107,8 +107,8 @@ def _warnings(result: Result) -> list[dict[str, str]]:
 
 
 def _fields(result: Result) -> dict[str, Any]:
-    """Return pressure and stick over the nodes, and heights in the middle plane, deformed and undeformed [SI]."""
-    row, middle = (count // 2 for count in result.x.shape)  # on a ball, the others' coordinates differ a little
+    """Return pressure and stick state at the nodes, and heights in the middle plane, deformed and rigid [SI units]."""
+    row, middle = (count // 2 for count in result.x.shape)  # on a ball, other rows differ slightly
     surface = result.gap[:, middle]
     state = result.stick.astype(int) + 2 * result.slip.astype(int) if result.friction > 0.0 else None
     return {

@@ -1,8 +1,8 @@
-"""The server of the page: for browsers of this user on this machine only.
+"""Server of the page, only for browsers of this user on this machine.
 
-Addresses begin with a random token, which the relative links of the page repeat. A request without it is refused, be it
-from a program of another user or from a page of another site. The token does not appear in the list of processes: a
-browser is started with the name of a private file, which redirects to the page.
+Addresses begin with a random token, which the relative links of the page repeat. The server rejects requests without
+the token, whether they come from a program of another user or from a page of another site. The token does not appear in
+the list of processes: the browser is started with the name of a private file, which redirects to the page.
 """
 
 from __future__ import annotations
@@ -36,26 +36,26 @@ __all__ = ["PageServer", "serve"]
 
 _HOST = "127.0.0.1"
 
-#: Files of the page, by suffix; a folder of the package holds them.
+#: Media types of the files of the page, by suffix.
 _TYPES = {".html": "text/html", ".css": "text/css", ".js": "text/javascript"}
 
-#: A case is some hundred characters, a measured curve in it some ten thousand [bytes].
+#: Largest request [bytes]. A case has some hundred characters, a measured curve in it some ten thousand.
 _LONGEST_REQUEST = 1_000_000
 
-#: The length of a content. Python refuses to convert numbers of thousands of digits.
+#: Pattern of the length of a request body. Python does not convert numbers of thousands of digits.
 _LENGTH = re.compile("[0-9]{1,18}")
 
-#: Time for a whole request to arrive, and for an answer to be received [s]. A browser here needs milliseconds.
+#: Largest time for a whole request to arrive, and for an answer to be received [s]. A local browser needs milliseconds.
 _LONGEST_TRANSFER = 10.0
 
-#: Connections at a time. A browser opens up to six for each window.
+#: Largest number of simultaneous connections. A browser opens up to six for each window.
 _MOST_CONNECTIONS = 32
 
-#: The script element of the page that names the solver and the case to begin with.
+#: Script element of the page with the solver and the initial case.
 _START = '<script type="application/json" id="start">{}</script>'
 _NO_SOLVER = _START.format('{"solver": "none"}')
 
-#: Headers of every answer.
+#: HTTP headers of every answer.
 _HEADERS = {
     "Cache-Control": "no-store",
     "Content-Security-Policy": (
@@ -78,18 +78,18 @@ _REDIRECT = """<!doctype html>
 
 
 class _Gone(Exception):  # noqa: N818  (not an error: the answer is no longer wanted)
-    """The browser has closed the connection, or the server ends."""
+    """Raised during a solve if the browser has closed the connection or the server stops."""
 
 
 class PageServer(ThreadingHTTPServer):
-    """The server of one page.
+    """HTTP server of one page.
 
     Parameters
     ----------
     case : dict, optional
-        Tables of the case that the page begins with.
+        Tables of the initial case of the page.
     port : int, default 0
-        0 selects a free port.
+        Port; 0 selects a free one.
 
     Attributes
     ----------
@@ -97,7 +97,7 @@ class PageServer(ThreadingHTTPServer):
         Address of the page, with the token.
     """
 
-    daemon_threads = False  # they end before the server does
+    daemon_threads = False  # server_close waits for them
 
     def __init__(self, case: dict[str, Any] | None = None, *, port: int = 0) -> None:
         super().__init__((_HOST, port), _Handler)
@@ -127,7 +127,7 @@ class PageServer(ThreadingHTTPServer):
             shutil.rmtree(private, ignore_errors=True)
 
     def process_request(self, request: Any, client_address: Any) -> None:
-        """Answer a request in a thread of its own, or refuse it if there are too many connections."""
+        """Answer a request in a thread of its own, or reject it if there are too many connections."""
         if self._free.acquire(blocking=False):
             super().process_request(request, client_address)
             return
@@ -136,7 +136,7 @@ class PageServer(ThreadingHTTPServer):
         self.shutdown_request(request)
 
     def process_request_thread(self, request: Any, client_address: Any) -> None:
-        """Answer a request, whose connection is known until it is answered."""
+        """Answer a request, with its connection in the list of open ones until it is answered."""
         self._open.add(request)
         try:
             super().process_request_thread(request, client_address)
@@ -145,7 +145,7 @@ class PageServer(ThreadingHTTPServer):
             self._free.release()
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Print nothing about browsers that do not wait for an answer."""
+        """Print errors, except those of browsers that close the connection or respond too late."""
         if not isinstance(sys.exception(), ConnectionError | TimeoutError):
             super().handle_error(request, client_address)
 
@@ -164,11 +164,11 @@ def serve(case: dict[str, Any] | None = None, *, browser: bool = True, tell: Cal
     Parameters
     ----------
     case : dict, optional
-        Tables of the case that the page begins with.
-    browser : bool
+        Tables of the initial case of the page.
+    browser : bool, default True
         Whether to open the page in a browser.
-    tell : callable
-        Called with the address, on one line.
+    tell : callable, default print
+        Called with a line that contains the address.
     """
     with PageServer(case) as server:
         tell(f"{server.address}  (Ctrl-C ends it)")
@@ -179,7 +179,7 @@ def serve(case: dict[str, Any] | None = None, *, browser: bool = True, tell: Cal
 
 
 def _page_files(case: dict[str, Any] | None) -> dict[str, tuple[str, bytes]]:
-    """Return type and content of the files that are served, by name."""
+    """Return media type and content of the files of the page, by name."""
     folder = resources.files(__package__).joinpath("page")
     files = {
         file.name: (_TYPES[suffix], file.read_bytes())
@@ -187,13 +187,13 @@ def _page_files(case: dict[str, Any] | None) -> dict[str, tuple[str, bytes]]:
         if (suffix := file.name[file.name.rfind(".") :]) in _TYPES
     }
     kind, page = files.pop("index.html")
-    # In a script, "</" would end it.
+    # "</" would end the script element.
     start = json.dumps({"solver": "native", "case": case}).replace("</", "<\\/")
     return files | {"": (kind, page.decode().replace(_NO_SOLVER, _START.format(start)).encode())}
 
 
 class _TimedReader(io.RawIOBase):
-    """Reads from a connection until a deadline for all reads together."""
+    """Reader of a connection, with one deadline for all reads together."""
 
     def __init__(self, connection: socket.socket) -> None:
         self._connection = connection
@@ -216,10 +216,10 @@ class _TimedReader(io.RawIOBase):
 
 
 class _Handler(BaseHTTPRequestHandler):
-    """Answers one request."""
+    """Handler of one request."""
 
     server: PageServer
-    timeout = _LONGEST_TRANSFER  # for an answer to be received
+    timeout = _LONGEST_TRANSFER  # time for an answer to be received [s]
 
     def setup(self) -> None:
         """Read the request with a deadline."""
@@ -263,10 +263,10 @@ class _Handler(BaseHTTPRequestHandler):
             return
 
     def _name(self) -> str | None:
-        """Return the name behind the token, or refuse the request."""
+        """Return the name after the token; reject requests without token, or from another site, and return None."""
         token, slash, name = self.path.partition("?")[0].removeprefix("/").partition("/")
         hosts, origins = self.headers.get_all("Host", []), self.headers.get_all("Origin", [])
-        is_here = len(hosts) == 1 and hosts[0] in self.server.hosts  # else another site's name leads to this machine
+        is_here = len(hosts) == 1 and hosts[0] in self.server.hosts  # else another site's name resolves to this machine
         is_own = all(origin == f"http://{hosts[0]}" for origin in origins) if is_here else False
         is_known = secrets.compare_digest(token.encode("utf-8", "replace"), self.server.token.encode())
         if not (slash and is_here and is_own and is_known):
@@ -275,7 +275,7 @@ class _Handler(BaseHTTPRequestHandler):
         return name
 
     def _body(self) -> bytes | None:
-        """Return the content of a request, or refuse the request."""
+        """Return the body of a request; reject requests without a valid length, and return None."""
         lengths = self.headers.get_all("Content-Length", [])
         if not lengths:
             self._refuse(HTTPStatus.LENGTH_REQUIRED)
@@ -294,7 +294,7 @@ class _Handler(BaseHTTPRequestHandler):
         return body
 
     def _wanted(self, _stage: str, _fraction: float) -> None:
-        """Stop a solve whose answer is no longer wanted."""
+        """Stop a solve, as its progress function, if the browser has closed the connection."""
         if self._is_closed():
             raise _Gone
 
@@ -322,8 +322,8 @@ class _Handler(BaseHTTPRequestHandler):
         self.wfile.write(content)
 
     def send_error(self, code: int, message: str | None = None, explain: str | None = None) -> None:  # noqa: ARG002
-        """Refuse requests that are not valid HTTP like all others, without a word of theirs."""
-        self.request_version = self.protocol_version  # else an answer to a version that is not known has no headers
+        """Reject requests that are not valid HTTP like all others, without quoting them."""
+        self.request_version = self.protocol_version  # an answer to an unknown version would have no headers
         self._refuse(HTTPStatus(code))
 
     def version_string(self) -> str:
@@ -331,23 +331,24 @@ class _Handler(BaseHTTPRequestHandler):
         return "viscoroll"
 
     def log_message(self, *_: object) -> None:
-        """Print nothing: the terminal is the user's."""
+        """Print nothing: requests are not logged on the terminal."""
 
 
 def _read_json(body: bytes) -> Any:
-    """Return the content of a request.
+    """Return the content of the body of a request.
 
     Raises
     ------
     ValueError
-        If it is not JSON in UTF-8, has NaN or infinite numbers, integers of thousands of digits or lone surrogates.
+        If the body is not JSON in UTF-8, or contains NaN, infinite numbers, integers of thousands of digits or lone
+        surrogates.
     RecursionError
-        If it is nested too deeply.
+        If the content is nested too deeply.
     """
 
     def refused(constant: str) -> Any:
         raise ValueError(f"{constant} is not JSON")
 
     content = json.loads(body.decode(), parse_constant=refused)
-    json.dumps(content, ensure_ascii=False).encode()  # fails for lone surrogates
+    json.dumps(content, ensure_ascii=False).encode()  # raises a UnicodeEncodeError for lone surrogates
     return content

@@ -1,7 +1,7 @@
-"""Materials of data sheets and laboratories as tables, for the page where this package is not there to read them.
+"""Tables of materials from data sheets and laboratories, for the page that runs without this package.
 
-The library of C++ knows neither hardness nor rebound, and no published material: their formulas and data are in Python
-alone. What they come to is tabulated as finely as data sheets tell, and `page/tabulated.js` looks it up.
+The C++ library has no hardness, no rebound and no published materials: only Python has their formulas and data. Their
+moduli are tabulated at the resolution of data sheets, and `page/tabulated.js` looks them up.
 """
 
 from __future__ import annotations
@@ -14,28 +14,28 @@ from ..rheology.published import EXAMPLES
 
 __all__ = ["tabulated_materials"]
 
-#: Whole degrees of a durometer, by scale; whole percents of rebound; hundredths of loss factors; degrees Celsius.
+#: Tabulated values: hardness by scale [Shore]; rebound [%]; loss factor [0.01]; temperature [°C].
 _HARDNESS = {"A": range(20, 91), "D": range(30, 86)}
 _REBOUNDS = range(2, 100)
 _LOSS_FACTORS = range(1, 101)
 _TEMPERATURES = range(-10, 60, 10)
 
-#: How far loss factors hold above and below their frequency, which of a hardness is far below that of a contact: as
-#: `page/materials.js` asks for.
+#: Decades above and below its frequency over which a loss factor is constant; more for a hardness, whose frequency is
+#: far below that of a contact. Same as in `page/materials.js`.
 _DECADES = 3.0
 _DECADES_OF_HARDNESS = 4.5
 
 
 def tabulated_materials() -> dict[str, Any]:
-    """Return the tables as JSON has them.
+    """Return the tables in a form that can be written as JSON.
 
     Returns
     -------
     dict
-        ``hardness``: by scale and hardness, shear modulus [Pa]; ``rebound`` and ``loss_factor``: for so many `decades`,
-        with `relaxation_times` [s], by percent of either the Prony `series` of a modulus of 1 Pa that holds at 1 rad/s,
-        whose weights between the first and the last are geometric: instantaneous modulus, first weight, second, ratio,
-        and last; ``published``: by name and temperature [°C], the table of a case file.
+        ``hardness`` holds shear moduli [Pa] by scale and hardness. ``rebound`` and ``loss_factor`` hold `decades`,
+        `relaxation_times` [s], and by percent the Prony `series` of a material with the modulus 1 Pa at 1 rad/s, whose
+        weights between the first and the last are geometric: instantaneous modulus, first weight, second weight, ratio,
+        last weight. ``published`` holds tables of a case file by name and temperature [°C].
     """
     return {
         "hardness": {
@@ -58,19 +58,19 @@ def _all_series(loss_factors: dict[int, float], decades: float) -> dict[str, Any
         percent: LossFactor(modulus=1.0, loss_factor=loss_factor, reference_frequency=1.0, decades=decades).prony()
         for percent, loss_factor in loss_factors.items()
     }
-    times = next(iter(unit.values())).relaxation_times  # of all of them
+    times = next(iter(unit.values())).relaxation_times  # the same for all series
     series = {str(percent): _numbers(one) for percent, one in unit.items()}
     return {"decades": decades, "relaxation_times": list(times), "series": series}
 
 
 def _numbers(series: Prony) -> list[float]:
-    """Return what a series is made of; all its weights would be as much to download as the rest of the page."""
+    """Return five numbers that define a series; all its weights would double the download of the page."""
     first, second, third, *_, last = series.weights
     return [series.instantaneous_modulus, first, second, third / second, last]
 
 
 def _table(modulus: MasterCurve | Prony | LossFactor) -> dict[str, Any]:
-    """Return the table of a case file for a modulus that was measured, of a type that C++ knows."""
+    """Return the table of a case file for a measured modulus, with a type that the C++ library has."""
     if isinstance(modulus, LossFactor):
         series = modulus.prony()
         terms = {name: list(map(float, getattr(series, name))) for name in ("weights", "relaxation_times")}

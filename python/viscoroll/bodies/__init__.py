@@ -1,4 +1,4 @@
-"""What rolls, what it rolls on, how it is meshed and driven; `orders` is how its layers answer."""
+"""Rolling bodies, counterbodies, meshes and drives; `orders` computes the response of the layers."""
 
 from .bodies import (
     CoatedCylinder,

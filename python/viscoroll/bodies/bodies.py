@@ -1,4 +1,4 @@
-"""What rolls, and what it rolls on: bonded viscoelastic layers."""
+"""Rolling bodies and counterbodies made of bonded viscoelastic layers."""
 
 from __future__ import annotations
 
@@ -29,18 +29,18 @@ __all__ = [
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CoatedSphere(RoundBody):
-    """Layers bonded to one another, and to a rigid core if there is one.
+    """A ball: layers bonded to one another, and to a rigid core if there is one.
 
     Parameters
     ----------
     core_radius : float
-        Radius of the core or the cavity [m], > 0; 0, which may be left out, for a solid ball.
+        Radius of the core or the cavity [m], > 0. By default 0, which means a solid ball.
     layers : sequence of Layer
-        From the center outwards; with none a rigid ball, which rolls on what deforms.
+        Layers from the center outwards. By default none: a rigid ball, which needs a deformable counterbody.
     inner_boundary : InnerBoundary or str, default InnerBoundary.RIGID
-        What lies within: a rigid core, a cavity (HOLLOW), or nothing, the layers reaching the center (SOLID), as they
-        do where no radius of a core is given. Without a core, the mean rotation of the coating is taken to be zero, for
-        no other can be told from turning the ball.
+        Inner boundary of the layers: a rigid core (RIGID), a cavity (HOLLOW), or none, with layers that reach the
+        center (SOLID), the default for layers without a core radius. Without a core, the mean rotation of the coating
+        is set to zero, because any other value cannot be distinguished from a rotation of the whole ball.
 
     Examples
     --------
@@ -58,7 +58,7 @@ class CoatedSphere(RoundBody):
     _choices: ClassVar[dict[str, type[Enum]]] = {"inner_boundary": InnerBoundary}
 
     def __post_init__(self) -> None:
-        """Take layers without a core for a solid ball, and check the parameters."""
+        """Set the inner boundary to SOLID for layers without a core radius, and check the parameters."""
         store_floats(self, self._lengths)
         boundary = as_member("inner_boundary", self.inner_boundary, InnerBoundary)
         if boundary is InnerBoundary.RIGID and self.core_radius == 0.0 and as_layers(self.layers):
@@ -75,15 +75,15 @@ class CoatedSphere(RoundBody):
 class CoatedCylinder(RoundBody):
     """A roller: layers bonded to one another and to a rigid core, in line contact.
 
-    It is as long as one likes, in plane strain: load, forces, torques and powers are per length. Without a core a line
-    load would have no finite compliance.
+    The roller is infinitely long and in plane strain: load, forces, torques and powers are per length. It needs a core,
+    because a line load on a roller without a core would have no finite compliance.
 
     Parameters
     ----------
     core_radius : float
         Radius of the core [m], > 0.
     layers : sequence of Layer
-        From the core outwards; none: rigid.
+        Layers from the core outwards. By default none: a rigid roller.
 
     Examples
     --------
@@ -105,7 +105,7 @@ class CoatedCylinder(RoundBody):
 
 
 class _Ground(LayeredBody):
-    """What planes and grooves have in common: a base."""
+    """Common base class of planes and grooves, which have layers on a base."""
 
     __slots__ = ()
 
@@ -123,9 +123,9 @@ class CoatedPlane(_Ground):
     Parameters
     ----------
     layers : sequence of Layer
-        From the base outwards.
+        Layers from the base outwards. By default none.
     base : HalfSpace, optional
-        What carries them; rigid without it.
+        Half-space that supports the layers. By default the base is rigid.
 
     Examples
     --------
@@ -144,23 +144,24 @@ class CoatedPlane(_Ground):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Groove(_Ground):
-    """What a ball rolls along or in: a surface that is hollow, or bulges, across the path, along it, or both ways.
+    """A surface that is concave or convex across the path, along it, or both: groove, dish, ring or drum.
 
-    A roller rolls along it, in a ring or on a drum: there it is straight across.
+    A roller rolls along the curvature `path_radius`, inside a ring or on a drum, which is straight across.
 
-    Layers and base are taken to be flat, which is as good as they are thin beside the radii.
+    Layers and base are treated as flat. The layers must therefore be thin compared with the radii.
 
     Parameters
     ----------
     radius : float, optional
-        Of curvature across the path [m]: at least 1.02 times the ball's where it is hollow, < 0 where it bulges;
-        straight without it, as under a roller.
+        Radius of curvature across the path [m]: positive if concave, then at least 1.02 times the radius of the ball;
+        negative if convex. By default straight across, as rollers require.
     path_radius : float, optional
-        The same along the path: a dish, or the race of a bearing.
+        Radius of curvature along the path [m], with the same signs and limits, for a dish or the race of a bearing.
+        By default straight along the path.
     layers : sequence of Layer
-        From the base outwards; none: rigid.
+        Layers from the base outwards. By default none: a rigid groove.
     base : HalfSpace, optional
-        What carries them; rigid without it.
+        Half-space that supports the layers. By default the base is rigid.
 
     Examples
     --------
@@ -179,23 +180,23 @@ class Groove(_Ground):
         return _core.Groove(radius=self.radius, path_radius=self.path_radius, surface=self._core_plane())
 
 
-#: What rolls: a ball, a roller, whose load and results are per length, or a wheel.
+#: Rolling body: a ball, a roller or a wheel. Load and results of a roller are per length.
 RollingBody: TypeAlias = CoatedSphere | CoatedCylinder | CoatedWheel
 
-#: What it rolls on: a plane, a groove, or another body that turns.
+#: Counterbody: a plane, a groove, or another ball, roller or wheel.
 Counterpart: TypeAlias = CoatedPlane | Groove | CoatedSphere | CoatedCylinder | CoatedWheel
 
 
 def core_counterpart(
     on: Counterpart | None,
 ) -> _core.CoatedPlane | _core.Groove | _core.CoatedSphere | _core.CoatedCylinder | _core.CoatedWheel:
-    """Return what the core knows it as; without any, the rigid plane."""
+    """Return the counterbody as an object of the core; None means the rigid plane."""
     require_type("on", on, Counterpart, optional=True)
     return CoatedPlane()._to_core() if on is None else on._to_core()
 
 
 def require_body(name: str, body: object, kind: type[RoundBody] | UnionType, what: str) -> None:
-    """Raise a TypeError unless a body is of that kind; of others that roll it says that `what` is not there yet."""
+    """Raise a TypeError unless a body is of that kind; the message says that `what` does not support other kinds."""
     if isinstance(body, RollingBody) and not isinstance(body, kind):
         wanted = " or ".join(one.noun for one in get_args(kind) or (kind,))
         raise TypeError(f"{name} must be a {wanted}: {what} of a {body.noun} is not there yet")

@@ -1,4 +1,4 @@
-"""What moves the ball along the plane."""
+"""Drive of a rolling body with friction."""
 
 from __future__ import annotations
 
@@ -14,28 +14,30 @@ __all__ = ["Drive"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Drive(ParameterTable):
-    """What is given besides load and angular speed of rolling with friction: exactly one of force, torque and creepage.
+    """Drive of a body that rolls with friction: exactly one of force, torque and creepage, besides load and speed.
 
     Parameters
     ----------
     force : float, optional
-        Q, horizontal force on the center, forward [N], smaller than friction times load in magnitude. With 0 a torque
-        alone drives the ball.
+        Q, horizontal force on the center, positive forward [N]; its magnitude is less than friction times load. With
+        0 the torque alone drives the body.
     torque : float, optional
-        T, driving torque about the axis of rolling [N m]. With 0 the ball is towed.
+        T, driving torque about the rolling axis [N m]. With 0 the body is towed.
     creepage : float, optional
-        V_s / (Ω r_o) - 1 [-], where V_s is the speed of the center.
+        V_s / (Ω r_o) - 1 [-], where V_s is the speed of the center and Ω r_o the rolling speed.
     lateral_creepage : float, default 0
-        Sideways speed of the center per Ω r_o [-]; only with `creepage`.
+        Lateral speed of the center divided by Ω r_o [-]; allowed only with `creepage`.
     spin : float, default 0
-        Turning of the ball about the downward axis through the contact per Ω r_o [1/m]; only with `creepage`.
+        Angular speed of the body about the downward axis through the contact, divided by Ω r_o [1/m]; allowed only with
+        `creepage`.
 
     Raises
     ------
     TypeError
-        For values that are not real numbers.
+        If a value is not a real number.
     ValueError
-        Unless exactly one of the three is given.
+        Unless exactly one of force, torque and creepage is given, or if lateral creepage or spin is given without
+        creepage.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""What bodies have in common: layers, and around a core."""
+"""Base classes of the bodies: bodies with layers, and round bodies with a core."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ Body = TypeVar("Body", bound="LayeredBody")
 
 
 class LayeredBody(ParameterTable):
-    """What all bodies have in common: layers, from the inside outwards."""
+    """Common base class of all bodies, which have layers from the inside outwards."""
 
     __slots__ = ()
 
     layers: Sequence[Layer]
 
-    #: Parameters that are lengths, those that may be left out, and those that are one of several names.
+    #: Names of the parameters that are lengths, that are optional lengths, and that are members of an enum.
     _lengths: ClassVar[tuple[str, ...]] = ()
     _optional_lengths: ClassVar[tuple[str, ...]] = ()
     _choices: ClassVar[dict[str, type[Enum]]] = {}
 
     def __post_init__(self) -> None:
-        """Store lengths as floats, freeze the list of layers, find what is named, and check the parameters."""
+        """Store lengths as floats, layers as a tuple and names as enum members, and check the parameters."""
         store_floats(self, self._lengths, optional=self._optional_lengths)
         object.__setattr__(self, "layers", as_layers(self.layers))
         for name, kind in self._choices.items():
@@ -40,25 +40,25 @@ class LayeredBody(ParameterTable):
 
     @property
     def thickness(self) -> float:
-        """Thickness of all layers together [m]."""
+        """Total thickness of all layers [m]."""
         return sum(layer.thickness for layer in self.layers)
 
     def _core_layers(self) -> list[_core.Layer]:
         return [layer._to_core() for layer in self.layers]
 
     def _to_core(self) -> object:
-        """Return what the core knows it as, which checks the parameters."""
+        """Return the body as an object of the core, whose constructor checks the parameters."""
         raise NotImplementedError
 
 
 def materials_of(body: LayeredBody) -> tuple[Layer | HalfSpace, ...]:
-    """Return what a body is made of, from the inside outwards, the base of a plane first."""
+    """Return the materials of a body from the inside outwards, starting with the base of a plane if it has one."""
     base = getattr(body, "base", None)
     return (*((base,) if isinstance(base, HalfSpace) else ()), *body.layers)
 
 
 def with_materials(body: Body, materials: Sequence[Layer | HalfSpace]) -> Body:
-    """Return a body of other materials, as many as it has; itself where they are its own."""
+    """Return a copy of a body with other materials, or the body itself if its materials are unchanged."""
     if all(new is old for new, old in zip(materials, materials_of(body), strict=True)):
         return body
     layers = tuple(material for material in materials if isinstance(material, Layer))
@@ -67,7 +67,7 @@ def with_materials(body: Body, materials: Sequence[Layer | HalfSpace]) -> Body:
 
 
 class RoundBody(LayeredBody):
-    """What all that rolls has in common: a core."""
+    """Common base class of the rolling bodies, which have a core."""
 
     __slots__ = ()
 
@@ -75,7 +75,7 @@ class RoundBody(LayeredBody):
 
     _lengths: ClassVar[tuple[str, ...]] = ("core_radius",)
 
-    #: What messages and pictures call it, and whether loads, forces and torques are per length.
+    #: Noun for the body in messages and pictures, and whether loads, forces and torques are per length.
     noun: ClassVar[str]
     line_contact: ClassVar[bool] = False
 
@@ -85,5 +85,5 @@ class RoundBody(LayeredBody):
         return self.core_radius + self.thickness
 
     def __str__(self) -> str:
-        """Return the parameters, and how they read in SI units where that is implausible."""
+        """Return the parameters, followed by a hint if the values are implausible in SI units."""
         return "\n".join(filter(None, [repr(self), si_hint(self)]))

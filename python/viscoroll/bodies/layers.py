@@ -1,4 +1,4 @@
-"""What bodies are made of: bonded viscoelastic layers, and material without end."""
+"""Materials of the bodies: bonded viscoelastic layers and half-spaces."""
 
 from __future__ import annotations
 
@@ -20,24 +20,24 @@ __all__ = ["HalfSpace", "Layer", "as_layers", "at_rest"]
 class Layer(ParameterTable):
     """One homogeneous, isotropic, linear viscoelastic layer.
 
-    Exactly one of `poisson_ratio` and `bulk_modulus` is given.
+    Exactly one of `poisson_ratio` and `bulk_modulus` must be given.
 
     Parameters
     ----------
     thickness : float
-        [m], > 0, and at least 1e-9 of the radius of the rolling body.
+        Thickness [m], > 0, and at least 1e-9 of the radius of the rolling body.
     shear_modulus : ShearModulus, callable or float
-        μ*(ω) [Pa]: a modulus of this package, a number, which is an elastic modulus, or a function of an array of
-        angular frequencies [rad/s], which are ≥ 0 and include 0, that returns complex values [Pa] with loss ≥ 0,
-        or one for all.
+        μ*(ω) [Pa]: a modulus of this package, a number for an elastic modulus, or a function. The function receives an
+        array of angular frequencies [rad/s], which are ≥ 0 and include 0, and returns complex values [Pa] with a loss
+        modulus ≥ 0, either one for each frequency or one for all.
     poisson_ratio : float, optional
-        Real, constant Poisson's ratio ν in (-1, 0.5]; 0.5 is incompressible.
+        Real, constant Poisson's ratio ν in (-1, 0.5]; 0.5 means incompressible.
     bulk_modulus : float, optional
-        Real, constant bulk modulus [Pa], > 0; Poisson's ratio is then complex and depends on frequency.
+        Real, constant bulk modulus [Pa], > 0. Poisson's ratio is then complex and depends on frequency.
     density : float, default 0
-        [kg/m³], ≥ 0; 0 leaves inertia out.
+        Density [kg/m³], ≥ 0; 0 neglects inertia.
     conductivity : float, optional
-        Of heat [W/(m K)], > 0; only temperatures need it.
+        Thermal conductivity [W/(m K)], > 0; only temperatures need it.
 
     Examples
     --------
@@ -68,12 +68,12 @@ density=0.0, conductivity=None)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HalfSpace(ParameterTable):
-    """Material without end below a plane. Exactly one of `poisson_ratio` and `bulk_modulus` is given.
+    """Infinitely deep material below a plane surface; exactly one of `poisson_ratio` and `bulk_modulus` must be given.
 
     Parameters
     ----------
     shear_modulus, poisson_ratio, bulk_modulus, density
-        As of `Layer`.
+        Same as in `Layer`.
 
     Examples
     --------
@@ -97,7 +97,7 @@ class HalfSpace(ParameterTable):
         return _core.HalfSpace(**_material(self))
 
 
-#: What has a modulus.
+#: Type of an object with a shear modulus: layer or half-space.
 Material = TypeVar("Material", bound="Layer | HalfSpace")
 
 
@@ -107,19 +107,19 @@ def _material(of: Layer | HalfSpace) -> dict[str, Any]:
 
 
 def at_rest(of: Material) -> Material:
-    """Return a layer as it is before any strain: of a modulus that depends on strain its value without any."""
+    """Return a layer at vanishing strain: a modulus that depends on strain is replaced by its value at zero strain."""
     if not isinstance(of.shear_modulus, SofteningModulus):
         return of
     return replace(of, shear_modulus=of.shear_modulus.at(0.0, reference_frequency=1.0))
 
 
 def as_layers(layers: object) -> tuple[Layer, ...]:
-    """Return layers as a tuple; a layer alone is one.
+    """Return layers as a tuple; a single layer becomes a tuple of one.
 
     Raises
     ------
     TypeError
-        For anything but layers.
+        If an element is not a layer.
     """
     layers = (layers,) if isinstance(layers, Layer) else layers
     if not isinstance(layers, Iterable):

@@ -14,18 +14,18 @@ __all__ = ["Mesh"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mesh(ParameterTable):
-    """Surface mesh: nodes at equal spacings in φ and θ, one of them at the lowest point.
+    """Surface mesh: nodes at equal spacings in φ and θ, with one node at the lowest point.
 
     Parameters
     ----------
     nodes_per_revolution : int
-        2π/Δφ, with Δφ the spacing along φ, in [16, 1 000 000]. 500 is the paper's Δ = π/250.
+        2π/Δφ in [16, 1 000 000], where Δφ is the spacing along φ. A value of 500 is the paper's Δ = π/250.
     max_order : int, optional
-        Truncation order N_t, as in the paper: the orders |m|, |n| ≤ N_t are summed; at least half of the nodes per
-        revolution, below which they cannot resolve the mesh. None, the default, sums all orders, at a cost that hardly
-        grows with the mesh.
+        Truncation order N_t, as in the paper: the orders |m|, |n| ≤ N_t are summed. It must be at least half of the
+        nodes per revolution, since fewer orders cannot resolve the mesh. By default all orders are summed, at a cost
+        that hardly grows with the mesh.
     theta_nodes_per_revolution : int, optional
-        2π/Δθ; None, the default, for the same spacing as along φ.
+        2π/Δθ, where Δθ is the spacing along θ. By default the spacing is the same as along φ.
 
     Examples
     --------
@@ -38,7 +38,7 @@ class Mesh(ParameterTable):
     theta_nodes_per_revolution: int | None = None
 
     def __post_init__(self) -> None:
-        """Store the numbers as integers of Python and check them."""
+        """Store the numbers as Python integers and check them."""
         object.__setattr__(self, "nodes_per_revolution", as_int("nodes_per_revolution", self.nodes_per_revolution))
         for name in ("max_order", "theta_nodes_per_revolution"):
             value = getattr(self, name)

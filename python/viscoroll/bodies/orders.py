@@ -1,7 +1,7 @@
-"""Response of the coating to single orders (m, n) of the two-variable Fourier series, and their sums over the surface.
+"""Response of the layers to single orders (m, n) of the two-variable Fourier series, and influence tables.
 
-A field Σ f_mn(r) exp(i(mφ + nθ)) is steady in space while the material turns, so a material point sees order m at the
-angular frequency mΩ. Components are ordered (r, φ, θ).
+A field Σ f_mn(r) exp(i(mφ + nθ)) is steady in space while the material turns. A material point therefore experiences
+order m at the angular frequency mΩ. Components are in the order (r, φ, θ).
 """
 
 from __future__ import annotations
@@ -49,32 +49,33 @@ def surface_compliance(
     Parameters
     ----------
     ball : CoatedSphere or CoatedWheel
-        Rigid core and layers. Of a wheel the tread as if it had no faces, with the curvature of its crown.
+        Ball with a rigid core and layers, or a wheel, whose tread is taken without side faces, with the curvature of
+        its crown.
     angular_speed : float
-        Ω [rad/s], > 0.
+        Angular speed Ω [rad/s], > 0.
     m, n : array_like of int
-        Orders in φ and θ, of any sign and of shapes that broadcast. Of a wheel real numbers take the place of `n`, the
-        wave numbers k along its axis [1/m].
+        Orders in φ and θ, of any sign, with shapes that broadcast. For a wheel, `n` contains the wavenumbers k along
+        its axis [1/m], which are real numbers.
     curvature : Curvature or str, default Curvature.SPHERE
-        The membrane stiffness of a sphere, or PAPER's; the exact sphere has no orders (m, n). Without effect on
-        a wheel, whose equations keep all of it.
+        Membrane stiffness of a sphere, or that of the paper (PAPER); EXACT is not allowed, because the exact sphere has
+        no orders (m, n). Without effect on a wheel, whose equations keep all curvature terms.
 
     Returns
     -------
     ndarray of complex, shape (..., 3, 3)
-        C_mn [m/Pa]: d_mn(r_o) = C_mn f_mn(r_o), rows and columns in the order (r, φ, θ), of a wheel (r, φ, z).
+        C_mn [m/Pa]: d_mn(r_o) = C_mn f_mn(r_o), rows and columns in the order (r, φ, θ), or (r, φ, z) for a wheel.
 
     Raises
     ------
     TypeError
-        For arguments of another type, and orders that are not integers.
+        If an argument has the wrong type, or an order is not an integer.
     ValueError
-        For bad input, and for speeds at or above the critical one.
+        If an argument is out of range, or the speed is at or above the critical one.
 
     References
     ----------
-    Equation (31) of the paper, by a recursion that carries the compliance from the core outwards and so neither
-    overflows nor loses digits.
+    Equation (31) of the paper, computed by a recursion that carries the compliance from the core outwards and therefore
+    neither overflows nor loses digits.
 
     Examples
     --------
@@ -102,30 +103,30 @@ def degree_compliance(
 ) -> NDArray[np.complex128]:
     """Surface compliance of the exact sphere without inertia: displacement per surface stress of single harmonics.
 
-    These are the vector spherical harmonics Y, Ψ = r∇Y/√(l(l+1)) and Φ = e_r × Ψ about the rolling axis.
+    The harmonics are the vector spherical harmonics Y, Ψ = r∇Y/√(l(l+1)) and Φ = e_r × Ψ about the rolling axis.
 
     Parameters
     ----------
     ball : CoatedSphere
-        Core and layers; densities do not count.
+        Core and layers; densities have no effect.
     angular_speed : float
-        Ω [rad/s], > 0.
+        Angular speed Ω [rad/s], > 0.
     degree, order : array_like of int
-        Degrees l ≥ 0 and orders m, |m| ≤ l, of shapes that broadcast. The material sees the frequency mΩ.
+        Degrees l ≥ 0 and orders m, |m| ≤ l, with shapes that broadcast. The material experiences the frequency mΩ.
 
     Returns
     -------
     ndarray of complex, shape (..., 3, 3)
-        Compliance [m/Pa], rows and columns in the order (Y, Ψ, Φ). Degree 0 has Y alone. Without a core, degree 1 is
-        what is left beyond the rigid motions: its loads are balanced by a uniform force on the volume, and the mean
-        displacement of the volume and the mean turning of the surface are 0.
+        Compliance [m/Pa], rows and columns in the order (Y, Ψ, Φ). Degree 0 has only Y. Without a core, degree 1 is the
+        response without rigid motions: a uniform force on the volume balances the loads, and the mean displacement of
+        the volume and the mean rotation of the surface are 0.
 
     Raises
     ------
     TypeError
-        For arguments of another type.
+        If an argument has the wrong type.
     ValueError
-        For bad input.
+        If an argument is out of range.
 
     Examples
     --------
@@ -154,31 +155,32 @@ def state_matrix(
     Parameters
     ----------
     layer : Layer
-        Gives the material.
+        Layer whose material is used.
     angular_speed : float
-        Ω [rad/s], > 0.
+        Angular speed Ω [rad/s], > 0.
     radius : float
-        r [m], > 0.
+        Radius r [m], > 0.
     m, n : int
         Orders in φ and θ.
     curvature : Curvature or str, default Curvature.SPHERE
-        The membrane stiffness of a sphere, or PAPER's; the exact sphere has no orders (m, n).
+        Membrane stiffness of a sphere, or that of the paper (PAPER); EXACT is not allowed, because the exact sphere has
+        no orders (m, n).
 
     Returns
     -------
     ndarray of complex, shape (6, 6)
-        B, its blocks in the units [-, 1/Pa; Pa, -].
+        B; its blocks have the units [-, 1/Pa; Pa, -].
 
     Raises
     ------
     TypeError
-        For arguments of another type.
+        If an argument has the wrong type.
     ValueError
-        For bad input.
+        If an argument is out of range.
 
     References
     ----------
-    Equation (23) of the paper, multiplied out so that it stays finite at Poisson's ratio 1/2.
+    Equation (23) of the paper, with products expanded so that it stays finite at Poisson's ratio 1/2.
     """
     require_type("layer", layer, Layer)
     curvature = as_member("curvature", curvature, Curvature)
@@ -193,26 +195,26 @@ def state_matrix(
 
 
 def centrifugal_displacement(ball: CoatedSphere, angular_speed: float) -> float:
-    """Uniform radial displacement of the surface by centrifugal load, equation (36) of the paper.
+    """Uniform radial displacement of the surface due to the centrifugal load, equation (36) of the paper.
 
     Parameters
     ----------
     ball : CoatedSphere
         Rigid core and layers.
     angular_speed : float
-        Ω [rad/s], > 0.
+        Angular speed Ω [rad/s], > 0.
 
     Returns
     -------
     float
-        d_R^(c) [m], outwards; 0 for incompressible layers.
+        d_R^(c) [m], positive outwards; 0 for incompressible layers.
 
     Raises
     ------
     TypeError
-        For arguments of another type.
+        If an argument has the wrong type.
     ValueError
-        For bad input, and for speeds at or above the critical one.
+        If an argument is out of range, or the speed is at or above the critical one.
     """
     require_type("ball", ball, CoatedSphere)
     return _core.centrifugal_displacement(ball._to_core(), angular_speed=as_float("angular_speed", angular_speed))
@@ -221,31 +223,32 @@ def centrifugal_displacement(ball: CoatedSphere, angular_speed: float) -> float:
 def critical_speed(
     ball: RollingBody, *, highest_frequency: float = 1e9, curvature: Curvature | str = Curvature.SPHERE
 ) -> float:
-    """Lowest rolling speed at which the coating radiates waves, so that the steady problem here ceases to hold.
+    """Lowest rolling speed at which the coating radiates waves, above which the steady problem is no longer valid.
 
-    For one layer it is the speed at which the surface keeps up with the Rayleigh wave of the short-time modulus; a soft
-    layer below a stiff one lowers it. A Kelvin-Voigt layer counts as rigid, since it is at infinite frequency.
+    For one layer, the surface then moves at the speed of the Rayleigh wave of the short-time modulus. A soft layer
+    below a stiff one lowers the critical speed. A Kelvin-Voigt layer counts as rigid, because it is rigid at infinite
+    frequency.
 
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
         Rigid core and layers.
     highest_frequency : float, default 1e9
-        Angular frequency [rad/s] at which a modulus given as a function stands for its short-time limit.
+        Angular frequency [rad/s] at which a modulus that is given as a function is taken as its short-time limit.
     curvature : Curvature or str, default Curvature.SPHERE
-        How much of a sphere's curvature the equations keep.
+        Curvature terms of a sphere that the equations keep.
 
     Returns
     -------
     float
-        Critical Ω [rad/s]; infinite without density.
+        Critical Ω [rad/s]; infinite if the layers have no density.
 
     Raises
     ------
     TypeError
-        For arguments of another type.
+        If an argument has the wrong type.
     ValueError
-        For bad input.
+        If an argument is out of range.
     """
     require_type("ball", ball, RollingBody)
     curvature = as_member("curvature", curvature, Curvature)
@@ -269,38 +272,38 @@ def influence_tables(
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> NDArray[np.float64]:
-    """Influence tables: displacement of one surface node by a unit force on the flat patch (53) of another.
+    """Influence tables: displacement of one surface node due to a unit force on the flat patch (53) of another.
 
     Parameters
     ----------
     ball : CoatedSphere
         Rigid core and layers.
     angular_speed : float
-        Ω [rad/s], > 0.
+        Angular speed Ω [rad/s], > 0.
     mesh : Mesh
-        Spacing and truncation.
+        Spacing and truncation of the mesh.
     reach : int or (int, int)
-        Largest offsets in φ and θ, in spacings, at most half of the nodes per revolution.
+        Largest offsets in φ and θ, in node spacings, at most half of the nodes per revolution.
     curvature : Curvature or str, default Curvature.SPHERE
-        The membrane stiffness of a sphere, or PAPER's; on the exact sphere influence is no function of the
-        offset alone.
+        Membrane stiffness of a sphere, or that of the paper (PAPER); EXACT is not allowed, because influence on the
+        exact sphere does not depend on the offset alone.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
+        True shows a progress bar; a callable is called as progress(stage, fraction) about every 20 ms.
 
     Returns
     -------
     ndarray, shape (3, 3, 2 * reach[0] + 1, 2 * reach[1] + 1)
-        c[P, Q, J + j, L + l] [m/N]: displacement along P of the node that lies j spacings in φ and l in θ from the node
-        loaded along Q, with P and Q in the order (r, φ, θ), J = reach[0] and L = reach[1].
+        c[P, Q, J + j, L + l] [m/N]: displacement along P of the node at an offset of j spacings in φ and l in θ from
+        the node loaded along Q, with P and Q in the order (r, φ, θ), J = reach[0] and L = reach[1].
 
     Raises
     ------
     TypeError
-        For arguments of another type.
+        If an argument has the wrong type.
     ValueError
-        For bad input, and for speeds at or above the critical one.
+        If an argument is out of range, or the speed is at or above the critical one.
     """
     require_type("ball", ball, CoatedSphere)
     require_type("mesh", mesh, Mesh)
@@ -328,12 +331,12 @@ def _broadcast(names: str, m: NDArray[_First], n: NDArray[_Second]) -> tuple[NDA
 
 
 def _flat(numbers: NDArray[_First]) -> NDArray[_First]:
-    """Return numbers one after the other, as the core reads them."""
+    """Return numbers as a flat, contiguous array for the core."""
     return np.ascontiguousarray(numbers.ravel())
 
 
 def _pair(name: str, value: int | tuple[int, int]) -> tuple[int, int]:
-    """Return one number twice, and two as they are."""
+    """Return a single number twice, and a pair unchanged."""
     if not isinstance(value, tuple):
         return (as_int(name, value),) * 2
     if len(value) != 2:

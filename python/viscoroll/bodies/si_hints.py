@@ -1,4 +1,4 @@
-"""Hints for those who gave millimeters, megapascals or revolutions per minute."""
+"""Hints for input that seems to be in millimeters, megapascals or revolutions per minute."""
 
 from __future__ import annotations
 
@@ -18,31 +18,31 @@ __all__ = ["si_hint", "si_hints", "unit_doubt"]
 
 
 class _Layered(Protocol):
-    """Any body, and any plane."""
+    """Protocol of a body with layers."""
 
     @property
     def layers(self) -> Sequence[Layer]:
-        """From the inside outwards."""
+        """Layers from the inside outwards."""
 
 
-#: What is hardly meant: no ball, roller or wheel is as large or as wide, no layer as thick, no solid as soft.
+#: Limits of plausible input: larger radii and widths, thicker layers and lower moduli are probably in the wrong unit.
 _LARGEST_RADIUS = 1.5  # [m]
 _LARGEST_THICKNESS = 0.5  # [m]
 _SMALLEST_MODULUS = 1e3  # [Pa]
 _FAST = 100.0  # [rad/s]
 
-#: How messages begin of which units may be the cause.
+#: Beginnings of the messages that wrong units may cause.
 _TELLING = ("load must be small enough", "angular_speed must be below", "angular_speed must be such")
 
 
 def si_hint(body: _Layered, on: _Layered | None = None) -> str:
-    """Return how implausible lengths and moduli of what rolls, and what it rolls on, read in SI units, or nothing."""
+    """Return a hint that lists implausible lengths and moduli of both bodies, or an empty string."""
     doubtful = [*_doubtful(body, ""), *([] if on is None else _doubtful(on, "on."))]
     return f"viscoroll takes SI units: {', '.join(doubtful)}" if doubtful else ""
 
 
 def unit_doubt(body: _Layered, on: _Layered | None = None) -> str:
-    """Return what to ask of a result whose lengths or moduli no product has, or nothing."""
+    """Return a hint that asks whether other units were meant, or an empty string if all values are plausible."""
     hint = si_hint(body, on)
     meant = [name for name, unit in (("millimeters", " m"), ("megapascals", " Pa at rest")) if _holds(hint, unit)]
     return f"{hint}; were {' and '.join(meant)} meant?" if hint else ""
@@ -54,7 +54,7 @@ def _holds(hint: str, unit: str) -> bool:
 
 @contextmanager
 def si_hints(body: _Layered, on: _Layered | None = None, *, angular_speed: float = 0.0) -> Iterator[None]:
-    """End messages about loads and speeds that are too large with how doubtful input reads in SI units."""
+    """Append a hint to messages about too large loads and speeds if the input is implausible in SI units."""
     try:
         yield
     except (ValueError, ConvergenceError) as error:
@@ -82,7 +82,7 @@ def _doubtful(body: _Layered, where: str) -> Iterator[str]:
 
 
 def _soft(modulus: ShearModulusLike, where: str) -> Iterator[str]:
-    """Yield a modulus at rest that is too low for a solid; tables that hold none at rest are passed over."""
+    """Yield the modulus at rest if it is too low for a solid; skip tables that contain no modulus at rest."""
     with suppress(ValueError):
         static = complex_modulus(to_core(modulus), np.zeros(1))[0].real
         if static < _SMALLEST_MODULUS:

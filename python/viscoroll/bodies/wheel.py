@@ -18,30 +18,30 @@ __all__ = ["CoatedWheel"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CoatedWheel(RoundBody):
-    """A wheel or a roller with ends: a tread of layers bonded to one another and to a rigid hub.
+    """A wheel, or a roller of finite width: a tread of layers bonded to one another and to a rigid hub.
 
-    Load, forces and torques are those of all of the wheel. Without a hub it would bend as a beam and have no finite
-    approach. `outer_radius` and `thickness` are those in the middle.
+    Load, forces and torques are those of the whole wheel. It needs a hub, because a wheel without one would bend like a
+    beam and have no finite approach. `outer_radius` and `thickness` are the values at the middle of the width.
 
     Parameters
     ----------
     core_radius : float
-        Radius of the hub, in the middle [m], > 0.
+        Radius of the hub at the middle of the width [m], > 0.
     width : float
-        Of the tread, from face to face [m], > 0, at most 1000 times the outer radius. Where the sides are free, at
-        least 0.001 of the thickness of the layers.
+        Width of the tread from face to face [m], > 0, at most 1000 times the outer radius. With free sides, at least
+        0.001 of the thickness of the layers.
     layers : sequence of Layer
-        From the hub outwards, as thick as they are in the middle; none: a rigid wheel.
+        Layers from the hub outwards, with their thickness at the middle. By default none: a rigid wheel.
     crown_radius : float, default infinity
-        Radius of the tread's profile across the path [m], at least half of the width: its middle stands out. At most
-        1e6 times the outer radius, or infinite: a flat tread.
+        Radius of the convex tread profile across the path [m], at least half of the width and at most 1e6 times the
+        outer radius, or infinite for a flat tread.
     hub : Hub or str, default Hub.STRAIGHT
-        Of a crowned tread: "straight", a cylinder, on which the tread is thinner at its sides; "crowned", which follows
-        the profile, so that the tread is as thick everywhere.
+        Hub of a crowned tread. "straight": a cylinder, on which the tread is thinner at the faces. "crowned": a hub
+        that follows the profile, so that the tread has the same thickness everywhere.
     sides : Sides or str, default Sides.FREE
-        What the tread ends in: "free", faces that bulge, as those of real wheels; "endless", no faces, as if the tread
-        went on past the width, where it bears no pressure. That is quicker, and right to 1 % where the contact ends a
-        thickness before the faces; a tread three thicknesses wide is a fourth too stiff then.
+        Ends of the tread. "free": faces that bulge, as those of real wheels. "endless": no faces; the tread continues
+        beyond the width, where it carries no pressure. This is faster, and correct to 1 % if the contact ends one
+        thickness before the faces; but a tread of three thicknesses in width is then a quarter too stiff.
 
     Examples
     --------
@@ -65,7 +65,7 @@ class CoatedWheel(RoundBody):
     _choices: ClassVar[dict[str, type[Enum]]] = {"hub": Hub, "sides": Sides}
 
     def crown_drop(self, z: float) -> float:
-        """Return how far the crown lies below its middle at a distance z from it along the axis [m]."""
+        """Return how far the crown lies below its middle at an axial distance z from the middle [m]."""
         ratio = z / self.crown_radius
         return z * ratio / (1.0 + math.sqrt(1.0 - ratio**2))
 

@@ -1,4 +1,4 @@
-"""Cases, studies and motions in TOML files, and what is done with a case (the extra `viscoroll[cli]`)."""
+"""Cases, studies and motions in TOML files, and computations with a case (the extra `viscoroll[cli]`)."""
 
 from .case import Case, build_case, example_text, load_case
 

@@ -77,7 +77,7 @@ def _measured(
     form: Literal["table", "prony"] = "table",
     draw: int | None = None,
 ) -> materials.MasterCurve | materials.Prony:
-    """Return a material of `viscoroll material`."""
+    """Return a material from a file that `viscoroll material` wrote."""
     try:
         return load_material(file, temperature=temperature, form=form, draw=draw)
     except OSError as error:
@@ -85,7 +85,7 @@ def _measured(
 
 
 def _published(*, name: str, temperature: float) -> materials.ShearModulus:
-    """Return a material that others measured and published."""
+    """Return a published material at a temperature [°C]."""
     return example_material(name).at(temperature=temperature)
 
 
@@ -97,7 +97,7 @@ def _of_data_sheet(
     reference_frequency: float | None = None,
     decades: float | None = None,
 ) -> materials.Elastic | LossFactor:
-    """Return what a hardness says of a material, and a rebound of its loss."""
+    """Return a material from a hardness, and its loss factor from a rebound if there is one."""
     modulus = hardness_to_modulus(hardness, scale=scale).value
     law = {"reference_frequency": reference_frequency, "decades": decades}
     given = {name: value for name, value in law.items() if value is not None}
@@ -113,7 +113,7 @@ def _of_data_sheet(
 def _with_columns(
     table: dict[str, Any], info: ValidationInfo, *, what: str, make: Callable[..., object], names: tuple[str, ...]
 ) -> dict[str, Any]:
-    """Replace the name of a file by the columns in it, of which `make` checks the values."""
+    """Replace the name of a file by the columns of the file, after `make` has checked their values."""
     if "file" not in table:
         return table
     if both := [name for name in names if name in table]:
@@ -128,17 +128,17 @@ def _with_columns(
 
 
 def _columns_of(what: str, make: Callable[..., object], *names: str) -> BeforeValidator:
-    """Return a validator that replaces the name of a file by the columns in it."""
+    """Return a validator that replaces the name of a file by the columns of the file."""
     return BeforeValidator(partial(_with_columns, what=what, make=make, names=names))
 
 
 def _typed(given: object) -> object:
-    """Return a table with a type, be it none."""
+    """Return a table with a key `type`, which is None if it was missing."""
     return {"type": None} | given if isinstance(given, dict) else given
 
 
 def _as_table(given: object) -> object:
-    """Return the table that a number or the name of a file stands for."""
+    """Return the table that a number or the name of a file abbreviates."""
     if isinstance(given, str):
         return {"type": "measured", "file": given}
     if isinstance(given, float | int) and not isinstance(given, bool):
@@ -156,7 +156,7 @@ def _strain_sweep(
     kind: str | materials.StrainKind = materials.StrainKind.SHEAR,
     frequency: float | None = None,
 ) -> Callable[[Any], materials.StrainSweep]:
-    """Return what makes the network of a sweep, which at a known frequency takes the matrix off."""
+    """Return a function of the matrix that makes a strain sweep, which subtracts the matrix if a frequency is given."""
     table = partial(
         materials.StrainSweep,
         strain=strain,
@@ -229,10 +229,10 @@ _Ball: TypeAlias = Annotated[CoatedSphere, Table(layers=_Layers)]
 _Cylinder: TypeAlias = Annotated[CoatedCylinder, Table(layers=_Layers)]
 _Wheel: TypeAlias = Annotated[CoatedWheel, Table(layers=_Layers)]
 
-#: Tables of what rolls, of which a file has one.
+#: Tables of rolling bodies; a file has exactly one of them.
 BODIES = ("ball", "cylinder", "wheel")
 
-#: Tables of what a body rolls on.
+#: Tables of counterbodies; a file has at most one of them.
 COUNTERPARTS = ("plane", "groove", "other_ball", "other_cylinder", "other_wheel")
 
 
@@ -244,14 +244,14 @@ class _Rolling(StrictTable):
 
 
 class MeshTable(StrictTable):
-    """Base of the table `numerics`: keyword arguments, those of a mesh among them."""
+    """Base of the table `numerics`: keyword arguments, including those of a mesh."""
 
     nodes_per_revolution: int | None = None
     max_order: int | None = None
     theta_nodes_per_revolution: int | None = None
 
     def arguments(self) -> dict[str, Any]:
-        """Return keyword arguments with the mesh as one, or None where it is left out."""
+        """Return the keyword arguments with `mesh` as one of them, None if the table gives no mesh."""
         given = dict(self)
         numbers = {parameter.name: given.pop(parameter.name) for parameter in fields(Mesh)}
         if self.nodes_per_revolution is not None:
@@ -274,7 +274,7 @@ def _core_of(given: object) -> object:
 
 
 class Thermal(StrictTable):
-    """How a case is cooled. Parameters as of `viscoroll.self_heating`; without a `shift` moduli stay as they are."""
+    """Cooling of a case. Parameters as in `viscoroll.self_heating`; without `shift`, the moduli do not change."""
 
     convection: float
     ambient: float
@@ -292,13 +292,13 @@ class Thermal(StrictTable):
     period: float | None = None
 
     def temperature(self, result: Result, *, progress: ProgressLike = None) -> Temperature:
-        """Temperature with the moduli as they are."""
+        """Return the temperature with unchanged moduli."""
         cooling = {name: value for name, value in self if name not in ("shift", "limit", "softening")}
         return temperature(result, **cooling, progress=progress)
 
 
 class PairTables(FileTables):
-    """Base of a file: what rolls, one of `BODIES`, and at most one of `COUNTERPARTS`, what it rolls on."""
+    """Base of a file with one rolling body of `BODIES`, and at most one counterbody of `COUNTERPARTS`."""
 
     ball: _Ball | None = None
     cylinder: _Cylinder | None = None
@@ -310,7 +310,7 @@ class PairTables(FileTables):
     other_wheel: _Wheel | None = None
 
     def pair(self) -> dict[str, Any]:
-        """Return `ball` and `on`, the arguments of what solves and follows."""
+        """Return the arguments `ball` and `on` of `viscoroll.solve` and `viscoroll.roll`."""
         bodies, counterparts = (
             {name: getattr(self, name) for name in names if getattr(self, name) is not None}
             for names in (BODIES, COUNTERPARTS)
@@ -332,7 +332,7 @@ class _File(PairTables):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Case:
-    """One load case, as a file describes it. Parameters as of `viscoroll.solve`."""
+    """One load case, as a file describes it. Parameters as in `viscoroll.solve`."""
 
     ball: RollingBody
     on: Counterpart | None = None
@@ -353,20 +353,23 @@ class Case:
         return {field.name: getattr(self, field.name) for field in fields(self) if field.name != "thermal"}
 
     def solve(self, **options: Any) -> Result:
-        """Solve the case, with the moduli of its own strain where layers soften; `options` go to `viscoroll.solve`."""
+        """Solve the case; if layers soften, with the moduli at their strain. `options` go to `viscoroll.solve`."""
         return self.strain_softening(**options).result if self.softens else solve(**self.arguments(), **options)
 
     @property
     def softens(self) -> bool:
-        """Whether a layer has a modulus that falls with strain."""
+        """Whether a layer has a modulus that decreases with strain."""
         return softens(self.ball, self.on)
 
     def strain_softening(self, **options: Any) -> StrainSoftening:
-        """Find the strain that the layers soften to."""
+        """Solve the case with the strain at which the layers soften. `options` go to `viscoroll.strain_softening`."""
         return strain_softening(**self.arguments(), **options)
 
     def self_heating(self, **options: Any) -> SelfHeating:
-        """Find the steady states of temperature and torque of a case whose table [thermal] has a shift."""
+        """Compute the steady states of temperature and torque of a case whose table [thermal] has a shift.
+
+        `options` go to `viscoroll.self_heating`.
+        """
         if self.thermal is None or self.thermal.shift is None:
             raise ValueError("thermal.shift must be given for self-heating")
         for name in ("of", "base_convection", "period"):
@@ -382,19 +385,19 @@ def load_case(path: str | Path) -> Case:
     Parameters
     ----------
     path : path-like
-        The file; ``example_text()`` is a commented example.
+        Path of the file; ``example_text()`` is a commented example.
 
     Returns
     -------
     Case
-        Ready to solve.
+        Case that can be solved.
 
     Raises
     ------
     ValueError
-        Where the file is not valid: in one line, with the place in the file.
+        If the file is not valid. The message is one line and names the place in the file.
     OSError
-        Where it cannot be read.
+        If the file cannot be read.
     """
     path = Path(path)
     with errors_in(path):
@@ -407,14 +410,15 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
     Parameters
     ----------
     document : dict
-        The content.
+        Content of the file.
     folder : Path or None
-        Folder of the files that it names. With None, no file is read, and content that names a file is refused.
+        Folder of the files to which the content refers. With None, no file is read, and content that refers to a file
+        is rejected.
 
     Raises
     ------
     ValueError, TypeError
-        Where the content is not valid.
+        If the content is not valid.
     """
     file = checked(_File, document, folder)
     pair = file.pair()
@@ -430,6 +434,6 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
 
 
 def example_text(name: Literal["case", "sweep", "design", "motion", "measured"] = "case") -> str:
-    """Return the example of a case file, a motion, measurements, or a table that makes a study or design of a case."""
+    """Return an example: a case file, a motion, measurements, or the table that makes a case a study or a design."""
     file = f"examples/{name}.{'csv' if name == 'measured' else 'toml'}"
     return resources.files("viscoroll").joinpath(file).read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Columns of numbers in CSV files that case files name."""
+"""Columns of numbers from CSV files to which case files refer."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["read_columns", "read_header"]
 
 
 def read_header(what: str, path: Path) -> list[str]:
-    """Return the names in the first row of a CSV file; empty for an empty file. Parameters as for `read_columns`."""
+    """Return the names in the first row of a CSV file; empty for an empty file. Parameters as in `read_columns`."""
     rows = _read_rows(what, path)
     return rows[0][1] if rows else []
 
@@ -23,11 +23,11 @@ def read_columns(what: str, path: Path, names: Sequence[str], maybe: Sequence[st
     Parameters
     ----------
     what : str
-        What the file should hold, for messages.
+        Kind of content that the file should have, for messages.
     path : Path
-        The file: UTF-8, commas, a row of names, then rows of the same length.
+        File in UTF-8 with a row of names, then rows of the same length, separated by commas.
     names, maybe : sequence of str
-        Columns that the file must have, and columns that it may have. Others are skipped.
+        Required columns, and optional columns. Other columns are skipped.
 
     Raises
     ------
@@ -49,7 +49,7 @@ def read_columns(what: str, path: Path, names: Sequence[str], maybe: Sequence[st
 
 
 def _read_rows(what: str, path: Path) -> list[tuple[int, list[str]]]:
-    """Return the rows that are not empty, each with the number of its line."""
+    """Return the rows that are not empty, each with its line number."""
     try:
         with path.open(newline="", encoding="utf-8-sig") as file:
             reader = csv.reader(file, skipinitialspace=True)

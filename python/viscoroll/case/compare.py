@@ -1,4 +1,4 @@
-"""Torque against speed by the solver and by closed forms (the extras `viscoroll[cli,plot]`)."""
+"""Torque against speed from the solver and from closed forms (the extras `viscoroll[cli,plot]`)."""
 
 from __future__ import annotations
 
@@ -47,20 +47,20 @@ _LABELS = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Comparison:
-    """Torques [N m], of a roller per length [N], against Ω [rad/s].
+    """Torques [N m], for rollers per length [N], against the angular speed Ω [rad/s].
 
     Attributes
     ----------
     case : Case
-        Ball, load and mesh or accuracy.
+        Case with body, load, and mesh or accuracy.
     speeds, torques : ndarray
-        Ω [rad/s], and T_r of the solver.
+        Angular speeds Ω [rad/s], and resisting torques T_r from the solver.
     errors : ndarray
-        The solver's error estimates [-].
+        Error estimates of the solver [-].
     statuses : list of Status
-        How each solve ended.
+        Status of each solve.
     forms : dict of str to (ndarray, ndarray of bool)
-        Torque of each closed form, and where it holds.
+        For each closed form by name, the torques, and whether the closed form is valid at each speed.
     """
 
     case: Case
@@ -71,7 +71,7 @@ class Comparison:
     forms: dict[str, tuple[Floats, NDArray[np.bool_]]]
 
     def unsettled(self) -> dict[Status, int]:
-        """Count the speeds at which the solver ended otherwise than converged."""
+        """Return the number of speeds by status, for the solves that did not converge."""
         return dict(Counter(status for status in self.statuses if status is not Status.CONVERGED))
 
     def _unit(self) -> str:
@@ -80,7 +80,7 @@ class Comparison:
 
     @plots("them")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw all torques; closed forms are dashed where they do not hold."""
+        """Draw all torques; closed forms are dashed outside their range of validity."""
         return drawn(self._draw, ax, figsize=(8.4, 5.2))
 
     def _draw(self, axes: Axes) -> None:
@@ -104,14 +104,14 @@ class Comparison:
             xlabel="rolling speed $Ω$ [rad/s]",
             ylabel=f"resisting torque $T_r$ [{self._unit()}]",
         )
-        resisting = self.torques[self.torques > 0.0]  # on a mesh that is too coarse a torque may drive
+        resisting = self.torques[self.torques > 0.0]  # on too coarse a mesh a torque can be negative
         if resisting.size:
             axes.set_ylim(0.3 * resisting.min(), 5.0 * resisting.max())
         axes.set_title(f"$P$ = {self.case.load:g} {unit_in_contact('N', line_contact=self.case.ball.line_contact)}")
         axes.legend(fontsize="small")
 
     def write_csv(self, path: Path) -> None:
-        """Write one row for each speed."""
+        """Write a CSV file with one row for each speed."""
         columns: dict[str, list[object]] = {
             "angular_speed [rad/s]": self.speeds.tolist(),
             f"torque [{self._unit()}]": self.torques.tolist(),
@@ -125,14 +125,14 @@ class Comparison:
 
 
 def _forms(case: Case) -> dict[str, ClosedForm]:
-    """Return the closed forms of a ball or roller on a rigid plane, or of two balls."""
+    """Return the closed forms for a body on a rigid plane, or for two balls."""
     if case.on is None:
         return applicable(case.ball)
     return applicable(case.ball, on=case.on) if isinstance(case.on, CoatedSphere) else {}
 
 
 def parse_speeds(text: str) -> tuple[float, float]:
-    """Read a range of speeds, as 0.05..25 [rad/s], with 0 < from < to < ∞."""
+    """Return the two ends of a range of speeds such as "0.05..25" [rad/s], with 0 < from < to < ∞."""
     low, high = parsed_range(text) or (0.0, 0.0)
     if not 0.0 < low < high < np.inf:
         raise ValueError(f"speeds must be from..to with 0 < from < to in rad/s, got {text!r}")
@@ -146,25 +146,27 @@ def compare_torques(
     points: int = 25,
     progress: ProgressLike = None,
 ) -> Comparison:
-    """Solve a case at speeds of equal ratios, without friction and with the radial compliance; evaluate closed forms.
+    """Solve a case without friction and with the radial compliance at a range of speeds, and evaluate closed forms.
 
-    With the vertical compliance the moment of the pressure is not the power lost per speed, which closed forms give.
+    The speeds are spaced geometrically. The radial compliance is used because the closed forms give the power loss
+    divided by the speed, which with the vertical compliance differs from the moment of the pressure.
 
     Parameters
     ----------
     case : Case
-        Its friction, drive and compliance do not count.
+        Case to solve; its friction, drive and compliance are ignored.
     speeds : (float, float), optional
-        First and last Ω [rad/s]; by default from a thirtieth to ten times that of the case, below the critical one.
+        First and last angular speed [rad/s]. By default, 1/30 and 10 times the speed of the case. The last speed is
+        limited to 90 % of the critical speed, but is at least the speed of the case.
     points : int, default 25
         Number of speeds, from 2 to the largest number of points of a study, 1 000 000.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) after every speed.
+        True shows a bar. A function is called as progress(stage, fraction) after every speed.
 
     Raises
     ------
     ValueError, ConvergenceError
-        As of `viscoroll.solve`.
+        Same as in `viscoroll.solve`.
     """
     require_feasible({"speeds": points})
     low, high = speeds or (

@@ -1,4 +1,4 @@
-"""The number of a case that costs the least power, under limits on what it does."""
+"""Minimization of the power loss over one number of a case, under limits on results."""
 
 from __future__ import annotations
 
@@ -35,24 +35,24 @@ _POINTS = 15
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Design:
-    """What a search found.
+    """Result of the minimization of the power loss over one number of a case.
 
     Attributes
     ----------
     variable : str
         Place of the number in the case file.
     best : float
-        Its value, in the unit of the file.
+        Best value of the number, in the unit of the file.
     outcome : Outcome
-        At the best value.
+        Results at the best value.
     limits : mapping of str to float
-        Largest values allowed, by the names of scalar results and of what `Outcome` has of the inside [SI].
+        Largest allowed values, by the names of scalar results and of quantities inside the layers [SI units].
     values : tuple of float
-        All that were tried, increasing.
+        All values that were tried, in increasing order.
     outcomes : tuple of Outcome or None
-        Of each; None where it was refused or not found.
+        Results at each of `values`; None if the case was rejected or could not be solved.
     active : tuple of str
-        Limits that the best value exhausts, to 1 %.
+        Names of the limits that the best value reaches within 1 %.
     """
 
     variable: str
@@ -65,12 +65,12 @@ class Design:
 
     @property
     def result(self) -> Result:
-        """The solved case of the best value."""
+        """Result of the case at the best value."""
         return self.outcome.result
 
     @plots("the power alone")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw the power lost over the number, and where each limit is kept."""
+        """Draw the power loss against the number, and the ratio of each limited result to its limit."""
         from .._support.pictures import drawn
 
         return drawn(self._draw_power, ax, figsize=(7.0, 5.0), compose=self._compose)
@@ -102,13 +102,13 @@ class Design:
 
 
 def _column(solved: list[tuple[float, Outcome]], name: str) -> tuple[list[float], list[float]]:
-    """Return values and what came of them."""
+    """Return the values of the number, and one result at each of them."""
     return [value for value, _ in solved], [outcome.value(name) for _, outcome in solved]
 
 
 @dataclass(slots=True)
 class _Search:
-    """Results by value, each solved once."""
+    """Results by value of the number; each value is solved once."""
 
     solve: Callable[[float, Report | None], Outcome]
     report: Report | None
@@ -130,7 +130,7 @@ class _Search:
 
 
 def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
-    """Find the value of one number of a case file that minimizes the power lost.
+    """Find the value of one number of a case file that minimizes the power loss.
 
     The file is a case file with one more table::
 
@@ -140,29 +140,35 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
         to = 5e-3
         limits = { max_pressure = 2e6, strain = 0.2 }
 
-    where limits are upper bounds of scalar results, by their names, and of what happens inside the layers of what
-    rolls and of what it rolls on: `bond_shear` and `bond_tension` [Pa], the largest tractions where layers are bonded
-    to a core, a base or each other; where the file has a table [thermal], `temperature` [K] of the hottest place; and
-    where that has a shift, `load_to_fold`, the load per that at which the cold state ends. With a shift the case is its
-    coldest steady state wherever heat is limited. Values at equal ratios show where the limits are kept; then SciPy
-    finds the ends of that range, and the least power in it.
+    Limits are upper bounds of scalar results, by their names, and of quantities inside the layers of the rolling body
+    and of the counterbody:
+
+    - `bond_shear` and `bond_tension` [Pa], the largest tractions where layers are bonded to a core, a base or each
+      other;
+    - `temperature` [K], the largest temperature, if the file has a table [thermal];
+    - `load_to_fold` [-], if [thermal] has a shift: the ratio of the load to the load at which the cold state ends.
+
+    With a shift and a thermal limit, the results are those of the coldest steady state. The search first solves values
+    that are spaced geometrically, to find the ranges that satisfy the limits; then SciPy finds the ends of these ranges
+    and the smallest power within them.
 
     Parameters
     ----------
     path : path-like
-        The file.
+        Path of the file.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) about every 20 ms, with the share of the case at hand.
+        True shows a bar. A function is called as progress(stage, fraction) about every 20 ms, with the completed
+        fraction of the current case.
 
     Returns
     -------
     Design
-        Best value, its result, and all that was tried.
+        Best value, its result, and all values that were tried.
 
     Raises
     ------
     ValueError
-        Where the file is not valid, or no value keeps all limits: then with what the nearest one exceeds.
+        If the file is not valid, or if no value satisfies all limits. The message then gives the smallest excess.
     """
     path = Path(path)
     with errors_in(path):
@@ -175,7 +181,7 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
 
         with kept_in_results(), reporting(progress) as report:
             search = _Search(solve, report)
-            solve(float(np.sqrt(low * high)))  # says what is wrong with the file, if anything is
+            solve(float(np.sqrt(low * high)))  # raises the errors of the file, if there are any
             return _best(variable, low, high, limits, search)
 
 
@@ -239,7 +245,7 @@ def _excess(search: _Search, value: float, limits: Mapping[str, float]) -> float
 
 
 def _ranges(grid: list[float], excess: list[float]) -> list[tuple[int, int]]:
-    """Return first and last index of each run of values that keep the limits."""
+    """Return first and last index of each run of values that satisfy the limits."""
     allowed = [False, *(value <= 0.0 for value in excess), False]
     starts = [i for i in range(len(grid)) if allowed[i + 1] and not allowed[i]]
     stops = [i for i in range(len(grid)) if allowed[i + 1] and not allowed[i + 2]]
@@ -247,7 +253,7 @@ def _ranges(grid: list[float], excess: list[float]) -> list[tuple[int, int]]:
 
 
 def _edge(search: _Search, limits: Mapping[str, float], grid: list[float], index: int, step: int) -> float:
-    """Return where the limits begin to be exceeded next to an allowed value, on the allowed side."""
+    """Return the end of an allowed range next to an allowed value, on the allowed side."""
     with extra("studies"):
         from scipy.optimize import brentq
 
@@ -260,12 +266,12 @@ def _edge(search: _Search, limits: Mapping[str, float], grid: list[float], index
     if _excess(search, inside, limits) == 0.0:
         return inside
     edge = float(brentq(lambda value: min(_excess(search, value, limits), 1e3), inside, outside, rtol=1e-4))
-    # The root is known to its tolerance: step back onto the side where the limit is kept.
+    # The root is accurate to its tolerance: step back to the side that satisfies the limits.
     return edge + 2e-4 * (inside - edge) if _excess(search, edge, limits) > 0.0 else edge
 
 
 def _least(search: _Search, limits: Mapping[str, float], start: float, stop: float) -> list[tuple[float, Outcome]]:
-    """Return the ends of an allowed range, and the least power between them."""
+    """Return candidates of an allowed range: its ends, the minimum between them, and all values solved within it."""
     with extra("studies"):
         from scipy.optimize import minimize_scalar
 

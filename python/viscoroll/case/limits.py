@@ -1,4 +1,4 @@
-"""What a case may be limited by: scalar results, and what happens inside the layers of what rolls and is rolled on."""
+"""Quantities that a design can limit: scalar results, and quantities inside the layers of body and counterbody."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = ["LIMITS", "Outcome", "outcome_of"]
 
-#: Limits of the inside: name, unit, what it is.
+#: Quantities inside the layers: name, unit, description.
 _INSIDE = {
     "temperature": ("K", "largest temperature of the layers"),
     "bond_shear": ("Pa", "largest shear traction where layers are bonded"),
@@ -31,26 +31,26 @@ LIMITS = (*SCALARS, *_INSIDE)
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Outcome:
-    """What came of a case.
+    """Results of a case, with the limited quantities inside its layers.
 
     Attributes
     ----------
     result : Result
-        The solved case; where heat is limited and changes the moduli, its coldest steady state.
+        Result of the case. If a thermal quantity is limited and heat changes the moduli, the coldest steady state.
     inside : mapping of str to float
-        Of "temperature" [K], "bond_shear" and "bond_tension" [Pa] and "load_to_fold" [-] those that are limited.
+        Those of "temperature" [K], "bond_shear" and "bond_tension" [Pa] and "load_to_fold" [-] that are limited.
     """
 
     result: Result
     inside: Mapping[str, float]
 
     def value(self, name: str) -> float:
-        """Return a scalar result, or one of the inside, by its name.
+        """Return a scalar result, or a quantity inside the layers, by its name.
 
         Raises
         ------
         ValueError
-            For a result that this case has not.
+            If the case lacks this result.
         """
         found = self.inside[name] if name in self.inside else getattr(self.result, name)
         if found is None:
@@ -62,24 +62,26 @@ class Outcome:
         return _INSIDE[name][0] if name in _INSIDE else self.result.unit(name)
 
     def violation(self, limits: Mapping[str, float]) -> float:
-        """Return by how much the worst limit is exceeded, relative; negative where all are kept."""
+        """Return the largest relative excess over a limit [-]; negative if all limits are satisfied."""
         return max((self.value(name) / limit - 1.0 for name, limit in limits.items()), default=-1.0)
 
 
 def outcome_of(case: Case, names: Collection[str], report: Report | None) -> Outcome:
-    """Solve a case and find what is limited in it.
+    """Solve a case and compute the limited quantities inside its layers.
 
     Parameters
     ----------
+    case : Case
+        Case to solve.
     names : collection of str
-        Of `LIMITS`.
+        Names of the limited quantities, from `LIMITS`.
     report : callable or None
         Called as report(stage, fraction).
 
     Raises
     ------
     ValueError
-        Where the case has not what is limited, or no answer.
+        If the case lacks a limited quantity, or cannot be solved.
     """
     heat = {"temperature", "load_to_fold"}.intersection(names)
     if heat and case.thermal is None:
@@ -104,7 +106,7 @@ def outcome_of(case: Case, names: Collection[str], report: Report | None) -> Out
 
 
 def _at_bonds(result: Result, names: Collection[str]) -> dict[str, float]:
-    """Largest tractions at the bonds of both bodies."""
+    """Return the largest tractions at the bonds of both bodies, by name."""
     fields = {"bond_shear": "shear_traction", "bond_tension": "opening_traction"}
     wanted = {name: field for name, field in fields.items() if name in names}
     if not wanted:
@@ -117,7 +119,7 @@ def _at_bonds(result: Result, names: Collection[str]) -> dict[str, float]:
 
 
 def _layered(result: Result) -> list[Inside]:
-    """Return the bodies that deform."""
+    """Return the deformable bodies of a result."""
     on = result.on
     deforms = on is not None and bool(on.layers or getattr(on, "base", None) is not None)
     return [

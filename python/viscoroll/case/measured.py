@@ -1,4 +1,4 @@
-"""Measurements beside a case: any result against load or speed, both with bands (the extras `viscoroll[cli,plot]`)."""
+"""Comparison of a case with measurements against load or speed, with error bands (the extras `viscoroll[cli,plot]`)."""
 
 from __future__ import annotations
 
@@ -31,22 +31,22 @@ if TYPE_CHECKING:
 
 __all__ = ["Measurements", "Trial", "compare_measured", "read_measurements"]
 
-#: What may have been varied.
+#: Parameters that measurements may vary.
 VARIED = ("angular_speed", "load")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Measurements:
-    """What a laboratory found, in SI units.
+    """Measured values of one scalar result, in SI units.
 
     Attributes
     ----------
     varied : str
-        ``"angular_speed"`` [rad/s] or ``"load"`` [N, of a roller N/m].
+        Varied parameter: ``"angular_speed"`` [rad/s] or ``"load"`` [N], for rollers [N/m].
     quantity : str
-        Name of a scalar result.
+        Name of the measured scalar result.
     places, values, errors : ndarray
-        What was varied, what was found, and how far that may be off.
+        Values of the varied parameter, measured values, and their errors (half the width of the error band).
     """
 
     varied: str
@@ -62,7 +62,7 @@ def read_measurements(path: Path) -> Measurements:
     Raises
     ------
     ValueError
-        For another file, and for numbers out of range.
+        If the file has other content, or numbers out of range.
     """
     what = "measurements"
     header = read_header(what, path)
@@ -84,21 +84,21 @@ def read_measurements(path: Path) -> Measurements:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Trial:
-    """Measurements, and what a case says of them.
+    """Measurements, with the computed results of a case.
 
     Attributes
     ----------
     case : Case
-        All that was not varied.
+        Case with all parameters that were not varied.
     measured : Measurements
-        What was found.
+        Measured values.
     computed : ndarray
-        The same by the solver, at each measurement.
+        Computed value for each measurement.
     bands : ndarray
-        How far that may be off: the error estimate of the mesh, and the model error, where there is one. What is not
-        known of the material is not in it.
+        Half the width of the error band of each computed value: the error estimate of the mesh plus the model error, if
+        there is one. The uncertainty of the material is not included.
     statuses : list of Status
-        How each solve ended.
+        Status of the solve for each measurement.
     """
 
     case: Case
@@ -109,26 +109,26 @@ class Trial:
 
     @property
     def agrees(self) -> NDArray[np.bool_]:
-        """Whether the two bands of each measurement overlap."""
+        """Whether the error bands of measurement and computation overlap, for each measurement."""
         return self._excess() <= 0.0
 
     def _excess(self) -> Floats:
-        """Return how far the two bands of each measurement are apart."""
+        """Return the distance between the two error bands of each measurement; negative if they overlap."""
         return np.abs(self.measured.values - self.computed) - self.measured.errors - self.bands
 
     def verdict(self) -> str:
-        """Return in how many places the two agree, and how far they are apart elsewhere."""
+        """Return a text with the number of measurements that agree, and the largest distance of the others."""
         if self.agrees.all():
             return self._count()
         apart = self._excess().max() / (np.abs(self.measured.values).max() or 1.0)
         return f"{self._count()}; the others are up to {apart:.2g} of the largest value farther apart"
 
     def _count(self) -> str:
-        """Return in how many places the two agree."""
+        """Return a text with the number of measurements that agree."""
         return f"{self.agrees.sum()} of {self.agrees.size} measurements agree within both bands"
 
     def _units(self) -> tuple[str, str]:
-        """Return the units of what was varied and of what was measured."""
+        """Return the units of the varied parameter and of the measured result."""
         line = self.case.ball.line_contact
         units = (UNITS[self.measured.varied], SCALARS[self.measured.quantity][0])
         varied, quantity = (unit_in_contact(unit, line_contact=line) for unit in units)
@@ -136,7 +136,7 @@ class Trial:
 
     @plots("them")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw what was measured and what was computed, each with its band."""
+        """Draw measured and computed values with their error bands."""
         return drawn(self._draw, ax, figsize=(8.4, 5.2))
 
     def _draw(self, axes: Axes) -> None:
@@ -163,7 +163,7 @@ class Trial:
         axes.legend()
 
     def write_csv(self, path: Path) -> None:
-        """Write one row for each measurement."""
+        """Write a CSV file with one row for each measurement."""
         varied, unit = self._units()
         columns: dict[str, list[object]] = {
             f"{self.measured.varied} [{varied}]": self.measured.places.tolist(),
@@ -178,17 +178,21 @@ class Trial:
 
 
 def compare_measured(case: Case, measured: Measurements, *, progress: ProgressLike = None) -> Trial:
-    """Solve a case at the place of each measurement, as it is but for what was varied.
+    """Solve a case for each measurement, with the measured value of the varied parameter.
 
     Parameters
     ----------
+    case : Case
+        Case with all other parameters.
+    measured : Measurements
+        Measured values.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) after every solve.
+        True shows a bar. A function is called as progress(stage, fraction) after every solve.
 
     Raises
     ------
     ValueError, ConvergenceError
-        As of `viscoroll.solve`, and where what was measured is undetermined in the case.
+        Same as in `viscoroll.solve`. ValueError also if the measured result is undetermined in the case.
     """
     places, which = np.unique(measured.places, return_inverse=True)
 

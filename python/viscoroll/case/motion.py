@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["MotionCase", "load_motion"]
 
-#: Knots of an oscillation for each cycle.
+#: Number of waypoints in each cycle of an oscillation.
 _KNOTS = 160
 
 
@@ -60,7 +60,7 @@ class _File(PairTables):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MotionCase:
-    """A motion, as a file describes it. Parameters as of `viscoroll.roll`."""
+    """A motion, as a file describes it. Parameters as in `viscoroll.roll`."""
 
     ball: RollingBody
     on: Counterpart | None
@@ -73,7 +73,7 @@ class MotionCase:
     options: dict[str, Any]
 
     def roll(self, **options: Any) -> History:
-        """Follow the motion; `options` go to `viscoroll.roll`."""
+        """Compute the history of the motion. `options` go to `viscoroll.roll` and override those of the file."""
         given = {field.name: getattr(self, field.name) for field in fields(self) if field.name != "options"}
         return roll(**given | self.options | options)
 
@@ -84,9 +84,9 @@ def load_motion(path: str | Path) -> MotionCase:
     Raises
     ------
     ValueError
-        Where the file is not valid: in one line, with the place in the file.
+        If the file is not valid. The message is one line and names the place in the file.
     OSError
-        Where it cannot be read.
+        If the file cannot be read.
     """
     path = Path(path)
     with errors_in(path):
@@ -118,7 +118,7 @@ def _drive(motion: _Motion) -> Drive:
 
 
 def _knots(motion: _Motion) -> dict[str, Any]:
-    """Return knots by name, in whichever of three ways they are given."""
+    """Return the waypoints by name, from lists, from a file or from an oscillation."""
     given = [name for name in ("time", "file", "amplitude") if getattr(motion, name) is not None]
     if len(given) != 1:
         raise ValueError(f"motion must have one of time, file and amplitude, got {', '.join(given) or 'none'}")

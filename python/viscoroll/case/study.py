@@ -1,4 +1,4 @@
-"""Studies in TOML files: a case file with a table of what varies (the extra `viscoroll[cli]`)."""
+"""Studies in TOML files: a case file with a table of the varying numbers (the extra `viscoroll[cli]`)."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ with extra("cli"):
 
 __all__ = ["load_study", "place_of", "substituted"]
 
-#: A place in the file, as "ball.layers[0].thickness".
+#: Pattern of a place in the file, such as "ball.layers[0].thickness".
 _PLACE = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
 
 _Place = tuple[str | int, ...]
 
 
 class _Draws(StrictTable):
-    """Materials of a file that have draws, by their places, and what intervals are wanted."""
+    """The table `draws`: places of materials with draws, and method and confidence of the intervals."""
 
     of: list[str]
     by: Literal["linear", "solve"] = "linear"
@@ -48,7 +48,7 @@ class _DrawsFile(StrictTable):
 
 
 class _Range(StrictTable):
-    """Numbers from one to another, both included."""
+    """Range of numbers, including both ends."""
 
     start: float = Field(alias="from")
     stop: float = Field(alias="to")
@@ -71,7 +71,7 @@ class _Range(StrictTable):
             raise ValueError(
                 f"from and to must be finite, and so must be their difference, got {self.start:g}, {self.stop:g}"
             )
-        # Counts, as of nodes, must stay whole numbers.
+        # Counts, for example of nodes, must remain whole numbers.
         whole = self.start.is_integer() and self.stop.is_integer() and bool((values == values.round()).all())
         return [int(value) for value in values] if whole else [float(value) for value in values]
 
@@ -82,21 +82,22 @@ def load_study(path: str | Path) -> Plan:
     Parameters
     ----------
     path : path-like
-        A case file with a table ``sweep``. Its keys are places in the file, its values lists of numbers, or tables
-        ``{ from = ..., to = ..., count = ..., scale = "linear" or "log" }``. A table ``draws`` has under ``of`` the
-        places of measured materials whose files keep draws: results have intervals then.
+        Path of a case file with a table ``sweep``. Its keys are places in the file, its values are lists of numbers or
+        tables ``{ from = ..., to = ..., count = ..., scale = "linear" or "log" }``. An optional table ``draws`` gives
+        the results intervals: its ``of`` lists the places of measured materials whose files contain draws.
 
     Returns
     -------
     Plan
-        Ready to run. Dimensions are named by the last part of their place, or by all of it where that is not enough.
+        Plan of the study. A dimension has the name of the last part of its place, or of the whole place if the last
+        part is not unique.
 
     Raises
     ------
     ValueError
-        Where the file is not valid: in one line, with the place in the file.
+        If the file is not valid. The message is one line and names the place in the file.
     OSError
-        Where it cannot be read.
+        If the file cannot be read.
     """
     path = Path(path)
     with errors_in(path):
@@ -134,7 +135,7 @@ def _plan(
         except (TypeError, ValueError) as error:
             cases.append(f"{type(error).__name__}: {error}")
             continue
-        # Points of the same bodies share them, and with them their tables.
+        # Points with equal bodies share the same objects, and so the influence tables.
         ball = balls.setdefault(_numbers_in(BODIES, chosen), case.ball)
         on = counterparts.setdefault(_numbers_in(COUNTERPARTS, chosen), case.on)
         if draws is not None and (id(ball), id(on)) not in drawn:
@@ -150,7 +151,7 @@ def _plan(
 
 
 def _drawn(document: dict[str, Any], folder: Path, places: list[_Place]) -> tuple[Pair, ...]:
-    """Return both bodies with each draw of the materials at some places, which go together."""
+    """Return both bodies for each draw of the materials at some places; the draws of several places are paired."""
     counts = {_text(place): _count_draws(document, folder, place) for place in places}
     if len(set(counts.values())) != 1:
         told = ", ".join(f"{count} at {place}" for place, count in counts.items()) or "no place"
@@ -163,7 +164,7 @@ def _drawn(document: dict[str, Any], folder: Path, places: list[_Place]) -> tupl
 
 
 def _count_draws(document: dict[str, Any], folder: Path, place: _Place) -> int:
-    """Return how many draws the file of a material keeps; refuse what is no measured material."""
+    """Return the number of draws in the file of a measured material; reject places of other tables."""
     material: Any = document
     try:
         for part in place:
@@ -185,14 +186,14 @@ def _arguments(case: Case) -> dict[str, Any]:
 
 
 def place_of(key: str) -> _Place:
-    """Return the place in a document that a key names, as "ball.layers[0].thickness"."""
+    """Return the place in a document for a key such as "ball.layers[0].thickness"."""
     if not _PLACE.fullmatch(key):
         raise ValueError(f'sweep: keys must be places like "ball.layers[0].thickness", got {key!r}')
     return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
 
 
 def _entry(key: str, entry: object) -> list[float] | list[int] | _Range:
-    """Return what the table of a study has under a key, checked, before the numbers of a range are made."""
+    """Return the checked entry of the table `sweep` under a key, before the numbers of a range are generated."""
     if isinstance(entry, list) and all(isinstance(v, int | float) and not isinstance(v, bool) for v in entry):
         return entry
     if not isinstance(entry, dict):
@@ -208,7 +209,7 @@ def _entry(key: str, entry: object) -> list[float] | list[int] | _Range:
 
 
 def substituted(document: dict[str, Any], chosen: Mapping[_Place, float]) -> dict[str, Any]:
-    """Return the document with other numbers at some places; tables on the way are made where they are not there."""
+    """Return the document with other numbers at some places; missing tables above a place are created."""
     document = copy.deepcopy(document)
     for place, number in chosen.items():
         target: Any = document
@@ -217,7 +218,7 @@ def substituted(document: dict[str, Any], chosen: Mapping[_Place, float]) -> dic
                 target = target.setdefault(part, {}) if isinstance(target, dict) else target[part]
             last: Any = place[-1]
             if isinstance(target, list):
-                target[last]  # no new entries
+                target[last]  # raises an IndexError instead of adding an entry
             target[last] = number
         except (IndexError, KeyError, TypeError):
             raise ValueError(f'sweep: the file has no place "{_text(place)}"') from None

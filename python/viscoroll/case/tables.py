@@ -1,7 +1,7 @@
 """Tables of TOML files, read as objects of this package (the extra `viscoroll[cli]`).
 
-The keys of a table are the parameters of a class: pydantic finds those that are unknown or missing, and the place in
-the file; the class itself checks values and has the defaults.
+The keys of a table are the parameters of a class. Pydantic reports unknown and missing keys with their place in the
+file; the class itself checks the values and has the defaults.
 """
 
 from __future__ import annotations
@@ -49,12 +49,12 @@ _Model = TypeVar("_Model", bound="StrictTable")
 
 
 class StrictTable(BaseModel):
-    """A table of the file: unknown keys and wrong types are errors."""
+    """Base of a table of the file: unknown keys and wrong types are errors."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
 
-#: Tables that not every command reads, and which does.
+#: Tables that only some commands read, and the command to name in messages.
 _COMMANDS = {
     "rolling": "viscoroll solve",
     "thermal": "viscoroll solve",
@@ -65,7 +65,7 @@ _COMMANDS = {
 
 
 class FileTables(StrictTable):
-    """Base of a whole file: tables of other commands are skipped, for one file may serve several."""
+    """Base of a whole file. Tables for other commands are skipped, because several commands can read the same file."""
 
     @model_validator(mode="before")
     @classmethod
@@ -74,12 +74,12 @@ class FileTables(StrictTable):
 
 
 def skipped(kind: type[FileTables], document: Iterable[str]) -> dict[str, str]:
-    """Return the tables of a file that are of other commands, and of which."""
+    """Return the names of the tables that are for other commands, with these commands."""
     return {name: _COMMANDS[name] for name in document if name in _COMMANDS and name not in kind.model_fields}
 
 
 def skipped_in(path: Path, *, command: str) -> str:
-    """Return which tables of a file are for other commands, in a sentence, or nothing."""
+    """Return a text that lists the tables of a file for other commands; empty if there are none."""
     others = {name: other for name, other in _COMMANDS.items() if other != command}
     with errors_in(path):
         document = read_toml(path)
@@ -87,25 +87,33 @@ def skipped_in(path: Path, *, command: str) -> str:
 
 
 class Table:
-    """Mark of a class that a table of the file is read as, in ``Annotated[Drive, Table()]``.
+    """Annotation of a class that is made from a table of the file, for example ``Annotated[Drive, Table()]``.
 
-    The keys are the parameters of the class, or of `make` in its place, of any type but where `types` says more; a
-    table that is of one `kind` of several has the key `type`, too.
+    The keys of the table are the parameters of the class.
+
+    Parameters
+    ----------
+    kind : str, optional
+        Value of the key `type`, for tables that describe one of several classes.
+    make : callable, optional
+        Function that makes the object instead of the class; its parameters are the keys.
+    **types : type
+        Types of keys. Other keys may have any type.
     """
 
     def __init__(self, kind: str | None = None, make: Callable[..., Any] | None = None, **types: Any) -> None:
         self._make = make
         self._types = types | ({} if kind is None else {"type": Literal[kind]})
-        self._model: type[StrictTable] | None = None  # made once: modulus and layer are parts of several bodies
+        self._model: type[StrictTable] | None = None  # made once: several bodies contain moduli and layers
 
     def __get_pydantic_core_schema__(self, source: Callable[..., Any], handler: GetCoreSchemaHandler) -> CoreSchema:
-        """Return a model of the keys, and what is made of it."""
+        """Return a schema that checks the keys and makes the object."""
         make = self._make or source
 
         def made(table: StrictTable) -> Any:
             try:
                 return make(**{name: getattr(table, name) for name in table.model_fields_set - {"type"}})
-            except TypeError as error:  # of values: those of keys are found above
+            except TypeError as error:  # wrong types of values; the model has checked the keys
                 raise ValueError(str(error)) from None
 
         self._model = self._model or self._model_of(make)
@@ -122,13 +130,13 @@ class Table:
 
 
 class ByName:
-    """Mark of an enumeration whose members, or some of them alone, the file names in lower case."""
+    """Annotation of an enumeration: the file gives the name of a member, or of one of `members`, in lower case."""
 
     def __init__(self, *members: Enum) -> None:
         self._members = members
 
     def __get_pydantic_core_schema__(self, source: type[Enum], handler: GetCoreSchemaHandler) -> CoreSchema:
-        """Return the names, and how a member is found by them."""
+        """Return a schema that checks the name and returns the member."""
         members = {member.name.lower(): member for member in self._members or source}
         return core_schema.no_info_after_validator_function(
             members.__getitem__, core_schema.literal_schema(list(members))
@@ -136,9 +144,9 @@ class ByName:
 
 
 def in_folder(name: object, info: ValidationInfo) -> Path:
-    """Return the path of a named file in the folder of the file that names it; without a folder, refuse every name.
+    """Return the path of a file in the folder of the file that refers to it; without a folder, reject every name.
 
-    All names of files pass through this function, so that tables without a folder cannot have any file read.
+    All names of files pass through this function, so that tables without a folder cannot cause any file to be read.
     """
     if info.context is None:
         raise ValueError("names of files are not allowed here: write the values into the table")
@@ -148,13 +156,13 @@ def in_folder(name: object, info: ValidationInfo) -> Path:
     return info.context / name
 
 
-#: The name of a file beside the case file.
+#: Name of a file in the folder of the case file.
 FileName: TypeAlias = Annotated[Path, BeforeValidator(in_folder)]
 
 
 @contextmanager
 def errors_in(path: Path) -> Iterator[None]:
-    """Turn an error about the content of a file into a ValueError of one line that names the file."""
+    """Convert errors about the content of a file to a ValueError with a message of one line that names the file."""
     try:
         yield
     except RecursionError:
@@ -164,14 +172,22 @@ def errors_in(path: Path) -> Iterator[None]:
 
 
 def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = None) -> _Model:
-    """Return the tables of a file whose `kind` says what they may hold; `folder` holds the files that they name.
+    """Return the tables of a file as an object of `kind`, which defines the allowed content.
 
-    Without a folder, tables that name a file are refused, and no file is read.
+    Parameters
+    ----------
+    kind : type
+        Class of the tables.
+    document : dict
+        Content of the file.
+    folder : Path, optional
+        Folder of the files to which the tables refer. Without a folder, no file is read, and tables that refer to a
+        file are rejected.
 
     Raises
     ------
     ValueError
-        Where they hold something else, with the place in the file.
+        If the tables have other content. The message names the place in the file.
     """
     try:
         return kind.model_validate(document, context=folder)
@@ -180,19 +196,29 @@ def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = 
         raise ValueError(_first_line(error, others, kind.model_fields)) from None
 
 
-#: What Python makes by a call, as a file has it.
+#: Python calls that messages suggest, and their form in a file.
 _IN_FILES = {
     "hardness_to_modulus(...).value": '{ type = "hardness", hardness = ... }',
     "rebound_to_loss_factor(...).value": '..., or a rebound beside a hardness: type = "hardness"',
 }
 
-#: Errors beside the first that are told one by one.
+#: Largest number of further errors that a message lists.
 _MOST_TOLD = 3
 
 
 def _first_line(error: ValidationError, others: Mapping[str, str], tables: Iterable[str]) -> str:
-    """Return what is wrong first, with its place in the file, and what else; `others` are tables of other commands."""
-    # Values are looked at where all keys of a table are known: the keys of others come first.
+    """Return a message with the most relevant error and its place, then the others.
+
+    Parameters
+    ----------
+    error : ValidationError
+        All errors of the file.
+    others : mapping of str to str
+        Tables of the file for other commands, with these commands.
+    tables : iterable of str
+        Names of all tables that the file may have.
+    """
+    # Values are checked only in tables without wrong keys: report the wrong keys of other tables first.
     errors = sorted(error.errors(), key=lambda one: one["type"] == "value_error")
     if others and (whole := [one for one in errors if one["type"] == "missing" and len(one["loc"]) == 1]):
         return f"{_told(whole[0])}; such a file is for `{next(iter(others.values()))}`"
@@ -201,7 +227,7 @@ def _first_line(error: ValidationError, others: Mapping[str, str], tables: Itera
     meant = {}
     for number in unknown:
         *above, name = errors[number]["loc"]
-        # A key that is misspelled, or another word for it, is missing as well; tables need not be there.
+        # If a key is misspelled or a synonym, the correct key is among the missing ones. Tables may be optional.
         if match := meant_by(str(name), missing if above else list(tables)):
             parameter, equals, formula = match.partition(" = ")
             meant[number] = parameter + equals + _IN_FILES.get(formula, formula)
@@ -223,10 +249,10 @@ def _first_line(error: ValidationError, others: Mapping[str, str], tables: Itera
     return "; ".join([told, *more]) + "".join(varied)
 
 
-#: Tables of a type, which stands behind their names in the places of pydantic.
+#: Tables with a key `type`, whose value follows their name in the locations of pydantic.
 _TYPED = ("shear_modulus", "shift", "matrix", "network")
 
-#: What is wrong with a key of such a table.
+#: Messages about keys of such tables, by the error type of pydantic.
 _WRONG_KEYS = {"missing": "must have", "extra_forbidden": "has no parameter"}
 
 
@@ -240,7 +266,7 @@ def _told(error: ErrorDetails, *, with_value: bool = True) -> str:
     if error["type"] == "union_tag_invalid":
         kinds = context["expected_tags"].replace("'", "")
         return f"{place}.type must be one of {kinds}, got {shown(error['input']['type'])}"
-    if error["type"] == "value_error":  # says by itself what it got
+    if error["type"] == "value_error":  # this message contains the given value
         return f"{place}: {context['error']}"
     return f"{place}: {error['msg'][0].lower()}{error['msg'][1:]}{got}"
 

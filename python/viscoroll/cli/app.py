@@ -57,14 +57,14 @@ _INVALID, _FAILED, _STOPPED = 2, 1, 130
 
 
 def run() -> None:
-    """Run the command line: exit code 2 for bad input, 1 where no answer was found, 130 on Ctrl-C."""
+    """Run the command line. Exit code: 2 for invalid input, 1 if the solver fails, 130 after Ctrl-C."""
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="replace")  # where Ω cannot be written, "?" will do; stderr writes escapes
-    warnings.simplefilter("ignore", ResultWarning)  # they are printed below the results
+        sys.stdout.reconfigure(errors="replace")  # "?" if the encoding lacks Ω; stderr writes escapes
+    warnings.simplefilter("ignore", ResultWarning)  # warnings are printed below the results
     try:
         app()
     except OSError as error:
-        place = "standard output" if error.errno == errno.ENOSPC else ""  # errors of files have their names
+        place = "standard output" if error.errno == errno.ENOSPC else ""  # errors of files have a filename
         named = error.filename or place
         _fail(f"{named}: {error.strerror}" if named else str(error), _INVALID)
     except (ValueError, TypeError) as error:
@@ -107,7 +107,7 @@ def solve(
         Path | None, typer.Option(help="Draw the stress in the section through the contact to this picture.")
     ] = None,
 ) -> None:
-    """Solve the load case of a file and report torque, penetration, pressure and power balance."""
+    """Solve the load case of a file and print torque, penetration, pressure and power balance."""
     check_target("--plot", plot, PICTURES)
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
@@ -118,7 +118,7 @@ def solve(
         warnings.simplefilter("always", ResultWarning)
         if loaded.thermal is not None and loaded.thermal.shift is not None:
             heated = loaded.self_heating(progress=report)
-            result, softened = heated.states[0].result, heated.states[0].softening  # of a cold start
+            result, softened = heated.states[0].result, heated.states[0].softening  # reached from a cold start
         elif loaded.softens:
             softened = loaded.strain_softening(progress=report)
             result = softened.result
@@ -166,7 +166,7 @@ def roll(
         Path | None, typer.Option(help="State of an interrupted run, to go on from (.state).")
     ] = None,
 ) -> None:
-    """Roll, stop, stand and turn back: follow the motion of a file."""
+    """Compute the history of a motion from a file: roll, stop, stand, reverse."""
     from ..case.motion import load_motion
     from ..transient.history import FORMATS as HISTORY_FORMATS
     from ..transient.rolling_history import RollingState
@@ -201,7 +201,7 @@ def sweep(
     ] = False,
     table: Annotated[Path | None, typer.Option(help="Write a row for each point to this file, too (.csv).")] = None,
 ) -> None:
-    """Solve all combinations of the parameters that a file varies, but for those that the cache holds."""
+    """Solve all combinations of the parameters that a file varies, except the points that the cache holds."""
     from ..case.study import load_study
     from ..studies.study import doubts, run_plan
     from ..studies.table import save_table
@@ -235,7 +235,7 @@ def plot(
     if study.suffix != ".nc":
         raise ValueError(f"study must be the .nc that `viscoroll sweep` writes, got {study.name!r}")
     with extra("files"):
-        import netCDF4  # noqa: F401  (what xarray reads with)
+        import netCDF4  # noqa: F401  (xarray reads with it)
         import xarray  # noqa: F401
 
     from ..studies.picture import plot_study
@@ -274,9 +274,9 @@ def reproduce(
         bool, typer.Option("--coarse", help="A coarse mesh and few points: seconds, not minutes.")
     ] = False,
 ) -> None:
-    """Compute and draw tables and figures of the paper, and judge them by what it says."""
+    """Compute and draw tables and figures of the paper, and compare them with its numbers and statements."""
     with extra("studies"):
-        import_module("scipy")  # wanted by some items: say so before the others are solved
+        import_module("scipy")  # some items need it: fail before the others are solved
     from ..reproduce import ITEMS, Runner, write_files, write_verdicts
 
     if unknown := sorted(set(items or ()) - set(ITEMS)):
@@ -315,9 +315,9 @@ def compare(
         ),
     ] = None,
 ) -> None:
-    """Draw torque against speed: the solver, with the radial compliance, and every closed form that the ball has.
+    """Draw torque against speed, from the solver with the radial compliance and from all applicable closed forms.
 
-    Or any result as it was measured, with both bands.
+    With --measured, draw measured and computed results with error bands instead.
     """
     from ..case.compare import compare_torques, parse_speeds
 
@@ -340,7 +340,7 @@ def compare(
 
 
 def _compare_measured(case: Case, path: Path, output: Path) -> None:
-    """Draw a case and measurements of it, and say how many agree."""
+    """Draw measured and computed results of a case, and print the number of measurements that agree."""
     from ..case.measured import compare_measured, read_measurements
 
     measurements = read_measurements(path)
@@ -357,7 +357,7 @@ def _compare_measured(case: Case, path: Path, output: Path) -> None:
 def demo(
     plot: Annotated[Path, typer.Option(help="Where to draw the contact pressure.")] = Path("demo-contact.png"),
 ) -> None:
-    """Solve the example of Zéhil and Gavin (section 14) on all meshes of their table 2, beside the printed torques."""
+    """Solve the example of Zéhil and Gavin (section 14) on all meshes of their table 2; compare with their torques."""
     check_target("--plot", plot, PICTURES)
     ball = paper.ball()
     torques: dict[tuple[int, int], float] = {}
@@ -395,7 +395,7 @@ _STATUS_TEXT = {
 
 
 def _json(scalars: dict[str, float | int | str | None]) -> str:
-    """Return valid JSON, which has no numbers for infinite and undefined values: they are null."""
+    """Return JSON text with null for infinite and undefined values, for which JSON has no numbers."""
     finite = {
         name: None if isinstance(value, float) and not math.isfinite(value) else value
         for name, value in scalars.items()
@@ -404,7 +404,7 @@ def _json(scalars: dict[str, float | int | str | None]) -> str:
 
 
 def _print_result(result: Result) -> None:
-    """Print what was given, and a table of what was found, which is narrower than 80 columns."""
+    """Print a title with the inputs, and a table of results narrower than 80 columns."""
     write_line(result_title(result))
     write_line(f"{result.mesh}, {result.status.name}")
     table = Table(show_header=False)
@@ -414,7 +414,7 @@ def _print_result(result: Result) -> None:
 
 
 def _thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
-    """Return what is reported of every steady state, in SI units."""
+    """Return the reported scalars of every steady state, in SI units."""
     scalars: list[dict[str, float | str]] = []
     for number, found in enumerate(temperatures):
         row: dict[str, float | str] = {name: getattr(found, name) for name in QUANTITIES}

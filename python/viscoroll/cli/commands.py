@@ -1,4 +1,4 @@
-"""Commands of the command line around a solve: materials from measurements, input for other programs, design."""
+"""Further commands: materials from measurements, export to discrete-element codes, design."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ __all__ = ["design", "export", "material"]
 
 
 class Code(StrEnum):
-    """Codes that `viscoroll export` writes for."""
+    """Discrete-element codes for which `viscoroll export` writes."""
 
     LAMMPS = "lammps"
     LIGGGHTS = "liggghts"
@@ -64,7 +64,7 @@ def material(
     plot: Annotated[Path | None, typer.Option(help="Draw data, fit and residual (.png, .svg, .pdf).")] = None,
     save: Annotated[Path | None, typer.Option(help="Write the material (.toml), which case files name.")] = None,
 ) -> None:
-    """Make a material of measured moduli: read, shift to one temperature, check, fit, save."""
+    """Make a material from measured moduli: read, shift to one temperature, check, fit, save."""
     from ..rheology import check_modulus, fit_prony, read_rheology, save_material, superpose
 
     check_target("--plot", plot, PICTURES)
@@ -114,7 +114,7 @@ def export(
     output: Annotated[Path | None, typer.Option(help="File for the lines; by default beside the case.")] = None,
     span: Annotated[float, typer.Option(help="Without \\[sweep]: loads and speeds by so much up and down.")] = 2.0,
 ) -> None:
-    """Write rolling friction as a discrete-element code defines it, and T(P, Ω) as CSV beside it."""
+    """Write rolling friction as a discrete-element code defines it, and a CSV table of T(P, Ω)."""
     from ..export import dem
     from ..studies.study import doubts
 
@@ -136,7 +136,7 @@ def design(
     case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; as in docs/studies.md.")],
     plot: Annotated[Path | None, typer.Option(help="Draw power and limits (.png, .svg, .pdf).")] = None,
 ) -> None:
-    """Find the thickness, or any number of a case, that loses the least power under limits."""
+    """Find the thickness, or another number of a case, with the least power loss within limits."""
     from ..case.design import design_case
 
     check_target("--plot", plot, PICTURES)
@@ -154,7 +154,7 @@ def design(
 
 
 def _draws(curve: Superposition | Isotherm, fit: PronyFit, count: int) -> Draws[Superposition] | Draws[Prony] | None:
-    """Return draws of shifts and series, or of a series alone."""
+    """Return draws of shift factors and series, or only of the series; None for a count of 0."""
     from ..rheology import Superposition
 
     if count == 0:
@@ -197,7 +197,7 @@ def _own_shift(factors: Path | None, wlf: str | None) -> ShiftFactors | Williams
 
 
 def _write_ramp(ramp: TemperatureRamp, at: float | None, *, wanted: Path | None) -> None:
-    """Write what a ramp gives without a law: a modulus for case files at a temperature."""
+    """Print what a temperature ramp gives without a shift law: a modulus for case files at one temperature."""
     if wanted is not None:
         raise ValueError(
             f"{wanted.name} needs a master curve, which a ramp at one frequency gives with a law of the shift alone: "
@@ -230,7 +230,7 @@ def _write_modulus(curve: Superposition | Isotherm, temperature: float) -> None:
 
 
 def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None, float | None]:
-    """Return a study over load and speed, and the point of it that a case is about."""
+    """Return a study over load and speed, and load and speed of the case; None for a file with a table [sweep]."""
     import numpy as np
 
     from ..case import load_case
@@ -244,7 +244,7 @@ def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None
     if "sweep" in document:
         return run_plan(load_study(path), progress=sys.stderr.isatty()), None, None
     case = load_case(path)
-    balls_of(case.ball, case.on)  # refuses what no such code knows, before the study
+    balls_of(case.ball, case.on)  # rejects unsupported bodies before the study
     factors = np.geomspace(1.0 / span, span, 5)
     factors[2] = 1.0
     varied = {"load": case.load * factors, "angular_speed": case.angular_speed * factors}

@@ -1,4 +1,4 @@
-"""Where the command line writes to, and what it asks of files before a long solve."""
+"""Output of the command line, and checks of output files before a long solve."""
 
 from __future__ import annotations
 
@@ -31,17 +31,17 @@ OUTPUT = Console()
 
 
 def write_line(line: str) -> None:
-    """Write a line of results as it is."""
+    """Write a line of results to the standard output, without markup."""
     OUTPUT.print(line, markup=False, emoji=False, highlight=False, soft_wrap=True)
 
 
 def write_message(message: str) -> None:
-    """Write a message beside the results, on one line."""
+    """Write a message to the standard error, on one line."""
     MESSAGES.print(one_line(message), markup=False, emoji=False, highlight=False, soft_wrap=True)
 
 
 def check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> None:
-    """Refuse a file that could not be written, before a long solve."""
+    """Raise a ValueError if the output file of an option cannot be written; called before a long solve."""
     if path is None:
         return
     ending_in(suffixes, path, name=option)

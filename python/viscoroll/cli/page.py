@@ -1,4 +1,4 @@
-"""The command that serves the page on which cases are tried."""
+"""The command `viscoroll app`, which serves an interactive page for cases."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def serve_page(
     case: Annotated[Path | None, typer.Argument(help="Case file in TOML that the page begins with.")] = None,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open it in the browser.")] = True,
 ) -> None:
-    """Try cases on a page in the browser, solved on this machine; Ctrl-C ends it."""
+    """Edit and solve cases on a page in the browser; this machine solves them, and Ctrl-C stops the server."""
     from ..app import serve
     from ..app.answer import OTHER_TABLES, readable_case
 

@@ -1,4 +1,4 @@
-"""What other programs take: rolling friction of discrete-element codes."""
+"""Export of results to other programs: rolling friction for discrete-element codes."""
 
 from .balls import Balls
 from .contact import OperatingPoint, Stiffness

@@ -1,4 +1,4 @@
-"""Which balls of a result or study discrete-element codes know: one on a plane, or two on each other."""
+"""Radii of the balls of a result or study: a ball on a plane, or two balls in contact."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ _WANTED = "source must be of a ball on a plane or on another ball"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Balls:
-    """A ball on a plane, or two on each other.
+    """Radii of a ball on a plane, or of two balls in contact.
 
     Attributes
     ----------
     radii : tuple of float
-        r_o of the ball, or of both, undeformed [m].
+        Undeformed outer radius r_o of the ball, or of both balls [m].
     alike : bool
-        Whether both are the same.
+        Whether both balls are identical.
     """
 
     radii: tuple[float, ...]
@@ -33,23 +33,23 @@ class Balls:
 
     @property
     def are_two(self) -> bool:
-        """Whether they roll on each other."""
+        """Whether two balls roll on each other."""
         return len(self.radii) == 2
 
     @property
     def radius(self) -> float:
-        """R of 1/R = Σ 1/r_o [m]."""
+        """Effective radius R, with 1/R = Σ 1/r_o [m]."""
         first, *rest = self.radii
         return first * rest[0] / (first + rest[0]) if rest else first
 
 
 def balls_of(ball: RollingBody, on: Counterpart | None) -> Balls:
-    """Return the balls of what rolls and what it rolls on.
+    """Return the radii of a rolling body and its counterbody.
 
     Raises
     ------
     ValueError
-        For rollers, and balls on something else.
+        If the body is not a ball, or the counterbody is neither a plane nor a ball.
     """
     if not isinstance(ball, CoatedSphere):
         raise ValueError(f"{_WANTED}, got a {type(ball).__name__}")
@@ -61,12 +61,12 @@ def balls_of(ball: RollingBody, on: Counterpart | None) -> Balls:
 
 
 def balls_of_study(study: xarray.Dataset) -> Balls:
-    """Return the balls of a study over load, speed, or both.
+    """Return the radii of the balls of a study over load, angular speed, or both.
 
     Raises
     ------
     ValueError
-        For rollers, balls on something else or on several things, several balls, and other dimensions.
+        If the study is not of one ball on one plane or ball, or varies anything but load and angular speed.
     """
     *_, kind = str(study.attrs.get("title", "sphere")).split()
     if kind != "sphere":

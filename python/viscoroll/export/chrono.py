@@ -1,4 +1,4 @@
-"""Project Chrono: non-smooth contacts, Chrono::Multicore's smooth ones, and Chrono::DEM."""
+"""Input for Project Chrono: non-smooth contacts, smooth contacts of Chrono::Multicore, and Chrono::DEM."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ __all__ = ["STYLES"]
 
 
 def _nsc(point: OperatingPoint, stiffness: Stiffness) -> Written:  # noqa: ARG001  (contacts are rigid)
-    """Non-smooth contacts: the rolling torque is limited to ρ F_n, with ρ a length, on both balls of two.
+    """Return input for non-smooth contacts, which limit the rolling torque to ρ F_n on each ball, with a length ρ.
 
-    Of two materials the smaller value counts, so both need it. Source: ChContactNSCrolling.cpp (the cone of Rx with
+    For two materials the smaller value counts, so both need it. Source: ChContactNSCrolling.cpp (the cone of Rx with
     SetRollingFrictionCoefficient), ChContactMaterialNSC.h (rolling friction in units of length); Tasora and Anitescu,
     Meccanica 48 (2013) 1643. (The smooth contacts of Chrono's core, SMC, read the value and never use it.)
     """
@@ -31,10 +31,11 @@ def _nsc(point: OperatingPoint, stiffness: Stiffness) -> Written:  # noqa: ARG00
 
 
 def _multicore(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Smooth contacts of Chrono::Multicore: T = muRoll P R at once, at any speed; not of two balls.
+    """Return input for smooth contacts of Chrono::Multicore, T = muRoll P R at any speed; not for two balls.
 
-    There v_rot = ω₂ × r₂ - ω₁ × r₁ is how fast their turning makes them slide: 0 where they roll on each other. Not in
-    a contact younger than a collision takes, nor below min_roll_vel; of two materials the smaller value counts. Source:
+    The torque acts immediately along r × v_rot with v_rot = ω₂ × r₂ - ω₁ × r₁, the sliding speed that the rotation
+    causes, which is 0 for two balls that roll on each other. It does not act in a contact younger than the duration of
+    a collision, nor below min_roll_vel. For two materials the smaller value counts. Source:
     ChIterativeSolverMulticoreSMC.cpp (m_roll = muRoll_eff F_n r × v_rot / |v_rot|), after Schwartz, Richardson and
     Michel, Granular Matter 14 (2012) 363.
     """
@@ -59,7 +60,7 @@ def _multicore(point: OperatingPoint, stiffness: Stiffness) -> Written:
 
 
 def _dem(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Chrono::DEM: T = μ_r P R at once, at any speed above a threshold, R the one radius that all balls have.
+    """Return input for Chrono::DEM, T = μ_r P R at any speed above a threshold, where all balls have one radius R.
 
     Source: src/chrono_dem/cuda/ChDemHelpers.cuh, computeRollingAngAcc, mode SCHWARTZ: torque = (rolling_coeff |F_n| /
     |v_rot|) r_contact × v_rot, v_rot = (ω₂ - ω₁) × r_contact; ChDem_SMC.cuh: the force is K_n δ √(δ/2R_eff) on a ball,

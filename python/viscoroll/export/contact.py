@@ -1,4 +1,4 @@
-"""What discrete-element codes need to know of a contact: an operating point, and a stiffness as they take it."""
+"""Operating points of a contact, and contact stiffness, for discrete-element codes."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ __all__ = ["OperatingPoint", "Stiffness", "Style", "Written", "operating_points"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OperatingPoint:
-    """A ball on a plane, or on another one, rolling steadily.
+    """Steady rolling of a ball on a plane or on another ball, at one load and speed.
 
-    Two balls turn in opposite senses, at Ω_rel = V/R relative to each other; on a plane that is Ω. Codes let equal
-    torques act on both, in opposite senses: the power lost is right, and how the two share it is left to the force
-    between them.
+    Two balls rotate in opposite senses with the relative angular speed Ω_rel = V/R; on a plane Ω_rel = Ω. The codes
+    apply equal and opposite torques to both balls. The total dissipated power is then correct; the force between the
+    balls determines how it is divided between them.
 
     Attributes
     ----------
     balls : Balls
-        Their radii.
+        Radii of the balls.
     load : float
-        P [N].
+        Normal load P [N].
     angular_speed : float
-        Ω of the first one [rad/s].
+        Angular speed Ω of the first ball [rad/s].
     torque : float
-        T, power lost per Ω_rel [N m].
+        T, dissipated power divided by Ω_rel [N m].
     penetration : float
-        δ [m].
+        Penetration δ [m].
     bounds : (float, float) or None
-        Of filled rubber, T with the network's loss summed over harmonics, and that of a network without rate [N m]: by
-        the ratio of their torques, T being of the power.
+        For filled rubber, T with the loss of the network summed over harmonics, and T with a rate-independent
+        network [N m]: T, which follows from the power, times the ratio of the resisting torques.
     """
 
     balls: Balls
@@ -56,34 +56,34 @@ class OperatingPoint:
 
     @property
     def radius(self) -> float:
-        """R, that of the ball, or R₁R₂/(R₁+R₂) [m]."""
+        """Radius R of the ball, or effective radius R₁R₂/(R₁+R₂) of two balls [m]."""
         return self.balls.radius
 
     @property
     def relative_speed(self) -> float:
-        """Ω_rel [rad/s]."""
+        """Relative angular speed Ω_rel [rad/s]."""
         return self.angular_speed * (self.balls.radii[0] / self.radius)
 
     @property
     def coefficient(self) -> float:
-        """T / (P R) [-]."""
+        """Rolling friction coefficient T / (P R) [-]."""
         return self.torque / (self.load * self.radius)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Stiffness:
-    """Load against penetration, as codes take it: least squares of the relative error over the points given.
+    """Laws of the load as a function of penetration, fitted to the relative error of the load over all points.
 
     Attributes
     ----------
     hertz : float
-        k of P = k √R δ^(3/2) [Pa]: four thirds of the effective modulus E*.
+        k of P = k √R δ^(3/2) [Pa], four thirds of the effective modulus E*.
     hooke : float
         k of P = k δ [N/m].
     hertz_error, hooke_error : float
-        Largest relative error of the load over the points [-]; 0 for a single one.
+        Largest relative error of the load over the points [-]; 0 for a single point.
     points : int
-        Their number.
+        Number of points.
     """
 
     hertz: float
@@ -94,7 +94,7 @@ class Stiffness:
 
     @property
     def effective_modulus(self) -> float:
-        """E* of Hertz's 4/3 E* √R δ^(3/2) [Pa]."""
+        """Effective modulus E* of Hertz's law P = 4/3 E* √R δ^(3/2) [Pa]."""
         return 0.75 * self.hertz
 
     @classmethod
@@ -110,20 +110,20 @@ class Stiffness:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Written:
-    """What one code takes.
+    """Input for one code and the torque law that it implies.
 
     Attributes
     ----------
     lines : tuple of str
-        Of its input.
+        Lines of the input.
     parameters : dict of str to float
-        The numbers in them, by that code's names.
+        Numbers in the lines, by the names that the code uses.
     law : callable
-        T(P, Ω_rel) [N m] that the code makes of them, for loads [N] and relative speeds [rad/s] as arrays.
+        T(P, Ω_rel) [N m] that the code computes, for arrays of loads [N] and relative speeds [rad/s].
     torque_law : str
-        The same in words, with the reference radius.
+        Same law in words, with the radius to which it refers.
     source : str
-        Where that is defined.
+        File or manual that defines the law.
     """
 
     lines: tuple[str, ...]
@@ -133,7 +133,7 @@ class Written:
     source: str
 
 
-#: How a code is written for, one of its models.
+#: Function that writes the input for one model of a code.
 Style: TypeAlias = Callable[[OperatingPoint, Stiffness], Written]
 
 
@@ -143,9 +143,10 @@ def operating_points(source: Result | StrainSoftening | xarray.Dataset) -> list[
     Raises
     ------
     TypeError
-        For neither of them.
+        If `source` is neither a result nor a study.
     ValueError
-        For rollers, grooves, and studies without points or over something else than load and speed.
+        If the body is not a ball on a plane or ball, or the study has no points or varies anything but load and angular
+        speed.
     """
     if not isinstance(source, Result | StrainSoftening) and not hasattr(source, "data_vars"):
         raise TypeError(

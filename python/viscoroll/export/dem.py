@@ -1,4 +1,4 @@
-"""Rolling friction for discrete-element codes, by the definition of each."""
+"""Rolling friction for discrete-element codes, by the definition of each code."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["CODES", "DemInput", "dem"]
 
-#: Codes, and the styles of each; the first is the default.
+#: Styles of each code, by name; the first style is the default.
 CODES: dict[str, dict[str, Style]] = {
     "lammps": lammps.STYLES,
     "liggghts": liggghts.STYLES,
@@ -38,22 +38,22 @@ _COMMENT = {"chrono": "//", "mercurydpm": "//"}
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class DemInput:
-    """Input lines for a discrete-element code, and what they are good for.
+    """Input lines for a discrete-element code, with their torque law and its error.
 
     Attributes
     ----------
     code, style : str
-        Which code, and which of its models.
+        Name of the code, and of its model.
     point : OperatingPoint
         Load, speed and radius at which the torque is exact.
     stiffness : Stiffness
-        Load against penetration.
+        Load as a function of penetration.
     written : Written
         Lines, parameters, torque law and source.
     points : list of OperatingPoint
-        All that are known.
+        All points of the result or study.
     error : float
-        Largest relative error of the code's torque over them [-]; NaN for a single one.
+        Largest relative error of the code's torque over these points [-]; NaN for a single point.
     """
 
     code: str
@@ -66,24 +66,24 @@ class DemInput:
 
     @property
     def parameters(self) -> dict[str, float]:
-        """The numbers in the lines, by the code's names."""
+        """Numbers in the lines, by the names that the code uses."""
         return self.written.parameters
 
     @property
     def text(self) -> str:
-        """Input lines behind a comment that says what they hold for."""
+        """Input lines, preceded by a comment that states load, speed, law, source and error."""
         mark = _COMMENT.get(self.code, "#")
         return "\n".join([*(f"{mark} {line}" for line in self._comment()), *self.written.lines]) + "\n"
 
     def save(self, path: str | Path) -> Path:
-        """Write the text, and the torques T(P, Ω) of all points as CSV beside it, since no code takes a table.
+        """Write the input lines to a file, and the torques T(P, Ω) of all points to a CSV file beside it.
 
-        Of filled rubber both torques are in it.
+        None of the codes accepts a table of torques. For filled rubber the CSV file contains both torques.
 
         Returns
         -------
         Path
-            Of the table.
+            Path of the CSV file.
         """
         path = Path(path)
         write_text(self.text, path)
@@ -98,7 +98,7 @@ class DemInput:
         return table
 
     def __repr__(self) -> str:
-        """Return the text."""
+        """Return the input lines with their comment."""
         return self.text
 
     def _pair(self) -> str:
@@ -151,36 +151,36 @@ def dem(
     load: float | None = None,
     angular_speed: float | None = None,
 ) -> DemInput:
-    """Write rolling friction as a discrete-element code takes it.
+    """Return the input for rolling friction in a discrete-element code.
 
-    Every code means something else by its coefficient; the docstrings of the modules of `viscoroll.export` cite where
-    each defines it. The torque is the power lost per speed, of two balls relative to each other, where both take it in
-    opposite senses.
+    Each code defines its coefficient differently. The docstrings of the modules in `viscoroll.export` cite the
+    definitions. The torque is the dissipated power divided by the angular speed; for two balls, by their relative
+    angular speed, with opposite torques on both.
 
     Parameters
     ----------
     source : Result, StrainSoftening or xarray.Dataset
-        Of a ball on a plane, or on another one: one result, of filled rubber with both torques, or a study of
-        `viscoroll.sweep` over load, angular speed, or both: then the error that the code's law commits over it is
-        known, and the stiffness is fitted.
+        Result for a ball on a plane or on another ball, or a study of `viscoroll.sweep` over load, angular speed, or
+        both. For a study, the largest error of the code's law over all points is computed and the stiffness is fitted.
+        A result for filled rubber provides two torques.
     code : {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "lethe"}
-        Which.
+        Name of the code.
     style : str, optional
         Model of that code: "sds" or "viscous" (LAMMPS), "epsd2", "epsd" or "cdt" (LIGGGHTS), "nsc", "multicore" or
         "dem" (Chrono), "constant" or "viscous" (Lethe); by default the first.
     load, angular_speed : float, optional
-        Point of the study at which the torque is to be exact [N], [rad/s]; by default the middle one.
+        Point of the study at which the torque is exact [N], [rad/s]; by default the middle one.
 
     Returns
     -------
     DemInput
-        Lines, law, error and files.
+        Input lines, torque law and error, with a method that writes the files.
 
     Raises
     ------
     ValueError
-        For an unknown code or style, and a load or speed that the study does not have; for rollers, grooves, studies
-        over more than load and speed, and balls on balls where a code's law is none for them.
+        If code or style is unknown; if the study does not contain the load or speed, or varies anything else; if the
+        body is not a ball on a plane or ball; or if the law does not apply to two balls.
 
     Examples
     --------

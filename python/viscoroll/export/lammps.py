@@ -1,4 +1,4 @@
-"""LAMMPS, `fix wall/gran granular` and `pair_style granular`."""
+"""Input for LAMMPS, `fix wall/gran granular` and `pair_style granular`."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
-#: Turn of the ball in which the spring reaches its limit [rad].
+#: Rotation of the ball at which the spring reaches its limit [rad].
 _TURN = 1e-3
 
 
 def _sds(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Spring, dashpot and slider: past a small turn T = μ P R.
+    """Return input for a spring, dashpot and slider: T = μ P R after a small rotation.
 
-    The rolling "pseudo-force" is a spring on R_eff∫Ω_rel dt, limited to μ F_n, and the torque R_eff times it, on both
-    balls in opposite senses; on a wall R_eff is the radius, of two balls R₁R₂/(R₁+R₂). Source: LAMMPS manual,
-    pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp, granular_model.cpp (Reff, relrot).
+    The rolling "pseudo-force" is a spring on R_eff∫Ω_rel dt, limited to μ F_n. The torque on both balls, in opposite
+    senses, is R_eff times this force. R_eff is the radius on a wall, and R₁R₂/(R₁+R₂) for two balls. Source: LAMMPS
+    manual, pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp, granular_model.cpp (Reff, relrot).
     """
     mu = point.coefficient
     spring = mu * point.load / (point.radius * _TURN)
@@ -29,10 +29,10 @@ def _sds(point: OperatingPoint, stiffness: Stiffness) -> Written:
 
 
 def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Dashpot alone: T = γ R² Ω_rel, as long as that is below P R.
+    """Return input for a dashpot alone: T = γ R² Ω_rel, as long as this is below P R.
 
-    Without a spring, and with a slider that is not reached, the pseudo-force is -γ R Ω. It does not know the load.
-    Source: as of `_sds`.
+    Without a spring, and with a slider that is not reached, the pseudo-force is -γ R Ω. It does not depend on the load.
+    The source is the same as in `_sds`.
     """
     gamma = point.torque / (point.radius**2 * point.relative_speed)
     return Written(

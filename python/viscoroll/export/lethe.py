@@ -1,4 +1,4 @@
-"""Lethe, its constant and its viscous rolling resistance."""
+"""Input for Lethe, with constant or viscous rolling resistance."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ _SOURCE = "Lethe include/dem/particle_particle_contact_force.h and its rolling r
 
 
 def _constant(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """T = μ_r P R, at once and at any speed.
+    """Return input for T = μ_r P R, immediately and at any speed.
 
-    M_r = -μ_r R_eff |F_n| ω̂_rel, R_eff that of the ball on a wall, of two balls R₁R₂/(R₁+R₂); the value of a pair is
-    the harmonic mean 2 μ₁μ₂/(μ₁+μ₂), so both get the same. Source: Lethe's `constant_rolling_resistance_torque`.
+    The law is M_r = -μ_r R_eff |F_n| ω̂_rel. R_eff is the radius on a wall, and R₁R₂/(R₁+R₂) for two balls. The value
+    of a pair is the harmonic mean 2 μ₁μ₂/(μ₁+μ₂), so both get the same value. Source: Lethe's
+    `constant_rolling_resistance_torque`.
     """
     mu = point.coefficient
     return _written(
@@ -23,10 +24,11 @@ def _constant(point: OperatingPoint, stiffness: Stiffness) -> Written:
 
 
 def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """T = μ_r P R² Ω: the low-speed law of a coated ball, T = P Ω R Σ g_k τ_k / g_∞, in form; not of two balls.
+    """Return input for T = μ_r P R² Ω; not for two balls.
 
-    M_r = -μ_r R_eff |F_n| |V_ω| ω̂ with V_ω = ω₁ × R₁n + ω₂ × R₂n: μ_r in s/m. V_ω is 0 where two balls roll on each
-    other. Source: Lethe's `viscous_rolling_resistance_torque`.
+    The law has the form of the low-speed limit of a coated ball, T = P Ω R Σ g_k τ_k / g_∞. It is M_r = -μ_r R_eff
+    |F_n| |V_ω| ω̂ with V_ω = ω₁ × R₁n + ω₂ × R₂n and μ_r in s/m. V_ω is 0 for two balls that roll on each other.
+    Source: Lethe's `viscous_rolling_resistance_torque`.
     """
     if point.balls.are_two:
         raise ValueError(
@@ -71,7 +73,7 @@ def _written(
 
 
 def _types(balls: Balls) -> tuple[float, ...]:
-    """Radii of the types of particles."""
+    """Return the radii of the particle types."""
     return balls.radii[:1] if balls.alike else balls.radii
 
 

@@ -1,4 +1,4 @@
-"""LIGGGHTS, `fix wall/gran` and `pair_style gran` with a rolling_friction model."""
+"""Input for LIGGGHTS, `fix wall/gran` and `pair_style gran` with a rolling_friction model."""
 
 from __future__ import annotations
 
@@ -6,36 +6,37 @@ from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
-#: Poisson's ratio that is written beside the modulus; LIGGGHTS wants less than 0.5.
+#: Poisson's ratio that is written with the modulus; LIGGGHTS requires less than 0.5.
 _POISSON = 0.45
 
 
 def _cdt(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Constant directional torque: T = rmu |F_n| R, at once and at any speed.
+    """Return input for constant directional torque: T = rmu |F_n| R, immediately and at any speed.
 
-    Source: rolling_model_cdt.h (r_torque = rmu Fn wr/|wr| cri). cri, on paper R - δ/2, is R on a wall: a ball run in
-    LIGGGHTS 3.8 has the torque of R to 1e-6 (`tests/python/export/test_dem.py`). Two balls take reff = R₁R₂/(R₁+R₂).
+    Source: rolling_model_cdt.h (r_torque = rmu Fn wr/|wr| cri). By its formula cri is R - δ/2, but on a wall it is R: a
+    ball in a run of LIGGGHTS 3.8 has the torque of R to 1e-6 (`tests/python/export/test_dem.py`). For two balls the
+    radius is reff = R₁R₂/(R₁+R₂).
     """
     return _written(point, stiffness, "cdt", "at once")
 
 
 def _epsd(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Elastic-plastic spring-dashpot: T = rmu |F_n| R once its spring, 2.25 k_n rmu² R², has turned far enough.
+    """Return input for an elastic-plastic spring-dashpot: T = rmu |F_n| R once its spring has reached its limit.
 
-    That takes a turn of δ / (2.25 rmu R), in which the ball meets less; there is no damping beyond it. Source:
-    rolling_model_epsd.h (kr = 2.25 kn rmu² reff², r_torque_max = |Fn| reff rmu; reff is the radius on a wall,
-    else R₁R₂/(R₁+R₂)).
+    The spring is 2.25 k_n rmu² R², so the limit is reached after a rotation of δ / (2.25 rmu R), over which the torque
+    is smaller. There is no damping beyond it. Source: rolling_model_epsd.h (kr = 2.25 kn rmu² reff²,
+    r_torque_max = |Fn| reff rmu; reff is the radius on a wall, otherwise R₁R₂/(R₁+R₂)).
     """
     return _limited(point, stiffness, "epsd", turn=point.penetration / (2.25 * point.coefficient * point.radius))
 
 
 def _epsd2(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Spring k_t R² without a dashpot: T = rmu |F_n| R once it has turned by rmu P / (k_t R).
+    """Return input for a spring k_t R² without a dashpot: T = rmu |F_n| R after a rotation of rmu P / (k_t R).
 
-    Source: rolling_model_epsd2.h (kr = kt reff², r_torque_max = |Fn| reff rmu; reff is the radius on a wall,
-    else R₁R₂/(R₁+R₂)).
+    Source: rolling_model_epsd2.h (kr = kt reff², r_torque_max = |Fn| reff rmu; reff is the radius on a wall, otherwise
+    R₁R₂/(R₁+R₂)).
     """
-    secant = point.load / point.penetration  # k_t is 2/7 to 1 of it
+    secant = point.load / point.penetration  # secant stiffness; k_t is 2/7 to 1 of it
     return _limited(point, stiffness, "epsd2", turn=point.coefficient * point.load / (secant * point.radius))
 
 
@@ -45,7 +46,7 @@ def _limited(point: OperatingPoint, stiffness: Stiffness, style: str, *, turn: f
 
 def _written(point: OperatingPoint, stiffness: Stiffness, style: str, when: str) -> Written:
     rmu, young = point.coefficient, _young(stiffness)
-    # Of two unlike balls what they do among their own kind is the user's.
+    # For two dissimilar balls, the user supplies the values for contacts between balls of one type.
     types = 2 if point.balls.are_two and not point.balls.alike else 1
     friction = f"${{rmu_11}} {rmu!r} {rmu!r} ${{rmu_22}}" if types == 2 else f"{rmu!r}"
     properties = [
@@ -74,7 +75,7 @@ def _written(point: OperatingPoint, stiffness: Stiffness, style: str, when: str)
 
 
 def _young(stiffness: Stiffness) -> float:
-    """Return Young's modulus of ball and wall alike, from 1/E* = 2 (1 - ν²) / E."""
+    """Return Young's modulus for ball and wall (identical materials), from 1/E* = 2 (1 - ν²) / E."""
     return 2.0 * (1.0 - _POISSON**2) * stiffness.effective_modulus
 
 

@@ -1,4 +1,4 @@
-"""MercuryDPM, `LinearViscoelasticFrictionSpecies`."""
+"""Input for MercuryDPM, `LinearViscoelasticFrictionSpecies`."""
 
 from __future__ import annotations
 
@@ -6,17 +6,18 @@ from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
-#: Of two balls.
+#: Comment for two balls.
 _WHICH = "  // of both balls; of unlike ones that of both species, getMixedObject"
 
 
 def _friction(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Write a rolling spring and slider on the *diameter*: T = μ P · 2R past a small turn.
+    """Return input for a rolling spring and slider on the *diameter*: T = μ P · 2R after a small rotation.
 
-    The rolling force is limited to μ F_n and its lever is the effective diameter, twice the effective radius, which is
-    the radius on a wall, of two balls R₁R₂/(R₁+R₂): half of what other codes take. Without a rolling stiffness the
-    program stops. Source: Kernel/Interactions/FrictionForceInteractions/FrictionInteraction.cc (effectiveDiameter = 2
-    getEffectiveRadius(), addTorque(effectiveDiameter n × rollingForce)).
+    The rolling force is limited to μ F_n. Its moment arm is the effective diameter, twice the effective radius, which
+    is the radius on a wall and R₁R₂/(R₁+R₂) for two balls. The coefficient is therefore half of that of other codes.
+    Without a rolling stiffness the program stops. Source:
+    Kernel/Interactions/FrictionForceInteractions/FrictionInteraction.cc (effectiveDiameter = 2 getEffectiveRadius(),
+    addTorque(effectiveDiameter n × rollingForce)).
     """
     mu = point.torque / (2.0 * point.load * point.radius)
     return Written(

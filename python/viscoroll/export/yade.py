@@ -1,4 +1,4 @@
-"""YADE, `CohFrictMat` with the law of moments."""
+"""Input for YADE, `CohFrictMat` with the moment law."""
 
 from __future__ import annotations
 
@@ -8,15 +8,14 @@ __all__ = ["STYLES"]
 
 
 def _moment(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Law of moments with a plastic limit: T = etaRoll P R once its spring has turned far enough.
+    """Return input for a moment law with a plastic limit: T = etaRoll P R once its spring has reached the limit.
 
-    The limit is min(etaRoll₁ R₁, etaRoll₂ R₂) F_n, so both materials need the value, and of two balls the smaller
-    radius counts; a Box counts as a ball of the same radius (a Wall has no moments: there is no
-    Ig2_Wall_Sphere_ScGeom6D). It acts with momentRotationLaw on both materials, always_use_moment_law where there is no
-    cohesion, and useIncrementalForm: the total form forgets what was plastic. The spring is k_r = alphaKr k_n R₁ R₂.
-    Source: pkg/dem/CohesiveFrictionalContactLaw.cpp (RollMax = maxRollPl |F_n|),
-    Ip2_CohFrictMat_CohFrictMat_CohFrictPhys (maxRollPl = min(etaRoll₁ R₁, etaRoll₂ R₂); k_n = 2
-    E₁R₁E₂R₂/(E₁R₁+E₂R₂)).
+    The limit is min(etaRoll₁ R₁, etaRoll₂ R₂) F_n, so both materials need the value, and for two balls the smaller
+    radius counts. A Box counts as a ball of the same radius. (A Wall has no moments: there is no
+    Ig2_Wall_Sphere_ScGeom6D.) The law acts if momentRotationLaw is set for both materials, without cohesion also
+    always_use_moment_law. It needs useIncrementalForm, because the total form discards the plastic rotation. The spring
+    is k_r = alphaKr k_n R₁ R₂. Source: pkg/dem/CohesiveFrictionalContactLaw.cpp (RollMax = maxRollPl |F_n|),
+    Ip2_CohFrictMat_CohFrictMat_CohFrictPhys (maxRollPl = min(etaRoll₁ R₁, etaRoll₂ R₂); k_n = 2 E₁R₁E₂R₂/(E₁R₁+E₂R₂)).
     """
     first, other = (*point.balls.radii, point.radius)[:2]
     least = min(first, other)

@@ -1,4 +1,4 @@
-"""Inside the coating: stress, heat and temperature, from the tractions of a solved contact.
+"""Interior of the bodies: stress, dissipation and temperature, from the tractions of a solved contact.
 
 Fields and loss are methods of `viscoroll.Result`: `interior`, `bonds` and `loss`.
 """

@@ -1,8 +1,8 @@
-"""Steady conduction in layers, mode by mode of what varies along them.
+"""Heat conduction in layers, mode by mode along the surface.
 
-T = Σ T_j(r) Y_j, and for every mode by itself -(k A T_j')' + k A λ_j T_j = A q_j, with A the measure of the surface at
-r and λ_j Y_j = -∇²Y_j along it (`heat_modes`). One spectral element for each layer or part of one, with Gauss, Lobatto
-and Legendre's points; the weak form conserves heat to round-off.
+The temperature is T = Σ T_j(r) Y_j. Each mode separately satisfies -(k A T_j')' + k A λ_j T_j = A q_j, with the measure
+A of the surface at r and -∇²Y_j = λ_j Y_j along it (`heat_modes`). Each layer is one spectral element with Lobatto
+points, or several. The weak form conserves heat to round-off.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
 __all__ = ["Conduction"]
 
-_POINTS = 17  # of an element: exact to degree 31
-_LONGEST = 16.0  # e-folds of the highest mode through an element
+_POINTS = 17  # per element: exact to degree 31
+_LONGEST = 16.0  # largest number of e-folds of the highest mode in an element
 
 
 def _lobatto(count: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Points on [-1, 1], weights, and the matrix that differentiates at the points."""
+    """Return points on [-1, 1], weights, and the matrix that differentiates at the points."""
     basis = legendre.Legendre.basis(count - 1)
     points = np.concatenate([[-1.0], np.sort(basis.deriv().roots().real), [1.0]])
     heights = basis(points)
@@ -49,20 +49,20 @@ class _Element:
 
 
 class Conduction:
-    """Layers that conduct heat.
+    """Heat conduction in a stack of layers.
 
     Parameters
     ----------
     places : sequence of float
-        Boundaries of the layers, outwards: radii, or of a slab heights [m].
+        Boundaries of the layers from the inside outwards [m]: radii, or heights in a slab.
     conductivities : sequence of float
-        Of each layer [W/(m K)].
+        Conductivity of each layer [W/(m K)].
     modes : HeatModes
-        What the temperature is a sum of along the surface.
+        Modes of the temperature along the surface.
     film : float or ndarray, shape (modes, modes)
-        Coefficient of convection at the outer surface [W/(m² K)], or its matrix where it varies along it.
+        Coefficient of convection at the outer surface [W/(m² K)], or its matrix if it varies along the surface.
     inner : ndarray or None, shape (modes,)
-        The same at the inner surface, of each mode; 0 where it is insulated, None where its temperature is given.
+        Coefficient at the inner surface for each mode [W/(m² K)]; 0 if insulated, None if its temperature is given.
     """
 
     def __init__(
@@ -83,24 +83,24 @@ class Conduction:
         self._film = film * np.eye(modes.count) if np.ndim(film) == 0 else np.asarray(film)
 
     def _nodes(self) -> tuple[NDArray[np.float64], NDArray[np.int_]]:
-        """Places and layers of all points; the ends of elements come twice."""
+        """Return places and layers of all points; the ends of elements occur twice."""
         place = [e.inner + 0.5 * (e.outer - e.inner) * (1.0 + self._points) for e in self._elements]
         return np.concatenate(place), np.repeat([e.layer for e in self._elements], _POINTS)
 
     @property
     def has_even_film(self) -> bool:
-        """Whether the coefficient at the outer surface is the same everywhere, so that no mode knows of another."""
+        """Whether the coefficient at the outer surface is the same everywhere, so that the modes are independent."""
         return bool(np.array_equal(self._film, self._film[0, 0] * np.eye(self.modes.count)))
 
     def solve(self, source: NDArray[np.float64], inner_rise: float = 0.0) -> NDArray[np.float64]:
-        """Return T_j at every point, a row for each mode [K].
+        """Return T_j at every point, one row per mode [K].
 
         Parameters
         ----------
         source : ndarray, shape (modes, points)
-            q_j at the points of `place` [W/m³].
+            Source q_j at the points of `place` [W/m³].
         inner_rise : float
-            Of an inner surface at a given temperature, over that of the surroundings [K].
+            Rise of an inner surface at a given temperature over the surroundings [K].
         """
         matrices, loads = self._assemble(source)
         surface = matrices.shape[1] - 1
@@ -131,26 +131,26 @@ class Conduction:
     def approach(
         self, steady: NDArray[np.float64], start: NDArray[np.float64], times: NDArray[np.float64], capacity: float
     ) -> NDArray[np.float64]:
-        """Return how the steady state is come to, ρc A T' = what the steady equations leave, by its own modes in time.
+        """Return the approach to the steady state over time, by the eigenmodes of ρc A T' + conduction = source.
 
         Parameters
         ----------
         steady, start : ndarray, shape (modes, points)
-            T_j of the steady state, and at time 0 [K].
+            T_j of the steady state and of the initial state [K].
         times : ndarray
-            [s], ≥ 0.
+            Times [s], ≥ 0.
         capacity : float
-            ρc [J/(m³ K)].
+            Heat capacity per volume ρc [J/(m³ K)].
 
         Returns
         -------
         ndarray, shape (times, modes, points)
-            T_j [K].
+            T_j at these times [K].
 
         Raises
         ------
         ValueError
-            Where the film varies along the surface, which joins the modes.
+            If the film varies along the surface, which couples the modes.
         """
         matrices, root = self._in_time(capacity, self.modes.count)
         free = slice(1 if self._inner is None else 0, None)
@@ -164,16 +164,17 @@ class Conduction:
         return np.asarray(steady + rises[:, :, self._scatter()])
 
     def slowest(self, capacity: float, count: int) -> NDArray[np.float64]:
-        """Return the slowest times in which what is left of the way falls to 1/e [s], the longest first.
+        """Return the longest time constants of the approach to the steady state [s], the longest first.
 
-        None of a mode's rates is below the same one of the mode before, to which λ_j and the inner coefficient add
-        less: so many times are among those of as many modes. Arguments and errors as of `approach`.
+        λ_j and the inner coefficient increase with j, so that each rate of a mode is at least the same rate of the
+        mode before it. The `count` longest times are therefore among those of the first `count` modes. Arguments and
+        errors are the same as in `approach`.
         """
         matrices, _ = self._in_time(capacity, min(count, self.modes.count))
         return np.sort(1.0 / np.linalg.eigvalsh(matrices).ravel())[::-1][:count]
 
     def _in_time(self, capacity: float, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return the matrix of the rates of each of the first modes, symmetric, and what the unknowns are scaled by."""
+        """Return the symmetric matrix of the rates for each of the first modes, and the scaling of the unknowns."""
         if not self.has_even_film:
             raise ValueError("convection must be a number for temperatures over time, got a function of theta")
         matrices = self._assemble(np.zeros((self.modes.count, self.place.size)))[0][:count]
@@ -185,20 +186,20 @@ class Conduction:
         return matrices[:, free, free] / (root[:, None] * root), root
 
     def finely(self, values: NDArray[np.float64], parts: int = 128) -> NDArray[np.float64]:
-        """Return what is given at all points, along the first axis, at many more: each element's own polynomial."""
+        """Interpolate values at all points (first axis) to a finer grid, with the polynomial of each element."""
         to = np.linspace(-1.0, 1.0, parts + 1)
         basis = legendre.legvander(to, _POINTS - 1) @ np.linalg.inv(legendre.legvander(self._points, _POINTS - 1))
         elements = values.reshape(len(self._elements), _POINTS, -1)
         return np.asarray(np.concatenate([basis @ element for element in elements]))
 
     def volume_weights(self) -> NDArray[np.float64]:
-        """Return A dr at every point."""
+        """Return the volume weight A dr at every point."""
         half = np.repeat([0.5 * (e.outer - e.inner) for e in self._elements], _POINTS)
         weights: NDArray[np.float64] = half * np.tile(self._weights, len(self._elements))
         return weights * self.modes.measure(self.place)
 
     def heat_inwards(self, source: NDArray[np.float64], rises: NDArray[np.float64]) -> float:
-        """Return the heat that leaves by the inner surface [W]."""
+        """Return the heat that leaves through the inner surface [W]."""
         if self._inner is not None:
             area = float(self.modes.measure(np.array(self.place[0])))
             return float(self.modes.area @ (area * self._inner * rises[:, 0]))
@@ -208,22 +209,22 @@ class Conduction:
         return float(-self.modes.area @ reaction)
 
     def heat_outwards(self, rises: NDArray[np.float64]) -> float:
-        """Return the heat that leaves by the outer surface [W]."""
+        """Return the heat that leaves through the outer surface [W]."""
         area = float(self.modes.measure(np.array(self._outermost)))
         return float(self.modes.area @ (area * self._film @ rises[:, -1]))
 
     def heat_sideways(self, rises: NDArray[np.float64]) -> float:
-        """Return the heat that leaves by side faces [W]."""
+        """Return the heat that leaves through the side faces [W]."""
         conductivity = np.repeat([e.conductivity for e in self._elements], _POINTS)
         taken = (self.modes.rate(self.place) * rises) @ (conductivity * self.volume_weights())
         return float(self.modes.area @ taken)
 
     def heat_of(self, source: NDArray[np.float64]) -> float:
-        """Return the heat of a source [W]."""
+        """Return the total heat of a source [W]."""
         return float(self.modes.area @ self._assemble(source)[1].sum(axis=1))
 
     def _scatter(self) -> NDArray[np.intp]:
-        """Unknown of each point: ends of elements are shared."""
+        """Return the index of the unknown of each point; neighboring elements share the point between them."""
         inside = _POINTS - 1
         return np.concatenate([np.arange(e * inside, e * inside + _POINTS) for e in range(len(self._elements))])
 
@@ -249,7 +250,7 @@ class Conduction:
 
 
 def _elements(places: Sequence[float], conductivities: Sequence[float], modes: HeatModes) -> list[_Element]:
-    """Cut layers so that no element holds more e-folds of the highest mode than it resolves."""
+    """Divide layers into elements, each with at most as many e-folds of the highest mode as it resolves."""
     elements = []
     for layer, conductivity in enumerate(conductivities):
         inner, outer = places[layer], places[layer + 1]

@@ -1,4 +1,4 @@
-"""Files of the inside: a volume for ParaView, and netCDF."""
+"""Files of the interior fields: a volume for ParaView, and netCDF."""
 
 from __future__ import annotations
 
@@ -19,24 +19,24 @@ __all__ = ["save_interior"]
 
 
 def save_interior(inside: xarray.Dataset, path: str | Path) -> None:
-    """Write fields inside the coating to a file, in the format of its suffix.
+    """Write fields inside the layers to a file, in the format of its suffix.
 
     Parameters
     ----------
     inside : xarray.Dataset
-        From `Result.interior`, with at least two depths, φ and θ each for a volume; under a line, which has one θ, two
-        depths and φ for a section.
+        Dataset of `Result.interior`. A volume needs at least two depths, φ and θ each; in line contact, with one θ, two
+        depths and φ give a section.
     path : path-like
-        ``.nc`` (netCDF) or ``.vtu`` (for ParaView hexahedra, of a section quadrilaterals: x forward, y sideways, z up
-        from the center of the body, of a plane from the middle of the contact, undeformed, with displacements and
-        tensors in these directions).
+        ``.nc`` (netCDF) or ``.vtu`` (for ParaView: hexahedra of the undeformed body, or quadrilaterals of a section,
+        with x forward, y sideways and z up from the center of the body, or from the middle of the contact in a plane;
+        displacements and tensors have components in these directions).
 
     Raises
     ------
     ValueError
-        For another suffix, and where there is no volume.
+        If the suffix is another one, or there are too few places for a volume.
     ImportError
-        Without the extra `viscoroll[files]`.
+        If the extra `viscoroll[files]` is missing.
     """
     save(inside, path, {".nc": write_netcdf, ".vtu": _write_volume})
 
@@ -56,7 +56,7 @@ def _write_volume(inside: xarray.Dataset, path: Path) -> None:
     tensor = np.array([[rr, rp, rt], [rp, pp, pt], [rt, pt, tt]])
     turned = np.einsum("ian,ijn,jbn->nab", axes, tensor, axes)
     number = np.arange(np.prod(shape)).reshape(shape)
-    # Where layers meet, two places lie on one surface: no cells between them.
+    # At a boundary between layers, two places have the same depth: no cells between them.
     first = np.nonzero(np.diff(inside.depth.to_numpy()) != 0.0)[0]
     near, far = number[first], number[first + 1]
     if section:
@@ -88,7 +88,7 @@ def _write_volume(inside: xarray.Dataset, path: Path) -> None:
 
 
 def _frame(inside: xarray.Dataset) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return r, φ and θ by their components forward, sideways and up, (3, 3, points), and the points, (3, points)."""
+    """Return the unit vectors of r, φ and θ (forward, sideways, up), (3, 3, points), and the points, (3, points)."""
     depth, phi, theta = np.meshgrid(inside.depth, inside.phi, inside.theta, indexing="ij")
     x, z = (np.broadcast_to(a, phi.shape) for a in (inside.x.to_numpy()[:, None], inside.z.to_numpy()))
     zero, one = np.zeros_like(phi), np.ones_like(phi)
@@ -98,7 +98,7 @@ def _frame(inside: xarray.Dataset) -> tuple[NDArray[np.float64], NDArray[np.floa
     is_straight = inside.attrs["body"] == "CoatedWheel"
     if inside.sizes["theta"] == 1 or is_straight:
         theta = np.full_like(theta, 0.5 * np.pi)
-    # The counterpart lies below: its contact is its highest point, and its material goes backward there, too.
+    # The counterbody lies below: the contact is at its highest point, and its material also moves backward there.
     up = 1.0 if inside.attrs["of"] == "counterpart" else -1.0
     axes = [
         [np.sin(theta) * np.cos(phi), np.cos(theta), up * np.sin(theta) * np.sin(phi)],

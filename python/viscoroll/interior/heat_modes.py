@@ -1,4 +1,4 @@
-"""What a temperature is a sum of along the surface of a ball, a roller, a wheel or a slab: T = Σ T_j(r) Y_j."""
+"""Modes of the temperature along the surface of a ball, a roller, a wheel or a slab: T = Σ T_j(r) Y_j."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ __all__ = [
     "modes_of_wheel",
 ]
 
-_DEEPEST = 1e-2  # of the radius of a ball without a core: below, nothing but the mean is left
+_DEEPEST = 1e-2  # of the radius of a ball without a core: at smaller radii, all modes except the mean have decayed
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -33,17 +33,17 @@ class HeatModes:
     Attributes
     ----------
     measure : callable
-        Area of the surface at r, but for what `area` and `square` have of it: r² [m²], r [m] or 1.
+        Area of the surface at r without the factor that `area` and `square` contain: r² [m²], r [m] or 1.
     rate : callable
-        λ_j(r), -∇²Y_j = λ_j Y_j [1/m²], a row for each mode.
+        Function of r that returns the eigenvalues λ_j of -∇²Y_j = λ_j Y_j [1/m²], one row per mode.
     values : callable
-        Y_j at places along the surface, a row for each mode: at the cosine of θ of a ball, at z [m] of the others.
+        Y_j at places along the surface, one row per mode; a place is cos θ on a ball, and z [m] on other bodies.
     unity : ndarray
-        Coefficients of the function 1.
+        Coefficients of the constant function 1.
     area, square : ndarray
-        Integrals of Y_j and of Y_j² over the surface, per `measure`.
+        Integrals of Y_j and of Y_j² over the surface, divided by `measure`.
     folds : callable
-        E-folds of the highest mode from one place to another.
+        Number of e-folds of the highest mode between two places.
     """
 
     measure: Callable[[NDArray[np.float64]], NDArray[np.float64]]
@@ -61,12 +61,12 @@ class HeatModes:
 
 
 def legendre_values(degrees: int, cosine: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return P_l(cosine) for l = 0 … degrees - 1, a row for each."""
+    """Return P_l(cosine) for l = 0 … degrees - 1, one row per degree."""
     return np.asarray(legendre.legvander(cosine, degrees - 1).T, dtype=np.float64)
 
 
 def modes_of_ball(degrees: int) -> HeatModes:
-    """Return Legendre's polynomials P_l(cos θ), l = 0 … degrees - 1."""
+    """Return the modes of a ball: Legendre polynomials P_l(cos θ), l = 0 … degrees - 1."""
     degree = np.arange(degrees, dtype=np.float64)
     first = np.zeros(degrees)
     first[0] = 1.0
@@ -82,16 +82,16 @@ def modes_of_ball(degrees: int) -> HeatModes:
 
 
 def modes_of_roller(width: float | None, side: float, count: int = 1) -> HeatModes:
-    """Return cos(β_j z) between side faces, β_j tan(β_j L/2) = h_s/k; endless, and between insulated faces, 1.
+    """Return the modes of a roller: cos(β_j z) with β_j tan(β_j L/2) = h_s/k; 1 if infinitely long or insulated.
 
     Parameters
     ----------
     width : float or None
-        L [m]; without it all is per length.
+        Width L between the side faces [m]; without it, all quantities are per length.
     side : float
-        Convection at the side faces per conductivity, h_s/k [1/m].
+        Coefficient of convection at the side faces divided by the conductivity, h_s/k [1/m].
     count : int
-        How many.
+        Number of modes.
     """
     if width is None or side == 0.0:
         return _between_faces(1.0 if width is None else width, np.zeros(1), np.zeros(1, np.int_))
@@ -100,23 +100,23 @@ def modes_of_roller(width: float | None, side: float, count: int = 1) -> HeatMod
 
 
 def modes_of_wheel(width: float, side: float, count: int) -> HeatModes:
-    """Return cos(β_j z - jπ/2) between side faces: those of a roller, and between them the odd ones.
+    """Return the modes of a wheel, cos(β_j z - jπ/2): even ones as for a roller, and odd ones between them.
 
     Parameters
     ----------
     width : float
-        L [m].
+        Width L between the side faces [m].
     side : float
-        Convection at the side faces per conductivity, h_s/k [1/m].
+        Coefficient of convection at the side faces divided by the conductivity, h_s/k [1/m].
     count : int
-        How many.
+        Number of modes.
     """
     halves = np.arange(count)
     return _between_faces(width, _side_roots(0.5 * side * width, halves), halves)
 
 
 def _between_faces(length: float, root: NDArray[np.float64], halves: NDArray[np.int_]) -> HeatModes:
-    """Return cos(2 x_j z/L - jπ/2), x_j roots and j the halves of waves between the faces."""
+    """Return cos(2 x_j z/L - jπ/2), with the roots x_j and the numbers j of half waves between the faces."""
     beta = 2.0 * root / length
     odd = halves % 2
     area = np.where(odd, 0.0, length * np.sinc(root / np.pi))
@@ -133,14 +133,14 @@ def _between_faces(length: float, root: NDArray[np.float64], halves: NDArray[np.
 
 
 def modes_of_slab(period: float | None, count: int = 1) -> HeatModes:
-    """Return cos(2π j ζ/L), j = 0, 1, …; per area where nothing varies.
+    """Return the modes of a slab: cos(2π j ζ/L), j = 0, 1, …; a constant, per area, without a period.
 
     Parameters
     ----------
     period : float or None
-        L [m]: tracks lie side by side, so far apart.
+        Distance L between neighboring parallel tracks [m].
     count : int
-        How many.
+        Number of modes.
     """
     length = 1.0 if period is None else period
     k = 2.0 * np.pi / length * np.arange(count if period is not None else 1)
@@ -157,12 +157,12 @@ def modes_of_slab(period: float | None, count: int = 1) -> HeatModes:
 
 
 def film_matrix(convection: Callable[[NDArray[np.float64]], NDArray[np.float64]], degrees: int) -> NDArray[np.float64]:
-    """Matrix of convection on a ball: h_c T has the components H T with H = (l + ½) ∫ h_c P_l P_l' d cos θ.
+    """Return the matrix H of convection on a ball: h_c T has the components H T, H = (l + ½) ∫ h_c P_l P_l' d cos θ.
 
     Raises
     ------
     ValueError
-        For coefficients below 0 and not finite.
+        If a coefficient is negative or not finite.
     """
     cosine, weights = legendre.leggauss(2 * degrees + 2)
     values = legendre_values(degrees, cosine)
@@ -174,18 +174,18 @@ def film_matrix(convection: Callable[[NDArray[np.float64]], NDArray[np.float64]]
 def film_across(
     convection: Callable[[NDArray[np.float64]], NDArray[np.float64]], modes: HeatModes, width: float, radius: float
 ) -> NDArray[np.float64]:
-    """Matrix of convection on a wheel, a function of θ = π/2 - z/r_o: H = ∫ h_c Y_j Y_l dz / ∫ Y_j² dz.
+    """Return the matrix of convection on a wheel, a function of θ = π/2 - z/r_o: H = ∫ h_c Y_j Y_l dz / ∫ Y_j² dz.
 
     Raises
     ------
     ValueError
-        For coefficients below 0 and not finite.
+        If a coefficient is negative or not finite.
     """
     points, weights = legendre.leggauss(2 * modes.count + 2)
     z = 0.5 * width * points
     values = modes.values(z)
     coefficient = _coefficients(convection, 0.5 * np.pi - z / radius)
-    # Squares are over the whole surface, of which z is one way.
+    # `square` contains the factor 2π of the circumference.
     norm = modes.square[:, None] / (np.pi * width)
     return np.asarray(((values * (coefficient * weights)) @ values.T) / norm)
 
@@ -205,7 +205,7 @@ def _coefficients(
 
 
 def _side_roots(biot: float, halves: NDArray[np.int_]) -> NDArray[np.float64]:
-    """Roots of x tan(x - jπ/2) = Bi, each in [jπ/2, jπ/2 + π/2), by Newton's method on the arctangent's form."""
+    """Return roots of x tan(x - jπ/2) = Bi, each in [jπ/2, jπ/2 + π/2), by Newton's method on the arctangent form."""
     low = np.asarray(0.5 * np.pi * halves, dtype=np.float64)
     if biot == 0.0:
         return low

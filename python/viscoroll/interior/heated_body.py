@@ -1,4 +1,4 @@
-"""A ball, a roller, a wheel or a slab as heat sees it: how it conducts, what leaves it, the source that its loss is."""
+"""Thermal model of a ball, a roller, a wheel or a slab: conduction, heat transfer at the surfaces, and source."""
 
 from __future__ import annotations
 
@@ -41,37 +41,37 @@ if TYPE_CHECKING:
 
 __all__ = ["HeatedBody", "heated_body"]
 
-#: Degrees per r_o over the contact's semi-axis, and of waves across a wheel: 1e-5 of the temperature.
+#: Modes divided by r_o/a, with the contact's semi-axis a, along a ball or across a wheel: 1e-5 of the temperature.
 _DEGREES_PER_CONTACT = 15.0
 _MOST_DEGREES = 400
 
-#: Functions between side faces: what is left out holds 1e-6 of the heat.
+#: Number of modes between side faces: those left out contain 1e-6 of the heat.
 _SIDE_MODES = 40
 _PLACES_ACROSS = 41
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class HeatedBody:
-    """What conducts, and where along it temperatures are told.
+    """Thermal model of a body, with the places along its surface at which temperatures are returned.
 
     Attributes
     ----------
     inside : Inside
-        The body.
+        Body of the result.
     conduction : Conduction
-        Its layers.
+        Heat conduction in its layers.
     inner_rise : float
-        Of an inner surface at a given temperature [K].
+        Rise of an inner surface at a given temperature [K].
     along : str
         Name of the coordinate along the surface, theta [rad] or z [m].
     unit : str
-        Of heat: W, or W per what the body is without end in.
+        Unit of heat: W, W/m for a roller without a width and for a track on a plane, W/m² for a belt.
     power : float
-        Heat of all that is lost in it, in that unit.
+        Power dissipated in the body, in that unit.
     project : callable
-        Takes the loss density by place [W/m³] over the coordinate of the loss to sources of the modes.
+        Function that converts the loss density [W/m³] along the surface to sources of the modes.
     places : ndarray, optional
-        Along the surface, where temperatures are told; by default where the loss is.
+        Places along the surface at which temperatures are returned; by default those of the loss.
     """
 
     inside: Inside
@@ -84,15 +84,15 @@ class HeatedBody:
     places: NDArray[np.float64] | None = None
 
     def places_along(self, loss: xarray.Dataset) -> NDArray[np.float64]:
-        """Return places along the surface, in the coordinate `along`."""
+        """Return the places along the surface, in the coordinate `along`."""
         return loss[self.along].to_numpy() if self.places is None else self.places
 
     def values(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the modes there."""
+        """Return the modes at places along the surface."""
         return self.conduction.modes.values(np.cos(places) if self.along == "theta" else places)
 
     def source(self, loss: xarray.Dataset) -> NDArray[np.float64]:
-        """Return q_j at the points of the layers from the loss at its own nodes, Gauss's in the root of the depth."""
+        """Return q_j at the points of the layers, interpolated from the Gauss points of the loss in √depth."""
         by_mode = self.project(loss)
         source = np.empty((by_mode.shape[0], self.conduction.place.size))
         bounds = boundaries_of(self.inside.body)
@@ -106,10 +106,10 @@ class HeatedBody:
             wanted = np.sqrt(np.clip((bounds[number + 1] - self.conduction.place[points]) / thickness, 0.0, None))
             source[:, points] = by_mode[:, nodes] @ _interpolation(root, wanted).T
         heat = self.conduction.heat_of(source)
-        return source * (self.power / heat) if heat > 0.0 else source  # of all orders
+        return source * (self.power / heat) if heat > 0.0 else source  # scaled to the power of all orders
 
     def means(self, source: NDArray[np.float64], rises: NDArray[np.float64]) -> list[float]:
-        """Rise weighted by the loss: of all layers, and of each."""
+        """Return the rise weighted by the loss, of all layers together and of each layer [K]."""
         modes = self.conduction.modes
         weights = self.conduction.volume_weights()
         heated = weights * (modes.square @ (rises * source))
@@ -120,12 +120,12 @@ class HeatedBody:
 
 
 def heated_body(inside: Inside, given: Surroundings, conductivity: float | Sequence[float] | None) -> HeatedBody:
-    """Return the body of a result as heat sees it.
+    """Return the thermal model of a body of a result.
 
     Raises
     ------
     TypeError, ValueError
-        For bad input, for what the body has not, and where nothing takes the heat.
+        If an argument is invalid or does not apply to the body, or if no surface takes the heat.
     """
     if not np.isfinite(inside.thickness):
         never = "whose heat goes on spreading into the depth, so that it is never steady"
@@ -209,7 +209,7 @@ def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) ->
 
 
 def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    """Return a section with faces: the source varies across it."""
+    """Return the thermal model of a wheel, or of a roller under a wheel: the source varies across the section."""
     assert isinstance(inside.body, CoatedWheel)
     result = inside.result
     if isinstance(result.on if inside.of == "counterpart" else result.ball, CoatedCylinder):
@@ -232,7 +232,7 @@ def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> 
     require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
     points, weights = np.polynomial.legendre.leggauss(2 * modes.count)
     z = 0.5 * width * points
-    # Squares are over the whole surface, of which z is one way.
+    # `square` contains the factor 2π of the circumference.
     waves = np.pi * width * weights * modes.values(z) / modes.square[:, None]
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
@@ -252,12 +252,12 @@ def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> 
 
 
 def _across(width: float, modes: HeatModes) -> NDArray[np.float64]:
-    """Places between faces, enough of them on either side of the middle to tell all modes apart."""
+    """Return places between the faces, dense enough to distinguish all modes."""
     return np.linspace(-0.5 * width, 0.5 * width, max(_PLACES_ACROSS, 2 * modes.count + 1))
 
 
 def _side(given: Surroundings, conductivities: list[float]) -> float:
-    """Coefficient at side faces."""
+    """Return the coefficient of convection at the side faces [W/(m² K)]."""
     side = as_not_negative("side_convection", given.side_convection or 0.0, "W/(m^2 K)")
     if side > 0.0 and len(set(conductivities)) > 1:
         raise ValueError(
@@ -306,14 +306,14 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
 
 
 def _between_tracks(inside: Inside) -> float:
-    """From one track across a plane to the next [m]: circumferences, as the loss has them."""
+    """Return the distance between parallel tracks on a plane [m], a number of circumferences as in the loss."""
     result = inside.result
     width = result.ball.width if isinstance(result.ball, CoatedWheel) else 0.0
     return 2.0 * np.pi * inside.radius * max(1, int(np.ceil(width / (np.pi * inside.radius))))
 
 
 def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the matrix of polynomial interpolation, by the barycentric formula."""
+    """Return the matrix of polynomial interpolation from nodes to points, by the barycentric formula."""
     gaps = nodes[:, None] - nodes[None, :] + np.eye(nodes.size)
     weights = 1.0 / np.prod(4.0 * gaps, axis=1)
     offsets = points[:, None] - nodes[None, :]
@@ -327,7 +327,7 @@ def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> N
 def _between_nodes(
     nodes: NDArray[np.float64], values: NDArray[np.float64], places: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Return values at places between equally spaced nodes, each by the four around it; 0 beyond the nodes."""
+    """Return values between equally spaced nodes, by cubic interpolation of four nodes; 0 beyond the nodes."""
     offsets = (places - nodes[0]) / (nodes[1] - nodes[0])
     first = np.clip(np.floor(offsets).astype(np.int_) - 1, 0, nodes.size - 4)
     t = offsets - first

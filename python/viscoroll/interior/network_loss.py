@@ -1,7 +1,8 @@
-"""What a network without rate loses on a path of strain that turns: springs and dry sliders side by side, in shear.
+"""Dissipation of a rate-independent network along strain paths with rotating axes: parallel springs and sliders.
 
-Each element follows the strain until it is off by its yield strain, and is dragged along from there (as in plasticity
-with von Mises' stress). Weights are those of the hyperbolic first loading x/(1 + x), docs/theory/filled-rubber.md.
+The stress of an element grows with the strain until its elastic strain reaches the yield strain; the element then
+slides (as in plasticity with the von Mises stress). The weights are those of the hyperbolic first loading curve
+x/(1 + x), docs/theory/filled-rubber.md.
 """
 
 from __future__ import annotations
@@ -18,45 +19,46 @@ if TYPE_CHECKING:
 
 __all__ = ["iwan_loss", "turning_ratio"]
 
-#: Elements that yield on a straight path of the amplitude, and those that only a path which turns makes yield: a line
-#: to 1e-7, contacts to 2e-5.
+#: Number of elements that yield on a straight path of the given amplitude, and of those that yield only on other paths:
+#: error 1e-7 on a line, 2e-5 in contacts.
 _ELEMENTS = (24, 6)
 
-#: Rounds from rest; a contact's path has all but come round with the first.
+#: Rounds from rest; after the first round, the path of a contact is almost periodic.
 _ROUNDS = 2
 
-_TINY = 1e-300  # what a length is divided by at least
+_TINY = 1e-300  # smallest divisor of a length
 
-#: Radius of the smallest ball around any path, per amplitude: Jung's √(2n/(n + 1)), n = 5 of a deviator.
+#: Largest yield strain that slides, divided by the amplitude: the radius of the smallest ball around any path, by
+#: Jung's theorem √(2n/(n + 1)), n = 5 for a deviator.
 _LARGEST_YIELD = math.sqrt(10.0 / 6.0)
 
 
 def turning_ratio(
     p: Floats, amplitude: Floats, yield_strain: float, *, elements: tuple[int, int] = _ELEMENTS
 ) -> Floats:
-    """Return χ, what a network loses on paths over what it loses to and fro at their amplitudes.
+    """Return χ, the ratio of the network's loss on paths to that on straight paths of the same amplitude.
 
     Parameters
     ----------
     p : ndarray, shape (points, steps, 6)
-        Strain [-], a closed path.
+        Strain along a closed path [-].
     amplitude : ndarray, shape (points,)
-        g, of `half_range` [-].
+        Amplitudes g of `half_range` [-].
     yield_strain : float
-        γ_c of the hyperbolic law [-]; infinite for the limit of small strain.
+        Yield strain γ_c of the hyperbolic law [-]; infinite for the limit of small strain.
     elements : (int, int), default (24, 6)
-        That yield on a straight path of the amplitude, and beyond.
+        Number of elements that yield on a straight path of that amplitude, and of those that yield only on others.
 
     Returns
     -------
     ndarray, shape (points,)
-        χ [-]; 1 on a line.
+        χ [-]; 1 on a straight path.
     """
     moving = amplitude > 1e-12 * max(float(amplitude.max(initial=0.0)), _TINY)
     ratio = np.ones(len(p))
     if moving.any():
         g = amplitude[moving]
-        # At small strain a law without any softening would lose nothing: the limit of χ is that of little softening.
+        # Without softening the loss would be 0: the limit of χ at small strain is taken at an amplitude of 1e-3 γ_c.
         scale = np.minimum(yield_strain, 1e3 * g)
         x = g / scale
         lost = iwan_loss(p[moving] / scale[:, None, None], x, elements=elements)
@@ -65,20 +67,20 @@ def turning_ratio(
 
 
 def iwan_loss(p: Floats, amplitude: Floats, *, rounds: int = _ROUNDS, elements: tuple[int, int] = _ELEMENTS) -> Floats:
-    """Return the energy lost in one round of closed paths, by the modulus and γ_c² [-].
+    """Return the energy dissipated in one round of closed paths, divided by the modulus and γ_c² [-].
 
-    Between two places the strain goes straight, and along such a step the elements are followed exactly.
+    Between two places the path is straight, and on such a step the elements are integrated exactly.
 
     Parameters
     ----------
     p : ndarray, shape (points, steps, 6)
-        Strain by γ_c [-].
+        Strain divided by γ_c [-].
     amplitude : ndarray, shape (points,)
-        Of the paths, by γ_c [-], > 0.
+        Amplitude of the paths divided by γ_c [-], > 0.
     rounds : int, default 2
-        Rounds made from rest, of which the last counts.
+        Number of rounds from rest; only the last one counts.
     elements : (int, int), default (24, 6)
-        As of `turning_ratio`.
+        Same as in `turning_ratio`.
     """
     yields, weights = _elements(amplitude, *elements)
     stress = np.zeros((*yields.shape, p.shape[2]))
@@ -94,10 +96,10 @@ def iwan_loss(p: Floats, amplitude: Floats, *, rounds: int = _ROUNDS, elements: 
 
 
 def _after(stress: Floats, change: Floats, yields: Floats) -> tuple[Floats, Floats]:
-    """Return stress by modulus after a straight step of strain, and what was lost in it by the modulus.
+    """Return the stress after a straight step of strain and the energy dissipated in it, both divided by the modulus.
 
-    An element that is dragged turns towards the step: the tangent of half the angle between the two falls like
-    exp(-way/yield strain), and its share along the step, summed up, is what it loses.
+    The stress of a sliding element rotates towards the step: the tangent of half the angle between them decreases like
+    exp(-sliding length/yield strain). The energy is the integral of its component along the step.
     """
     length = np.sqrt((change**2).sum(axis=1))[:, None]
     along = change / np.maximum(length, _TINY)
@@ -107,7 +109,7 @@ def _after(stress: Floats, change: Floats, yields: Floats) -> tuple[Floats, Floa
         return tried, np.zeros(yields.shape)
     share = np.einsum("pyk,pk->py", stress, along)
     across = np.einsum("pyk,pyk->py", stress, stress) - share**2
-    # Where along the step the yield strain is reached, and what is left of the step from there.
+    # Place along the step at which the yield strain is reached, and length of the rest of the step.
     ahead = np.sqrt(np.maximum(yields**2 - across, 0.0))
     way = np.where(slides, np.clip(length - (ahead - share), 0.0, length), 0.0)
     half = np.sqrt(np.maximum(across, 0.0)) / (yields + ahead)
@@ -120,10 +122,10 @@ def _after(stress: Floats, change: Floats, yields: Floats) -> tuple[Floats, Floa
 
 
 def _elements(amplitude: Floats, within: int, further: int) -> tuple[Floats, Floats]:
-    """Return yield strains and weights of elements, (points, elements), for paths of an amplitude each.
+    """Return yield strains and weights of the elements, (points, elements), for a path amplitude per point.
 
-    The weight -F''(y) dy = 2 dy/(1 + y)³ is 2 (1 - t) dt with t = y/(1 + y). Losses end at the amplitude as √ or as a
-    kink, so up to there t goes as a sine.
+    The weight -F''(y) dy = 2 dy/(1 + y)³ is 2 (1 - t) dt with t = y/(1 + y). At the amplitude the loss ends like a
+    square root or with a kink; t therefore follows a sine up to there.
     """
     angle, angle_weight = _gauss(within, 0.5 * math.pi)
     part, part_weight = _gauss(further, 1.0)

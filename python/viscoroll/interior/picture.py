@@ -1,4 +1,4 @@
-"""Pictures of the inside: the section through the contact, loss density and temperature."""
+"""Pictures of the interior: section through the contact, loss density, temperature, and folds of self-heating."""
 
 from __future__ import annotations
 
@@ -31,24 +31,24 @@ _DEPTHS = 41
 def plot_section(result: Result, *, of: Of | None = None) -> Picture:
     """Draw the section θ = π/2 through the contact: von Mises stress, and the pressure above it.
 
-    Layers are unrolled, forward to the right, and stretched in depth to be seen; those of the counterpart, too, lie
+    The layers are unrolled, with forward to the right, and stretched in depth. Those of the counterbody are also drawn
     below their surface.
 
     Parameters
     ----------
     result : Result
-        A solution, not with curvature EXACT.
+        Solution of a contact; curvature EXACT is not allowed.
     of : "ball" or "counterpart", optional
-        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
+        Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Of no window.
+        New figure without a window.
     """
     body = inside_of(result, of)
     spacing = result.ball.outer_radius * result.mesh.spacing
-    # The surface itself is left to the pressure above: there the patches show.
+    # The section begins below the surface, at which the steps of the pressure from patch to patch would show.
     shallowest = min(0.25 * spacing, 0.1 * body.thickness)
     deepest = min(body.thickness, 4.0 * max(result.semi_axis_x, spacing))
     depths = np.linspace(shallowest, deepest, _DEPTHS)
@@ -86,16 +86,16 @@ def plot_loss(result: Result, *, ax: Axes, of: Of | None = None) -> Axes: ...
 
 
 def plot_loss(result: Result, *, ax: Axes | None = None, of: Of | None = None) -> Figure | Axes:
-    """Draw the energy lost per volume and passage over the cross-section of the track, under a line over the depth.
+    """Draw the energy dissipated per volume and passage over the cross-section, or over the depth in line contact.
 
     Parameters
     ----------
     result : Result
-        A solution, not with curvature EXACT.
+        Solution of a contact; curvature EXACT is not allowed.
     of : "ball" or "counterpart", optional
-        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
+        Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
     ax : matplotlib.axes.Axes, optional
-        Where to draw; in a figure of its own without.
+        Axes to draw into; by default those of a new figure.
 
     Returns
     -------
@@ -140,9 +140,9 @@ def plot_temperature(temperature: Temperature, *, ax: Axes | None = None) -> Fig
     Parameters
     ----------
     temperature : Temperature
-        What `temperature` found.
+        Result of `temperature`.
     ax : matplotlib.axes.Axes, optional
-        Where to draw; in a figure of its own without.
+        Axes to draw into; by default those of a new figure.
 
     Returns
     -------
@@ -175,21 +175,21 @@ def _draw_temperature(axes: Axes, temperature: Temperature) -> None:
 
 
 def plot_folds(hot: SelfHeating, *, points: int = 10) -> Picture:
-    """Draw the mean temperatures of steady states over the load and over the speed, with the states of a case.
+    """Draw the mean temperatures of the steady states over load and over speed, with the states of the given case.
 
-    Where a curve turns back, the cold state ends.
+    The cold state ends at the first maximum of load or speed.
 
     Parameters
     ----------
     hot : SelfHeating
-        What `self_heating` found.
+        Result of `self_heating`.
     points : int, default 10
-        Of each curve; at every one contacts are solved.
+        Number of points of each curve; each point takes several contact solutions.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Of no window.
+        New figure without a window.
     """
     first = hot.states[0].temperature.ambient
     result = hot.states[0].result
@@ -204,7 +204,7 @@ def plot_folds(hot: SelfHeating, *, points: int = 10) -> Picture:
         for rise in rises.tolist():
             try:
                 curve.append((float(found_at([first + rise])[0]), first + rise))
-            except (ValueError, ConvergenceError):  # beyond what the layers bear, or what any speed makes
+            except (ValueError, ConvergenceError):  # more than the layers support, or no speed gives this temperature
                 break
         axes.plot([value for value, _ in curve], [mean for _, mean in curve], color="tab:red")
         for state in hot.states:
@@ -215,7 +215,7 @@ def plot_folds(hot: SelfHeating, *, points: int = 10) -> Picture:
 
 
 def _draw_layers(axes: Axes, inside: Inside) -> None:
-    """Outline of the layers."""
+    """Draw the boundaries of the layers."""
     depths = inside.depth(boundaries_of(inside.body))
     for depth in depths[np.isfinite(depths)]:
         axes.axhline(depth * _MM, color="k", linewidth=2.0 if depth == depths[0] else 1.0)

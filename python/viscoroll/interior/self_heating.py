@@ -1,10 +1,10 @@
-"""Rolling that heats what it deforms: temperature and torque found together, all steady states of them.
+"""Self-heating: steady states in which moduli and temperature depend on each other.
 
-The moduli of layer j are those at T_j, μ*(a_T(T_j) ω). What decides is the mean temperature T̄, weighted by the loss:
-at a given T̄ the moduli are known, and with them torque, loss and the rise ΔT that they make. A steady state is a root
-of excess(T̄) = ambient + ΔT - T̄; every T̄ has one excess, folds and all, so sweeping T̄ finds every state. At a given T̄
-heat grows with speed and with load, so that it has one speed at a given load and one load at a given speed: where
-either has its maximum over T̄, the cold state ends.
+The moduli of layer j are those at its temperature T_j, μ*(a_T(T_j) ω). The unknown is the mean temperature T̄, weighted
+by the loss. A given T̄ determines the moduli, and with them torque, loss and the rise ΔT. A steady state is a root of
+excess(T̄) = ambient + ΔT - T̄. The excess is a single-valued function of T̄, also near folds, so a sweep of T̄ finds
+every state. At a given T̄ the heat increases with speed and with load; there is thus one speed for a given load, and
+one load for a given speed. The cold state ends at the first maximum of either over T̄.
 """
 
 from __future__ import annotations
@@ -37,17 +37,17 @@ __all__ = ["SelfHeating", "self_heating"]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class SelfHeating:
-    """All steady states of a load case, and the speeds that have any.
+    """All steady states of a load case, and the speeds and loads of others.
 
     Attributes
     ----------
     states : tuple of SteadyState
-        From cold to hot. With several, which one is reached depends on how the ball was started; a cold start goes to
-        the coldest.
+        States from cold to hot. If there are several, the initial state determines which one is reached; a cold start
+        leads to the coldest.
     angular_speed : float
-        Ω [rad/s].
+        Angular speed Ω [rad/s].
     limit : float
-        Highest mean temperature looked at [K].
+        Highest mean temperature of the search [K].
     """
 
     states: tuple[SteadyState, ...]
@@ -56,11 +56,11 @@ class SelfHeating:
     _search: StateSearch
 
     def __repr__(self) -> str:
-        """Return the states, a line for each."""
+        """Return the states, one per line."""
         return "\n".join([f"SelfHeating at Ω = {self.angular_speed:g} rad/s:", *(f"  {s}" for s in self.states)])
 
     def _repr_html_(self) -> str:
-        """Return the states with units, one to a column, as a table for notebooks."""
+        """Return the states with units, one per column, as a table for notebooks."""
         rows = [
             ("steady state", *("stable" if state.stable else "unstable" for state in self.states), ""),
             ("temperature of the moduli", *(number_text(state.mean_temperature) for state in self.states), "K"),
@@ -80,12 +80,12 @@ class SelfHeating:
         temperatures : sequence of float
             Mean temperatures [K], above that of the surroundings.
         progress : bool or callable, optional
-            True shows a bar; or called as progress(stage, fraction) after every temperature.
+            True shows a progress bar; a callable is called as progress(stage, fraction) after every temperature.
 
         Returns
         -------
         ndarray
-            Ω [rad/s]; the largest of them is the last that has a state below the hottest of the temperatures.
+            Angular speeds Ω [rad/s]. No speed above the largest of them has a state within these temperatures.
         """
         return self._at_all(temperatures, self._search.speed_at, progress)
 
@@ -95,32 +95,32 @@ class SelfHeating:
         Parameters
         ----------
         temperatures, progress
-            As of `speeds`.
+            Same as in `speeds`.
 
         Returns
         -------
         ndarray
-            [N], of a roller [N/m].
+            Loads [N], for rollers [N/m].
 
         Raises
         ------
         ValueError
-            For a temperature that no load makes which the layers bear.
+            If no load that the layers support gives a temperature.
         """
         return self._at_all(temperatures, self._search.load_at, progress)
 
     def largest_load(self) -> Fold | None:
-        """Return the load at which the cold state ends, at this speed: beyond, the layers run away.
+        """Return the load at which the cold state ends, at this speed; above it the temperature runs away.
 
         Returns
         -------
         Fold or None
-            None where it does not end below the `limit`, or before the contact outgrows the layers.
+            None if the cold state does not end below the `limit`, or before the load exceeds what the layers support.
         """
         return self._search.fold("load")
 
     def largest_speed(self) -> Fold | None:
-        """Return the same of the speed, at this load."""
+        """Return the speed at which the cold state ends, at this load; otherwise same as `largest_load`."""
         return self._search.fold("speed")
 
     @staticmethod
@@ -157,60 +157,62 @@ def self_heating(
     progress: ProgressLike = None,
     **options: Any,
 ) -> SelfHeating:
-    """Find every steady state of temperature and torque.
+    """Find all steady states of temperature and torque.
 
     Parameters
     ----------
     ball : CoatedSphere or CoatedCylinder or CoatedWheel
-        Its moduli are those at the reference temperature of `shift`.
+        Rolling body, with moduli at the reference temperature of `shift`.
     load, angular_speed : float
-        As of `solve`.
+        Load and angular speed, same as in `solve`.
     convection, ambient, conductivity, core, core_temperature, width, side_convection, hub_conductance
-        As of `temperature`.
+        Same as in `temperature`.
     shift : callable or sequence of callable
-        a_T as a function of temperature [K], of all layers or of each: `WilliamsLandelFerry`, `Arrhenius` or any other.
+        Shift factor a_T as a function of temperature [K], for all layers or for each layer: `WilliamsLandelFerry`,
+        `Arrhenius` or any other.
     vertical_shift : callable, optional
-        b_T as a function of temperature [K], by which all moduli are multiplied; by default 1.
+        Factor b_T on all moduli as a function of temperature [K]; by default 1.
     limit : float, optional
-        Highest mean temperature looked at [K], such as what the material bears; by default 150 K above the
-        surroundings.
+        Highest mean temperature of the search [K], such as the highest that the material withstands; by default 150 K
+        above the surroundings.
     softening : {"network", "harmonic"}, default "network"
-        How the network of layers loses whose moduli fall with strain, `SofteningModulus`, as `loss` of
-        `strain_softening`; the shifts are those of its matrix.
+        Loss of the filler network in layers with a `SofteningModulus`, same as `loss` in `strain_softening`. `shift`
+        applies only to the matrix of such a modulus.
     sublayers : int, default 1
-        Parts that every layer is cut into, each with a temperature of its own, in [1, 20], and with an amplitude of
-        strain.
+        Number of parts into which every layer is divided, in [1, 20]. Each part has its own temperature and strain
+        amplitude.
     points : int, default 24
-        Mean temperatures that are tried between the surroundings' and the limit, in [4, 1000]; between them states are
-        found to 1e-3 of the rise. Two states closer together than two neighbors may be missed.
+        Number of mean temperatures in the sweep from the surroundings to the limit, in [4, 1000]. Between them, states
+        are found to 1e-3 of the rise. The sweep may miss two states that lie between two neighboring temperatures.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) after every temperature.
+        True shows a progress bar; a callable is called as progress(stage, fraction) after every temperature.
     **options
-        Of `solve`: friction, drive, accuracy, mesh, compliance, and so on.
+        Options of `solve`: friction, drive, accuracy, mesh, compliance, and so on.
 
     Returns
     -------
     SelfHeating
-        All states, stable or not.
+        All steady states, stable and unstable.
 
     Raises
     ------
     ValueError
-        For bad input, and where there is no steady state below the limit: the message names the largest speed that has
-        one.
+        If an argument is invalid, or there is no steady state below the limit; the message contains the largest speed
+        that has one.
     TypeError
-        For arguments of another type.
+        If an argument has the wrong type.
     ImportError
-        Without the extra `viscoroll[studies]`.
+        If the extra `viscoroll[studies]` is missing.
 
     Warns
     -----
     ResultWarning
-        Where there are several states.
+        If there are several states.
 
     Notes
     -----
-    Stable is a state at which the power lost grows more slowly with temperature than the heat that leaves: R dP/dT < 1.
+    A state is stable if R dP/dT < 1: with temperature, the dissipated power increases more slowly than the heat that
+    leaves.
 
     Examples
     --------

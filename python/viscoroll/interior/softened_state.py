@@ -1,4 +1,4 @@
-"""What a contact, solved with moduli of given strain, does in the layers that soften: the strain they have."""
+"""Strain amplitudes and losses of the softening layers in a contact solved with given moduli."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ if TYPE_CHECKING:
 
 __all__ = ["LayerState", "Setting", "SofteningLayer", "State", "look"]
 
-#: Of the network whose loss is followed, c to 4e-4, and the share of it that is: the rest turns as that does.
+#: Elements for the loss of the network (error of c: 4e-4), and the fraction of the loss at whose points χ is computed.
 _ELEMENTS, _MOST = (12, 4), 0.999
 
-#: Steps to the scale of the loss that belongs to given strain, and when they end.
+#: Largest number of steps to the loss scale for given strain, and their relative tolerance.
 _SCALE_STEPS, _SCALE_TOLERANCE = 20, 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class SofteningLayer:
-    """A layer that softens: of which body, its number there (the base of a plane is 0), and its modulus."""
+    """Layer that softens: its body, its number in the body (0 is the base of a plane), and its modulus."""
 
     of: Of
     number: int
@@ -42,7 +42,7 @@ class SofteningLayer:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Setting:
-    """What the modulus of a layer is taken at: amplitude [-], scale of the loss [-], frequency ω₀ [rad/s]."""
+    """Arguments of a layer's modulus: amplitude [-], scale of the loss [-], reference frequency ω₀ [rad/s]."""
 
     amplitude: float
     scale: float
@@ -51,22 +51,22 @@ class Setting:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LayerState:
-    """What a pass found in one layer; losses are worked out when they are asked for.
+    """State of one layer in a pass; its losses are computed when they are first read.
 
     Attributes
     ----------
     layer : SofteningLayer
-        Of which layer.
+        Layer that softens.
     solved : Setting
-        That its modulus had.
+        Setting of its modulus in the solved contact.
     found : Setting
-        That follows from this contact, with ḡ, mean of the amplitudes, weighted by what the network loses.
+        Setting that follows from this contact, with ḡ, the mean of the amplitudes weighted by the loss of the network.
     turn : float
-        Angular speed at which its material passes [rad/s].
+        Angular speed at which its material passes the contact [rad/s].
     path : StrainPath
-        Of its points.
+        Strain paths of its points.
     amplitudes : ndarray, shape (points,)
-        g of each [-].
+        Amplitude g of each point [-].
     """
 
     layer: SofteningLayer
@@ -78,7 +78,7 @@ class LayerState:
 
     @cached_property
     def scale(self) -> float:
-        """Scale with which the harmonics of these paths lose what the network does [-]."""
+        """Scale with which the harmonics of these paths dissipate as much as the network [-]."""
         loops = _loops(self.layer, self.amplitudes) * self.path.volumes
         most = _most(loops)
         strain = self.layer.modulus.network.yield_strain
@@ -88,12 +88,12 @@ class LayerState:
 
     @cached_property
     def harmonic_loss(self) -> float:
-        """What the network's modulus that was solved with loses, summed over harmonics [J/rad], under a line per m."""
+        """Loss of the network's modulus in the solve, summed over harmonics [J/rad], in line contact per m."""
         return self._network_loss(self.solved)
 
     @cached_property
     def shear_loss(self) -> float:
-        """The same of matrix and network."""
+        """Loss of matrix and network in the solve, summed over harmonics [J/rad], in line contact per m."""
         return self._summed(self._modulus(self.solved).complex_modulus)
 
     def _modulus(self, setting: Setting) -> SoftenedModulus:
@@ -114,7 +114,7 @@ class LayerState:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class State:
-    """A contact solved with moduli of given amplitudes and scales of the loss, a value of each for every layer."""
+    """Contact solved with given amplitudes and loss scales, one of each for every softening layer."""
 
     amplitudes: Floats
     scales: Floats
@@ -123,25 +123,25 @@ class State:
 
     @property
     def next_amplitudes(self) -> Floats:
-        """Return the amplitudes that the contact has."""
+        """Amplitudes that follow from the contact."""
         return np.array([layer.found.amplitude for layer in self.layers])
 
     @property
     def next_scales(self) -> Floats:
-        """Return the scales with which the harmonics lose what the network does."""
+        """Scales with which the harmonics dissipate as much as the network."""
         return np.array([layer.scale for layer in self.layers])
 
 
 def look(inside: Inside, path: StrainPath, layer: SofteningLayer, solved: Setting, frequency: float) -> LayerState:
-    """Return what a solved contact does in a layer, along the paths of its points."""
+    """Return the state of a layer in a solved contact, from the strain paths of its points."""
     g = half_range(path.p)
     loop = _loops(layer, g)
-    weights = (loop if loop.any() else g**2) * path.volumes  # a network without loss has a mean amplitude, too
+    weights = (loop if loop.any() else g**2) * path.volumes  # g² also weights a network without loss
     return LayerState(
         layer=layer,
         solved=solved,
         found=replace(solved, amplitude=float((weights * g).sum() / weights.sum()), frequency=frequency),
-        # The material of both bodies is solved as passing at Ω r_o.
+        # In the solve, the material of both bodies passes the contact at Ω r_o.
         turn=inside.result.angular_speed * inside.result.ball.outer_radius / inside.radius,
         path=path,
         amplitudes=g,
@@ -149,20 +149,20 @@ def look(inside: Inside, path: StrainPath, layer: SofteningLayer, solved: Settin
 
 
 def _most(losses: Floats) -> NDArray[np.intp]:
-    """Return the points that hold most of the loss."""
+    """Return the points with the largest losses, which together contain most of the loss."""
     largest = np.argsort(losses)[::-1]
     held = np.cumsum(losses[largest])
     return largest[: 1 + int(np.searchsorted(held, _MOST * held[-1]))]
 
 
 def _loops(layer: SofteningLayer, amplitudes: Floats) -> Floats:
-    """Return what the network loses to and fro at amplitudes, π g² N'' [J/m³]."""
+    """Return the loss of the network in straight cycles of given amplitudes, π g² N'' [J/m³]."""
     loops: Floats = math.pi * amplitudes**2 * layer.modulus.network.at(amplitudes)[1]
     return loops
 
 
 def _matched(lost: float, harmonic: Callable[[float], float], scale: float) -> float:
-    """Return the scale with which the harmonics lose as much; they are all but proportional to it."""
+    """Return the scale with which the harmonics dissipate the given energy, which is almost proportional to it."""
     for _ in range(_SCALE_STEPS):
         summed = harmonic(scale)
         if summed <= 0.0 or lost <= 0.0:

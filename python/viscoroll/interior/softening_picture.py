@@ -1,4 +1,4 @@
-"""Pictures of strain softening: where on its curve the network works, and the strain over the section."""
+"""Pictures of strain softening: operating points on the curves of the network, and strain over the section."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _PERCENT = 100.0
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """Where a network works: its law, the amplitude that its moduli are taken at, and the largest [-]."""
+    """Operating point of a network: its law, the amplitude of its moduli, and the largest amplitude [-]."""
 
     network: Network
     amplitude: float
@@ -32,7 +32,7 @@ class Work:
 
 
 def plot_softening(work: Sequence[Work], section: xarray.Dataset, ax: Axes | None = None) -> Picture | Axes:
-    """Draw networks over strain, and the amplitude over the section; into axes of the caller's the networks alone."""
+    """Draw the networks over strain, and the amplitude over the section; into given axes only the networks."""
 
     def compose(picture: Picture) -> None:
         left, right = picture.subplots(1, 2)
@@ -43,7 +43,7 @@ def plot_softening(work: Sequence[Work], section: xarray.Dataset, ax: Axes | Non
 
 
 def _draw_networks(axes: Axes, work: Sequence[Work]) -> None:
-    """One pair of curves for each law; dots where layers work, and a line to their largest strain."""
+    """Draw a pair of curves for each law, with dots for the layers and a line to their largest strain."""
     strain = np.geomspace(0.1 * min(one.amplitude for one in work), 3.0 * max(one.largest for one in work), 200)
     for number, network in enumerate(dict.fromkeys(one.network for one in work)):
         for moduli, color, name in zip(network.at(strain), ("tab:blue", "tab:orange"), ("N'", "N''"), strict=True):

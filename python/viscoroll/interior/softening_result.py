@@ -1,4 +1,4 @@
-"""What rolling of filled rubber with the moduli of its own strain is: numbers, tables, files, pictures."""
+"""Result of rolling with filled rubber, whose moduli depend on strain: numbers, tables, files and pictures."""
 
 from __future__ import annotations
 
@@ -25,23 +25,23 @@ if TYPE_CHECKING:
 
 __all__ = ["BOUNDS", "Matching", "StrainSoftening", "as_matching"]
 
-#: Both torques of filled rubber in files and studies, as `StrainSoftening.torque_bounds` has them: name and what it is.
+#: Labels of the two torques of filled rubber in files and studies, in the order of `StrainSoftening.torque_bounds`.
 BOUNDS = {
     "harmonic_torque": "resisting torque, the network's loss summed over harmonics",
     "network_torque": "resisting torque, the network's loss that of a network without rate",
 }
 
-#: How the loss of a network is taken: as a network without rate loses, or summed over harmonics.
+#: Loss of a network: that of a rate-independent network, or the sum over harmonics.
 Matching: TypeAlias = Literal["network", "harmonic"]
 
 
 def as_matching(name: str, value: object) -> Matching:
-    """Return how a network's loss is taken.
+    """Return the given kind of loss of a network.
 
     Raises
     ------
     ValueError
-        For another word.
+        If it is not one of the two kinds.
     """
     if value not in ("network", "harmonic"):
         raise ValueError(f"{name} must be 'network' or 'harmonic', got {shown(value)}")
@@ -50,36 +50,36 @@ def as_matching(name: str, value: object) -> Matching:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class StrainSoftening:
-    """Rolling with the moduli that belong to its own strain.
+    """Rolling with moduli that depend on the strain of the solution.
 
-    Values of layers are those of the layers that soften, of what rolls from the inside outwards, then of what it rolls
-    on, its base first; with `sublayers`, of these.
+    Values of layers are those of the layers that soften: first those of the rolling body from the inside outwards, then
+    those of the counterbody, its base first. With `sublayers`, the parts count as layers.
 
     Attributes
     ----------
     result : Result
-        The contact, with the moduli found.
+        Contact solved with the moduli found.
     loss : str
-        How its network loses, "network" or "harmonic".
+        Loss of the network, "network" or "harmonic".
     layer_amplitudes : tuple of float
-        ḡ, amplitude of shear strain that each modulus was taken at, the mean weighted by the network's loss [-].
+        ḡ, amplitude of shear strain at which each modulus is taken, the mean weighted by the loss of the network [-].
     largest_amplitudes : tuple of float
         Largest amplitude in each layer [-].
     layer_moduli : tuple of (float, float)
-        N' and N'' at ḡ [Pa], before N'' is scaled.
+        N' and N'' at ḡ [Pa], before the loss scale is applied to N''.
     loss_scales : tuple of float
-        c, by which N'' is multiplied for harmonics to lose what the network does [-]; 1 with "harmonic".
+        c, factor on N'' with which the harmonics dissipate as much as the network [-]; 1 with "harmonic".
     network_share : float
-        Share of the network in what these layers lose by shear [-].
+        Fraction of the loss of these layers by shear that is due to the network [-].
     torque_bounds : (float, float)
-        Resisting torque summed over harmonics, as the industry has it, and matched to the network [N m], of a roller
-        [N]. What is not known of strain whose axes turn lies between the two, or beyond.
+        Resisting torques with the loss of the network summed over harmonics, as in the tire industry, and matched to
+        the network [N m], for rollers [N]. The unknown effect of rotating strain axes lies between them, or beyond.
     iterations : int
-        Contacts solved.
+        Number of contacts solved.
     history : tuple of tuple of float
-        Amplitudes after every pass [-].
+        Amplitudes found in each pass [-].
     warnings : tuple of str
-        What to know before relying on this, as Python's warnings said it.
+        Texts of the warnings that were issued.
     """
 
     result: Result
@@ -98,16 +98,16 @@ class StrainSoftening:
 
     @property
     def bounds(self) -> dict[str, float]:
-        """Both torques by their names in files and studies, see `BOUNDS`."""
+        """Both torques by their names in files and studies; see `BOUNDS`."""
         return dict(zip(BOUNDS, self.torque_bounds, strict=True))
 
     def amplitude(self, *, of: Of | None = None) -> xarray.Dataset:
-        """Return the amplitude of strain over the section.
+        """Return the amplitude of strain over the cross-section.
 
         Parameters
         ----------
         of : "ball" or "counterpart", optional
-            Of which body; by default the first that softens.
+            Rolling body or counterbody; by default the first body with a layer that softens.
 
         Returns
         -------
@@ -118,7 +118,7 @@ class StrainSoftening:
         Raises
         ------
         ValueError
-            Where nothing of that body softens.
+            If that body has no layer that softens.
         """
         with extra("files"):
             import xarray
@@ -145,7 +145,7 @@ class StrainSoftening:
         )
 
     def rows(self) -> list[tuple[str, float, str]]:
-        """Return what was found as name, value and SI unit, layer by layer."""
+        """Return the results as name, value and SI unit, layer by layer."""
         torque = self.result.unit("resisting_torque")
         rows = [
             ("resisting_torque", self.result.resisting_torque, torque),
@@ -164,28 +164,28 @@ class StrainSoftening:
         return rows
 
     def save(self, path: str | Path) -> None:
-        """Write what was found to a file.
+        """Write the results to a file.
 
         Parameters
         ----------
         path : path-like
-            ``.csv``, a row for each number with its unit, or ``.nc``, the amplitudes over the section with these
-            numbers as attributes.
+            ``.csv`` (one row per number, with its unit) or ``.nc`` (amplitudes over the section, with these numbers as
+            attributes).
 
         Raises
         ------
         ValueError
-            For another suffix.
+            If the suffix is another one.
         ImportError
-            For ``.nc``, without the extra `viscoroll[files]`.
+            If the extra `viscoroll[files]` is missing, for ``.nc``.
         """
         save(self, path, _FORMATS)
 
     @plots("the network alone")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw the network over strain with where the contact works, and the amplitude over the section.
+        """Draw the network over strain with its operating points, and the amplitude over the section.
 
-        Where nothing softens, that is a ValueError.
+        The method raises a ValueError if no layer softens.
         """
         from .softening_picture import Work, plot_softening
 
@@ -196,7 +196,7 @@ class StrainSoftening:
         return plot_softening(work, self.amplitude(), ax)
 
     def __repr__(self) -> str:
-        """Return a summary of one screen."""
+        """Return a summary that fits on one screen."""
         unit = self.result.unit("resisting_torque")
         harmonic, matched = self.torque_bounds
         lines = [
@@ -215,7 +215,7 @@ class StrainSoftening:
         return "\n".join([*lines, *(f"  warning                {text}" for text in self.warnings)])
 
     def _repr_html_(self) -> str:
-        """Return what was found, as a table for notebooks."""
+        """Return the results as a table for notebooks."""
         rows = [(name.replace("_", " "), number_text(value), unit_text(unit)) for name, value, unit in self.rows()]
         return html_table("Strain softening", rows)
 
@@ -229,5 +229,5 @@ def _write_section(found: StrainSoftening, path: Path) -> None:
     write_netcdf(found.amplitude().assign_attrs({name: value for name, value, _ in found.rows()}), path)
 
 
-#: What writes strain softening, by suffix.
+#: Functions that write the results, by suffix.
 _FORMATS = {".csv": _write_table, ".nc": _write_section}

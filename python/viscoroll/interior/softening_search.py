@@ -1,10 +1,10 @@
-"""The search for the strain that layers soften to: contact, strain and modulus found together.
+"""Search for the strain of layers that soften: contact, strain and moduli are solved together.
 
-A pass solves the contact with one modulus for each layer, follows the strain inside and takes from it the layer's
-amplitude ḡ, weighted by what its network loses. At a given load a contact grows where its layers soften, so that
-ḡ ∝ |μ|^-α with α from 1/3 to 2/3: by that law, α from the last two passes, the next amplitude is the root of what the
-modulus of the network makes of it. There is one state (docs/theory/filled-rubber.md). Where a guess gets no
-nearer to it, plain repetition goes on, which does.
+A pass solves the contact with one modulus for each layer, follows the strain inside and computes the amplitude ḡ of
+each layer, weighted by the loss of its network. At a given load the contact grows as its layers soften, so that
+ḡ ∝ |μ|^-α with α from 1/3 to 2/3. With α from the last two passes, the next amplitude is the root of this law combined
+with the modulus of the network. There is one state (docs/theory/filled-rubber.md). If a step does not reduce the
+change, the search continues by plain repetition, which converges.
 """
 
 from __future__ import annotations
@@ -34,46 +34,47 @@ if TYPE_CHECKING:
 
 __all__ = ["SofteningSearch", "softening_layers", "softens"]
 
-#: Passes after which the frequency at which the network is taken stays, as the contact's length steps with the nodes;
-#: after those on a coarser mesh one.
+#: Number of passes after which the reference frequency is kept, because the contact length changes in steps of nodes;
+#: one after passes on a coarser mesh.
 _FREQUENCY_PASSES = 3
 
-#: Passes after which a mesh that was not given stays: the contact of the unstrained layers is smaller than all others.
+#: Passes after which the mesh chosen by the solver is kept: the first contact, of unstrained layers, is the smallest.
 _MESH_PASSES = 2
 
 _MOST_PASSES = 40
 
-#: On a mesh of half the nodes, where it has so many, the search begins: until the amplitudes change by so little.
+#: Start of the search on a mesh of half the nodes: fewest nodes of that mesh, largest number of passes on it, and
+#: relative change of the amplitudes at which they end.
 _FEWEST_NODES = 200
 _COARSE_PASSES, _COARSE_CHANGE = 4, 0.03
 
-#: Speed by radius per half-width of the first contact, before it is known.
+#: Ratio of radius to half-width of the contact that is assumed before the first contact is solved.
 _FIRST_FREQUENCY = 10.0
 
-#: How strain is looked at there.
+#: Options of `strain_paths` on the coarser mesh.
 _ROUGHLY: dict[str, Any] = {"depths": 3, "orders": 12.0, "reach": 5.0}
 
-#: What α may be wrong by.
+#: Possible error of α.
 _POWER_ERROR = 0.1
 
-#: α before two passes have told it, of how different moduli they must be to tell, and what they may tell: layers that
-#: soften beside others that do not have up to 1, and coarse meshes tell anything.
+#: Value of α before two passes determine it, smallest change of ln|μ| that determines it, and its range: layers that
+#: soften beside others that do not have values up to 1, and coarse meshes give arbitrary values.
 _FIRST_POWER, _TELLING, _POWERS = 0.5, 0.02, (0.2, 1.0)
 
-#: Steps to the root of the law, which converge as s α does, and when they end.
+#: Largest number of steps to the root of the law, which converge at the rate s α, and their relative tolerance.
 _LAW_STEPS, _LAW_TOLERANCE = 40, 1e-7
 
 
 @dataclass(slots=True, kw_only=True, eq=False)
 class SofteningSearch:
-    """Contacts solved one after the other, on one mesh once it is found.
+    """Sequence of contact solutions, on one mesh once it is chosen.
 
     Attributes
     ----------
     history : list of ndarray
-        Amplitudes that the passes found.
+        Amplitudes that follow from each pass.
     contacts : int
-        Contacts solved.
+        Number of contacts solved.
     """
 
     ball: RollingBody
@@ -97,16 +98,16 @@ class SofteningSearch:
         Parameters
         ----------
         start : State, optional
-            Where to go on; without it the layers are unstrained.
+            State from which the search continues; by default the layers are unstrained.
         matched : bool
-            Whether the loss of harmonics is matched to that of the network; else scales are 1.
+            Whether the loss of the harmonics is matched to that of the network; otherwise the scales are 1.
         tolerance : float
-            By which share amplitudes and scales may still change.
+            Largest relative change of amplitudes and scales at convergence.
 
         Raises
         ------
         ConvergenceError
-            Where they do not come to rest.
+            If amplitudes and scales do not converge.
         """
         state, before = self._from_unstrained(matched) if start is None else start, np.inf
         while True:
@@ -123,10 +124,10 @@ class SofteningSearch:
             before = change
 
     def beside(self, state: State, *, matched: bool, tolerance: float) -> tuple[Floats, Floats]:
-        """Return amplitudes and scales with the loss taken the other way than in a state.
+        """Return amplitudes and scales for the other kind of loss than in a state.
 
-        Without a scale amplitudes follow by the law alone, but where it goes so far that it may be wrong by more than
-        the tolerance.
+        From matched to harmonic loss, the power law alone gives the amplitudes, unless its error may exceed the
+        tolerance. In all other cases the amplitudes are iterated.
         """
         scales = state.next_scales if matched else np.ones(len(self.layers))
         if (scales == state.scales).all():
@@ -138,7 +139,7 @@ class SofteningSearch:
         return amplitudes, scales
 
     def at(self, amplitudes: Floats, scales: Floats, *, coarse: Mesh | None = None) -> State:
-        """Solve the contact at amplitudes and scales, and look at the strain it makes, on a coarse mesh roughly."""
+        """Solve the contact for amplitudes and scales, and evaluate its strain; on a coarse mesh only roughly."""
         settings = [
             Setting(amplitude=float(amplitude), scale=float(scale), frequency=self._frequency(layer.of))
             for layer, amplitude, scale in zip(self.layers, amplitudes, scales, strict=True)
@@ -167,7 +168,7 @@ class SofteningSearch:
         return state
 
     def solved(self, amplitudes: Floats, scales: Floats, **options: Any) -> Result:
-        """Solve the contact at amplitudes and scales; `options` replace those of the search."""
+        """Solve the contact for amplitudes and scales; `options` replace those of the search."""
         moduli = {
             (layer.of, layer.number): layer.modulus.at(
                 float(amplitude), reference_frequency=self._frequency(layer.of), loss_scale=float(scale)
@@ -186,7 +187,7 @@ class SofteningSearch:
             )
 
     def _from_unstrained(self, matched: bool) -> State:
-        """Return the first state on the mesh of the search, by passes on a coarser one where there is one."""
+        """Return the first state on the mesh of the search, after passes on a coarser mesh if it has enough nodes."""
         amplitudes, scales = np.zeros(len(self.layers)), np.ones(len(self.layers))
         coarse = _coarser(self.options.get("mesh"))
         for _ in range(0 if coarse is None else _COARSE_PASSES):
@@ -202,7 +203,7 @@ class SofteningSearch:
         return self.at(amplitudes, scales)
 
     def _ahead(self, state: State, scales: Floats) -> Floats:
-        """Return the amplitudes at which ḡ ∝ |μ|^-α, from what a state has, meets the modulus that they make."""
+        """Return the amplitudes at which ḡ ∝ |μ|^-α, starting from a state, agrees with the modulus of the network."""
         amplitudes = found = state.next_amplitudes
         if not (found > 0.0).all():
             return found
@@ -217,7 +218,7 @@ class SofteningSearch:
         return amplitudes
 
     def _learn(self, state: State) -> None:
-        """Take α from the last two passes on one mesh."""
+        """Update α from the last two passes on the same mesh."""
         last, self._last = self._last, state
         if last is None or last.result.mesh != state.result.mesh:
             return
@@ -227,19 +228,19 @@ class SofteningSearch:
             self._powers = np.clip(-larger / stiffer, *_POWERS)
 
     def _stiffer(self, state: State, amplitudes: Floats, scales: Floats) -> Floats:
-        """Return logarithms of how much stiffer layers are at amplitudes and scales than in a state."""
+        """Return the logarithms of the ratios of the stiffness at amplitudes and scales to that in a state."""
         matrix = self._matrix_moduli()
         solved = self._stiffness(matrix, state.amplitudes, state.scales)
         return np.asarray(np.log(self._stiffness(matrix, amplitudes, scales) / solved))
 
     def _matrix_moduli(self) -> NDArray[np.complex128]:
-        """Return the modulus of each layer's matrix at the frequency of its network [Pa]."""
+        """Return the modulus of each layer's matrix at the reference frequency of its network [Pa]."""
         alone = [SoftenedModulus(matrix=layer.modulus.matrix, network=None) for layer in self.layers]
         frequencies = [self._frequency(layer.of) for layer in self.layers]
         return np.array([m.complex_modulus([w])[0] for m, w in zip(alone, frequencies, strict=True)])
 
     def _stiffness(self, matrix: NDArray[np.complex128], amplitudes: Floats, scales: Floats) -> Floats:
-        """Return |μ| of each layer there, matrix and network [Pa]."""
+        """Return |μ| of matrix and network of each layer [Pa]."""
         networks = [layer.modulus.network.at(g) for layer, g in zip(self.layers, amplitudes, strict=True)]
         storage, loss = np.array(networks).T
         stiffness: Floats = abs(matrix + storage + 1j * scales * loss)
@@ -250,7 +251,7 @@ class SofteningSearch:
 
 
 def softening_layers(ball: RollingBody, on: Counterpart | None) -> tuple[SofteningLayer, ...]:
-    """Return the layers that soften, of what rolls and then of what it rolls on."""
+    """Return the layers that soften, first of the rolling body and then of the counterbody."""
     sides: list[tuple[Of, RollingBody | Counterpart]] = [("ball", ball)]
     if on is not None:
         sides.append(("counterpart", on))
@@ -263,7 +264,7 @@ def softening_layers(ball: RollingBody, on: Counterpart | None) -> tuple[Softeni
 
 
 def softens(ball: RollingBody, on: Counterpart | None = None) -> bool:
-    """Return whether a layer of a body, or of what it rolls on, has a modulus that falls with strain."""
+    """Return whether a layer of the rolling body or the counterbody has a modulus that decreases with strain."""
     return bool(softening_layers(ball, on))
 
 
@@ -276,7 +277,7 @@ def _with_moduli(body: Any, of: Of, moduli: dict[tuple[Of, int], SoftenedModulus
 
 
 def _coarser(mesh: Mesh | None) -> Mesh | None:
-    """Return a mesh of half the nodes, where there are enough of them and no order is cut off."""
+    """Return a mesh of half the nodes, or None if that has too few nodes or a largest order is given."""
     if mesh is None or mesh.max_order is not None or mesh.nodes_per_revolution < 2 * _FEWEST_NODES:
         return None
     across = mesh.theta_nodes_per_revolution
@@ -287,14 +288,14 @@ def _coarser(mesh: Mesh | None) -> Mesh | None:
 
 
 def _frequency(inside: Inside) -> float:
-    """Return Ω R/a, at which the network is what a sweep at its amplitude has [rad/s]."""
+    """Return Ω R/a, the frequency at which the network has the moduli of a sweep at its amplitude [rad/s]."""
     return inside.result.angular_speed * inside.result.ball.outer_radius / _half_width(inside.result)
 
 
 def _half_width(result: Solution) -> float:
-    """Return half of the contact's length along its middle [m], which grows with it and not from node to node.
+    """Return half of the contact's length along its middle [m], interpolated between nodes.
 
-    Pressure ends as the root of the distance: its square is a line, to nothing.
+    Near the edge the pressure is proportional to the root of the distance, so its square is extrapolated linearly to 0.
     """
     spacing = result.ball.outer_radius * result.mesh.spacing
     squares = result.pressure[:, result.pressure.max(axis=0).argmax()] ** 2

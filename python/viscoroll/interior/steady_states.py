@@ -1,4 +1,4 @@
-"""Steady states of rolling and heating, and the search for them and for where they end."""
+"""Steady states of self-heating, and the search for them and for their folds."""
 
 from __future__ import annotations
 
@@ -28,36 +28,36 @@ if TYPE_CHECKING:
 
 __all__ = ["Fold", "StateSearch", "SteadyState"]
 
-#: 0.999 of the loss, for temperatures found on the way.
+#: Orders divided by r_o/a that contain 0.999 of the loss, for the temperatures during the search.
 _ORDERS_PER_CONTACT = 12.0
-_PROFILE_STEPS = 4  # of the temperatures of layers around their mean
+_PROFILE_STEPS = 4  # iterations of the differences between layer temperatures and their mean
 
-#: Rises, per that of the limit, among which a maximum of the load or the speed is looked for: first, last and number.
+#: Smallest and largest rise, divided by that of the limit, and number of rises in the search for a maximum.
 _FOLD_RISES = (3e-3, 1.0, 16)
-_FOLD_REACH = 12  # doublings of the load or the speed that is asked about: 4000 times
+_FOLD_REACH = 12  # largest number of steps by a factor of 2 from the given load or speed: a factor of 4000
 
-#: The same for any steady state.
+#: Largest number of such steps in the search for the load or speed of a steady state.
 _REACH = 60
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class SteadyState:
-    """A steady state of rolling and heating.
+    """Steady state of rolling and heating.
 
     Attributes
     ----------
     mean_temperature : float
-        Of the coating, weighted by the loss [K].
+        Temperature of the layers, weighted by the loss [K].
     layer_temperatures : tuple of float
-        Of the layers that the moduli were taken at [K]; with `sublayers`, of these.
+        Temperature of each layer at which its modulus is taken [K]; with `sublayers`, of each part.
     result : Result
-        The contact with these moduli.
+        Contact with these moduli.
     temperature : Temperature
-        Rise over the surroundings.
+        Temperature rise over the surroundings.
     stable : bool
-        Whether a small warming dies out.
+        Whether a small increase in temperature decays.
     softening : StrainSoftening or None
-        Strain and moduli of layers that soften, of a body that has any.
+        Strain and moduli of the layers that soften, if there are any.
     """
 
     mean_temperature: float
@@ -68,7 +68,7 @@ class SteadyState:
     softening: StrainSoftening | None = None
 
     def __repr__(self) -> str:
-        """Return a summary of one line."""
+        """Return a summary in one line."""
         kind = "stable" if self.stable else "unstable"
         torque = self.result.resisting_torque
         shown = f"{torque:.4g} N" if self.result.ball.line_contact else f"{torque * 1e3:.4g} mN m"
@@ -80,20 +80,20 @@ class SteadyState:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fold:
-    """Where the cold state of a load, or of a speed, merges with an unstable one, and ends.
+    """Load or speed at which the cold state merges with an unstable one and ends.
 
     Attributes
     ----------
     load : float
-        [N], of a roller [N/m].
+        Load [N], for rollers [N/m].
     angular_speed : float
-        Ω [rad/s].
+        Angular speed Ω [rad/s].
     mean_temperature : float
-        Of the layers, weighted by the loss [K].
+        Mean temperature of the layers, weighted by the loss [K].
     maximum : float
-        Largest temperature in them [K].
+        Largest temperature in the layers [K].
     strain : float
-        Penetration per thickness [-], beyond 0.2 of which linear theory is rough.
+        Penetration divided by thickness [-]; above 0.2 linear theory is rough.
     """
 
     load: float
@@ -105,7 +105,7 @@ class Fold:
 
 @dataclass(frozen=True, slots=True)
 class _Point:
-    """What a mean temperature makes."""
+    """Solution with the moduli at a given mean temperature."""
 
     excess: float
     layer_temperatures: tuple[float, ...]
@@ -116,7 +116,7 @@ class _Point:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class StateSearch:
-    """All that is known at mean temperatures, each solved once."""
+    """Search for steady states; stores the solution at each mean temperature, speed and load."""
 
     ball: RollingBody
     shifts: list[Shift]
@@ -132,7 +132,7 @@ class StateSearch:
     known: dict[tuple[float, float, float], _Point]
 
     def at(self, mean: float, *, angular_speed: float | None = None, load: float | None = None) -> _Point:
-        """Contact and temperature with the moduli of a mean temperature; the layers around it iterated."""
+        """Return contact and temperature with the moduli at a mean temperature; iterate the layer temperatures."""
         speed = self.angular_speed if angular_speed is None else angular_speed
         force = self.load if load is None else load
         key = (mean, speed, force)
@@ -155,7 +155,7 @@ class StateSearch:
         return point
 
     def _solved(self, ball: RollingBody, load: float, speed: float) -> tuple[Result, StrainSoftening | None]:
-        """Contact with given moduli, of layers that soften with those of its own strain."""
+        """Return the contact with given moduli; for layers that soften, with those of its own strain."""
         if not softens(ball, self.options.get("on")):
             return solve(ball, load=load, angular_speed=speed, **self.options), None
         soft = strain_softening(ball, load=load, angular_speed=speed, loss=self.softening, **self.options)
@@ -171,8 +171,8 @@ class StateSearch:
         return replace(self.ball, layers=layers)
 
     def sweep(self, count: int, report: Report | None) -> tuple[list[tuple[float, float]], list[float]]:
-        """Mean temperatures between which the excess changes its sign, and those at which it is nothing at all."""
-        # Small rises are resolved relatively: they begin at a thousandth of the range.
+        """Return pairs of mean temperatures between which the excess changes sign, and those at which it is 0."""
+        # Small rises are resolved relatively: the grid begins at a thousandth of the range.
         rises = (self.limit - self.ambient) * np.geomspace(1e-3, 1.0, count)
         grid = [self.ambient, *(self.ambient + rises).tolist()]
         excess = []
@@ -188,7 +188,7 @@ class StateSearch:
         )
 
     def _with_turning_points(self, grid: list[float], excess: list[float]) -> tuple[list[float], list[float]]:
-        """Add the extrema of the excess between points of one sign, where two states may hide."""
+        """Add extrema of the excess near 0 between points of equal sign, where two states may lie."""
         more: dict[float, float] = dict(zip(grid, excess, strict=True))
         for i in range(1, len(grid) - 1):
             before, here, after = excess[i - 1 : i + 2]
@@ -203,7 +203,7 @@ class StateSearch:
         return [mean for mean, _ in ordered], [value for _, value in ordered]
 
     def state(self, low: float, high: float) -> SteadyState:
-        """Close in on a root between two mean temperatures, to 1e-4 of the rise."""
+        """Return the steady state between two mean temperatures, to 1e-4 of the rise."""
         ends = (low - self.ambient, high - self.ambient)
         rise = self.find_root(lambda rise: self.at(self.ambient + rise).excess, *ends, xtol=1e-6, rtol=1e-4)
         mean = self.ambient + rise
@@ -218,12 +218,12 @@ class StateSearch:
         )
 
     def speed_at(self, mean: float, *, near: float | None = None, reach: int = _REACH) -> float:
-        """Speed at which a mean temperature is steady: heat grows with speed where temperature is held."""
+        """Return the speed at which a mean temperature is steady; at a given temperature heat increases with speed."""
         first = self.angular_speed if near is None else near
         return self._where(mean, first, lambda speed: self.at(mean, angular_speed=speed), "speed", reach)
 
     def load_at(self, mean: float, *, near: float | None = None, reach: int = _REACH) -> float:
-        """Load at which a mean temperature is steady: heat grows with it, too."""
+        """Return the load at which a mean temperature is steady; at a given temperature heat increases with load."""
         first = self.load if near is None else near
         return self._where(mean, first, lambda load: self.at(mean, load=load), "load", reach)
 
@@ -243,7 +243,7 @@ class StateSearch:
         raise ConvergenceError(f"no {name} makes {mean:g} K a steady state")
 
     def fold(self, name: Literal["load", "speed"]) -> Fold | None:
-        """First maximum, over mean temperatures, of the load or the speed that makes them."""
+        """Return the first maximum, over mean temperatures, of the load or the speed at which they are steady."""
         from scipy.optimize import minimize_scalar
 
         rises: list[float] = []
@@ -257,7 +257,7 @@ class StateSearch:
             for rise in (self.limit - self.ambient) * np.geomspace(*_FOLD_RISES):
                 try:
                     values.append(found_at(self.ambient + rise))
-                except (ValueError, ConvergenceError):  # beyond what the layers bear, or any speed makes
+                except (ValueError, ConvergenceError):  # more than the layers support, or no speed gives this rise
                     return None
                 rises.append(float(rise))
                 if len(values) > 2 and values[-2] >= max(values[-3], values[-1]):
@@ -283,7 +283,7 @@ class StateSearch:
         )
 
     def refusal(self) -> str:
-        """Say that no state was found, and which speed has one."""
+        """Return the message that no state was found, with the largest speed that has one."""
         rises = (self.limit - self.ambient) * np.geomspace(0.03, 1.0, 8)
         speeds = [self.speed_at(self.ambient + rise) for rise in rises]
         best = int(np.argmax(speeds))

@@ -1,7 +1,7 @@
-"""How the strain of a material point goes round, its amplitude, and what a linear material loses on the way.
+"""Strain path of a material point, its amplitude, and the loss of a linear material along it.
 
-A deviator of strain e is the vector p = (√2 e_rr, √2 e_φφ, √2 e_θθ, 2e_rφ, 2e_rθ, 2e_φθ), of length √(2 e:e): simple
-shear of amplitude γ has |p| = γ.
+A strain deviator e is represented by the vector p = (√2 e_rr, √2 e_φφ, √2 e_θθ, 2e_rφ, 2e_rθ, 2e_φθ) of length
+√(2 e:e): simple shear of amplitude γ has |p| = γ.
 """
 
 from __future__ import annotations
@@ -27,57 +27,57 @@ if TYPE_CHECKING:
 
 __all__ = ["StrainPath", "deviatoric_path", "half_range", "harmonic_squares", "strain_paths"]
 
-#: Nodes of a contact's half-width along the path that are looked at, where the mesh has so many.
+#: Number of nodes per half-width of the contact at which strain is evaluated along the path, if the mesh has so many.
 _ALONG = 20
 
-#: Gauss's points across, over the contact's half-width and over each panel beside it.
+#: Number of Gauss points across, over the half-width of the contact and over each panel beside it.
 _ACROSS, _BESIDE = 6, 4
 
-#: Steps beyond 1.5 half-widths, per distance from the middle: what is farther away varies the more slowly.
+#: Growth of the steps beyond 1.5 half-widths, divided by the distance from the middle: strain varies more slowly there.
 _GROWTH = 0.08
 
-#: How far strain is followed along the path, and beyond the contact across it, in half-widths, and how deep by that:
-#: over the rest of a revolution it fades evenly. In a thin layer it falls across with its thickness: beyond 3 of them
-#: 1e-3 of the loss is left, beyond this many 1e-4.
+#: Largest distance along the path, and beyond the contact across it, in half-widths; largest depth divided by that
+#: distance; largest distance across in thicknesses of a thin layer, where 1e-3 of the loss lies beyond 3 thicknesses
+#: and 1e-4 beyond 8. Over the rest of a revolution the strain is taken to decay linearly.
 _REACH, _DEEP, _FAR_IN_THIN = 8.0, 1.5, 8.0
 
-#: Orders, per radius over the contact's half-width, that strain is summed to at most: amplitudes to 1e-3. At the ends
-#: of a contact on a thin layer strain changes within its thickness: this share of them per radius over that. No mesh
-#: has more than π per spacing.
+#: Highest order of the strain divided by radius/half-width, for amplitudes to 1e-3. At the ends of a contact on a thin
+#: layer, strain varies over the thickness: the highest order is then at least 0.16 of this factor times
+#: radius/thickness. It is at most π per spacing.
 _ORDERS_PER_CONTACT, _OF_THICKNESS = 25.0, 0.16
 
-#: Panels that Gauss's points lie in, in depth and beside the contact: how long the first is, in half-widths, and each
-#: by its own distance.
+#: Length of a panel of Gauss points, in depth and beside the contact, divided by the half-width of the contact, or by
+#: the distance of the panel from the start if that is larger.
 _PANEL = 1.5
 
-#: Half a revolution, of a plane the third of one that its fields are known over, less a hair [rad].
+#: Largest angle from the contact [rad]: just below half a revolution, and below a third of that on a plane.
 _HALF_TURN, _THIRD = 0.999 * math.pi, 0.999 * math.pi / 3.0
 
-#: What sides may differ by, of the largest traction, and be each other's mirror image: iterations end so.
+#: Largest difference between the sides of a symmetric contact, relative to the largest traction, due to iteration.
 _SAME_SIDES = 1e-4
 
-#: What a plane's path is lengthened by, at rest, before its harmonics are taken.
+#: Ratio of the period, with material at rest, to the followed path on a plane, for the harmonics.
 _PADDING = 8.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class StrainPath:
-    """Strain of the points of one layer on their way through a contact, and what each of them stands for.
+    """Strain paths of the points of one layer through a contact, with the volume of each point.
 
     Attributes
     ----------
     layer : int
-        Its number, from the center or the base outwards.
+        Number of the layer, from the center or the base outwards.
     phi : ndarray, shape (steps,)
-        Places along the path [rad], increasing, the contact in the middle.
+        Places along the path [rad], increasing, with the contact in the middle.
     period : float
-        After which all comes round [rad].
+        Period of the path [rad].
     p : ndarray, shape (points, steps, 6)
-        Strain, as the head of this file has it [-].
+        Strain vectors, as defined at the top of this file [-].
     volumes : ndarray, shape (points,)
-        Measure of each point [m²], under a line [m]: a density w per revolution is the power Ω Σ w volumes.
+        Measure of each point [m²], in line contact [m]: a density w per revolution is the power Ω Σ w volumes.
     depth, theta : ndarray, shape (points,)
-        Where the points are [m] and [rad].
+        Depth [m] and angle θ [rad] of the points.
     """
 
     layer: int
@@ -97,20 +97,20 @@ def strain_paths(
     reach: float = _REACH,
     orders: float = _ORDERS_PER_CONTACT,
 ) -> tuple[StrainPath, ...]:
-    """Follow the strain in layers of a body.
+    """Return the strain paths in layers of a body.
 
     Parameters
     ----------
     inside : Inside
-        The body.
+        Body of the result.
     layers : sequence of int
-        Numbers of its layers, the base of a plane first.
+        Numbers of the layers, the base of a plane first.
     depths : int, default 4
-        Gauss's points through a layer, of a thick one through each of its panels.
+        Number of Gauss points through a layer, or through each panel of a thick layer.
     reach : float, default 8
-        How far along the path and across it, in half-widths of the contact.
+        Distance along the path and across it, in half-widths of the contact.
     orders : float, default 25
-        Up to which strain is summed, per radius over the contact's half-width.
+        Highest order of the strain, divided by the ratio of the radius to the half-width of the contact.
 
     Returns
     -------
@@ -144,7 +144,7 @@ def strain_paths(
 
 
 def deviatoric_path(strain: NDArray[np.float64]) -> Floats:
-    """Return p of strains, components first, (rr, φφ, θθ, rφ, rθ, φθ)."""
+    """Return the vectors p of strains, with the components (rr, φφ, θθ, rφ, rθ, φθ) on the first axis."""
     deviator = strain.copy()
     deviator[:3] -= strain[:3].mean(axis=0)
     return deviator * np.sqrt([2.0, 2.0, 2.0, 4.0, 4.0, 4.0]).reshape(6, *[1] * (strain.ndim - 1))
@@ -161,7 +161,7 @@ def half_range(p: Floats) -> Floats:
     Returns
     -------
     ndarray, shape (points,)
-        g [-]. All pairs are tried: a search for farthest points misses up to 5 %.
+        g [-]. All pairs are compared, because a search for the farthest points misses up to 5 %.
     """
     found = np.empty(len(p))
     for point, path in enumerate(p):
@@ -171,17 +171,17 @@ def half_range(p: Floats) -> Floats:
 
 
 def harmonic_squares(path: StrainPath) -> tuple[Floats, Floats]:
-    """Return orders m, which need not be whole, and what each loses by its loss modulus, 4π m |p_m|².
+    """Return orders m, which need not be integers, and the loss of each per loss modulus, 4π m |p_m|².
 
-    Their product with μ''_m is the energy that a linear material loses per volume and revolution [J/m³],
+    The product with μ''_m is the energy that a linear material dissipates per volume and revolution [J/m³],
     docs/theory/dissipation.md.
 
     Returns
     -------
     orders : ndarray, shape (orders,)
-        m [-].
+        Orders m [-].
     squares : ndarray, shape (points, orders)
-        [-].
+        4π m |p_m|² of each point and order [-].
     """
     p = _evenly(path)
     step = 2.0 * math.pi / path.period
@@ -191,7 +191,7 @@ def harmonic_squares(path: StrainPath) -> tuple[Floats, Floats]:
 
 
 def _evenly(path: StrainPath) -> Floats:
-    """Return a path on even steps over its whole period; where it was not followed it fades evenly."""
+    """Return a path at even steps over its whole period; linear over the part that was not followed."""
     with extra("studies"):
         from scipy.fft import next_fast_len
         from scipy.interpolate import CubicSpline
@@ -208,7 +208,7 @@ def _evenly(path: StrainPath) -> Floats:
 
 
 def _phi(inside: Inside, reach: float) -> Floats:
-    """Return places along the path, at nodes of the mesh, where the pressure's steps hardly show."""
+    """Return places along the path, at nodes of the mesh, at which the steps of the pressure have little effect."""
     spacing = inside.node_spacings()[0]
     half_width = max((inside.result.semi_axis_x or 0.0) / inside.radius, spacing)
     limit = _HALF_TURN if inside.turns else _THIRD
@@ -216,9 +216,9 @@ def _phi(inside: Inside, reach: float) -> Floats:
 
 
 def _theta(inside: Inside, reach: float) -> tuple[Floats, Floats]:
-    """Return places across the path by Gauss, and their weights [rad]; under a line one, of weight 1.
+    """Return Gauss points across the path, and their weights [rad]; in line contact, one point of weight 1.
 
-    Of a contact that is its own mirror image they are on one side, and stand for both.
+    For a mirror-symmetric contact, the points lie on one side, with double weights.
     """
     if inside.line_contact:
         return np.array([0.5 * math.pi]), np.ones(1)
@@ -237,7 +237,7 @@ def _theta(inside: Inside, reach: float) -> tuple[Floats, Floats]:
 
 
 def _is_mirrored(inside: Inside) -> bool:
-    """Return whether one side of the contact is as the other."""
+    """Return whether the contact is mirror-symmetric about its middle plane."""
     result = inside.result
     along, sideways = result.shear_traction
     pairs = [(result.pressure, 1.0), (along, 1.0), (sideways, -1.0)]
@@ -246,7 +246,7 @@ def _is_mirrored(inside: Inside) -> bool:
 
 
 def _panels(near: float, far: float, size: float) -> Floats:
-    """Return the ends of panels from one distance to another, ever longer ones, which are alike and end at the last."""
+    """Return the ends of panels of increasing length between two distances, scaled so that the last ends at `far`."""
     ends = [near]
     while ends[-1] < far * (1.0 - 1e-9):
         ends.append(ends[-1] + _PANEL * max(size, ends[-1] - near))
@@ -255,7 +255,7 @@ def _panels(near: float, far: float, size: float) -> Floats:
 
 
 def _gauss(ends: Floats, counts: Sequence[int]) -> tuple[Floats, Floats]:
-    """Return Gauss's points in panels, so many in each, and their weights."""
+    """Return Gauss points in panels, with the given number in each, and their weights."""
     places, weights = [], []
     for low, high, count in zip(ends[:-1], ends[1:], counts, strict=True):
         nodes, shares = np.polynomial.legendre.leggauss(count)
@@ -265,7 +265,7 @@ def _gauss(ends: Floats, counts: Sequence[int]) -> tuple[Floats, Floats]:
 
 
 def _max_order(inside: Inside, orders: float) -> float:
-    """Return the order up to which the strain of a contact is summed."""
+    """Return the highest order of the strain sum of a contact."""
     spacing = min(inside.node_spacings()[: 1 if inside.line_contact else 2])
     thinnest = float(np.diff(boundaries_of(inside.body)).min())
     length = min(contact_size(inside.result), thinnest / _OF_THICKNESS)
@@ -273,7 +273,7 @@ def _max_order(inside: Inside, orders: float) -> float:
 
 
 def _steps(half_width: float, count: int, reach: float) -> Floats:
-    """Return numbers of nodes, even ones over 1.5 half-widths and ever longer ones beyond, from -reach to reach."""
+    """Return node numbers from -reach to reach: even steps over 1.5 half-widths, and increasing steps beyond."""
     even = max(1, int(half_width / count))
     nodes = list(range(0, int(1.5 * half_width) + even + 1, even))
     while nodes[-1] < reach:
@@ -283,7 +283,7 @@ def _steps(half_width: float, count: int, reach: float) -> Floats:
 
 
 def _depths(inside: Inside, layer: int, points: int, reach: float) -> tuple[Floats, Floats]:
-    """Return depths in a layer, by Gauss in panels that grow with the depth, and their weights [m]."""
+    """Return depths in a layer, Gauss points in panels that grow with the depth, and their weights [m]."""
     edges = inside.depth(boundaries_of(inside.body))
     below, above = float(edges[layer]), float(edges[layer + 1])
     size = contact_size(inside.result)
@@ -292,7 +292,7 @@ def _depths(inside: Inside, layer: int, points: int, reach: float) -> tuple[Floa
 
 
 def _measure(inside: Inside, depth: Floats) -> Floats:
-    """Return the measure of the volume integral at depths, but for dr and dθ; docs/theory/dissipation.md."""
+    """Return the volume element at depths without dr and dθ; docs/theory/dissipation.md."""
     radius = inside.radius
     match body := inside.body:
         case CoatedSphere():

@@ -1,4 +1,4 @@
-"""Rolling of filled rubber, whose moduli fall with the strain that rolling makes: the two found together."""
+"""Rolling of filled rubber: contact and strain-dependent moduli are solved together."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["strain_softening"]
 
-#: Scales of the loss that theory has been held against exact solutions with, and strain up to which linear theory is.
+#: Range of loss scales in which theory was compared with exact solutions, and largest strain for linear theory.
 _PLAIN_SCALES = (0.5, 1.5)
 _LARGE_STRAIN = 0.2
 
@@ -41,56 +41,56 @@ def strain_softening(
     progress: ProgressLike = None,
     **options: Any,
 ) -> StrainSoftening:
-    """Solve rolling of layers whose moduli fall with strain, `SofteningModulus`: moduli and strain found together.
+    """Solve rolling of layers whose moduli decrease with strain (`SofteningModulus`), together with their strain.
 
-    Each layer has one modulus, that of the amplitude of its strain: half of the largest distance between two strains
-    that a point goes through, in its mean over the layer weighted by what the network loses.
+    Each layer has one modulus, that of its strain amplitude. At a point, the amplitude is half of the largest distance
+    between two strains of the point; the amplitude of the layer is the mean weighted by the loss of the network.
 
     Parameters
     ----------
     ball, on, load, angular_speed
-        As of `solve`; layers of either body, and a plane's base, may soften.
+        Same as in `solve`. Layers of either body, and the base of a plane, may soften.
     loss : {"network", "harmonic"}, default "network"
-        How the network loses: as one without rate does, which only knows where the strain turns, its loss modulus
-        scaled for the harmonics to lose as much; or as its loss modulus at that amplitude has it, summed over
-        harmonics, as the tire industry does. `torque_bounds` has both.
+        Loss of the network. "network": that of a rate-independent network, which depends only on the turning points of
+        the strain; a factor on the loss modulus makes the harmonics dissipate as much. "harmonic": the sum over
+        harmonics with the loss modulus at the amplitude, as in the tire industry. `torque_bounds` contains both.
     sublayers : int, default 1
-        Parts that every layer that softens is cut into, each with an amplitude of its own, in [1, 20]. It matters only
-        where a contact is shorter than a third of the layer.
+        Number of parts into which every layer that softens is divided, each with its own amplitude, in [1, 20]. It
+        matters only if a contact is shorter than a third of the layer.
     depths : int, default 4
-        Depths in a layer at which strain is followed, in [2, 20]; in thick ones several times as many.
+        Number of depths in a layer at which strain is evaluated, in [2, 20]; several times as many in thick layers.
     tolerance : float, default 1e-3
-        By which share of themselves amplitudes and losses may still change, in [1e-9, 0.1].
+        Largest relative change of amplitudes and losses at convergence [-], in [1e-9, 0.1].
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) after every pass.
+        True shows a progress bar; a callable is called as progress(stage, fraction) after every pass.
     **options
-        Of `solve`: friction, drive, accuracy, mesh, compliance, and so on; curvature EXACT has no inside.
+        Options of `solve`: friction, drive, accuracy, mesh, compliance, and so on. Curvature EXACT is not allowed.
 
     Returns
     -------
     StrainSoftening
-        The contact, and what was found: strain, moduli, both torques. Without a layer that softens that of `solve`.
+        Contact, strain, moduli and both torques. If no layer softens, the result of `solve`.
 
     Raises
     ------
     ValueError, TypeError
-        For bad input, as of `solve`.
+        If an argument is invalid, same as in `solve`.
     ConvergenceError
-        Where the amplitudes do not come to rest.
+        If the amplitudes do not converge.
     ImportError
-        Without the extras `viscoroll[studies]` and `viscoroll[files]`.
+        If the extra `viscoroll[studies]` or `viscoroll[files]` is missing.
 
     Warns
     -----
     ResultWarning
-        As of `solve`; where strain lies outside of a measured sweep, where the two ways to take the loss differ by half
-        and more, and above a strain of 0.2.
+        Same as in `solve`; also if strain lies outside of a measured sweep, if the harmonic sum is outside of 0.67 to 2
+        times the loss of the network, or if the strain amplitude is above 0.2.
 
     Notes
     -----
-    This is the steady loop of a network that keeps what each pass has broken. Rubber that recovers between two passes
-    loses more, in columns 13 to 82 %: more than all that is corrected for here. There is no set, no first pass
-    (Mullins), no drift. That strain whose axes turn loses as von Mises' plasticity has it is an assumption.
+    The model is the steady loop of a network that does not recover between passes. Rubber that recovers dissipates
+    more, in columns 13 to 82 %, which exceeds all corrections made here. The model has no set, no first pass (Mullins
+    effect) and no drift. The loss under rotating strain axes follows von Mises plasticity, which is an assumption.
 
     Examples
     --------
@@ -168,7 +168,7 @@ def _found(
 
 
 def _linear(result: Result, loss: Matching) -> StrainSoftening:
-    """Return what is found of layers of which none softens."""
+    """Return the result for layers of which none softens."""
     return StrainSoftening(
         result=result,
         loss=loss,

@@ -1,4 +1,4 @@
-"""Where the heat of a body may go: what a user says of its surroundings, and what of it a kind of body can have."""
+"""Thermal surroundings of a body: the arguments of the user, and their checks for each kind of body."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ __all__ = [
 
 
 class Core(Enum):
-    """What the core or the base does to heat; a number in its place is its conductivity [W/(m K)], of a ball's core."""
+    """Thermal condition at the core or base; for a ball, a number is the conductivity of a solid core [W/(m K)]."""
 
-    INSULATED = "insulated"  #: lets none through
-    ISOTHERMAL = "isothermal"  #: takes what comes, at a temperature of its own
+    INSULATED = "insulated"  #: no heat flow
+    ISOTHERMAL = "isothermal"  #: a given temperature, by default that of the surroundings
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Surroundings:
-    """Where heat may go: the arguments of `temperature`, as they were given."""
+    """Thermal surroundings: the arguments of `temperature` as given."""
 
     convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]]
     ambient: float
@@ -53,17 +53,17 @@ class Surroundings:
 
 
 def inner_coefficients(given: Surroundings, modes: HeatModes, area: Callable[[], float]) -> NDArray[np.float64] | None:
-    """Return coefficients at the inner surface [W/(m² K)], None where its temperature is given.
+    """Return the coefficients at the inner surface [W/(m² K)], or None if its temperature is given.
 
     Parameters
     ----------
     area : callable
-        Returns that of the inner surface [m²].
+        Function that returns the area of the inner surface [m²].
 
     Raises
     ------
     TypeError, ValueError
-        For bad input.
+        If an argument is invalid.
     """
     if not isinstance(given.core, Core):
         raise TypeError(f"core must be a viscoroll.Core but in a ball, got {shown(given.core)}")
@@ -76,12 +76,12 @@ def inner_coefficients(given: Surroundings, modes: HeatModes, area: Callable[[],
 
 
 def held_rise(given: Surroundings) -> float:
-    """Return the rise of a core at a given temperature [K].
+    """Return the rise of a core at a given temperature over the surroundings [K].
 
     Raises
     ------
     ValueError
-        Where another core has one.
+        If a temperature is given for a core that is not isothermal.
     """
     if given.core is not Core.ISOTHERMAL:
         if given.core_temperature is not None:
@@ -96,12 +96,12 @@ def held_rise(given: Surroundings) -> float:
 
 
 def even_film(given: Surroundings) -> float:
-    """Return the one coefficient at the surface [W/(m² K)], of a function that in the middle.
+    """Return the coefficient at the surface [W/(m² K)], or the value in the middle if it is a function.
 
     Raises
     ------
     TypeError, ValueError
-        Unless it is >= 0.
+        If the coefficient is negative or not a number.
     """
     if callable(given.convection):
         values = np.atleast_1d(np.asarray(given.convection(np.array([0.5 * np.pi])), dtype=np.float64))
@@ -110,24 +110,24 @@ def even_film(given: Surroundings) -> float:
 
 
 def require_sink(inside: Inside, film: float | NDArray[np.float64], other: bool) -> None:
-    """Refuse a body that nothing takes heat from.
+    """Raise a ValueError if nothing takes the heat of a body.
 
     Raises
     ------
     ValueError
-        Where neither the surface nor what `other` stands for takes any.
+        If neither the surface nor another part, given by `other`, takes heat.
     """
     if not other and not np.any(film) and inside.bulk_power > 0.0:
         raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
 
 
 def refuse(given: Surroundings, names: Sequence[str], body: str) -> None:
-    """Refuse what a kind of body has not.
+    """Raise a ValueError for arguments that do not apply to a kind of body.
 
     Raises
     ------
     ValueError
-        Where any of the names was given.
+        If any of the named arguments was given.
     """
     for name in names:
         if getattr(given, name) is not None:
@@ -135,12 +135,12 @@ def refuse(given: Surroundings, names: Sequence[str], body: str) -> None:
 
 
 def conductivities_of(inside: Inside, given: float | Sequence[float] | None) -> list[float]:
-    """Return the conductivity of every layer [W/(m K)].
+    """Return the conductivity of each layer [W/(m K)].
 
     Raises
     ------
     TypeError, ValueError
-        For bad input, and where there is none.
+        If a conductivity is invalid or missing.
     """
     layers = inside.body.layers
     if given is None:

@@ -1,4 +1,4 @@
-"""How hot layers get by what is lost in them: steady conduction, the source spread over a revolution or a period."""
+"""Temperature of the layers: conduction with the dissipated power averaged over a revolution or a period."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 
 __all__ = ["QUANTITIES", "Core", "Temperature", "plane_cooling", "temperature"]
 
-#: Ripple over a revolution, per largest rise, above which a mean over the revolution does not hold.
+#: Variation over a revolution, divided by the largest rise, above which the mean over a revolution is not valid.
 _RIPPLE = 0.2
 
 
-#: Numbers that are reported of a temperature: name, unit, what it is.
+#: Unit and label of each reported number of a temperature, by name.
 QUANTITIES = {
     "maximum": ("K", "largest temperature rise"),
     "surface_maximum": ("K", "largest rise on the surface"),
@@ -42,35 +42,35 @@ QUANTITIES = {
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Temperature:
-    """Steady temperature of layers.
+    """Steady temperature of the layers, and its approach over time if requested.
 
     Attributes
     ----------
     rise : xarray.DataArray
-        Over that of the surroundings [K], over (radius, theta) of a ball, (radius, z) of a roller or a wheel, and
-        (depth, z) of a plane.
+        Rise over the surroundings [K], over (radius, theta) for a ball, (radius, z) for a roller or a wheel, and
+        (depth, z) for a plane.
     maximum, surface_maximum : float
-        Largest rise anywhere, and on the surface [K].
+        Largest rise in the layers, and on the surface [K].
     mean : float
-        Rise, weighted by the power lost [K]: what the moduli see, to first order.
+        Rise weighted by the dissipated power [K]; to first order, it determines the moduli.
     layer_means : tuple of float
-        The same of each layer [K].
+        Mean rise of each layer, weighted in the same way [K].
     ambient : float
         Temperature of the surroundings [K].
     heat : float
-        Power that is lost in the layers, in `heat_unit`.
+        Power dissipated in the layers, in `heat_unit`.
     heat_to_core, heat_to_surroundings : float
-        Where it goes, to a core, a hub or a base and by all free faces; they add up to `heat`.
+        Heat that leaves to a core, hub or base, and through all free surfaces; the sum is `heat`.
     ripple : float
-        What the temperature of a point swings by over a revolution, or a period, at most [K]: the mean is wrong by no
-        more.
+        Largest possible variation of the temperature of a point over a revolution or a period [K]; the error of the
+        mean is at most this.
     heat_unit : str
-        W; of a roller without a width and of a track W/m; of a belt W/m².
+        W; W/m for a roller without a width and for a track on a plane; W/m² for a belt.
     times : tuple of float
-        The three slowest times in which the state is come to [s], with this heat capacity: what is left falls to 1/e.
-        None where convection varies along the surface.
+        Three longest time constants of the approach to the steady state [s], for this heat capacity. Empty if
+        convection varies along the surface.
     history : xarray.Dataset or None
-        Over the times that were asked for [s]: `rise` [K] as above, and `maximum`, `surface_maximum`, `mean` [K].
+        Dataset over the requested times [s]: `rise` [K] as above, and `maximum`, `surface_maximum`, `mean` [K].
     """
 
     rise: xarray.DataArray
@@ -127,70 +127,73 @@ def temperature(
     max_order: int | None = None,
     progress: ProgressLike = None,
 ) -> Temperature:
-    """Temperature of layers that have rolled, or been rolled on, for long.
+    """Return the steady temperature of the layers of one body.
 
     Parameters
     ----------
     result : Result
-        A solution.
+        Solution of a contact.
     conductivity : float or sequence of float, optional
-        Of the layers, or of each [W/(m K)], > 0; by default that of each `Layer`.
+        Conductivity of all layers or of each layer [W/(m K)], > 0; by default that of each `Layer`.
     convection : float or callable
-        Coefficient at the surface [W/(m² K)], ≥ 0, or a function of an array of angles θ [rad] that returns it:
-        `plane_cooling` makes one that adds the heat that the plane takes; only a ball's and a wheel's may vary with θ.
+        Coefficient of convection at the surface [W/(m² K)], ≥ 0, or a function that returns it for an array of angles θ
+        [rad]; only for a ball or a wheel may it vary with θ. `plane_cooling` returns a function that includes the heat
+        that the plane takes.
     ambient : float
         Temperature of the surroundings [K], ≥ 100.
     core : Core or float, default Core.INSULATED
-        What the core of a ball, the hub of a roller or a wheel, or the base of a plane, does: insulated, isothermal, or
-        the conductivity of a ball's solid core [W/(m K)]. Without a core, INSULATED.
+        Thermal condition at the core of a ball, the hub of a roller or wheel, or the base of a plane: insulated,
+        isothermal, or the conductivity of a ball's solid core [W/(m K)]. Must be INSULATED for a ball without a core.
     core_temperature : float, optional
-        Of an isothermal core [K]; by default that of the surroundings.
+        Temperature of an isothermal core [K]; by default that of the surroundings.
     of : "ball" or "counterpart", optional
-        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
+        Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
     width : float, optional
-        Of a roller from face to face [m], > 0; without it heat is per length and no face takes any. Wheels have theirs.
+        Width of a roller from face to face [m], > 0. Without it, heat is per length and the faces take none. Do not
+        give it for a wheel.
     side_convection : float, optional
-        Coefficient at the side faces of a roller or a wheel [W/(m² K)], ≥ 0, by default 0; layers of one conductivity.
+        Coefficient of convection at the side faces of a roller or wheel [W/(m² K)], ≥ 0, by default 0. It requires the
+        same conductivity in all layers.
     hub_conductance : float, optional
-        From the hub of a roller or a wheel to the surroundings [W/K], ≥ 0, by default 0.
+        Thermal conductance from the hub of a roller or wheel to the surroundings [W/K], ≥ 0, by default 0.
     base_convection : float, optional
-        Coefficient below a plane, such as at a belt's other face [W/(m² K)], ≥ 0.
+        Coefficient of convection below a plane, such as at the other face of a belt [W/(m² K)], ≥ 0.
     period : float, optional
-        Of a plane, from one pass to the next [s], > 0.
+        Time from one pass over a plane to the next [s], > 0; required for a plane.
     time : array_like, optional
-        Times [s], ≥ 0, at which the way to the steady state is wanted as `history`; `convection` is a number then.
+        Times [s], ≥ 0, at which `history` contains the approach to the steady state; requires a constant `convection`.
     start : Temperature, optional
-        What was there at time 0, of the same layers: the last of its history, or else its steady state; by default all
-        is as warm as the surroundings.
+        State at time 0, of the same layers: the end of its history, or its steady state if it has none. By default all
+        layers have the temperature of the surroundings.
     heat_capacity : float, default 2e6
-        Per volume, ρc [J/(m³ K)], > 0, of rubber by default: it counts over time, and in the warning that a mean over
-        a revolution does not hold.
+        Heat capacity per volume ρc [J/(m³ K)], > 0; by default that of rubber. It affects only temperatures over time,
+        `times`, `ripple` and the warning about the mean over a revolution.
     max_order, progress
-        As of `Result.loss`.
+        Same as in `Result.loss`.
 
     Returns
     -------
     Temperature
-        The rise and where the heat goes.
+        Temperature rise and heat flows.
 
     Raises
     ------
     TypeError, ValueError
-        For bad input, and where nothing takes the heat.
+        If an argument is invalid, or if no surface takes the heat.
     ImportError
-        Without the extra `viscoroll[files]`.
+        If the extra `viscoroll[files]` is missing.
 
     Warns
     -----
     ResultWarning
-        Where the temperature of a point swings over a revolution by more than a fifth of the largest rise.
+        If the temperature of a point varies over a revolution by more than a fifth of the largest rise.
 
     Notes
     -----
-    The source is what the model loses in r² dr dθ dφ, put into the sphere's volume. The heat of slip on the plane is
-    not in it. A track across a plane has others beside it, a circumference of what rolls apart. A wheel conducts in its
-    straight section, whatever its crown, between faces at its width; the source there is its loss between them, which
-    is made up to all that it loses.
+    The source is the loss of the model, with the volume element r² dr dθ dφ, in the volume of the sphere. Heat from
+    slip at the surface is not included. A plane has parallel tracks, at a distance of one circumference of the rolling
+    body or several. The section of a wheel is rectangular, whatever its crown, and ends at its faces; the source is its
+    loss between the faces, scaled to the total power.
 
     Examples
     --------
@@ -319,29 +322,29 @@ def plane_cooling(
     heat_capacity: float = 2e6,
     plane_effusivity: float = np.inf,
 ) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
-    """Convection with the heat that the plane takes at every passage: an estimate, for `temperature`.
+    """Return a convection coefficient that includes an estimate of the heat taken by the plane, for `temperature`.
 
-    A strip of the surface touches the plane for t_c = (its length in contact)/(Ω r_o) and gives it 2 e ΔT √(t_c/π)
-    e_p/(e + e_p) per area, as two half-spaces do; averaged over a revolution that is a coefficient.
+    A strip of the surface is in contact with the plane for t_c = (its length in contact)/(Ω r_o). Per area it transfers
+    the heat 2 e ΔT √(t_c/π) e_p/(e + e_p) between two half-spaces; the mean over a revolution gives the coefficient.
 
     Parameters
     ----------
     result : Result
-        A solution.
+        Solution of a contact.
     convection : float
-        Without the plane [W/(m² K)], ≥ 0.
+        Coefficient of convection without the plane [W/(m² K)], ≥ 0.
     conductivity : float
-        Of the outer layer [W/(m K)], > 0.
+        Conductivity of the outer layer [W/(m K)], > 0.
     heat_capacity : float, default 2e6
-        Of the outer layer, ρc [J/(m³ K)], > 0.
+        Heat capacity per volume ρc of the outer layer [J/(m³ K)], > 0.
     plane_effusivity : float, default infinity
-        √(kρc) of the plane [W √s/(m² K)], > 0; infinite for metals, compared with rubber. The plane is as warm as the
-        surroundings.
+        Effusivity √(kρc) of the plane [W √s/(m² K)], > 0; infinite for a metal compared with rubber. The plane has the
+        temperature of the surroundings.
 
     Returns
     -------
     callable
-        Coefficient [W/(m² K)] at angles θ [rad].
+        Function that returns the coefficient [W/(m² K)] at angles θ [rad].
 
     References
     ----------

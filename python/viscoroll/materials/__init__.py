@@ -1,4 +1,4 @@
-"""Shear moduli, and how temperature shifts them."""
+"""Shear moduli of viscoelastic materials, strain-dependent filler networks and time-temperature shifts."""
 
 from .draws import Draws
 from .loss_factor import LossFactor

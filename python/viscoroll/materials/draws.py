@@ -1,4 +1,4 @@
-"""A material that is not known exactly: what was found, and draws of what may be true instead."""
+"""Uncertain materials: a best estimate together with equally likely alternatives."""
 
 from __future__ import annotations
 
@@ -13,21 +13,22 @@ __all__ = ["Draws"]
 T = TypeVar("T")
 S = TypeVar("S")
 
-#: The fewest that tell a scatter.
+#: Smallest number of draws for which a scatter can be estimated.
 _FEWEST = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class Draws(Sequence[T], Generic[T]):
-    """A material, or what one is made from, and equally likely draws of what may be true instead.
+    """Best estimate of a material, or of the data that define one, with equally likely alternatives.
 
-    `PronyFit.draws` and `Superposition.draws` return them, and `viscoroll.sweep` takes them in place of a material;
-    so it does those of one's own, as specimens of several batches. It is a sequence of the draws.
+    `PronyFit.draws` and `Superposition.draws` return such sets, and `viscoroll.sweep` accepts one in place of a
+    material. A set may also be built by hand, for example from specimens of several batches. The object is a sequence
+    of the draws.
 
     Parameters
     ----------
     middle : object
-        What was found.
+        Best estimate.
     members : iterable
         The draws, at least two.
 
@@ -55,7 +56,7 @@ class Draws(Sequence[T], Generic[T]):
     def __getitem__(self, index: slice) -> Sequence[T]: ...
 
     def __getitem__(self, index: int | slice) -> T | Sequence[T]:
-        """Return a draw, or several."""
+        """Return one draw, or a slice of the draws."""
         return self.members[index]
 
     def __len__(self) -> int:
@@ -67,15 +68,15 @@ class Draws(Sequence[T], Generic[T]):
         return iter(self.members)
 
     def map(self, function: Callable[[T], S]) -> Draws[S]:
-        """Return what a function makes of the middle and of each draw: ``curves.map(lambda c: c.at(temperature=40))``.
+        """Return the draws that result from applying a function: ``curves.map(lambda c: c.at(temperature=40))``.
 
         Parameters
         ----------
         function : callable
-            Called with each.
+            Function of one draw. It is applied to the best estimate and to every draw.
         """
         return Draws(function(self.middle), map(function, self.members))
 
     def __repr__(self) -> str:
-        """Return how many, of what."""
+        """Return the number of draws and a short description of the best estimate."""
         return f"{len(self.members)} draws of {shown(self.middle)}"

@@ -1,4 +1,4 @@
-"""A modulus with one loss factor over decades, for data sheets that give no more."""
+"""Modulus with a nearly constant loss factor, for materials whose data sheet gives no frequency dependence."""
 
 from __future__ import annotations
 
@@ -12,32 +12,32 @@ from .moduli import Prony, ShearModulus
 
 __all__ = ["LossFactor"]
 
-#: Relaxation times to a decade; the sum that stands for the integral over them ripples by 3e-4 with two.
+#: Relaxation times per decade. With two, the sum over them differs from the integral by a ripple of 3e-4.
 _TERMS_PER_DECADE = 3
 
-#: How far the terms reach beyond the decades in which the loss factor is to hold.
+#: Decades by which the terms extend beyond the range in which the loss factor is nearly constant, at either end.
 _MARGIN = 1.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LossFactor(ShearModulus):
-    """Modulus whose loss factor hardly depends on frequency, and which is causal: its storage rises as it must.
+    """Causal modulus whose loss factor is nearly independent of frequency.
 
-    The law is that of Kjartansson, μ* = G |.| (iω/ω₀)^α with α = (2/π) atan η, whose loss factor is η at every
-    frequency; a storage modulus that does not depend on frequency at all would not be causal. It is cut off `decades`
-    above and below ω₀, outside of which the material is elastic: a solid bears loads at rest. In between the loss
-    factor is off by 0.5 % of itself at the most for η up to 1, 3 % up to 2.
+    The modulus follows the law of Kjartansson, μ* = G |.| (iω/ω₀)^α with α = (2/π) atan η, whose loss factor is η at
+    every frequency. Its storage modulus increases slightly with frequency: a constant one would not be causal. The law
+    holds over `decades` above and below ω₀. Beyond that range the material is elastic, so it supports a static load.
+    Within the range the relative error of the loss factor is at most 0.5 % for η up to 1, and 3 % for η up to 2.
 
     Parameters
     ----------
     modulus : float
         Storage shear modulus at `reference_frequency` [Pa], > 0.
     loss_factor : float
-        η = tan δ [-], in [1e-6, 2].
+        Loss factor η = tan δ [-], in [1e-6, 2].
     reference_frequency : float
-        ω₀ [rad/s], > 0: choose Ω R/a, the speed by radius per half-width of the contact.
+        ω₀ [rad/s], > 0. Choose Ω R/a, with the angular speed Ω, the radius R and the half-width a of the contact.
     decades : float, default 3
-        How far the law holds above and below ω₀ [decades], in [0.5, 8].
+        Decades above and below ω₀ over which the law holds [-], in [0.5, 8].
 
     References
     ----------
@@ -56,12 +56,12 @@ class LossFactor(ShearModulus):
     decades: float = 3.0
 
     def prony(self) -> Prony:
-        """Return the sum of relaxations that stands for the law.
+        """Return the Prony series that approximates the law.
 
         Raises
         ------
         ValueError
-            For parameters out of range.
+            If a parameter is out of range.
         """
         for name, low, high, unit in (
             ("modulus", 0.0, math.inf, " Pa"),
@@ -88,11 +88,12 @@ class LossFactor(ShearModulus):
 
 
 def _spectrum(alpha: float, reach: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return weights, times and relaxed modulus of (iω)^α, for frequencies around 1.
+    """Return weights, times and relaxed modulus of a series for (iω)^α, at frequencies around 1.
 
-    (iω)^α = sin(απ)/π ∫ τ^{-α} iωτ/(1 + iωτ) d ln τ. Longer times than the grid's are still stiff at its frequencies:
-    they make the relaxed modulus, but for the loss Σ w/(ωτ), which a term beyond the end makes up for. Shorter times
-    make a loss Σ w ωτ, which one before the start makes up for.
+    The spectrum is (iω)^α = sin(απ)/π ∫ τ^{-α} iωτ/(1 + iωτ) d ln τ. Terms with times longer than the grid contribute
+    their full modulus at its frequencies: they form the relaxed modulus. Their loss Σ w/(ωτ) is represented by one term
+    beyond the end of the grid. Terms with shorter times contribute the loss Σ w ωτ, represented by one term before its
+    start.
     """
     step = math.log(10.0) / _TERMS_PER_DECADE
     count = round(2.0 * reach * _TERMS_PER_DECADE)

@@ -1,7 +1,7 @@
 """Shear moduli of linear viscoelastic materials as functions of angular frequency.
 
-The time factor is exp(+iωt): the storage modulus is the real part of μ*(ω) and the loss modulus its imaginary part,
-which is not negative at ω ≥ 0 for a passive material.
+The time factor is exp(+iωt): the storage modulus is the real part of μ*(ω), and the loss modulus its imaginary part.
+The loss modulus of a passive material is not negative at ω ≥ 0.
 """
 
 from __future__ import annotations
@@ -44,18 +44,18 @@ __all__ = [
 
 
 class ShearModulus(ParameterTable, ABC):
-    """Base of all moduli that this module defines."""
+    """Base class of the moduli defined in this module."""
 
     __slots__ = ()
 
     def __post_init__(self) -> None:
-        """Store the numbers as floats and check the parameters."""
+        """Store numbers as floats and check the parameters."""
         store_floats(self, [field.name for field in fields(self) if field.type == "float"])  # type: ignore[arg-type]
         _core.validate_modulus(self._to_core())
 
     @abstractmethod
     def _to_core(self) -> _CoreModulus:
-        """Return the modulus as the core knows it."""
+        """Return the corresponding modulus of the C++ core."""
 
     def complex_modulus(self, angular_frequency: ArrayLike) -> NDArray[np.complex128]:
         """Evaluate μ*(ω).
@@ -73,22 +73,22 @@ class ShearModulus(ParameterTable, ABC):
         Raises
         ------
         TypeError
-            For frequencies that are not real numbers.
+            If the frequencies are not real numbers.
         ValueError
-            For a negative or infinite frequency, or one outside a master curve that is not held.
+            If a frequency is negative or infinite, or outside the table of a master curve with `extrapolation="error"`.
         """
         omega = as_float_array("angular_frequency", angular_frequency)
         return _core.complex_modulus(self._to_core(), omega.ravel()).reshape(omega.shape)
 
 
-#: A modulus of this package, a number, which is an elastic modulus [Pa], or a function of an array of angular
-#: frequencies ω [rad/s] that returns μ*(ω) [Pa]: an array of them, or one number for all.
+#: Types accepted as a shear modulus: a modulus of this package; a number, which is an elastic modulus [Pa]; or a
+#: function of an array of angular frequencies ω [rad/s] that returns μ*(ω) [Pa] as an array, or as one number for all.
 ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any] | float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Elastic(ShearModulus):
-    """Modulus without loss, μ* = G.
+    """Elastic modulus, μ* = G, without dissipation.
 
     Parameters
     ----------
@@ -116,9 +116,9 @@ class Prony(ShearModulus):
     instantaneous_modulus : float
         Shear modulus G₀ at infinite frequency [Pa], > 0.
     weights : array_like
-        g_k [-], each in [0, 1], with a sum up to 1 but for round-off; terms of weight 0 are dropped.
+        Weights g_k [-], each in [0, 1], with a sum of at most 1 apart from round-off. Terms of weight 0 are dropped.
     relaxation_times : array_like
-        τ_k [s], > 0, as many as `weights`.
+        Relaxation times τ_k [s], > 0, as many as `weights`.
 
     References
     ----------
@@ -136,7 +136,7 @@ class Prony(ShearModulus):
     relaxation_times: Sequence[float] | NDArray[np.float64]
 
     def __post_init__(self) -> None:
-        """Freeze the sequences and check the parameters."""
+        """Convert the sequences to tuples and check the parameters."""
         object.__setattr__(self, "weights", as_floats("weights", self.weights))
         object.__setattr__(self, "relaxation_times", as_floats("relaxation_times", self.relaxation_times))
         ShearModulus.__post_init__(self)
@@ -152,7 +152,7 @@ class Prony(ShearModulus):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StandardLinearSolid(ShearModulus):
-    """Standard linear solid: the Prony series with one term, given by its two limits.
+    """Standard linear solid: a Prony series with one term, given by its two limiting moduli.
 
     Parameters
     ----------
@@ -161,7 +161,7 @@ class StandardLinearSolid(ShearModulus):
     relaxed_modulus : float
         Shear modulus at zero frequency [Pa], in [1e-12, 1] times `instantaneous_modulus`.
     relaxation_time : float
-        τ [s], > 0, of the stress at constant strain.
+        Relaxation time τ of the stress at constant strain [s], > 0.
 
     Examples
     --------
@@ -176,7 +176,7 @@ class StandardLinearSolid(ShearModulus):
 
     def _to_core(self) -> _core.Prony:
         series = _core.standard_linear_solid(**_given(self))
-        # The series holds 1 - relaxed / instantaneous: of a smaller ratio that difference keeps less than four digits.
+        # The series stores 1 - relaxed / instantaneous. For smaller ratios, that difference has fewer than four digits.
         if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
             raise ValueError(
                 f"relaxed_modulus must be >= 1e-12 instantaneous_modulus = {1e-12 * self.instantaneous_modulus:g} Pa, "
@@ -187,12 +187,12 @@ class StandardLinearSolid(ShearModulus):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class KelvinVoigt(ShearModulus):
-    """Spring and dashpot side by side, μ* = G + iωη.
+    """Kelvin-Voigt solid: a spring and a dashpot in parallel, μ* = G + iωη.
 
     Parameters
     ----------
     modulus : float
-        Shear modulus at rest G [Pa], > 0.
+        Relaxed shear modulus G [Pa], > 0.
     viscosity : float
         Shear viscosity η [Pa s], ≥ 0.
 
@@ -211,7 +211,7 @@ class KelvinVoigt(ShearModulus):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FractionalZener(ShearModulus):
-    """Fractional Zener solid, μ* = (G_∞ + G₀ (iωτ)^α) / (1 + (iωτ)^α): a standard linear solid with a springpot.
+    """Fractional Zener solid, a standard linear solid with a springpot: μ* = (G_∞ + G₀ (iωτ)^α) / (1 + (iωτ)^α).
 
     Parameters
     ----------
@@ -220,13 +220,13 @@ class FractionalZener(ShearModulus):
     relaxed_modulus : float
         Shear modulus G_∞ at zero frequency [Pa], > 0.
     relaxation_time : float
-        τ [s], > 0.
+        Relaxation time τ [s], > 0.
     order : float
-        α [-] in (0, 1]; 1 is the standard linear solid.
+        Order α of the derivatives [-], in (0, 1]; 1 gives the standard linear solid.
 
     References
     ----------
-    R. L. Bagley and P. J. Torvik, AIAA Journal 21 (1983) 741-748, with equal orders of both derivatives.
+    R. L. Bagley and P. J. Torvik, AIAA Journal 21 (1983) 741-748, with the same order for both derivatives.
 
     Examples
     --------
@@ -246,22 +246,23 @@ class FractionalZener(ShearModulus):
 
 @dataclass(frozen=True, slots=True)
 class MasterCurve(ShearModulus):
-    """Tabulated modulus, linear in the logarithm of frequency between the entries.
+    """Tabulated modulus, interpolated linearly over the logarithm of the frequency.
 
-    A rolling sphere uses the frequencies 0, Ω, 2Ω, ... of its harmonics: up to N_t Ω on a mesh with a truncation order,
-    else up to twice the nodes per revolution times Ω, where higher harmonics are held. A first frequency of 0 gives the
-    static modulus and serves zero frequency alone; without it, order m = 0 lies outside the table.
+    A rolling sphere evaluates the modulus at the frequencies 0, Ω, 2Ω, ... of its harmonics: up to N_t Ω on a mesh with
+    a truncation order, otherwise up to 2 N Ω with N nodes per revolution, beyond which the modulus is held constant. A
+    first entry at frequency 0 is the static modulus and is used at zero frequency only. Without it, order m = 0 lies
+    outside the table.
 
     Parameters
     ----------
     frequency : array_like
-        Angular frequency [rad/s], strictly increasing, ≥ 0, at least two entries above 0.
+        Angular frequencies [rad/s], ≥ 0, strictly increasing, at least two of them above 0.
     storage : array_like
-        Storage modulus [Pa], > 0, as long as `frequency`.
+        Storage moduli [Pa], > 0, as many as `frequency`.
     loss : array_like
-        Loss modulus [Pa], ≥ 0, as long as `frequency`.
+        Loss moduli [Pa], ≥ 0, as many as `frequency`.
     extrapolation : Extrapolation or str, default Extrapolation.ERROR
-        Refuse frequencies outside the table, or hold the end values.
+        Treatment of frequencies outside the table: raise an error, or hold the end values.
 
     Examples
     --------
@@ -276,7 +277,7 @@ class MasterCurve(ShearModulus):
     extrapolation: _core.Extrapolation = _core.Extrapolation.ERROR
 
     def __post_init__(self) -> None:
-        """Freeze the table and check it."""
+        """Convert the columns to tuples and check the table."""
         for name in ("frequency", "storage", "loss"):
             object.__setattr__(self, name, as_floats(name, getattr(self, name)))
         object.__setattr__(self, "extrapolation", as_member("extrapolation", self.extrapolation, _core.Extrapolation))
@@ -287,19 +288,19 @@ class MasterCurve(ShearModulus):
 
 
 def to_core(modulus: ShearModulusLike) -> _CoreModulus:
-    """Return any accepted modulus as the core knows it.
+    """Convert any accepted modulus to the corresponding modulus of the C++ core.
 
     Raises
     ------
     TypeError
-        Where `modulus` is neither of this package, nor callable, nor a number.
+        If `modulus` is neither a modulus of this package, nor callable, nor a number.
     """
     known = as_modulus(modulus)
     return known._to_core() if isinstance(known, ShearModulus) else _core.CustomModulus(_numbers_of(known))
 
 
 def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]:
-    """Return a modulus or a function as it is, and a number as the elastic modulus [Pa] that it means."""
+    """Return a modulus or function unchanged, and a number as an elastic modulus [Pa]."""
     if isinstance(modulus, ShearModulus) or callable(modulus):
         return modulus
     try:
@@ -313,12 +314,12 @@ def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]
 
 
 def _given(modulus: ShearModulus) -> dict[str, Any]:
-    """Return the parameters of a modulus, whose names and types are the core's."""
+    """Return the parameters of a modulus, with the names and types that the core uses."""
     return {field.name: getattr(modulus, field.name) for field in fields(modulus)}  # type: ignore[arg-type]
 
 
 def _way_to_a_modulus(measured: object) -> str:
-    """Say what of measured moduli, or of a fit to them, is a modulus."""
+    """Return a hint how to obtain a modulus from measured data or from a fit."""
     ways = {
         "at": "its at(temperature=...)",
         "series": "its series",
@@ -331,7 +332,7 @@ def _way_to_a_modulus(measured: object) -> str:
 
 
 def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]:
-    """Return a user's function with a check that what it returns are numbers; the core checks shape and values."""
+    """Wrap a user's function with a check that it returns numbers. The core checks shape and values."""
 
     def modulus(omega: NDArray[np.float64]) -> NDArray[Any]:
         values = _as_numbers(function(omega))

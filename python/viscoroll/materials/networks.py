@@ -1,4 +1,4 @@
-"""Laws of a network of filler, which softens and loses by the amplitude of strain and not by frequency."""
+"""Laws of a filler network, whose storage and loss depend on the strain amplitude and not on the frequency."""
 
 from __future__ import annotations
 
@@ -19,33 +19,34 @@ if TYPE_CHECKING:
 
 __all__ = ["KrausNetwork", "MasingNetwork", "Network"]
 
-#: Below it the closed form of the hyperbolic loss cancels to less than ten digits, and its series is taken.
+#: Relative amplitude below which a series replaces the closed form of the hyperbolic loss, whose cancellation there
+#: leaves fewer than ten digits.
 _SERIES_BELOW = 0.03
 _SERIES_TERMS = 12
 
 
 class Network(ParameterTable, ABC):
-    """Base of the laws: storage and loss over the amplitude of shear strain, single, not from peak to peak."""
+    """Base class of the network laws: storage and loss as functions of the single amplitude of shear strain."""
 
     __slots__ = ()
 
     def at(self, amplitude: ArrayLike) -> tuple[Floats, Floats]:
-        """Return storage and loss modulus.
+        """Return storage and loss modulus at a strain amplitude.
 
         Parameters
         ----------
         amplitude : array_like
-            g, amplitude of shear strain [-], ≥ 0, of any shape.
+            Amplitude g of shear strain [-], ≥ 0, of any shape.
 
         Returns
         -------
         storage, loss : ndarray
-            N', N'' [Pa], of the same shape.
+            N' and N'' [Pa], of the same shape.
 
         Raises
         ------
         ValueError
-            For an amplitude that is negative or infinite.
+            If an amplitude is negative or infinite.
         """
         strain = as_float_array("amplitude", amplitude)
         if not (np.isfinite(strain).all() and (strain >= 0.0).all()):
@@ -54,40 +55,41 @@ class Network(ParameterTable, ABC):
 
     @abstractmethod
     def _moduli(self, strain: Floats) -> tuple[Floats, Floats]:
-        """Return N' and N'' [Pa] at amplitudes of strain."""
+        """Return N' and N'' [Pa] at strain amplitudes."""
 
     @property
     @abstractmethod
     def yield_strain(self) -> float:
-        """Strain at which the storage modulus is about half of that at rest [-]; infinite where it never is."""
+        """Strain at which the storage modulus is about half of its value at rest [-]; infinite if it never is."""
 
     @property
     def known_strains(self) -> tuple[float, float]:
-        """Amplitudes between which the law is known [-]."""
+        """Smallest and largest strain amplitude for which the law is valid [-]."""
         return 0.0, math.inf
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class KrausNetwork(Network):
-    """Kraus' law, N' = N'₀ / (1 + u²) and N'' = 2 N''_m u / (1 + u²) with u = (g/γ_c)^m.
+    """Network with Kraus's law, N' = N'₀ / (1 + u²) and N'' = 2 N''_m u / (1 + u²) with u = (g/γ_c)^m.
 
-    Bonds of the network break as g^m and form again as g^-m; its loss is largest at γ_c, where its storage is half.
+    The bonds of the network break at a rate proportional to g^m and form again at a rate proportional to g^-m. The loss
+    has its maximum at γ_c, where the storage modulus is half of N'₀.
 
     Parameters
     ----------
     storage : float
-        N'₀ = G'₀ - G'_∞, storage modulus at small less that at large strain [Pa], > 0.
+        N'₀ = G'₀ - G'_∞ [Pa], > 0: storage modulus at small strain minus that at large strain.
     loss : float
-        N''_m = G''_m - G''_∞, largest loss modulus less that at large strain [Pa], ≥ 0.
+        N''_m = G''_m - G''_∞ [Pa], ≥ 0: largest loss modulus minus that at large strain.
     critical_strain : float
-        γ_c, amplitude of shear strain [-], > 0.
+        Critical amplitude γ_c of shear strain [-], > 0.
     exponent : float, default 0.6
-        m [-], in (0, 1]; carbon black has 0.5 to 0.65.
+        Exponent m [-], in (0, 1]; 0.5 to 0.65 for carbon black.
 
     References
     ----------
     G. Kraus, "Mechanical losses in carbon-black-filled rubbers", J. Appl. Polym. Sci.: Appl. Polym. Symp. 39 (1984)
-    75-92. The formulas were not held against the paper itself.
+    75-92. The formulas were not checked against the paper.
 
     Examples
     --------
@@ -102,7 +104,7 @@ class KrausNetwork(Network):
     exponent: float = 0.6
 
     def __post_init__(self) -> None:
-        """Store the numbers as floats and check them."""
+        """Store numbers as floats and check them."""
         store_floats(self, [field.name for field in fields(self)])
         store_positive(self, {"storage": "Pa", "critical_strain": ""})
         as_not_negative("loss", self.loss, "Pa")
@@ -111,7 +113,7 @@ class KrausNetwork(Network):
 
     @property
     def yield_strain(self) -> float:
-        """Strain at which the storage modulus is half of that at rest [-]."""
+        """Strain at which the storage modulus is half of its value at rest [-]."""
         return self.critical_strain
 
     def _moduli(self, strain: Floats) -> tuple[Floats, Floats]:
@@ -121,21 +123,22 @@ class KrausNetwork(Network):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MasingNetwork(Network):
-    """Springs and dry sliders side by side, whose first loading is τ = N γ / (1 + γ/γ_c); the loss follows from it.
+    """Network of springs and dry sliders in parallel, whose first loading is τ = N γ / (1 + γ/γ_c).
 
-    Masing's rule, every branch the first one doubled, gives the loop; N' and N'' are its first harmonic, and the area
-    of the loop is π g² N''. The largest loss, 0.1514 N at 1.567 γ_c, is what carbon black has.
+    The loss follows from the first loading. By Masing's rule, each branch of the loop is the first loading enlarged by
+    a factor of 2. N' and N'' are the first harmonic, and the area of the loop is π g² N''. The largest loss, 0.1514 N
+    at g = 1.567 γ_c, is that of carbon black.
 
     Parameters
     ----------
     storage : float
-        N, modulus of the network at small strain [Pa], > 0.
+        Modulus N of the network at small strain [Pa], > 0.
     critical_strain : float
-        γ_c [-], > 0.
+        Critical strain γ_c [-], > 0.
 
     References
     ----------
-    Closed forms of docs/theory/filled-rubber.md.
+    Closed forms in docs/theory/filled-rubber.md.
 
     Examples
     --------
@@ -148,13 +151,13 @@ class MasingNetwork(Network):
     critical_strain: float
 
     def __post_init__(self) -> None:
-        """Store the numbers as floats and check them."""
+        """Store numbers as floats and check them."""
         store_floats(self, [field.name for field in fields(self)])
         store_positive(self, {"storage": "Pa", "critical_strain": ""})
 
     @property
     def yield_strain(self) -> float:
-        """Strain at which the storage modulus is about half of that at rest [-]."""
+        """Strain at which the storage modulus is about half of its value at rest [-]."""
         return self.critical_strain
 
     def _moduli(self, strain: Floats) -> tuple[Floats, Floats]:
@@ -163,10 +166,10 @@ class MasingNetwork(Network):
 
 
 def hyperbolic_moduli(x: Floats) -> tuple[Floats, Floats]:
-    """Return N'/N and N''/N of a hyperbolic Masing network, whose first loading is x/(1 + x), at amplitudes x [-].
+    """Return N'/N and N''/N of a Masing network with the first loading x/(1 + x), at relative amplitudes x [-].
 
-    N'/N = (8/x²) [(1 + x/2)/√(1 + x) - 1], here without its cancellation, and
-    N''/N = [8 (x - ln(1 + x))/x² - 4/(1 + x)]/π.
+    The moduli are N'/N = (8/x²) [(1 + x/2)/√(1 + x) - 1], evaluated here in a form without cancellation, and N''/N = [8
+    (x - ln(1 + x))/x² - 4/(1 + x)]/π.
     """
     root = np.sqrt(1.0 + x)
     storage = 2.0 / (root * (1.0 + 0.5 * x + root))

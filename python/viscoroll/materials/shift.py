@@ -1,6 +1,6 @@
-"""Time-temperature shift: moduli at another temperature than that of their measurement, μ*(ω, T) = μ*(a_T(T) ω).
+"""Time-temperature shift: moduli at a temperature other than that of the measurement, μ*(ω, T) = μ*(a_T(T) ω).
 
-Temperatures are in kelvin everywhere.
+All temperatures are in kelvin.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _GAS_CONSTANT = 8.314462618  # [J/(mol K)], CODATA 2018
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WilliamsLandelFerry:
-    """log₁₀ a_T = -C₁ (T - T_r) / (C₂ + T - T_r).
+    """Williams-Landel-Ferry law of the shift factor, log₁₀ a_T = -C₁ (T - T_r) / (C₂ + T - T_r).
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ class WilliamsLandelFerry:
     c2 : float
         C₂ [K], > 0.
     reference_temperature : float
-        T_r, at which the moduli were measured [K], > 0.
+        Temperature T_r at which the moduli were measured [K], > 0.
 
     References
     ----------
@@ -60,12 +60,12 @@ class WilliamsLandelFerry:
     reference_temperature: float
 
     def __post_init__(self) -> None:
-        """Store the numbers as floats and check them."""
+        """Store numbers as floats and check them."""
         store_positive(self, {"c1": "", "c2": "K", "reference_temperature": "K"})
         as_kelvin("reference_temperature", self.reference_temperature)
 
     def __call__(self, temperature: float) -> float:
-        """Return a_T at a temperature [K] above T_r - C₂."""
+        """Return a_T at a temperature above T_r - C₂ [K]."""
         above = temperature - self.reference_temperature
         if not above > -self.c2:
             lowest = self.reference_temperature - self.c2
@@ -75,14 +75,14 @@ class WilliamsLandelFerry:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Arrhenius:
-    """ln a_T = (E / R) (1/T - 1/T_r).
+    """Arrhenius law of the shift factor, ln a_T = (E / R) (1/T - 1/T_r), with the gas constant R.
 
     Parameters
     ----------
     activation_energy : float
-        E [J/mol], > 0.
+        Activation energy E [J/mol], > 0.
     reference_temperature : float
-        T_r, at which the moduli were measured [K], > 0.
+        Temperature T_r at which the moduli were measured [K], > 0.
 
     Examples
     --------
@@ -94,31 +94,34 @@ class Arrhenius:
     reference_temperature: float
 
     def __post_init__(self) -> None:
-        """Store the numbers as floats and check them."""
+        """Store numbers as floats and check them."""
         store_positive(self, {"activation_energy": "J/mol", "reference_temperature": "K"})
         as_kelvin("reference_temperature", self.reference_temperature)
 
     def __call__(self, temperature: float) -> float:
-        """Return a_T at a temperature [K], > 0."""
+        """Return a_T at a temperature above 0 K [K]."""
         if not temperature > 0.0:
             raise ValueError(f"temperature must be > 0 K for this shift, got {temperature:g} K")
         inverse = 1.0 / temperature - 1.0 / self.reference_temperature
         return float(np.exp(self.activation_energy / _GAS_CONSTANT * inverse))
 
 
-#: a_T as a function of temperature [K]: 1 at the temperature of the moduli, falling as it rises.
+#: Shift factor a_T as a function of temperature [K]: 1 at the temperature of the measured moduli, decreasing with
+#: temperature.
 Shift: TypeAlias = WilliamsLandelFerry | Arrhenius | Callable[[float], float]
 
 
 def shift_factor(shift: Shift, temperature: float, name: str = "shift") -> float:
-    """Return a_T, or b_T by its name, at a temperature [K].
+    """Return the horizontal or vertical shift factor, a_T or b_T, at a temperature [K].
+
+    `name` is the name of the argument in error messages.
 
     Raises
     ------
     TypeError
-        Where `shift` is not callable, or returns no number.
+        If `shift` is not callable or does not return a number.
     ValueError
-        Where it returns one that is not finite and > 0.
+        If the returned number is not finite and positive.
     """
     if not callable(shift):
         raise TypeError(f"{name} must be a function of temperature [K], got {shown(shift)}")
@@ -140,7 +143,7 @@ def shifted(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
     modulus : ShearModulus or callable
         Any modulus of a layer.
     factor : float
-        a_T [-], > 0.
+        Shift factor a_T [-], > 0. Relaxation times are multiplied by it.
 
     Examples
     --------
@@ -160,7 +163,7 @@ def shifted(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
             return replace(known, viscosity=factor * known.viscosity)
         case MasterCurve():
             return replace(known, frequency=[frequency / factor for frequency in known.frequency])
-        case SofteningModulus():  # the network has no rate
+        case SofteningModulus():  # the network does not depend on the rate
             return replace(known, matrix=shifted(known.matrix, factor))
         case ShearModulus():
             evaluate = known.complex_modulus
@@ -170,14 +173,14 @@ def shifted(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
 
 
 def scaled(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
-    """Return the modulus that is b_T times another at every frequency.
+    """Return the modulus that is b_T times `modulus` at every frequency.
 
     Parameters
     ----------
     modulus : ShearModulus or callable
         Any modulus of a layer.
     factor : float
-        b_T [-], > 0, the vertical shift.
+        Vertical shift factor b_T [-], > 0.
 
     Examples
     --------
@@ -198,7 +201,7 @@ def scaled(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
             )
         case KelvinVoigt():
             return replace(known, modulus=factor * known.modulus, viscosity=factor * known.viscosity)
-        case SofteningModulus():  # what a network is at another temperature has to be measured
+        case SofteningModulus():  # the network has no shift law: it must be measured at each temperature
             return replace(known, matrix=scaled(known.matrix, factor))
         case ShearModulus():
             evaluate = known.complex_modulus

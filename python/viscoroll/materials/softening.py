@@ -1,4 +1,4 @@
-"""The modulus of a filled rubber: a matrix that knows frequency beside a network that knows the amplitude of strain."""
+"""Modulus of a filled rubber: a frequency-dependent matrix in parallel with a strain-dependent network."""
 
 from __future__ import annotations
 
@@ -20,28 +20,29 @@ if TYPE_CHECKING:
 
 __all__ = ["SoftenedModulus", "SofteningModulus"]
 
-#: Of the network as a law of frequency. Frequencies of a contact are a few decades around Ω R/a; the lowest is that of
-#: a whole revolution, R/a below it, and what is static takes the modulus from below that.
+#: Decades above and below ω₀ = Ω R/a over which the network has a constant loss factor. The frequencies of a contact
+#: lie within a few decades of ω₀. The lowest, one per revolution, is R/a below it; the static modulus is the value
+#: below that range.
 _DECADES = 4.0
 
-#: Loss factors that a law of frequency can have, as `LossFactor` has them; beyond the larger one the network is a few
-#: percent of its modulus at rest. Below the smaller one it is elastic.
+#: Range of loss factors of `LossFactor`. A network with a larger one has a few percent of its modulus at rest, and the
+#: upper limit is used. A network with a smaller one is treated as elastic.
 _LOSS_FACTORS = (1e-6, 2.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SofteningModulus(ShearModulus):
-    """Modulus that falls with strain, μ* = μ*_matrix(ω) + N'(g) + i N''(g).
+    """Modulus that decreases with strain, μ* = μ*_matrix(ω) + N'(g) + i N''(g).
 
-    It has no value without an amplitude g: layers may be made of it, but solved with it they are by
-    `viscoroll.strain_softening` alone, which finds the strain that they have.
+    The modulus has no value without a strain amplitude g. Layers may use it, but only `viscoroll.strain_softening`,
+    which determines their strain, can solve such a body.
 
     Parameters
     ----------
     matrix : ShearModulus, callable or float
-        What remains at large strain: rubber without its network, whose modulus at rest bears the load.
+        Modulus of the matrix [Pa], which remains at large strain. Its relaxed modulus must support the load.
     network : KrausNetwork, MasingNetwork or StrainSweep
-        What strain breaks.
+        Filler network, which strain breaks.
 
     Examples
     --------
@@ -56,7 +57,7 @@ class SofteningModulus(ShearModulus):
     network: Network
 
     def __post_init__(self) -> None:
-        """Check both parts."""
+        """Check matrix and network."""
         object.__setattr__(self, "matrix", as_modulus(self.matrix))
         if isinstance(self.matrix, SofteningModulus):
             raise TypeError("matrix must be a modulus that does not depend on strain, got a viscoroll.SofteningModulus")
@@ -64,24 +65,25 @@ class SofteningModulus(ShearModulus):
         self.at(0.0, reference_frequency=1.0)
 
     def at(self, amplitude: float, *, reference_frequency: float, loss_scale: float = 1.0) -> SoftenedModulus:
-        """Return the modulus at one amplitude of strain, for all harmonics.
+        """Return the modulus at one strain amplitude, for all harmonics.
 
-        N' + iN'' without frequency is not causal; here it is |N| (iω/ω₀)^((2/π) atan N''/N'), `LossFactor`, which has
-        this value at ω₀. Of a loss factor above 2, a network that has all but broken, 2 is taken.
+        A modulus N' + iN'' that does not depend on frequency is not causal. The network is therefore represented by |N|
+        (iω/ω₀)^((2/π) atan N''/N'), a `LossFactor`, which has the value N' + iN'' at ω₀. Loss factors above 2, which
+        occur if little of the network is left, are replaced by 2.
 
         Parameters
         ----------
         amplitude : float
-            g, of shear strain [-], ≥ 0.
+            Amplitude g of shear strain [-], ≥ 0.
         reference_frequency : float
-            ω₀ [rad/s], > 0: Ω R/a, the speed by radius per half-width of the contact.
+            ω₀ = Ω R/a [rad/s], > 0, with the angular speed Ω, the radius R and the half-width a of the contact.
         loss_scale : float, default 1
-            c, by which N'' is multiplied [-], > 0.
+            Factor c on N'' [-], > 0.
 
         Returns
         -------
         SoftenedModulus
-            A function of frequency alone, as any other modulus.
+            A modulus that depends on frequency only.
         """
         scale = as_positive("loss_scale", loss_scale)
         storage, loss = (float(part) for part in self.network.at(as_float("amplitude", amplitude)))
@@ -96,21 +98,21 @@ class SofteningModulus(ShearModulus):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SoftenedModulus(ShearModulus):
-    """A filled rubber at one amplitude of strain: matrix and network side by side.
+    """Modulus of a filled rubber at one strain amplitude: matrix and network in parallel.
 
     Parameters
     ----------
     matrix : ShearModulus, callable or float
-        Of the rubber.
+        Modulus of the matrix [Pa].
     network : LossFactor or Elastic, optional
-        As it is at that amplitude; None where nothing is left of it.
+        Modulus of the network at that amplitude; None if the network is completely broken.
     """
 
     matrix: ShearModulusLike
     network: LossFactor | Elastic | None
 
     def network_modulus(self, angular_frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
-        """Return N*(ω), the network's share of the modulus [Pa]."""
+        """Return the contribution N*(ω) of the network to the modulus [Pa]."""
         if self.network is None:
             return np.zeros(angular_frequency.shape, np.complex128)
         return self.network.complex_modulus(angular_frequency)

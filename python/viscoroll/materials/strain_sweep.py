@@ -1,4 +1,4 @@
-"""A network of filler as a measured strain sweep has it, less what of the sweep is the matrix's."""
+"""Filler network from a measured strain sweep, after subtraction of the matrix."""
 
 from __future__ import annotations
 
@@ -22,43 +22,44 @@ if TYPE_CHECKING:
 
 __all__ = ["StrainKind", "StrainSweep"]
 
-#: What a modulus of the sweep may lie below the matrix's, of itself: the scatter of a good instrument.
+#: Largest relative amount by which a modulus of the sweep may lie below that of the matrix: the scatter of a good
+#: instrument.
 _SCATTER = 0.02
 
 
 class StrainKind(Enum):
-    """What an instrument calls the strain of a sweep."""
+    """Definition of strain that an instrument uses in a sweep."""
 
     SHEAR = 1.0
-    """Amplitude of simple shear."""
+    """Single amplitude of simple shear."""
 
     DOUBLE_SHEAR = 0.5
-    """Shear from peak to peak, the double amplitude of the rubber trade."""
+    """Shear strain from peak to peak, the double amplitude that is common in the rubber industry."""
 
     TENSION = math.sqrt(3.0)
-    """Amplitude of the elongation of a bar that keeps its volume."""
+    """Amplitude of the elongation of a bar of constant volume."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StrainSweep(Network):
-    """Measured moduli over strain at one frequency, linear in the logarithm of strain between the points.
+    """Network moduli measured over strain at one frequency, interpolated linearly over the logarithm of the strain.
 
-    What of the sweep belongs to the matrix is taken off: the matrix's own modulus at the frequency of the sweep where
-    that is given, else the last storage modulus, which it then keeps at any strain, and the least loss modulus. Outside
-    of the sweep its ends are held; `strain_softening` warns of that.
+    The contribution of the matrix is subtracted. If `matrix` is given, its modulus at the frequency of the sweep is
+    used. Otherwise the matrix is assumed to have the last storage modulus and the smallest loss modulus of the sweep,
+    independent of strain. Outside the sweep the end values are held, and `strain_softening` issues a warning.
 
     Parameters
     ----------
     strain : array_like
-        Amplitudes [-], > 0, strictly increasing, at least three; not in percent.
+        Strain amplitudes [-], > 0, strictly increasing, at least three; ratios, not percent.
     storage, loss : array_like
-        Shear moduli of the filled rubber [Pa], > 0, as long as `strain`. Those of tension are three times as large.
+        Shear moduli of the filled rubber [Pa], > 0, as many as `strain`. Divide moduli measured in tension by 3.
     kind : StrainKind or str, default StrainKind.SHEAR
-        What the strains are: amplitudes of shear, their doubles from peak to peak, or of tension.
+        Definition of `strain`: amplitude of shear, double amplitude of shear, or amplitude of tension.
     matrix : ShearModulus, callable or float, optional
-        Modulus of the matrix [Pa], that of `SofteningModulus`.
+        Modulus of the matrix [Pa], the same as in `SofteningModulus`.
     frequency : float, optional
-        Of the sweep [rad/s], > 0; with a matrix.
+        Angular frequency of the sweep [rad/s], > 0. Required with `matrix`, and allowed only with it.
 
     Examples
     --------
@@ -75,7 +76,7 @@ class StrainSweep(Network):
     frequency: float | None = None
 
     def __post_init__(self) -> None:
-        """Freeze the table and check it."""
+        """Convert the columns to tuples and check the table."""
         for name in ("strain", "storage", "loss"):
             object.__setattr__(self, name, as_floats(name, getattr(self, name)))
         object.__setattr__(self, "kind", as_member("kind", self.kind, StrainKind))
@@ -108,12 +109,12 @@ class StrainSweep(Network):
 
     @property
     def known_strains(self) -> tuple[float, float]:
-        """First and last amplitude of shear strain [-]."""
+        """First and last amplitude of shear strain in the sweep [-]."""
         return float(self.amplitudes[0]), float(self.amplitudes[-1])
 
     @property
     def yield_strain(self) -> float:
-        """Strain at which the storage modulus has fallen to half of its first value [-]."""
+        """Strain at which the storage modulus of the network is half of its first value [-]."""
         storage = self._of_network()[0]
         below = np.flatnonzero(storage < 0.5 * storage[0])
         if not below.size:
@@ -123,7 +124,7 @@ class StrainSweep(Network):
         return float(self.amplitudes[after - 1] * (self.amplitudes[after] / self.amplitudes[after - 1]) ** share)
 
     def _beyond(self, storage: Floats) -> float:
-        """Return where a hyperbolic law would have its half that falls as far as this one does by its end."""
+        """Return the half-value strain of the hyperbolic law that decreases as much as this one over the sweep [-]."""
         left = storage[-1] / storage[0]
         return math.inf if left >= 1.0 - 1e-12 else float(self.amplitudes[-1] * left / (1.0 - left))
 
@@ -134,7 +135,7 @@ class StrainSweep(Network):
         return np.interp(place, known, storage), np.interp(place, known, loss)
 
     def _of_network(self) -> tuple[Floats, Floats]:
-        """Return storage and loss at the points of the sweep, without the matrix's [Pa]."""
+        """Return storage and loss modulus of the network alone at the points of the sweep [Pa]."""
         storage, loss = np.asarray(self.storage), np.asarray(self.loss)
         if self.matrix is None or self.frequency is None:
             return np.maximum(storage - storage[-1], 0.0), loss - loss.min()

@@ -1,4 +1,4 @@
-"""Tables and figures of the paper, computed, drawn and judged (the extras `viscoroll[plot,studies]`)."""
+"""Tables and figures of the paper, computed, plotted and compared (requires the extras `viscoroll[plot,studies]`)."""
 
 from .convergence import compute_table2
 from .friction import compute_figure9
@@ -13,7 +13,7 @@ from .thickness import compute_figure11
 
 __all__ = ["ITEMS", "Item", "Outcome", "Runner", "Verdict", "write_files", "write_verdicts"]
 
-#: All items, by name, in the order of the paper.
+#: All tables and figures by name, in the order of the paper.
 ITEMS = {
     item.name: item
     for item in (

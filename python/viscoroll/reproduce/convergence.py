@@ -1,4 +1,4 @@
-"""Table 2: the resisting torque of the example by mesh and truncation order."""
+"""Table 2: resisting torque of the example for several meshes and truncation orders."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 __all__ = ["Table2", "arc_torque", "compute_table2"]
 
-#: Deviations from the printed numbers [-] up to which table 2 counts as reproduced, by lever arm.
+#: Largest relative deviation from the printed torques for which table 2 counts as reproduced [-], by moment arm.
 TOLERANCE = {"x": 0.005, "arc": 0.0025}
 
-#: Nodes per revolution from which on the paper calls its results converged.
+#: Nodes per revolution from which on the paper considers its results as converged.
 _FINE = 500
 
 Key = tuple[int, int]
@@ -29,17 +29,17 @@ Key = tuple[int, int]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Table2:
-    """Torques [N m] by nodes per revolution and truncation order, with the lever arms x and arc length."""
+    """Torques [N m] by nodes per revolution and truncation order, with x and with the arc length as the moment arm."""
 
     by_x: dict[Key, float]
     by_arc: dict[Key, float]
 
     def deviations(self, torques: dict[Key, float]) -> dict[Key, float]:
-        """Relative deviations from the printed torques."""
+        """Return the relative deviations from the printed torques [-]."""
         return {key: torque / paper.TABLE_2[key] - 1.0 for key, torque in torques.items()}
 
     def tables(self) -> dict[str, Table]:
-        """One row for each entry."""
+        """Return a table with one row for each entry."""
         x, arc = self.deviations(self.by_x), self.deviations(self.by_arc)
         return {
             "": {
@@ -54,7 +54,7 @@ class Table2:
         }
 
     def draw(self) -> Picture:
-        """Torques beside the printed ones, and their deviations with both lever arms."""
+        """Plot computed and printed torques, and their deviations for both moment arms."""
         figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         torque, deviation = figure.subplots(1, 2)
         orders = sorted({order for _, order in self.by_x})
@@ -85,7 +85,7 @@ class Table2:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the entries, each on its own mesh, and the two sentences on convergence."""
+        """Compare each entry on its own mesh, and the two statements on convergence."""
         x, arc = (np.abs(list(self.deviations(t).values())) for t in (self.by_x, self.by_arc))
         found = [
             Verdict(
@@ -106,7 +106,7 @@ class Table2:
         return found + ([self._spread("within 0.6 % for Δ ≤ π/250", _FINE, 0.006)] if fine else [])
 
     def _spread(self, statement: str, nodes: int, bound: float) -> Verdict:
-        """Judge how far the entries from a number of nodes on are apart, to a tenth of a percent."""
+        """Compare the relative spread of entries with at least `nodes` nodes with a bound, to a tenth of a percent."""
         spreads = []
         for table in (self.by_x, paper.TABLE_2):
             torques = [table[key] for key in self.by_x if key[0] >= nodes]
@@ -116,7 +116,10 @@ class Table2:
 
 
 def arc_torque(result: Result) -> float:
-    """Moment of the pressure with the arc length r_o (π/2 - φ) for the lever arm [N m]: what the paper seems to use."""
+    """Return the moment of the pressure with the arc length r_o (π/2 - φ) as the moment arm [N m].
+
+    The torques of the paper's table 2 suggest that it uses this arm.
+    """
     rows = result.pressure.shape[0]
     radius, spacing = result.ball.outer_radius, result.mesh.spacing
     arc = radius * spacing * (rows // 2 - np.arange(rows))
@@ -125,7 +128,7 @@ def arc_torque(result: Result) -> float:
 
 
 def compute_table2(runner: Runner) -> Table2:
-    """Solve on all meshes of the table; coarse, on those of up to 300 nodes and 500 orders."""
+    """Solve on all meshes of the table; a coarse run, on those with up to 300 nodes and 500 orders."""
     meshes = paper.table_2_meshes()
     if runner.coarse:
         meshes = {key: mesh for key, mesh in meshes.items() if key[0] <= 300 and key[1] <= 500}

@@ -1,4 +1,4 @@
-"""Figure 9: the resisting torque against surface friction."""
+"""Figure 9: resisting torque as a function of surface friction."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Figure9", "compute_figure9"]
 
-#: Ω of section 14.3 [rad/s].
+#: Angular speed Ω of section 14.3 [rad/s].
 _SPEED = 0.2
-#: ε_μ, the width of the boundary layer; how far all torques are apart; and how far they fall: the paper's [-].
+#: Values of the paper [-]: width ε_μ of the boundary layer, relative spread of all torques, and their largest decrease.
 _WIDTH, _SPREAD, _FALL = 0.1, 0.15, 0.085
 _FRICTIONS = (
     *(0.0, 0.005, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.4),
@@ -34,7 +34,7 @@ _COARSE = (0.0, 0.01, 0.03, 0.06, 0.1, 0.15, 0.25, 0.4, 0.8, 2.0)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure9:
-    """Torques [N m] against μ: moment of the pressure T_r, driving torque T; and the fit (60)-(63) to T_r."""
+    """Moment of the pressure T_r and driving torque T [N m] for friction μ, and the fit (60)-(63) to T_r."""
 
     frictions: Floats
     torques: Floats
@@ -43,7 +43,7 @@ class Figure9:
     fit: Fit
 
     def tables(self) -> dict[str, Table]:
-        """One row for each coefficient, and the fit's parameters."""
+        """Return a table with one row for each coefficient, and one with the parameters of the fit."""
         columns = {
             "friction [1]": self.frictions.tolist(),
             "torque [N m]": self.torques.tolist(),
@@ -63,7 +63,7 @@ class Figure9:
         }
 
     def draw(self) -> Picture:
-        """Torque with its fit, beside the paper's bounds; both torques and the boundary layer in logarithms."""
+        """Plot the torque with its fit and the paper's bounds, and both torques over a logarithmic axis of friction."""
         figure = Picture(figsize=(12.0, 4.8), layout="constrained")
         torque, ratio = figure.subplots(1, 2, width_ratios=[1.2, 1.0])
         fine = np.linspace(0.0, self.frictions[-1], 1000)
@@ -98,7 +98,7 @@ class Figure9:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the sentences of the paper's section 14.3."""
+        """Compare with the statements of the paper's section 14.3."""
         peak = float(self.frictions[self.torques.argmax()])
         height = float(self.torques.max() / self.torques[0] - 1.0)
         spread, fall = (_spread_and_fall(self.torques), _spread_and_fall(self.driving_torques))
@@ -141,12 +141,12 @@ class Figure9:
 
 
 def _spread_and_fall(torques: Floats) -> tuple[float, float]:
-    """Relative to the largest torque, and to that without friction, which comes first."""
+    """Return the relative spread of the torques, and their largest decrease from the first, without friction [-]."""
     return float(1.0 - torques.min() / torques.max()), float(1.0 - torques.min() / torques[0])
 
 
 def compute_figure9(runner: Runner) -> Figure9:
-    """Solve the example at 0.2 rad/s, driven by a torque alone, with C_r in full."""
+    """Solve the example at 0.2 rad/s, driven by a torque alone, with the full compliance C_r."""
     frictions = np.array(_COARSE if runner.coarse else _FRICTIONS)
     model = RollingModel(paper.ball(), angular_speed=_SPEED, mesh=runner.mesh, curvature=Curvature.PAPER)
 

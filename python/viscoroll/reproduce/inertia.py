@@ -1,4 +1,4 @@
-"""Figure 13: torque and penetration against inertia."""
+"""Figure 13: torque and penetration as functions of inertia."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _COARSE = (0.0, 0.2, 0.5)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure13:
-    """Torques [N m] and penetrations [m] against Π of (67) [-], and Π at the critical speed."""
+    """Torques [N m] and penetrations [m] for values of Π of equation (67) [-], and Π at the critical speed."""
 
     groups: Floats
     torques: Floats
@@ -37,7 +37,7 @@ class Figure13:
     critical_group: float
 
     def tables(self) -> dict[str, Table]:
-        """One row for each Π."""
+        """Return a table with one row for each Π."""
         return {
             "": {
                 "inertia_group [1]": self.groups.tolist(),
@@ -50,7 +50,7 @@ class Figure13:
         }
 
     def draw(self) -> Picture:
-        """Ratios to no inertia, up to the critical speed."""
+        """Plot torque and penetration, relative to those without inertia, up to the critical speed."""
         figure = Picture(figsize=(7.6, 4.8), layout="constrained")
         axes = figure.subplots()
         axes.plot(self.groups, self.torques / self.torques[0], "o-", label="torque $T_r / T_{r0}$")
@@ -65,7 +65,7 @@ class Figure13:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the sentences of the paper's section 14.7."""
+        """Compare with the statements of the paper's section 14.7."""
         torque, depth = (float(v[-1] / v[0]) for v in (self.torques, self.penetrations))
         rising = bool((np.diff(self.torques) > 0.0).all() and (np.diff(self.penetrations) > 0.0).all())
         example = _group(paper.ball(thickness=1e-3), 1000.0)
@@ -91,12 +91,12 @@ class Figure13:
 
 
 def _group(ball: CoatedSphere, density: float, speed: float = paper.ANGULAR_SPEED) -> float:
-    """Π of equation (67)."""
+    """Return Π of equation (67) [-]."""
     return float(density * speed**2 * ball.core_radius**2 / _MODULUS)
 
 
 def compute_figure13(runner: Runner) -> Figure13:
-    """Solve coatings of 5 mm with growing density, at the speed of the example."""
+    """Solve coatings of 5 mm with increasing density, at the speed of the example."""
     groups = np.array(_COARSE if runner.coarse else _GROUPS)
     mesh = Mesh(nodes_per_revolution=160, max_order=160) if runner.coarse else runner.mesh
 

@@ -1,4 +1,4 @@
-"""What every table and figure has in common: where it is computed, what it hands back, and its files."""
+"""Tables and figures of the paper: common interface, execution, comparison and output files."""
 
 from __future__ import annotations
 
@@ -20,26 +20,26 @@ __all__ = ["Item", "Outcome", "Runner", "Table", "Verdict", "write_files", "writ
 S = TypeVar("S")
 T = TypeVar("T")
 
-#: Columns of a CSV file by their heads, which hold the units.
+#: Columns of a CSV file by their headings, which include the units.
 Table = Mapping[str, Sequence[Any]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Verdict:
-    """One statement of the paper beside what was computed.
+    """Comparison of one statement of the paper with the computed result.
 
     Attributes
     ----------
     statement : str
-        What the paper prints.
+        Statement of the paper.
     found : str
-        What was computed, with numbers.
+        Computed result, with numbers.
     agrees : bool
         Whether the two agree.
     unclear : str
-        Why that says nothing of the paper, or the empty text.
+        Reason why the comparison is inconclusive, or the empty string.
     by_mesh : bool
-        Whether the mesh of the runner decides.
+        Whether the comparison depends on the mesh of the runner.
     """
 
     statement: str
@@ -50,38 +50,39 @@ class Verdict:
 
     @property
     def judgment(self) -> str:
-        """Agrees, disagrees, or why neither can be said."""
+        """Result of the comparison, "agrees" or "disagrees", or the reason why it is inconclusive."""
         return self.unclear or ("agrees" if self.agrees else "disagrees")
 
     def __str__(self) -> str:
-        """Return one line."""
+        """Return judgment, statement and result in one line."""
         return f"{self.judgment}: {self.statement}: {self.found}"
 
 
 class Outcome(Protocol):
-    """Numbers of a table or figure."""
+    """Computed numbers of a table or figure."""
 
     def tables(self) -> Mapping[str, Table]:
-        """Return CSV files by what is added to the item's name; '' is the main one."""
+        """Return the tables of the CSV files, by the suffix after the name of the item; '' is the main table."""
 
     def draw(self) -> Figure:
-        """Draw the numbers."""
+        """Plot the numbers."""
 
     def verdicts(self) -> list[Verdict]:
-        """Judge them by what the paper says."""
+        """Compare the numbers with the statements of the paper."""
 
 
 class Runner:
-    """Where items are computed: the resolution, and threads with one solve on each.
+    """Resolution and threads of the computations, with one solve per thread.
 
     Parameters
     ----------
     coarse : bool, default False
-        A coarse mesh and few points, to try everything out in seconds; else the paper's Δ = π/250 and N_t = 500.
+        Whether to use a coarse mesh and few points, which takes seconds; otherwise the paper's Δ = π/250 and N_t = 500.
     workers : int, optional
-        Number of threads; by default one for each core.
+        Number of threads; by default one per core.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) after every solve, with the share of those of a kind.
+        True prints a progress bar. A callable is called as progress(stage, fraction) after every solve, with the
+        completed fraction of the solves of a stage.
     """
 
     def __init__(
@@ -99,18 +100,18 @@ class Runner:
         self._memory: dict[Callable[[Runner], Any], Any] = {}
 
     def map(self, function: Callable[[S], T], points: Iterable[S]) -> list[T]:
-        """Call the function with every point, on threads; return the values in order."""
+        """Call a function with every point, in parallel, and return the values in order."""
         return run_all(function, points, workers=self._workers, progress=self._progress)
 
     def judge(self, outcome: Outcome) -> list[Verdict]:
-        """Return the verdicts on an outcome of this runner: a coarse mesh is no witness for or against the paper."""
+        """Return the comparisons for an outcome; those that depend on a coarse mesh are marked as not judged."""
         return [
             replace(verdict, unclear="coarse mesh: not judged") if self.coarse and verdict.by_mesh else verdict
             for verdict in outcome.verdicts()
         ]
 
     def shared(self, compute: Callable[[Runner], T]) -> T:
-        """Return what `compute` makes of this runner, computed once: some items draw the same numbers."""
+        """Return the result of `compute` for this runner, computed only once, since some items use the same numbers."""
         if compute not in self._memory:
             self._memory[compute] = compute(self)
         value: T = self._memory[compute]
@@ -119,16 +120,16 @@ class Runner:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Item:
-    """A table or figure of the paper.
+    """Table or figure of the paper.
 
     Attributes
     ----------
     name : str
-        As on the command line: table2, figure12, …
+        Name on the command line: table2, figure12, ...
     title : str
-        What it shows.
+        Short description.
     compute : callable
-        compute(runner) → Outcome.
+        Function compute(runner) → Outcome.
     """
 
     name: str
@@ -137,7 +138,7 @@ class Item:
 
 
 def write_files(item: Item, outcome: Outcome, folder: Path) -> list[Path]:
-    """Write pictures (PNG and SVG) and numbers (CSV) of an item to a folder, which must exist."""
+    """Write plots (PNG and SVG) and numbers (CSV) of an item to an existing folder, and return the paths."""
     paths = []
     figure = outcome.draw()
     for suffix in ("png", "svg"):
@@ -150,7 +151,7 @@ def write_files(item: Item, outcome: Outcome, folder: Path) -> list[Path]:
 
 
 def write_verdicts(path: Path, verdicts: Mapping[str, Sequence[Verdict]]) -> None:
-    """Write the verdicts on each item as a table in Markdown."""
+    """Write the comparisons of all items as a Markdown table."""
     lines = ["| | the paper | found | |", "|---|---|---|---|"]
     for name, rows in verdicts.items():
         for place, verdict in enumerate(rows):

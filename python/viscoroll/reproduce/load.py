@@ -1,4 +1,4 @@
-"""Table 3 and figure 10: the resisting torque against the load."""
+"""Table 3 and figure 10: resisting torque as a function of the load."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _THICKNESSES = (1e-3, 5e-3)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoadSweep:
-    """Torques [N m] by thickness [m], against load [N], and their power laws."""
+    """Torques [N m] by thickness [m], for several loads [N], and their power laws."""
 
     loads: Floats
     torques: dict[float, Floats]
@@ -38,12 +38,12 @@ class LoadSweep:
 
 @dataclass(frozen=True, slots=True)
 class Figure10:
-    """Torque against load, with the power laws."""
+    """Torque as a function of the load, with the power laws."""
 
     data: LoadSweep
 
     def tables(self) -> dict[str, Table]:
-        """One row for each load."""
+        """Return a table with one row for each load."""
         columns = {"load [N]": self.data.loads.tolist()}
         for h, torque in self.data.torques.items():
             low, high = self.data.fits[h].confidence_band(self.data.loads)
@@ -57,7 +57,7 @@ class Figure10:
         return {"": columns}
 
     def draw(self) -> Picture:
-        """Torques, power laws with their confidence bands, and the paper's fits."""
+        """Plot torques, power laws with their confidence bands, and the paper's fits."""
         figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         fine = np.linspace(self.data.loads[0], self.data.loads[-1], 200)
         for axes, (h, torque) in zip(figure.subplots(1, 2), self.data.torques.items(), strict=True):
@@ -74,7 +74,7 @@ class Figure10:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the sentences of the paper's section 14.4."""
+        """Compare with the statements of the paper's section 14.4."""
         b = {h: fit.parameters["b"].value for h, fit in self.data.fits.items()}
         thin, thick = (b[h] for h in _THICKNESSES)
         residual = max(
@@ -109,7 +109,7 @@ class Table3:
                 yield h, name, fit.parameters[name]
 
     def tables(self) -> dict[str, Table]:
-        """One row for each thickness and parameter, with the printed intervals in both readings."""
+        """Return a table with one row for each thickness and parameter, with the printed intervals of both columns."""
         rows = list(self._rows())
         other = dict(zip(_THICKNESSES, reversed(_THICKNESSES), strict=True))
         return {
@@ -127,7 +127,7 @@ class Table3:
         }
 
     def draw(self) -> Picture:
-        """Draw intervals, computed and printed."""
+        """Plot computed and printed intervals."""
         figure = Picture(figsize=(8.8, 3.6), layout="constrained")
         for axes, name, scale, label in zip(
             figure.subplots(1, 2),
@@ -151,7 +151,7 @@ class Table3:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge both readings of the table."""
+        """Compare with the printed table, as printed and with its columns exchanged."""
         other = dict(zip(_THICKNESSES, reversed(_THICKNESSES), strict=True))
         values = "; ".join(
             f"{h * 1e3:g} mm: a = {fit.parameters['a'].value * 1e5:.3f}e-5, b = {fit.parameters['b'].value:.4f}"
@@ -174,7 +174,7 @@ class Table3:
 
 
 def _inside(parameter: Parameter, name: str, printed: tuple[float, float]) -> bool:
-    """Whether a value, rounded as the printed ones are, lies in the printed interval."""
+    """Return whether a value, rounded like the printed ones, lies in the printed interval."""
     value = round(parameter.value, 8 if name == "a" else 3)
     return printed[0] <= value <= printed[1]
 
@@ -214,10 +214,10 @@ def _load_sweep(runner: Runner) -> LoadSweep:
 
 
 def compute_table3(runner: Runner) -> Table3:
-    """Fit power laws to ten loads from 10 to 100 N (coarse: five)."""
+    """Fit power laws to the torques at ten loads from 10 to 100 N (five in a coarse run)."""
     return Table3(runner.shared(_load_sweep))
 
 
 def compute_figure10(runner: Runner) -> Figure10:
-    """Solve for ten loads from 10 to 100 N (coarse: five) on coatings of 1 and 5 mm."""
+    """Solve coatings of 1 and 5 mm at ten loads from 10 to 100 N (five in a coarse run)."""
     return Figure10(runner.shared(_load_sweep))

@@ -1,7 +1,7 @@
-"""The paper as written, in plain NumPy: product (32) over radial sub-intervals, and contact condition (50).
+"""Method of the paper in plain NumPy: product (32) over radial sub-intervals, and contact condition (50).
 
-It shares nothing with the solver, so that one can be held against the other; the tests do, and figure 4.
-Arrays of orders come first in every shape: m, n of shape (...) give matrices of shape (..., 6, 6) or (..., 3, 3).
+This module shares no code with the solver, so that the tests and figure 4 can compare the two. In every array the axes
+of the orders m and n come first: orders of shape (...) give matrices of shape (..., 6, 6) or (..., 3, 3).
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ __all__ = [
 
 @dataclass
 class Layer:
-    """One layer: radii [m], shear modulus mu(omega) [Pa], Poisson's ratio [-], density [kg/m^3]."""
+    """Layer with radii [m], shear modulus mu(omega) [Pa], Poisson's ratio [-] and density [kg/m^3]."""
 
     inner: float
     outer: float
@@ -44,7 +44,7 @@ class Layer:
 
 
 def prony(instantaneous: float, weights: Sequence[float], times: Sequence[float], omega: ArrayLike) -> Complexes:
-    """Equation (65): mu* = G0 (g_inf + sum_k g_k (w^2 tau^2 + i w tau) / (1 + w^2 tau^2))."""
+    """Return equation (65): mu* = G0 (g_inf + sum_k g_k (w^2 tau^2 + i w tau) / (1 + w^2 tau^2))."""
     omega = np.asarray(omega, float)
     modulus = np.full(omega.shape, 1.0 - sum(weights), complex)
     for g, tau in zip(weights, times, strict=True):
@@ -53,10 +53,10 @@ def prony(instantaneous: float, weights: Sequence[float], times: Sequence[float]
 
 
 def shorthand(layer: Layer, angular_speed: float, m: Floats, radius: float) -> tuple[Any, ...]:
-    """Equations (24), multiplied out so that Poisson's ratio 1/2 (an infinite Lame lambda) is no special case.
+    """Return mu and S1 to S5 of equations (24), in a form without a special case for Poisson's ratio 1/2.
 
-    With a = lambda / (lambda + 2 mu) and b = mu / (lambda + 2 mu): S1 = b / mu, S2 = a / r, S3 = b / r,
-    S4 = mu (3a + 2b) / r^2, S5 = mu (a + b) / r^2.
+    At this ratio the Lame parameter lambda is infinite. With a = lambda / (lambda + 2 mu) and b = mu / (lambda + 2 mu):
+    S1 = b / mu, S2 = a / r, S3 = b / r, S4 = mu (3a + 2b) / r^2, S5 = mu (a + b) / r^2.
     """
     nu = layer.poisson_ratio
     omega = m * angular_speed
@@ -67,7 +67,7 @@ def shorthand(layer: Layer, angular_speed: float, m: Floats, radius: float) -> t
 
 
 def system_matrix(layer: Layer, angular_speed: float, m: ArrayLike, n: ArrayLike, radius: float) -> Complexes:
-    """Equation (26): dq/dr = A(r) q with q = (u_r, u_phi, u_theta, sigma_rr, sigma_rphi, sigma_rtheta)."""
+    """Return A(r) of (26): dq/dr = A(r) q with q = (u_r, u_phi, u_theta, sigma_rr, sigma_rphi, sigma_rtheta)."""
     m, n = np.broadcast_arrays(np.asarray(m, float), np.asarray(n, float))
     mu, s1, s2, s3, s4, s5 = shorthand(layer, angular_speed, m, radius)
     inertia = layer.density * angular_speed**2
@@ -89,7 +89,7 @@ def system_matrix(layer: Layer, angular_speed: float, m: ArrayLike, n: ArrayLike
 
 
 def exponential(matrix: Complexes) -> Complexes:
-    """Return exp(matrix) by scaling and squaring of its Taylor series, with displacement and stress in like units."""
+    """Return exp(matrix) by scaling and squaring of its Taylor series, with balanced displacements and stresses."""
     unit = np.sqrt(np.abs(matrix[..., 3:, :3]).max() / np.abs(matrix[..., :3, 3:]).max())
     units = np.repeat([1.0, unit], 3)
     balanced = matrix * units / units[:, None]
@@ -108,7 +108,7 @@ def exponential(matrix: Complexes) -> Complexes:
 def sub_intervals(
     layer: Layer, angular_speed: float, m: ArrayLike, n: ArrayLike, count: int, alpha: float = 0.5
 ) -> Iterator[Complexes]:
-    """Factors of equation (32) in one layer: exp(dr A(r_i + (k - alpha) dr)) for k = 1 ... count."""
+    """Yield the factors of equation (32) in one layer: exp(dr A(r_i + (k - alpha) dr)) for k = 1 ... count."""
     step = (layer.outer - layer.inner) / count
     for k in range(1, count + 1):
         yield exponential(step * system_matrix(layer, angular_speed, m, n, layer.inner + (k - alpha) * step))
@@ -117,7 +117,7 @@ def sub_intervals(
 def product_compliance(
     layers: Sequence[Layer], angular_speed: float, m: ArrayLike, n: ArrayLike, count: int
 ) -> Complexes:
-    """Follow (31), (32) and (34) to the letter: T12 T22^-1 of the whole product, which overflows for thick coatings."""
+    """Return T12 T22^-1 of the whole product, literally as in (31), (32) and (34); it overflows for thick coatings."""
     transition = np.eye(6, dtype=complex)
     for layer in layers:
         for factor in sub_intervals(layer, angular_speed, m, n, count):
@@ -128,7 +128,7 @@ def product_compliance(
 def surface_compliance(
     layers: Sequence[Layer], angular_speed: float, m: ArrayLike, n: ArrayLike, count: int, alpha: float = 0.5
 ) -> Complexes:
-    """Apply equation (31) sub-interval by sub-interval: the same compliance, but nothing overflows.
+    """Return the same compliance by applying equation (31) to each sub-interval, which cannot overflow.
 
     With d = Y f at the inner side of a sub-interval, d = (T11 Y + T12)(T21 Y + T22)^-1 f at its outer side.
     """
@@ -146,7 +146,10 @@ def extrapolated_compliance(
     n: ArrayLike,
     counts: Sequence[int] = (8, 16, 32),
 ) -> Complexes:
-    """Limit of `surface_compliance` for many sub-intervals: with alpha = 1/2 its error has even powers of dr alone."""
+    """Return the limit of `surface_compliance` for many sub-intervals, by Richardson extrapolation.
+
+    With alpha = 1/2 the error contains only even powers of dr.
+    """
     table = [surface_compliance(layers, angular_speed, m, n, count) for count in counts]
     for level in range(1, len(counts)):
         ratios = [(counts[i + level] / counts[i]) ** 2 for i in range(len(counts) - level)]
@@ -158,7 +161,7 @@ def extrapolated_compliance(
 
 
 def solve_normal_contact(vertical_compliance: Floats, profile: Floats, load: float) -> tuple[Floats, float]:
-    """Find forces F_W < 0 and the height H that satisfy (50), with nothing tensile and nothing overclosed.
+    """Find forces F_W < 0 and the height H that satisfy (50), without tension and without overclosure.
 
     `profile` is the undeformed depth r_o sin(theta) sin(phi) of the nodes below the center.
     """

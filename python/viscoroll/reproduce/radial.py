@@ -1,4 +1,4 @@
-"""Figure 4: radial sub-intervals, the paper's product (32) beside the exact step of a layer."""
+"""Figure 4: radial sub-intervals, the paper's product (32) compared with the exact step of a layer."""
 
 from __future__ import annotations
 
@@ -22,9 +22,10 @@ if TYPE_CHECKING:
 
 __all__ = ["Figure4", "compute_figure4"]
 
-#: Places of the nodes in (32) within their sub-intervals. The paper leaves α open in [0, 1].
+#: Positions α of the nodes of (32) within their sub-intervals. The paper does not specify α in [0, 1].
 _ALPHAS = (0.0, 0.5, 1.0)
-#: The paper's best estimate [N m], to which its errors are relative, and its bound for n_r ≥ 10 [-].
+#: Values of the paper: best estimate of the torque [N m], to which its errors are relative; bound of the error [-] and
+#: number of sub-intervals from which on it holds.
 _BEST_ESTIMATE, _BOUND, _ENOUGH = 11.44e-3, 3e-5, 10
 
 
@@ -38,11 +39,11 @@ class Figure4:
     solver: float
 
     def errors(self, alpha: float) -> Floats:
-        """Relative errors of the product against the exact step [-], by number of sub-intervals."""
+        """Return the relative errors of the product against the exact step [-], by number of sub-intervals."""
         return np.asarray(np.abs(np.array(self.by_product[alpha]) / self.exact - 1.0))
 
     def tables(self) -> dict[str, Table]:
-        """One row for each number of sub-intervals."""
+        """Return a table with one row for each number of sub-intervals."""
         columns: dict[str, list[float]] = {"sub_intervals [1]": list(self.counts)}
         for alpha, torques in self.by_product.items():
             columns[f"torque_alpha_{alpha:g} [N m]"] = torques
@@ -50,7 +51,7 @@ class Figure4:
         return {"": columns | {"exact_torque [N m]": [self.exact] * len(self.counts)}}
 
     def draw(self) -> Picture:
-        """Errors against the number of sub-intervals."""
+        """Plot the errors as a function of the number of sub-intervals."""
         figure = Picture(figsize=(6.6, 4.6), layout="constrained")
         axes = figure.subplots()
         for alpha in self.by_product:
@@ -69,7 +70,7 @@ class Figure4:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the bound, and the exact step."""
+        """Compare the errors with the paper's bound, and the exact step with the solver."""
         enough = np.array(self.counts) >= _ENOUGH
         worst = {alpha: float(self.errors(alpha)[enough].max()) for alpha in self.by_product}
         found = ", ".join(f"{error * 100.0:.2g} % at place {alpha:g}" for alpha, error in worst.items())
@@ -91,7 +92,7 @@ class Figure4:
 
 
 def compute_figure4(runner: Runner) -> Figure4:
-    """Solve with the compliance of every number of sub-intervals, all else alike."""
+    """Solve with the compliance of each number of sub-intervals, with everything else unchanged."""
     counts = [1, 2, 5, 10, 20] if runner.coarse else [*range(1, 21), 25, 30, 35, 40, 45, 50]
     ball = paper.ball(density=0.0)
     layer = plain.Layer(ball.core_radius, ball.outer_radius, lambda omega: plain.prony(6e6, [0.5], [0.125], omega), 0.5)
@@ -124,19 +125,19 @@ def compute_figure4(runner: Runner) -> Figure4:
 
 
 class _RadialContact:
-    """The example without inertia, in plain NumPy, for any radial compliance.
+    """Example of the paper without inertia, in plain NumPy, for any radial compliance.
 
-    That of a single layer is G(k) / μ*(mΩ) with k² = m² + n², so that it is enough to know the function G.
+    The compliance of a single layer is G(k) / μ*(mΩ) with k² = m² + n², so the function G defines it.
     """
 
     def __init__(self, mesh: Mesh, radius: float) -> None:
         assert mesh.max_order is not None, "the paper's meshes have a truncation order"
         self._max_order = mesh.max_order
         top = int(np.ceil(np.hypot(mesh.max_order, mesh.max_order)))
-        #: Orders k at which G is wanted: steps of 2 % resolve it to 1e-8.
+        #: Orders k at which G is evaluated; steps of 2 % resolve it to 1e-8.
         self.orders = np.unique([*range(41), *np.geomspace(40, top, 1 + int(50 * np.log(top / 40))).astype(int), top])
         self._mesh, self._radius = mesh, radius
-        # Half a window: 4.2 mm of 3 mm that touch.
+        # Half of the window: 4.2 mm, for a contact of 3 mm.
         self._half = int(np.ceil(0.2 / mesh.spacing))
 
     def torque(self, function: Floats) -> float:
@@ -152,7 +153,7 @@ class _RadialContact:
         return float(-(radius * np.sin(theta) * np.cos(phi) * force).sum())
 
     def _table(self, function: Floats) -> Floats:
-        """Sum equation (53) over all orders, for all offsets of two nodes of the window."""
+        """Return the sum of equation (53) over all orders, for all offsets between two nodes of the window."""
         with extra("studies"):
             from scipy.interpolate import CubicSpline
 

@@ -1,4 +1,4 @@
-"""Table 4: the law of the thickness, T = a tanh(b h^c)."""
+"""Table 4: law of the thickness, T = a tanh(b h^c)."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .thickness import LOADS, ThicknessSweep, printed_curve, thickness_sweep
 
 __all__ = ["Table4", "compute_table4"]
 
-#: Where the curves of table 4 are compared [m], and how far they may be apart [-].
+#: Range of thickness in which the curves of table 4 are compared [m], and largest relative deviation [-].
 _RANGE, _TOLERANCE = (1e-3, 10e-3), 0.03
 
 _UNKNOWN_THICKNESSES = (
@@ -25,17 +25,17 @@ _UNKNOWN_THICKNESSES = (
 
 @dataclass(frozen=True, slots=True)
 class Table4:
-    """Parameters of the fits, and the curves they give beside the paper's."""
+    """Parameters of the fits, and comparison of the fitted curves with the paper's."""
 
     data: ThicknessSweep
 
     def deviations(self, thicknesses: Floats, *, refined: bool = False) -> dict[float, Floats]:
-        """Relative deviations of the fitted curves from the printed ones, by load [N]."""
+        """Return the relative deviations of the fitted curves from the printed ones [-], by load [N]."""
         fits = self.data.refined_fits if refined else self.data.fits
         return {load: fits[load].predict(thicknesses) / printed_curve(load, thicknesses) - 1.0 for load in LOADS}
 
     def tables(self) -> dict[str, Table]:
-        """Parameters, and the deviations of the curves."""
+        """Return a table of the parameters, and one of the deviations of the curves."""
         rows = [(load, name) for load in LOADS for name in "abc"]
         parameters = [self.data.fits[load].parameters[name] for load, name in rows]
         fine = np.geomspace(0.1e-3, 10e-3, 41)
@@ -58,7 +58,7 @@ class Table4:
         }
 
     def draw(self) -> Picture:
-        """Deviations of the fitted curves, and of the torques themselves, from the paper's curves."""
+        """Plot the deviations of the fitted curves, and of the torques themselves, from the paper's curves."""
         figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         fine = np.geomspace(0.1e-3, 10e-3, 300)
         data = self.data
@@ -78,7 +78,7 @@ class Table4:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge curves and parameters, and say what is mesh."""
+        """Compare curves and parameters with the paper, and determine the effect of the mesh."""
         data, ends = self.data, np.geomspace(*_RANGE, 200)
         worst = max(float(np.abs(deviation).max()) for deviation in self.deviations(ends).values())
         inside = [
@@ -120,5 +120,5 @@ class Table4:
 
 
 def compute_table4(runner: Runner) -> Table4:
-    """Fit the law of section 14.5 to coatings of 0.1 to 10 mm, once more with thin ones refined."""
+    """Fit the law of section 14.5 to coatings of 0.1 to 10 mm, also with refined meshes for thin ones."""
     return Table4(runner.shared(thickness_sweep))

@@ -1,4 +1,4 @@
-"""Figures 7 and 12: the resisting torque against the rolling speed."""
+"""Figures 7 and 12: resisting torque as a function of the rolling speed."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ if TYPE_CHECKING:
 
 __all__ = ["Figure7", "Figure12", "compute_figure7", "compute_figure12"]
 
-#: Slowest and fastest rolling of figure 7 [rad/s].
+#: Smallest and largest angular speed of figure 7 [rad/s].
 _SLOWEST, _FASTEST = 0.05, 25.0
-#: Speed of the "deepest penetration" of the paper's footnote 1 [rad/s].
+#: Angular speed of the "deepest penetration" of the paper's footnote 1 [rad/s].
 _DEEPEST = 0.3
 _THICKNESSES = (1e-3, 5e-3)
-#: Steps of the torque as rows of nodes enter the contact [-]: docs/theory/reference-values.md.
+#: Relative steps of the torque as rows of nodes enter the contact [-]: docs/theory/reference-values.md.
 _STAIRCASE = 0.01
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure7:
-    """Torque [N m] and penetration [m] of the example against Ω [rad/s]."""
+    """Torque [N m] and penetration [m] of the example for angular speeds Ω [rad/s]."""
 
     speeds: Floats
     torques: Floats
@@ -38,7 +38,7 @@ class Figure7:
     low_speed: Floats
 
     def tables(self) -> dict[str, Table]:
-        """One row for each speed."""
+        """Return a table with one row for each speed."""
         return {
             "": {
                 "angular_speed [rad/s]": self.speeds.tolist(),
@@ -49,7 +49,7 @@ class Figure7:
         }
 
     def draw(self) -> Picture:
-        """Torque, its low-speed limit, and penetration."""
+        """Plot the torque, its low-speed limit, and the penetration."""
         figure = Picture(figsize=(8.0, 4.8), layout="constrained")
         axes = figure.subplots()
         axes.semilogx(self.speeds, self.torques * 1e3, "o-", markersize=3.5, label="$T_r$")
@@ -68,7 +68,7 @@ class Figure7:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge what is printed: the torque of table 2, and the footnote on penetration."""
+        """Compare with the printed torque of table 2, and with the footnote on penetration."""
         at = int(np.argmin(np.abs(self.speeds - paper.ANGULAR_SPEED)))
         printed = paper.TABLE_2[500, 500]
         off = float(self.torques[at] / printed - 1.0)
@@ -93,14 +93,14 @@ class Figure7:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure12:
-    """Torques [N m] by thickness [m], of shape (loads, speeds)."""
+    """Torques [N m] by thickness [m], as arrays of shape (loads, speeds)."""
 
     speeds: Floats
     loads: Floats
     torques: dict[float, Floats]
 
     def tables(self) -> dict[str, Table]:
-        """One row for each speed, one file for each thickness."""
+        """Return a table for each thickness, with one row for each speed."""
         return {
             f"-{h * 1e3:g}mm": {"angular_speed [rad/s]": self.speeds.tolist()}
             | {f"torque_P_{p:g}N [N m]": t.tolist() for p, t in zip(self.loads, torques, strict=True)}
@@ -108,7 +108,7 @@ class Figure12:
         }
 
     def draw(self) -> Picture:
-        """Curves for each load."""
+        """Plot a curve for each load."""
         from matplotlib import colormaps
 
         figure = Picture(figsize=(12.0, 4.8), layout="constrained")
@@ -124,7 +124,7 @@ class Figure12:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the sentences of the paper's section 14.6."""
+        """Compare with the statements of the paper's section 14.6."""
         single = all(_has_one_peak(torque) for torques in self.torques.values() for torque in torques)
         ends = [t[:, [0, -1]] / t.max(axis=1, keepdims=True) for t in self.torques.values()]
         slow, fast = (max(float(e[:, k].max()) for e in ends) for k in (0, 1))
@@ -146,14 +146,14 @@ class Figure12:
 
 
 def _has_one_peak(torque: Floats) -> bool:
-    """Whether a curve rises to one peak and falls after it, but for the steps of the mesh."""
+    """Return whether a curve rises to one peak and falls after it, apart from the steps of the mesh."""
     top = int(torque.argmax())
     rise, fall = torque[: top + 1], torque[top:][::-1]
     return all(bool((part >= np.maximum.accumulate(part) * (1.0 - _STAIRCASE)).all()) for part in (rise, fall))
 
 
 def _speeds(count: int) -> Floats:
-    """Speeds [rad/s] at equal ratios, with the one of the example and the one of the footnote."""
+    """Return angular speeds with equal ratios [rad/s], and in addition those of the example and of the footnote."""
     return np.unique([*np.geomspace(_SLOWEST, _FASTEST, count), _DEEPEST, paper.ANGULAR_SPEED])
 
 
@@ -176,7 +176,7 @@ def compute_figure7(runner: Runner) -> Figure7:
 
 
 def compute_figure12(runner: Runner) -> Figure12:
-    """Solve ten loads (coarse: three) at speeds from 0.05 to 25 rad/s, on coatings of 1 and 5 mm."""
+    """Solve coatings of 1 and 5 mm at ten loads (three in a coarse run) and speeds from 0.05 to 25 rad/s."""
     speeds = np.geomspace(_SLOWEST, _FASTEST, 7 if runner.coarse else 28)
     loads = np.linspace(10.0, 100.0, 3 if runner.coarse else 10)
 

@@ -1,4 +1,4 @@
-"""Figures 6 and 8: the resisting torque after a sudden start, at many speeds and coefficients of friction."""
+"""Figures 6 and 8: resisting torque after a sudden start, for several speeds and coefficients of friction."""
 
 from __future__ import annotations
 
@@ -23,33 +23,33 @@ if TYPE_CHECKING:
 
 __all__ = ["Figure6", "Figure8", "compute_figure6", "compute_figure8"]
 
-#: Both states to start from, and what they are.
+#: Starting states, with their titles in the plots.
 _STARTS = {Start.FRESH: "pressed on in no time", Start.RELAXED: "has borne the load for ever"}
 
-#: Ω of figure 6 [rad/s], which its text gives the ends of.
+#: Angular speeds Ω of figure 6 [rad/s]. The paper's text states the smallest and the largest one.
 _SPEEDS, _COARSE_SPEEDS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0), (0.5, 2.5, 4.0)
-_TURN = 0.8  # [rad]: more than three times the contact's length
-_STEADY = 0.02  # within which a torque counts as steady [-]
+_TURN = 0.8  # rotation [rad]: more than three times the length of the contact
+_STEADY = 0.02  # largest relative deviation of a steady torque [-]
 
-#: Ω of section 14.3 [rad/s], and μ of figure 8 [-].
+#: Angular speed Ω of section 14.3 [rad/s], and coefficients of friction μ of figure 8 [-].
 _SPEED = 0.2
 _FRICTIONS, _COARSE_FRICTIONS = (0.0, 0.1, 0.3, 0.5, 1.0, 2.0), (0.0, 0.5, 2.0)
-_FRICTION_TURN = 0.6  # [rad]: 3 s
-_NOTHING = 1e-3  # of an overshoot [-]
+_FRICTION_TURN = 0.6  # rotation [rad]: 3 s
+_NOTHING = 1e-3  # negligible overshoot [-]
 _NODES, _COARSE_NODES = 300, 240
 
-#: A starting state, and the number that varies.
+#: Starting state, and value of the quantity that varies.
 Key = tuple[Start, float]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SuddenStarts:
-    """Histories by starting state and the number that varies."""
+    """Histories by starting state and value of the quantity that varies."""
 
     histories: dict[Key, History]
 
     def _columns(self, varied: str) -> tuple[Table, Table]:
-        """Return the columns of a table with a row for each history, and of one with a row for each instant."""
+        """Return the columns of a table with one row for each history, and of one with one row for each instant."""
         rows = [(key, i) for key, history in self.histories.items() for i in range(len(history.time))]
         return {
             "start": [start.name for start, _ in self.histories],
@@ -62,7 +62,7 @@ class SuddenStarts:
         }
 
     def _panels(self, figure: Picture, label: str, *, sharey: bool) -> Iterator[Axes]:
-        """Draw torque over time, for one starting state after the other."""
+        """Plot the torque over time in one panel for each starting state, and yield the panels."""
         for axes, (start, title) in zip(figure.subplots(1, 2, sharey=sharey), _STARTS.items(), strict=True):
             found = [(number, history) for (known, number), history in self.histories.items() if known is start]
             for place, (number, history) in enumerate(found):
@@ -74,23 +74,23 @@ class SuddenStarts:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure6(SuddenStarts):
-    """Histories by starting state and speed, and the steady torque at each speed [N m]."""
+    """Histories by starting state and angular speed, and the steady torque at each speed [N m]."""
 
     steady: dict[float, float]
 
     def overshoot(self, start: Start, speed: float) -> float:
-        """How far the largest torque lies above the steady one [-]."""
+        """Return the relative excess of the largest torque over the steady one [-]."""
         return float(self.histories[start, speed].resisting_torque.max()) / self.steady[speed] - 1.0
 
     def settling_time(self, start: Start, speed: float) -> float:
-        """When the torque is within 2 % of the steady one for good [s]; infinite where that is not reached."""
+        """Return the time from which on the torque stays within 2 % of the steady one [s]; infinite if it does not."""
         history = self.histories[start, speed]
         away = np.flatnonzero(np.abs(history.resisting_torque / self.steady[speed] - 1.0) > _STEADY)
         last = int(away[-1]) + 1 if len(away) else 0
         return float(history.time[last]) if last < len(history.time) else float("inf")
 
     def tables(self) -> dict[str, Table]:
-        """Return a row for each start and speed, and the histories."""
+        """Return a table with one row for each start and speed, and one with the histories."""
         keys, (summary, instants) = list(self.histories), self._columns("angular_speed [rad/s]")
         found = {
             "steady_torque [N m]": [self.steady[speed] for _, speed in keys],
@@ -100,7 +100,7 @@ class Figure6(SuddenStarts):
         return {"": {**summary, **found}, "-histories": instants}
 
     def draw(self) -> Picture:
-        """Torque over time, for both starting states."""
+        """Plot the torque over time for both starting states."""
         figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         for axes in self._panels(figure, "{:g} rad/s", sharey=False):
             for place, torque in enumerate(self.steady.values()):
@@ -110,7 +110,7 @@ class Figure6(SuddenStarts):
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge what the text says, for both starting states."""
+        """Compare with the paper's text, for both starting states."""
         speeds = list(self.steady)
         verdicts = []
         for start in _STARTS:
@@ -141,16 +141,16 @@ class Figure8(SuddenStarts):
     """Histories by starting state and coefficient of friction."""
 
     def overshoot(self, start: Start, friction: float) -> float:
-        """How far the largest torque lies above the last one [-]."""
+        """Return the relative excess of the largest torque over the last one [-]."""
         torque = self.histories[start, friction].resisting_torque
         return float(torque.max() / torque[-1]) - 1.0
 
     def overshoots(self, start: Start) -> list[float]:
-        """Overshoots by rising friction."""
+        """Return the overshoots [-] in the order of increasing friction."""
         return [self.overshoot(start, friction) for known, friction in self.histories if known is start]
 
     def tables(self) -> dict[str, Table]:
-        """Return a row for each start and coefficient, and the histories."""
+        """Return a table with one row for each start and coefficient, and one with the histories."""
         keys, (summary, instants) = list(self.histories), self._columns("friction [1]")
         found = {
             "last_torque [N m]": [float(history.resisting_torque[-1]) for history in self.histories.values()],
@@ -159,7 +159,7 @@ class Figure8(SuddenStarts):
         return {"": {**summary, **found}, "-histories": instants}
 
     def draw(self) -> Picture:
-        """Torque over time, for both starting states."""
+        """Plot the torque over time for both starting states."""
         figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         for axes in self._panels(figure, "$μ$ = {:g}", sharey=True):
             axes.label_outer()
@@ -167,7 +167,7 @@ class Figure8(SuddenStarts):
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge what the text says of the overshoot, for both starting states."""
+        """Compare with the paper's text on the overshoot, for both starting states."""
         verdicts = []
         for start in _STARTS:
             overshoots = self.overshoots(start)
@@ -185,10 +185,10 @@ class Figure8(SuddenStarts):
 
 
 def compute_figure6(runner: Runner) -> Figure6:
-    """Start at once at every speed, from both states, at the paper's load."""
+    """Start suddenly at every speed, from both states, at the paper's load."""
     ball = paper.ball()
     speeds = _COARSE_SPEEDS if runner.coarse else _SPEEDS
-    mesh = Mesh(nodes_per_revolution=runner.mesh.nodes_per_revolution)  # all orders, as in the steady torque
+    mesh = Mesh(nodes_per_revolution=runner.mesh.nodes_per_revolution)  # all orders, the same as for the steady torque
 
     def history(key: Key) -> History:
         start, speed = key
@@ -211,7 +211,10 @@ def compute_figure6(runner: Runner) -> Figure6:
 
 
 def compute_figure8(runner: Runner) -> Figure8:
-    """Start at once at every coefficient, from both states; node by node, so that no staircase blurs the overshoot."""
+    """Start suddenly with every coefficient of friction, from both states.
+
+    Each step advances the mesh by one node, so that the staircase of the mesh does not hide the overshoot.
+    """
     ball = paper.ball()
     mesh = Mesh(nodes_per_revolution=_COARSE_NODES if runner.coarse else _NODES)
     angle = np.arange(int(_FRICTION_TURN / mesh.spacing) + 1) * mesh.spacing

@@ -1,4 +1,4 @@
-"""Figure 11: the resisting torque against the thickness of the coating."""
+"""Figure 11: resisting torque as a function of the thickness of the coating."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ __all__ = ["LOADS", "Figure11", "ThicknessSweep", "compute_figure11", "printed_c
 _OUTER_RADIUS = 21e-3
 #: Loads [N] of table 4 and figure 11.
 LOADS = tuple(paper.TABLE_4)
-#: Thicknesses [m]; the paper says from where to where, not which.
+#: Thicknesses [m]. The paper states their range only.
 _THICKNESSES = np.array([0.1, 0.25, 0.5, 0.75, *np.arange(1.0, 10.1, 0.5)]) * 1e-3
 _COARSE = np.array([0.1, 0.5, 1.0, 2.0, 4.0, 7.0, 10.0]) * 1e-3
-#: Coatings up to these thicknesses [m] are solved again with so many times the nodes.
+#: Factor on the number of nodes for a second solve of coatings up to the given thickness [m].
 _REFINED = {0.25e-3: 4, 2e-3: 2}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ThicknessSweep:
-    """Torques [N m] by load [N], against thickness [m], and their fits.
+    """Torques [N m] by load [N], for several thicknesses [m], and their fits.
 
-    `refined` holds those of finer meshes where coatings are thin, elsewhere the same.
+    `refined` contains the torques on finer meshes for thin coatings, and the same torques as `torques` for others.
     """
 
     nodes: int
@@ -49,18 +49,18 @@ class ThicknessSweep:
 
     @property
     def thin(self) -> NDArray[np.bool_]:
-        """Where meshes were refined."""
+        """Thicknesses for which the mesh was refined, as a mask."""
         return self.thicknesses <= max(_REFINED) * (1.0 + 1e-9)
 
 
 @dataclass(frozen=True, slots=True)
 class Figure11:
-    """Torque against thickness, with the fits."""
+    """Torque as a function of thickness, with the fits."""
 
     data: ThicknessSweep
 
     def tables(self) -> dict[str, Table]:
-        """One row for each thickness."""
+        """Return a table with one row for each thickness."""
         data = self.data
         columns = {"thickness [m]": data.thicknesses.tolist()}
         for load in LOADS:
@@ -77,7 +77,7 @@ class Figure11:
         return {"": columns}
 
     def draw(self) -> Picture:
-        """Torques, fits with confidence bands and the paper's curves; beside it the thin coatings, in logarithms."""
+        """Plot torques, fits with confidence bands and the paper's curves, and thin coatings with logarithmic axes."""
         figure = Picture(figsize=(12.0, 5.0), layout="constrained")
         axes = figure.subplots(1, 2)
         data, fine = self.data, np.geomspace(0.1e-3, 10e-3, 300)
@@ -110,7 +110,7 @@ class Figure11:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the sentences of the paper's section 14.5."""
+        """Compare with the statements of the paper's section 14.5."""
         data = self.data
         rising = all(bool((np.diff(torques) > 0.0).all()) for torques in data.refined.values())
         growth = [float(t[-1] / np.interp(7e-3, data.thicknesses, t) - 1.0) for t in data.refined.values()]
@@ -130,19 +130,20 @@ class Figure11:
 
 
 def printed_curve(load: float, thickness: Floats) -> Floats:
-    """Torque [N m] of table 4 with the middles of its intervals."""
+    """Return the torque [N m] of table 4, with the middles of its intervals as parameters."""
     a, b, c = (sum(paper.TABLE_4[load][name]) / 2.0 for name in "abc")
     return np.asarray(a * np.tanh(b * thickness**c))
 
 
 def thickness_sweep(runner: Runner) -> ThicknessSweep:
-    """Solve coatings of 0.1 to 10 mm with four loads, thin ones also on finer meshes, and fit section 14.5's law."""
+    """Solve coatings of 0.1 to 10 mm at four loads, thin ones also on finer meshes, and fit the law of section 14.5."""
     thicknesses = _COARSE if runner.coarse else _THICKNESSES
 
     def torques(point: tuple[float, int]) -> list[float]:
         h, factor = point
         nodes, order = runner.mesh.nodes_per_revolution, runner.mesh.max_order
-        # Odd multiples of half of the nodes converge best; the paper's own mesh is left as it is.
+        # Truncation orders that are odd multiples of half the number of nodes converge best. The paper's mesh is
+        # unchanged.
         mesh = Mesh(nodes_per_revolution=nodes * factor, max_order=3 * nodes * factor // 2 if factor > 1 else order)
         ball = paper.ball(thickness=h, core_radius=_OUTER_RADIUS - h)
         model = RollingModel(ball, angular_speed=paper.ANGULAR_SPEED, mesh=mesh, curvature=Curvature.PAPER, threads=1)
@@ -164,10 +165,10 @@ def thickness_sweep(runner: Runner) -> ThicknessSweep:
 
 
 def _refinement(thickness: float) -> int:
-    """By what the nodes of a coating are multiplied."""
+    """Return the factor on the number of nodes for a thickness [m]."""
     return next((factor for limit, factor in _REFINED.items() if thickness <= limit * (1.0 + 1e-9)), 1)
 
 
 def compute_figure11(runner: Runner) -> Figure11:
-    """Draw coatings of 0.1 to 10 mm with four loads, thin ones also on finer meshes."""
+    """Compute coatings of 0.1 to 10 mm at four loads, thin ones also on finer meshes."""
     return Figure11(runner.shared(thickness_sweep))

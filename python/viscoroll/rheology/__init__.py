@@ -1,4 +1,4 @@
-"""Materials from measurements: reading, shifting, fitting, checking (the extra `viscoroll[studies]`)."""
+"""Materials from measurements: reading, shifting, fitting and checking (requires the extra `viscoroll[studies]`)."""
 
 from importlib import resources
 from pathlib import Path
@@ -47,18 +47,18 @@ __all__ = [
 
 
 def example_data(name: str) -> Path:
-    """Return the path of measured data that come with the package.
+    """Return the path of a file of measured data that is part of the package.
 
     Parameters
     ----------
     name : {"pressure_sensitive_adhesive.txt"}
-        Which: frequency sweeps of a pressure-sensitive adhesive from -40 to 150 °C, exported by TA's TRIOS; its license
-        stands beside it.
+        Name of the file: frequency sweeps of a pressure-sensitive adhesive from -40 to 150 °C, exported by TA's TRIOS.
+        Its license is in the same folder.
 
     Raises
     ------
     ValueError
-        For another name.
+        If there is no such file.
     """
     path = Path(str(resources.files("viscoroll").joinpath("examples", name)))
     if name not in ("pressure_sensitive_adhesive.txt",):

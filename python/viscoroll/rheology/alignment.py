@@ -1,8 +1,9 @@
-"""Shifts of isotherms: pair by pair, then all together about one Prony series.
+"""Shifts of isotherms, first between neighbors and then of all together against one Prony series.
 
 The second step is a separable least-squares problem (Golub and Pereyra, SIAM J. Numer. Anal. 10 (1973) 413): for given
-shifts the best series is a linear problem with nonnegative unknowns, so only the shifts are iterated, with Kaufman's
-Jacobian (BIT 15 (1975) 49): the derivative of the rows at a fixed series, less what the terms in use can make up for.
+shifts the best series is a linear problem with nonnegative unknowns, so only the shifts are iterated. The Jacobian is
+that of Kaufman (BIT 15 (1975) 49): the derivative of the residuals at a fixed series, minus its projection on the terms
+in use.
 """
 
 from __future__ import annotations
@@ -23,27 +24,27 @@ __all__ = ["Alignment", "align", "shift_pairs", "undetermined_pairs"]
 _LN10 = float(np.log(10.0))
 _TERMS_PER_DECADE = 2.0
 
-#: Trial shifts of one isotherm on the next [decades].
+#: Trial shifts of an isotherm relative to its neighbor [decades].
 _TRIALS = np.linspace(-6.0, 6.0, 241)
 
-#: A shift is called undetermined that may lie anywhere over so much [decades].
+#: Width of the range of equally good shifts from which on a shift counts as undetermined [decades].
 _OPEN = 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Alignment:
-    """Shifts of all isotherms [decades], with respect to one of them, and what they leave.
+    """Shifts of all isotherms relative to a reference isotherm, with their covariance and the fitted series.
 
     Attributes
     ----------
     horizontal : ndarray
-        log₁₀ a_T.
+        log₁₀ a_T of each isotherm [decades].
     vertical : ndarray
-        log₁₀ of what moduli are divided by; zeros unless asked for.
+        log₁₀ of the factor by which the moduli of each isotherm are divided [decades]; zeros without vertical shifts.
     covariance : ndarray
-        Of the horizontal shifts but that of the reference.
+        Covariance of the horizontal shifts, without that of the reference.
     series : SeriesFit
-        The series that all isotherms lie about.
+        Series that fits all shifted isotherms best.
     """
 
     horizontal: Floats
@@ -53,13 +54,17 @@ class Alignment:
 
 
 def shift_pairs(isotherms: Sequence[Isotherm]) -> Floats:
-    """Return log₁₀ a_T of each isotherm with respect to the first, by laying each on its neighbor."""
+    """Return log₁₀ a_T of each isotherm relative to the first, from the shifts between neighbors."""
     steps = [_shift_on(cold, hot) for cold, hot in pairwise(isotherms)]
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
 def undetermined_pairs(isotherms: Sequence[Isotherm]) -> tuple[str, ...]:
-    """Name the steps that leave their shift open: twice the least distance, or 0.3 %, over half a decade or more."""
+    """Describe the steps between neighbors whose shift is undetermined.
+
+    A shift is undetermined if values over half a decade or more fit about as well: their distance from the neighbor is
+    at most twice that of the best shift, or below 0.3 %.
+    """
     named = []
     for cold, hot in pairwise(isotherms):
         costs = _distances(cold, hot)
@@ -83,11 +88,11 @@ def _distances(cold: Isotherm, hot: Isotherm) -> Floats:
 
 
 def _shift_on(cold: Isotherm, hot: Isotherm) -> float:
-    """Return by how many decades the hotter isotherm moves to lie on the colder one."""
+    """Return the shift by which the hotter isotherm fits the colder one best [decades]."""
     costs = _distances(cold, hot)
     best = int(np.argmin(costs))
     if 0 < best < len(costs) - 1 and np.isfinite(costs[best - 1 : best + 2]).all():
-        # The vertex of the parabola through the best trial and its neighbors.
+        # Vertex of the parabola through the best trial and its neighbors.
         left, middle, right = costs[best - 1 : best + 2]
         bend = left - 2.0 * middle + right
         if bend > 0.0:
@@ -96,20 +101,20 @@ def _shift_on(cold: Isotherm, hot: Isotherm) -> float:
 
 
 def _distance(x: Floats, y: Floats, x_shifted: Floats, y_shifted: Floats) -> float:
-    """Mean squared distance of two curves where they overlap, both moduli, each seen from the other."""
+    """Return the mean squared distance of two curves in their overlap, in both directions and for both moduli."""
     total, count = 0.0, 0
     for a, b, other_a, other_b in ((x, y, x_shifted, y_shifted), (x_shifted, y_shifted, x, y)):
         inside = (other_a >= a[0]) & (other_a <= a[-1])
         for row, other in zip(b, other_b, strict=True):
             total += float(((np.interp(other_a[inside], a, row) - other[inside]) ** 2).sum())
         count += 2 * int(inside.sum())
-    if count < 8:  # two points each way, in both moduli
+    if count < 8:  # at least two points in each direction, for both moduli
         return np.inf
-    return total / count + 1e-6 / count  # of equal distances, that of more overlap
+    return total / count + 1e-6 / count  # prefers the larger overlap if distances are equal
 
 
 def align(isotherms: Sequence[Isotherm], start: Floats, *, reference: int, vertical: bool) -> Alignment:
-    """Move all isotherms but one until a single nonnegative series fits them best."""
+    """Move all isotherms except the reference until a single nonnegative series fits them best."""
     with extra("studies"):
         from scipy.optimize import least_squares
 
@@ -139,7 +144,7 @@ class _Separable:
         start = start - start[reference]
         self.initial = np.concatenate([start[self._others], np.zeros(self._others.size if vertical else 0)])
         reduced = self._frequency * 10.0 ** start[self._owner]
-        self._times = time_grid(reduced, _TERMS_PER_DECADE, margin=1.0)  # room for the shifts to move
+        self._times = time_grid(reduced, _TERMS_PER_DECADE, margin=1.0)  # margin for changes of the shifts
         self._last: tuple[Floats, SeriesFit] | None = None
 
     def unpacked(self, x: Floats) -> tuple[Floats, Floats]:
@@ -155,7 +160,7 @@ class _Separable:
         return self._frequency * 10.0 ** horizontal[self._owner], self._storage * lift, self._loss * lift
 
     def fit(self, x: Floats) -> SeriesFit:
-        if self._last is None or not np.array_equal(self._last[0], x):  # asked for residual and Jacobian in turn
+        if self._last is None or not np.array_equal(self._last[0], x):  # residual and Jacobian share an x
             frequency, storage, loss = self._reduced(x)
             self._last = (x.copy(), fit_series(frequency, storage, loss, self._times, floor=0.0))
         return self._last[1]
@@ -178,7 +183,7 @@ class _Separable:
         along = _LN10 * (slope @ series.terms) / measured
         columns = [along]
         if self._is_vertical:
-            columns.append(_LN10 * (series.residual + 1.0))  # the series over moduli that are divided by more
+            columns.append(_LN10 * (series.residual + 1.0))  # derivative of the ratio series / moduli
         owner = np.concatenate([self._owner, self._owner])
         blocks = [np.where(owner[:, None] == self._others, column[:, None], 0.0) for column in columns]
         derivative = np.hstack(blocks)

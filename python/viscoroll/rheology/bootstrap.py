@@ -1,10 +1,11 @@
-"""Data as another day might have given them: the wild bootstrap.
+"""Wild bootstrap: synthetic copies of measured data with errors of random sign.
 
-Each point keeps the size of its own error, so that storage may be measured better than loss and one end better than the
-other; only its sign is drawn. What a fit leaves of an error is 1 - h of it, h the point's leverage, so it is divided by
-that, as in the estimate HC3 of J. G. MacKinnon and H. White, J. Econometrics 29 (1985) 305; signs after R. Davidson and
-E. Flachaire, J. Econometrics 146 (2008) 162. (`scipy.stats.bootstrap` draws whole observations, as of a random sample;
-here each has a frequency of its own, and one drawn twice would leave another unmeasured.)
+Each point keeps the size of its own error, so storage may be more accurate than loss, and one end of the data more
+accurate than the other. Only the sign is random. A fit leaves the fraction 1 - h of an error, with the leverage h of
+the point, so the residual is divided by 1 - h, as in the estimate HC3 of J. G. MacKinnon and H. White, J. Econometrics
+29 (1985) 305. Random signs follow R. Davidson and E. Flachaire, J. Econometrics 146 (2008) 162.
+(`scipy.stats.bootstrap` draws whole observations with replacement, which suits a random sample. Here each point has its
+own frequency, and drawing one twice would omit another.)
 """
 
 from __future__ import annotations
@@ -18,37 +19,37 @@ from .._support.arguments import Floats, as_int
 
 __all__ = ["wild_copies"]
 
-#: Least share of an error that a fit is taken to leave, and least share that noise leaves of a modulus.
+#: Smallest fraction of an error that a fit is assumed to leave, and smallest factor of a modulus after adding noise.
 _LEAST = 0.1
 
 
-#: Largest number of copies: each is fitted anew, in some milliseconds, and 1000 give the ends of an interval to 5 %.
+#: Largest number of copies. Each is fitted, which takes some milliseconds; 1000 give the ends of an interval to 5 %.
 _MOST_COPIES = 100_000
 
 
 def wild_copies(data: Floats, expected: Floats, columns: Floats, *, count: int, seed: int) -> Iterator[Floats]:
-    """Yield copies of data about what was fitted to them.
+    """Yield copies of measured data with errors of random sign relative to the fit.
 
     Parameters
     ----------
     data, expected : ndarray, shape (points,)
-        What was measured, and fitted; errors are relative to the latter.
+        Measured and fitted values, > 0; errors are relative to the fitted values.
     columns : ndarray, shape (points, unknowns)
-        Relative changes of what was fitted by each unknown.
+        Relative derivatives of the fitted values with respect to each unknown.
     count : int
-        Number of copies.
+        Number of copies, in [2, 100000].
     seed : int
-        Of the signs, with the data: other data with the same seed have others.
+        Seed of the random signs, ≥ 0. The data are part of the seed, so different data have different signs.
 
     Yields
     ------
     ndarray, shape (points,)
-        > 0 as the data.
+        Copy of the data, > 0.
 
     Raises
     ------
     ValueError
-        For a negative seed, and a count out of range.
+        If `seed` is negative or `count` is out of range.
     """
     if not 2 <= as_int("count", count) <= _MOST_COPIES:
         raise ValueError(f"count must be in [2, {_MOST_COPIES}], got {count}")

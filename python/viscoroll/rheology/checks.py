@@ -1,4 +1,4 @@
-"""What is wrong with measured moduli, with names and numbers."""
+"""Consistency checks of measured moduli."""
 
 from __future__ import annotations
 
@@ -19,31 +19,32 @@ from .superposition import Superposition
 
 __all__ = ["Check", "check_modulus", "check_range", "rolling_range"]
 
-#: What a check lets pass whatever the noise [-].
+#: Limit of the checks for data without scatter [-].
 _TOLERANCE = 0.02
 
-#: Terms to a decade of the densest passive fit, and of the causal one, which more would let follow noise.
+#: Terms per decade of the passive and of the causal fit. More terms of either sign would fit the noise.
 _DENSE, _SIGNED = 4.0, 2.0
 
-#: Points of a tenth of a decade are averaged, before falls are looked for.
+#: Cells per decade of frequency. Points in one cell are averaged before the check for a decrease.
 _CELLS_PER_DECADE = 10
 
-#: Harmonics above the order 8 R/a, R/a across the contact's half-width, make less than about 2 % of the loss.
+#: Largest relevant order, relative to R/a with the half-width a of the contact. Higher orders contribute less than
+#: about 2 % of the dissipation.
 _ORDERS_ACROSS = 8.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Check:
-    """One property that a modulus must have.
+    """Result of one consistency check of a modulus.
 
     Attributes
     ----------
     name : str
-        What is checked.
+        Name of the property.
     value, limit : float
-        What was found, and up to where it passes [-].
+        Measured value, and the largest value that passes [-].
     message : str
-        Both in a sentence.
+        Sentence that contains both.
     """
 
     name: str
@@ -62,16 +63,17 @@ class Check:
 
 
 def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
-    """Check measured storage and loss against what every passive, causal material obeys.
+    """Check measured storage and loss for properties of every passive, causal material.
 
-    * Kramers-Kronig: a series of relaxation terms of *either sign* is causal, whatever else it is. What the best one
-      leaves is at odds with causality (the linear test of Boukamp, J. Electrochem. Soc. 142 (1995) 1885, on moduli).
-    * Passivity: what the best dense series of *positive* terms leaves; the best single check of data.
-    * Monotony: the storage modulus of a passive solid never falls with frequency. Looked at are means over one, two,
-      four ... tenths of a decade, and of their falls the one that is largest beside what scatter alone makes.
+    * Kramers-Kronig: a series of relaxation terms of *either sign* is causal. The residual of the best such series
+      therefore contradicts causality (the linear test of Boukamp, J. Electrochem. Soc. 142 (1995) 1885, applied to
+      moduli).
+    * Passivity: the residual of the best dense series of *positive* terms. This is the best single check of data.
+    * Monotony: the storage modulus of a passive solid never decreases with frequency. The check compares means over
+      one, two, four ... tenths of a decade and reports the decrease that is largest relative to its limit.
 
-    Limits are twice the scatter from point to point, or 2 %; of monotony what the largest fall of so many points that
-    scatter so much is hardly above.
+    The limits of the first two are twice the scatter from point to point, or 2 % if this is larger. The limit of the
+    third is the largest decrease that scatter alone is likely to cause, or 2 %.
 
     Parameters
     ----------
@@ -81,11 +83,11 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
     Returns
     -------
     tuple of Check
-        In this order.
+        The three checks, in this order.
     """
     frequency, storage, loss = measured(curve)
     noise = _scatter(curve)
-    limit = max(_TOLERANCE, 2.0 * noise * (1.0 + frequency.size**-0.5))  # to so much the scatter itself is known
+    limit = max(_TOLERANCE, 2.0 * noise * (1.0 + frequency.size**-0.5))  # adds the uncertainty of the scatter
     causal = _signed_residual(frequency, storage, loss)
     passive = fit_prony(curve, terms_per_decade=_DENSE)
     worst = float(max(np.abs(passive.storage_error).max(), np.abs(passive.loss_error).max()))
@@ -117,19 +119,19 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
 
 
 def check_range(curve: MeasuredModulus, *, lowest: float, highest: float) -> Check:
-    """Check whether a table holds the frequencies that rolling will ask for.
+    """Check whether a table contains the frequencies that rolling requires.
 
     Parameters
     ----------
     curve : MasterCurve, Superposition, or anything with `frequency`, `storage` and `loss`
-        The table.
+        Table to check.
     lowest, highest : float
-        Angular frequencies [rad/s], as of `rolling_range`.
+        Angular frequencies [rad/s], for example from `rolling_range`.
 
     Returns
     -------
     Check
-        Its value is the share of the decades asked for that has to be extrapolated.
+        Its value is the fraction of the required decades that has to be extrapolated [-].
     """
     frequency = measured(curve)[0]
     low, high = as_float("lowest", lowest), as_float("highest", highest)
@@ -148,31 +150,32 @@ def check_range(curve: MeasuredModulus, *, lowest: float, highest: float) -> Che
 
 
 def rolling_range(ball: RollingBody, *, load: float, angular_speed: float) -> tuple[float, float]:
-    """Estimate between which frequencies rolling dissipates, before solving.
+    """Estimate the range of frequencies at which a rolling body dissipates power, without solving.
 
-    The lowest harmonic is the speed, the highest that counts about 8 R/a times the speed, with the contact's half-width
-    a of Hertz for the modulus that it sees (larger than on a thin coating, so the upper end is an estimate from below).
+    The lowest harmonic is the angular speed. The highest relevant one is about 8 R/a times the angular speed, with the
+    half-width a of Hertz's contact for the modulus at the contact frequency. The contact on a thin coating is smaller,
+    so the true upper end may be higher.
 
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        The body.
+        Rolling body.
     load : float
-        P [N], of a cylinder per length [N/m], > 0.
+        Normal load P [N], > 0. For cylinders, load per unit length [N/m].
     angular_speed : float
-        Ω [rad/s], > 0.
+        Angular speed Ω [rad/s], > 0.
 
     Returns
     -------
     lowest, highest : float
-        [rad/s].
+        Angular frequencies [rad/s].
     """
     from .. import _core
 
     outer = ball.layers[-1]
     radius, nu = ball.outer_radius, 0.5 if outer.poisson_ratio is None else outer.poisson_ratio
     order = 10.0
-    for _ in range(20):  # a changes with the third root of the modulus, which changes little with a
+    for _ in range(20):  # a depends on the cube root of the modulus, which hardly depends on a
         frequency = np.array([angular_speed * order])
         modulus = float(np.abs(_core.complex_modulus(to_core(outer.shear_modulus), frequency))[0])
         order = max(1.0, radius / _half_length(ball, load, (1.0 - nu) / modulus))
@@ -180,7 +183,10 @@ def rolling_range(ball: RollingBody, *, load: float, angular_speed: float) -> tu
 
 
 def _half_length(body: RollingBody, load: float, compliance: float) -> float:
-    """Half of Hertz's contact along the path [m], of (1 - ν)/G [1/Pa]; of a crown to a tenth, or of all its width."""
+    """Return half of the length of Hertz's contact along the path [m], for the compliance (1 - ν)/G [1/Pa].
+
+    For a crowned wheel the result is accurate to a tenth; it is at least that of a contact over the whole width.
+    """
 
     def on_line(load: float) -> float:
         return float(np.sqrt(2.0 / np.pi * compliance * load * body.outer_radius))
@@ -200,7 +206,7 @@ def _half_length(body: RollingBody, load: float, compliance: float) -> float:
 
 
 def _signed_residual(frequency: Floats, storage: Floats, loss: Floats) -> float:
-    """Root mean square of what terms of either sign leave, for each degree of freedom."""
+    """Return the root-mean-square residual of a series with terms of either sign, per degree of freedom."""
     data = np.concatenate([storage, loss])
     matrix = basis(frequency, time_grid(frequency, _SIGNED)) / data[:, None]
     found, _, rank, _ = np.linalg.lstsq(matrix / np.linalg.norm(matrix, axis=0), np.ones(data.size), rcond=1e-8)
@@ -209,10 +215,10 @@ def _signed_residual(frequency: Floats, storage: Floats, loss: Floats) -> float:
 
 
 def _scatter(curve: object) -> float:
-    """Relative noise of single points: what they are off the line through their neighbors, sweep by sweep."""
+    """Return the relative noise of single points, from their distances to neighboring points within each sweep."""
     sweeps: Sequence[object] = [curve]
     if isinstance(curve, Superposition) and any(sweep.frequency.size >= 5 for sweep in curve.data.isotherms):
-        sweeps = curve.data.isotherms  # else, as of a ramp, the points of all beside each other
+        sweeps = curve.data.isotherms  # otherwise, for example for a ramp, neighbors are points of all sweeps
     squares = []
     for sweep in sweeps:
         frequency, storage, loss = measured(sweep)  # type: ignore[arg-type]
@@ -220,21 +226,22 @@ def _scatter(curve: object) -> float:
         for y in (np.log(storage), np.log(loss)):
             if x.size < 5:
                 continue
-            # Third differences at equal ratios: curvature drops out; the weights' squares add up to 20.
+            # Third differences at equal ratios eliminate curvature. The squares of their weights add up to 20.
             if np.ptp(np.diff(x)) < 0.2 * np.diff(x).mean():
                 squares.append(np.diff(y, 3) ** 2 / 20.0)
             else:
                 t = (x[1:-1] - x[:-2]) / np.maximum(x[2:] - x[:-2], 1e-12)
                 squares.append((y[1:-1] - (1.0 - t) * y[:-2] - t * y[2:]) ** 2 / (1.0 + (1.0 - t) ** 2 + t**2))
-    return float(np.sqrt(np.median(np.concatenate(squares)) / 0.455)) if squares else 0.0  # 0.455: of chi-squared
+    return float(np.sqrt(np.median(np.concatenate(squares)) / 0.455)) if squares else 0.0  # 0.455: median of χ²
 
 
 def _telling_drop(frequency: Floats, storage: Floats, noise: float) -> tuple[float, float]:
-    """Return the fall of the storage modulus that is largest beside what it may be by scatter alone, and that.
+    """Return the decrease of the storage modulus that exceeds its limit most, and this limit.
 
-    Of N values that scatter by s the largest difference is hardly above 2 s √(ln N²): the largest of M normal
-    numbers is hardly above √2 s √(2 ln M), and there are M = N²/2 of them. From n points the scatter itself is known
-    to 1/√n of it.
+    The limit is the largest decrease that scatter alone is likely to cause. The largest of M normal numbers hardly
+    exceeds √(2 ln M) standard deviations. N values with the standard deviation s have M = N²/2 differences, each with
+    the standard deviation √2 s, so the largest difference hardly exceeds 2 s √(ln N²). The relative error of s,
+    estimated from n points, is 1/√n.
     """
     cells = np.floor(np.log10(frequency) * _CELLS_PER_DECADE).astype(np.int64)
     _, cells = np.unique(cells, return_inverse=True)
@@ -247,7 +254,7 @@ def _telling_drop(frequency: Floats, storage: Floats, noise: float) -> tuple[flo
     while 2 * width <= count.size:
         points = np.convolve(count, np.ones(width), "valid")
         means = np.convolve(level, np.ones(width), "valid") / points
-        # For each mean that a later one may fall short of, the highest beside its own scatter.
+        # For each earlier mean, compare the decrease to a later mean with the limit from the scatter of both.
         for ahead in range(width, means.size):
             fall = means[:-ahead] - means[ahead:]
             limit = np.maximum(least, spread * np.sqrt(1.0 / points[:-ahead] + 1.0 / points[ahead:]))

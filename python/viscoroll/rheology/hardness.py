@@ -1,4 +1,4 @@
-"""Moduli from the hardness that data sheets give, with the scatter that this has, and loss from the rebound."""
+"""Estimates from data sheets: shear modulus from hardness with its scatter, and loss factor from rebound."""
 
 from __future__ import annotations
 
@@ -10,45 +10,45 @@ from .._support.text import shown
 
 __all__ = ["hardness_to_modulus", "rebound_to_loss_factor"]
 
-#: Hardness that instruments and laboratories differ by at the least [Shore].
+#: Smallest difference between instruments and between laboratories [Shore].
 _REPRODUCIBILITY = 2.0
 
-#: Data sheets give rebounds in whole percent.
+#: Rounding of the rebound in data sheets, which give it in whole percent.
 _ROUNDED = 0.005
 
-#: Qi's scale of hardness, on which Shore A and D meet: S = S_A = S_D + 50.
+#: Offset of Qi's scale, on which Shore A and D coincide: S = S_A = S_D + 50.
 _A_OF_D = 50.0
 
-#: Young's modulus / shear modulus of what keeps its volume.
+#: Young's modulus / shear modulus of an incompressible material.
 _INCOMPRESSIBLE = 3.0
 
 
 def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
     """Estimate the static shear modulus of a rubber from its Shore hardness.
 
-    No more than an order: an indenter is not a rheometer, and the two relations in use differ by a factor of 1.2 to 2.
-    For Shore A the value is the geometric mean of Gent's and of Qi's, and the interval holds both at ±2 Shore; for
-    Shore D there is Qi's alone, and the interval is half to twice as much.
+    The estimate is rough: an indenter is not a rheometer, and the two relations in use differ by a factor of 1.2 to 2.
+    For Shore A the value is the geometric mean of the relations of Gent and of Qi, and the interval contains both at ±2
+    Shore. For Shore D only the relation of Qi is available, and the interval ranges from half to twice its value.
 
     Parameters
     ----------
     hardness : float
         Shore A in [20, 90], or Shore D in [30, 85].
-    scale : {"A", "D"}
-        Which of the two, in either case.
+    scale : {"A", "D"}, default "A"
+        Shore scale, in upper or lower case.
 
     Returns
     -------
     Parameter
-        Shear modulus [Pa] with its bounds, a third of Young's modulus. It is one at rest, or nearly: it says nothing of
-        the loss.
+        Shear modulus [Pa] with its bounds, a third of Young's modulus. It is nearly the modulus at rest and contains no
+        information about the loss.
 
     Raises
     ------
     TypeError
-        Where the hardness is not a number.
+        If the hardness is not a number.
     ValueError
-        For another scale, and hardness outside the range of the relations.
+        If the scale is unknown, or the hardness is outside the range of the relations.
 
     References
     ----------
@@ -86,21 +86,21 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
 
 
 def rebound_to_loss_factor(rebound: float) -> Parameter:
-    """Estimate the loss factor from the rebound resilience that data sheets give, by ISO 4662, DIN 53512 or ASTM D2632.
+    """Estimate the loss factor from the rebound resilience of a data sheet (ISO 4662, DIN 53512 or ASTM D2632).
 
-    What strikes the rubber and returns, a pendulum or a plunger, is half a swing of an oscillator, which keeps
-    e^(-π η) of its energy. The blow lasts some milliseconds: the loss factor is one of some hundred rad/s.
+    The impact of the pendulum or plunger is half a cycle of an oscillator, which retains the fraction e^(-π η) of its
+    energy. The impact lasts some milliseconds, so the loss factor holds at some hundred rad/s.
 
-    The interval is of what a rounded percent and the end of the blow leave open: after half a swing, or sooner, where
-    the force is gone, which of a Kelvin-Voigt solid of damping ratio ζ = η/2 leaves the share
-    exp(-2 ζ (π - 2 arcsin ζ) / √(1 - ζ²)). What another instrument or temperature would give is not in it: "resilience
-    values from one type of rebound instrument may not, in general, be predicted from results on another type of rebound
-    instrument" (ASTM D2632, 4.1).
+    The interval covers two uncertainties: the rounding to whole percent, and the end of the impact. The impact ends
+    after half a cycle, or earlier, when the force vanishes. A Kelvin-Voigt solid with the damping ratio ζ = η/2 then
+    retains the fraction exp(-2 ζ (π - 2 arcsin ζ) / √(1 - ζ²)). The interval does not cover other instruments or
+    temperatures: "resilience values from one type of rebound instrument may not, in general, be predicted from results
+    on another type of rebound instrument" (ASTM D2632, 4.1).
 
     Parameters
     ----------
     rebound : float
-        Share of the energy that is kept [-], in [0.02, 1): 0.55 for the 55 % of a data sheet.
+        Fraction of the energy that is retained [-], in [0.02, 1): 0.55 for a data sheet value of 55 %.
 
     Returns
     -------
@@ -110,9 +110,9 @@ def rebound_to_loss_factor(rebound: float) -> Parameter:
     Raises
     ------
     TypeError
-        Where the rebound is not a number.
+        If the rebound is not a number.
     ValueError
-        Where it is not in the range.
+        If the rebound is out of range.
 
     Examples
     --------
@@ -131,14 +131,14 @@ def rebound_to_loss_factor(rebound: float) -> Parameter:
 
 
 def _half_swing(share: float) -> float:
-    """Loss factor of what keeps a share of its energy in half a swing."""
+    """Return the loss factor of an oscillator that retains a fraction of its energy over half a cycle."""
     return -math.log(share) / math.pi
 
 
 def _until_free(share: float) -> float:
-    """Loss factor of the Kelvin-Voigt solid that keeps a share of the energy until its force is gone."""
+    """Return the loss factor of a Kelvin-Voigt solid that retains a fraction of the energy until its force vanishes."""
     least, most = 0.0, 1.0 - 1e-9
-    for _ in range(60):  # of doubles
+    for _ in range(60):  # bisections, to double precision
         ratio = 0.5 * (least + most)
         kept = math.exp(-2.0 * ratio * (math.pi - 2.0 * math.asin(ratio)) / math.sqrt(1.0 - ratio**2))
         least, most = (ratio, most) if kept > share else (least, ratio)
@@ -146,7 +146,7 @@ def _until_free(share: float) -> float:
 
 
 def _gent(shore: float) -> float:
-    """Shear modulus [Pa] by the force of the spring of a durometer on a flat punch."""
+    """Return the shear modulus [Pa] from the spring force of a durometer on a flat punch."""
     return 0.0981e6 * (56.0 + 7.62336 * shore) / (0.137505 * (254.0 - 2.54 * shore)) / _INCOMPRESSIBLE
 
 

@@ -1,4 +1,4 @@
-"""Measured materials in TOML files, which case files name."""
+"""Measured materials in TOML files, to which case files refer."""
 
 from __future__ import annotations
 
@@ -43,18 +43,19 @@ def save_material(
     Parameters
     ----------
     path : path-like
-        The file, ending in .toml.
+        Path of the file, ending in .toml.
     curve : Superposition or Isotherm
-        The modulus; of a superposition the shift factors are kept, too, for other temperatures.
+        Measured modulus. For a superposition, the file also contains the shift factors for other temperatures.
     fit : PronyFit, optional
-        A Prony series of the same curve, to be kept beside the table.
+        Prony series of the same curve, stored in addition to the table.
     draws : Draws, optional
-        Of the superposition or of the fit, to be kept beside it; of a superposition with their own shift factors.
+        Draws of the superposition or of the fit, stored in addition; draws of a superposition with their own shift
+        factors. Requires `fit`.
 
     Raises
     ------
     ValueError
-        For another suffix, and for draws without a fit.
+        If the suffix is not .toml, or if draws are given without a fit.
     """
     path = ending_in([".toml"], path)
     table = curve.curve if isinstance(curve, Superposition) else _table_of(curve)
@@ -82,32 +83,34 @@ def save_material(
 def load_material(
     path: str | Path, *, temperature: float | None = None, form: Form = "table", draw: int | None = None
 ) -> MasterCurve | Prony:
-    """Read a measured material.
+    """Read a measured material from a TOML file.
 
     Parameters
     ----------
     path : path-like
-        A file written by `save_material`, or by `viscoroll material`.
+        Path of a file written by `save_material` or by `viscoroll material`.
     temperature : float, optional
-        [°C], among those that were measured; by default that of the file's curve.
-    form : {"table", "prony"}
-        The measured table itself, with its end values held, or the Prony series that smooths it.
+        Temperature [°C], within the range of the measurement; by default the reference temperature of the file.
+    form : {"table", "prony"}, default "table"
+        The measured table with its end values held, or the Prony series that smooths it.
     draw : int, optional
-        Number of one of the draws that the file keeps, from 0, in place of its Prony series.
+        Index of one of the draws in the file, from 0, to be used in place of its Prony series. Requires
+        ``form="prony"``.
 
     Returns
     -------
     MasterCurve or Prony
-        The shear modulus at that temperature.
+        Shear modulus at that temperature.
 
     Raises
     ------
     TypeError
         If `temperature` is not a real number or `draw` is not a whole number.
     ValueError
-        Where the file is no material, has no series or no shift factors, or was not measured at that temperature.
+        If the file is not a material file, lacks the required series or shift factors, or does not cover the
+        temperature.
     OSError
-        Where it cannot be read.
+        If the file cannot be read.
     """
     path = Path(path)
     degrees = None if temperature is None else as_float("temperature", temperature)
@@ -118,14 +121,14 @@ def load_material(
 
 
 def count_draws(path: Path) -> int:
-    """Return the number of draws in a material file; parameters and errors as for `load_material`."""
+    """Return the number of draws in a material file; errors are the same as in `load_material`."""
     with _errors_in(path):
         return len(_moduli_of_draws(_draws_of(read_toml(path))))
 
 
 @contextmanager
 def _errors_in(path: Path) -> Iterator[None]:
-    """Turn an error about the content of a material file into a ValueError of one line that names the file."""
+    """Convert an error about the content of a material file into a one-line ValueError that names the file."""
     try:
         yield
     except (TypeError, ValueError) as error:
@@ -192,14 +195,14 @@ def _numbers(name: str, values: object) -> tuple[float, ...]:
 
 
 def _moved(values: Sequence[float], decades: float) -> list[float]:
-    """Return times or frequencies moved by a shift; the modulus checks their range."""
+    """Return times or frequencies after a shift. The constructor of the modulus checks their range."""
     with np.errstate(over="ignore", under="ignore"):
         moved: list[float] = (np.asarray(values) * 10.0**decades).tolist()
     return moved
 
 
 def _rows_of_draws(draws: Draws[Superposition] | Draws[Prony]) -> list[str]:
-    """Return series, and of superpositions shift factors, a row for each draw."""
+    """Return TOML lines with one row per draw: the series and, for superpositions, the shift factors."""
     series = [draw.fit.series if isinstance(draw, Superposition) else draw for draw in draws]
     lines = [f"instantaneous_modulus = {_list(s.instantaneous_modulus for s in series)}"]
     columns = {name: [getattr(s, name) for s in series] for name in ("weights", "relaxation_times")}
@@ -211,7 +214,7 @@ def _rows_of_draws(draws: Draws[Superposition] | Draws[Prony]) -> list[str]:
 
 
 def _shift(document: dict[str, Any], temperature: float | None, factors: Sequence[float] | None = None) -> float:
-    """Return log₁₀ a_T, of the file or of a draw; by it times grow and frequencies shrink."""
+    """Return log₁₀ a_T from the factors of the file or of a draw. Times are multiplied, frequencies divided by a_T."""
     reference = document.get("reference_temperature")
     if reference is not None:
         reference = as_float("reference_temperature", reference)
@@ -233,7 +236,7 @@ def _part(document: dict[str, Any], name: str, meaning: str) -> dict[str, Any]:
 
 
 class _Named(dict[str, Any]):
-    """A table whose missing entries are named."""
+    """Table that reports missing entries by name."""
 
     def __init__(self, name: str, entries: dict[str, Any]) -> None:
         super().__init__(entries)

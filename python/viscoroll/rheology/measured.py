@@ -1,4 +1,4 @@
-"""What has been measured of a material: moduli over frequency."""
+"""Interface of measured moduli as functions of frequency."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["MeasuredModulus", "measured"]
 
 
 class MeasuredModulus(Protocol):
-    """What has been measured: angular frequency [rad/s] and shear moduli [Pa], as long as one another."""
+    """Measured moduli: columns of angular frequency [rad/s] and shear moduli [Pa] of the same length."""
 
     @property
     def frequency(self) -> ArrayLike:
@@ -32,14 +32,15 @@ class MeasuredModulus(Protocol):
 
 
 def measured(curve: MeasuredModulus) -> tuple[Floats, Floats, Floats]:
-    """Return frequency, storage and loss of measured moduli, by increasing frequency and without rest.
+    """Return frequency, storage and loss of measured moduli, sorted by frequency and without entries at frequency 0.
 
     Raises
     ------
     TypeError
-        For something without these attributes.
+        If `curve` lacks one of these attributes.
     ValueError
-        For columns of unlike length, fewer than three points, and values that are not positive.
+        If the columns differ in length, have fewer than three points above 0 rad/s, or contain moduli that are not
+        positive.
     """
     try:
         columns = [as_float_array(name, getattr(curve, name)) for name in ("frequency", "storage", "loss")]

@@ -13,7 +13,7 @@ __all__ = ["Column", "is_unit", "normalized", "parse_header", "role_of"]
 
 _ZERO_CELSIUS = 273.15
 
-#: For each kind of quantity, what a unit multiplies by and adds: to rad/s, Pa, °C and a plain number.
+#: Units of each kind of quantity, with the factor and the offset that convert them to rad/s, Pa, °C or a ratio.
 UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
     "frequency": {
         "Hz": (2.0 * np.pi, 0.0),
@@ -47,11 +47,11 @@ UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
     "ratio": {"": (1.0, 0.0), "-": (1.0, 0.0), "1": (1.0, 0.0)},
 }
 
-#: Largest size of a value of each kind, in the units above. Far beyond any measurement, frequencies of master curves
-#: included, and far enough below the largest float for products and squares of moduli.
+#: Largest absolute value of each kind of quantity, in the units above: far beyond any measurement, including the
+#: frequencies of master curves, and far enough below the largest float for products and squares of moduli.
 _LARGEST = {"frequency": 1e100, "modulus": 1e20, "temperature": 1e4, "strain": 1e6, "ratio": 1e20}
 
-#: The kind of quantity that each column holds.
+#: Kind of quantity of each column.
 _KIND = {
     "frequency": "frequency",
     "second_frequency": "frequency",
@@ -105,7 +105,7 @@ _TENSILE = re.compile(r"(e|tensile|young'?s?|extensional|flexural|bending|compre
 _SHEAR = re.compile(r"(g|shear)\b|g['_\"]|g(stor|loss)")
 
 
-#: Typographic primes and apostrophes, by code point, and two single ones.
+#: Typographic primes and apostrophes by code point, and a pair of single ones, with their plain replacements.
 _PRIMES = (("\u2032", "'"), ("\u2019", "'"), ("\u00b4", "'"), ("\u2033", '"'), ("''", '"'))
 
 
@@ -116,12 +116,12 @@ class Column:
     Attributes
     ----------
     index : int
-        Its place.
+        Position of the column.
     name, unit : str
-        As the file gives them; the unit is empty where there is none.
+        Name and unit in the file; the unit is empty if there is none.
     role : str
-        "frequency", "strain", "storage", "loss", "tan_delta", "temperature" or "sweep"; "second_frequency" where a
-        table gives it twice.
+        "frequency", "strain", "storage", "loss", "tan_delta", "temperature" or "sweep"; "second_frequency" for a second
+        column of frequency.
     """
 
     index: int
@@ -131,7 +131,7 @@ class Column:
 
     @property
     def is_tensile(self) -> bool | None:
-        """Whether a modulus is one of tension, by its name; None where the name does not say."""
+        """Whether the name denotes a modulus of tension; None if it denotes neither tension nor shear."""
         name = normalized(self.name)
         if _TENSILE.match(name):
             return True
@@ -139,22 +139,21 @@ class Column:
 
     @property
     def has_unit(self) -> bool:
-        """Whether the file gives a unit that is known."""
+        """Whether the file gives a known unit."""
         return _known_unit(_KIND[self.role], self.unit) is not None
 
     @property
     def is_angular(self) -> bool:
-        """Whether a frequency is one of radians."""
+        """Whether the unit of a frequency is one of angular frequency."""
         return (_known_unit("frequency", self.unit) or "").startswith("rad")
 
     def converted(self, values: list[float], path: object) -> np.ndarray:
-        """Return the column in rad/s, Pa, °C or as plain numbers, strain as a ratio.
+        """Return the values in rad/s, Pa or °C, and strain as a ratio.
 
         Raises
         ------
         ValueError
-            Where the file gives no unit, one that is not known, or one at odds with the name, and for values that no
-            measurement gives.
+            If the unit is missing, unknown or at odds with the name, or if a value is too large for a measurement.
         """
         known = UNITS_OF[_KIND[self.role]]
         unit = _known_unit(_KIND[self.role], self.unit)
@@ -174,7 +173,7 @@ class Column:
         return np.asarray(values) * factor + offset
 
     def plain(self, values: list[float], path: object) -> np.ndarray:
-        """Return a column without a unit, such as tan δ; raise a ValueError for values that no measurement gives."""
+        """Return the values of a column without a unit, such as tan δ; raise a ValueError if one is too large."""
         self._require_size(values, _LARGEST[_KIND[self.role]], "", path)
         return np.asarray(values)
 
@@ -188,14 +187,14 @@ class Column:
 
 
 def normalized(name: str) -> str:
-    """Return a name in small letters with plain primes and single spaces."""
+    """Return a name in lower case, with plain primes and single spaces."""
     for prime, plain in _PRIMES:
         name = name.replace(prime, plain)
     return re.sub(r"\s+", " ", name.strip().strip("#").lower()).rstrip(".").strip()
 
 
 def role_of(name: str) -> str | None:
-    """Return which column a name means, or None."""
+    """Return the role of the column with a name, or None if the name is unknown."""
     plain = normalized(name)
     bare = re.sub(r"^(tensile|shear|young's|flexural|bending|extensional|compression|[eg]) ", "", plain)
     if plain in _FREQUENCY | _ANGULAR:
@@ -216,24 +215,24 @@ def role_of(name: str) -> str | None:
 
 
 def parse_header(cell: str) -> tuple[str, str]:
-    """Split the unit off a header such as "E' (MPa)", "f [Hz]", "Temp./°C" or "E' in MPa"; it is empty without one."""
+    """Split a header such as "E' (MPa)", "f [Hz]", "Temp./°C" or "E' in MPa" into name and unit; "" without a unit."""
     cell = cell.strip().lstrip("#").strip()
     for pattern in (r"(.+?)\s*\[([^\]]*)\]", r"(.+?)\s*\(([^()]*)\)", r"(.+?)\s*/\s*(.+)", r"(.+?) in (\S+)"):
         found = re.fullmatch(pattern, cell)
         if found and is_unit(found[2]):
-            # Netzsch writes the frequency of a sweep behind the modulus: E'(1.000 Hz)/MPa
+            # Netzsch appends the frequency of a sweep to the modulus: E'(1.000 Hz)/MPa
             return re.sub(r"\s*\([\d.,]+ *Hz\)$", "", found[1]).strip(), found[2].strip()
     return cell, ""
 
 
 def is_unit(text: str) -> bool:
-    """Return whether a text is a unit of frequency, modulus or temperature, or percent."""
+    """Return whether a text is a unit of frequency, modulus or temperature, or a percent sign."""
     kinds = ("frequency", "modulus", "temperature")
     return text.strip().strip("[]()") == "%" or any(_known_unit(kind, text) is not None for kind in kinds)
 
 
 def _known_unit(kind: str, text: str) -> str | None:
-    """Return the name of a unit in the table, in which the case counts only where it makes a difference: mPa, MPa."""
+    """Return the unit in the table that a text denotes, ignoring case unless this is ambiguous (mPa and MPa)."""
     plain = text.strip().strip("[]()").strip().replace("º", "°").replace("²", "2").replace("⁻¹", "-1")
     if plain in UNITS_OF[kind]:
         return plain

@@ -1,4 +1,4 @@
-"""Laws of a network of filler fitted to a strain sweep, with intervals."""
+"""Fit of a network law to a strain sweep of filled rubber, with confidence intervals."""
 
 from __future__ import annotations
 
@@ -22,32 +22,32 @@ if TYPE_CHECKING:
 
 __all__ = ["NetworkFit", "fit_network"]
 
-#: Parameters of the laws, those of what lies beside the network last, and their units.
+#: Parameters of each law and their units; followed by the moduli of the matrix at the frequency of the sweep.
 _UNITS = {
     "kraus": {"storage": "Pa", "loss": "Pa", "critical_strain": "1", "exponent": "1"},
     "masing": {"storage": "Pa", "critical_strain": "1"},
 }
 _BESIDE = {"matrix_storage": "Pa", "matrix_loss": "Pa"}
 
-#: Kraus' exponent of carbon black, to start from.
+#: Start value of Kraus's exponent, typical of carbon black.
 _EXPONENT = 0.6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class NetworkFit:
-    """A law of the network, and how well it fits.
+    """Fitted network law with its parameters and errors.
 
     Attributes
     ----------
     network : KrausNetwork or MasingNetwork
-        The law.
+        Fitted law.
     parameters : mapping of str to Parameter
-        Its parameters with intervals, and what lies beside the network at the frequency of the sweep, `matrix_storage`
-        and `matrix_loss` [Pa].
+        Parameters of the law with intervals, and the moduli of the matrix at the frequency of the sweep,
+        `matrix_storage` and `matrix_loss` [Pa].
     sweep : StrainSweep
-        The data.
+        Measured data.
     storage_error, loss_error : ndarray
-        Fit over data less 1, at each point [-].
+        Fit / data - 1 at each point [-].
     """
 
     network: KrausNetwork | MasingNetwork
@@ -58,7 +58,7 @@ class NetworkFit:
 
     @plots("them")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw data and fit."""
+        """Plot data and fit."""
         from .picture import plot_strain_sweep
 
         strain = self.sweep.amplitudes
@@ -69,7 +69,7 @@ class NetworkFit:
         return plot_strain_sweep(measured, (fine, storage + beside[0], loss + beside[1]), ax=ax)
 
     def __repr__(self) -> str:
-        """Return what was fitted, and how well."""
+        """Return law, errors and parameters with intervals."""
         rms = [float(np.sqrt(np.mean(error**2))) for error in (self.storage_error, self.loss_error)]
         rows = [
             f"  {name} = {p.value:.4g} {p.unit} in [{p.lower:.4g}, {p.upper:.4g}]"
@@ -82,30 +82,30 @@ class NetworkFit:
 def fit_network(
     sweep: StrainSweep, *, law: Literal["kraus", "masing"] = "kraus", confidence: float = 0.95
 ) -> NetworkFit:
-    """Fit a law of the network to a strain sweep, with what lies beside it free: the matrix, at one frequency.
+    """Fit a network law to a strain sweep, with the moduli of the matrix at the frequency of the sweep as unknowns.
 
-    Least squares on the relative errors of both moduli.
+    The fit minimizes the squares of the relative errors of both moduli.
 
     Parameters
     ----------
     sweep : StrainSweep
-        The measurement; its matrix does not count.
+        Measured sweep. The fit ignores its matrix.
     law : {"kraus", "masing"}, default "kraus"
-        Four parameters, or two.
+        Law with four or with two parameters.
     confidence : float, default 0.95
-        Probability that an interval holds the true value [-], for errors that are independent and normal.
+        Confidence level of the intervals [-], in (0, 1), for independent and normally distributed errors.
 
     Returns
     -------
     NetworkFit
-        The law, intervals, errors and a picture.
+        Law, parameters with intervals, and errors.
 
     Raises
     ------
     ValueError
-        For another law, too few points, and a sweep that does not determine the parameters.
+        If the law is unknown, or the sweep has too few points or does not determine the parameters.
     ConvergenceError
-        Where the iteration does not converge.
+        If the iteration does not converge.
 
     Examples
     --------
@@ -163,7 +163,7 @@ def _network(law: str, values: Floats) -> KrausNetwork | MasingNetwork:
 
 
 def _start(law: str, strain: Floats, data: Floats) -> Floats:
-    """Return parameters to start from: steps of the sweep, its strain of largest loss, and what is left at its end."""
+    """Return start values: changes of the moduli over the sweep, strain of the largest loss, moduli of the matrix."""
     storage, loss = data
     fall = max(storage[0] - storage[-1], 0.1 * storage[0])
     rise = max(loss.max() - loss.min(), 0.1 * loss.max())

@@ -1,4 +1,4 @@
-"""Pictures of measured moduli (the extra `viscoroll[plot]`)."""
+"""Plots of measured moduli (require the extra `viscoroll[plot]`)."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ __all__ = ["plot_fit", "plot_strain_sweep", "plot_superposition"]
 
 _STORAGE, _LOSS = "tab:blue", "tab:orange"
 
-#: Angular frequency [rad/s] or strain [-], storage and loss modulus [Pa].
+#: Angular frequency [rad/s] or strain [-], storage modulus [Pa] and loss modulus [Pa].
 _Measured: TypeAlias = tuple[Floats, Floats, Floats]
 
 
 def plot_fit(
     measured: _Measured, series: Prony, *, errors: tuple[Floats, Floats], ax: Axes | None = None
 ) -> Picture | Axes:
-    """Draw data and fit above, relative errors of storage and loss below; into axes of the caller's no errors."""
+    """Plot data and fit, and the relative errors of storage and loss below; without the errors if `ax` is given."""
 
     def compose(picture: Picture) -> None:
         above, below = picture.subplots(2, 1, sharex=True, height_ratios=(3, 1))
@@ -55,7 +55,7 @@ def _draw_moduli(axes: Axes, measured: _Measured, series: Prony) -> None:
 
 
 def plot_strain_sweep(measured: _Measured, fitted: _Measured, *, ax: Axes | None = None) -> Picture | Axes:
-    """Draw moduli over the amplitude of strain, measured and of a law."""
+    """Plot measured and fitted moduli over the strain amplitude."""
 
     def draw(axes: Axes) -> None:
         for data, style, name in ((measured, "o", "measured"), (fitted, "-", "fitted")):
@@ -76,7 +76,10 @@ def plot_superposition(
     reference: float,
     ax: Axes | None = None,
 ) -> Picture | Axes:
-    """Draw sweeps shifted to a reference [°C], and shift factors with laws; into axes of the caller's sweeps alone."""
+    """Plot shifted sweeps at the reference temperature [°C], and the shift factors with fitted laws.
+
+    If `ax` is given, only the sweeps are plotted.
+    """
 
     def compose(picture: Picture) -> None:
         left, right = picture.subplots(1, 2)

@@ -22,29 +22,30 @@ if TYPE_CHECKING:
 
 __all__ = ["PronyFit", "fit_prony"]
 
-#: Least relaxed modulus, relative to the lowest storage modulus measured.
+#: Smallest relaxed modulus, relative to the lowest measured storage modulus.
 _FLOOR = 1e-2
 
-#: Places of the grid of times that are tried, of which the best is kept: a material of few sharp terms shows them.
+#: Number of positions of the grid of times; the best is used. They matter for materials with few sharp relaxations.
 _PLACES = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class PronyFit:
-    """A Prony series with nonnegative weights, and how well it fits.
+    """Prony series with nonnegative weights, with its data and errors.
 
     Attributes
     ----------
     series : Prony
-        The material.
+        Fitted material.
     frequency : ndarray
         Angular frequencies of the data [rad/s], increasing.
     storage, loss : ndarray
-        The data [Pa].
+        Measured moduli [Pa].
     storage_error, loss_error : ndarray
-        Fit over data less 1, at each point [-].
+        Fit / data - 1 at each point [-].
     scatter : float
-        Root mean square of both for each degree of freedom [-]: the noise of data that a passive material can have.
+        Root mean square of both errors per degree of freedom [-]: an estimate of the noise, if a passive material fits
+        the data.
     """
 
     series: Prony
@@ -61,7 +62,7 @@ class PronyFit:
 
     @property
     def relaxed_modulus(self) -> float:
-        """Modulus at rest [Pa]."""
+        """Relaxed modulus [Pa]."""
         return self._fit.relaxed
 
     @property
@@ -75,22 +76,23 @@ class PronyFit:
         return float(np.sqrt(np.mean(self.loss_error**2)))
 
     def draws(self, count: int = 100, *, seed: int = 0) -> Draws[Prony]:
-        """Return series that the data might have given as well: fitted anew to data with other signs of the errors.
+        """Return equally likely alternative series, fitted to the data with random signs of the errors.
 
-        A bootstrap of the data (`docs/theory/materials.md`). It knows nothing of errors that points have in common, as
-        of a specimen's dimensions, nor of shift factors: `Superposition.draws` finds these anew.
+        The method is a wild bootstrap (`docs/theory/materials.md`). It does not include errors that all points share,
+        such as those of the dimensions of the specimen, and no errors of shift factors. `Superposition.draws` includes
+        the latter.
 
         Parameters
         ----------
         count : int, default 100
             Number of draws, ≥ 2.
         seed : int, default 0
-            Of the signs, ≥ 0.
+            Seed of the random signs, ≥ 0.
 
         Returns
         -------
         Draws of Prony
-            With `series` in their middle; `viscoroll.sweep` takes them.
+            Draws with `series` as the best estimate, for example for `viscoroll.sweep`.
         """
         expected = self._expected()
         used = np.concatenate([[True], self._fit.terms > 0.0])
@@ -100,7 +102,7 @@ class PronyFit:
         return Draws(self.series, (self._refitted(copy).series for copy in copies))
 
     def _expected(self) -> Floats:
-        """Return storage and loss of the fit at the frequencies of the data [Pa]."""
+        """Return storage and loss modulus of the fit at the frequencies of the data [Pa]."""
         fitted = self._fit.modulus(self.frequency)
         return np.concatenate([fitted.real, fitted.imag])
 
@@ -115,16 +117,16 @@ class PronyFit:
     def confidence_band(
         self, angular_frequency: ArrayLike, *, confidence: float = 0.95, count: int = 100, seed: int = 0
     ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-        """Return bounds of μ*(ω), point by point, by the scatter of `draws`.
+        """Return pointwise confidence bounds of μ*(ω) from the scatter of `draws`.
 
         Parameters
         ----------
         angular_frequency : array_like
             ω [rad/s], > 0, one-dimensional.
         confidence : float, default 0.95
-            Probability that an interval holds the true value [-].
-        count, seed : int
-            As of `draws`.
+            Confidence level of each interval [-].
+        count, seed : int, default 100 and 0
+            Number of draws and seed, the same as in `draws`.
 
         Returns
         -------
@@ -139,24 +141,24 @@ class PronyFit:
         return middle - half, middle + half
 
     def sparse(self, terms: int) -> PronyFit:
-        """Return a fit with few terms, for programs that cannot take many: their times are fitted, too.
+        """Return a fit with few terms, whose times are fitted too, for programs that limit the number of terms.
 
-        Its errors are larger, and its draws know nothing of that: use the full series for intervals.
+        The errors of this fit are larger, and its draws do not include them. Use the full series for intervals.
 
         Parameters
         ----------
         terms : int
-            The most terms, ≥ 1.
+            Largest number of terms, ≥ 1.
 
         Returns
         -------
         PronyFit
-            With so many terms, or fewer.
+            Fit with at most that many terms.
 
         Raises
         ------
         ValueError
-            For less than one term.
+            If `terms` is less than 1.
         """
         if as_int("terms", terms) < 1:
             raise ValueError(f"terms must be >= 1, got {terms}")
@@ -165,14 +167,14 @@ class PronyFit:
 
     @plots("the moduli alone")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw data and fit above, relative errors below."""
+        """Plot data and fit, and the relative errors below."""
         from .picture import plot_fit
 
         data = (self.frequency, self.storage, self.loss)
         return plot_fit(data, self.series, errors=(self.storage_error, self.loss_error), ax=ax)
 
     def __repr__(self) -> str:
-        """Return what was fitted, and how well."""
+        """Return number of points and terms, relaxed modulus and errors."""
         decades = np.log10(self.frequency[-1] / self.frequency[0])
         return (
             f"PronyFit of {self.frequency.size} points over {decades:.3g} decades: {len(self.series.weights)} terms, "
@@ -182,30 +184,31 @@ class PronyFit:
 
 
 def fit_prony(curve: MeasuredModulus, *, terms_per_decade: float = 2.0, relaxed_floor: float | None = None) -> PronyFit:
-    """Fit a Prony series to measured storage and loss.
+    """Fit a Prony series to measured storage and loss moduli.
 
-    Nonnegative least squares on the relative errors of both moduli, with times at equal ratios that reach half a decade
-    beyond the data: the best that any passive material can do, within the resolution of the times.
+    The fit is a nonnegative least-squares problem in the relative errors of both moduli. The times have equal ratios
+    and extend half a decade beyond the data. Within the resolution of the times, the result is the best fit of any
+    passive material.
 
     Parameters
     ----------
     curve : MasterCurve, Superposition, Isotherm, or anything with `frequency`, `storage` and `loss`
-        What to fit: [rad/s], [Pa], [Pa], all > 0; an entry at frequency 0 is left out.
+        Measured moduli: angular frequency [rad/s] and moduli [Pa], all > 0. An entry at frequency 0 is ignored.
     terms_per_decade : float, default 2
-        Relaxation times to a decade [-], in [0.5, 10].
+        Relaxation times per decade [-], in [0.5, 10].
     relaxed_floor : float, optional
-        Least relaxed modulus [Pa], > 0; by default a hundredth of the lowest storage modulus. Rolling has gone on for
-        ever, and needs a material that bears a load at rest.
+        Smallest relaxed modulus [Pa], > 0; by default a hundredth of the lowest storage modulus. In steady rolling the
+        material must support a static load.
 
     Returns
     -------
     PronyFit
-        Material, errors, intervals and a picture.
+        Material, errors and intervals.
 
     Raises
     ------
     ValueError
-        For fewer than three points, and values that are not positive.
+        If there are fewer than three points, or a value is not positive.
 
     Examples
     --------
@@ -230,7 +233,7 @@ def fit_prony(curve: MeasuredModulus, *, terms_per_decade: float = 2.0, relaxed_
 
 
 def _best(frequency: Floats, storage: Floats, loss: Floats, per_decade: float, floor: float) -> SeriesFit:
-    """Return the fit of the best place of the times."""
+    """Return the best fit among the positions of the grid of times."""
     times = time_grid(frequency, per_decade, margin=MARGIN)
     moved = (times * 10.0 ** (place / (_PLACES * per_decade)) for place in range(_PLACES))
     return min((fit_series(frequency, storage, loss, t, floor=floor) for t in moved), key=lambda fit: fit.scatter)

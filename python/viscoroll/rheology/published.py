@@ -1,4 +1,4 @@
-"""Materials as others measured and published them, to begin with where none was measured."""
+"""Published measurements of materials, for use without a measurement of one's own."""
 
 from __future__ import annotations
 
@@ -19,34 +19,34 @@ from .ramps import TemperatureRamp
 
 __all__ = ["EXAMPLES", "PublishedMaterial", "example_material"]
 
-#: By how much sweeps miss the temperature that they were to have [K].
+#: Difference between nominal and actual temperature of a sweep [K].
 _DRIFT = 0.5
 
-#: Of a line in which one is told of.
+#: Width of a line of the description [characters].
 _WIDTH = 92
 
-#: Their names.
+#: Names of the published materials.
 EXAMPLES = ("pressure_sensitive_adhesive", "vinyl_nitrile_foam")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class PublishedMaterial:
-    """One material of one laboratory, which stands for itself: another sample, or another maker's, is another one.
+    """Material that one laboratory measured and published; other samples, or those of other makers, may differ.
 
     Attributes
     ----------
     name : str
-        As `example_material` takes it.
+        Name that `example_material` accepts.
     what, citation, address, license : str
-        What it is, who published it, where it was read, and under which terms.
+        Description of the material, its publication, the address of the data, and their license.
     measured : str
-        What was measured, how, and over which range.
+        Measured quantities, method and range.
     not_measured : tuple of str
-        What was not, and has to be assumed.
+        Quantities that were not measured and must be assumed.
     temperature : (float, float)
-        Between which it was measured [°C].
+        Lowest and highest temperature of the measurement [°C].
     poisson_ratio : float or None
-        As it was measured [-], if it was.
+        Measured Poisson's ratio [-]; None if it was not measured.
     """
 
     name: str
@@ -62,17 +62,18 @@ class PublishedMaterial:
     _document: dict[str, Any]
 
     def at(self, *, temperature: float) -> MasterCurve | Prony | LossFactor:
-        """Return its shear modulus.
+        """Return the shear modulus at a temperature.
 
         Parameters
         ----------
         temperature : float
-            [°C], where it was measured; between two temperatures logarithms of times or moduli are interpolated.
+            Temperature [°C], within the measured range. Between measured temperatures, the logarithms of times or
+            moduli are interpolated.
 
         Raises
         ------
         ValueError
-            For a temperature at which it was not measured.
+            If the temperature is outside the measured range.
         """
         degrees = as_float("temperature", temperature)
         low, high = self.temperature
@@ -93,7 +94,7 @@ class PublishedMaterial:
         )
 
     def __repr__(self) -> str:
-        """Return what it is, whose, and what is not known of it."""
+        """Return a description with source, license, measured range and unknowns."""
         low, high = self.temperature
         known = "not measured" if self.poisson_ratio is None else f"{self.poisson_ratio:.4g}"
         told = [
@@ -112,22 +113,22 @@ def _wrapped(name: str, text: str) -> str:
 
 
 def example_material(name: str) -> PublishedMaterial:
-    """Return a published material, with its citation, its range and what was not measured.
+    """Return a published material with its citation, its range and the quantities that were not measured.
 
     Parameters
     ----------
     name : {"pressure_sensitive_adhesive", "vinyl_nitrile_foam"}
-        Which; the page "Published materials" tells of each.
+        Name of the material. The page "Published materials" describes each.
 
     Returns
     -------
     PublishedMaterial
-        Its ``at(temperature=...)`` is what layers take.
+        The material; its ``at(temperature=...)`` is the shear modulus of a layer.
 
     Raises
     ------
     ValueError
-        For another name.
+        If the name is unknown.
 
     Examples
     --------

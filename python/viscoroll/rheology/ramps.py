@@ -1,4 +1,4 @@
-"""Temperature ramps at one frequency, and what they can and cannot give."""
+"""Temperature ramps at one frequency, and their limitations."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ __all__ = ["TemperatureRamp"]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class TemperatureRamp:
-    """Moduli over temperature at one frequency, the file that most laboratories send.
+    """Moduli over temperature at one frequency, the most common file of a laboratory.
 
-    It tells the modulus and the loss factor at that frequency, whatever the temperature. How both depend on frequency
-    it does not tell: no two of its points overlap, so that no shift can be found from them. A master curve takes a law
-    of the shift from elsewhere, measured or typical of the polymer: ``superpose(data, reference=..., factors=law)``.
+    A ramp contains modulus and loss factor at its frequency, for any temperature. It does not contain their dependence
+    on frequency, and no shift can be determined from it, because no two points overlap. A master curve needs a shift
+    law from another source, measured or typical of the polymer: ``superpose(data, reference=..., factors=law)``.
 
     Attributes
     ----------
     frequency : float
         Angular frequency [rad/s].
     temperature : ndarray
-        [°C], increasing.
+        Temperatures [°C], increasing.
     storage, loss : ndarray
         Shear moduli [Pa], > 0.
     """
@@ -38,29 +38,31 @@ class TemperatureRamp:
 
     @property
     def loss_peak(self) -> float:
-        """Temperature at which tan δ is largest [°C]: the glass transition, as seen at this frequency."""
+        """Temperature at which tan δ has its maximum [°C]: the glass transition at this frequency."""
         return float(self.temperature[np.argmax(self.loss / self.storage)])
 
     def at(self, *, temperature: float, decades: float = 3.0) -> LossFactor:
-        """Return modulus and loss factor at a temperature, taken to hold around the frequency of the ramp.
+        """Return the modulus at a temperature, with a loss factor that is assumed constant around the ramp frequency.
 
         Parameters
         ----------
         temperature : float
-            [°C], in the range of the ramp; logarithms of moduli are linear between its points.
+            Temperature [°C], within the ramp. The logarithms of the moduli are interpolated linearly between its
+            points.
         decades : float, default 3
-            How far above and below the frequency of the ramp the loss factor is to hold, as of `LossFactor`: a guess,
-            which the ramp does not support; solve with others to see what it matters.
+            Decades above and below the frequency of the ramp over which the loss factor is assumed constant [-],
+            in [0.5, 8], the same as in `LossFactor`. The ramp does not support this assumption; solve with other values
+            to see their effect.
 
         Returns
         -------
         LossFactor
-            A modulus that layers take.
+            Shear modulus of a layer.
 
         Raises
         ------
         ValueError
-            For a temperature that was not measured, and what `LossFactor` refuses.
+            If the temperature is outside the ramp, or `LossFactor` rejects a parameter.
         """
         degrees = as_float("temperature", temperature)
         low, high = self.temperature[0], self.temperature[-1]
@@ -74,7 +76,7 @@ class TemperatureRamp:
         )
 
     def __repr__(self) -> str:
-        """Return what it is, and what can be had of it."""
+        """Return frequency and range of the ramp, and the ways to use it."""
         tan_delta = self.loss / self.storage
         return "\n".join(
             [

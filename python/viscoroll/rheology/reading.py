@@ -1,4 +1,4 @@
-"""Measured moduli from the files of rheometers and DMA instruments."""
+"""Measured moduli from files of rheometers and DMA instruments."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ __all__ = ["Columns", "Isotherm", "RheologyData", "moduli_are_tensile", "named_c
 
 _ROLES = ("frequency", "storage", "loss", "tan_delta", "temperature", "sweep")
 
-#: Sweeps without numbers of their own are told apart by gaps of this size between their temperatures [K].
+#: Gap between temperatures that separates sweeps without sweep numbers [K].
 _TEMPERATURE_GAP = 1.0
 
-#: What spans more [K] is no sweep at a temperature: it was heated all the while.
+#: Largest temperature range of an isothermal sweep [K]. Beyond it, the specimen was heated continuously.
 _WIDEST_SWEEP = 2.0
 
-#: Frequencies that differ by less are one, which instruments hold no better.
+#: Relative difference below which two frequencies count as equal: instruments do not hold them more accurately.
 _ONE_FREQUENCY = 0.01
 
 Columns: TypeAlias = Mapping[str, "str | tuple[str, str]"]
@@ -37,12 +37,12 @@ Columns: TypeAlias = Mapping[str, "str | tuple[str, str]"]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Isotherm:
-    """One frequency sweep.
+    """Frequency sweep at one temperature.
 
     Attributes
     ----------
     temperature : float
-        Its mean [°C]; NaN where the file gives none.
+        Mean temperature [°C]; NaN if the file contains none.
     frequency : ndarray
         Angular frequency [rad/s], increasing.
     storage, loss : ndarray
@@ -57,22 +57,22 @@ class Isotherm:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class RheologyData:
-    """Measured shear moduli.
+    """Measured shear moduli of one file.
 
     Attributes
     ----------
     isotherms : tuple of Isotherm
-        The sweeps, cold to hot.
+        Sweeps in the order of increasing temperature.
     source : str
         Name of the file.
     is_tensile : bool
-        Whether moduli of tension were measured; they have been divided by 2 (1 + ν).
+        Whether the file contains moduli of tension, which were divided by 2 (1 + ν).
     poisson_ratio : float
-        ν [-] with which that was done.
+        Poisson's ratio ν of this conversion [-].
     dropped : int
-        Points left out because a modulus was not positive, or not a number.
+        Number of points that were omitted because a modulus was not a positive number.
     remarks : tuple of str
-        What else was found out about the file.
+        Other remarks about the file.
     """
 
     isotherms: tuple[Isotherm, ...]
@@ -84,7 +84,7 @@ class RheologyData:
 
     @property
     def ramp(self) -> TemperatureRamp | None:
-        """The measurement as a temperature ramp, where all of it is at one frequency; else None."""
+        """The measurement as a temperature ramp if all points have the same frequency; otherwise None."""
         frequency = np.concatenate([sweep.frequency for sweep in self.isotherms])
         temperature = np.array([sweep.temperature for sweep in self.isotherms])
         if temperature.size < 2 or np.isnan(temperature).any() or np.ptp(frequency) > _ONE_FREQUENCY * frequency[0]:
@@ -103,7 +103,7 @@ class RheologyData:
         Raises
         ------
         ValueError
-            Where there is none.
+            If there is no sweep in this range.
         """
         kept = tuple(isotherm for isotherm in self.isotherms if lowest <= isotherm.temperature <= highest)
         if not kept:
@@ -111,7 +111,7 @@ class RheologyData:
         return replace(self, isotherms=kept)
 
     def __repr__(self) -> str:
-        """Return what was read."""
+        """Return file, number of points and sweeps, and ranges."""
         kind = f"tension, by 2 (1 + {self.poisson_ratio:g}) to shear" if self.is_tensile else "shear"
         end = "; ".join([f"moduli of {kind}; {self.dropped} points dropped", *self.remarks])
         if (ramp := self.ramp) is not None:
@@ -138,39 +138,40 @@ def read_rheology(
 ) -> RheologyData:
     """Read frequency sweeps, or a temperature ramp at one frequency, from a text or CSV export.
 
-    Understood are rows of names and units as TA's TRIOS ("LIMS" and "Plain Text"), Anton Paar's RheoCompass, Netzsch's
-    Proteus, pyvisco and people write them: comma, semicolon or tab; UTF-8, UTF-16 or Windows' code page; units in a row
-    of their own or with the names; decimal commas. Nothing is guessed: what a file does not say is asked for.
+    The reader accepts the names and units that TA's TRIOS ("LIMS" and "Plain Text"), Anton Paar's RheoCompass,
+    Netzsch's Proteus, pyvisco and people write: separated by commas, semicolons or tabs; in UTF-8, UTF-16 or the
+    Windows code page; with units in a row of their own or beside the names; with decimal points or commas. It guesses
+    nothing. If the file lacks an item, an error names the argument that provides it.
 
     Parameters
     ----------
     path : path-like
-        The file.
+        Path of the file.
     columns : mapping of str to str or (str, str), optional
-        For "frequency", "storage", "loss", "tan_delta", "temperature" or "sweep" the name of its column, or name and
-        unit, where names are not understood or units are missing. Units are mHz, Hz, kHz, rad/s; Pa, kPa, MPa, GPa;
-        C, K, F.
+        Name of the column, or name and unit, for "frequency", "storage", "loss", "tan_delta", "temperature" or "sweep".
+        Required only if a name is unknown or a unit is missing. Units are mHz, Hz, kHz, rad/s; Pa, kPa, MPa, GPa; C, K,
+        F.
     tensile : bool, optional
-        Whether the moduli are those of tension, E', E'', or of shear, G', G''; needed where names do not tell.
+        Whether the moduli are those of tension, E', E'', or of shear, G', G''. Required if the names do not show it.
     poisson_ratio : float, default 0.5
-        ν [-] by which moduli of tension become those of shear, G = E / (2 (1 + ν)), in (-1, 0.5].
+        Poisson's ratio ν [-], in (-1, 0.5], for the conversion of tensile moduli, G = E / (2 (1 + ν)).
     frequency : float, optional
-        Angular frequency of a ramp [rad/s], 2π times the Hz of the instrument, where the file has no column of it.
+        Angular frequency of a ramp [rad/s], 2π times the frequency in Hz. Required if the file has no frequency column.
 
     Returns
     -------
     RheologyData
-        Shear moduli over angular frequency, sweep by sweep. Points with a modulus that is not positive are dropped and
-        counted. Of a ramp, its `ramp` says what it can and cannot give. Where a file has a frequency in rad/s and one
-        in Hz, that in rad/s is taken, if they agree.
+        Shear moduli over angular frequency, sweep by sweep. Points with a modulus that is not positive are omitted and
+        counted. If a file has frequency columns in rad/s and in Hz that agree, the one in rad/s is used. For a
+        temperature ramp, the attribute `ramp` describes its use.
 
     Raises
     ------
     ValueError
-        Where the file has no table with frequency and moduli, where a unit is missing or unknown, where two columns of
-        frequency disagree, and where it is not said whether moduli are of tension; the message says what to pass.
+        If the file has no table with frequency and moduli, a unit is missing or unknown, two frequency columns
+        disagree, or the moduli may be tensile or shear; the message names the argument to pass.
     OSError
-        Where it cannot be read.
+        If the file cannot be read.
 
     Examples
     --------
@@ -221,12 +222,12 @@ def read_rheology(
 
 
 def named_columns(columns: Columns | None, roles: Sequence[str]) -> dict[str, tuple[str, str | None]]:
-    """Return names and units of columns that the caller gives, which are of some roles.
+    """Return names and units of the columns that the caller specifies, after a check of their roles.
 
     Raises
     ------
     ValueError, TypeError
-        For another role, and for what is neither a name nor name and unit.
+        If a role is unknown, or a value is neither a name nor a pair of name and unit.
     """
     names: dict[str, tuple[str, str | None]] = {}
     for role, value in (columns or {}).items():
@@ -263,7 +264,7 @@ def _nothing_found(path: Path, text: str, names: Mapping[str, tuple[str, str | N
 
 
 def moduli_are_tensile(path: Path, tables: list[Table]) -> bool:
-    """Return whether moduli are of tension, by their names; a ValueError where these do not say."""
+    """Return whether the column names denote tensile moduli; raise a ValueError if they do not show it."""
     said = {table.columns["storage"].is_tensile for table in tables}
     if said <= {True, False} and len(said) == 1:
         return bool(said.pop())
@@ -282,7 +283,7 @@ def _isotherms(table: Table, path: Path, divisor: float, held: float | None) -> 
         if role not in ("sweep", "tan_delta") and not (role == "temperature" and not column.unit)
     }
     if "temperature" in columns and not columns["temperature"].unit:
-        values["temperature"] = columns["temperature"].converted([], path)  # raises: a unit is wanted
+        values["temperature"] = columns["temperature"].converted([], path)  # raises an error: the unit is missing
     if "loss" not in values:
         if "tan_delta" not in columns:
             raise ValueError(f"{path}: needs a column of the loss modulus or of tan δ beside the storage modulus")
@@ -310,7 +311,7 @@ def _isotherms(table: Table, path: Path, divisor: float, held: float | None) -> 
 
 
 def _grouped(numbers: Floats, temperature: Floats, frequency: Floats) -> NDArray[np.int64]:
-    """Return the numbers of the sweeps of a table: as its column says, else by gaps between temperatures."""
+    """Return the sweep number of each row: from the sweep column, or from gaps between temperatures."""
     if not np.isnan(numbers).any():
         return np.unique(numbers, return_inverse=True)[1].astype(np.int64)
     order = np.argsort(temperature, kind="stable")
@@ -325,7 +326,7 @@ def _grouped(numbers: Floats, temperature: Floats, frequency: Floats) -> NDArray
 
 
 def _returns(frequency: Floats) -> NDArray[np.bool_]:
-    """Return where one of the frequencies since the last such place comes again, as while something is heated."""
+    """Return where a frequency repeats one since the last such point, as during continuous heating."""
     starts = np.zeros(frequency.size, dtype=np.bool_)
     since = 0
     for place, value in enumerate(frequency):

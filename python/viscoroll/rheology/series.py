@@ -1,7 +1,7 @@
-"""Nonnegative Prony series on a fixed grid of times, fitted to the relative error of storage and loss.
+"""Nonnegative Prony series on a fixed grid of times, fitted to the relative errors of storage and loss.
 
-Rows come in pairs of blocks, all storage moduli and then all loss moduli, each divided by what it is to equal. The
-first column is the relaxed modulus, the others are terms.
+The rows of a matrix are all storage moduli, then all loss moduli, each divided by the measured value. The first column
+is the relaxed modulus; the others are the terms.
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ if TYPE_CHECKING:
 
 __all__ = ["SeriesFit", "basis", "fit_series", "fit_sparse", "nonnegative", "time_grid"]
 
-#: How far the times reach beyond the data, at either end [decades].
+#: Decades by which the times extend beyond the data, at either end.
 MARGIN = 0.5
 
 
 def time_grid(frequency: Floats, terms_per_decade: float, *, margin: float = MARGIN) -> Floats:
-    """Return times at equal ratios that reach `margin` decades beyond the frequencies [s]."""
+    """Return times with equal ratios that extend `margin` decades beyond the frequencies [s]."""
     low, high = -math.log10(frequency.max()) - margin, -math.log10(frequency.min()) + margin
     count = max(2, math.ceil((high - low) * terms_per_decade) + 1)
     return np.logspace(low, high, count)
 
 
 def basis(frequency: Floats, times: Floats) -> Floats:
-    """Return storage over loss of unit terms, behind a column of the relaxed modulus: shape (2 n, 1 + terms) [-]."""
+    """Return storage and loss modulus of the relaxed modulus and of unit terms, shape (2 n, 1 + terms) [-]."""
     x = frequency[:, None] * times
     storage = x**2 / (1.0 + x**2)
     loss = x / (1.0 + x**2)
@@ -42,9 +42,9 @@ def basis(frequency: Floats, times: Floats) -> Floats:
 
 
 def nonnegative(matrix: Floats, right: Floats) -> Floats:
-    """Solve least squares with unknowns ≥ 0, for one right side or for several (columns of `right`).
+    """Solve a least-squares problem with unknowns ≥ 0, for one right side or for several (columns of `right`).
 
-    The matrix is reduced by QR once, so that each right side costs no more than the number of unknowns asks for.
+    The matrix is reduced once by QR, so the cost of each right side depends on the number of unknowns only.
     """
     with extra("studies"):
         from scipy.optimize import nnls
@@ -60,7 +60,7 @@ def nonnegative(matrix: Floats, right: Floats) -> Floats:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SeriesFit:
-    """A fitted series: relaxed modulus and terms [Pa], times [s], and relative errors of storage, then loss."""
+    """Fitted series: relaxed modulus and terms [Pa], times [s], and relative errors of storage, then loss."""
 
     times: Floats
     terms: Floats
@@ -69,22 +69,22 @@ class SeriesFit:
 
     @property
     def scatter(self) -> float:
-        """Root mean square of the relative errors for each point that the unknowns leave [-]."""
+        """Root mean square of the relative errors per degree of freedom [-]."""
         used = int((self.terms > 0.0).sum()) + 1
         return float(np.sqrt((self.residual**2).sum() / max(1, self.residual.size - used)))
 
     def modulus(self, frequency: Floats) -> NDArray[np.complex128]:
-        """Evaluate μ*(ω) [Pa]."""
+        """Return μ*(ω) [Pa]."""
         values = basis(frequency, self.times) @ np.concatenate([[self.relaxed], self.terms])
         return np.asarray(values[: frequency.size] + 1j * values[frequency.size :])
 
 
 def fit_series(frequency: Floats, storage: Floats, loss: Floats, times: Floats, *, floor: float) -> SeriesFit:
-    """Fit terms ≥ 0 and a relaxed modulus ≥ `floor` [Pa] to the relative error of both moduli."""
+    """Fit terms ≥ 0 and a relaxed modulus ≥ `floor` [Pa] to the relative errors of both moduli."""
     measured = np.concatenate([storage, loss])
     matrix = basis(frequency, times) / measured[:, None]
     right = 1.0 - floor * matrix[:, 0]
-    # Columns of one size keep the reduced problem well conditioned over a dozen decades of modulus.
+    # Normalized columns keep the reduced problem well conditioned over a dozen decades of modulus.
     size = np.linalg.norm(matrix, axis=0)
     found = nonnegative(matrix / size, right) / size
     residual = matrix @ found - right
@@ -94,7 +94,7 @@ def fit_series(frequency: Floats, storage: Floats, loss: Floats, times: Floats, 
 def fit_sparse(
     dense: SeriesFit, frequency: Floats, storage: Floats, loss: Floats, *, terms: int, floor: float
 ) -> SeriesFit:
-    """Fit at most `terms` terms with times of their own, from a dense fit whose closest terms are joined first."""
+    """Fit at most `terms` terms and their times, starting from a dense fit whose closest terms are merged."""
     with extra("studies"):
         from scipy.optimize import least_squares
 

@@ -1,4 +1,4 @@
-"""How the shift factor depends on temperature."""
+"""Shift factors and their dependence on temperature."""
 
 from __future__ import annotations
 
@@ -28,24 +28,24 @@ __all__ = ["ShiftFactors", "ShiftLaw", "fit_arrhenius", "fit_wlf"]
 _GAS_CONSTANT = 8.314462618  # [J/(mol K)]
 _ZERO_CELSIUS = 273.15
 
-#: Largest size of log₁₀ a_T: five times the shifts of polymers across the glass transition. Beyond it, times and
-#: frequencies may leave the range of floats.
+#: Largest absolute value of log₁₀ a_T: five times the shifts of polymers across the glass transition. Beyond it, times
+#: and frequencies may exceed the range of floats.
 _MOST_DECADES = 100.0
 
-#: Highest temperature of a table [°C], and the smallest difference between two of its entries [K].
+#: Highest temperature of a table [°C], and smallest difference between two of its entries [K].
 _HOTTEST, _CLOSEST = 1e4, 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ShiftFactors:
-    """Measured shift factors: at temperature T the modulus at ω is that of the reference at ω a_T.
+    """Measured shift factors: the modulus at temperature T and frequency ω is that of the reference at ω a_T.
 
     Parameters
     ----------
     temperature : array_like
-        [°C], increasing by at least 1e-6 from entry to entry, at least two, in [-273.15, 1e4].
+        Temperatures [°C], in [-273.15, 1e4], at least two, increasing by at least 1e-6 K from entry to entry.
     log10_factor : array_like
-        log₁₀ a_T [-], in [-100, 100], as long as `temperature`; 0 at the reference.
+        log₁₀ a_T [-], in [-100, 100], as many as `temperature`; 0 at the reference.
     """
 
     temperature: tuple[float, ...]
@@ -72,26 +72,26 @@ class ShiftFactors:
             raise ValueError(f"temperature must increase from entry to entry, by at least {_CLOSEST:g} K")
 
     def __call__(self, temperature: float) -> float:
-        """Return log₁₀ a_T by a monotonic cubic between the entries.
+        """Return log₁₀ a_T at a temperature [°C], interpolated by a monotonic cubic.
 
         Raises
         ------
         ValueError
-            For a temperature outside the table.
+            If the temperature is outside the table.
         """
         with extra("studies"):
             from scipy.interpolate import PchipInterpolator
 
         temperature = as_float("temperature", temperature)
         low, high = self.temperature[0], self.temperature[-1]
-        if not low - 0.5 <= temperature <= high + 0.5:  # a sweep drifts by some tenths
+        if not low - 0.5 <= temperature <= high + 0.5:  # the temperature of a sweep drifts by some tenths
             raise ValueError(
                 f"temperature must be in [{low:g}, {high:g}] °C, where it was measured, got {temperature:g}"
             )
         return float(PchipInterpolator(self.temperature, self.log10_factor)(min(max(temperature, low), high)))
 
     def relative_to(self, reference: float) -> ShiftFactors:
-        """Return the factors with respect to another temperature [°C]."""
+        """Return the factors relative to another temperature [°C]."""
         offset = self(reference)
         return ShiftFactors(
             temperature=self.temperature, log10_factor=tuple(value - offset for value in self.log10_factor)
@@ -99,7 +99,7 @@ class ShiftFactors:
 
     @classmethod
     def read(cls, path: str | Path) -> ShiftFactors:
-        """Read a CSV file with a row of names, one of units, and rows of temperature [C] and log₁₀ a_T."""
+        """Read a CSV file with a row of names, a row of units, and rows of temperature [°C] and log₁₀ a_T."""
         try:
             rows = [row for row in csv.reader(read_text(Path(path)).splitlines(), skipinitialspace=True) if row]
         except csv.Error as error:
@@ -124,32 +124,32 @@ class ShiftFactors:
             raise ValueError(f"{path}: {error}") from None
 
     def save(self, path: str | Path) -> None:
-        """Write the file that `read` reads."""
+        """Write a CSV file that `read` reads."""
         rows = "".join(f"{t!r},{a!r}\n" for t, a in zip(self.temperature, self.log10_factor, strict=True))
         write_text(f"T,log_aT\nC,-\n{rows}", Path(path))
 
 
-#: C₂ [K] beyond which Williams-Landel-Ferry is a straight line, to a percent over a hundred kelvin; of polymers it is
-#: some 50 K and how far above its glass transition the reference lies.
+#: C₂ [K] beyond which the Williams-Landel-Ferry law is a straight line, to one percent over a hundred kelvin. For
+#: polymers C₂ is about 50 K plus the distance of the reference from the glass transition.
 _STRAIGHT = 1e4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ShiftLaw:
-    """A law fitted to shift factors.
+    """Law fitted to shift factors.
 
     Attributes
     ----------
     name : str
         "WLF", log₁₀ a_T = -C₁ (T - T_r) / (C₂ + T - T_r), or "Arrhenius", ln a_T = E_a / R (1/T - 1/T_r).
     reference : float
-        T_r [°C].
+        Reference temperature T_r [°C].
     parameters : dict of str to Parameter
         c1 [1] and c2 [K], or activation_energy [J/mol], with their intervals.
     confidence : float
-        Of the intervals [-].
+        Confidence level of the intervals [-].
     residual : float
-        Root mean square of what the law leaves [decades].
+        Root-mean-square residual of the law [decades].
     """
 
     name: str
@@ -165,13 +165,13 @@ class ShiftLaw:
         return model(np.asarray(temperature, dtype=float), self.reference, *values)
 
     def shift(self) -> WilliamsLandelFerry | Arrhenius:
-        """Return a_T of temperatures in kelvin, as `viscoroll.self_heating` takes it."""
+        """Return a_T as a function of temperature in kelvin, for `viscoroll.self_heating`."""
         values = {name: parameter.value for name, parameter in self.parameters.items()}
         kind = WilliamsLandelFerry if self.name == "WLF" else Arrhenius
         return kind(**values, reference_temperature=self.reference + 273.15)
 
     def __str__(self) -> str:
-        """Return law, intervals and residual in one line."""
+        """Return law, parameters with intervals, and residual in one line."""
         left = f"residual {self.residual:.3f} decades"
         if (c2 := self.parameters.get("c2")) is not None and c2.value > _STRAIGHT:
             return f"{self.name} at {self.reference:g} °C: no constants, the shifts do not bend as it does; {left}"
@@ -183,26 +183,26 @@ class ShiftLaw:
 
 
 def fit_wlf(factors: ShiftFactors, reference: float, **options: object) -> ShiftLaw:
-    """Fit Williams-Landel-Ferry constants; arguments as of `fit_arrhenius`."""
+    """Fit the constants of the Williams-Landel-Ferry law; the arguments are the same as in `fit_arrhenius`."""
     start = np.array([15.0, 60.0 + max(0.0, reference - factors.temperature[0])])
     return _fit("WLF", _wlf, factors, reference, {"c1": "1", "c2": "K"}, start, **options)  # type: ignore[arg-type]
 
 
 def fit_arrhenius(factors: ShiftFactors, reference: float, **options: object) -> ShiftLaw:
-    """Fit an activation energy.
+    """Fit the activation energy of the Arrhenius law.
 
     Parameters
     ----------
     factors : ShiftFactors
-        What to fit.
+        Measured shift factors.
     reference : float
-        T_r [°C].
+        Reference temperature T_r [°C].
     covariance : ndarray, optional
-        Of the factors but the one at `anchor`, which the others are counted from; without it, all are equally good.
-    anchor : int, optional
-        Entry that the others are counted from.
+        Covariance of the factors relative to that at `anchor`, which is left out. By default all have the same weight.
+    anchor : int, default 0
+        Index of the factor to which the others are relative.
     confidence : float, default 0.95
-        Of the intervals.
+        Confidence level of the intervals [-].
     """
     units = {"activation_energy": "J/mol"}
     return _fit("Arrhenius", _arrhenius, factors, reference, units, np.array([1e5]), **options)  # type: ignore[arg-type]
@@ -234,7 +234,7 @@ def _fit(
 
     temperature, measured = np.array(factors.temperature), np.array(factors.log10_factor)
     others = np.arange(temperature.size) != anchor
-    # Factors of isotherms that were shifted together have errors in common: whiten by their covariance.
+    # Factors of isotherms that were shifted together have common errors: whiten them by their covariance.
     whiten = np.eye(int(others.sum())) if covariance is None else np.linalg.inv(np.linalg.cholesky(covariance))
 
     def left(p: Floats) -> Floats:
@@ -245,7 +245,7 @@ def _fit(
         with np.errstate(all="ignore"):
             return np.asarray(np.nan_to_num(whiten @ left(p)[others], nan=1e9, posinf=1e9, neginf=-1e9))
 
-    # C₂ above T_r - T keeps the pole of the law below all temperatures.
+    # C₂ > T_r - T keeps the pole of the law below all temperatures.
     lowest = [0.0, (reference - temperature.min() + 1.0) / start[1]] if name == "WLF" else [-np.inf]
     found = least_squares(whitened, np.maximum(np.ones(start.size), np.array(lowest) * 1.1), bounds=(lowest, np.inf))
     freedom = max(1, int(others.sum()) - start.size)

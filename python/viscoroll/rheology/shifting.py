@@ -1,4 +1,4 @@
-"""Time-temperature superposition: sweeps at several temperatures are shifted onto one master curve."""
+"""Time-temperature superposition of sweeps at several temperatures onto one master curve."""
 
 from __future__ import annotations
 
@@ -29,30 +29,31 @@ def superpose(
 ) -> Superposition:
     """Shift sweeps at several temperatures onto one master curve.
 
-    Each sweep is first laid on its neighbor, then all are moved together until one Prony series with nonnegative
-    weights fits them best: a master curve that no passive material has costs what it lacks.
+    Each sweep is first shifted onto its neighbor. All sweeps are then moved together until one Prony series with
+    nonnegative weights fits them best. Shifts that no passive material would have are thereby penalized.
 
     Parameters
     ----------
     data : RheologyData
-        At least two sweeps, with temperatures; with `factors` a temperature ramp as well.
+        At least two sweeps with temperatures; with `factors` also a temperature ramp.
     reference : float
         Temperature of the master curve [°C], between the coldest and the hottest sweep.
     factors : ShiftFactors, WilliamsLandelFerry, Arrhenius or callable, optional
-        The caller's own, at temperatures that span the data, or a law of temperature in kelvin; nothing is fitted then.
+        Known shift factors at temperatures that span the data, or a law as a function of temperature in kelvin. By
+        default the shifts are fitted.
     vertical : bool, default False
-        Let the moduli of a sweep be divided by a factor of its own, too.
+        Whether to divide the moduli of each sweep by a fitted factor.
 
     Returns
     -------
     Superposition
-        Master curve, shift factors, laws with intervals, and which shifts the data leave open.
+        Master curve, shift factors, fitted laws with intervals, and a list of undetermined shifts.
 
     Raises
     ------
     ValueError
-        For fewer than two sweeps, for data without temperatures, a ramp at one frequency without `factors`, and a
-        reference outside the temperatures.
+        If there are fewer than two sweeps, a temperature is missing, the reference is outside the temperatures, or the
+        data are a ramp at one frequency and `factors` is not given.
     """
     require_type("data", data, RheologyData)
     degrees = as_float("reference", reference)
@@ -106,7 +107,7 @@ def _by_hand(data: RheologyData, reference: float, temperature: Floats, factors:
 
 
 def _one_for_each_temperature(sweeps: Sequence[Isotherm]) -> tuple[Isotherm, ...]:
-    """Join sweeps that were repeated at the same temperature."""
+    """Merge sweeps that were repeated at the same temperature."""
     joined = []
     for temperature in sorted({sweep.temperature for sweep in sweeps}):
         same = [sweep for sweep in sweeps if sweep.temperature == temperature]

@@ -1,4 +1,4 @@
-"""Strain sweeps of filled rubber from the files of rheometers and DMA instruments."""
+"""Strain sweeps of filled rubber from files of rheometers and DMA instruments."""
 
 from __future__ import annotations
 
@@ -28,34 +28,36 @@ def read_strain_sweep(
     tensile: bool | None = None,
     poisson_ratio: float = 0.5,
 ) -> StrainSweep:
-    """Read a strain sweep from a text or CSV export, as `read_rheology` reads sweeps of frequency.
+    """Read a strain sweep from a text or CSV export, in the formats of `read_rheology`.
 
     Parameters
     ----------
     path : path-like
-        The file.
+        Path of the file.
     kind : StrainKind or str
-        What the instrument calls strain: files do not say whether it is single or double.
+        Definition of strain that the instrument uses: files do not specify whether it is the single or the double
+        amplitude.
     matrix : ShearModulus, callable or float, optional
-        Of the rubber without its network, to be taken off, as of `StrainSweep`.
+        Modulus of the matrix [Pa], which is subtracted, the same as in `StrainSweep`.
     frequency : float, optional
-        Of the sweep [rad/s]; by default that of the file. Only a matrix needs it.
+        Angular frequency of the sweep [rad/s], by default that of the file. Used with a matrix only.
     sweep : int, optional
-        Which of several, from 1 on.
+        Number of the sweep, from 1. Required if the file contains several.
     columns, tensile, poisson_ratio
-        As of `read_rheology`; "strain" is one of the columns, in "%" or "1".
+        The same as in `read_rheology`; "strain" is an additional column, with the unit "%" or "1".
 
     Returns
     -------
     StrainSweep
-        The network; points with a modulus that is not positive are left out.
+        Network of the sweep. Points with a modulus that is not positive are omitted.
 
     Raises
     ------
     ValueError
-        Where the file has no table with strain and moduli, where a unit is missing, and where it holds several sweeps.
+        If the file has no table with strain and moduli, a unit is missing, or `sweep` is not given for one of several
+        sweeps.
     OSError
-        Where it cannot be read.
+        If the file cannot be read.
     """
     path = Path(path)
     nu = as_float("poisson_ratio", poisson_ratio)
@@ -92,7 +94,7 @@ def read_strain_sweep(
 
 
 def _chosen(sweeps: list[dict[str, np.ndarray]], number: int | None, path: Path) -> dict[str, np.ndarray]:
-    """Return the sweep of a number, which may be left out where there is one."""
+    """Return the sweep with a number, which may be omitted if there is only one."""
     if number is None and len(sweeps) == 1:
         return sweeps[0]
     if number is None:
@@ -103,7 +105,7 @@ def _chosen(sweeps: list[dict[str, np.ndarray]], number: int | None, path: Path)
 
 
 def _sweeps(table: Table, path: Path) -> list[dict[str, np.ndarray]]:
-    """Return the sweeps of a table by increasing strain, columns by role, in SI units."""
+    """Return the sweeps of a table, sorted by strain: columns by role, in SI units."""
     values = {
         role: column.converted([row[role] for row in table.rows], path)
         for role, column in table.columns.items()

@@ -1,4 +1,4 @@
-"""One master curve from sweeps at several temperatures, and what can be made of it."""
+"""Master curve from sweeps at several temperatures, with its shift laws, series, tables and draws."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 
 __all__ = ["Superposition", "aligned"]
 
-#: A law is as good as can be seen that leaves so much of the shift factors [decades].
+#: Residual of the shift factors below which a law counts as adequate [decades].
 _ENOUGH = 0.01
 
-#: Steps that are open, of which each is told.
+#: Largest number of undetermined steps that are printed.
 _MOST_TOLD = 4
 
 #: Ratio of frequencies in a difference quotient.
@@ -39,26 +39,27 @@ _NEAR = 1.001
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Superposition:
-    """Sweeps shifted onto one another.
+    """Sweeps at several temperatures, shifted onto one master curve.
 
     Attributes
     ----------
     data : RheologyData
-        What was shifted.
+        Measured sweeps.
     reference : float
         Temperature of the master curve [°C].
     factors : ShiftFactors
         log₁₀ a_T at the temperatures of the sweeps.
     vertical : tuple of float
-        log₁₀ of what the moduli of each sweep were divided by; zeros unless asked for.
+        log₁₀ of the factor by which the moduli of each sweep are divided; zeros without vertical shifts.
     scatter : float
-        Root mean square of what the best nonnegative series leaves, relative, for each degree of freedom [-].
+        Relative root-mean-square residual of the best nonnegative series, per degree of freedom [-].
     undetermined : tuple of str
-        Steps between sweeps that leave their shift open by half a decade or more, with by how much.
+        Steps between sweeps whose shift is undetermined by half a decade or more, with the range of equally good
+        shifts.
     covariance : ndarray or None
-        Of the factors but the one of `anchor`; None for shift factors of the user.
+        Covariance of the factors, without that of `anchor`; None for given shift factors.
     anchor : int
-        The sweep nearest to the reference.
+        Index of the sweep nearest to the reference.
     """
 
     data: RheologyData
@@ -87,7 +88,7 @@ class Superposition:
 
     @property
     def _shifted(self) -> list[tuple[Floats, Floats, Floats]]:
-        """Frequency, storage and loss of each sweep, shifted."""
+        """Frequency [rad/s], storage and loss modulus [Pa] of each sweep after the shift."""
         moved = zip(self.data.isotherms, self.factors.log10_factor, self.vertical, strict=True)
         return [(s.frequency * 10.0**a, s.storage * 10.0**-b, s.loss * 10.0**-b) for s, a, b in moved]
 
@@ -109,7 +110,7 @@ class Superposition:
 
     @property
     def law(self) -> ShiftLaw:
-        """Arrhenius' law where it leaves hardly more than the other, which has one constant more; else WLF."""
+        """Recommended law: Arrhenius, which has one constant less, unless its residual is clearly larger; else WLF."""
         enough = max(_ENOUGH, 1.5 * self.wlf.residual)
         return self.arrhenius if self.arrhenius.residual <= enough else self.wlf
 
@@ -119,18 +120,18 @@ class Superposition:
         Parameters
         ----------
         temperature : float
-            [°C], between the coldest and the hottest sweep: shift factors are interpolated, no law is used.
+            Temperature [°C], between the coldest and the hottest sweep. Shift factors are interpolated, without a law.
 
         Returns
         -------
         MasterCurve
-            Ten entries to a decade, each the geometric mean of the points around it. The first, at rest, which nobody
-            can measure, is the relaxed modulus of `fit`.
+            Table with up to ten entries per decade, geometric means of the points around them. The first entry, at
+            frequency 0, cannot be measured; it is the relaxed modulus of `fit`.
 
         Raises
         ------
         ValueError
-            For a temperature that was not measured; `law` tells what lies beyond.
+            If the temperature is outside the measured range; `law` extrapolates beyond it.
         """
         degrees = as_float("temperature", temperature)
         scale = 10.0 ** -self.factors(degrees)
@@ -148,7 +149,7 @@ class Superposition:
         return tabulated(self.frequency, self.storage, self.loss, relaxed=self.fit.relaxed_modulus)
 
     def series_at(self, *, temperature: float) -> Prony:
-        """Return the Prony series of `fit` at a temperature [°C]; errors as of `at`."""
+        """Return the Prony series of `fit` at a temperature [°C]; errors are the same as in `at`."""
         degrees = as_float("temperature", temperature)
         series = self.fit.series
         lift = 10.0 ** float(np.interp(degrees, self.factors.temperature, self.vertical))
@@ -160,28 +161,28 @@ class Superposition:
 
     @cached_property
     def fit(self) -> PronyFit:
-        """The Prony series of the master curve at the reference temperature, as `fit_prony` finds it."""
+        """Prony series of the master curve at the reference temperature, from `fit_prony`."""
         return fit_prony(self)
 
     def draws(self, count: int = 100, *, seed: int = 0) -> Draws[Superposition]:
-        """Return superpositions that the data might have given as well: other signs of the errors, and all found anew.
+        """Return equally likely alternatives, fitted to the data with random signs of the errors.
 
-        A bootstrap of the data (`docs/theory/materials.md`): shift factors, series and tables of each draw are its
-        own, but for factors of the user, which are kept. It knows nothing of errors that points have in common, as of
-        a specimen's dimensions.
+        The method is a wild bootstrap (`docs/theory/materials.md`). Each draw has its own shift factors, series and
+        tables, but given shift factors are kept. The draws do not include errors that all points share, such as those
+        of the dimensions of the specimen.
 
         Parameters
         ----------
         count : int, default 100
             Number of draws, ≥ 2.
         seed : int, default 0
-            Of the signs, ≥ 0.
+            Seed of the random signs, ≥ 0.
 
         Returns
         -------
         Draws of Superposition
-            With this one in their middle: ``curve.draws(100).map(lambda c: c.at(temperature=40.0))`` are materials at
-            40 °C.
+            Draws with this superposition as the best estimate. ``curve.draws(100).map(lambda c:
+            c.at(temperature=40.0))`` are materials at 40 °C.
         """
         sweeps = self.data.isotherms
         series = self.fit.series
@@ -199,7 +200,7 @@ class Superposition:
         return Draws(self, (self._found_anew(np.split(copy, 2), owner) for copy in copies))
 
     def _found_anew(self, moduli: Sequence[Floats], owner: NDArray[np.int64]) -> Superposition:
-        """Return the superposition of other storage and loss moduli at the same points, shifted as these [Pa]."""
+        """Return the superposition of other storage and loss moduli [Pa] at the same shifted points."""
         storage, loss = (values * 10.0 ** np.asarray(self.vertical)[owner] for values in moduli)
         isotherms = tuple(
             replace(sweep, storage=storage[owner == i], loss=loss[owner == i])
@@ -214,19 +215,19 @@ class Superposition:
 
     @property
     def curve(self) -> MasterCurve:
-        """The modulus at the reference temperature, as a table."""
+        """Modulus at the reference temperature, as a table."""
         return self.at(temperature=self.reference)
 
     @plots("the curve alone")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw the master curve and its shift factors."""
+        """Plot the master curve and its shift factors."""
         from .picture import plot_superposition
 
-        laws = (getattr(self, name) for name in ("wlf", "arrhenius"))  # fitted where they are drawn
+        laws = (getattr(self, name) for name in ("wlf", "arrhenius"))  # fitted only if they are drawn
         return plot_superposition(self._shifted, self.factors, laws, reference=self.reference, ax=ax)
 
     def __repr__(self) -> str:
-        """Return what was shifted, how well, and what is open."""
+        """Return number of sweeps, frequency range, scatter, laws and undetermined steps."""
         low, high = self.frequency[0], self.frequency[-1]
         lines = [
             f"Superposition of {len(self.data.isotherms)} sweeps at {self.reference:g} °C: "
@@ -242,7 +243,7 @@ class Superposition:
 
 
 def aligned(data: RheologyData, reference: float, start: Floats, anchor: int, *, vertical: bool) -> dict[str, Any]:
-    """Return what `Superposition` holds of sweeps that are moved from a start until one series fits them best."""
+    """Move sweeps until one series fits them best, and return the resulting attributes of a `Superposition`."""
     temperature = [sweep.temperature for sweep in data.isotherms]
     found = align(data.isotherms, start, reference=anchor, vertical=vertical)
     measured = ShiftFactors(temperature=tuple(temperature), log10_factor=tuple(found.horizontal))

@@ -1,4 +1,4 @@
-"""A table of measured moduli, as rolling takes it."""
+"""Table of measured moduli for the solver."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from ..materials import MasterCurve
 
 __all__ = ["tabulated"]
 
-#: Entries of a table to a decade: neighboring points of several isotherms are averaged.
+#: Entries per decade. Neighboring points of several isotherms are averaged.
 _ENTRIES_PER_DECADE = 10
 
 
 def tabulated(frequency: Floats, storage: Floats, loss: Floats, *, relaxed: float | None = None) -> MasterCurve:
-    """Return a table of ten entries to a decade at the most, geometric means of the points around them.
+    """Return a table with at most ten entries per decade, geometric means of the points around them.
 
-    With a relaxed modulus [Pa], the table begins with an entry at rest.
+    If a relaxed modulus [Pa] is given, the table begins with an entry at frequency 0.
     """
     cells = np.floor(np.log10(frequency) * _ENTRIES_PER_DECADE).astype(np.int64)
     _, cells = np.unique(cells, return_inverse=True)

@@ -1,8 +1,8 @@
 """Tables in the text files of rheometers and DMA instruments.
 
-A table is a row of names in which a frequency, or a strain, and a modulus are found, a row of units unless they stand
-with the names, and rows of numbers. What stands before, between and behind tables (headers of TRIOS, intervals of
-RheoCompass) is skipped. So are labels in the first column ("Data point", point numbers).
+A table is a row of names with a frequency or strain and a modulus, a row of units unless they are beside the names, and
+rows of numbers. All other text before, between and after tables (headers of TRIOS, intervals of RheoCompass) is
+skipped, and so are labels in the first column ("Data point", point numbers).
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ __all__ = ["Table", "find_tables", "read_text"]
 
 _SEPARATORS = ("\t", ";", ",")
 
-#: How far two columns of one frequency may be apart: three digits, as they are printed, leave half of it.
+#: Largest relative difference of two columns of the same frequency: half of a unit in the third printed digit.
 _SAME_FREQUENCY = 0.01
 
 
 @dataclass(slots=True)
 class Table:
-    """One table of a file: its columns by role, what they are over, their numbers row by row, and what to tell.
+    """Table of a file: columns by role, swept quantity, rows of numbers, number of unreadable rows, and a remark.
 
-    Names of columns that nobody knows are kept apart.
+    `unknown` contains the names of columns without a known role.
     """
 
     columns: dict[str, Column]
@@ -44,7 +44,7 @@ class Table:
 
 
 def read_text(path: Path) -> str:
-    """Return the text of a file in UTF-8, UTF-16 or the code page of Western Windows, whichever it is in."""
+    """Return the text of a file encoded in UTF-8, UTF-16 or the Western Windows code page."""
     content = path.read_bytes()
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return content.decode("utf-16", errors="replace")
@@ -60,16 +60,16 @@ def find_tables(text: str, names: Mapping[str, tuple[str, str | None]], *, over:
     Parameters
     ----------
     text : str
-        The content of a file.
+        Content of a file.
     names : mapping of str to (str, str or None)
-        For roles whose names the caller gives, the name and, unless the file's holds, the unit.
+        Column names that the caller specifies, by role, with the unit or None for the unit in the file.
     over : {"frequency", "strain", "temperature"}
-        What was swept; only in sweeps of strain do columns of it count.
+        Swept quantity. Columns of strain are used in strain sweeps only.
 
     Raises
     ------
     ValueError
-        Where two columns of one table have the same role, but for frequencies in rad/s and Hz that agree.
+        If two columns of a table have the same role, except for frequencies in rad/s and Hz that agree.
     """
     tables: list[Table] = []
     separator = ","
@@ -95,12 +95,12 @@ def find_tables(text: str, names: Mapping[str, tuple[str, str | None]], *, over:
 
 
 def _settle_frequency(table: Table) -> None:
-    """Keep one of two columns of frequency, as TRIOS writes them, where both say the same.
+    """Keep one of two frequency columns that agree, as TRIOS writes them.
 
     Raises
     ------
     ValueError
-        Where they do not.
+        If the columns disagree.
     """
     second = table.columns.pop("second_frequency", None)
     if second is None:
@@ -130,7 +130,7 @@ def _settle_frequency(table: Table) -> None:
 def _header(
     line: str, names: Mapping[str, tuple[str, str | None]], over: str
 ) -> tuple[str, dict[str, Column], tuple[str, ...]] | None:
-    """Return separator, columns and names without a role of a row of names, or None where it is none."""
+    """Return separator, columns and unknown names of a row of names, or None for any other row."""
     for separator in _SEPARATORS:
         cells = _cells(line, separator)
         columns = _columns(cells, names, over)
@@ -164,11 +164,11 @@ def _columns(cells: list[str], names: Mapping[str, tuple[str, str | None]], over
 
 
 def _cells(line: str, separator: str) -> list[str]:
-    if separator == "\t":  # E'' and G" stand unquoted in exports with tabs
+    if separator == "\t":  # exports with tabs contain E'' and G" without quotes
         return [cell.strip() for cell in line.split(separator)]
     try:
         return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
-    except csv.Error:  # no text at all
+    except csv.Error:  # not a text line
         return []
 
 
@@ -186,13 +186,13 @@ def _with_units(
         unit = cells[column.index].strip("[]") if column.index < len(cells) else ""
         given = names[role][1] if role in names else None
         if role == "temperature" and unit.lower() in ("s", "min", "h"):
-            continue  # a column "t" is one of time, then
+            continue  # the column "t" is time
         found[role] = Column(column.index, column.name, given or column.unit or unit, role)
     return found
 
 
 def _add_row(table: Table, cells: list[str], separator: str) -> bool:
-    """Take a row of numbers, and return whether it was one; count one that holds a part of them."""
+    """Add a row of numbers to a table, or count a row with missing numbers; return whether it was one of these."""
     needed = [column for role, column in table.columns.items() if role not in ("sweep", "second_frequency")]
     numbers = {
         column.role: _number(cells[column.index], separator) if column.index < len(cells) else math.nan

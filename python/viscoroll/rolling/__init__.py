@@ -1,4 +1,4 @@
-"""Steady rolling: solve, and what that returns."""
+"""Steady rolling: `solve`, `RollingModel` and their results."""
 
 from .modulus_sensitivity import ModulusSensitivity
 from .result import Result

@@ -1,4 +1,4 @@
-"""A contact solved again for other input, with who touches, sticks and slips as they are."""
+"""Solution of a contact for other input with its nodes in contact, stick and slip unchanged (frozen contact)."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from .perturbed import Given
 
 __all__ = ["KeptContact"]
 
-#: What a result may change by as it is solved again: tables that reach farther change the exact sphere's by 1e-5.
+#: Largest relative change when a result is solved again; tables with a larger reach change the exact sphere by 1e-5.
 _SAME = 1e-4
 
 
 class KeptContact:
-    """The nodes of a result, on which its equations are solved for other input (`docs/theory/sensitivities.md`).
+    """Frozen contact: the equations of the nodes of a result for other input (`docs/theory/sensitivities.md`).
 
     Parameters
     ----------
     result : Solution
-        Whose nodes touch, stick and slip.
+        Result whose nodes in contact, stick and slip are kept.
     answers : sequence of str
-        Scalars that are wanted.
+        Names of the scalars to return.
     threads : int
         Number of threads; 0 for all cores.
     """
@@ -35,23 +35,23 @@ class KeptContact:
         self._result, self._answers, self._threads = result, tuple(answers), threads
 
     def own_answers(self, given: Given) -> Floats:
-        """Return the answers of the input that gave the result.
+        """Return the answers for the input of the result itself.
 
         Raises
         ------
         ConvergenceError
-            Where they are not the result's: after `Status.MAX_ITERATIONS`, or with `SlipKinematics.FLAT`.
+            If they differ from those of the result: after `Status.MAX_ITERATIONS`, or with `SlipKinematics.FLAT`.
         """
         again = self._solved(given)
         self._require_same(again)
         return self._read(again)
 
     def answers(self, given: Given) -> Floats:
-        """Return the answers of another input."""
+        """Return the answers for another input."""
         return self._read(self._solved(given))
 
     def _require_same(self, again: _core.Result) -> None:
-        """Refuse a result that is another one than what its input gives in the same contact."""
+        """Raise a ConvergenceError if the frozen contact does not reproduce the result."""
         result = self._result
         changes = {"max_pressure": again.max_pressure - result.max_pressure}
         sizes = {"max_pressure": result.max_pressure}

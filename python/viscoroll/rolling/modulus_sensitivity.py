@@ -1,4 +1,4 @@
-"""What the modulus of a material does to a result, by frequency."""
+"""Sensitivity of a result to the modulus of a material, by frequency."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ __all__ = ["ModulusSensitivity"]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ModulusSensitivity:
-    """What the modulus of a material does, by frequency.
+    """Relative change of results by that of the modulus of a material, by frequency.
 
     Attributes
     ----------
     name : str
-        Whose: ``"layers[0].shear_modulus"``, of a counterpart ``"on.layers[0].shear_modulus"``.
+        Name of the modulus: ``"layers[0].shear_modulus"``, or ``"on.layers[0].shear_modulus"`` in a counterbody.
     frequency : ndarray, shape (bands,)
-        Middles of bands that overlap, and add up to 1 at every frequency [rad/s]. The lowest holds all that is below,
-        rest among it, the highest all that is above.
+        Centers of overlapping bands whose weights add up to 1 at every frequency [rad/s]. The lowest band contains all
+        lower frequencies, including rest, and the highest band all higher ones.
     storage, loss : ndarray, shape (answers, bands)
-        Relative change of each answer by that of G' or G'' around a frequency [-].
+        Relative change of each answer divided by that of G' or G'' in a band [-].
     """
 
     name: str

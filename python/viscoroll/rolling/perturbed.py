@@ -1,4 +1,4 @@
-"""What a result was solved for, a little changed: one number of it, or a modulus around a frequency."""
+"""Input of a result with small changes: one number, or a modulus around a frequency."""
 
 from __future__ import annotations
 
@@ -34,16 +34,16 @@ __all__ = [
     "places_of",
 ]
 
-#: Of a complex modulus.
+#: Part of a complex modulus.
 Part: TypeAlias = Literal["storage", "loss"]
 
-#: Poisson's ratio from which on there is no room above it for a quotient.
+#: Poisson's ratio above which a difference quotient uses only smaller values.
 _HIGHEST_POISSON_RATIO = 0.499
 
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """What a result was solved for, as far as it is changed."""
+    """Input of a result that can be changed."""
 
     ball: RollingBody
     on: Counterpart | None
@@ -54,11 +54,11 @@ class Given:
 
     @classmethod
     def of(cls, result: Solution) -> Given:
-        """Return what a result was solved for."""
+        """Return the input of a result."""
         return cls(**{field.name: getattr(result, field.name) for field in fields(cls)})
 
 
-#: Called with a relative change; returns the input that has it.
+#: Function of a relative change that returns the changed input.
 Change: TypeAlias = Callable[[float], Given]
 
 
@@ -69,11 +69,11 @@ class Number:
     Attributes
     ----------
     name : str
-        As in the input: ``"load"``, ``"on.layers[0].thickness"``.
+        Name in the input, such as ``"load"`` or ``"on.layers[0].thickness"``.
     change : callable
-        What changes it.
+        Function that changes the number.
     downwards : bool
-        Whether it is as large as it may be.
+        Whether the number is so close to its upper limit that it can only decrease.
     """
 
     name: str
@@ -83,16 +83,16 @@ class Number:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a material is.
+    """Position of a material in the bodies of an input.
 
     Attributes
     ----------
     which : "ball" or "on"
-        Of what.
+        Body: the rolling body or the counterbody.
     index : int
-        Among its `materials_of`.
+        Index in `materials_of` that body.
     name : str
-        ``"layers[0]"``, of what is rolled on ``"on.layers[0]"`` or ``"on.base"``.
+        ``"layers[0]"``, or ``"on.layers[0]"`` or ``"on.base"`` in a counterbody.
     """
 
     which: Literal["ball", "on"]
@@ -100,18 +100,18 @@ class Place:
     name: str
 
     def material(self, given: Given) -> Layer | HalfSpace:
-        """Return what is there."""
+        """Return the layer or half-space at this position."""
         return materials_of(getattr(given, self.which))[self.index]
 
     def with_changed(self, given: Given, **changed: Any) -> Given:
-        """Return the input with other parameters of what is there."""
+        """Return the input with other parameters of the material at this position."""
         body: LayeredBody = getattr(given, self.which)
         materials = list(materials_of(body))
         materials[self.index] = replace(materials[self.index], **changed)
         return replace(given, **{self.which: with_materials(body, materials)})  # type: ignore[arg-type]
 
     def rolling_speed(self, result: Solution) -> float:
-        """Return the lowest frequency at which the material is loaded, once in a revolution [rad/s]."""
+        """Return the lowest frequency of the load on the material, once per revolution of its body [rad/s]."""
         if self.which == "ball":
             return result.angular_speed
         radius = getattr(result.on, "outer_radius", result.ball.outer_radius)
@@ -119,7 +119,7 @@ class Place:
 
 
 def places_of(given: Given) -> Iterator[Place]:
-    """Yield where materials are, of what rolls first, each from the inside outwards."""
+    """Yield the positions of all materials, first of the rolling body, each body from the inside outwards."""
     for which, prefix in (("ball", ""), ("on", "on.")):
         body = getattr(given, which)
         if body is None:
@@ -132,7 +132,7 @@ def places_of(given: Given) -> Iterator[Place]:
 
 
 def numbers_of(given: Given) -> Iterator[Number]:
-    """Yield what is not 0 of load, speed, friction and drive, and of all materials."""
+    """Yield all nonzero numbers: load, speed, friction, drive, and the numbers of all materials."""
     for name in ("load", "angular_speed", "friction"):
         value = getattr(given, name)
         if 0.0 < value < math.inf:
@@ -163,18 +163,19 @@ def _change_at(given: Given, place: Place, name: str, value: float) -> Change:
 
 @dataclass(frozen=True, slots=True)
 class Bands:
-    """Shares of all frequencies, which rise and fall as squares of cosines over its logarithm and add up to 1.
+    """Weights of overlapping frequency bands: squared cosines of the logarithm of frequency that add up to 1.
 
     Attributes
     ----------
     middles : ndarray
-        Where a band has all, at equal ratios [rad/s]; the lowest has all below, too, and the highest all above.
+        Frequencies at which the weight of a band is 1, at equal ratios [rad/s]. The weight of the lowest band is 1 also
+        below, that of the highest also above.
     """
 
     middles: Floats
 
     def share(self, band: int, frequency: Floats) -> Floats:
-        """Return the share of a band at frequencies [-]."""
+        """Return the weight of a band at frequencies [-]."""
         with np.errstate(divide="ignore"):
             place = np.log(frequency / self.middles[0]) / np.log(self.middles[1] / self.middles[0])
         distance = np.abs(np.clip(place, 0.0, self.middles.size - 1.0) - band)
@@ -183,14 +184,14 @@ class Bands:
 
 
 def bands_of(rolling_speed: float, mesh: Mesh, per_decade: int) -> Bands:
-    """Return bands from one revolution's frequency to that of the mesh's highest order, around round numbers."""
+    """Return bands at round frequencies, from that of one revolution to that of the highest order of the mesh."""
     lowest = math.floor(math.log10(rolling_speed) * per_decade)
     highest = math.ceil(math.log10(rolling_speed * mesh.nodes_per_revolution / 2.0) * per_decade)
     return Bands(10.0 ** (np.arange(lowest, highest + 1) / per_decade))
 
 
 def change_of_modulus(given: Given, place: Place, bands: Bands, band: int, part: Part) -> Change:
-    """Return what changes a part of a modulus in a band."""
+    """Return a function that changes the storage or the loss part of a modulus in a band."""
     modulus = to_core(place.material(given).shear_modulus)
 
     def changed(share: float) -> Given:

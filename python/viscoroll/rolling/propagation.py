@@ -1,8 +1,9 @@
-"""What a result is for each of many draws of its materials: linear in their moduli, with the contact as it is.
+"""Results for many draws of the materials, linear in their moduli, with a frozen contact.
 
-Draws differ in few ways. Deviations of all moduli from those of the result, storage and loss at rest and at frequencies
-of the contact, each by its standard deviation, are split by singular values into directions, and the derivative along
-each is one solution of the kept contact: as many solves as there are ways to differ, however many draws.
+Draws differ in few directions. The deviations of all moduli from those of the result (storage and loss modulus, at rest
+and at frequencies of the contact) are divided by their standard deviations and split into directions by a singular
+value decomposition. The derivative along each direction is one solve of the frozen contact, so that the number of
+solves is the number of directions, whatever the number of draws.
 """
 
 from __future__ import annotations
@@ -28,17 +29,17 @@ if TYPE_CHECKING:
 
 __all__ = ["Pair", "propagated"]
 
-#: What rolls, and what it rolls on.
+#: Rolling body and counterbody.
 Pair: TypeAlias = tuple[RollingBody, Counterpart | None]
 
-#: Frequencies at which draws are told apart: as dense as the entries of measured tables are.
+#: Frequencies per decade at which draws are compared: as dense as the entries of measured tables.
 _PER_DECADE = 10
 
-#: Share of the deviations' standard deviation that no direction is spent on; a relative one below which there is none.
+#: Neglected fraction of the standard deviation of all deviations; relative deviation that counts as 0.
 _LEFT_OUT = 0.01
 _ALIKE = 1e-9
 
-#: Largest relative change of a modulus in a difference quotient, whose error is half of it times the curvature.
+#: Largest relative change of a modulus in a difference quotient, whose error is half of this step times the curvature.
 _STEP = 1e-4
 
 
@@ -50,32 +51,32 @@ def propagated(
     threads: int = 0,
     progress: Report | None = None,
 ) -> Floats:
-    """Return answers of a result for draws of its materials, to first order in their moduli.
+    """Return scalars of a result for draws of its materials, to first order in their moduli.
 
     Parameters
     ----------
     result : Solution
-        A solution.
+        Result whose contact is frozen.
     draws : sequence of pairs
-        What rolls, and what it rolls on, which differ from those of the result in shear moduli alone.
+        Rolling body and counterbody of each draw; they differ from those of the result only in shear moduli.
     answers : sequence of str
-        Scalars that the result has.
+        Names of scalars of the result.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : callable, optional
-        Called as progress(stage, fraction) after each solve; what it raises ends them.
+        Called as progress(stage, fraction) before each solve; an exception that it raises ends the computation.
 
     Returns
     -------
     ndarray, shape (draws, answers)
-        In SI units.
+        Scalars of each draw, in SI units.
 
     Raises
     ------
     ValueError
-        For draws that differ in more than moduli.
+        If draws differ in more than shear moduli.
     ConvergenceError
-        As of `Sensitivity`: where the same input does not give the result back.
+        If the frozen contact does not reproduce the result, as in `Sensitivity`.
     """
     here = Given.of(result)
     givens = [here, *(_drawn(here, draw) for draw in draws)]
@@ -92,7 +93,7 @@ def propagated(
         return contact.answers(given)
 
     values = np.tile([float(getattr(result, answer)) for answer in answers], (len(draws), 1))
-    start = answers_with(np.zeros(len(draws)))  # a function like the others, which the core sums as it does them
+    start = answers_with(np.zeros(len(draws)))  # a function, as below: the core sums both in the same way
     directions = list(_directions(features))
     for i, (score, share) in enumerate(directions):
         if progress is not None:
@@ -103,9 +104,10 @@ def propagated(
 
 
 def _directions(features: Floats) -> Iterator[tuple[Floats, Floats]]:
-    """Yield how far each draw goes along a direction, and the shares of all draws that make it, the longest way first.
+    """Yield the coordinates of the draws along a direction, and the weights of the draws that give it, largest first.
 
-    Each feature is taken by its own scatter: a wide one where nobody measured hides no other.
+    Each feature is divided by its own standard deviation, so that features with a large scatter, as at frequencies
+    without measurements, do not hide the others.
     """
     size = np.sqrt(np.mean(features**2, axis=0))
     if not (scattered := size > _ALIKE).any():
@@ -118,16 +120,16 @@ def _directions(features: Floats) -> Iterator[tuple[Floats, Floats]]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _DrawnModulus:
-    """The modulus of one layer, and its draws.
+    """Modulus of one layer, with its draws.
 
     Attributes
     ----------
     place : Place
-        Whose it is.
+        Position of the layer.
     moduli : tuple
-        That of the result, then of each draw.
+        Modulus of the result, followed by those of the draws.
     features : ndarray, shape (draws, features)
-        Relative deviations of storage and loss at rest and at frequencies of the contact [-].
+        Relative deviations of storage and loss modulus at rest and at frequencies of the contact [-].
     """
 
     place: Place
@@ -136,7 +138,7 @@ class _DrawnModulus:
 
     @classmethod
     def at(cls, place: Place, result: Solution, givens: Sequence[Given]) -> _DrawnModulus:
-        """Return what is at a place of the input of a result, and of draws of it."""
+        """Return the modulus at a position of the input of a result, with its draws."""
         moduli = tuple(place.material(given).shear_modulus for given in givens)
         bands = bands_of(place.rolling_speed(result), result.mesh, _PER_DECADE)
         values = _values(moduli, np.concatenate([[0.0], bands.middles]))
@@ -145,7 +147,7 @@ class _DrawnModulus:
         return cls(place, moduli, parts[1:] / parts[0] - 1.0)
 
     def with_share(self, share: Floats) -> Callable[[Floats], NDArray[np.complex128]]:
-        """Return the modulus of the result with shares of the draws' deviations from it."""
+        """Return the modulus of the result plus a weighted sum of the deviations of the draws."""
 
         def modulus(frequency: Floats) -> NDArray[np.complex128]:
             values = _values(self.moduli, frequency)
@@ -155,7 +157,7 @@ class _DrawnModulus:
 
 
 def _drawn(given: Given, draw: Pair) -> Given:
-    """Return the input with the bodies of a draw; refuse what is not a draw of its moduli."""
+    """Return the input with the bodies of a draw; raise a ValueError if they differ in more than shear moduli."""
     drawn = replace(given, ball=draw[0], on=draw[1])
     restored, places = drawn, list(places_of(given))
     if len(places) == len(list(places_of(drawn))):
@@ -170,5 +172,5 @@ def _drawn(given: Given, draw: Pair) -> Given:
 
 
 def _values(moduli: Sequence[ShearModulusLike], frequency: Floats) -> NDArray[np.complex128]:
-    """Return moduli at frequencies, a row for each [Pa]."""
+    """Return the moduli at frequencies, one row per modulus [Pa]."""
     return np.array([_core.complex_modulus(to_core(modulus), frequency) for modulus in moduli])

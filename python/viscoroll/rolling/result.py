@@ -1,4 +1,4 @@
-"""What a solve returns: a solution, and all that looks into it."""
+"""Result of a solve: a solution, with the methods that evaluate it."""
 
 from __future__ import annotations
 
@@ -45,17 +45,17 @@ class Result(Solution):  # noqa: D101  (described as the solution that it is)
         Raises
         ------
         ValueError
-            For another suffix.
+            If the suffix is another one.
         ImportError
-            For all but ``.csv``, without the extra `viscoroll[files]`.
+            If the extra `viscoroll[files]` is missing, for all formats except ``.csv``.
         """
         save(self, path, FORMATS)
 
     @plots("the map of the pressure alone, of a roller its profile")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw the pressure with the contact's outline and the resultant's offset, and the profile along the path.
+        """Draw the pressure with the contact outline and the offset of the resultant, and the profile along the path.
 
-        With friction also where the contact sticks and slips, with arrows for the traction on the coating.
+        With friction, also draw the zones of stick and slip, with arrows for the traction on the coating.
         """
         from ..solution.picture import plot_contact
 

@@ -1,4 +1,4 @@
-"""What each number that was put in does to a result: derivatives, with who touches and who sticks as they are."""
+"""Derivatives of a result by each input, with the nodes in contact and in stick unchanged."""
 
 from __future__ import annotations
 
@@ -27,29 +27,29 @@ if TYPE_CHECKING:
 
 __all__ = ["Sensitivity", "sensitivity"]
 
-#: Of a parameter, in a difference quotient: what is left out is its square, and round-off of solutions 1e-6 of it.
+#: Relative step of a parameter in a difference quotient: truncation error is its square, round-off 1e-6 of solutions.
 _STEP = 1e-4
 
-#: Numbers of a result that are asked for unless told otherwise.
+#: Scalars whose sensitivity is computed by default.
 _ANSWERS = ("resisting_torque", "penetration", "max_pressure")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Sensitivity:
-    """Relative changes of answers by those of what was put in: -0.8 is 0.8 % less for 1 % more.
+    """Relative changes of scalar results by those of the input: -0.8 means 0.8 % less for 1 % more.
 
     Attributes
     ----------
     answers : tuple of str
-        Scalars of the result.
+        Names of the scalars of the result.
     parameters : tuple of str
-        What was changed, by its name in the input.
+        Names of the changed parameters in the input.
     values : ndarray, shape (parameters, answers)
         d ln(answer) / d ln(parameter) [-].
     moduli : tuple of ModulusSensitivity
-        The same by moduli and frequencies.
+        Sensitivities to the moduli, by frequency.
     result : Result
-        Whose these are.
+        Result to which the sensitivities belong.
     """
 
     answers: tuple[str, ...]
@@ -59,7 +59,7 @@ class Sensitivity:
     result: Solution
 
     def __getitem__(self, parameter: str) -> dict[str, float]:
-        """Return what one parameter does to all answers; of a modulus as a whole, at all frequencies alike."""
+        """Return the sensitivity of all answers to one parameter; for a modulus, to a change at all frequencies."""
         return dict(zip(self.answers, map(float, self._rows()[parameter]), strict=True))
 
     def _rows(self) -> dict[str, Floats]:
@@ -69,7 +69,7 @@ class Sensitivity:
         return rows
 
     def __repr__(self) -> str:
-        """Return a table of what does most first."""
+        """Return a table with the most influential parameter first."""
         rows = sorted(self._rows().items(), key=lambda row: -abs(row[1][0]))
         width = max(len(name) for name, _ in rows)
         head = " " * width + "".join(f"  {answer}" for answer in self.answers)
@@ -81,7 +81,7 @@ class Sensitivity:
         return "\n".join(["relative change of the column by that of the row", head, *lines])
 
     def to_xarray(self) -> xarray.Dataset:
-        """Return all of it over parameter and answer; moduli over material, frequency [rad/s] and answer."""
+        """Return all sensitivities, by parameter and answer; those to moduli by frequency [rad/s] and answer."""
         with extra("studies"):
             import xarray
 
@@ -96,29 +96,29 @@ class Sensitivity:
         return xarray.Dataset(data, coordinates)
 
     def save(self, path: str | Path) -> None:
-        """Write a file: .csv with a row for each parameter and band, or .nc as of `to_xarray`.
+        """Write a file: .csv with one row per parameter and band, or .nc with the same content as `to_xarray`.
 
         Raises
         ------
         ValueError
-            For another suffix.
+            If the suffix is another one.
         """
         save(self, path, _FORMATS)
 
     def plot(
         self, ax: Axes | None = None, *, answer: str | None = None, measured: tuple[float, float] | None = None
     ) -> Figure | Axes:
-        """Draw where power is lost over frequency, and what moduli there do to an answer, where measured and where not.
+        """Draw the dissipated power over frequency, and the sensitivity of one answer to the moduli at each frequency.
 
         Parameters
         ----------
         ax : matplotlib.axes.Axes, optional
-            Where to draw what moduli do, alone; else both in a figure of its own.
+            Axes for the sensitivities only. By default, both are drawn in a new figure.
         answer : str, optional
-            Which one, by default the first.
+            Name of the scalar, by default the first of `answers`.
         measured : (float, float), optional
-            Frequencies from and to which the moduli are measured [rad/s]; by default those of their tables, where there
-            are some. What lies beyond is gray.
+            Lowest and highest frequency at which the moduli are measured [rad/s]; other frequencies are gray. By
+            default the range of the tables of the moduli, if there are any.
         """
         from .sensitivity_picture import measured_range, plot_moduli
 
@@ -137,36 +137,36 @@ def sensitivity(
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> Sensitivity:
-    """Find what each parameter does to torque, penetration and pressure.
+    """Return the derivatives of torque, penetration and pressure by each parameter.
 
-    Who touches, sticks and slips is kept, and what is left has smooth equations, a solve of which takes a fraction of
-    the first one's time: derivatives are those of the whole problem on this mesh, of which joining nodes change the
-    second ones alone (`docs/theory/sensitivities.md`). By lengths, on which nodes depend, they are as coarse as it is.
+    Contact, stick and slip of the nodes are kept. The remaining equations are smooth, and one solve takes a fraction of
+    the time of the first solve. The derivatives are those of the whole problem on this mesh, because nodes that join
+    the contact affect only second derivatives (`docs/theory/sensitivities.md`). Derivatives by lengths, on which the
+    nodes depend, have the error of the mesh.
 
     Parameters
     ----------
     answers : sequence of str, optional
-        Scalars of the result; by default resisting torque, largest pressure and, where it is determined, penetration.
+        Scalars of the result; by default resisting torque, largest pressure and, if determined, penetration.
     bands_per_decade : int, default 1
-        Of frequencies, by which moduli are changed.
+        Number of frequency bands per decade in which the moduli are changed, ≥ 1.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction).
+        True shows a progress bar; a callable is called as progress(stage, fraction).
 
     Returns
     -------
     Sensitivity
-        Of load, angular_speed, friction and drive where they are not 0, and thickness, Poisson's ratio or bulk modulus,
-        density and modulus of all materials.
+        Sensitivities to load, angular_speed, friction and drive unless they are 0, and to thickness, Poisson's ratio
+        or bulk modulus, density and shear modulus of all materials.
 
     Raises
     ------
     ValueError
-        For an answer that is no scalar, or none of this result.
+        If an answer is not a scalar of this result.
     ConvergenceError
-        Where the same input does not give the result back: after `Status.MAX_ITERATIONS`, or with
-        `SlipKinematics.FLAT`.
+        If the same input does not reproduce the result: after `Status.MAX_ITERATIONS`, or with `SlipKinematics.FLAT`.
 
     Examples
     --------
@@ -222,7 +222,7 @@ def _as_range(measured: tuple[float, float]) -> tuple[float, float]:
 
 
 def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
-    """Return the names of numbers of a result; refuse what is none."""
+    """Return the names of scalars of a result; raise a ValueError for other names."""
     scalars = result.scalars()
     if wanted is None:
         return tuple(answer for answer in _ANSWERS if scalars[answer] is not None)
@@ -240,7 +240,7 @@ class _Quotients:
         self._here = self._contact.own_answers(given)
 
     def __call__(self, change: Change, *, downwards: bool) -> Floats:
-        """Return relative changes of the answers by a parameter that is changed to both sides, or downwards alone."""
+        """Return relative changes of the answers by a parameter, which is changed to both sides or only downwards."""
         below = self._contact.answers(change(-_STEP))
         if downwards:
             quotient = (3.0 * self._here - 4.0 * below + self._contact.answers(change(-2.0 * _STEP))) / (2.0 * _STEP)

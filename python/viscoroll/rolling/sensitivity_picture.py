@@ -21,15 +21,15 @@ if TYPE_CHECKING:
 
 __all__ = ["measured_range", "plot_moduli"]
 
-#: Bands that the loss is counted by: some five to the width of a relaxation.
+#: Bands per decade for the loss: about five per width of a relaxation.
 _PER_DECADE = 4
 
-#: From and to [rad/s].
+#: Lowest and highest frequency [rad/s].
 Range = tuple[float, float]
 
 
 def measured_range(result: Solution) -> Range | None:
-    """Return the frequencies that all tables of measured moduli hold [rad/s], or None where no modulus is a table."""
+    """Return the frequency range common to all tables of measured moduli [rad/s], or None without such tables."""
     given = Given.of(result)
     moduli = (place.material(given).shear_modulus for place in places_of(given))
     ends = [[w for w in modulus.frequency if w > 0.0] for modulus in moduli if isinstance(modulus, MasterCurve)]
@@ -44,9 +44,9 @@ def plot_moduli(
     measured: Range | None,
     ax: Axes | None,
 ) -> Picture | Axes:
-    """Draw where power is lost above, and what storage and loss modulus of each material do to an answer below.
+    """Draw the dissipated power over frequency, and below it the sensitivity of one answer to the moduli.
 
-    Where nobody measured is gray. Into axes of the caller's sensitivities alone.
+    Frequencies without measurements are gray. If axes are given, only the sensitivities are drawn.
     """
 
     def draw(axes: Axes) -> None:
@@ -76,7 +76,7 @@ def plot_moduli(
 
 
 def _losses(result: Solution) -> Iterator[tuple[str, Floats, Floats]]:
-    """Yield for each body its name, frequencies [rad/s], and shares of all its loss for each decade there [-]."""
+    """Yield for each body its name, frequencies [rad/s], and its fraction of the loss per decade at each [-]."""
     firsts = {place.which: place for place in reversed(list(places_of(Given.of(result))))}
     for which, place in sorted(firsts.items()):
         spectrum = loss_spectrum(result, of="ball" if which == "ball" else "counterpart")

@@ -38,79 +38,81 @@ def solve(
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> Result:
-    """Solve steady rolling on a plane, in a groove or on another body, with Coulomb friction or without.
+    """Solve steady rolling on a plane, in a groove or on another body, with or without Coulomb friction.
 
     The call releases the GIL, may run on several threads at once, and stops on Ctrl-C.
 
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        What rolls: rigid core and layers.
+        Rolling body: rigid core and layers.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
-        What it rolls on; without it the rigid plane. A ball rolls on a plane, in a groove or on another ball; a
-        cylinder on a plane, in a groove that is curved along its path, or on another cylinder; a wheel on a plane, in a
-        groove, on a cylinder or another wheel, whose axis is parallel. One of the two may be rigid, without layers. The
-        memory of both is that of material that passes the contact at Ω r_o.
+        Counterbody; by default the rigid plane. A ball rolls on a plane, in a groove or on another ball; a cylinder on
+        a plane, in a groove that is curved along its path, or on another cylinder; a wheel on a plane, in a groove, on
+        a cylinder or another wheel with a parallel axis. One of the two bodies may be rigid, without layers. In both
+        bodies, the material passes the contact at the speed Ω r_o.
     load : float
-        P, force that presses the body on what it rolls on [N], of a roller per length [N/m], > 0.
+        Normal load P [N], > 0. For rollers, load per length [N/m].
     angular_speed : float
-        Ω [rad/s], > 0 and below `critical_speed(ball)`; of two bodies on axes of their own relative to the line of
-        their centers.
+        Ω [rad/s], > 0 and below `critical_speed(ball)`. On another ball, roller or wheel, the angular speed relative to
+        the line of centers.
     mesh : Mesh, optional
-        Surface mesh. Without it, meshes are refined until the error estimate is below `accuracy`.
+        Surface mesh. By default the solver refines the mesh until the error estimate is below `accuracy`.
     accuracy : float, default 0.01
-        Wanted relative error [-], in [1e-4, 0.5]; only without `mesh`. The estimate is the largest of the power-balance
-        error and the changes, from the mesh before, of all that is not given: penetration, torques, forces, speed and
-        powers. The largest pressure has an estimate of its own, `Result.max_pressure_error`; for it meshes are refined
-        on as far as some seconds go, and where that does not do a warning says so.
+        Requested relative error [-], in [1e-4, 0.5]; only without `mesh`. The error estimate is the larger of the
+        power-balance error and the largest change from the previous mesh of all results that are not given:
+        penetration, torques, forces, speed and powers. The largest pressure has an estimate of its own,
+        `Result.max_pressure_error`. The solver refines the mesh further for it, within some seconds; if that does not
+        suffice, it issues a warning.
     friction : float, default 0
-        Coulomb's coefficient μ between coating and plane [-], in [0, 4]. With ``math.inf`` all of the contact sticks; a
-        `ConvergenceError` says where that asks for tension.
+        Coulomb's coefficient of friction μ [-], in [0, 4]. With ``math.inf`` the whole contact sticks; a
+        `ConvergenceError` says if that requires tension.
     drive : Drive, default Drive(force=0.0)
-        What closes the problem for the speed of the center. Without friction, where that speed is undetermined, a force
-        of 0 or a creepage; torque and force then follow from who loses what.
+        Condition that determines the speed of the center. Without friction, where that speed is undetermined, only a
+        force of 0 or a creepage is allowed; torque and force then follow from the power dissipated in each body.
     compliance : Compliance or str, default Compliance.RADIAL
-        In the contact condition: C_RR, pressure along the radius, which is nearer to finite strain, or C_WW, pressure
-        on the normals of the undeformed ball. Their difference is of the order of the strain: a measure of what linear
-        theory does not know.
+        Compliance in the contact condition: C_RR (RADIAL), pressure along the radius, which is closer to finite strain,
+        or C_WW (VERTICAL), pressure along the normals of the undeformed ball. The difference is of the order of the
+        strain and measures the error of linear theory.
     curvature : Curvature or str, default Curvature.SPHERE
-        What the equations of the layers keep of it: the membrane stiffness of a sphere, PAPER's as printed, or all of
-        it, EXACT, for thick coatings, hollow and solid balls.
+        Curvature terms in the equations of the layers: the membrane stiffness of a sphere (SPHERE), that of the paper
+        as printed (PAPER), or all terms (EXACT), for thick coatings and for hollow and solid balls.
     patch_load : PatchLoad or str, default PatchLoad.FLAT
-        Traction on the patch of a node: equation (53) or (38) of the paper.
+        Traction on the patch of a node: equation (53) (FLAT) or (38) (SPHERICAL) of the paper.
     slip_kinematics : SlipKinematics or str, default SlipKinematics.EXACT
-        With friction: how far material travels between the nodes of an undeformed ball. FLAT is the last form of the
-        paper's (55a), which knows no Heathcote slip; for comparison only.
+        Distance that material travels between nodes, with friction: that on the undeformed ball (EXACT), or the last
+        form of the paper's (55a) (FLAT), which has no Heathcote slip and serves only for comparison.
     max_iterations : int, default 2000
-        Linear systems solved on a mesh, ≥ 1.
+        Largest number of linear systems solved on a mesh, ≥ 1.
     threads : int, default 0
         Number of threads; 0 for all cores. The result does not depend on it.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
+        True shows a progress bar; a callable is called as progress(stage, fraction) about every 20 ms.
 
     Returns
     -------
     Result
-        Torque, penetration, fields and powers; look at `status`.
+        Torque, penetration, fields and powers. Check `status`.
 
     Raises
     ------
     ValueError
-        For bad input, a load too large for the coating (penetration ≥ thickness), speeds at or above the critical one,
-        and drives with which the ball slides without end. The message names parameter, value, unit and range.
+        If an argument is out of range, the load is too large for the coating (penetration ≥ thickness), the speed is at
+        or above the critical one, or the ball would slide without end under the drive. The message contains parameter,
+        value, unit and allowed range.
     TypeError
-        For arguments of another type.
+        If an argument has the wrong type.
     ConvergenceError
-        Where no usable state was found; the message gives the residual.
+        If the solver finds no usable state. The message contains the residual.
     KeyboardInterrupt
         On Ctrl-C, within 0.3 s.
 
     Warns
     -----
     ResultWarning
-        Where the accuracy was not reached, by the estimate or by that of the largest pressure, a given mesh is coarse
-        (fewer than ten nodes across the contact), or the strain is above 0.2; also in `Result.warnings`. Where lengths
-        or moduli are none of any product in SI units.
+        If the result or the largest pressure does not reach the accuracy, a given mesh is coarse (fewer than ten nodes
+        across the contact), or the strain is above 0.2; also in `Result.warnings`. If lengths or moduli look as if they
+        were not given in SI units.
 
     References
     ----------
@@ -149,32 +151,32 @@ def solve(
 
 
 class RollingModel:
-    """A ball at one speed on one mesh, for many load cases: its influence tables are computed once.
+    """Rolling contact at one speed on one mesh, for many load cases: it computes the influence tables once.
 
-    Threads may solve on it at the same time. Tables reach as far as the largest load so far has asked for: results may
-    differ in their last digits, with `Curvature.EXACT` by up to 1e-5, with the loads that were solved before.
+    Several threads may solve on the same model. The tables grow with the largest load so far. Results may therefore
+    depend in their last digits on the loads that were solved before; with `Curvature.EXACT` by up to 1e-5.
 
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        What rolls: rigid core and layers.
+        Rolling body: rigid core and layers.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
-        As of `solve`.
+        Counterbody, same as in `solve`.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
     mesh : Mesh
         Surface mesh.
     curvature : Curvature or str, default Curvature.SPHERE
-        As of `solve`.
+        Curvature terms in the equations of the layers, same as in `solve`.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
+        True shows a progress bar; a callable is called as progress(stage, fraction) about every 20 ms.
 
     Raises
     ------
     ValueError, TypeError
-        For bad input, as of `solve`.
+        If an argument is invalid, same as in `solve`.
 
     Examples
     --------
@@ -215,14 +217,14 @@ class RollingModel:
             )
 
     def __repr__(self) -> str:
-        """Return what it was made of."""
+        """Return the arguments of the constructor."""
         return (
             f"RollingModel({self.ball!r}, on={self.on!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r}, "
             f"curvature=Curvature.{self.curvature.name})"
         )
 
     def __reduce__(self) -> tuple[partial[RollingModel], tuple[RollingBody]]:
-        """Pickle the input; the tables are computed again."""
+        """Pickle the arguments; the copy computes the tables again."""
         given = {name: getattr(self, name) for name in ("on", "angular_speed", "mesh", "curvature")}
         return partial(type(self), **given), (self.ball,)
 
@@ -240,7 +242,7 @@ class RollingModel:
         threads: int = 0,
         progress: ProgressLike = None,
     ) -> Result:
-        """Solve one load case; parameters, result and errors as of `viscoroll.solve`."""
+        """Solve one load case; parameters, result and errors are the same as in `viscoroll.solve`."""
         case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
         with reporting(progress) as report, si_hints(self.ball, self.on, angular_speed=self.angular_speed):
             solution = self._core.solve(angular_speed=self.angular_speed, progress=report, **case)
@@ -257,7 +259,7 @@ def _core_case(
     max_iterations: int,
     threads: int,
 ) -> dict[str, Any]:
-    """Settle the types of a load case and its options, as the core wants them."""
+    """Convert a load case and its options to the types of the core."""
     compliance = as_member("compliance", compliance, Compliance)
     patch_load = as_member("patch_load", patch_load, PatchLoad)
     slip_kinematics = as_member("slip_kinematics", slip_kinematics, SlipKinematics)
@@ -283,7 +285,7 @@ def _result(
     curvature: Curvature | str,
     case: dict[str, Any],
 ) -> Result:
-    """Make the result, and warn of what to know before relying on it."""
+    """Return the result, and issue its warnings."""
     given = {name: case[name] for name in ("load", "friction", "compliance", "patch_load")}
     result = Result._from_core(
         solution, ball=ball, on=on, angular_speed=angular_speed, drive=drive, curvature=curvature, **given

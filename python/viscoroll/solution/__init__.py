@@ -1,4 +1,4 @@
-"""A solved contact: its numbers and fields, and all that looks into them."""
+"""Solution of a contact: its scalars and fields, and the methods that evaluate them."""
 
 from .loss_spectrum import LossSpectrum, loss_spectrum
 from .scalars import SCALARS

@@ -1,4 +1,4 @@
-"""Files of a solution: a table, netCDF, and the deformed surface for ParaView."""
+"""Files of a solution: CSV table, netCDF, and the deformed surface for ParaView."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def _write_table(result: Solution, path: Path) -> None:
 
 
 def _entries(field: NDArray[Any]) -> list[Any]:
-    """Return the values of a field one after the other; zeros lose their sign."""
+    """Return the values of a field as a flat list; negative zeros become positive."""
     entries: list[Any] = (field if field.dtype == bool else field + 0.0).ravel().tolist()
     return entries
 
@@ -54,7 +54,7 @@ def _write_vtk(result: Solution, path: Path) -> None:
 
 
 def _cells(rows: int, columns: int) -> tuple[str, NDArray[Any]]:
-    """Return quadrilaterals between the nodes of a window, or lines where it is one node wide."""
+    """Return quadrilaterals between the nodes of a window, or lines if it is one node wide."""
     node = np.arange(rows * columns).reshape(rows, columns)
     if columns == 1:
         return "line", np.stack([node[:-1, 0], node[1:, 0]], axis=-1)
@@ -66,7 +66,7 @@ def _vectors(field: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack([*(part.ravel() for part in field), np.zeros(field[0].size)], axis=-1)
 
 
-#: What writes the fields of a solution, by suffix; see `Result.save`.
+#: Functions that write the fields of a solution, by suffix; see `Result.save`.
 FORMATS = {
     ".csv": _write_table,
     ".nc": lambda result, path: write_netcdf(result.to_xarray(), path),

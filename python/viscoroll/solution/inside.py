@@ -1,4 +1,4 @@
-"""Which of two bodies is looked into, and what the core has to know of it."""
+"""Selection of one of the two bodies of a result, and its input for the core."""
 
 from __future__ import annotations
 
@@ -29,25 +29,27 @@ if TYPE_CHECKING:
 
 __all__ = ["BodyInside", "Inside", "Of", "boundaries_of", "finite_line", "inside_of", "places_of"]
 
-#: What has an inside.
+#: Types of bodies whose interior can be evaluated.
 BodyInside: TypeAlias = CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel
 
-#: What rolls, a roller, too, or what it rolls on.
+#: Rolling body (of any kind) or counterbody.
 Of = Literal["ball", "counterpart"]
 
 
 @dataclass(frozen=True, slots=True)
 class Inside:
-    """One of the two bodies of a result, which has layers.
+    """Deformable body of a result, selected for evaluation of its interior.
 
     Attributes
     ----------
     of : str
         ``"ball"`` or ``"counterpart"``.
     body : CoatedSphere or CoatedCylinder or CoatedPlane or CoatedWheel
-        Its layers; of a groove those of a plane, and of a roller under a wheel those of a wheel without sides.
+        The body. A groove is represented by a plane with its layers, a roller under a wheel by a wheel without side
+        faces.
     radius : float
-        At which its angles φ and θ are arcs [m]: its own, of a plane that of what rolls.
+        Radius at which the angles φ and θ are arcs [m]: the radius of the body, or for a plane that of the rolling
+        body.
     """
 
     result: Solution
@@ -57,37 +59,37 @@ class Inside:
 
     @property
     def turns(self) -> bool:
-        """Whether it has a radius; else positions are heights above its surface."""
+        """Whether the body has a radius; otherwise positions are heights above its surface."""
         return not isinstance(self.body, CoatedPlane)
 
     @property
     def layers(self) -> tuple[Layer | HalfSpace, ...]:
-        """All layers, the base of a plane first."""
+        """All materials from the inside outwards, the base of a plane first."""
         return materials_of(self.body)
 
     @property
     def thickness(self) -> float:
-        """How deep it is [m]; infinite with a base that deforms."""
+        """Depth of the body [m]; infinite if it has a deformable base."""
         return _thickness(self.body)
 
     def depth(self, positions: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return how far below the surface places are [m]."""
+        """Return the depths of positions below the surface [m]."""
         return _surface(self.body) - positions
 
     def bonded(self) -> NDArray[np.float64]:
-        """Return the positions where layers are bonded, to something rigid and to one another [m], outwards."""
+        """Return the positions of all bonds, to a rigid core or base and between layers [m], outwards."""
         held = not isinstance(self.body, CoatedSphere) or self.body.inner_boundary is _core.InnerBoundary.RIGID
         positions = boundaries_of(self.body)[:-1]
         return positions[np.isfinite(positions)] if held else positions[1:]
 
     @property
     def line_contact(self) -> bool:
-        """Whether forces and powers are per length."""
+        """Whether forces and powers are per length (line contact)."""
         return self.result.ball.line_contact
 
     @property
     def passes(self) -> float:
-        """Angle of its material that passes the contact per time [rad/s]: of what turns its angular speed."""
+        """Angular speed at which the material passes the contact, at the radius of the body [rad/s]."""
         result = self.result
         if self.of == "ball":
             return result.angular_speed
@@ -96,11 +98,11 @@ class Inside:
 
     @property
     def bulk_power(self) -> float:
-        """Power lost in it [W], under a line [W/m]."""
+        """Power dissipated in the body [W], in line contact [W/m]."""
         return self.result.rolling_bulk_power if self.of == "ball" else self.result.counterpart_bulk_power
 
     def tractions(self) -> _core.Tractions:
-        """Return what acts on it, as the core knows it."""
+        """Return the tractions on the body as an object of the core."""
         result = self.result
         counterpart = self.of == "counterpart"
         return _core.Tractions(
@@ -120,7 +122,7 @@ class Inside:
         )
 
     def _curvatures(self) -> tuple[float, float]:
-        """Return how the counterpart bends along the path and across [1/m]."""
+        """Return the curvatures of the counterbody along the path and across [1/m]."""
         match on := self.result.on:
             case None | CoatedPlane():
                 return 0.0, 0.0
@@ -138,23 +140,23 @@ class Inside:
     def places(
         self, depth: ArrayLike | None, radius: ArrayLike | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Return positions and layers of places, see `places_of`."""
+        """Return positions and layers of given depths or radii; see `places_of`."""
         return places_of(self.body, depth, radius)
 
     def node_angles(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return φ and θ of the nodes [rad], at its own radius."""
+        """Return φ and θ of the nodes [rad] at the radius of this body."""
         turns = self.result.ball.outer_radius / self.radius
         phi, theta = (0.5 * np.pi + (angles - 0.5 * np.pi) * turns for angles in node_angles(self.result))
         return phi, theta
 
     def node_spacings(self) -> tuple[float, float]:
-        """Return the angles between nodes along φ and θ [rad], likewise."""
+        """Return the angles between nodes along φ and θ [rad] at the radius of this body."""
         turns = self.result.ball.outer_radius / self.radius
         phi, theta = node_spacings(self.result)
         return phi * turns, theta * turns
 
     def warn_of_sides(self) -> None:
-        """Warn where the sides of a tread are free and near: what is inside is that of one that goes on."""
+        """Warn if free side faces are near the contact: the fields are those of a tread that continues beyond them."""
         body, across = self.body, self.result.contact_width
         if not isinstance(body, CoatedWheel) or body.sides is not Sides.FREE or across is None:
             return
@@ -168,17 +170,17 @@ class Inside:
 
 
 def inside_of(result: Solution, of: Of | None = None) -> Inside:
-    """Return the body of a result that is looked into.
+    """Return the body of a result to be evaluated.
 
     Parameters
     ----------
     of : "ball" or "counterpart", optional
-        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
+        Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
 
     Raises
     ------
     ValueError
-        For another word, and where that body is rigid.
+        If `of` has another value, or that body is rigid.
     """
     if of not in (None, "ball", "counterpart"):
         raise ValueError(f"of must be 'ball' or 'counterpart', got {shown(of)}")
@@ -203,9 +205,9 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
 def places_of(
     body: BodyInside, depth: ArrayLike | None, radius: ArrayLike | None = None
 ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-    """Return positions and layers of places given by depth or radius: two where layers meet.
+    """Return positions and layers of places given by depth or radius; a boundary between layers yields two places.
 
-    A position is a radius, in a plane the height above its surface [m].
+    A position is a radius, or in a plane the height above its surface [m].
 
     Raises
     ------
@@ -224,14 +226,14 @@ def places_of(
     thickness = _thickness(body)
     if below.size and not (below.min() >= 0.0 and below.max() <= thickness * (1.0 + 1e-12)):
         raise ValueError(f"depth must be in [0, {thickness:g}] m, got {below.min():g} to {below.max():g}")
-    # The innermost place is the core's to the last bit.
+    # The innermost position must equal that of the core to the last bit.
     innermost = boundaries_of(body)[0]
     positions = np.where(below >= thickness * (1.0 - 1e-12), innermost, _surface(body) - below)
     return _core.places_at(shape, np.clip(positions, innermost, None))
 
 
 def boundaries_of(body: BodyInside) -> NDArray[np.float64]:
-    """Return the positions where layers begin and end [m], outwards."""
+    """Return the positions of all layer boundaries [m], from the inside outwards."""
     if not isinstance(body, CoatedPlane):
         return body.core_radius + np.cumsum([0.0, *(layer.thickness for layer in body.layers)])
     heights = -np.cumsum([0.0, *(layer.thickness for layer in reversed(body.layers))])[::-1]
@@ -247,12 +249,12 @@ def _surface(body: BodyInside) -> float:
 
 
 def finite_line(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """Return finite numbers in one dimension.
+    """Return values as a one-dimensional array of finite numbers.
 
     Raises
     ------
     TypeError, ValueError
-        For anything else.
+        If they are not real, finite or one-dimensional.
     """
     array = np.atleast_1d(as_float_array(name, values))
     if array.ndim != 1:

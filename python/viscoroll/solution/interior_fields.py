@@ -1,4 +1,4 @@
-"""Displacement, strain and stress inside layers, from the tractions of a solved contact."""
+"""Displacement, strain and stress inside the layers, from the tractions of a solved contact."""
 
 from __future__ import annotations
 
@@ -61,28 +61,31 @@ def order_fields(
     Parameters
     ----------
     body : CoatedSphere or CoatedCylinder or CoatedPlane or CoatedWheel
-        Layers; of a wheel those of a tread without sides or crown.
+        Body with layers. A wheel is taken as a tread without side faces or crown.
     angular_speed : float
-        Ω of the body, of a plane that of what rolls [rad/s], > 0.
+        Angular speed Ω of the body, or for a plane that of the rolling body [rad/s], > 0.
     m, n : array_like of int
-        Orders of any sign, of one length; n is 0 in a cylinder. Across a wheel the wave number is n/outer_radius.
+        Orders of any sign, in arrays of the same length; n is 0 in a cylinder. In a wheel, the wavenumber along the
+        axis is n/outer_radius.
     depth, radius : array_like
-        Depth below the surface or, but in a plane, r [m]; where layers meet it comes twice, the outer layer first.
+        Depth below the surface, or radius r except in a plane [m]. A boundary between layers appears twice, first for
+        the outer layer.
     rolling_radius : float, optional
-        Of what rolls [m], > 0: in a plane the order m is a wave number m/rolling_radius.
+        Radius of the rolling body [m], > 0; required for a plane, in which the order m is the wavenumber
+        m/rolling_radius.
     curvature : Curvature, default Curvature.SPHERE
-        SPHERE or PAPER, of a sphere.
+        SPHERE or PAPER; used only for a sphere.
 
     Returns
     -------
     displacement, stress, strain : ndarray of complex
-        [m/Pa], [-] and [1/Pa], of shape (orders, places, 3 or 6, 3); the last index is the direction of the surface
-        stress, (r, φ, θ), and components are ordered as in `COMPONENTS`.
+        Fields in [m/Pa], [-] and [1/Pa], of shape (orders, places, 3 or 6, 3). The last index is the direction of the
+        surface stress, (r, φ, θ); components are in the order of `COMPONENTS`.
 
     Raises
     ------
     TypeError, ValueError
-        For bad input.
+        If an argument is invalid.
 
     Examples
     --------
@@ -123,58 +126,61 @@ def interior(
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> xarray.Dataset:
-    """Displacement, strain and stress inside the layers of what rolls, or of what it rolls on.
+    """Return displacement, strain and stress inside the layers of the rolling body or the counterbody.
 
     Parameters
     ----------
     depth : array_like
-        Below the surface [m], within the layers; or `radius`. Where layers meet, strains and stresses along the
-        surface jump: such a depth comes twice, the outer layer first, see the coordinate `layer`.
+        Depth below the surface [m], within the layers; or `radius`. At a boundary between layers, strains and stresses
+        along the surface are discontinuous. Such a depth appears twice, first for the outer layer; see the coordinate
+        `layer`.
     radius : array_like
-        r [m], in place of `depth`; not in a plane.
+        Radius r [m], in place of `depth`; not in a plane.
     phi, theta : array_like, optional
-        Angles [rad] within half a revolution of the lowest point, π/2, φ in a plane a third of one; θ in a plane or
-        a wheel, where it is an arc per radius, a whole one. By default those of the nodes. ``theta=[π/2]`` with many
-        depths is the section through the contact; under a line there is no other.
+        Angles [rad], by default those of the nodes. They must lie within half a revolution of the lowest point, π/2; φ
+        in a plane within a third of one; θ in a plane or a wheel, where it is an arc divided by a radius, within a
+        whole one. ``theta=[π/2]`` with many depths is the section through the contact, the only one in line contact.
     of : "ball" or "counterpart", optional
-        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
+        Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
     max_order : float, optional
-        Order at which the sum ends, smoothly, > 0; by default where an order has died out at a depth. Shallow places
-        are faster with it, and the steps of the pressure from patch to patch lie above π per spacing.
+        Order at which the sum ends smoothly, > 0. By default the sum ends where the orders have decayed at the depth. A
+        lower order saves time at shallow places. The steps of the pressure from patch to patch belong to orders above π
+        divided by the spacing.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
+        True shows a progress bar; a callable is called as progress(stage, fraction) about every 20 ms.
 
     Returns
     -------
     xarray.Dataset
-        Over (depth, phi, theta): `displacement` [m] by `direction`, `stress` [Pa] (tension positive) and `strain`
-        [-] by `component`, and of them `von_mises`, `principal_stress` (largest first), `hydrostatic_pressure`,
-        and the traction on the surface r = const: `opening_traction`, its tension where there is any, and
+        Variables over (depth, phi, theta): `displacement` [m] by `direction`, `stress` [Pa] (tension positive) and
+        `strain` [-] by `component`; from these `von_mises`, `principal_stress` (largest first), `hydrostatic_pressure`,
+        and the traction on the surface r = const: its tension `opening_traction`, 0 under compression, and its shear
         `shear_traction` [Pa]. Coordinates `x` and `z` are arcs forward and sideways from the middle of the contact [m].
-        In either body r points out of it, φ is the way of its material, backward, and θ points to -z; in a plane φ and
-        θ are arcs per radius of what rolls, in a wheel θ is z per outer radius.
+        In either body, r points out of the body, φ points backward, in the direction in which its material moves, and θ
+        points to -z. In a plane, φ and θ are arcs divided by the radius of the rolling body; in a wheel, θ is z divided
+        by the outer radius.
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; also with curvature EXACT, which has no orders (m, n).
+        If an argument is invalid; also with curvature EXACT, which has no orders (m, n).
     ImportError
-        Without the extra `viscoroll[files]`.
+        If the extra `viscoroll[files]` is missing.
 
     Warns
     -----
     ResultWarning
-        For depths where the mesh is too coarse: less than a quarter of a spacing, between nodes half of one. For a
-        wheel with free sides nearer to the contact than its tread is thick, whose fields are those of a tread that goes
-        on.
+        If a depth is too small for the mesh: less than a quarter of a node spacing, or half of one between nodes. If
+        the contact of a wheel with free sides is nearer to a face than the thickness of the tread, because the fields
+        are those of a tread that continues beyond its faces.
 
     Notes
     -----
-    Stresses are those of the compliance of the solve. With VERTICAL pressure acts along the plane's normal and so
-    has a share along the coating, up to p x/r_o, which raises the largest von Mises stress near the surface.
-    Under a line the displacement of a half-plane is not there (NaN): it is infinite.
+    Stresses are those of the compliance of the solve. With VERTICAL, the pressure acts along the normal of the plane.
+    Its component along the coating, up to p x/r_o, raises the largest von Mises stress near the surface. In line
+    contact, the displacement of a half-plane is infinite, and NaN is returned.
 
     Examples
     --------
@@ -241,7 +247,7 @@ def strains(
     *,
     max_order: float | None = None,
 ) -> NDArray[np.float64]:
-    """Return the strain of `interior` alone [-], of shape (places, 6, phi, theta); two places where layers meet."""
+    """Return only the strain of `interior` [-], of shape (places, 6, phi, theta); layer boundaries are two places."""
     return _values(inside, inside.places(depth), phi, theta, max_order, 0, None)[:, 9:]
 
 
@@ -254,7 +260,7 @@ def _values(
     threads: int,
     report: Report | None,
 ) -> NDArray[np.float64]:
-    """Return all components, of shape (places, 15, phi, theta)."""
+    """Return all field components, of shape (places, 15, phi, theta)."""
     return _core.interior_fields(
         inside.body._to_core(),
         inside.tractions(),
@@ -272,29 +278,29 @@ def _values(
 def place_coordinates(
     inside: Inside, positions: NDArray[np.float64]
 ) -> dict[str, tuple[str, NDArray[np.float64], dict[str, str]]]:
-    """Return coordinates of places along the normal: depth, and but in a plane r."""
+    """Return the coordinates of places along the normal: depth, and the radius r except in a plane."""
     coordinates = {"depth": ("depth", inside.depth(positions), {"units": "m"})}
     return coordinates | ({"radius": ("depth", positions, {"units": "m"})} if inside.turns else {})
 
 
 def bonds(result: Solution, *, of: Of | None = None, threads: int = 0, progress: ProgressLike = None) -> xarray.Dataset:
-    """Fields where layers are bonded, to a core or a base and to one another: what debonds.
+    """Return the fields at all bonds, between layers and to a core or base, where debonding may occur.
 
     Parameters
     ----------
     of, threads, progress
-        As of `interior`.
+        Same as in `interior`.
 
     Returns
     -------
     xarray.Dataset
-        As of `interior`, at the rigid core or base where there is one, and on both sides of every boundary between
+        Same as in `interior`, at the rigid core or base if there is one, and on both sides of every boundary between
         layers.
 
     Raises
     ------
     ValueError
-        Where nothing is bonded to anything.
+        If the body has no bond.
     """
     inside = inside_of(result, of)
     depths = inside.depth(inside.bonded())
@@ -312,14 +318,14 @@ def _von_mises(stress: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _principal(stress: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Principal values, the largest first."""
+    """Return the principal stresses, the largest first."""
     rr, pp, tt, rp, rt, pt = stress
     matrices = np.stack([rr, rp, rt, rp, pp, pt, rt, pt, tt], axis=-1).reshape(*rr.shape, 3, 3)
     return np.moveaxis(np.linalg.eigvalsh(matrices)[..., ::-1], -1, 0)
 
 
 def _warn_of_shallow_places(inside: Inside, depths: NDArray[np.float64], on_nodes: bool) -> None:
-    """Near the surface the pressure's steps from patch to patch show, at nodes less than between them."""
+    """Warn of depths at which the stresses show the steps of the pressure from patch to patch."""
     along, across = inside.node_spacings()
     spacing = inside.radius * max(along, 0.0 if inside.line_contact else across)
     share, where = (0.25, "a quarter") if on_nodes else (0.5, "half")

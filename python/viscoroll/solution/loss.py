@@ -1,4 +1,4 @@
-"""Energy lost inside layers, where and in which of the material's mechanisms."""
+"""Energy dissipated inside the layers, by position and by relaxation time of the material."""
 
 from __future__ import annotations
 
@@ -23,25 +23,25 @@ if TYPE_CHECKING:
 
 __all__ = ["contact_size", "default_max_order", "loss"]
 
-#: Orders, per r_o over the contact's semi-axis, that hold 0.9999 of the loss; near the surface w is right to 1e-3.
+#: Orders divided by r_o/a, with the contact's semi-axis a, that contain 0.9999 of the loss; w is then right to 1e-3.
 _ORDERS_PER_CONTACT = 40.0
 
-#: What the volume integral may differ from the power put in, relatively: the error of its radial nodes.
+#: Largest relative difference between the volume integral and the supplied power: the error of the radial quadrature.
 _BALANCE = 1e-7
 
-#: Of the largest power that the load could take, below which all is round-off: what an elastic body loses.
+#: Fraction of load times speed times semi-axis below which power is round-off: the computed loss of an elastic body.
 _ROUND_OFF = 1e-10
 
 
 def contact_size(result: Solution) -> float:
-    """Return the smaller semi-axis of the contact, or a spacing of the mesh where it has none [m]."""
+    """Return the smaller semi-axis of the contact, or a node spacing if that is zero [m]."""
     along = result.semi_axis_x or 0.0
     across = along if result.ball.line_contact else result.semi_axis_z or 0.0
     return min(along, across) or result.ball.outer_radius * result.mesh.spacing
 
 
 def default_max_order(result: Solution, orders_per_contact: float = _ORDERS_PER_CONTACT) -> int:
-    """Return the orders that the loss is summed up to: those that matter, of those that the mesh has."""
+    """Return the highest order of the loss sums: all relevant orders, as far as the mesh has them."""
     wanted = int(np.ceil(orders_per_contact * result.ball.outer_radius / contact_size(result)))
     most = result.mesh.max_order or 10 * result.mesh.nodes_per_revolution
     return max(8, min(wanted, most, 20000))
@@ -56,49 +56,52 @@ def loss(
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> xarray.Dataset:
-    """Energy lost inside the layers of what rolls, or of what it rolls on, per volume and passage of the contact.
+    """Return the energy dissipated inside the layers of one body, per volume and passage of the contact.
 
     Parameters
     ----------
     depth : array_like, optional
-        Where the densities are wanted [m]; by default at the nodes of the volume integral.
+        Depths of the densities [m]; by default the nodes of the volume integral.
     of : "ball" or "counterpart", optional
-        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
+        Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
     max_order : int, optional
-        Orders |m|, |n| up to this one are summed; by default those of the mesh or 40 r_o/a, whichever are fewer, a
-        the contact's semi-axis: 0.9999 of the loss, on coarse meshes 0.998.
+        Highest order |m|, |n| of the sums. By default that of the mesh or 40 r_o/a, whichever is lower, with the
+        contact's semi-axis a. The sums then contain 0.9999 of the loss, or 0.998 on coarse meshes.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
+        True shows a progress bar; a callable is called as progress(stage, fraction) about every 20 ms.
 
     Returns
     -------
     xarray.Dataset
-        `loss_density` w [J/m³ per revolution, of a plane per pass] over (depth, theta), and but of a plane
-        `power_density` Ωw/2π [W/m³], its mean over a revolution; `layer_power` [W] by `layer`, and `relaxation_power`
-        [W] by `layer` and `term` for layers that are Prony series. Attributes: `power`, the volume integral [W],
-        `surface_power`, what the tractions put into the same orders, and `bulk_power`, that of all orders, each of
-        this body alone. Under a line powers are per length [W/m].
+        `loss_density` w [J/m³ per revolution, in a plane per pass] over (depth, theta); except in a plane,
+        `power_density` Ωw/2π [W/m³], its mean over a revolution; `layer_power` [W] by `layer`; and `relaxation_power`
+        [W] by `layer` and `term` for layers with a Prony series. Attributes: `power`, the volume integral [W],
+        `surface_power`, the power of the tractions in the same orders, and `bulk_power`, the power in all orders; all
+        are those of this body. In line contact, powers are per length [W/m].
 
     Raises
     ------
     TypeError, ValueError
-        For bad input; also with curvature EXACT.
+        If an argument is invalid; also with curvature EXACT.
     ImportError
-        Without the extra `viscoroll[files]`.
+        If the extra `viscoroll[files]` is missing.
+    ConvergenceError
+        If the volume integral differs from the power of the tractions in the same orders by more than a relative 1e-7.
 
     Warns
     -----
     ResultWarning
-        For a wheel with free sides nearer to the contact than its tread is thick.
+        If the contact of a wheel with free sides is nearer to a face than the thickness of the tread.
 
     Notes
     -----
-    The model's volume is r² dr dθ dφ, without sin θ, of a wheel r r_o dr dθ dφ. Across its path a plane or a wheel is
-    taken to bear tracks side by side, a circumference of what rolls apart, under wide wheels several. That of a wheel
-    with free sides is the loss of a tread that goes on, under the same tractions: `power` is not all of `bulk_power`
-    where the contact comes near the faces, nor is it with a crown, of which some 0.1 h/R_c is missing.
+    The volume element of the model is r² dr dθ dφ, without sin θ, or r r_o dr dθ dφ in a wheel. Across the path, a
+    plane or a wheel is modeled with parallel tracks at a distance of one circumference of the rolling body, or several
+    under wide wheels. The loss of a wheel with free sides is that of a tread that continues beyond its faces, under the
+    same tractions. `power` is therefore less than `bulk_power` if the contact is near the faces; with a crown, about
+    0.1 h/R_c of it is missing.
 
     Examples
     --------
@@ -134,10 +137,11 @@ def loss(
         )
     inside.warn_of_sides()
     positions, layers = lost.places
-    # The half of the torus that the sphere has; what is straight across bears half of it at the most.
+    # The part of the torus that a sphere has, one half; on other bodies, the tractions occupy at most this half.
     shown = slice(len(lost.theta) // 4, 3 * len(lost.theta) // 4 + 1)
     density = np.maximum(lost.density[:, shown], 0.0)
-    # A counterpart's material passes at the speed of the center, which creepage makes another one than it is solved at.
+    # The material of a counterbody passes at the speed of the center, which differs by the creepage from the speed Ω
+    # r_o of the solve.
     as_solved = result.angular_speed * result.ball.outer_radius / inside.radius
     order_power = lost.order_power.reshape(len(inside.layers), -1) * (inside.passes / as_solved)
     shares = [_term_shares(layer.shear_modulus, as_solved * lost.orders) for layer in inside.layers]
@@ -183,7 +187,7 @@ def loss(
 
 
 def _term_shares(modulus: ShearModulusLike, frequency: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Share of each relaxation time in the loss modulus at every frequency, a row for each; none without a series."""
+    """Return the fraction of the loss modulus due to each relaxation time (row) at each frequency."""
     match modulus:
         case StandardLinearSolid():
             times, weights = np.array([modulus.relaxation_time]), np.ones(1)

@@ -1,4 +1,4 @@
-"""Which harmonics lose the power of a body, and which of them a measured table does not hold."""
+"""Power dissipated in a body by harmonic, and its fraction at frequencies outside the measured tables."""
 
 from __future__ import annotations
 
@@ -20,24 +20,25 @@ if TYPE_CHECKING:
 
 __all__ = ["LossSpectrum", "extrapolated_loss", "loss_spectrum"]
 
-#: Orders are taken one by one up to here, then at equal ratios.
+#: All orders up to this one are used; higher orders are sampled at this ratio.
 _ONE_BY_ONE = 32
 _RATIO = 1.05
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class LossSpectrum:
-    """Power lost in one body, by the harmonics of the rolling speed.
+    """Power dissipated in one body, by harmonics of the rolling speed.
 
     Attributes
     ----------
     order : ndarray
-        m [-], all up to 32 and some of the rest, each for those around it.
+        Orders m [-]: all up to 32, and a sample of the higher ones, each of which represents the orders around it.
     frequency : ndarray
-        mΩ [rad/s], Ω of a counterpart its own; of a plane, where m is a wave number per radius of what rolls, of that.
+        Frequencies mΩ [rad/s], with the angular speed Ω of the body. In a plane, m divided by the radius of the rolling
+        body is the wavenumber, and Ω is that of the rolling body.
     power : ndarray
-        Lost by the orders around each [W], under a line [W/m]; their sum is the power lost in the body, but for the
-        sampling.
+        Power dissipated by the orders around each [W], in line contact [W/m]. Except for the error of sampling, the sum
+        is the power dissipated in the body.
     """
 
     order: Floats
@@ -45,24 +46,25 @@ class LossSpectrum:
     power: Floats
 
     def share_outside(self, lowest: float, highest: float) -> float:
-        """Return the share of the power that is lost below or above two frequencies [rad/s]."""
+        """Return the fraction of the power that is dissipated outside a range of frequencies [rad/s]."""
         outside = (self.frequency < lowest) | (self.frequency > highest)
         return float(self.power[outside].sum() / self.power.sum())
 
 
 def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
-    """Split the power lost in a body by harmonics.
+    """Return the power dissipated in a body by harmonic.
 
-    P_bulk = -Ω A Σ_mn m Im(σ̄ᵀ C σ) with the orders σ_mn of the tractions, the compliance C of the surface and its area
-    of waves A: (2π r_o)² of a torus, 2π r_o of a roller, per length (`docs/theory/normal-contact.md`,
-    `rollers.md`); on the exact sphere, too. C is that of a wheel without sides or crown.
+    P_bulk = -Ω A Σ_mn m Im(σ̄ᵀ C σ) with the orders σ_mn of the tractions, the compliance C of the surface, and the
+    area A of one period: (2π r_o)² for a torus, 2π r_o per length for a roller (`docs/theory/normal-contact.md`,
+    `rollers.md`). With curvature EXACT, C is that of SPHERE; for a wheel, C is that of a tread without side faces or
+    crown.
 
     Parameters
     ----------
     result : Result
-        A solution.
+        Solution of a contact.
     of : "ball" or "counterpart", optional
-        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
+        Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
 
     Returns
     -------
@@ -72,7 +74,7 @@ def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
     Raises
     ------
     ValueError
-        For a body that is rigid, and for a contact wider than the circumference, which whole orders cannot tell.
+        If the body is rigid, or the fields are wider than its circumference, which integer orders cannot represent.
     """
     inside = inside_of(result, of)
     width = np.ptp(result.z[0]) / inside.radius
@@ -82,26 +84,26 @@ def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
     n, n_width = np.zeros(1, np.int64), np.ones(1)
     if not inside.line_contact:
         n, n_width = _sampled(round(2.0 * np.pi / inside.node_spacings()[1]))
-        n, n_width = np.concatenate([[0], n]), np.concatenate([[1.0], 2.0 * n_width])  # -n does as n
+        n, n_width = np.concatenate([[0], n]), np.concatenate([[1.0], 2.0 * n_width])  # n and -n dissipate the same
     compliance = _compliance(inside, m, n)
     traction = _orders(inside, m, n)
     work = np.einsum("pmn,mnpq,qmn->mn", traction.conj(), compliance, traction).imag
     waves = 2.0 * np.pi * inside.radius
     area = waves if inside.line_contact else waves**2
-    # Orders m and -m do the same: twice those above 0.
+    # Orders m and -m dissipate the same power: count those above 0 twice.
     power = -2.0 * inside.passes * area * m * m_width * (work @ n_width)
     orders = m.astype(np.float64)
     return LossSpectrum(order=orders, frequency=orders * inside.passes, power=power)
 
 
 def extrapolated_loss(result: Solution) -> float | None:
-    """Return the share of the power lost in the coating at harmonics that a measured table does not hold.
+    """Return the fraction of the power that is dissipated at harmonics outside the measured tables of the layers.
 
     Returns
     -------
     float or None
-        [-], where the outermost entries of a `MasterCurve` were held; None without such a material, and where two
-        bodies deform, of whose losses there is no spectrum.
+        Fraction [-] for layers with a `MasterCurve` whose outermost entries are held beyond its range. None without
+        such a layer, and with a counterbody `on`.
     """
     if result.on is not None:
         return None
@@ -117,7 +119,7 @@ def extrapolated_loss(result: Solution) -> float | None:
 
 
 def _compliance(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArray[np.complex128]:
-    """Return that of the surface at all orders, shape (m, n, 3, 3) [m/Pa]."""
+    """Return the compliance of the surface at all orders, shape (m, n, 3, 3) [m/Pa]."""
     grid = [orders.ravel() for orders in np.meshgrid(m, n, indexing="ij")]
     displacement = order_fields(
         inside.body,
@@ -131,7 +133,7 @@ def _compliance(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> N
 
 
 def _sampled(nodes: int) -> tuple[NDArray[np.int64], Floats]:
-    """Return orders from 1 up to the nodes per revolution, and how many each stands for."""
+    """Return sampled orders from 1 to the number of nodes per revolution, and how many orders each represents."""
     last = max(nodes, 2)
     count = 1 + int(np.log(max(last / _ONE_BY_ONE, 1.0)) / np.log(_RATIO))
     beyond = np.geomspace(_ONE_BY_ONE, last, count) if last > _ONE_BY_ONE else np.array([float(last)])
@@ -141,9 +143,9 @@ def _sampled(nodes: int) -> tuple[NDArray[np.int64], Floats]:
 
 
 def _orders(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArray[np.complex128]:
-    """Return the tractions along r, φ and θ by orders, shape (3, m, n) [Pa]."""
+    """Return the orders of the tractions along r, φ and θ, shape (3, m, n) [Pa]."""
     result = inside.result
-    # φ and θ grow against x and z at the lowest point.
+    # φ and θ increase in the directions -x and -z at the lowest point.
     sense = 1.0 if inside.of == "counterpart" else -1.0
     fields = np.stack([-result.pressure, sense * result.shear_traction[0], sense * result.shear_traction[1]])
     angles = [a - 0.5 * np.pi for a in inside.node_angles()]

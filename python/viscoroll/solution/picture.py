@@ -1,4 +1,4 @@
-"""Pictures, with matplotlib (the extra `viscoroll[plot]`)."""
+"""Pictures of a solution, with matplotlib (the extra `viscoroll[plot]`)."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ __all__ = ["plot_contact"]
 _MM = 1e3
 _MPA = 1e-6
 
-#: Width of a map over its length from which on both have scales of their own.
+#: Ratio of width to length of a map above which its axes are scaled independently.
 _SLENDER = 5.0
 
 
 def plot_contact(result: Solution, ax: Axes | None = None) -> Picture | Axes:
     """Draw the contact pressure: its map, and its profile along the rolling direction.
 
-    With friction also the map of stick and slip with arrows for the traction, and its profile beside the pressure's. Of
-    a roller, whose contact is a strip, the profile alone.
+    With friction, also draw the map of stick and slip with arrows for the traction, and its profile with that of the
+    pressure. For a roller, whose contact is a strip, draw only the profile.
 
     Parameters
     ----------
     result : Result
-        A solution.
+        Solution of a contact.
     ax : matplotlib.axes.Axes, optional
-        Where to draw the map of the pressure alone, of a roller the profile.
+        Axes for the map of the pressure only, or for the profile of a roller.
 
     Returns
     -------
     matplotlib.figure.Figure or matplotlib.axes.Axes
-        Two axes side by side, or three with friction, or one, in a figure that belongs to no window; or `ax`.
+        Two axes side by side, three with friction, one for a roller, in a figure without a window; or `ax`.
     """
     of_roller, frictional = result.semi_axis_z is None, result.friction > 0.0
     draw = _draw_profile if of_roller else _draw_map
@@ -67,7 +67,7 @@ def plot_contact(result: Solution, ax: Axes | None = None) -> Picture | Axes:
 
 
 def _headline(result: Solution) -> str:
-    """Say what was given on one line, and what follows from it on the next."""
+    """Return the input on one line and the main results on the next."""
     milli = f"m{result.unit('resisting_torque')}"
     given = [f"$P$ = {result.load:g} {result.unit('load')}", f"$Ω$ = {result.angular_speed:g} rad/s"]
     found = [f"power lost / $PV$ = {result.rolling_resistance_coefficient:.4g}"]
@@ -91,7 +91,7 @@ def _offset(result: Solution) -> float:
 
 
 def _limits(result: Solution) -> tuple[float, float]:
-    """Half of what is shown along x and z [mm]: the contact and some margin, in the window; of a wheel its faces."""
+    """Return half of the drawn range along x and z [mm]: contact and margin within the window, or a wheel's width."""
     along, across = (float(np.abs(part[result.contact]).max()) for part in (result.x, result.z))
     margin, ends = 2.0 * _spacing(result), float(result.x.max())
     if isinstance(result.ball, CoatedWheel):
@@ -101,10 +101,10 @@ def _limits(result: Solution) -> tuple[float, float]:
 
 
 def _frame(axes: Axes, result: Solution) -> None:
-    """Set what is shown of a map, and draw the faces of a wheel."""
+    """Set the range of a map, and draw the faces of a wheel."""
     along, across = _limits(result)
     axes.set(xlim=(-along, along), ylim=(-across, across), xlabel="x [mm], rolling to the right", ylabel="z [mm]")
-    # The contact of a wide wheel is a line, of which nothing is to be seen at one scale.
+    # At equal scales, the contact of a wide wheel would be a thin line.
     axes.set_aspect("equal" if across < _SLENDER * along else "auto")
     if isinstance(result.ball, CoatedWheel):
         for side in (-0.5, 0.5):
@@ -116,7 +116,7 @@ def _spacing(result: Solution) -> float:
 
 
 def _draw_map(axes: Axes, result: Solution) -> None:
-    # Pictures run along x from column to column; forward, the fields run from row to row, backward.
+    # In the picture, x increases from left to right; in the fields it decreases from row to row.
     x, z = result.x.T * _MM, result.z.T * _MM
     contact = result.contact.T
     pressure = np.ma.masked_where(~contact, result.pressure.T * _MPA)
@@ -147,7 +147,7 @@ def _draw_stick_and_slip(axes: Axes, result: Solution) -> None:
 
 
 def _arrow_nodes(result: Solution) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Nodes in contact that carry an arrow: some twenty across."""
+    """Return the nodes in contact at which an arrow is drawn: about twenty across."""
     stride = max(1, round(np.sqrt(result.contact.sum()) / 18.0))
     half = np.array(result.contact.shape) // 2
     rows, columns = np.nonzero(result.contact)

@@ -1,4 +1,4 @@
-"""The scalar results, as the table of the core describes them."""
+"""Scalar results, as described by the table of the core."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .._support.scalars import scalar_fields, units_in_contact
 
 __all__ = ["SCALARS", "ScalarFields", "scalar_units"]
 
-#: Scalar results: name, unit, what it is.
+#: Unit and label of each scalar result, by name.
 SCALARS = {scalar.name: (scalar.unit, scalar.label) for scalar in _core.result_scalars()}
 
 
@@ -21,7 +21,7 @@ def scalar_units(*, line_contact: bool) -> dict[str, str]:
 if TYPE_CHECKING:
     from .._core import ResultScalars as ScalarFields
 else:
-    #: A field of each name.
+    #: Dataclass with one field per scalar result.
     ScalarFields = scalar_fields(
         "ScalarFields", {scalar.name: scalar.type.replace(" or ", " | ") for scalar in _core.result_scalars()}
     )

@@ -1,4 +1,4 @@
-"""A solved contact: its numbers, and its fields on the mesh."""
+"""Solution of a contact: its scalars, and its fields on the mesh."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ __all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Solution", "described", "gi
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Refinement:
-    """One mesh of a solve that chose its own.
+    """One mesh of a solve that chose its meshes itself.
 
     Attributes
     ----------
     mesh : Mesh
-        The mesh.
+        Mesh of this step.
     contact_nodes : int
-        Nodes in contact.
+        Number of nodes in contact.
     resisting_torque : float
-        T_r [N m].
+        Resisting torque T_r [N m].
     penetration : float or None
-        r_o - H [m]; None where it is undetermined.
+        Penetration r_o - H [m]; None if it is undetermined.
     power_balance_error : float
-        Relative [-].
+        Relative power-balance error [-].
     error_estimate : float
-        The larger of the power-balance error and the changes from the mesh before [-]; 1 on the first mesh.
+        The larger of the power-balance error and the changes from the previous mesh [-]; 1 on the first mesh.
     """
 
     mesh: Mesh
@@ -56,7 +56,7 @@ class Refinement:
         return cls(**values | {"mesh": Mesh._from_core(step.mesh)})
 
 
-#: Fields on the mesh: name, unit, what it is.
+#: Unit and description of each scalar field on the mesh, by name.
 FIELDS = {
     "x": ("m", "forward coordinate of the undeformed node"),
     "z": ("m", "lateral coordinate of the undeformed node"),
@@ -68,7 +68,7 @@ FIELDS = {
     "slip": ("1", "whether the node is in contact and slips"),
 }
 
-#: Fields of vectors along x and z.
+#: Unit and description of each vector field, with components along x and z.
 VECTOR_FIELDS = {
     "shear_traction": ("Pa", "traction of the plane on the coating"),
     "slip_velocity": ("m/s", "velocity of the coating over the plane, in contact"),
@@ -80,41 +80,42 @@ VECTOR_FIELDS = {
 class Solution(ScalarFields):
     """Solution of one load case on the candidate window.
 
-    Of a roller (`CoatedCylinder`), whose fields have one column, forces are per length [N/m], and so are torques [N],
-    powers [W/m] and the contact area [m]; `unit` tells.
+    In line contact (`CoatedCylinder`), fields have one column, and forces are per length [N/m], as are torques [N],
+    powers [W/m] and the contact area [m]; `unit` returns the unit of a result.
 
-    Fields are read-only arrays of shape (nodes in φ, nodes in θ); material crosses the contact towards growing φ, from
+    Fields are read-only arrays of shape (nodes in φ, nodes in θ). Material crosses the contact towards growing φ, from
     the leading edge (x > 0) to the trailing edge.
 
     Attributes
     ----------
     ball, on, load, angular_speed, friction, drive, compliance, curvature, patch_load
-        The input; load in [N], of a roller in [N/m], angular_speed in [rad/s].
+        Input; load in [N], or [N/m] for a roller; angular_speed in [rad/s].
     status : Status
-        How the solve ended.
+        Outcome of the solve.
     %(scalars)s
     mesh : Mesh
-        The mesh of this solution.
+        Mesh of this solution.
     refinements : tuple of Refinement
-        The meshes tried, coarse to fine.
+        Meshes that the solver tried, from coarse to fine.
     warnings : dict of WarningKind to str
-        What to know before relying on this: the texts of the `ResultWarning` that the solve gave.
+        Texts of the `ResultWarning` that the solve issued, by kind.
     x, z : ndarray
         Coordinates of the undeformed nodes [m]: x forward, z sideways.
     pressure : ndarray
         Contact pressure, positive [Pa].
     displacement : ndarray
-        Vertical displacement of the surface, positive upwards [m]; where the penetration is undetermined, counted from
-        that of the lowest point.
+        Vertical displacement of the surface, positive upwards [m]; relative to that of the lowest point if the
+        penetration is undetermined.
     gap : ndarray
         Height of the surface above the plane [m].
     contact, stick, slip : ndarray of bool
-        Where the surface touches the plane, and of that, where it sticks and where it slips. Without friction all of it
-        slips.
+        Nodes where the surface is in contact with the plane, and those of them that stick and that slip. Without
+        friction, all nodes in contact slip.
     shear_traction : ndarray, shape (2, nodes in φ, nodes in θ)
-        Traction of the plane on the coating along x and z [Pa].
+        Traction of the plane on the coating, along x and z [Pa].
     slip_velocity : ndarray, shape (2, nodes in φ, nodes in θ)
-        Velocity of the coating over the plane along x and z [m/s]; zero out of contact, and without friction.
+        Velocity of the coating relative to the plane, along x and z [m/s]; zero outside the contact and without
+        friction.
     """
 
     ball: RollingBody
@@ -142,12 +143,12 @@ class Solution(ScalarFields):
     slip_velocity: NDArray[np.float64]
 
     def __post_init__(self) -> None:
-        """Freeze the arrays."""
+        """Make the arrays read-only."""
         for name in (*FIELDS, *VECTOR_FIELDS):
             getattr(self, name).flags.writeable = False
 
     def __reduce__(self) -> tuple[Callable[..., Solution], tuple[type[Solution], dict[str, Any]]]:
-        """Copy and pickle by way of the constructor, which freezes the arrays of the copy."""
+        """Copy and pickle through the constructor, which makes the arrays of the copy read-only."""
         return _rebuilt, (type(self), {field.name: getattr(self, field.name) for field in fields(self)})
 
     @classmethod
@@ -161,12 +162,12 @@ class Solution(ScalarFields):
         return cls(**inputs, **values)
 
     def unit(self, name: str) -> str:
-        """Return the unit of a scalar result, or of ``"load"``: of a roller per length.
+        """Return the unit of a scalar result, or of ``"load"``; for a roller, forces and powers are per length.
 
         Raises
         ------
         KeyError
-            For another name.
+            If the name is not that of a scalar result.
 
         Examples
         --------
@@ -178,7 +179,7 @@ class Solution(ScalarFields):
         return unit_in_contact(unit, line_contact=self.ball.line_contact)
 
     def scalars(self) -> dict[str, float | int | str | None]:
-        """Return all scalar results by name, in SI units, with status and warnings by their names."""
+        """Return all scalar results by name in SI units, and the names of status and warnings."""
         values: dict[str, float | int | str | None] = {name: getattr(self, name) for name in SCALARS}
         values |= {
             "load": self.load,
@@ -207,7 +208,7 @@ class Solution(ScalarFields):
         Raises
         ------
         ImportError
-            Without the extra `viscoroll[files]`.
+            If the extra `viscoroll[files]` is missing.
         """
         with extra("files"):
             import xarray
@@ -229,7 +230,7 @@ def described(unit: str, text: str) -> dict[str, str]:
 
 
 def given_of(solution: Solution) -> dict[str, float | str]:
-    """Return what a solution was asked for, as the attributes of what looks into it."""
+    """Return the input of a solution as attributes for datasets of its interior."""
     return {
         "load": solution.load,
         "angular_speed": solution.angular_speed,
@@ -253,7 +254,7 @@ def node_spacings(solution: Solution) -> tuple[float, float]:
 
 
 def _theta_nodes_per_revolution(solution: Solution) -> float:
-    """Return 2π/Δθ: the mesh's, but of a wheel what makes a whole number of columns as wide as it."""
+    """Return 2π/Δθ: that of the mesh; for a wheel such that a whole number of columns fills its width."""
     columns = solution.z.shape[1]
     if isinstance(solution.ball, CoatedWheel) and columns > 1:
         return float(2.0 * np.pi * solution.ball.outer_radius * (columns - 1) / np.ptp(solution.z[0]))

@@ -1,4 +1,4 @@
-"""A result in words and numbers: what is printed of it, and what stands in tables."""
+"""Text of a result: printed summary, notebook table, and lines for other tables."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["cautions", "result_html", "result_lines", "result_summary", "result_
 
 
 def result_summary(result: Solution) -> str:
-    """Return a summary of one screen."""
+    """Return a summary that fits on one screen."""
     rows = [
         ("rolling resistance coefficient", f"{result.rolling_resistance_coefficient:.6g}"),
         ("driving torque T", _quantity(result, "driving_torque")),
@@ -41,12 +41,12 @@ def result_summary(result: Solution) -> str:
 
 
 def cautions(result: Solution) -> list[str]:
-    """Return what to know before relying on a result: its warnings, and how lengths and moduli read in SI units."""
+    """Return the warnings of a result, with a hint if lengths or moduli are implausible in SI units."""
     return [*result.warnings.values(), *filter(None, [unit_doubt(result.ball, result.on)])]
 
 
 def result_lines(result: Solution) -> list[tuple[str, str]]:
-    """Return what all scalar results are, in a few words and with a handy unit, and their values."""
+    """Return the label of each scalar result with a convenient unit, and its value as text."""
     lines = []
     for label, value, unit in _scalar_rows(result):
         (text,), handy_unit = handy([value], unit)
@@ -60,7 +60,7 @@ def with_unit(label: str, unit: str) -> str:
 
 
 def result_title(result: Solution) -> str:
-    """Return what was given, on one line."""
+    """Return the input on one line."""
     return (
         f"P = {result.load:g} {result.unit('load')}, Ω = {result.angular_speed:g} rad/s, friction {result.friction:g}, "
         f"{result.compliance.name.lower()} compliance, {result.curvature.name.lower()} curvature"
@@ -68,7 +68,7 @@ def result_title(result: Solution) -> str:
 
 
 def result_html(result: Solution) -> str:
-    """Return the table of a notebook."""
+    """Return the table of the result for a notebook."""
     rows = [(label, number_text(value), unit_text(unit)) for label, value, unit in _scalar_rows(result)]
     rows += [("mesh", str(result.mesh), ""), ("status", result.status.name, "")]
     rows += [("warning", message, "") for message in cautions(result)]
@@ -76,7 +76,7 @@ def result_html(result: Solution) -> str:
 
 
 def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
-    """Return what it is, value and unit of all scalar results [SI]."""
+    """Return label, value [SI] and unit of all scalar results."""
     rows = [
         (label, getattr(result, name), result.unit(name))
         for name, (_, label) in SCALARS.items()

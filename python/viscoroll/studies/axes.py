@@ -1,4 +1,4 @@
-"""Axes, colors and texts of what a study varies and finds, with matplotlib (the extra `viscoroll[plot]`)."""
+"""Axes, colors and labels for pictures of studies, with matplotlib (the extra `viscoroll[plot]`)."""
 
 from __future__ import annotations
 
@@ -38,34 +38,34 @@ _SYMBOLS = {
     "relaxation_time": r"\tau",
 }
 
-#: Units that take a prefix, and the prefixes.
+#: Units that take a prefix, and the prefixes by their factors.
 _PREFIXED = {"m", "N", "N m", "Pa", "Pa s", "W", "s"}
 _PREFIXES = {1e-9: "n", 1e-6: "μ", 1e-3: "m", 1.0: "", 1e3: "k", 1e6: "M", 1e9: "G"}
 
-#: Numbers up to so many have a legend, more a color bar; texts must be told apart by color.
+#: Largest number of numeric values with a legend (more have a color bar), and of texts, which need distinct colors.
 _MOST_IN_LEGEND, _MOST_TEXTS = 8, 10
 _SHADES = ListedColormap(colormaps["viridis"](np.linspace(0.0, 0.92, 256)))
 
-#: Characters of texts below an axis that stand side by side, and texts that stand slanted.
+#: Largest number of characters of horizontal texts below an axis, and largest number of slanted texts.
 _CHARACTERS, _MOST_SLANTED = 70, 12
 
-#: Ratio of the largest to the smallest number from which on an axis is logarithmic.
+#: Ratio of the largest to the smallest number above which an axis is logarithmic.
 _WIDE = 20.0
 
-#: Ratio up to which numbers stand at 2 and 5 as well, not as powers of ten.
+#: Ratio below which a logarithmic axis also has numbers at 2 and 5, and no powers of ten.
 _FEW_DECADES = 200.0
 
 
 @dataclass(frozen=True, slots=True)
 class Scale:
-    """Unit with its prefix, and what a number is divided by."""
+    """Unit with a prefix, and the divisor that converts values to it."""
 
     factor: float
     unit: str
 
     @classmethod
     def of(cls, values: xarray.DataArray) -> Scale:
-        """Return the scale of the largest of some numbers."""
+        """Return the scale that suits the largest of some numbers."""
         unit = str(values.attrs.get("units", "1"))
         numbers = np.abs(values.to_numpy())
         largest = float(np.nanmax(numbers, initial=0.0, where=np.isfinite(numbers)))
@@ -75,12 +75,12 @@ class Scale:
         return cls(factor, _PREFIXES[factor] + unit)
 
     def text(self, name: str) -> str:
-        """Name with the unit, for an axis."""
+        """Return a name with the unit, for an axis."""
         return f"{name} [{self.unit}]" if self.unit else name
 
 
 class Abscissa:
-    """The first dimension: numbers along an axis, or texts side by side."""
+    """Horizontal axis for the first dimension: numbers, or texts side by side."""
 
     def __init__(self, coordinate: xarray.DataArray) -> None:
         self._name = named(coordinate)
@@ -89,18 +89,18 @@ class Abscissa:
         self.places = np.arange(float(coordinate.size)) if self._texts else coordinate.to_numpy() / self._scale.factor
 
     def draw(self, axes: Axes, values: Floats, *, style: str, color: Any) -> None:
-        """Draw a curve, or points where nothing lies between them."""
+        """Draw a curve over numbers, or points over texts."""
         axes.plot(self.places, values, "o" if self._texts else f".{style}", color=color)
 
     def draw_band(self, axes: Axes, lower: Floats, upper: Floats, *, color: Any) -> None:
-        """Draw intervals around a curve, or around points."""
+        """Draw intervals: a band around a curve, or a vertical line at each point."""
         if self._texts:
             axes.vlines(self.places, lower, upper, color=color, alpha=0.6)
         else:
             axes.fill_between(self.places, lower, upper, color=color, alpha=0.2, linewidth=0.0)
 
     def finish(self, axes: Axes) -> None:
-        """Write name and numbers, or texts, slanted where they would overlap."""
+        """Write the name and the numbers or texts below the axis; texts that would overlap are slanted."""
         axes.set_xlabel(self._scale.text(self._name))
         if not self._texts:
             choose_scale(axes, "x", self.places)
@@ -118,7 +118,7 @@ class Abscissa:
 
 
 class Colors:
-    """The dimension that the colors of curves stand for."""
+    """Colors of the curves for the values of one dimension."""
 
     def __init__(self, coordinate: xarray.DataArray) -> None:
         self._name = named(coordinate)
@@ -140,17 +140,17 @@ class Colors:
         return self._shades[i]
 
     def draw_bar(self, axes: Axes) -> None:
-        """Draw the scale of the colors."""
+        """Draw the color bar."""
         figure = axes.figure
         figure.colorbar(ScalarMappable(self._norm, _SHADES), ax=axes, label=self._scale.text(self._name))
 
     def handles(self, drawn: set[int]) -> list[Line2D]:
-        """Return entries of a legend for the values that have a curve."""
+        """Return legend entries for the values that have a curve."""
         return [Line2D([], [], color=self[i], marker=".", label=self._texts[i]) for i in sorted(drawn)]
 
 
 def choose_scale(axes: Axes, axis: str, numbers: Floats) -> None:
-    """Make an axis logarithmic where numbers span decades, but for a stretch around 0 if that is one of them."""
+    """Make an axis logarithmic if its numbers span decades, with a linear part near 0 if 0 is one of them."""
     finite = np.unique(numbers[np.isfinite(numbers)])
     if _spans_decades(finite):
         axes.set(**{f"{axis}scale": "log"})
@@ -165,7 +165,7 @@ def choose_scale(axes: Axes, axis: str, numbers: Floats) -> None:
 
 
 def _spans_decades(numbers: Floats) -> bool:
-    """Whether positive numbers are spaced by a factor, or differ by a large one."""
+    """Whether numbers are positive and either equally spaced in logarithms or different by a large factor."""
     if numbers.size < 2 or not numbers.min() > 0.0:
         return False
     steps = np.diff(np.log(numbers))
@@ -174,7 +174,7 @@ def _spans_decades(numbers: Floats) -> bool:
 
 
 def _texts_of(coordinate: xarray.DataArray) -> list[str]:
-    """Return the texts of a coordinate, one line for each quantity; none for numbers."""
+    """Return the texts of a coordinate, with one line for each quantity; an empty list for numbers."""
     if coordinate.dtype.kind in "fiu":
         return []
     return ["\n".join(map(_spelled, str(text).split(", "))) for text in coordinate.to_numpy().tolist()]
@@ -188,7 +188,7 @@ def _spelled(text: str) -> str:
 
 
 def value_text(coordinate: xarray.DataArray) -> str:
-    """Return name and value of a single point of a coordinate."""
+    """Return name and value of a coordinate with a single value."""
     if coordinate.dtype.kind not in "fiu":
         return f"{named(coordinate)}: {_texts_of(coordinate.expand_dims('one'))[0]}".replace("\n", ", ")
     scale = Scale.of(coordinate)
@@ -196,7 +196,7 @@ def value_text(coordinate: xarray.DataArray) -> str:
 
 
 def named(values: xarray.DataArray) -> str:
-    """Return what an array holds in words, with symbols as such."""
+    """Return the name of a quantity in words, with its symbol."""
     name = str(values.attrs.get("long_name", values.name)).replace("_", " ") if values.name in _SYMBOLS else ""
     if name:
         return f"{name} ${_SYMBOLS[str(values.name)]}$"
@@ -204,5 +204,5 @@ def named(values: xarray.DataArray) -> str:
 
 
 def _symbol(name: str) -> str:
-    """Return the symbol of a name that ends in one, else the name."""
+    """Return the symbol at the end of a name, or the name if it has none."""
     return name.rsplit(" ", 1)[-1] if name.endswith("$") else name

@@ -1,8 +1,9 @@
-"""Points that studies have computed, kept on disk under keys of their inputs, beside the netCDF file of the last study.
+"""Cache of studies: a database of all solved points, by keys of their inputs, and a netCDF file of the last study.
 
-Points are rows of an SQLite database, each in a transaction of its own: a process that is killed at any moment leaves
-complete rows. One study at a time, in any thread or process, opens the database. The netCDF file appears complete or
-not at all. Each row has a checksum, and the database has one of the netCDF file: no damaged file gives a number.
+Points are rows of an SQLite database. Each point is one transaction, so that a process that is killed at any moment
+leaves complete rows. Only one study at a time, in any thread or process, can open the database. The netCDF file appears
+complete or not at all. Each row has a checksum, and the database stores the checksum of the netCDF file, so that
+damaged files are detected.
 """
 
 from __future__ import annotations
@@ -34,13 +35,13 @@ if TYPE_CHECKING:
 
 __all__ = ["DAMAGED", "StudyCache", "as_cache_path", "point_store_path"]
 
-#: Outcome of a point whose row does not have its checksum.
+#: Outcome of a point whose row does not match its checksum.
 DAMAGED = Outcome(error="the cache is damaged at this point")
 
-#: Marks a database as one of viscoroll ("vcrl").
+#: SQLite application id of a database of viscoroll ("vcrl").
 _APPLICATION = 0x7663726C
 
-#: Tables: the version that made the database; points; checksums of the netCDF file, before and after it is replaced.
+#: Tables: version that made the database; points; checksums of the netCDF file (two while the file is being replaced).
 _TABLES = (
     "CREATE TABLE made_by (text TEXT NOT NULL)",
     "CREATE TABLE point (key TEXT PRIMARY KEY, scalars TEXT NOT NULL, fields BLOB, draws BLOB, error TEXT NOT NULL, "
@@ -48,7 +49,7 @@ _TABLES = (
     "CREATE TABLE written (checksum BLOB NOT NULL)",
 )
 
-#: Errors of SQLite that the file system causes, and those that another connection causes. All others mean damage.
+#: Errors of SQLite caused by the file system, and errors caused by another connection. All others mean damage.
 _OF_FILE_SYSTEM = {
     sqlite3.SQLITE_FULL,
     sqlite3.SQLITE_IOERR,
@@ -60,12 +61,12 @@ _IN_USE = {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED}
 
 
 def as_cache_path(path: str | Path) -> Path:
-    """Return the path of a cache.
+    """Return a path as the path of a cache.
 
     Raises
     ------
     ValueError
-        Unless it ends in .nc.
+        If the path does not end in .nc.
     """
     return ending_in([".nc"], path, name="cache")
 
@@ -76,25 +77,25 @@ def point_store_path(path: Path) -> Path:
 
 
 class StudyCache:
-    """The last study as a netCDF file, and the points of all studies in a database beside it.
+    """Cache of studies: the last study as a netCDF file, and the points of all studies in a database next to it.
 
     Parameters
     ----------
     path : Path
-        The netCDF file. The database is made if it does not exist.
+        Path of the netCDF file. The database is created if it does not exist.
 
     Raises
     ------
     ValueError
-        If a file is damaged or was not written by viscoroll, another version made the database, or another study uses
-        it.
+        If a file is damaged or was not written by viscoroll, if another version made the database, or if another study
+        uses it.
     OSError
         If a file cannot be read or written.
     """
 
     def __init__(self, path: Path) -> None:
         with extra("studies"):
-            import netCDF4  # noqa: F401  (writes the file, at the end of all work)
+            import netCDF4  # noqa: F401  (needed at the end, to write the file)
             import xarray  # noqa: F401
 
         self.path = path
@@ -102,10 +103,10 @@ class StudyCache:
         if path.exists() and not self.points.exists():
             raise self._unknown_study()
         with ExitStack() as unless_opened, self._explained():
-            # One study asks from the threads that solve its points, one at a time: see `_Recorder`.
+            # The threads that solve the points of a study use the database one at a time: see `_Recorder`.
             self._database = sqlite3.connect(self.points, timeout=0.0, isolation_level=None, check_same_thread=False)
             unless_opened.callback(self._database.close)
-            self._database.text_factory = bytes  # damaged text is no UTF-8
+            self._database.text_factory = bytes  # damaged text may not be UTF-8
             self._open()
             unless_opened.pop_all()
 
@@ -132,7 +133,7 @@ class StudyCache:
         return xarray.load_dataset(self.path, engine="netcdf4")
 
     def write(self, dataset: xarray.Dataset) -> None:
-        """Write a study in place of the one before."""
+        """Write a study, which replaces the previous one."""
         compressed = {str(name): {"zlib": True} for name, values in dataset.data_vars.items() if "phi" in values.dims}
         with draft_of(self.path) as draft:
             write_netcdf(dataset, draft, encoding=compressed)
@@ -144,7 +145,7 @@ class StudyCache:
             self._database.execute("DELETE FROM written WHERE checksum != ?", (checksum,))
 
     def outcome(self, key: str) -> Outcome | None:
-        """Return the outcome of a point, `DAMAGED` if its checksum does not fit, or None if there is no such point."""
+        """Return the outcome of a point, `DAMAGED` if its checksum does not match, or None if the point is missing."""
         with self._explained():
             query = "SELECT scalars, fields, draws, error, checksum FROM point WHERE key = ?"
             row = self._database.execute(query, (key,)).fetchone()
@@ -159,7 +160,7 @@ class StudyCache:
         )
 
     def keep(self, key: str, outcome: Outcome) -> None:
-        """Keep the outcome of a point."""
+        """Store the outcome of a point."""
         scalars, error = json.dumps(dict(outcome.scalars)), outcome.error
         fields, draws = _packed(outcome.fields), _packed(outcome.draws)
         checksum = _checksum(key.encode(), scalars.encode(), fields, draws, error.encode())
@@ -168,7 +169,7 @@ class StudyCache:
             self._database.execute("INSERT OR REPLACE INTO point VALUES (?, ?, ?, ?, ?, ?)", row)
 
     def _open(self) -> None:
-        """Lock the database until it is closed or this process ends, and check what it is."""
+        """Lock the database until it is closed or this process ends; create or check its tables."""
         self._database.execute("PRAGMA locking_mode = EXCLUSIVE")
         self._database.execute("BEGIN EXCLUSIVE")
         made_by = f"{__version__}, commit {__commit__}".encode()
@@ -195,12 +196,12 @@ class StudyCache:
 
     @contextmanager
     def _explained(self) -> Iterator[None]:
-        """Turn an error of SQLite into one that names the file and says what to do."""
+        """Convert an error of SQLite to one that names the file and says what to do."""
         try:
             yield
         except sqlite3.Error as error:
             extended = getattr(error, "sqlite_errorcode", None)
-            if extended is None:  # not of the file
+            if extended is None:  # an error that does not concern the file
                 raise
             code = extended & 0xFF
             if code in _IN_USE:
@@ -208,7 +209,7 @@ class StudyCache:
             if code in _OF_FILE_SYSTEM:
                 number = errno.ENOSPC if code == sqlite3.SQLITE_FULL else errno.EIO
                 raise OSError(number, str(error), str(self.points)) from None
-            raise self._damaged(error.sqlite_errorname) from None  # its text may quote the file
+            raise self._damaged(error.sqlite_errorname) from None  # its message may quote damaged text
 
     def _damaged(self, reason: str) -> ValueError:
         return ValueError(
@@ -224,7 +225,7 @@ class StudyCache:
 
 
 def _checksum(*parts: object) -> bytes:
-    """Return a checksum of values from a row, which are bytes or None, and of any type in a damaged one."""
+    """Return a checksum of the values of a row: bytes or None, but possibly of any type in a damaged row."""
     checksum = hashlib.sha256()
     for part in parts:
         content = part if isinstance(part, bytes) else repr(part).encode()

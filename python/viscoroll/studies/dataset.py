@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 __all__ = ["RESERVED", "build_dataset"]
 
-#: What a dataset holds besides `SCALARS` for each point: name, unit, what it is.
+#: Numbers of each point in addition to `SCALARS`: name, unit, description.
 _COUNTS = {
     "contact_nodes": ("1", "nodes in contact"),
     "nodes_per_revolution": ("1", "nodes per revolution along phi"),
@@ -48,19 +48,19 @@ _TEXTS = {
     "error": "why the point failed",
 }
 
-#: Names that parameters of a ball cannot have.
+#: Names of results, which parameters of a function of a body cannot have.
 RESERVED = frozenset({*SCALARS, *_COUNTS, *BOUNDS, *_TEXTS, *FIELDS, *VECTOR_FIELDS, "phi", "theta", "direction"})
 
 
 def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset:
-    """Return all results of a plan over its dimensions; points without an outcome, and failed ones, are NaN.
+    """Return all results of a plan over its dimensions; points that failed or have no outcome are NaN.
 
     Parameters
     ----------
     plan : Plan
-        The points.
+        Points of the study.
     outcomes : mapping of int to Outcome
-        What became of them.
+        Outcomes by the index of the point.
     """
     with extra("studies"):
         import xarray
@@ -107,9 +107,9 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
 
 
 def _fields(plan: Plan, table: list[Outcome]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return coordinates and fields, each window in the middle of the largest, with NaN around it."""
+    """Return coordinates and fields, each window centered in the largest window, with NaN around it."""
     windows = [next(iter(outcome.fields.values())).shape[-2:] for outcome in table if outcome.fields]
-    # Every window reaches as far before the lowest point as behind it, or one node farther: it has node count // 2.
+    # The lowest point is node count // 2 of every window: there is at most one more node on one side than on the other.
     rows, columns = (max((window[axis] for window in windows), default=1) for axis in (0, 1))
     names = [dimension.name for dimension in plan.dimensions]
     coordinates = _angles(table, rows, columns)
@@ -129,7 +129,7 @@ def _fields(plan: Plan, table: list[Outcome]) -> tuple[dict[str, Any], dict[str,
 
 
 def _angles(table: list[Outcome], rows: int, columns: int) -> dict[str, Any]:
-    """Angles of the nodes where all points have one spacing, else their numbers from the lowest point."""
+    """Return angles of the nodes if all points have one spacing, else node numbers from the lowest point."""
     angles: dict[str, Any] = {}
     for name, count, prefix in (("phi", rows, ""), ("theta", columns, "theta_")):
         numbers = np.arange(count) - count // 2
@@ -153,7 +153,7 @@ def _counted(table: list[Outcome]) -> str:
 
 
 def _unit(plan: Plan, unit: str | None) -> str | None:
-    """Return the unit of a parameter, which may have none."""
+    """Return the unit of a parameter in the plan's type of contact, or None if it has no unit."""
     return None if unit is None else unit_in_contact(unit, line_contact=plan.line_contact)
 
 
@@ -213,7 +213,7 @@ def _joined(texts: list[str], *, most: int = 8) -> str:
 
 
 def _clean(value: object) -> str:
-    """Text of a value without addresses in memory."""
+    """Return the text of a value without memory addresses."""
     text = repr(value)
     return text if " at 0x" not in text else " ".join(p for p in text.replace(">", "").split() if "0x" not in p)
 

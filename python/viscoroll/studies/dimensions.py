@@ -1,4 +1,4 @@
-"""What a study varies: its dimensions, with values, labels and units."""
+"""Dimensions of a study: the parameters that vary, with values, labels and units."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from ..materials import Draws
 
 __all__ = ["LOAD_CASE", "MOST_POINTS", "Dimension", "checked", "label", "require_feasible", "split"]
 
-#: Largest number of points of a study: without fields and draws a point takes 5.4 kB of memory (measured by tracemalloc
-#: over plan, outcomes and dataset of 10 000 points), so these take 5.4 GB.
+#: Largest number of points of a study. They take 5.4 GB: a point without fields and draws takes 5.4 kB (measured with
+#: tracemalloc over plan, outcomes and dataset of 10 000 points).
 MOST_POINTS = 1_000_000
 
 #: Arguments of `viscoroll.solve` that are objects.
@@ -36,32 +36,32 @@ _TYPES: dict[str, type] = {
     "slip_kinematics": SlipKinematics,
 }
 
-#: Arguments of `viscoroll.solve` that a study may fix or vary; all other parameters are those of the ball.
+#: Arguments of `viscoroll.solve` that a study may fix or vary. All other parameters are passed to functions of bodies.
 LOAD_CASE = frozenset({"on", "load", "angular_speed", "friction", "accuracy", "max_iterations", *_TYPES})
 
-#: Longest text that serves as a label.
+#: Longest text that is used as a label [characters].
 _LONGEST_LABEL = 80
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Dimension:
-    """One parameter and the values that it takes.
+    """One parameter and its values.
 
     Parameters
     ----------
     name : str
-        Its name.
+        Name of the parameter.
     values : tuple
         At least one value, all different.
     unit : str, optional
-        Unit of numbers.
+        Unit of numeric values.
     names : tuple of str, optional
-        What the values are called, as many as they are; by default what they say of themselves.
+        One label for each value; by default, labels are derived from the values.
 
     Raises
     ------
     ValueError
-        Without values, and for a value that comes twice.
+        If there are no values, or if a value occurs twice.
     """
 
     name: str
@@ -86,7 +86,7 @@ class Dimension:
         return all(_is_number(value) for value in self.values)
 
     def labels(self) -> NDArray[Any]:
-        """Return the coordinate: the numbers themselves, or texts, of which no two are the same."""
+        """Return the values of the coordinate: the numbers themselves, or texts that are all different."""
         if self.names is not None:
             return np.array(self.names, dtype=object)
         if self.is_numeric:
@@ -97,7 +97,7 @@ class Dimension:
 
 
 def require_feasible(sizes: Mapping[str, int]) -> None:
-    """Refuse studies of more points than `MOST_POINTS`, before arrays of that size are made.
+    """Reject studies of more points than `MOST_POINTS`, before arrays of that size are allocated.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def require_feasible(sizes: Mapping[str, int]) -> None:
     Raises
     ------
     ValueError
-        With the number of points and the limit.
+        If there are too many points; the message gives their number and the limit.
     """
     if (count := math.prod(sizes.values())) > MOST_POINTS:
         varied = {name: size for name, size in sizes.items() if size > 1}
@@ -116,18 +116,17 @@ def require_feasible(sizes: Mapping[str, int]) -> None:
 
 
 def split(name: str, value: object) -> Dimension | object:
-    """Return a dimension for a one-dimensional sequence, array or mapping, and any other value as it is, checked.
+    """Return a dimension for a one-dimensional sequence, array or mapping, and the checked value otherwise.
 
-    The keys of a mapping are what its values are called.
-
-    Draws of a material are one value: how sure it is, not what varies.
+    The keys of a mapping are the labels of its values. `Draws` of a material are one value: they describe the
+    uncertainty of a parameter, not its variation.
 
     Raises
     ------
     TypeError
-        Where an argument of `viscoroll.solve` has the wrong type.
+        If an argument of `viscoroll.solve` has the wrong type.
     ValueError
-        For arrays of more dimensions, more values than a study may have points, and what `Dimension` refuses.
+        For arrays of several dimensions, more values than a study may have points, and values that `Dimension` rejects.
     """
     if isinstance(value, Draws):
         return checked(name, value)
@@ -149,12 +148,12 @@ def split(name: str, value: object) -> Dimension | object:
 
 
 def checked(name: str, value: object) -> object:
-    """Return a value of a parameter, as a float or int where `viscoroll.solve` wants one.
+    """Return the checked value of a parameter, converted to float or int if `viscoroll.solve` takes a number.
 
     Raises
     ------
     TypeError
-        Where an argument of `viscoroll.solve` has the wrong type.
+        If an argument of `viscoroll.solve` has the wrong type.
     """
     if value is None and name in ("on", "mesh", "accuracy"):
         return None
@@ -176,7 +175,7 @@ def checked(name: str, value: object) -> object:
 
 
 def _length(values: Mapping[Any, Any] | Sequence[Any]) -> int:
-    """Return the number of values, which `len` refuses to give for long ranges."""
+    """Return the number of values, or `sys.maxsize` for ranges too long for `len`."""
     try:
         return len(values)
     except OverflowError:
@@ -184,7 +183,7 @@ def _length(values: Mapping[Any, Any] | Sequence[Any]) -> int:
 
 
 def _tell_apart(texts: Sequence[str]) -> bool:
-    """Return whether texts serve as labels: none comes twice, is too long, or is of a place in memory."""
+    """Whether texts can be labels: all differ, are short enough, and contain no memory address."""
     return (
         len(set(texts)) == len(texts)
         and max(map(len, texts)) <= _LONGEST_LABEL
@@ -193,7 +192,7 @@ def _tell_apart(texts: Sequence[str]) -> bool:
 
 
 def _build(value: object) -> str:
-    """Return a body's kind with its radius and the thickness of its layers, and nothing of anything else."""
+    """Return the type of a body with its core radius and layer thicknesses; an empty text for other values."""
     if not isinstance(value, Counterpart):
         return ""
     core = getattr(value, "core_radius", None)

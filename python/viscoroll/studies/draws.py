@@ -1,4 +1,4 @@
-"""Results for draws of a material: how they are found, and what a study tells of them."""
+"""Results for draws of a material, and their means and intervals in a study."""
 
 from __future__ import annotations
 
@@ -22,39 +22,39 @@ if TYPE_CHECKING:
 
 __all__ = ["Way", "as_way", "drawn_answers", "drawn_parameters", "interval_variables"]
 
-#: How results of draws are found.
+#: Method for the results of draws: to first order with a frozen contact, or by complete solves.
 Way: TypeAlias = Literal["linear", "solve"]
 
-#: What a study tells of a result, after its name: of the draws' mean, and the ends of the interval around the result.
+#: Suffixes of variables: the mean of the draws, and the ends of the interval around the result.
 _BOUNDS = ("mean", "lower", "upper")
 
-#: Scalars that tell of the computation, and those of who touches, whom linear draws keep.
+#: Scalars that describe the computation, and dimensions of the contact, which linear draws keep fixed.
 _OF_THE_SOLVE = {"power_balance_error", "error_estimate", "iterations", "operator_applications", "residual"}
 _OF_THE_OUTLINE = {"contact_area", "semi_axis_x", "semi_axis_z", "contact_width", "face_distance"}
 
-#: Of the penetration, which goes about with the power -0.4 of all moduli: those are then some 60 % off, and what the
-#: first order leaves out is half as much as what it tells.
+#: Largest relative change of the penetration for linear draws [-]. The penetration varies about as the power -0.4 of
+#: all moduli: at this limit, the moduli differ by some 60 %, and the neglected terms are half of the first-order term.
 _FARTHEST = 0.25
 
-#: Nodes before and behind that touch where the largest pressure is inside. At the edge it is one node's, which linear
-#: draws let rise and fall as no pressure does: up to five times as wide an interval as that of whole solves was seen.
+#: Nodes before and behind the largest pressure that must be in contact for it to count as inside. At the edge, linear
+#: draws overestimate its variation: intervals were up to five times as wide as those of complete solves.
 _INSIDE = 2
 
 
 def as_way(way: object) -> Way:
-    """Return how draws are solved, or raise a ValueError."""
+    """Return the method for the results of draws, or raise a ValueError."""
     if way == "linear" or way == "solve":
         return way
     raise ValueError(f"draws must be 'linear' or 'solve', got {shown(way)}")
 
 
 def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
-    """Return parameters with the middle of each set of draws, and with its draws one after the other.
+    """Return the parameters with the middle of each set of draws, and the parameters with each draw in turn.
 
     Raises
     ------
     ValueError
-        For sets of unlike size: draws of several materials go together, the first with the first.
+        For sets of different sizes: draws of several parameters are paired, the first with the first.
     """
     sets = {name: value for name, value in parameters.items() if isinstance(value, Draws)}
     if len({len(value) for value in sets.values()}) > 1:
@@ -74,25 +74,26 @@ def drawn_answers(
     threads: int = 1,
     progress: Report | None = None,
 ) -> dict[str, Floats]:
-    """Return scalars of a result for draws of its materials, by name, each of shape (draws,).
+    """Return scalar results for draws of the materials, by name, each of shape (draws,).
 
     Parameters
     ----------
     result : Result
-        Of the middle.
+        Result for the middle of the draws.
     draws : sequence of pairs
-        What rolls, and what it rolls on.
+        Body and counterbody of each draw.
     way : "linear" or "solve"
-        To first order with the contact as it is, or each solved whole, on the mesh of the result.
+        "linear": to first order with a frozen contact. "solve": a complete solve of each draw on the mesh of the
+        result.
     case : mapping
         The other arguments that gave the result.
     threads, progress
-        As of `viscoroll.solve`.
+        As in `viscoroll.solve`.
 
     Raises
     ------
     ValueError, ConvergenceError
-        Where a draw is refused, or has no solution: an interval of those that have one would lie.
+        If a draw is rejected or has no solution: an interval from the remaining draws would be wrong.
     """
     left_out = _OF_THE_SOLVE | (_OF_THE_OUTLINE if way == "linear" else set())
     answers = [name for name in SCALARS if name not in left_out and isinstance(getattr(result, name), float)]
@@ -110,7 +111,7 @@ def drawn_answers(
 
 
 def _require_near(penetrations: Floats | tuple[()], result: Result) -> None:
-    """Raise a ValueError where draws are so far that their first order says nothing of them."""
+    """Raise a ValueError if a draw is too far from the middle for a first-order result."""
     farthest = max((abs(value / result.penetration - 1.0) for value in penetrations), default=0.0)
     if farthest > _FARTHEST:
         raise ValueError(
@@ -120,7 +121,7 @@ def _require_near(penetrations: Floats | tuple[()], result: Result) -> None:
 
 
 def _peaks_inside(result: Result) -> bool:
-    """Whether the largest pressure is inside the contact, and not at its leading or trailing edge."""
+    """Whether the largest pressure is inside the contact, away from its leading and trailing edge."""
     row, column = np.unravel_index(np.argmax(result.pressure), result.pressure.shape)
     around = result.contact[max(row - _INSIDE, 0) : row + _INSIDE + 1, column]
     return bool(around.all()) and around.size == 2 * _INSIDE + 1
@@ -139,16 +140,17 @@ def interval_variables(
     Parameters
     ----------
     table : sequence of mapping
-        For each point the answers of its draws by name, or none.
+        For each point, the results of its draws by name; empty if it has none.
     middles : mapping of str to ndarray, shape (points,)
-        The results themselves.
+        Results for the middle of the draws.
     confidence : float
-        Probability that an interval holds the true value [-].
+        Probability that an interval contains the true value [-].
 
     Returns
     -------
     dict
-        By names of results with "_mean", "_lower" or "_upper": the result's name, values, and what they are.
+        By the name of a variable, which is that of a result with "_mean", "_lower" or "_upper": the name of the result,
+        values, and their description.
     """
     found = {}
     for name in dict.fromkeys(name for answers in table for name in answers):

@@ -1,4 +1,4 @@
-"""The bodies of a study: one for all points, or what a function makes of each point's parameters."""
+"""Bodies of a study: one for all points, or made by a function from the parameters of each point."""
 
 from __future__ import annotations
 
@@ -15,26 +15,26 @@ from .dimensions import LOAD_CASE
 
 __all__ = ["NOT_OF_A_POINT", "Bodies"]
 
-#: Exceptions that say nothing of the point at which they are raised.
+#: Exceptions that are not tied to the point at which they are raised.
 NOT_OF_A_POINT = (MemoryError, ImportError, CancelledError)
 
 
 @dataclass(frozen=True, slots=True)
 class Bodies:
-    """What rolls, or what it rolls on, at each point: made once for all points that share its parameters."""
+    """Body or counterbody at each point, made once for all points with the same parameters."""
 
-    source: Any  # a body, or what should return one
+    source: Any  # a body, or a function that returns one
     noun: str
     kind: Any
     made: dict[tuple[Hashable, ...], Any] = field(default_factory=dict)
 
     @property
     def is_made(self) -> bool:
-        """Whether a function makes it."""
+        """Whether a function makes the body."""
         return callable(self.source) and not isinstance(self.source, self.kind)
 
     def taken(self, names: Sequence[str]) -> list[str]:
-        """Return which parameters a function takes."""
+        """Return the names of the parameters that the function takes; none if there is no function."""
         if not self.is_made:
             return []
         parameters = inspect.signature(self.source).parameters
@@ -42,7 +42,7 @@ class Bodies:
         return [name for name in names if takes_all or name in parameters]
 
     def check(self, names: Sequence[str]) -> None:
-        """Refuse parameters that nothing takes, and a function that needs more."""
+        """Reject parameters that the source does not take, and a function that needs other parameters."""
         if isinstance(self.source, self.kind):
             if names:
                 guesses = [guess for name in names if (guess := meant(name, LOAD_CASE))]
@@ -52,7 +52,7 @@ class Bodies:
                 )
             return
         if not self.is_made:
-            if self.noun == "on":  # one, several or none, which `split` has checked
+            if self.noun == "on":  # `split` has checked the counterbodies or None
                 return
             wanted = f"a {kind_names(self.kind)}, or a function that returns one"
             raise TypeError(f"{self.noun} must be {wanted}, got {shown(self.source)}")
@@ -64,7 +64,12 @@ class Bodies:
     def __call__(self, numbers: Mapping[str, Hashable], parameters: dict[str, Any]) -> Any:
         """Return the body, or the message of the exception that its parameters raise.
 
-        Those that vary have the numbers of their values, and of their draws.
+        Parameters
+        ----------
+        numbers : mapping of str to hashable
+            For each parameter that varies, the index of its value, and of its draw if it has draws.
+        parameters : dict
+            Arguments of the function.
         """
         if isinstance(self.source, self.kind):
             return self.source

@@ -1,4 +1,4 @@
-"""Laws of the resisting torque, fitted by least squares, with confidence intervals."""
+"""Least-squares fits of laws to the resisting torque, with confidence intervals."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 __all__ = ["fit_friction_law", "fit_power_law", "fit_thickness_law"]
 
-#: Least ratio c_o / (ε c_i) of the two scales of the friction law: it is a law of a thin boundary layer.
+#: Smallest ratio c_o / (ε c_i) of the two scales of the friction law, which assumes a thin boundary layer.
 _LEAST_RATIO = 1.5
 
 
@@ -26,11 +26,11 @@ def fit_power_law(load: ArrayLike, torque: ArrayLike, *, confidence: float = 0.9
     Parameters
     ----------
     load : array_like
-        P [N], > 0, at least three.
+        Loads P [N], > 0; at least three different values.
     torque : array_like
-        T_r [N m], > 0, of the same shape; NaN (a failed point) is left out.
+        Resisting torques T_r [N m], > 0, of the same shape. NaN (a failed point) is left out.
     confidence : float, default 0.95
-        Of the intervals [-], in (0, 1).
+        Confidence level of the intervals [-], in (0, 1).
 
     Returns
     -------
@@ -42,7 +42,7 @@ def fit_power_law(load: ArrayLike, torque: ArrayLike, *, confidence: float = 0.9
     ValueError
         For values out of range, too few points, and data that do not determine the parameters.
     ConvergenceError
-        Where the least-squares iteration does not converge.
+        If the least-squares iteration does not converge.
 
     References
     ----------
@@ -69,11 +69,11 @@ def fit_thickness_law(thickness: ArrayLike, torque: ArrayLike, *, confidence: fl
     Parameters
     ----------
     thickness : array_like
-        h [m], > 0, at least four.
+        Thicknesses h [m], > 0; at least four different values.
     torque : array_like
-        T_r [N m], > 0, of the same shape; NaN (a failed point) is left out.
+        Resisting torques T_r [N m], > 0, of the same shape. NaN (a failed point) is left out.
     confidence : float, default 0.95
-        Of the intervals [-], in (0, 1).
+        Confidence level of the intervals [-], in (0, 1).
 
     Returns
     -------
@@ -83,7 +83,7 @@ def fit_thickness_law(thickness: ArrayLike, torque: ArrayLike, *, confidence: fl
     Raises
     ------
     ValueError, ConvergenceError
-        As of `fit_power_law`.
+        Same as in `fit_power_law`.
 
     References
     ----------
@@ -118,32 +118,33 @@ def fit_friction_law(
 ) -> Fit:
     """Fit the matched exponentials (60)-(63) to the resisting torque as a function of friction.
 
-    T = a_i (1 + b_i (1 - exp(-μ/(ε c_i)))) + a_o (1 + b_o exp(-μ/c_o)) - δ with δ = a_i (1 + b_i) = a_o (1 + b_o);
-    a_i = T(μ = 0) is given and ε is the width of the boundary layer at small friction.
+    The law is T = a_i (1 + b_i (1 - exp(-μ/(ε c_i)))) + a_o (1 + b_o exp(-μ/c_o)) - δ with
+    δ = a_i (1 + b_i) = a_o (1 + b_o). Its value a_i = T(μ = 0) is given, and ε is the width of the boundary layer at
+    small friction.
 
     Parameters
     ----------
     friction : array_like
-        μ [-], ≥ 0, at least five above 0.
+        Coefficients of friction μ [-], ≥ 0; at least five different values above 0.
     torque : array_like
-        T_r [N m], > 0, of the same shape; NaN (a failed point) is left out.
+        Resisting torques T_r [N m], > 0, of the same shape. NaN (a failed point) is left out.
     frictionless_torque : float, optional
-        a_i [N m], > 0; by default the mean of `torque` at μ = 0, which must then be among the points.
+        a_i [N m], > 0. By default, the mean of `torque` at μ = 0; the points must then contain μ = 0.
     boundary_layer_width : float, default 0.1
-        ε [-], > 0. It scales c_i and nothing else.
+        ε [-], > 0. It scales only c_i.
     confidence : float, default 0.95
-        Of the intervals [-], in (0, 1). a_i counts as exact.
+        Confidence level of the intervals [-], in (0, 1). The intervals treat a_i as exact.
 
     Returns
     -------
     Fit
-        Parameters a_o [N m], b_o [-], c_o [-] and c_i [-]. The two scales c_o and ε c_i are kept apart by a factor of
-        1.5: where the data ask for less, c_o is tied to c_i by it, and the law says so.
+        Parameters a_o [N m], b_o [-], c_o [-] and c_i [-]. The scale c_o is at least 1.5 ε c_i: if the data give a
+        smaller ratio, the fit sets c_o = 1.5 ε c_i, and `law` states this.
 
     Raises
     ------
     ValueError, ConvergenceError
-        As of `fit_power_law`.
+        Same as in `fit_power_law`.
 
     References
     ----------
@@ -167,7 +168,7 @@ def fit_friction_law(
         frictionless_torque = float(y[x == 0.0].mean())
     if not frictionless_torque > 0.0:
         raise ValueError(f"frictionless_torque must be > 0 N m, got {frictionless_torque!r}")
-    # At μ = 0 the law holds whatever its parameters are: such points say nothing about them.
+    # At μ = 0 the law holds for all parameters: such points do not determine them.
     x, y = _data("friction", "", x[x > 0.0], y[x > 0.0], parameters=4)
     law = f"matched exponentials (60)-(63), a_i = {frictionless_torque:.6g} N m, ε = {boundary_layer_width:g}"
     separated = _FrictionLaw(frictionless_torque=frictionless_torque, width=boundary_layer_width)
@@ -177,13 +178,13 @@ def fit_friction_law(
         fit = fit_law(law, separated, x, y, start, units, confidence)
         if fit.parameters["c_o"].value >= _LEAST_RATIO * boundary_layer_width * fit.parameters["c_i"].value:
             return fit
-    except ValueError:  # the data do not tell the two scales from each other
+    except ValueError:  # the data do not distinguish the two scales
         pass
     return _fit_at_least_ratio(separated, x, y, start, law, confidence)
 
 
 def _fit_at_least_ratio(law_of: _FrictionLaw, x: Floats, y: Floats, start: Floats, law: str, confidence: float) -> Fit:
-    """Fit with c_o = 1.5 ε c_i, where a free c_o would run into ε c_i, and b_o away."""
+    """Fit with c_o = 1.5 ε c_i, for data with which a free c_o would approach ε c_i, and b_o would diverge."""
     ratio = _LEAST_RATIO * law_of.width
 
     def tied(x: Floats, a_o: float, b_o: float, c_i: float) -> Floats:
@@ -193,7 +194,7 @@ def _fit_at_least_ratio(law_of: _FrictionLaw, x: Floats, y: Floats, start: Float
     fit = fit_law(f"{law}, c_o = {_LEAST_RATIO:g} ε c_i", tied, x, y, start[[0, 1, 3]], units, confidence)
     inner = fit.parameters["c_i"]
     outer = Parameter(value=ratio * inner.value, lower=ratio * inner.lower, upper=ratio * inner.upper, unit="1")
-    # From three free parameters to the four of the law.
+    # Jacobian of the four parameters of the law with respect to the three free ones.
     spread = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, ratio], [0.0, 0.0, 1.0]])
     parameters = {"a_o": fit.parameters["a_o"], "b_o": fit.parameters["b_o"], "c_o": outer, "c_i": inner}
     covariance = spread @ fit.covariance @ spread.T
@@ -220,7 +221,7 @@ class _FrictionLaw:
         return np.asarray(a_o + a_o * b_o * np.exp(-x / c_o) - rise * np.exp(-x / (self.width * c_i)))
 
     def start(self, x: Floats, y: Floats) -> Floats:
-        """Return the best parameters for c_o and c_i on a grid, where a_o and a_o b_o enter linearly."""
+        """Return the best start values over a grid of c_o and c_i; a_o and a_o b_o enter linearly for each pair."""
         best, start = math.inf, np.ones(4)
         for inner in np.geomspace(0.3 * x.min(), 0.5 * x.max(), 16):
             for outer in np.geomspace(2.0 * inner, 5.0 * x.max(), 16):
@@ -236,7 +237,7 @@ class _FrictionLaw:
 def _data(
     name: str, unit: str, x: ArrayLike, torque: ArrayLike, *, parameters: int, zero: bool = False
 ) -> tuple[Floats, Floats]:
-    """Return the points that did not fail, checked."""
+    """Return the checked points without failed ones (NaN)."""
     first, second = np.asarray(x, dtype=np.float64).ravel(), np.asarray(torque, dtype=np.float64).ravel()
     if np.shape(x) != np.shape(torque):
         raise ValueError(f"torque must have the shape of {name}, {np.shape(x)}, got {np.shape(torque)}")

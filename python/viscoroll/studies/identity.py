@@ -1,4 +1,4 @@
-"""What makes two points of studies the same: all inputs as text."""
+"""Keys of points of studies, from the text of all inputs."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ if TYPE_CHECKING:
 
 __all__ = ["PointKeys", "digest"]
 
-#: Nodes per revolution of the finest mesh there is, which a solve may choose by itself where none is given.
+#: Nodes per revolution of the finest possible mesh, which the solver may choose if no mesh is given.
 _FINEST_MESH = 1_000_000
 
-#: Harmonics at which Python functions of frequency are compared, at equal ratios.
+#: Number of frequencies, spaced geometrically, at which Python functions of frequency are compared.
 _SAMPLES = 96
 
 _DEFAULTS = {
@@ -45,7 +45,10 @@ _DEFAULTS = {
 
 
 class PointKeys:
-    """Keys of points: equal where all that decides the result is. Balls are described once."""
+    """Keys of points, which are equal if all inputs that determine the result are equal.
+
+    The text of each rolling body is made once.
+    """
 
     def __init__(self) -> None:
         self._balls: dict[tuple[int, float, int], str] = {}
@@ -63,15 +66,15 @@ class PointKeys:
         Parameters
         ----------
         ball : CoatedSphere, CoatedCylinder or CoatedWheel
-            Its ball, which must outlive this object.
+            Rolling body of the point, which must outlive this object.
         arguments : mapping
-            Arguments of `viscoroll.solve`; what is left out has its default.
+            Arguments of `viscoroll.solve`; missing ones have their defaults.
         fields : tuple of str
-            Fields that are kept.
-        draws : sequence of pairs
-            Bodies with draws of materials, which must outlive this object.
-        way : "linear" or "solve"
-            How results of draws are found.
+            Names of the fields that are stored.
+        draws : sequence of pairs, default ()
+            Body and counterbody of each draw. The bodies must outlive this object.
+        way : "linear" or "solve", default "linear"
+            Method for the results of draws.
         """
         case = {name: value for name, value in sorted({**_DEFAULTS, **arguments}.items()) if value is not None}
         speed, highest = case["angular_speed"], _highest_harmonic(case.get("mesh"))
@@ -91,19 +94,19 @@ class PointKeys:
 
 
 def digest(text: str) -> str:
-    """Return a short text that differs wherever the long one does."""
+    """Return a short text that differs for different texts: half of their SHA-256 checksum."""
     return hashlib.sha256(text.encode()).hexdigest()[:32]
 
 
 def _highest_harmonic(mesh: Mesh | None) -> int:
-    """Highest order that is asked of a function of frequency: `measured_order` of the core, or the truncation order."""
+    """Return the highest order at which a modulus is sampled: truncation order, or `measured_order` of the core."""
     if mesh is None:
         return 2 * _FINEST_MESH
     return mesh.max_order or 2 * mesh.nodes_per_revolution
 
 
 def _ball_text(ball: RollingBody, speed: float, highest: int) -> str:
-    with np.errstate(over="ignore"):  # the solver refuses such a speed
+    with np.errstate(over="ignore"):  # the solver rejects such a speed
         frequencies = [0.0, *(speed * np.geomspace(1.0, highest, _SAMPLES)).tolist()]
     return "; ".join([_shape_text(ball), *(_layer_text(layer, frequencies) for layer in ball.layers)])
 
@@ -122,7 +125,7 @@ def _shape_text(ball: RollingBody) -> str:
 
 
 def _counterpart_text(on: Counterpart, surface_speed: float, highest: int) -> str:
-    """Text of what a body rolls on."""
+    """Return the text of a counterbody."""
     if isinstance(on, RollingBody):
         return _ball_text(on, surface_speed / on.outer_radius, highest)
     match on:
@@ -155,7 +158,7 @@ def _modulus_text(modulus: object, frequencies: list[float]) -> str:
 
 
 def _sampled(modulus: Callable[[Any], Any], frequencies: list[float]) -> str:
-    """Text of a Python function of frequency: its values, or what it raises, at each frequency."""
+    """Return the text of a Python function of frequency: its value, or the exception that it raises, at each one."""
     try:
         return repr(np.asarray(modulus(np.array(frequencies))).tolist())
     except Exception:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["plot_study"]
 
-#: Kinds of lines.
+#: Line styles, in the order of their use.
 _LINES: tuple[Literal["-", "--", ":", "-."], ...] = ("-", "--", ":", "-.")
 
 
@@ -38,28 +38,28 @@ def plot_study(study: xarray.Dataset, *, variable: str = ..., ax: Axes) -> Axes:
 def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque", ax: Axes | None = None) -> Figure | Axes:
     """Draw a scalar result of a study against its first dimension, one curve for each value of the others.
 
-    Of the other dimensions, the one with most values gives the curves their color, the rest the kind of line. Axes are
-    logarithmic where numbers span decades. Where the study has intervals of draws, they are bands.
+    Among the other dimensions, the one with most values sets the color of the curves, the others set the line style.
+    Axes are logarithmic if their numbers span decades. Bands show the intervals from draws.
 
     Parameters
     ----------
     study : xarray.Dataset
-        What `viscoroll.sweep` returns, or a selection of it.
+        Dataset from `viscoroll.sweep`, or a selection of it.
     variable : str, default "resisting_torque"
         Name of a result over the dimensions of the study.
     ax : matplotlib.axes.Axes, optional
-        Where to draw; in a figure of its own without.
+        Axes to draw into; by default those of a new figure.
 
     Returns
     -------
     matplotlib.figure.Figure or matplotlib.axes.Axes
-        A new figure, which shows itself in a notebook, or `ax`. Failed points are left out and counted; those that have
-        not converged are hollow.
+        A new figure, which a notebook displays, or `ax`. Failed points are left out and counted; points that have not
+        converged are hollow.
 
     Raises
     ------
     ValueError
-        For an unknown variable, one without dimensions or numbers, and more curves than can be told apart.
+        For an unknown variable, a variable without dimensions or numbers, and more curves than can be distinguished.
     """
     values = _checked(study, variable)
     return drawn(lambda axes: _draw_study(axes, study, values), ax, figsize=(7.6, 5.0))
@@ -121,7 +121,7 @@ def _checked(study: xarray.Dataset, variable: str) -> xarray.DataArray:
 
 
 def _band(study: xarray.Dataset, values: xarray.DataArray) -> list[xarray.DataArray]:
-    """Return the ends of the intervals of what is drawn, where the study has them."""
+    """Return the lower and upper ends of the intervals of a variable, or an empty list if it has none."""
     names = [f"{values.name}_{end}" for end in ("lower", "upper")]
     if not all(name in study for name in names):
         return []
@@ -130,12 +130,12 @@ def _band(study: xarray.Dataset, values: xarray.DataArray) -> list[xarray.DataAr
 
 
 def _curves(values: xarray.DataArray, first: str) -> Floats:
-    """Return a curve along the first dimension in each row."""
+    """Return an array with one curve along the first dimension in each row."""
     return np.asarray(values.transpose(..., first).to_numpy().reshape(-1, values.sizes[first]))
 
 
 def _parts(values: xarray.DataArray, names: list[str]) -> Iterator[tuple[str, xarray.DataArray]]:
-    """Take the values of some dimensions apart, with a label for each part."""
+    """Split values along some dimensions, and yield a label with each part."""
     if not names:
         yield "", values
         return
@@ -148,7 +148,7 @@ def _parts(values: xarray.DataArray, names: list[str]) -> Iterator[tuple[str, xa
 def _mark_unsettled(
     axes: Axes, study: xarray.Dataset, values: xarray.DataArray, across: Abscissa, factor: float
 ) -> bool:
-    """Make points hollow that a solve ended with before it had converged."""
+    """Draw points that have not converged as hollow; return whether there are any."""
     if "status" not in study or not set(values.dims) <= set(study.status.dims):
         return False
     first = values.dims[0]

@@ -1,4 +1,4 @@
-"""The points of a study, and how they are grouped into tasks that share what they can."""
+"""Points of a study, grouped into tasks that share bodies and influence tables."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from .identity import PointKeys, digest
 
 __all__ = ["LoadCase", "Plan", "Task", "plan_sweep"]
 
-#: What points with one influence table have in common, besides the ball.
+#: Arguments that determine the influence table, in addition to the body.
 _SHARED = ("on", "angular_speed", "mesh", "compliance", "curvature", "patch_load")
 
-#: Longest text that the identity of a study holds in full.
+#: Longest text that the identity of a study contains in full [characters].
 _LONGEST_TEXT = 160
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoadCase:
-    """One point: a ball, arguments of `viscoroll.solve`, and both bodies with draws of materials."""
+    """One point: the body, arguments of `viscoroll.solve`, and both bodies with each draw of their materials."""
 
     ball: RollingBody
     arguments: dict[str, Any]
@@ -36,7 +36,7 @@ class LoadCase:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Task:
-    """Points that share a ball and all that decides the influence table, for one worker."""
+    """Points for one worker, with the same body and the same influence table."""
 
     indices: tuple[int, ...]
     ball: RollingBody
@@ -49,30 +49,30 @@ class Task:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """All points of a study, the last dimension fastest.
+    """All points of a study; the last dimension varies fastest.
 
     Attributes
     ----------
     dimensions : tuple of Dimension
-        What varies.
+        Parameters that vary.
     fixed : dict
-        Parameters that do not.
+        Parameters that are the same for all points.
     cases : tuple of LoadCase or str
-        For each point what to solve, or why there is nothing to solve.
-    fields : tuple of str
-        Fields that are kept for each point.
-    way : "linear" or "solve"
-        How results of draws are found.
-    confidence : float
-        Of their intervals [-].
+        For each point, the case to solve, or the message of the exception that its inputs raised.
+    fields : tuple of str, default ()
+        Names of the fields to store for each point.
+    way : "linear" or "solve", default "linear"
+        Method for the results of draws, as in `viscoroll.sweep`.
+    confidence : float, default 0.95
+        Probability that an interval from draws contains the true value [-].
     keys : tuple of str or None
-        For each point what is the same where all its inputs are, or None where there is nothing to solve.
+        For each point, a key that is equal for equal inputs, or None if there is no case to solve.
 
     Raises
     ------
     ValueError
-        Where no point can be solved, with the reason of the first, where rollers, whose results are per length, are
-        mixed with others, and for linear draws of layers that soften.
+        If no point can be solved, with the message of the first point; if rollers, whose results are per length, are
+        mixed with other bodies; and for linear draws of layers that soften.
     """
 
     dimensions: tuple[Dimension, ...]
@@ -84,7 +84,7 @@ class Plan:
     keys: tuple[str | None, ...] = field(init=False)
 
     def __post_init__(self) -> None:
-        """Refuse plans without anything to solve, and find the keys."""
+        """Reject plans that cannot be solved, and compute the keys."""
         if all(isinstance(case, str) for case in self.cases):
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
         if len({ball.line_contact for ball in self.balls()}) > 1:
@@ -107,12 +107,12 @@ class Plan:
         return tuple(len(dimension.values) for dimension in self.dimensions)
 
     def balls(self) -> list[RollingBody]:
-        """Return every ball once."""
+        """Return every rolling body once."""
         return list({id(case.ball): case.ball for case in self.cases if isinstance(case, LoadCase)}.values())
 
     @property
     def line_contact(self) -> bool:
-        """Whether rollers roll, whose loads and results are per length."""
+        """Whether the bodies are rollers, whose loads and results are per length."""
         return self.balls()[0].line_contact
 
     def tasks(self, indices: Sequence[int], *, largest: int) -> list[Task]:
@@ -123,7 +123,7 @@ class Plan:
             if isinstance(case, LoadCase):
                 key = (id(case.ball), *(_mark(case.arguments.get(name)) for name in _SHARED))
                 groups.setdefault(key, []).append(i)
-        # Every so many points to a task, and not a run of them: they tend to become harder along a dimension.
+        # Each task takes every n-th point, not consecutive ones: points tend to become harder along a dimension.
         parts = {key: -(-len(group) // largest) for key, group in groups.items()}
         return [self._task(group[k :: parts[key]]) for key, group in groups.items() for k in range(parts[key])]
 
@@ -143,7 +143,7 @@ class Plan:
         )
 
     def identity(self) -> dict[str, str]:
-        """Return what decides the dataset, as text: names, values, and all points."""
+        """Return the inputs that determine the dataset, as texts: parameters with their values, and all points."""
         points = [key or case for key, case in zip(self.keys, self.cases, strict=True)]
         return {
             **{dimension.name: _shortened(str(dimension.labels().tolist())) for dimension in self.dimensions},
@@ -154,7 +154,7 @@ class Plan:
 
 
 def _mark(argument: object) -> object:
-    """Return what tells arguments apart: bodies by what they are, for their layers may hold lists."""
+    """Return a hashable mark of an argument: the identity for bodies, whose layers may hold lists, else the value."""
     return id(argument) if isinstance(argument, Counterpart) else argument
 
 
@@ -166,12 +166,14 @@ def plan_sweep(
     way: Way = "linear",
     confidence: float = 0.95,
 ) -> Plan:
-    """Plan a study of the product of all one-dimensional `parameters`.
+    """Return the plan of a study over the product of all one-dimensional `parameters`.
+
+    Parameters as in `viscoroll.sweep`.
 
     Raises
     ------
     TypeError
-        For parameters that neither `viscoroll.solve` nor the factory has, and for missing ones.
+        For missing parameters, and parameters that neither `viscoroll.solve` nor a function of a body takes.
     ValueError
         For too many points.
     """
@@ -193,12 +195,12 @@ def plan_sweep(
 
 
 class _Pairs:
-    """What rolls, and what it rolls on, at each point.
+    """Body and counterbody at each point.
 
     Raises
     ------
     TypeError
-        For parameters that neither takes.
+        For parameters that the function of neither body takes.
     """
 
     def __init__(self, ball: Bodies, ground: Bodies, names: Sequence[str]) -> None:
@@ -210,7 +212,7 @@ class _Pairs:
         ground.check(self._of_ground)
 
     def __call__(self, numbers: Mapping[str, Hashable], given: Mapping[str, Any]) -> Pair | str:
-        """Return both, or the message of the exception that one of them raises."""
+        """Return body and counterbody, or the message of the exception that one of them raises."""
         ball = self._ball(numbers, {name: given[name] for name in self._of_ball})
         on = given.get("on")
         if self._ground.is_made:
@@ -219,7 +221,7 @@ class _Pairs:
 
 
 def _case(pairs: _Pairs, numbers: Mapping[str, int], parameters: dict[str, Any]) -> LoadCase | str:
-    """Return a point, or the message of the exception that one of its bodies raises."""
+    """Return the case of a point, or the message of the exception that one of its bodies raises."""
     middle, drawn = drawn_parameters(parameters)
     of_draws = [name for name, value in parameters.items() if isinstance(value, Draws)]
     solved = pairs(numbers, middle)

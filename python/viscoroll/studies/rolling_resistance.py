@@ -1,4 +1,4 @@
-"""Rolling resistance as a fitted surface over load and speed, for programs that cannot solve for it."""
+"""Rolling resistance as a fitted function of load and speed, for programs that cannot run the solver."""
 
 from __future__ import annotations
 
@@ -22,27 +22,28 @@ if TYPE_CHECKING:
 
 __all__ = ["RollingResistance", "radius_of"]
 
-#: Highest degree that is tried along either axis.
+#: Highest degree of the polynomials along each axis.
 _HIGHEST_DEGREE = 10
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class RollingResistance:
-    """Torque T(P, Ω) = power lost / Ω, a polynomial of ln P and ln Ω for ln T, with its error.
+    """Torque T(P, Ω) = power loss / Ω as a polynomial for ln T in ln P and ln Ω, with an error estimate.
 
-    From the power lost, not from the pressure's offset: with friction or a force on the center these differ. In C++
-    it is ``viscoroll::RollingResistance``, which nlohmann/json gets from the .json file.
+    The torque follows from the dissipated power, not from the moment arm of the pressure: the two differ with friction
+    or a force on the center. The C++ equivalent is ``viscoroll::RollingResistance``; nlohmann/json can read it from the
+    .json file.
 
     Attributes
     ----------
     load, angular_speed : tuple of float
-        From and to, [N] and [rad/s].
+        Lower and upper end of the fitted ranges, [N] and [rad/s].
     radius : float
-        r_o [m].
+        Outer radius r_o of the body [m].
     coefficients : ndarray
-        Of Chebyshev polynomials of ln P (rows) and ln Ω (columns), each mapped to [-1, 1].
+        Coefficients of Chebyshev polynomials in ln P (rows) and ln Ω (columns), each mapped to [-1, 1].
     error, largest_error : float
-        Root mean square and largest relative error of points that were left out of the fit one by one [-].
+        Root mean square and largest relative error of the points, each predicted by a fit without it [-].
     """
 
     load: tuple[float, float]
@@ -54,23 +55,23 @@ class RollingResistance:
 
     @classmethod
     def from_study(cls, study: xarray.Dataset) -> RollingResistance:
-        """Fit the surface to a study over load and speed.
+        """Fit the polynomial to a study over load and speed.
 
         Parameters
         ----------
         study : xarray.Dataset
-            Of `viscoroll.sweep`, with the dimensions load and angular_speed, at least three values each, and no other
-            of more than one value; no point may have failed.
+            Dataset from `viscoroll.sweep` with the dimensions load and angular_speed, with at least three values each,
+            and no other dimension of more than one value. No point may have failed.
 
         Returns
         -------
         RollingResistance
-            The polynomial of the degrees that predict left-out points best.
+            Polynomial with the degrees that best predict left-out points.
 
         Raises
         ------
         ValueError
-            For rollers, other dimensions, too few values, several balls, and points that failed.
+            For rollers, other dimensions, too few values, several bodies, and failed points.
         """
         torque, load, speed = _points(study)
         radius = float(study.attrs["outer_radius"]) if "outer_radius" in study.attrs else radius_of(study)
@@ -94,28 +95,28 @@ class RollingResistance:
     def __call__(
         self, load: ArrayLike, angular_speed: ArrayLike, *, outside: Extrapolation | str = Extrapolation.ERROR
     ) -> Floats:
-        """Evaluate the torque against the turning, odd in the speed.
+        """Return the torque that resists the rotation, an odd function of the speed.
 
-        Below the lowest speed that was fitted, Ω₁, it goes to 0 in proportion to the speed, T(P, Ω₁) Ω/Ω₁: so it does
-        in the end for every material whose relaxation ends.
+        Below the lowest fitted speed Ω₁, the torque is proportional to the speed, T(P, Ω₁) Ω/Ω₁. This is the limit for
+        every material whose relaxation ends.
 
         Parameters
         ----------
         load, angular_speed : array_like
-            P [N], ≥ 0, and Ω [rad/s], of either sign, of shapes that broadcast.
+            Load P [N], ≥ 0, and angular speed Ω [rad/s], of either sign. The shapes must broadcast.
         outside : Extrapolation or str, default Extrapolation.ERROR
-            Loads outside the fitted range and speeds above it are refused (ERROR), or have T/P of the nearest load and
-            speed within (HOLD): a lifted ball, P = 0, then has no torque.
+            Rule for loads outside the fitted range and speeds above it. ERROR rejects them. HOLD uses T/P of the
+            nearest load and speed in the range; the torque is then 0 at P = 0, for a lifted body.
 
         Returns
         -------
         ndarray
-            Power lost per speed, of the sign of Ω [N m].
+            Power loss divided by angular speed, with the sign of Ω [N m].
 
         Raises
         ------
         ValueError
-            Outside the range, where that is refused.
+            Outside the range, if `outside` is ERROR.
         """
         loads, speeds = np.broadcast_arrays(
             as_float_array("load", load), as_float_array("angular_speed", angular_speed)
@@ -136,7 +137,12 @@ class RollingResistance:
         )
 
     def save(self, path: str | Path) -> None:
-        """Write the surface: .json holds all that `load_file` reads, .nc and .csv a table of 41 by 41 torques.
+        """Write the fit as .json, for `load_file`, or a table of 41 by 41 torques as .nc or .csv.
+
+        Parameters
+        ----------
+        path : path-like
+            Path of the file; its suffix selects the format.
 
         Raises
         ------
@@ -147,12 +153,17 @@ class RollingResistance:
 
     @classmethod
     def load_file(cls, path: str | Path) -> RollingResistance:
-        """Read a surface from the .json file that `save` wrote.
+        """Read a fit from a .json file that `save` wrote.
+
+        Parameters
+        ----------
+        path : path-like
+            Path of the .json file.
 
         Raises
         ------
         ValueError
-            Where the file holds something else.
+            If the file has other content.
         """
         wanted = f"{path} must hold a rolling resistance of viscoroll"
         try:
@@ -173,7 +184,7 @@ class RollingResistance:
         )
 
     def to_xarray(self, *, count: int = 41) -> xarray.Dataset:
-        """Return `count` by `count` torques [N m] over load [N] and angular_speed [rad/s], at equal ratios."""
+        """Return `count` by `count` torques [N m] over load [N] and angular_speed [rad/s], spaced geometrically."""
         with extra("studies"):
             import xarray
 
@@ -187,7 +198,7 @@ class RollingResistance:
         )
 
     def __repr__(self) -> str:
-        """Return ranges, error, and what happens towards rest."""
+        """Return a text with ranges, errors and the behavior below the lowest speed."""
         return (
             f"RollingResistance over {self.load[0]:g} to {self.load[1]:g} N and {self.angular_speed[0]:g} to "
             f"{self.angular_speed[1]:g} rad/s, radius {self.radius:g} m: error {self.error:.2%}, "
@@ -196,14 +207,14 @@ class RollingResistance:
         )
 
     def _power_at_lowest_speed(self) -> float:
-        """Return d ln T / d ln Ω there, at the middle of the loads: 1 where the torque is in proportion already."""
+        """Return d ln T / d ln Ω at the lowest speed and middle load: 1 if the torque is proportional to Ω there."""
         slopes = np.polynomial.chebyshev.chebder(self.coefficients, axis=1)
         of_mapped = np.polynomial.chebyshev.chebval2d(0.0, -1.0, slopes)
         return float(of_mapped * 2.0 / np.log(self.angular_speed[1] / self.angular_speed[0]))
 
 
 def _numbers(document: object) -> dict[str, Any]:
-    """Return the numbers of a surface in the content of a JSON file, by name."""
+    """Return the numbers of a fit from the content of a JSON file, by name."""
     if not isinstance(document, dict):
         raise TypeError(f"the file must be an object with names, got {shown(document)}")
     ranges = {name: as_floats(name, document[name]) for name in ("load", "angular_speed")}
@@ -225,7 +236,7 @@ def _write_json(surface: RollingResistance, path: Path) -> None:
 
 
 def _write_table(surface: RollingResistance, path: Path) -> None:
-    """Write a row for each pair of load and speed."""
+    """Write a CSV file with one row for each pair of load and speed."""
     torque = surface.to_xarray()["torque"]
     load, speed = (
         values.ravel().tolist() for values in np.meshgrid(torque["load"], torque["angular_speed"], indexing="ij")
@@ -262,7 +273,7 @@ def _points(study: xarray.Dataset) -> tuple[Floats, Floats, Floats]:
 
 
 def radius_of(study: xarray.Dataset) -> float:
-    """Return r_o = H + penetration."""
+    """Return the outer radius: center height plus penetration, less the centrifugal displacement [m]."""
     radius = (study["center_height"] + study["penetration"] - study["centrifugal_displacement"]).values
     if not np.ptp(radius) <= 1e-9 * radius.max():
         raise ValueError(f"study must have one ball, got radii from {radius.min():g} to {radius.max():g} m")
@@ -270,7 +281,7 @@ def radius_of(study: xarray.Dataset) -> float:
 
 
 def _fitted(load: Floats, speed: Floats, values: Floats, rows: int, columns: int) -> tuple[Floats, float, float]:
-    """Return coefficients, and root mean square and largest of the errors of left-out points."""
+    """Return the coefficients, and root mean square and maximum of the relative errors of left-out points [-]."""
     matrices = []
     for points, degree in ((load, rows), (speed, columns)):
         x = _mapped(points, points[0], points[-1])

@@ -1,4 +1,4 @@
-"""Solving the tasks of a study on threads of this process, or with any executor."""
+"""Solution of the tasks of a study on threads of this process, or with any executor."""
 
 from __future__ import annotations
 
@@ -25,34 +25,34 @@ from .plan import Plan, Task
 
 __all__ = ["Outcome", "run", "solve_group", "solve_point"]
 
-#: Points of a task for an executor, at most: what is lost of each worker where this process is killed.
+#: Largest number of points of a task for an executor: the points that each worker loses if this process is killed.
 _LARGEST_TASK = 8
 
-#: Least number of tasks for each core, and for an executor, whose workers cannot be counted, in all. More would end
-#: closer together, but share less.
+#: Smallest number of tasks: for each core, and in total for an executor, whose workers cannot be counted. With more
+#: tasks the workers finish closer together, but fewer points share influence tables.
 _TASKS_PER_CORE = 2
 _TASKS_OF_AN_EXECUTOR = 32
 
-#: Warning of a point whose draws have no results.
+#: Warning for a point whose draws have no results.
 NO_INTERVAL = "NO_INTERVAL"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Outcome:
-    """What became of one point.
+    """Results of one point of a study, or the reason for its failure.
 
     Attributes
     ----------
     scalars : dict
-        Scalar results by name, in SI units; empty where the point failed.
+        Scalar results by name, in SI units; empty if the point failed.
     fields : dict
         Arrays by name, of shape (..., nodes in φ, nodes in θ).
     draws : dict
-        Scalar results for each draw of a material by name, of shape (draws,).
+        Scalar results for each draw of a material, by name, of shape (draws,).
     error : str
-        Why the point failed, or its draws, or the empty text.
+        Message of the exception if the point or its draws failed, else empty.
     lasting : bool
-        Whether the same inputs will end the same way: not where the user's own function or the machine failed.
+        Whether the same inputs always give this outcome. False if the user's own function or the machine failed.
     """
 
     scalars: Mapping[str, float | int | str | None] = field(default_factory=dict)
@@ -74,39 +74,39 @@ def solve_group(
     progress: Report | None = None,
     record: Callable[[int, Outcome], object] | None = None,
 ) -> list[Outcome]:
-    """Solve points that share a ball, a speed and a mesh, one after the other, on one `RollingModel`.
+    """Solve points that share a body, a speed and a mesh, one after the other, with one `RollingModel`.
 
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        The ball of all points.
+        Rolling body of all points.
     shared : mapping
-        Arguments of `viscoroll.solve` that are the same for all: speed, mesh, compliance, curvature, patch
-        load.
+        Arguments of `viscoroll.solve` that are the same for all points: counterbody, speed, mesh, compliance,
+        curvature, patch load.
     cases : sequence of mapping
         The other arguments of each point.
     fields : sequence of str, default ()
-        Fields to keep.
+        Names of the fields to store.
     draws : sequence of pairs, default ()
-        Both bodies with draws of their materials.
-    way : "linear" or "solve"
-        How their results are found.
+        Body and counterbody with each draw of their materials.
+    way : "linear" or "solve", default "linear"
+        Method for the results of the draws, as in `viscoroll.sweep`.
     threads : int, default 1
         Number of threads of each solve.
     progress : callable, optional
-        Called as progress(stage, fraction) about every 20 ms; what it raises ends the solve.
+        Called as progress(stage, fraction) about every 20 ms. An exception that it raises ends the solve.
     record : callable, optional
         Called as record(position, outcome) after each point.
 
     Returns
     -------
     list of Outcome
-        One for each of `cases`, with the message of the exception where the point failed.
+        One outcome for each of `cases`, with the message of the exception if the point failed.
 
     Raises
     ------
     MemoryError, ImportError, CancelledError
-        These say nothing of the point, and end the group.
+        These are not tied to one point and end the group.
     """
     solver: Callable[..., Result | StrainSoftening] | None = None
     outcomes = []
@@ -134,7 +134,7 @@ def solve_group(
 def _with_draws(
     outcome: Outcome, result: Result, draws: Sequence[Pair], way: Way, case: Mapping[str, Any], **options: Any
 ) -> Outcome:
-    """Return the outcome with results of draws, or with a warning of its own where these are not found."""
+    """Return the outcome with results of draws, or with the warning `NO_INTERVAL` if the draws failed."""
     try:
         return replace(outcome, draws=drawn_answers(result, draws, way, case, **options))
     except NOT_OF_A_POINT:
@@ -147,7 +147,7 @@ def _with_draws(
 
 
 def _is_an_answer(error: Exception) -> bool:
-    """Whether this package refused the point, and not what it called failed: a user's function, or a library."""
+    """Whether this package itself rejected the point; False if a user's function or a library failed."""
     frame = error.__traceback__
     while frame is not None and frame.tb_next is not None:
         frame = frame.tb_next
@@ -157,7 +157,7 @@ def _is_an_answer(error: Exception) -> bool:
 
 
 def solve_point(solver: Callable[..., Result | StrainSoftening], **case: Any) -> Result | StrainSoftening:
-    """Solve one point: `solver` knows what it shares with others, `case` is the rest."""
+    """Solve one point: `solver` holds the arguments shared with other points, `case` the remaining ones."""
     with kept_in_results():
         return solver(**case)
 
@@ -165,9 +165,9 @@ def solve_point(solver: Callable[..., Result | StrainSoftening], **case: Any) ->
 def _solver(
     ball: RollingBody, shared: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], **options: Any
 ) -> Callable[..., Result | StrainSoftening]:
-    """Return a solver on shared tables, or one that chooses its mesh anew, or refuses to, for each point."""
+    """Return a model with shared influence tables, or, without a fixed mesh, `solve` with the shared arguments."""
     if softens(ball, shared.get("on")):
-        return partial(strain_softening, ball, **shared, **options)  # no other point shares its moduli
+        return partial(strain_softening, ball, **shared, **options)  # the moduli depend on the strain of each point
     if "mesh" not in shared or any("accuracy" in case for case in cases):
         return partial(solve, ball, **shared, **options)
     of_model = {name: value for name, value in shared.items() if name in ("on", "angular_speed", "mesh", "curvature")}
@@ -184,20 +184,21 @@ def run(
     Parameters
     ----------
     plan : Plan
-        All points.
+        All points of the study.
     indices : sequence of int
-        Those to solve.
+        Indices of the points to solve.
     record : callable
-        Called as record(index, outcome), from any thread of this process, as soon as an outcome is here.
+        Called as record(index, outcome), from any thread of this process, as soon as an outcome is available.
     executor : Executor, optional
-        Where to solve; on threads of this process where it is left out.
+        Executor that solves the tasks; by default, threads of this process.
 
     Raises
     ------
     Exception
-        What `record` or a worker raised, after all other tasks have ended: a broken pool, an unsendable argument.
+        First exception of `record` or of a worker, after all other tasks have ended: for example a broken pool, or an
+        argument that cannot be pickled.
     KeyboardInterrupt
-        On Ctrl-C, after tasks that wait have been canceled.
+        On Ctrl-C, after waiting tasks have been canceled.
     """
     if executor is None:
         _run_on_threads(plan, indices, record)
@@ -240,7 +241,7 @@ def _solve_task(task: Task, **options: Any) -> list[Outcome]:
 
 
 def _collect(futures: dict[Future[Any], Task], record: Callable[[Task, Any], None]) -> None:
-    """Record what the tasks return as they end, and raise the first exception of one of them at the end."""
+    """Record the results of the tasks as they end; after the last one, raise the first exception of a task."""
     errors: list[BaseException] = []
     waiting = dict(futures)
     try:

@@ -1,4 +1,4 @@
-"""One computation for each of many points, on threads of this process."""
+"""Evaluation of a function at many points, on threads of this process."""
 
 from __future__ import annotations
 
@@ -18,18 +18,23 @@ T = TypeVar("T")
 def run_all(
     function: Callable[[S], T], points: Iterable[S], *, workers: int | None = None, progress: ProgressLike = None
 ) -> list[T]:
-    """Call a function with every point, on threads; return the values in order.
+    """Call a function with every point, on threads, and return the values in the order of the points.
 
     Parameters
     ----------
     function : callable
-        One solve, most likely, on one thread.
+        Function of one point; usually one solve on one thread.
     points : iterable
-        What it is called with.
+        Arguments of the calls.
     workers : int, optional
         Number of threads; by default one for each core.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) after every point.
+        True shows a bar. A function is called as progress(stage, fraction) after every point.
+
+    Returns
+    -------
+    list
+        Values of the function, in the order of the points.
     """
     points = list(points)
     executor = ThreadPoolExecutor(workers or core_count())

@@ -45,75 +45,81 @@ def sweep(
     """Solve all combinations of parameters.
 
     Every parameter given as a one-dimensional sequence, or as a mapping of labels to values, becomes a dimension of the
-    result, in the order given; the others are the same for all points. A study that was interrupted goes on where it
-    stopped if it is called again with the same `cache`, and one that has grown by some values solves what is new.
+    result, in the order given. The other parameters are the same for all points. The same call with the same `cache`
+    resumes an interrupted study; a call with additional values solves only the new points.
 
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder, CoatedWheel or callable
-        The ball of all points, or a function that returns it, called as ball(name=value, ...) with all parameters that
-        are not of `viscoroll.solve`.
+        Rolling body of all points, or a function that returns it. The function is called as ball(name=value, ...) with
+        those parameters below that are not arguments of `viscoroll.solve`.
     executor : concurrent.futures.Executor, optional
-        Where to solve: a process pool, dask's ``Client.get_executor()``, mpi4py's ``MPIPoolExecutor``. By default on
-        threads of this process, one solve on each core. The result does not depend on it.
+        Executor that solves the points: a process pool, dask's ``Client.get_executor()``, mpi4py's ``MPIPoolExecutor``.
+        By default, threads of this process, with one solve on each core. The results do not depend on the executor.
     cache : path-like, optional
-        A file .nc, written when all points are solved. Beside it, in a file with the suffix .points, every point is
-        kept as soon as it is solved, and found again by its own inputs in this and any other study with the same cache.
-        With an executor, the points of a task (at most eight) are kept together.
+        Path of a .nc file, which is written when all points are solved. A second file, with the additional suffix
+        .points, stores every point as soon as it is solved, and identifies it by its inputs, so that every study with
+        the same cache can use it. With an executor, the points of a task (at most eight) are stored together.
     retry_failed : bool, default False
-        Solve points again that failed before, and those whose data in the cache is damaged.
+        Whether to solve failed points again, and points whose data in the cache is damaged.
     progress : bool or callable, default True
-        Show a bar with an estimate of the time left; or called as progress(stage, fraction) after every point.
+        True shows a bar with an estimate of the time left. A function is called as progress(stage, fraction) after
+        every point.
     fields : iterable of str, default ()
-        Fields of `Result` to keep for each point, on the largest window, centered at the lowest point, with NaN outside
-        a point's own window.
-    draws : {"linear", "solve"}
-        How results of `Draws` are found: to first order in the moduli, with who touches as it is, of as few solves as
-        there are ways in which the draws differ, or each by a solve of its own, on the point's mesh. Linear ones
-        have no interval of the contact's outline, nor of a largest pressure at its edge.
+        Names of the fields of `Result` to store for each point, on the largest window of the study, centered at the
+        lowest point of the body, with NaN outside a point's own window.
+    draws : {"linear", "solve"}, default "linear"
+        Method for results of `Draws`. "linear" propagates the draws to first order in the moduli with a frozen contact,
+        and needs one solve for each independent direction in which the draws differ. "solve" solves each draw
+        completely, on the mesh of the point. Linear draws give no intervals for the dimensions of the contact, nor for
+        a largest pressure at the edge of the contact.
     confidence : float, default 0.95
-        Probability that an interval holds the true value, as far as the draws know [-].
+        Probability that an interval contains the true value, as far as the draws represent the uncertainty [-],
+        in (0, 1).
     **parameters : float, object, or sequence of them
         Arguments of `viscoroll.solve`: load [N], angular_speed [rad/s], on, friction [-], drive, mesh, accuracy [-],
-        compliance, curvature, patch_load, slip_kinematics, max_iterations. What the ball rolls on, `on`, may be a
-        function, too. All other names are of these two functions, of each what it takes. `Draws` of a material, or of
-        what one is made from, are one value of a function's, and make intervals; so do those of `on`.
+        compliance, curvature, patch_load, slip_kinematics, max_iterations. The counterbody `on` can also be given by a
+        function. All other names are parameters of these two functions; each function receives the parameters that it
+        takes. `Draws` of a material, or of a quantity from which a function makes a material, count as one value of a
+        parameter and give the results intervals, for the body as well as for the counterbody.
 
     Returns
     -------
     xarray.Dataset
-        All scalar results with units, and the fields asked for. With draws also, of what the contact does, ``_mean``,
-        ``_lower`` and ``_upper``: the mean of the draws, and the interval around the result by their scatter. Where a
-        point failed its results are NaN, its `status` is "FAILED" and `error` holds the message; where its draws did,
-        their `_mean` and interval are, with a warning NO_INTERVAL. Attributes hold version, commit, mesh, ball and
-        materials, and how many points ended in which way.
+        All scalar results with units, and the selected fields. With draws, the physical results also have the variables
+        ``_mean``, ``_lower`` and ``_upper``: the mean over the draws, and the interval around the result from their
+        scatter. If a point failed, its results are NaN, its `status` is "FAILED" and `error` holds the message. If only
+        the draws failed, their `_mean` and interval are NaN, and the point has the warning NO_INTERVAL. Attributes hold
+        version, commit, mesh, body and materials, and the number of points by status.
 
     Warns
     -----
     ResultWarning
-        Where points failed or were not solved as accurately as wanted: how many.
+        If points failed or did not reach the accuracy, with the number of such points.
 
     Raises
     ------
     ValueError
-        For a cache that another study uses, that another version made, or that is damaged or something else; for
+        For a cache that is in use by another study, was made by another version, is damaged or is not a cache; for
         repeated values, unknown fields, and more than 1 000 000 points.
     TypeError
-        For missing or unknown parameters, and for values of another type.
+        For missing or unknown parameters, and for values of a wrong type.
     OSError
-        If a file of the cache cannot be read or written, as on a full disk; the cache keeps the points before.
+        If a file of the cache cannot be read or written, for example on a full disk. The cache keeps the points that
+        were stored before.
     ImportError
         Without the extra `viscoroll[studies]`.
     KeyboardInterrupt
-        On Ctrl-C; the cache keeps what was solved.
+        On Ctrl-C. The cache keeps the points solved so far.
 
     Notes
     -----
-    A Python function of frequency as material is recognized in a cache by its values at some hundred harmonics of the
-    point's speed, up to the highest that a mesh can ask for. What viscoroll refuses a point with is kept as its result.
-    What else fails at a point (the function `ball`, a material, a library) is in the dataset and not in the cache. What
-    is not of a point is raised: lack of memory or of a package at once, a broken pool or something that cannot be sent
-    to another process when the other points are solved.
+    The cache identifies a Python function of frequency as material by its values at zero frequency and at 96 multiples
+    of the point's speed, up to the highest order that the mesh can evaluate. If viscoroll itself rejects a point, the
+    cache stores the message as its result. If something else fails at a point (the function `ball`, a material, a
+    library), the dataset contains the message, but the cache does not. Failures that are not tied to one point are
+    raised: lack of memory or a missing package at once; a broken pool, or an object that cannot be sent to another
+    process, after the other points are solved.
 
     Examples
     --------
@@ -140,7 +146,7 @@ def sweep(
 
 
 def doubts(study: xarray.Dataset) -> list[str]:
-    """Say in one line how many points failed or carry a warning, and of which kind, and in one how odd units read."""
+    """Return a line that counts failed points and warnings by kind, and a line about suspicious units, if any."""
     found = Counter(kind for text in study.warnings.values.ravel() for kind in str(text).split(", ") if kind)
     if failed := int((study.status == "FAILED").sum()):
         found["FAILED"] = failed
@@ -159,7 +165,7 @@ def run_plan(
     retry_failed: bool = False,
     progress: ProgressLike = True,
 ) -> xarray.Dataset:
-    """Solve all points of a plan that the cache does not hold. Parameters as of `sweep`."""
+    """Solve all points of a plan that the cache does not hold. Parameters as in `sweep`."""
     path = None if cache is None else as_cache_path(cache)
     with ExitStack() as stack:
         store = None if path is None else stack.enter_context(StudyCache(path))
@@ -178,7 +184,7 @@ def run_plan(
 
 
 class _Recorder:
-    """Takes the outcome of each point, from any thread, into memory, store and progress bar."""
+    """Receiver of the outcome of each point, from any thread: updates memory, cache and progress bar."""
 
     def __init__(self, plan: Plan, store: StudyCache | None, *, retry_failed: bool) -> None:
         self.outcomes = {i: Outcome(error=case) for i, case in enumerate(plan.cases) if not isinstance(case, LoadCase)}

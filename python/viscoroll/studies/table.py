@@ -1,4 +1,4 @@
-"""A study as a table of a row for each point."""
+"""Table of a study, with one row for each point."""
 
 from __future__ import annotations
 
@@ -14,14 +14,15 @@ __all__ = ["save_table"]
 
 
 def save_table(study: xarray.Dataset, path: str | Path) -> None:
-    """Write a row for each point of a study: what varies, scalar results and intervals, with units.
+    """Write a CSV file with one row for each point of a study: parameters, scalar results and intervals, with units.
 
     Parameters
     ----------
     study : xarray.Dataset
-        What `viscoroll.sweep` returns, or a selection of it.
+        Dataset from `viscoroll.sweep`, or a selection of it.
     path : path-like
-        A file ``.csv``; results that no point has are left out. All of a study is what ``study.to_netcdf`` keeps.
+        Path of a ``.csv`` file. The file has no columns for fields, nor for results that no point has;
+        ``study.to_netcdf`` writes the complete study.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Transient rolling: start, stop, stand, reverse."""
+"""Transient rolling: `roll` and `RollingHistory` follow motions with starts, stops, rests and reversals."""
 
 from .history import History
 from .roll import roll

@@ -1,4 +1,4 @@
-"""What transient rolling returns."""
+"""Results of transient rolling."""
 
 from __future__ import annotations
 
@@ -30,16 +30,16 @@ __all__ = ["FORMATS", "ContactInstant", "History"]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ContactInstant:
-    """Pressure around the contact of one lattice at an instant; arrays of shape (nodes in φ, nodes in θ).
+    """Pressure around the contact on one of the phase-shifted meshes; arrays of shape (nodes in φ, nodes in θ).
 
     Attributes
     ----------
     time : float
-        [s].
+        Time of the record [s].
     x, z : ndarray
         Coordinates of the undeformed nodes [m]: x forward, z sideways.
     pressure : ndarray
-        [Pa].
+        Contact pressure, positive [Pa].
     """
 
     time: float
@@ -55,21 +55,21 @@ class ContactInstant:
 @with_scalars(_core.history_scalars(), kind="ndarray")
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class History(SeriesFields):
-    """Time series of transient rolling, at every step that was taken; means over the lattices.
+    """Time series of transient rolling at every step, averaged over the phase-shifted meshes.
 
     Attributes
     ----------
     ball, on, mesh, compliance, curvature, friction, drive, mass, lattices
-        The input; the mesh as it was used. Of a roller forces, torques and energies are per length.
+        Input, with the mesh that was used. For a roller, forces, torques and energies are per length.
     start : Start or None
-        What was before; None for a history that went on from a state.
+        Initial state; None if the history continued from a saved state.
     spectrum_error : float
-        Largest relative error of the compliance by discrete retardation times [-].
+        Largest relative error of the compliance due to discrete retardation times [-].
     %(scalars)s
     contacts : tuple of ContactInstant
-        The pressure at the instants asked for.
+        Pressure at the requested instants.
     state : RollingState
-        To go on from the end.
+        State at the end, from which another history can continue.
     """
 
     ball: RollingBody
@@ -87,7 +87,7 @@ class History(SeriesFields):
     state: RollingState
 
     def __post_init__(self) -> None:
-        """Freeze the arrays."""
+        """Make the arrays read-only."""
         for values in self._series().values():
             values.flags.writeable = False
 
@@ -97,7 +97,7 @@ class History(SeriesFields):
 
     @property
     def way(self) -> NDArray[np.float64]:
-        """Way of the contact along the track, r_o ψ, where nothing slips [m]."""
+        """Displacement of the contact along the track without slip, r_o ψ [m]."""
         return self.ball.outer_radius * self.angle
 
     @property
@@ -107,21 +107,21 @@ class History(SeriesFields):
 
     @property
     def energy_balance_error(self) -> NDArray[np.float64]:
-        """How far the energy balance is open, relative to all that the history loses [-]; 0 where it loses nothing."""
+        """Energy imbalance divided by the energy that the whole history dissipates [-]; 0 without dissipation."""
         lost = float(self.dissipated_energy[-1] - self.dissipated_energy[0])
         gained = self.energy_imbalance - self.energy_imbalance[0]
         return np.abs(gained) / lost if lost > 0.0 else np.zeros_like(gained)
 
     @property
     def creepage(self) -> NDArray[np.float64]:
-        """Way of the center per way of the undeformed surface, less one, in the step before [-]; nan at standstill."""
+        """Displacement of the center divided by r_o Δψ, minus 1, over the previous step [-]; nan at standstill."""
         turn = np.diff(self.angle, prepend=np.nan)
         way = np.diff(self.center_way, prepend=np.nan)
         rolls = np.abs(turn) > 0.0 if self.friction > 0.0 else np.zeros_like(turn, dtype=bool)
         return np.divide(way, self.ball.outer_radius * turn, out=np.full_like(turn, np.nan), where=rolls) - 1.0
 
     def __repr__(self) -> str:
-        """Return a summary of one screen."""
+        """Return a summary that fits on one screen."""
         torque = self.resisting_torque
         highest, lowest = int(np.argmax(torque)), int(np.argmin(torque))
         unit = self.units
@@ -156,7 +156,7 @@ class History(SeriesFields):
         return html_table(repr(self).partition("\n")[0], rows, head=head)
 
     def scalars(self) -> dict[str, float | int | str | None]:
-        """Return what sums the history up, by name, in SI units."""
+        """Return the scalars that summarize the history, by name, in SI units."""
         highest = int(np.argmax(self.resisting_torque))
         return {
             "duration": float(self.time[-1] - self.time[0]),
@@ -184,7 +184,7 @@ class History(SeriesFields):
         Raises
         ------
         ImportError
-            Without the extra `viscoroll[files]`.
+            If the extra `viscoroll[files]` is missing.
         """
         with extra("files"):
             import xarray
@@ -206,15 +206,15 @@ class History(SeriesFields):
         Raises
         ------
         ValueError
-            For another suffix.
+            If the suffix is another one.
         ImportError
-            For ``.nc``, without the extra `viscoroll[files]`.
+            If the extra `viscoroll[files]` is missing, for ``.nc``.
         """
         save(self, path, FORMATS)
 
     @plots("the torque over time alone")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw torque, penetration and energy over time, and the loop of torque over angle with its energy."""
+        """Draw torque, penetration and energies over time, and the loop of torque over angle with its energy."""
         from .picture import plot_history
 
         return plot_history(self._series(), self.units, ax)
@@ -225,7 +225,7 @@ def _write_table(history: History, path: Path) -> None:
     write_csv({f"{name} [{units[name]}]": values.tolist() for name, values in history._series().items()}, path)
 
 
-#: What writes the time series of a history, by suffix; see `History.save`.
+#: Functions that write the time series of a history, by suffix; see `History.save`.
 FORMATS = {
     ".csv": _write_table,
     ".nc": lambda history, path: write_netcdf(history.to_xarray(), path),

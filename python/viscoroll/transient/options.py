@@ -1,4 +1,4 @@
-"""How a history is computed: the options that `RollingHistory`, `roll` and motion files have in common."""
+"""Options of the computation of a history, shared by `RollingHistory`, `roll` and motion files."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ __all__ = ["HistoryKeywords", "HistoryOptions", "with_options"]
 
 _Target = TypeVar("_Target", bound="Callable[..., Any]")
 
-#: What stands for the options in a docstring, and before them in that of `HistoryOptions`.
+#: Placeholder for the options in a docstring, and the heading before them in the docstring of `HistoryOptions`.
 _PLACE, _HEAD = "**options\n    As of `HistoryOptions`.\n", "Parameters\n----------\n"
 
 
 class HistoryKeywords(TypedDict, total=False):
-    """Options as they may be given, for type checkers: a line for each of `HistoryOptions`."""
+    """Options as passed to a function, for type checkers: one entry for each of `HistoryOptions`."""
 
     mesh: Mesh | None
     compliance: Compliance | str
@@ -40,36 +40,36 @@ class HistoryKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HistoryOptions:
-    """Options, checked.
+    """Options of the computation of a history, with checked types.
 
     Parameters
     ----------
     mesh : Mesh, optional
-        Surface mesh; by default 16 nodes across the contact at rest, of a roller 48.
+        Surface mesh. By default 16 nodes across the contact at rest, for a roller 48.
     compliance : Compliance or str, default Compliance.RADIAL
-        As of `viscoroll.solve`; RADIAL but for a ball on the rigid plane.
+        Compliance in the contact condition, same as in `viscoroll.solve`; VERTICAL only for a ball on the rigid plane.
     curvature : Curvature or str, default Curvature.SPHERE
-        SPHERE or PAPER, of balls.
+        Curvature terms in the equations of the layers of balls: SPHERE or PAPER.
     friction : float, default 0
-        Coulomb's coefficient μ between the two bodies [-], in [0, 4]. With it a step takes six to
+        Coulomb's coefficient of friction μ between the two bodies [-], in [0, 4]. With friction, a step takes six to
         twelve times as long.
     drive : Drive, default Drive(force=0.0)
-        Horizontal force on the center, or driving torque about it: with a torque of 0 the body is towed. A given
-        creepage is refused here, and `center_way` given instead.
+        Horizontal force on the center, or driving torque about it; with a torque of 0 the body is towed. A given
+        creepage is not allowed; use `center_way` instead.
     mass : float, default 0
-        Of what moves with the center, with friction and a force Q on it [kg], ≥ 0: Q less the contact's own is mass ×
-        acceleration. Then a force that exceeds friction is no error: the ball slides.
+        Mass that moves with the center [kg], ≥ 0; requires friction and a given force Q on the center. Q minus the
+        force of the contact is mass times acceleration. If Q exceeds friction, the body slides, which is not an error.
     center_speed : float, default 0
-        Of the center with its mass at the first instant, forward [m/s].
+        Initial speed of the center, forward [m/s]; used only with a mass.
     lattices : int, default 4
-        Lattices of nodes, each shifted by a share of the spacing, that are averaged, in [1, 16]. One is four times as
-        fast, and its torque carries the staircase of the nodes.
+        Number of meshes, each shifted by an equal fraction of the node spacing, over which results are averaged, in
+        [1, 16]. A single mesh is four times as fast, but its torque varies with the position of its nodes.
     steps_per_spacing : int or None, default 4
-        Steps of time while the body turns by a spacing, in [1, 64]; at standstill steps grow by a tenth. None: one
-        step to each knot, and to the end of each `advance`.
+        Number of time steps while the body turns by one node spacing, in [1, 64]; at standstill each step is a tenth
+        longer than the one before. None: one step to each waypoint, and to the end of each `advance`.
     spectrum_tolerance : float, default 0.01
-        Largest relative error with which discrete retardation times may stand for the compliance [-]. Of layers that
-        share no relaxation function, it decides how many times are followed, and so what a step costs.
+        Largest relative error of the compliance due to discrete retardation times [-]. For layers with different
+        relaxation functions, it determines the number of times and therefore the cost of a step.
     threads : int, default 0
         Number of threads; 0 for all cores.
     """
@@ -87,7 +87,7 @@ class HistoryOptions:
     threads: int = 0
 
     def __post_init__(self) -> None:
-        """Settle the types; the core checks the values."""
+        """Convert the types; the core checks the values."""
         require_type("mesh", self.mesh, Mesh, optional=True)
         require_type("drive", self.drive, Drive)
         if self.drive.creepage is not None:
@@ -118,7 +118,7 @@ class HistoryOptions:
 
 
 def with_options(target: _Target) -> _Target:
-    """Show keywords and paragraphs of `HistoryOptions` where a function or a class takes ``**options``."""
+    """Replace ``**options`` in the signature and docstring of a function or class by those of `HistoryOptions`."""
     function: Any = target.__init__ if isinstance(target, type) else target  # type: ignore[misc]
     signature = inspect.signature(function)
     named = [parameter for parameter in signature.parameters.values() if parameter.name != "options"]

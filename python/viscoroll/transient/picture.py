@@ -28,16 +28,16 @@ def plot_history(series: Series, units: Units, ax: Axes | None = None) -> Pictur
     Parameters
     ----------
     series : mapping of str to ndarray
-        The time and the time series of a history, by name.
+        Time series of a history by name, including the time.
     units : mapping of str to str
-        Their units.
+        Units of the time series by name.
     ax : matplotlib.axes.Axes, optional
-        Where to draw the torque over time alone.
+        Axes for the torque over time only.
 
     Returns
     -------
     matplotlib.figure.Figure or matplotlib.axes.Axes
-        Three axes over time beside the loop, in a figure that belongs to no window; or `ax`.
+        Three axes over time beside the loop, in a figure without a window; or `ax`.
     """
 
     def compose(picture: Picture) -> None:

@@ -1,4 +1,4 @@
-"""Follow a motion."""
+"""Transient rolling along a given motion."""
 
 from __future__ import annotations
 
@@ -46,43 +46,48 @@ def roll(
     progress: ProgressLike = None,
     **options: Unpack[HistoryKeywords],
 ) -> History:
-    """Roll, stop, stand and turn back: follow a motion that is linear in time between knots.
+    """Compute transient rolling along a motion that is linear in time between waypoints.
 
+    The motion may contain starts, stops, rests, reversals, jumps and changes of load.
     The call releases the GIL and stops on Ctrl-C.
 
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        What rolls, with layers or rigid.
+        Rolling body, with layers or rigid.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
-        What it rolls on, as of `viscoroll.solve`, with layers likewise; without it the rigid plane. A plane and a
-        groove remember where it has been: who comes back finds the track as it was left, but for what has crept back.
+        Counterbody, with layers or rigid, same as in `viscoroll.solve`; by default the rigid plane. The material of a
+        plane or a groove stays in place and recovers with time: on its way back, the body rolls over the remaining dent
+        of its earlier passage.
     time : array_like
-        Knots [s], not decreasing; two at the same time are a jump, which needs a coating that yields at once.
+        Times of the waypoints [s], not decreasing. Two equal times are a jump, which requires a coating with an
+        instantaneous compliance.
     angle : array_like, optional
-        ψ, angle turned at the knots [rad]; growing, the body rolls forward.
+        Angle ψ turned at the waypoints [rad]; the body rolls forward if it increases.
     way : array_like, optional
-        Way of the contact along the track at the knots [m], in place of the angle: what rolls without slip goes r_o ψ.
+        Displacement of the contact along the track at the waypoints [m], in place of the angle; r_o ψ without slip.
     load : array_like or float
-        P at the knots [N], of a roller per length [N/m], ≥ 0 and at first > 0; a number for all of them. At 0 the body
-        has lifted off.
+        Normal load P at the waypoints [N], for rollers per length [N/m], ≥ 0, and > 0 at the first one; a number for
+        all waypoints. At 0 the body has lifted off.
     center_way : array_like, optional
-        Way of the center at the knots [m], from 0, with friction; left out, forces move the center.
+        Displacement of the center at the waypoints [m], starting from 0; requires friction. By default the forces
+        determine it.
     start : Start or str or RollingState, default Start.RELAXED
-        What was before the first knot: the body has borne the load for ever (RELAXED), is pressed on in no time
-        (FRESH), or comes from another history, whose time is between the knots: the motion goes on from there.
+        State before the first waypoint: the load has rested on the body until the material has fully relaxed (RELAXED),
+        the load is applied instantaneously (FRESH), or the state of another history, at a time between the waypoints,
+        from which the motion continues.
     **options
         As of `HistoryOptions`.
     shortest_time, longest_time : float, optional
-        Between which moduli with a continuous spectrum are resolved [s]; by default from the motion: a tenth of a step
-        while it rolls, and ten times its duration.
+        Range of times in which moduli with a continuous spectrum are resolved [s]. By default from a tenth of a step
+        while the body rolls to ten times the duration of the motion.
     contact_times : array_like, optional
-        When the pressure is recorded [s], between the knots.
+        Times at which the pressure is recorded [s], between the first and the last waypoint.
     checkpoint : path-like, optional
-        Where the state goes when the run is interrupted or fails (``.state``), to go on from by
+        File (``.state``) for the state of a run that is interrupted or fails. Continue the run with
         ``start=RollingState.load(checkpoint)``.
     progress : bool or callable, optional
-        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
+        True shows a progress bar; a callable is called as progress(stage, fraction) about every 20 ms.
 
     Returns
     -------
@@ -92,12 +97,12 @@ def roll(
     Raises
     ------
     ValueError
-        For bad input, for coatings that this method is not for, and for a drive that friction cannot balance; the
-        message names parameter, value and range.
+        If an argument is out of range, the method does not apply to the coating, or friction cannot balance the drive.
+        The message contains parameter, value and allowed range.
     TypeError
-        For arguments of another type.
+        If an argument has the wrong type.
     ConvergenceError
-        Where no contact was found.
+        If the solver finds no contact.
     KeyboardInterrupt
         On Ctrl-C, within 0.3 s.
 
@@ -117,7 +122,7 @@ def roll(
     '2.5 N to break away'
     """
     require_type("ball", ball, RollingBody)
-    chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
+    chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # also accepts names of enum members
     start = start if isinstance(start, RollingState) else as_member("start", start, Start)
     if checkpoint is not None:
         checkpoint = ending_in([SUFFIX], checkpoint, name="checkpoint")
@@ -168,7 +173,7 @@ def _follow(
     checkpoint: str | Path | None,
     report: Report | None,
 ) -> tuple[list[_core.InstantSeries], list[ContactInstant]]:
-    """Return the time series from stop to stop, and the contacts there; where that fails, the state goes to a file."""
+    """Return the time series between stops, and the contacts at the stops; if that fails, save the state to a file."""
     core = stepper._history
     pieces: list[_core.InstantSeries] = []
     contacts: list[ContactInstant] = []
@@ -189,12 +194,12 @@ def _follow(
 
 
 def _joined(pieces: list[NDArray[np.float64]]) -> NDArray[np.float64]:
-    """Return one time series; each piece but the first repeats the last instant of the piece before it."""
+    """Return one time series; each piece except the first repeats the last instant of the previous piece."""
     return np.concatenate([pieces[0], *(piece[1:] for piece in pieces[1:])])
 
 
 def _motion(**knots: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
-    """Return knots of equal lengths, of what is given; the core checks their values."""
+    """Return the given quantities at the waypoints as arrays of equal length; the core checks their values."""
     arrays = {name: as_float_array(name, values) for name, values in knots.items() if values is not None}
     if arrays["load"].ndim == 0:
         arrays["load"] = np.full_like(arrays["time"], arrays["load"])
@@ -218,7 +223,7 @@ def _lists(motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
 
 
 def _time_range(time: NDArray[np.float64], angle: NDArray[np.float64], step: float) -> tuple[float, float]:
-    """Return a tenth of the shortest step while it rolls, and ten times the duration."""
+    """Return a tenth of the shortest time step while the body rolls, and ten times the duration."""
     duration = max(float(time[-1] - time[0]), 1e-9)
     between = np.diff(time)
     rolling = (between > 0.0) & (np.diff(angle) != 0.0)
@@ -228,7 +233,7 @@ def _time_range(time: NDArray[np.float64], angle: NDArray[np.float64], step: flo
 
 
 def _stops(time: NDArray[np.float64], contact_times: ArrayLike) -> list[float]:
-    """Return the instants up to which the motion is followed at a time."""
+    """Return the instants at which the computation stops: the contact times and the end of the motion."""
     instants = as_float_array("contact_times", contact_times).ravel()
     for instant in instants:
         if not time[0] <= instant <= time[-1]:
@@ -237,7 +242,7 @@ def _stops(time: NDArray[np.float64], contact_times: ArrayLike) -> list[float]:
 
 
 def _until(stop: float, motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
-    """Return the knots up to an instant, and the motion there."""
+    """Return the waypoints up to an instant, with the interpolated motion at that instant."""
     before = motion["time"] <= stop
     knots = {name: values[before] for name, values in motion.items()}
     if knots["time"][-1] < stop:

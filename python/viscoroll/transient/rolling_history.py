@@ -1,4 +1,4 @@
-"""A ball on its way: state in, state out."""
+"""Transient rolling step by step, with saved states."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ __all__ = ["Instant", "RollingHistory", "RollingState"]
 @with_scalars(_core.history_scalars())
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Instant(InstantFields):
-    """A history at an instant: the time series of `History`, as numbers.
+    """State of a history at one instant: the time series of `History`, as numbers.
 
     Attributes
     ----------
@@ -44,18 +44,18 @@ class Instant(InstantFields):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RollingState:
-    """Everything that a history remembers: forces and displacements, retarded ones too, of every material node.
+    """Complete memory of a history: forces and displacements, also the retarded ones, of every material node.
 
-    What goes on from it is the same to the last bit as what was not interrupted, on one machine and build.
-
-    It belongs to a ball, a mesh and the options of the history that it is from.
+    A history that continues from a state is identical to the last bit to one that was not interrupted, on the same
+    machine and build. A state is valid only for the bodies, the mesh and the options of the history that it is from.
 
     Attributes
     ----------
     numbers : ndarray
-        In an order of the library's own.
+        Numbers of the state, in an internal order of the library.
     bodies : str
-        Both bodies with their lengths; empty if unknown. A history of other bodies refuses the state.
+        Text that describes both bodies with their lengths; empty if unknown. A history of other bodies rejects the
+        state.
 
     Examples
     --------
@@ -72,7 +72,7 @@ class RollingState:
     bodies: str = ""
 
     def __post_init__(self) -> None:
-        """Settle shape and type; a history that starts from them checks the numbers."""
+        """Check shape and type; a history that starts from the state checks the numbers."""
         numbers = as_float_array("numbers", self.numbers)
         if numbers.ndim != 1:
             raise ValueError(f"numbers must be one-dimensional, got shape {numbers.shape}")
@@ -84,7 +84,7 @@ class RollingState:
         Raises
         ------
         ValueError
-            For another suffix.
+            If the suffix is another one.
         """
         write_state(ending_in([SUFFIX], path), self.numbers, self.bodies)
 
@@ -95,7 +95,7 @@ class RollingState:
         Raises
         ------
         ValueError
-            For another suffix, and for a file that is not a state, is damaged, or was written by another version.
+            If the suffix is another one, or the file is not a state, is damaged, or was written by another version.
         OSError
             If the file cannot be read.
         """
@@ -104,42 +104,43 @@ class RollingState:
 
 @with_options
 class RollingHistory:
-    """A body on its way, for equations of motion: `advance` takes it from one state to the next.
+    """Transient rolling step by step, for equations of motion: `advance` computes the next state.
 
-    Its steps are fixed-step steps, as of Newmark's rule: they go forward, each for good. ``copy.copy(stepper)`` is
-    another history from here on, at the price of the memory's copy: to try a step and take it back. Integrators that
-    choose steps, reject some and go back, as `scipy.integrate.solve_ivp`, need a torque of the instant alone:
-    `RollingResistance`.
+    The history only steps forward, which suits integrators with fixed steps, such as Newmark's method. To try a step,
+    take it on ``copy.copy(stepper)``, which copies the memory. Integrators that reject steps and go back, such as
+    `scipy.integrate.solve_ivp`, need a torque that depends only on the present instant: `RollingResistance`.
 
-    A history pickles as its bodies, what it was told of how to compute, and its `state`; tables are made anew where
-    it is read.
+    A pickled history contains the bodies, the arguments of the constructor and the `state`; the copy computes the
+    tables again.
 
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        What rolls, with layers or rigid.
+        Rolling body, with layers or rigid.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
-        What it rolls on, as of `viscoroll.solve`, with layers likewise; without it the rigid plane.
+        Counterbody, with layers or rigid, same as in `viscoroll.solve`; by default the rigid plane.
     load : float
-        P at the first instant [N], of a roller per length [N/m], > 0.
+        Normal load P at the first instant [N], for rollers per length [N/m], > 0.
     start : Start or str or RollingState, default Start.RELAXED
-        What was before: the body has borne the load for ever (RELAXED), is pressed on in no time (FRESH), or comes from
-        another history.
+        State before the first instant: the load has rested on the body until the material has fully relaxed (RELAXED),
+        the load is applied instantaneously (FRESH), or the state of another history.
     **options
         As of `HistoryOptions`.
     shortest_time, longest_time : float
-        Between which moduli with a continuous spectrum are resolved [s].
+        Range of times in which moduli with a continuous spectrum are resolved [s].
     time, angle : float
-        Of the first instant [s], [rad]; not with a state.
+        First instant [s] and angle at it [rad]; not with a saved state.
     way : float, optional
-        Of the contact along the track at the first instant [m], in place of the angle: r_o times it.
+        Displacement of the contact along the track at the first instant [m], in place of the angle; r_o times the
+        angle.
 
     Raises
     ------
     ValueError
-        For bad input, and for coatings that this method is not for; the message names parameter, value and range.
+        If an argument is out of range, or the method does not apply to the coating. The message contains parameter,
+        value and allowed range.
     TypeError
-        For arguments of another type.
+        If an argument has the wrong type.
 
     Examples
     --------
@@ -167,7 +168,7 @@ class RollingHistory:
     ) -> None:
         require_type("ball", ball, RollingBody)
         first = 0.0 if angle is None and way is None else as_angle(ball, angle, way)
-        chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
+        chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # also accepts names of enum members
         before: dict[str, Any] = (
             {"state": start.numbers}
             if isinstance(start, RollingState)
@@ -204,32 +205,33 @@ class RollingHistory:
         load: float,
         center_way: float | None = None,
     ) -> Instant:
-        """Turn and load linearly in time.
+        """Continue to a new instant, with angle and load linear in time, and return the state there.
 
         Parameters
         ----------
         time : float
-            [s], not before now; now for a jump.
+            New time [s], ≥ the present time; equal to the present time for a jump.
         angle : float, optional
-            ψ [rad].
+            New angle ψ [rad].
         way : float, optional
-            Of the contact along the track [m], in place of the angle: r_o ψ.
+            New displacement of the contact along the track [m], in place of the angle; r_o ψ.
         load : float
-            P [N], ≥ 0; at 0 the body has lifted off.
+            New normal load P [N], for rollers per length [N/m], ≥ 0; at 0 the body has lifted off.
         center_way : float, optional
-            Of the center since the first instant [m], with friction; left out, forces move it.
+            New displacement of the center since the first instant [m]; requires friction. By default the forces
+            determine it.
 
         Returns
         -------
         Instant
-            The end.
+            State at the new instant.
 
         Raises
         ------
         ValueError
-            For bad input, and for a drive that friction cannot balance; the history is then as it was before.
+            If an argument is out of range, or friction cannot balance the drive; the history is then unchanged.
         ConvergenceError
-            Where no contact was found; likewise.
+            If the solver finds no contact; the history is then unchanged.
         """
         turned = as_angle(self.ball, angle, way)
         moved = None if center_way is None else as_float("center_way", center_way)
@@ -241,40 +243,40 @@ class RollingHistory:
 
     @property
     def now(self) -> Instant:
-        """The instant reached."""
+        """State at the present instant."""
         with self._lock:
             return _instant(self._history.now())
 
     @property
     def state(self) -> RollingState:
-        """What is needed to go on from here."""
+        """Memory of the history at the present instant, from which another history can continue."""
         with self._lock:
             return RollingState(self._history.state(), _bodies_text(self.ball, self.on))
 
     @property
     def contact(self) -> _core.ContactField:
-        """Pressure on the nodes of the first lattice around the contact, by `time`, `x`, `z` and `pressure`."""
+        """Pressure around the contact on the first phase-shifted mesh, as `time`, `x`, `z` and `pressure`."""
         with self._lock:
             return self._history.contact()
 
     @property
     def mesh(self) -> Mesh:
-        """The mesh."""
+        """Mesh of the history."""
         return Mesh._from_core(self._history.mesh)
 
     @property
     def spectrum_error(self) -> float:
-        """Largest relative error of the compliance by discrete retardation times [-]."""
+        """Largest relative error of the compliance due to discrete retardation times [-]."""
         return self._history.spectrum_error
 
     @property
     def steps(self) -> int:
-        """Steps of time taken."""
+        """Number of time steps taken."""
         with self._lock:
             return self._history.steps
 
     def __copy__(self) -> RollingHistory:
-        """Return a history that goes on from here by itself."""
+        """Return an independent history that continues from the present state."""
         twin = object.__new__(type(self))
         twin.ball, twin.on = self.ball, self.on
         twin._given, twin._options = self._given, self._options
@@ -284,24 +286,24 @@ class RollingHistory:
         return twin
 
     def __deepcopy__(self, memo: dict[int, Any]) -> RollingHistory:
-        """Return the same as of `copy.copy`: nothing that could change is shared."""
+        """Return the same as `copy.copy`, which shares only immutable data."""
         return self.__copy__()
 
     def __reduce__(self) -> tuple[partial[RollingHistory], tuple[()]]:
-        """Pickle by way of the constructor, which goes on from the state, on the mesh that was chosen."""
+        """Pickle through the constructor, which continues from the state on the same mesh."""
         given: dict[str, Any] = {option.name: getattr(self._options, option.name) for option in fields(self._options)}
         given |= {**self._given, "mesh": self.mesh}
         return partial(type(self), self.ball, on=self.on, start=self.state, **given), ()
 
     def __repr__(self) -> str:
-        """Return where it is."""
+        """Return bodies, time, angle, load and mesh."""
         now = self.now
         pair = f"{self.ball!r}" if self.on is None else f"{self.ball!r}, on={self.on!r}"
         return f"RollingHistory({pair}, time={now.time:g}, angle={now.angle:g}, load={now.load:g}, {self.mesh})"
 
 
 def _bodies_text(ball: RollingBody, on: Counterpart | None) -> str:
-    """Return kinds and lengths of both bodies; the core compares their layers."""
+    """Return the types and lengths of both bodies as text; the core compares their layers."""
     return " on ".join("rigid plane" if body is None else _body_text(body) for body in (ball, on))
 
 

@@ -1,4 +1,4 @@
-"""The scalars of a history, as the table of the core describes them: numbers at an instant, arrays over time."""
+"""Scalars of a history, as described by the table of the core: numbers at an instant, arrays over time."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .._support.scalars import scalar_fields, units_in_contact
 
 __all__ = ["HISTORY_SCALARS", "InstantFields", "SeriesFields", "series_units"]
 
-#: Scalars of a history: name, unit, what it is.
+#: Unit and label of each scalar of a history, by name.
 HISTORY_SCALARS = {scalar.name: (scalar.unit, scalar.label) for scalar in _core.history_scalars()}
 
 
@@ -22,6 +22,6 @@ if TYPE_CHECKING:
     from .._core import InstantSeries as SeriesFields
     from .._core import RollingInstant as InstantFields
 else:
-    #: Fields with the number, and with the time series, of each scalar.
+    #: Dataclasses with one field per scalar: a number, or a time series.
     InstantFields = scalar_fields("InstantFields", dict.fromkeys(HISTORY_SCALARS, "float"))
     SeriesFields = scalar_fields("SeriesFields", dict.fromkeys(HISTORY_SCALARS, "NDArray[np.float64]"))

@@ -1,7 +1,7 @@
-"""Files of saved states: a line of text that describes the numbers, then the numbers.
+"""Files of saved states: one line of text that describes the numbers, followed by the numbers.
 
-The line holds a mark, the version of the format, the version of viscoroll that wrote the file, both bodies, and the
-SHA-256 of the rest of the line and of the numbers, so that any change to the file is found.
+The line contains a mark, the version of the format, the version of viscoroll that wrote the file, both bodies, and the
+SHA-256 of the rest of the line and of the numbers, which detects any change to the file.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ SUFFIX = ".state"
 
 _MARK, _SEPARATOR = b"viscoroll state", b"; "
 
-#: Version of the format of the file.
+#: Version of the file format.
 _FORMAT = b"1"
 
 _MADE_BY = f"{__version__}, commit {__commit__}"
 
 
 def write_state(path: Path, numbers: NDArray[np.float64], bodies: str) -> None:
-    """Write the numbers of a state and the text of its bodies."""
+    """Write the numbers of a state and the text that describes its bodies."""
     content = np.asarray(numbers, dtype="<f8").tobytes()
     head = [_MARK, _FORMAT, _MADE_BY.encode(), bodies.encode()]
     with draft_of(path) as draft:
@@ -40,7 +40,7 @@ def write_state(path: Path, numbers: NDArray[np.float64], bodies: str) -> None:
 
 
 def read_state(path: Path) -> tuple[NDArray[np.float64], str]:
-    """Return the numbers and the text that `write_state` has written.
+    """Return the numbers and the text of a file that `write_state` wrote.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Motions by the angle turned, or by the way along the track."""
+"""Conversion of motions given by the displacement along the track to the angle turned."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ __all__ = ["as_angle", "as_angles"]
 
 
 def as_angle(ball: RollingBody, angle: float | None, way: float | None) -> float:
-    """Return the angle turned [rad], whichever of the two is given."""
+    """Return the angle turned [rad], given either the angle or the displacement along the track [m]."""
     _require_one(angle, way)
     return as_float("angle", angle) if way is None else as_float("way", way) / ball.outer_radius
 
 
 def as_angles(ball: RollingBody, angle: ArrayLike | None, way: ArrayLike | None) -> NDArray[np.float64]:
-    """Return the angles turned [rad], likewise."""
+    """Return the angles turned [rad], given either the angles or the displacements along the track [m]."""
     _require_one(angle, way)
     if way is None:
         assert angle is not None

@@ -1,4 +1,4 @@
-"""The command: many mutated files, each read in a process that may hang or crash."""
+"""Command that mutates many files and reads each in a process that may hang or crash."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .running import draw, run_case
 
 
 def main() -> int:
-    """Run the campaign, or show what is wrong with one of its files."""
+    """Run all files, or report what is wrong with one of them."""
     parser = argparse.ArgumentParser(prog="python -m tests.campaign.files", description=package.__doc__)
     parser.add_argument("--count", type=int, default=20000, help="number of files")
     parser.add_argument("--first", type=int, default=0, help="number of the first file")

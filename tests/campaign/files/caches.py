@@ -17,13 +17,13 @@ from viscoroll import paper
 
 __all__ = ["check", "study"]
 
-#: Longest time of a study from a damaged cache [s]; one that finds no point in the cache takes 0.1 s.
+#: Longest time of a study from a damaged cache [s]; a study that finds no point in the cache takes 0.1 s.
 _LONGEST = 20.0
 
-#: Size of a page of the database [byte].
+#: Size of a page of the database [B].
 _PAGE = 4096
 
-#: Points with a speed of their own share nothing, so that a point solved again is the same to the last bit.
+#: Each point has its own speed and shares nothing, so a repeated solve gives the same bits.
 _SPEEDS = (1.0, 2.0, 4.0, 8.0)
 
 _STUDY, _POINTS = "study.nc", "study.nc.points"
@@ -32,7 +32,7 @@ _Files = dict[str, bytes]
 
 
 def study(cache: Path | None, *, speeds: tuple[float, ...] = _SPEEDS, retry_failed: bool = False) -> xarray.Dataset:
-    """Run the study that all caches are of."""
+    """Run the study of all caches."""
     mesh = vr.Mesh(nodes_per_revolution=100, max_order=50)
     rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
     softer = vr.StandardLinearSolid(instantaneous_modulus=5.9e6, relaxed_modulus=3e6, relaxation_time=0.125)
@@ -62,13 +62,13 @@ def check(seed: int, folder: Path) -> str | None:
     seed : int
         Seed of the damage.
     folder : Path
-        Where the files go.
+        Folder of the files.
 
     Returns
     -------
     str or None
-        What is wrong in one line, or None: the numbers are the same or the error is clear, and following the error's
-        advice gives the same numbers.
+        Description of the failure in one line, or None: the numbers are the same, or the error is clear and following
+        its advice gives the same numbers.
     """
     random_of = random.Random(seed)
     files = dict(random_of.choice(_originals()))
@@ -93,7 +93,7 @@ def check(seed: int, folder: Path) -> str | None:
 
 
 def _judged(folder: Path) -> str | None:
-    """Return what is wrong with the study of a damaged cache, by its result, or by its error and what that advises."""
+    """Return what is wrong with the study of a damaged cache: its result, or its error and the advice."""
     advised = ""
     for retry_failed in (False, True):
         try:
@@ -135,7 +135,7 @@ def _right_numbers() -> xarray.Dataset:
 
 @functools.cache
 def _originals() -> tuple[_Files, ...]:
-    """Return caches of a complete study, of one that has begun, and of one after a study of other points."""
+    """Return caches of a complete study, of an incomplete one, and of one after a study of other points."""
     found = []
     for before, after in ((None, _SPEEDS), (_SPEEDS[:2], None), ((1.0, 16.0), _SPEEDS)):
         with tempfile.TemporaryDirectory() as folder:
@@ -183,7 +183,7 @@ def _erased(random_of: random.Random, content: bytes) -> bytes:
 
 
 def _shifted(random_of: random.Random, content: bytes) -> bytes:
-    """Insert or leave out bytes."""
+    """Insert or delete bytes."""
     first, size = random_of.randrange(len(content)), random_of.choice([1, 7, 512])
     if random_of.random() < 0.5:
         return content[:first] + content[first + size :]
@@ -191,7 +191,7 @@ def _shifted(random_of: random.Random, content: bytes) -> bytes:
 
 
 def _pages_swapped(random_of: random.Random, content: bytes) -> bytes:
-    """Let two pages of the database change places, or one repeat another."""
+    """Exchange two pages of the database, or copy one over another."""
     pages = [content[i : i + _PAGE] for i in range(0, len(content), _PAGE)]
     a, b = random_of.randrange(len(pages)), random_of.randrange(len(pages))
     pages[a], pages[b] = pages[b], random_of.choice([pages[a], pages[b]])
@@ -211,7 +211,7 @@ def _files_swapped(random_of: random.Random, files: _Files) -> None:
 
 
 def _with_journal(random_of: random.Random, files: _Files) -> None:
-    """Lay a journal beside the database, as a process that was killed leaves one."""
+    """Add a journal next to the database, as a killed process leaves it."""
     content = random_of.choice(
         [random_of.randbytes(2000), bytes.fromhex("d9d505f920a163d7") + random_of.randbytes(2000)]
     )
@@ -219,7 +219,7 @@ def _with_journal(random_of: random.Random, files: _Files) -> None:
 
 
 def _of_another_cache(random_of: random.Random, files: _Files) -> None:
-    """Take one of the two files from another cache."""
+    """Replace one of the two files by that of another cache."""
     other = random_of.choice(_originals())
     name = random_of.choice(sorted(files))
     files[name] = other.get(name, files[name])
@@ -240,7 +240,7 @@ def _row_changed(random_of: random.Random, database: sqlite3.Connection) -> None
 
 
 def _rows_mixed(random_of: random.Random, database: sqlite3.Connection) -> None:
-    """Give a point what another has, with its checksum or without."""
+    """Copy values of another point, with or without the checksum."""
     columns = random_of.choice(
         [["scalars"], ["fields"], ["draws"], ["scalars", "fields", "draws", "error", "checksum"]]
     )
@@ -259,7 +259,7 @@ def _rows_missing(random_of: random.Random, database: sqlite3.Connection) -> Non
 
 
 def _other_tables(random_of: random.Random, database: sqlite3.Connection) -> None:
-    """Change the tables, the version or the mark of the database."""
+    """Change the tables, the version or the application id of the database."""
     statements = [
         "DROP TABLE point",
         "DROP TABLE written",
@@ -271,7 +271,7 @@ def _other_tables(random_of: random.Random, database: sqlite3.Connection) -> Non
         "UPDATE made_by SET text = zeroblob(3)",
         "ALTER TABLE point ADD COLUMN more TEXT",
         "ALTER TABLE point RENAME COLUMN scalars TO numbers",
-        "ALTER TABLE point DROP COLUMN checksum",  # as before there were checksums
+        "ALTER TABLE point DROP COLUMN checksum",  # database without checksums, as in old versions
         "CREATE TABLE more (text TEXT)",
         "PRAGMA application_id = 7",
         "PRAGMA journal_mode = WAL",

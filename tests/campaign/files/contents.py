@@ -1,4 +1,4 @@
-"""Valid files of every kind of text that the program reads: mutations begin from them."""
+"""Valid files of every kind of text that the program reads, from which mutations start."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ log10_factor = [0.0, -0.5, -1.0]
 CURVES = (b"frequency,storage,loss\n0.0,1e6,0.0\n1.0,2e6,1e5\n100.0,5e6,1e5\n",)
 _STRAINS = b"strain,storage,loss\n1e-3,5e6,4e5\n1e-2,4e6,6e5\n1e-1,2e6,4e5\n0.5,1e6,1e5\n"
 
-#: Files that the cases name.
+#: Files that the cases refer to.
 BESIDE_CASES = {"rubber.toml": _MATERIAL.encode(), "curve.csv": CURVES[0], "sweep.csv": _STRAINS}
 
 CASES = tuple(

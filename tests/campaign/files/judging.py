@@ -1,4 +1,4 @@
-"""Readers of files in this process: the computations behind them stopped, their errors and their numbers judged."""
+"""Readers of files in this process: stop the computations behind them, and judge their errors and numbers."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ _COMPUTATIONS = (
     "viscoroll.studies.study.sweep",
 )
 
-#: Points of a study, after which the reader has shown what it does with the file.
+#: Largest number of points of a study; a reader of more points has shown how it uses the file.
 _MOST_POINTS = 100
 
-#: Words of Python errors that tell a user nothing about the file.
+#: Words of internal Python errors, which do not help a user to correct the file.
 _INTERNAL = re.compile(
     r"allow_pickle|'NoneType'|has no attribute|index out of range|unhashable|not subscriptable|unexpected keyword"
     r"|positional argument|inhomogeneous|unpack|\bndarray|object of type|not iterable|not supported between"
@@ -48,12 +48,12 @@ _INTERNAL = re.compile(
 
 
 class _Done(BaseException):
-    """The file has been read, and a computation would follow."""
+    """Raised after the file has been read, in place of a computation."""
 
 
 @contextmanager
 def _stopped_computations() -> Iterator[None]:
-    """End a reader where it would begin to compute."""
+    """Stop a reader before it computes."""
     from viscoroll.case import study
 
     points = 0
@@ -82,7 +82,7 @@ def reading_failure(
     Parameters
     ----------
     read : callable
-        Reader; may begin to compute, where it is stopped.
+        Reader; if it starts a computation, the computation is stopped.
     path : Path
         The file.
     judge : callable
@@ -101,7 +101,7 @@ def reading_failure(
 
 
 def command_failure(words: tuple[object, ...], folder: Path) -> str | None:
-    """Run a command of the shell on a damaged file and return what is wrong with its end in one line, or None."""
+    """Run a command of the shell on a damaged file and return what is wrong with its outcome in one line, or None."""
     output, messages = io.StringIO(), io.StringIO()
     code: object = None
     try:
@@ -129,7 +129,7 @@ def command_failure(words: tuple[object, ...], folder: Path) -> str | None:
 
 
 def infinite(found: object, *, without: tuple[str, ...] = (), place: str = "") -> str | None:
-    """Return the place of a number that is not finite in what was read, or None.
+    """Return the path to a number in the content that is not finite, or None.
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ def infinite(found: object, *, without: tuple[str, ...] = (), place: str = "") -
     without : tuple of str
         Names of members that may be infinite or undefined.
     place : str
-        Place of the object itself.
+        Path to the object itself.
     """
     if isinstance(found, float | np.ndarray):
         numbers = np.asarray(found)
@@ -173,7 +173,7 @@ def _message_failure(error: Exception, name: str) -> str | None:
 
 
 def _located(error: BaseException) -> str:
-    """Return class, place and message of an exception in one line."""
+    """Return class, location and message of an exception in one line."""
     frames = traceback.extract_tb(error.__traceback__)
     own = [frame for frame in frames if "viscoroll" in frame.filename] or frames
     where = f" in {Path(own[-1].filename).name}:{own[-1].name}" if own else ""

@@ -1,4 +1,4 @@
-"""The kinds of files that the program reads, each with the check of one mutated file."""
+"""Kinds of files that the program reads, each with the check of one mutated file."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ from .mutations import mutated
 
 __all__ = ["KINDS", "Check", "TextFiles"]
 
-#: Check of one mutated file, called as check(seed, folder): None, or in one line what went wrong.
+#: Check of one mutated file, called as check(seed, folder): returns None, or the failure in one line.
 Check: TypeAlias = Callable[[int, Path], "str | None"]
 
-#: Share of files that a command of the shell reads, too [-].
+#: Share of files that a command of the shell reads as well [-].
 _BY_COMMAND = 0.2
 
-#: Share of files in whose place there is nothing, or a folder [-].
+#: Share of files that are missing, or replaced by a folder [-].
 _NO_FILE = 0.01
 
 
@@ -47,11 +47,11 @@ class TextFiles:
     originals : tuple of bytes
         Contents of valid files.
     read : callable
-        Called as read(path, random); may begin to compute, which ends the check.
+        Called as read(path, random); may start a computation, which ends the check.
     judge : callable
-        Returns what is wrong with the content that was read, or None.
+        Returns what is wrong with the content, or None.
     commands : tuple
-        Words of the commands of the shell that read the file.
+        Words of the shell commands that read the file.
     beside : mapping of str to bytes
         Other files in its folder.
     """
@@ -64,7 +64,7 @@ class TextFiles:
     beside: Mapping[str, bytes] = field(default_factory=dict)
 
     def check(self, seed: int, folder: Path) -> str | None:
-        """Write one mutated file into a folder and return what is wrong with how it is read, or None."""
+        """Write one mutated file into a folder, and return what is wrong with the way it is read, or None."""
         random = Random(seed)
         path = folder / self.name
         for name, content in self.beside.items():
@@ -96,7 +96,7 @@ def _material(path: Path, random: Random) -> vr.ShearModulus:
 
 
 def _surface(path: Path, random: Random) -> str | None:
-    """Read a surface and return which number differs from the one in the file."""
+    """Read a surface, and return which number differs from the one in the file."""
     surface = vr.RollingResistance.load_file(path)
     told = json.loads(path.read_text(encoding="utf-8"))
     for name in ("load", "angular_speed", "radius", "coefficients", "error", "largest_error"):
@@ -106,7 +106,7 @@ def _surface(path: Path, random: Random) -> str | None:
 
 
 def _differing(path: Path, found: Mapping[str, Any]) -> str | None:
-    """Return which columns of a CSV file were read with other numbers than the plainest reader finds in it, or None."""
+    """Return the columns of a CSV file whose numbers differ from those of a minimal reader, or None."""
     text = io.StringIO(path.read_bytes().decode("utf-8-sig"), newline="")
     header, *rows = (row for row in csv.reader(text, skipinitialspace=True) if any(map(str.strip, row)))
     if any(len(row) != len(header) for row in rows) or len({name.strip() for name in header}) < len(header):
@@ -118,7 +118,7 @@ def _differing(path: Path, found: Mapping[str, Any]) -> str | None:
 
 
 def _measurements(path: Path, random: Random) -> str | None:
-    """Read measurements and return which column differs from the one in the file."""
+    """Read measurements, and return which column differs from the one in the file."""
     found = read_measurements(path)
     if random.random() < 0.1:
         compare_measured(load_case(path.parent / "case.toml"), found)
@@ -127,12 +127,12 @@ def _measurements(path: Path, random: Random) -> str | None:
 
 
 def _motion_table(path: Path, random: Random) -> str | None:
-    """Read a motion and return which column differs from the one in its table."""
+    """Read a motion, and return which column differs from the one in its table."""
     found = load_motion(path.parent / "motion.toml")
     return _differing(path, {name: getattr(found, name) for name in ("time", "angle", "way", "load", "center_way")})
 
 
-#: Radii of curvature that are infinite where a surface is flat.
+#: Radii of curvature that are infinite for flat surfaces.
 _FLAT = ("crown_radius", "path_radius")
 
 

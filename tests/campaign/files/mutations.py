@@ -9,13 +9,13 @@ from random import Random
 
 __all__ = ["mutated"]
 
-#: Numbers that a text file may hold where it should hold another one.
+#: Numbers that may replace another number in a text file.
 _NUMBERS = (
     "1e400", "-1e400", "1e307", "-1e307", "1e303", "1e200", "1e-320", "1e39", "nan", "-nan", "inf", "-inf", "0", "-1",
     "-0.0", "1_0", "0x10", "1,5", "400", "-400", "2", "3.5", "9" * 400, "9" * 5000, "true", '"1.0"', '"x"',
 )  # fmt: skip
 
-#: Texts that a text file may hold anywhere.
+#: Texts that may appear anywhere in a text file.
 _TOKENS = (
     *_NUMBERS,
     "null", "''", '""', '"nan"', "[]", "{}", "[[1.0]]", "[1.0, [2.0]]", "[1.0, true]", '[1.0, "2.0"]',
@@ -42,7 +42,7 @@ def mutated(content: bytes, random: Random, *, is_text: bool = True) -> bytes:
     random : Random
         Source of the choices.
     is_text : bool
-        Whether numbers, words and values of a text are mutated, too; else bytes alone.
+        Whether to mutate numbers, words and values of a text as well; otherwise bytes only.
     """
     pool = (*_OF_BYTES, *_OF_TEXTS) if is_text else _OF_BYTES
     for _ in range(random.choice((1, 1, 1, 2, 3))):
@@ -107,7 +107,7 @@ def _insert_token(content: bytes, random: Random) -> bytes:
 
 
 def _replaced(pattern: re.Pattern[bytes], tokens: Sequence[str]) -> _Mutation:
-    """Return a mutation that replaces a part of a text by one of some texts."""
+    """Return a mutation that replaces a part of a text by one of several texts."""
 
     def replace(content: bytes, random: Random) -> bytes:
         found = list(pattern.finditer(content))

@@ -1,4 +1,4 @@
-"""Studies in netCDF files: a damaged one must be refused, or have the same content."""
+"""Studies in netCDF files: a damaged file must be refused, or have the same content."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ from .mutations import mutated
 __all__ = ["check"]
 
 
-#: Share of files that the command reads, too [-].
+#: Share of files that the command reads as well [-].
 _BY_COMMAND = 0.1
 
 
 @cache
 def _original() -> tuple[bytes, xarray.Dataset]:
-    """Return the content of the netCDF file of a study of two points, as bytes and as read."""
+    """Return the netCDF file of a study of two points, as bytes and as dataset."""
     with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
-        warnings.simplefilter("ignore", vr.ResultWarning)  # of the coarse mesh
+        warnings.simplefilter("ignore", vr.ResultWarning)  # coarse mesh
         path = Path(folder, "study.nc")
         mesh = vr.Mesh(nodes_per_revolution=100, max_order=100)
         vr.sweep(paper.ball(), load=[50.0, 100.0], angular_speed=2.5, mesh=mesh, cache=path, progress=False)
@@ -35,7 +35,7 @@ def _original() -> tuple[bytes, xarray.Dataset]:
 
 
 def check(seed: int, folder: Path) -> str | None:
-    """Write one damaged study into a folder and return what is wrong with how it is read, or None."""
+    """Write one damaged study into a folder, and return what is wrong with the way it is read, or None."""
     random = Random(seed)
     content, study = _original()
     path = folder / "study.nc"

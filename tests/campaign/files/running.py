@@ -1,4 +1,4 @@
-"""One mutated file of a campaign: drawn by seed and number, and checked in a folder of its own."""
+"""One mutated file: drawn from seed and number, and checked in its own folder."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class FileCase:
 
 
 def draw(seed: int, number: int) -> FileCase:
-    """Return the file of a number; kinds take turns."""
+    """Return the file of a number; the kinds alternate."""
     kinds = list(KINDS)
     return FileCase(f"{seed}:{number}", kinds[number % len(kinds)], Random(f"{seed}:{number}").getrandbits(64))
 

@@ -1,4 +1,4 @@
-"""Saved states of histories: a damaged one must be refused, or be the same to the last bit."""
+"""Saved states of histories: a damaged state must be refused, or be the same to the last bit."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _NAME = "roll.state"
 
 @cache
 def _original() -> tuple[bytes, np.ndarray]:
-    """Return content and numbers of the state file of a ball that has rolled."""
+    """Return content and numbers of the state file of a ball after some rolling."""
     ball = paper.ball(density=0.0)
     stepper = vr.RollingHistory(ball, load=100.0, mesh=vr.Mesh(nodes_per_revolution=60), lattices=1)
     stepper.advance(time=0.1, angle=0.2, load=100.0)
@@ -33,7 +33,7 @@ def _original() -> tuple[bytes, np.ndarray]:
 
 
 def check(seed: int, folder: Path) -> str | None:
-    """Write one damaged state into a folder and return what is wrong with how it is read, or None."""
+    """Write one damaged state into a folder, and return what is wrong with the way it is read, or None."""
     random = Random(seed)
     content, numbers = _original()
     path = folder / _NAME

@@ -1,4 +1,4 @@
-"""Random histories: starts, stops, reversals, jumps and lifts of any pair, held against what must be true of any.
+"""Random histories of any pair with starts, stops, reversals, jumps and lifts, checked for relations that always hold.
 
 ``python -m tests.campaign.histories --cases 300 --seed 1``
 """

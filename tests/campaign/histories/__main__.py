@@ -1,4 +1,4 @@
-"""The command: many short random histories."""
+"""Command that runs many short random histories."""
 
 import sys
 

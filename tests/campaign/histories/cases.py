@@ -1,4 +1,4 @@
-"""The random histories: what rolls on what, how, and by which steps, drawn from a seed and a number."""
+"""Random histories: body, counterbody, motion and steps, drawn from a seed and a number."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from .motions import Motion, draw_motion
 
 __all__ = ["HistoryCase", "draw"]
 
-#: Moduli whose retardation spectra are known: of others, tables and functions, few are fitted well enough.
+#: Moduli with known retardation spectra; few other ones, tables and functions, can be fitted well enough.
 _DISCRETE = (vr.Elastic, vr.StandardLinearSolid, vr.Prony, vr.KelvinVoigt, vr.FractionalZener)
 
-#: Of the radius: what all layers are at least thick, so that a contact has some nodes of 200 a revolution.
+#: Least total thickness of the layers / radius, so that 200 nodes per revolution put some nodes in the contact.
 _THINNEST = 0.05
 
-#: Largest penetration by the radius: contacts of a fourth of the radius to either side.
+#: Largest penetration / radius, for contacts of a quarter of the radius to each side.
 _DEEPEST = 0.05
 
 
 @dataclass(frozen=True, kw_only=True)
 class HistoryCase(Case):
-    """One history."""
+    """Arguments of one history."""
 
     call: ClassVar[str] = "roll"
 
@@ -42,7 +42,7 @@ class HistoryCase(Case):
 
     @property
     def is_followed(self) -> bool:
-        """Whether discrete retardation times stand for all moduli, and what does not yield at once is not asked to."""
+        """Return whether all retardation times are discrete, and no jump meets a missing instantaneous compliance."""
         viscous = any(isinstance(modulus, vr.KelvinVoigt) for modulus in self.moduli)
         jumps = self.arguments["start"] is vr.Start.FRESH or 0.0 in np.diff(self.arguments["time"])
         fitted = any(not isinstance(modulus, _DISCRETE) for modulus in self.moduli)
@@ -50,17 +50,18 @@ class HistoryCase(Case):
 
 
 def draw(seed: int, number: int) -> HistoryCase:
-    """Return a history of a campaign: mostly of materials that can be followed, which few of any kind are."""
+    """Return a random history, in most cases of suitable materials, which are rare among all kinds."""
     for attempt in itertools.count():
         rng = np.random.default_rng([seed, number, 7, attempt])
         case = _draw(rng, f"{seed}:{number}")
-        is_quick = not isinstance(case.ball, vr.CoatedWheel)  # whose tables for dozens of fitted times take a minute
+        # the tables of a wheel for dozens of fitted times take a minute
+        is_quick = not isinstance(case.ball, vr.CoatedWheel)
         if case.is_followed or (is_quick and rng.random() < _ANY):
             return case
     raise AssertionError
 
 
-#: Share of the draws of materials that histories need not know which are kept nevertheless.
+#: Share of the draws with other materials that are kept.
 _ANY = 0.03
 
 
@@ -91,7 +92,7 @@ def _draw(rng: np.random.Generator, name: str) -> HistoryCase:
         "mesh": given["mesh"],
         "lattices": int(rng.choice([1, 2, 4], p=[0.5, 0.4, 0.1])),
         "steps_per_spacing": int(rng.choice([2, 4, 8], p=[0.2, 0.6, 0.2])),
-        # Of one motion, whether it is followed at once or not.
+        # Both times depend on the whole motion, whether or not it is followed at once.
         "shortest_time": (motion.time[-1] - motion.time[0]) * 10.0 ** rng.uniform(-6.0, -3.0),
         "longest_time": (motion.time[-1] - motion.time[0]) * 10.0,
         "threads": 1,
@@ -107,7 +108,7 @@ def _draw(rng: np.random.Generator, name: str) -> HistoryCase:
 def _bodies(
     rng: np.random.Generator, ball: vr.CoatedSphere, contact_radius: float, time: float, arguments: dict[str, Any]
 ) -> dict[str, Any]:
-    """Return a ball, a roller or a wheel with these layers, and what it rolls on."""
+    """Return a ball, a roller or a wheel with these layers, and its counterbody."""
     drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
     has_core = ball.inner_boundary is vr.InnerBoundary.RIGID
     shape = rng.choice(["ball", "roller", "wheel"], p=[0.4, 0.35, 0.25]) if has_core else "ball"
@@ -123,7 +124,7 @@ def _bodies(
 
 
 def _along(rng: np.random.Generator, case: HistoryCase, motion: Motion, depth: float, time: float) -> dict[str, Any]:
-    """Return friction, what moves the center, and the compliance, or nothing: what goes with what."""
+    """Return a consistent choice of friction, drive of the center and compliance, possibly empty."""
     is_ball_on_plane = isinstance(case.ball, vr.CoatedSphere) and case.on is None
     compliance = {"compliance": vr.Compliance.VERTICAL} if is_ball_on_plane and rng.random() < 0.3 else {}
     if rng.random() < 0.6:
@@ -134,7 +135,8 @@ def _along(rng: np.random.Generator, case: HistoryCase, motion: Motion, depth: f
     kinds = ["free", "towed", "led"]
     if not motion.lifts:
         kinds += ["pushed"]
-    if curvature(case.on) == 0.0:  # else the center goes another way than the contact
+    # otherwise the paths of center and contact differ in length
+    if curvature(case.on) == 0.0:
         kinds += ["mass"]
     match rng.choice(kinds):
         case "towed":
@@ -153,7 +155,7 @@ def _along(rng: np.random.Generator, case: HistoryCase, motion: Motion, depth: f
     return given
 
 
-#: What must be refused, by the argument that the message names.
+#: Changes that must be refused, by the argument that the message names.
 _ABSURD: dict[str, Any] = {
     "load": lambda a: {"load": [1e9 * load for load in a["load"]]},
     "load[": lambda a: {"load": [*a["load"][:-1], -a["load"][0]]},
@@ -169,12 +171,12 @@ _ABSURD: dict[str, Any] = {
 
 
 def _make_absurd(rng: np.random.Generator, arguments: dict[str, Any]) -> str:
-    """Now and then, make one argument impossible.
+    """Sometimes make one argument impossible.
 
     Returns
     -------
     str
-        How the message begins that must refuse it.
+        Beginning of the message of the refusal.
     """
     if rng.random() >= 0.08:
         return ""

@@ -1,4 +1,4 @@
-"""What must hold in any history, whatever was rolled."""
+"""Relations that hold in any history."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from .cases import HistoryCase
 
 __all__ = ["nodes_of", "scales", "turnover", "violations"]
 
-#: Instants are solved to residuals of 1e-12, or where that stalls 1e-10; sums of forces and moments of them, and what
-#: hundreds of them add up to, are allowed more.
+#: Tolerance relative to the size of a series. Instants are solved to residuals of 1e-12, or 1e-10 if the solver stalls;
+#: sums of forces and moments, and sums over hundreds of instants, are allowed more.
 TOLERANCE = 1e-7
 
-#: Friction gives no work but where a node turns back within a step, whose mean traction is then not that of its work:
-#: up to 1.5e-3 of all energy in 100 histories with two to eight steps a spacing, of coarse meshes. A body that
-#: slides as a whole adds what `_turned_back` bounds.
+#: Relative energy that friction may supply where a node reverses within a step, since the mean traction then differs
+#: from that weighted by the work: up to 1.5e-3 of all energy in 100 histories with two to eight steps per spacing on
+#: coarse meshes. For a body that slides as a whole, `_turned_back` bounds an additional part.
 TURNED_BACK = 3e-3
 
-#: Series that are not told: the approach on a half-plane, a line's width, the spread of one lattice.
+#: Series that may be undefined: the approach on a half-plane, the width of a line, the spread of a single mesh.
 UNTOLD = ("penetration", "semi_axis_z", "error_estimate")
 
 
 def violations(case: HistoryCase, history: vr.History) -> dict[str, float]:
-    """Return the conditions that a history violates, each with its error relative to what is allowed."""
+    """Return the conditions that a history violates, each with its error relative to the tolerance."""
     if not _is_finite(history):
         return {"not finite": math.inf}
     checks = (_motion, _lifted, _energies, _balance, _forces, *((_friction,) if case.has_friction else ()))
@@ -48,12 +48,12 @@ def _is_finite(history: vr.History) -> bool:
 
 
 def _is_without_datum(history: vr.History) -> bool:
-    """Whether it is a line on a half-plane, on which nothing rests."""
+    """Return whether it is a line contact on a half-plane, which has no reference height."""
     return history.ball.line_contact and getattr(history.on, "base", None) is not None
 
 
 def scales(history: vr.History) -> dict[str, float]:
-    """Return the size of each series where nothing cancels."""
+    """Return the size of each series where no terms cancel."""
     radius = history.ball.outer_radius
     load = float(history.load.max())
     torque = load * max(float(history.semi_axis_x.max()), history.mesh.spacing * radius)
@@ -76,9 +76,9 @@ def scales(history: vr.History) -> dict[str, float]:
 
 
 def turnover(history: vr.History) -> float:
-    """Return all energy that comes and goes: what is stored and given back, and what is dissipated [J].
+    """Return the energy that is exchanged: stored and released, and dissipated [J].
 
-    With friction the counterbody may dissipate less than nothing, and so may both in total.
+    With friction, the counterbody may dissipate less than zero, and so may the total.
     """
     return float(sum(np.abs(np.diff(series)).sum() for series in (history.stored_energy, history.dissipated_energy)))
 
@@ -89,21 +89,24 @@ def _motion(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float
     wanted = (given["time"][-1], given["angle"][-1], given["load"][-1])
     yield "time goes back", float((np.diff(history.time) < 0.0).any()) * 2.0
     yield "not at the last knot", float(ends != wanted) * 2.0
-    yield "spectrum", history.spectrum_error / 0.01  # the tolerance, by default
+    # relative to the default tolerance
+    yield "spectrum", history.spectrum_error / 0.01
 
 
 def _lifted(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
-    """Let nothing touch without load, and something with it."""
+    """Check that there is contact with load, and no contact without."""
     lifted = history.load == 0.0
     for name in ("resisting_torque", "driving_torque", "driving_force", "contact_area", "max_pressure"):
-        if name == "driving_force" and history.mass > 0.0:  # which is less the center's inertia
+        # the driving force includes the inertia of the center
+        if name == "driving_force" and history.mass > 0.0:
             continue
         yield f"{name} without load", 2.0 * float(np.any(getattr(history, name)[lifted] != 0.0))
     yield "no contact under load", 2.0 * float(np.any(history.contact_area[~lifted] <= 0.0))
-    # A patch bears at most the largest pressure.
+    # A patch supports at most the largest pressure.
     borne = history.max_pressure * history.contact_area
     short = (history.load - borne)[~lifted] / history.load.max()
-    slack = 1.0 if _is_ball_on_rigid(case) else 0.0  # whose patches are smaller beside the middle
+    # its patches are smaller away from the middle
+    slack = 1.0 if _is_ball_on_rigid(case) else 0.0
     yield "load above largest pressure", float(short.max(initial=0.0)) / TOLERANCE * (1.0 - slack)
 
 
@@ -112,10 +115,10 @@ def _is_ball_on_rigid(case: HistoryCase) -> bool:
 
 
 def _energies(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
-    """Let what is lost never come back, and nothing store less than nothing, but where approach has no datum.
+    """Check that dissipation never decreases, and that stored energy is not negative if the approach has a datum.
 
-    With friction a counterpart is told to lose what a way of the center beside the rolled one takes, which may be less
-    than nothing: docs/theory/transient-friction.md, "Energy balance".
+    With friction, the dissipation of the counterbody includes the work of a center that moves more or less than the
+    body rolls, which may be negative: docs/theory/transient-friction.md, "Energy balance".
     """
     energy = turnover(history) + float(np.abs(history.stored_energy).max())
     others = history.counterpart_dissipated_energy
@@ -134,10 +137,10 @@ def _energies(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
 
 
 def _turned_back(case: HistoryCase, history: vr.History) -> NDArray[np.float64]:
-    """Return the work that friction may seem to give in a step in which the sliding of the body turns back [J].
+    """Return the work that friction may seem to supply in a step in which the sliding of the body reverses [J].
 
-    The step takes the mean of the traction before and after it. Where both are at the limit of friction, in opposite
-    directions, that mean is the limit less than the traction that slides, over the distance that slides.
+    The step uses the mean of the traction before and after it. If both are at the limit of friction, in opposite
+    directions, this mean falls short of the sliding traction by the limit, over the sliding distance.
     """
     if not case.has_friction:
         return np.zeros(history.time.size - 1)
@@ -148,16 +151,17 @@ def _turned_back(case: HistoryCase, history: vr.History) -> NDArray[np.float64]:
 
 
 def _balance(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
-    """Let work be what is stored and lost, but for what steps leave open.
+    """Check that work equals stored plus dissipated energy, except for the error of the steps.
 
-    Over a step the forces F of the nodes are linear in time and their ways u are not: ½ Σ|ΔF| |Δu| is the most that the
-    trapezoidal rule leaves open. A turn by Δψ moves a node of the contact by x/R_x r_o Δψ and hands on what lies within
-    r_o Δψ of an end: P r_o²/R_x Δψ² at most. A load that changes by ΔP leaves ½ ΔP Δd, and one that sinks in by Δd
-    hands on Δd/d of itself, which leaves P Δd²/d. What slides by s beside the track leaves μ s times what is handed on,
-    P r_o Δψ/a and ½ ΔP. Jumps leave nothing. Half of 40 histories with friction leave less than a hundredth of that
-    open, those whose load passes from node to node up to 0.9 of it.
+    Over a step, the forces F of the nodes are linear in time, but their displacements u are not: the error of the
+    trapezoidal rule is at most ½ Σ|ΔF| |Δu|. A turn by Δψ moves a node of the contact by x/R_x r_o Δψ and transfers the
+    forces within r_o Δψ of an end: at most P r_o²/R_x Δψ². A load that changes by ΔP leaves ½ ΔP Δd, and one that sinks
+    in by Δd transfers the share Δd/d of itself, which leaves P Δd²/d. Sliding by s relative to the track leaves μ s
+    times the transferred force, P r_o Δψ/a and ½ ΔP. Jumps leave nothing. Half of 40 histories with friction leave less
+    than a hundredth of this bound; those whose load passes from node to node, up to 0.9 of it.
     """
-    if _is_without_datum(history):  # nobody tells how far it sinks in
+    # the approach is undefined
+    if _is_without_datum(history):
         return
     steps = np.diff(history.time) > 0.0
     radius = case.ball.outer_radius
@@ -179,7 +183,7 @@ def _balance(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, floa
 
 
 def _forces(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
-    """Let torque and force be the resistance together, and nothing of a rigid body or on a rigid plane."""
+    """Check that torque and force together equal the resistance, and vanish for a rigid body or on a rigid plane."""
     if case.has_friction:
         return
     size = scales(history)["resisting_torque"] * TOLERANCE
@@ -207,7 +211,8 @@ def _friction(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
         is_jump = np.isin(given["time"], history.time[:-1][np.diff(history.time) == 0.0])
         yield "center led", float(np.abs(ways[~is_jump]).max(initial=0.0)) / (TOLERANCE * scales(history)["center_way"])
     elif history.mass == 0.0 and drive.force is not None:
-        off = (history.driving_force - drive.force)[1:][pressed[1:]]  # it is not pushed yet as it is pressed on
+        # excluding the instant of the first contact, at which no force acts yet
+        off = (history.driving_force - drive.force)[1:][pressed[1:]]
         yield "force balance", float(np.abs(off).max(initial=0.0)) / (TOLERANCE * bound)
     elif drive.torque is not None:
         off = (history.driving_torque - drive.torque)[1:][pressed[1:]]
@@ -215,7 +220,7 @@ def _friction(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
 
 
 def nodes_of(history: vr.History) -> int:
-    """Return how many nodes a lattice has in contact, about and at most."""
+    """Return the approximate largest number of nodes in contact on one mesh."""
     radius = history.ball.outer_radius
     across = 1.0 if history.ball.line_contact else radius * history.mesh.theta_spacing
     areas: NDArray[np.float64] = history.contact_area

@@ -1,4 +1,4 @@
-"""Random motions: knots of angle and load, between which a body rolls, stands, jumps or has lifted off."""
+"""Random motions: waypoints of angle and load, between which a body rolls, stands, jumps or is lifted."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ __all__ = ["Motion", "draw_motion"]
 
 @dataclass
 class Motion:
-    """Knots, appended one by one.
+    """Waypoints, appended one by one.
 
     Attributes
     ----------
     time, angle, load : list of float
-        [s], [rad], and [N], of a roller per length.
+        [s], [rad], and [N], for a roller [N/m].
     """
 
     time: list[float] = field(default_factory=list)
@@ -24,19 +24,19 @@ class Motion:
     load: list[float] = field(default_factory=list)
 
     def go(self, duration: float, turn: float, load: float) -> None:
-        """Append a knot."""
+        """Append a waypoint."""
         self.time.append(self.time[-1] + duration)
         self.angle.append(self.angle[-1] + turn)
         self.load.append(load)
 
     @property
     def lifts(self) -> bool:
-        """Whether the body lifts off anywhere."""
+        """Return whether the body lifts off anywhere."""
         return 0.0 in self.load
 
     @property
     def jumps(self) -> bool:
-        """Whether anything happens in no time."""
+        """Return whether any segment takes zero time."""
         return any(later == time for time, later in zip(self.time, self.time[1:], strict=False))
 
 
@@ -46,15 +46,15 @@ def draw_motion(rng: np.random.Generator, *, turn: float, time: float, load: flo
     Parameters
     ----------
     rng : Generator
-        Of the case.
+        Random numbers of the case.
     turn : float
         Angle by which a body turns while it rolls half the length of its contact [rad].
     time : float
-        That it takes [s].
+        Time of this turn [s].
     load : float
-        That the layers bear [N], of a roller per length.
+        Load that the layers support [N], for a roller [N/m].
     """
-    elsewhere = rng.random() < 0.5  # than at 0 s and 0 rad
+    elsewhere = rng.random() < 0.5  # start at other values than 0 s and 0 rad
     motion = Motion(
         time=[elsewhere * time * rng.uniform(-1.0, 1.0)],
         angle=[elsewhere * rng.uniform(-3.0, 3.0)],
@@ -72,11 +72,11 @@ def draw_motion(rng: np.random.Generator, *, turn: float, time: float, load: flo
             case "stand":
                 motion.go(time * 10.0 ** rng.uniform(-1.0, 2.0), 0.0, borne)
             case "jump":
-                # Of two jumps to one place a state in between knows one.
+                # A state between two jumps to the same position contains only one of them.
                 turned = turn * rng.uniform(-0.3, 0.3) if rng.random() < 0.3 else 0.0
                 motion.go(0.0, turned, load * rng.uniform(0.3, 1.0))
             case _:
-                rolls = rng.choice([-1.0, 0.0, 1.0], size=3)  # while it is lifted, and before and after
+                rolls = rng.choice([-1.0, 0.0, 1.0], size=3)  # before, during and after the lift
                 for rolled, left in zip(rolls.tolist(), (0.0, 0.0, borne), strict=True):
                     motion.go(stretch * time / speed, rolled * stretch * turn / 3.0, left)
     return motion

@@ -1,4 +1,4 @@
-"""Rolling a history and its twins, and judging them."""
+"""Solution and checks of a history and its twins."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ __all__ = ["run_case"]
 
 
 def run_case(case: HistoryCase, before_each: Callable[[Outcome], object] = lambda _: None) -> Outcome:
-    """Roll a case and its twins, if it is not a slow one, and check the histories.
+    """Roll a case and, unless it is slow, its twins, and check the histories.
 
     Parameters
     ----------
     case : HistoryCase
-        What to roll.
+        The history.
     before_each : callable
-        Called before each history with what is known so far.
+        Called before each history with the outcome so far.
     """
     outcome = Outcome(case=case.name, has_friction=case.has_friction, source=case.source())
     before_each(outcome)
@@ -41,7 +41,8 @@ def run_case(case: HistoryCase, before_each: Callable[[Outcome], object] = lambd
         outcome.stage = twin.kind
         before_each(outcome)
         other = attempt(twin.roll, twin.case, outcome)
-        if other is None:  # which is refused or not found, where its like was
+        # the twin is refused or fails although the case was solved
+        if other is None:
             outcome.violations[f"{twin.kind}: not rolled"] = math.inf
             return outcome
         found = twin.differences(history, other)

@@ -1,4 +1,4 @@
-"""Histories that must be the same as another: mirrored, in other units, elsewhere along the track, interrupted."""
+"""Histories that must agree with another: mirrored, in other units, elsewhere along the track, interrupted."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from .invariants import scales
 
 __all__ = ["Twin", "twins"]
 
-#: Powers of two are exact: what differs is an absolute number somewhere.
+#: Powers of two are exact, so a larger difference indicates an absolute number somewhere.
 SCALING_TOLERANCE = 1e-8
 
-#: Of mirror images and other places, whose sums have other round-off; instants are solved to 1e-10 at least, and later
-#: ones inherit what is left.
+#: Tolerance of mirror images and other places, whose sums have other round-off; instants are solved to 1e-10 at least,
+#: and later ones inherit the error.
 TOLERANCE = 1e-6
 
-#: Series by the powers of length, stress and time that scale them; those of forces a length less per length.
+#: Exponents of length, stress and time by which the series scale; forces per length have one power of length less.
 SERIES = {
     "resisting_torque": (3, 1, 0),
     "driving_torque": (3, 1, 0),
@@ -38,24 +38,24 @@ SERIES = {
 }
 NEVER_PER_LENGTH = ("penetration", "max_pressure", "center_way")
 
-#: What changes its sign with the sense of rolling.
+#: Series that change sign with the sense of rolling.
 ODD = ("resisting_torque", "driving_torque", "driving_force", "center_way")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Twin:
-    """A history that is known from another.
+    """A history that follows from another.
 
     Attributes
     ----------
     kind : str
-        What was done to it.
+        Name of the transformation.
     case : HistoryCase
-        What is rolled.
+        The transformed history.
     differences : callable
-        Called with the first history and the twin's; returns differences by name, relative to what is allowed.
+        Called with the first history and the twin's; returns differences by name, relative to the tolerance.
     roll : callable
-        How it is rolled, as by `viscoroll.roll`.
+        Function that computes the history, by default `viscoroll.roll`.
     """
 
     kind: str
@@ -111,13 +111,13 @@ def _scaled(case: HistoryCase) -> HistoryCase:
 
 
 def _elsewhere(case: HistoryCase) -> HistoryCase:
-    """Return the same motion from a node some way on."""
+    """Return the same motion, started at a distant node."""
     on = 16.0 * case.arguments["mesh"].spacing
     return _changed(case, angle=[angle + on for angle in case.arguments["angle"]])
 
 
 def _in_two(ball: vr.bodies.RollingBody, **arguments: Any) -> vr.History:
-    """Roll to a knot in the middle, and on from the state there; return what comes after it."""
+    """Roll to a waypoint in the middle, and continue from its state; return the second part."""
     first = slice(len(arguments["time"]) // 2 + 1)
     knots = {name: arguments[name][first] for name in ("time", "angle", "load", "center_way") if name in arguments}
     return vr.roll(ball, **(arguments | {"start": vr.roll(ball, **(arguments | knots)).state}))
@@ -139,13 +139,14 @@ def _differences(
         per_length = LENGTH if one.ball.line_contact and name not in NEVER_PER_LENGTH else 1.0
         unit = LENGTH**length * STRESS**stress * TIME**time / per_length if scaled else 1.0
         sign = odd if name in ODD else 1.0
-        difference = np.nan_to_num(sign * getattr(other, name) / unit - getattr(one, name))  # no approach, no number
+        # the approach may be undefined
+        difference = np.nan_to_num(sign * getattr(other, name) / unit - getattr(one, name))
         found[name] = float(np.abs(difference).max()) / (allowed * sizes[name])
     return {name: value for name, value in found.items() if not value <= 1.0}
 
 
 def _last_bits(one: vr.History, rest: vr.History) -> dict[str, float]:
-    """Return what is not the same to the last bit after the middle."""
+    """Return the series that differ in any bit after the middle."""
     after = slice(len(one.time) - len(rest.time), None)
     series = rest._series()
     return {

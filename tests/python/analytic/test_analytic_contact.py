@@ -1,4 +1,4 @@
-"""Closed forms of contacts at rest: against quadrature, the exact bonded layer, and the solver."""
+"""Closed forms of contacts at rest, compared with quadrature, the exact bonded layer, and the solver."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ THIN = ELASTIC | {"thickness": 1e-3}
 
 
 def close(expected, *, rel):
-    """Relative alone: the absolute tolerance of pytest.approx, 1e-12, would hide errors of small torques."""
+    """Return a relative comparison: the absolute tolerance of pytest.approx, 1e-12, would hide small torques."""
     return pytest.approx(expected, rel=rel, abs=0.0)
 
 
 def nearly_solid(**material):
-    """Ball of RADIUS with a core of a thousandth of it."""
+    """Return a ball of radius RADIUS whose core has a thousandth of it."""
     layer = vr.Layer(thickness=0.999 * RADIUS, **material)
     return vr.CoatedSphere(core_radius=1e-3 * RADIUS, layers=[layer])
 
 
 def press(ball, *, load, nodes):
     mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=3 * nodes // 2)
-    # With this curvature the pressure is nearer to that of a half-space: at a/R = 0.2 its peak is 0.4 % below Hertz's,
+    # PAPER gives a pressure closer to that of a half-space than SPHERE: at a/R = 0.2 its peak is 0.4 % below Hertz's,
     # with SPHERE 1.3 %.
     return vr.solve(ball, load=load, angular_speed=1.0, mesh=mesh, curvature=vr.Curvature.PAPER)
 
@@ -57,7 +57,8 @@ def test_pressure_carries_the_load(contact):
 @pytest.mark.parametrize("share", [0.0, 0.3, 0.7, 1.0])
 def test_hertz_pressure_flattens_a_half_space(share):
     # Boussinesq: u = (1-nu)/(2 pi G) * integral of p over the distance, in polar coordinates (s, phi) around the point
-    # at r, where the distance cancels. It must be d - r^2/2R. p is a square root at the edge: 1e-7 of the quadrature.
+    # at r, where the distance cancels. u must be d - r^2/2R. The square root of p at the edge limits the quadrature to
+    # 1e-7.
     contact = CONTACTS["hertz"]
     a, r = contact.radius, share * contact.radius
 
@@ -73,7 +74,7 @@ def test_hertz_pressure_flattens_a_half_space(share):
 
 
 def test_springs_press_by_their_confined_modulus():
-    # Confined modulus as K + 4G/3, with K of nu = 0.3.
+    # Confined modulus as K + 4G/3, with K from nu = 0.3.
     contact = CONTACTS["springs"]
     confined = 2.0 * MODULUS * 1.3 / (3.0 * 0.4) + 4.0 / 3.0 * MODULUS
     r = np.linspace(0.0, 1.0, 7) * contact.radius
@@ -82,7 +83,8 @@ def test_springs_press_by_their_confined_modulus():
 
 
 def test_squeezed_layer_is_a_film():
-    # div((h^3/3G) grad p) = -(d - r^2/2R), with no flow at the edge. Derivatives of p = p0 (1 - r^2/a^2)^2 by mpmath.
+    # The film satisfies div((h^3/3G) grad p) = -(d - r^2/2R), without flow at the edge. mpmath differentiates p = p0 (1
+    # - r^2/a^2)^2.
     contact = CONTACTS["squeezed"]
 
     def pressure(r):
@@ -111,7 +113,7 @@ def thin_contact(poisson_ratio, **arguments):
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
 def test_thin_layers_are_the_limit_of_bonded_ones(poisson_ratio):
-    # The radius found from the exact load is a + const h; extrapolated from a/h = 10, 20, 40 by a parabola in h/a. The
+    # The radius found from the exact load is a + const h. A parabola in h/a extrapolates it from a/h = 10, 20, 40; the
     # next order, (h/a)^3 at most, is 2e-5 at a/h = 40.
     shares = []
     for slenderness in (10, 20, 40):
@@ -120,7 +122,7 @@ def test_thin_layers_are_the_limit_of_bonded_ones(poisson_ratio):
         shares.append((contact.radius / slenderness, contact.approach / approach))
     radius, approach = np.array(shares).T
     assert (8.0 * radius[2] - 6.0 * radius[1] + radius[0]) / 3.0 == pytest.approx(1.0, abs=5e-4)
-    # At given load the approach has no error of first order.
+    # At given load, the approach has no error of first order.
     assert abs(approach[2] - 1.0) < 0.3 * abs(approach[0] - 1.0) < 0.02
     assert approach[2] == pytest.approx(1.0, abs=5e-3)
 
@@ -135,7 +137,7 @@ def test_numbers_of_the_docstrings():
     assert excess(10, 0.5)[0] == pytest.approx(2.2, abs=0.05)
     assert 1.0 - 1.0 / excess(10, 0.5)[1] == pytest.approx(0.13, abs=0.005)
     assert 1.0 - 1.0 / excess(20, 0.5)[1] == pytest.approx(0.04, abs=0.005)
-    # In the limit h/a = 0, where the exact load at given a is larger by s h/a.
+    # Limit h/a = 0, near which the exact load at given a is larger by s h/a.
     shares = {0.0: 0.73, 0.1: 0.76, 0.2: 0.72, 0.3: 0.49, 0.4: -0.45, 0.45: -2.2, 0.48: -6.1, 0.49: -10.8}
     for poisson_ratio, share in shares.items():
         s40, s80 = ((excess(a, poisson_ratio)[0] - 1.0) * a for a in (40, 80))
@@ -143,7 +145,8 @@ def test_numbers_of_the_docstrings():
 
 
 def test_an_exact_sphere_comes_closer_by_less_than_hertz_says():
-    # The docstring's numbers; rings leave 2e-4. Degrees of a half-space, 1/(2n+1), would give Hertz's approach.
+    # Numbers of the docstring; the rings have an error of 2e-4. With the compliance 1/(2n+1) of a half-space, the
+    # degrees would give Hertz's approach.
     assert sphere.compliance(1e4) == close(1.0 / 2e4, rel=1e-3)
     for slenderness, share, between in ((0.1, 0.06, 0.029), (0.05, 0.03, 0.014)):
         assert 1.0 - sphere.approach(slenderness) == pytest.approx(share, abs=1.5e-3)
@@ -152,7 +155,7 @@ def test_an_exact_sphere_comes_closer_by_less_than_hertz_says():
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
 def test_solver_on_a_nearly_solid_ball_finds_hertz(poisson_ratio):
-    # The approach differs from the half-space's in proportion to a/R, so two of them are extrapolated.
+    # The approach differs from that of a half-space in proportion to a/R, so it is extrapolated from two values.
     material = {"shear_modulus": vr.Elastic(modulus=MODULUS), "poisson_ratio": poisson_ratio}
     shares = []
     for slenderness, nodes in [(0.1, 800), (0.05, 1600)]:
@@ -162,7 +165,7 @@ def test_solver_on_a_nearly_solid_ball_finds_hertz(poisson_ratio):
         r = press(nearly_solid(**material), load=load, nodes=nodes)
         shares.append(r.penetration / contact.approach)
         assert r.max_pressure == close(contact.max_pressure, rel=5e-3)
-        # Greenwood-Tabor: the moment of the front half. 13 nodes to the radius.
+        # Greenwood-Tabor: the moment of the front half. 13 nodes per contact radius.
         front = (np.clip(r.x, 0.0, None) * r.pressure).sum() / r.pressure.sum() * load
         torque = analytic.greenwood_tabor_torque(load=load, poisson_ratio=poisson_ratio, **ELASTIC)
         assert front == close(torque, rel=5e-3)
@@ -172,8 +175,8 @@ def test_solver_on_a_nearly_solid_ball_finds_hertz(poisson_ratio):
 
 @pytest.mark.parametrize(("poisson_ratio", "tolerance"), [(0.3, 2e-3), (0.5, 0.015)])
 def test_solver_on_a_thin_coating(poisson_ratio, tolerance):
-    # a/h = 20, a/R = 0.08, 24 nodes to the radius. Against the exact layer the closed form is 0.1 % low at nu = 0.3 and
-    # 1.4 % high at 1/2, where the mesh makes up for half of it.
+    # a/h = 20, a/R = 0.08, 24 nodes per contact radius. Relative to the exact layer, the closed form is 0.1 % low at nu
+    # = 0.3 and 1.4 % high at 1/2, where the error of the mesh cancels half of it.
     thickness, radius = 1e-3, 20e-3 / 0.08
     load = bonded_layer(20, poisson_ratio)[0] * MODULUS * thickness**3 / radius
     layer = vr.Layer(thickness=thickness, shear_modulus=vr.Elastic(modulus=MODULUS), poisson_ratio=poisson_ratio)

@@ -1,4 +1,4 @@
-"""Hertz's ellipse and the torques on it, against SciPy's elliptic integrals, quadrature of the spectrum, and limits."""
+"""Hertz's ellipse and its torques, compared with SciPy's elliptic integrals, quadrature of the spectrum, and limits."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ HERTZ = {"load": 16.0, "radius": 50e-3, "shear_modulus": 3e6, "poisson_ratio": 0
 
 
 def johnson(load, radius, crown_radius, shear_modulus, poisson_ratio):
-    """Return semi-axes, long and short, approach and pressure by Johnson's (4.26) with (4.28) to (4.32).
+    """Return the semi-axes (long, short), approach and pressure by Johnson's (4.26) with (4.28) to (4.32).
 
     K. L. Johnson, Contact Mechanics, 1985: the moduli of the integrals are e² = 1 - b²/a².
     """
@@ -36,7 +36,7 @@ def test_semi_axes(crown_radius):
     contact = analytic.hertz_ellipse(**HERTZ, crown_radius=crown_radius)
     long, short, approach, pressure = johnson(**HERTZ, crown_radius=crown_radius)
     axes = (contact.semi_axis_x, contact.semi_axis_z)
-    # The differences of SciPy's integrals keep eight digits where the ellipse is nearly round.
+    # Differences of SciPy's integrals keep eight digits if the ellipse is nearly round.
     assert sorted(axes) == pytest.approx([short, long], rel=1e-8)
     assert (axes[0] < axes[1]) == (crown_radius > HERTZ["radius"])
     assert contact.approach == pytest.approx(approach, rel=1e-8)
@@ -56,7 +56,7 @@ def test_a_long_ellipse_is_a_line_in_the_middle():
         load=0.5 * np.pi * contact.semi_axis_x * contact.max_pressure,
         **{name: value for name, value in HERTZ.items() if name != "load"},
     )
-    # To the first order in a²/b² with its logarithm.
+    # Accurate to first order in a²/b² and its logarithm.
     assert contact.semi_axis_x == pytest.approx(line.half_width, rel=1e-6)
 
 
@@ -74,7 +74,7 @@ def test_the_pressure_bears_the_load():
 
 @pytest.mark.parametrize("crown_radius", [10e-3, 50e-3, 0.3])
 def test_torque_by_the_spectrum_of_the_ellipse(crown_radius):
-    """Persson's sum over all waves, with the transform of Hertz's ellipse, on a plain grid of q."""
+    """Compare with Persson's sum over all waves, with the transform of Hertz's ellipse, on a plain grid of q."""
     load, radius, speed = 10.0, 50e-3, 1.0
     torque = analytic.persson_torque(
         load=load,
@@ -97,12 +97,12 @@ def test_torque_by_the_spectrum_of_the_ellipse(crown_radius):
     loss = 0.5 * modulus.imag / np.abs(modulus) ** 2
     waves = qx[:, None] / np.hypot(qx[:, None], qz) * transform**2 * loss[:, None]
     quarter = trapezoid(trapezoid(waves, qz, axis=1), qx)
-    # The grid's trapezoids and ends are right to 1e-4.
+    # The trapezoidal rule and the ends of the grid are accurate to 1e-4.
     assert torque == pytest.approx(radius * 4.0 * quarter / (2.0 * np.pi) ** 2, rel=1e-4)
 
 
 def test_half_of_the_ellipse_pushes_back():
-    """A crowned wheel that loses all has the moment of the front half of its pressure, 3/16 P a."""
+    """A crowned wheel that dissipates all energy has the moment of the front half of its pressure, 3/16 P a."""
     contact = analytic.hertz_ellipse(**HERTZ, crown_radius=0.3)
     torque = analytic.greenwood_tabor_torque(**HERTZ, crown_radius=0.3)
     assert torque == pytest.approx(3.0 / 16.0 * HERTZ["load"] * contact.semi_axis_x, rel=1e-14)

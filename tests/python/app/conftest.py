@@ -1,4 +1,4 @@
-"""The server of the page, as the tests of its answers and of attacks need it."""
+"""Server of the page for the tests of its answers and of attacks."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from viscoroll.case import example_text
 
 @pytest.fixture
 def server():
-    """Yield a running server whose page begins with the example case."""
+    """Yield a running server whose page starts with the example case."""
     with PageServer(tomllib.loads(example_text())) as running:
         thread = threading.Thread(target=running.serve_forever, kwargs={"poll_interval": 0.01})
         thread.start()

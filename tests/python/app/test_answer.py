@@ -1,4 +1,4 @@
-"""Answers to the page: the numbers of `viscoroll solve`, and messages that say which parameter is wrong."""
+"""Answers to the page: the numbers of `viscoroll solve`, and messages that name the wrong parameter."""
 
 from __future__ import annotations
 
@@ -51,8 +51,8 @@ def test_fields_are_those_of_the_result():
     stick = np.array(fields["stick"])
     assert np.array_equal(stick == 1, r.stick)
     assert np.array_equal(stick == 2, r.slip)
-    # Undeformed, the lowest point lies below the plane by the penetration, and where it touches there is no gap; the
-    # displacement of nodes that move along is told where they were.
+    # The lowest point of the undeformed body lies below the plane by the penetration, and the gap is zero in contact.
+    # The displacement of nodes that move along is reported at their original positions.
     profile = {name: np.array(values) for name, values in fields["profile"].items()}
     assert profile["rigid"].min() == pytest.approx(-r.penetration, rel=1e-9)
     assert np.abs(profile["surface"][r.contact[:, r.x.shape[1] // 2]]).max() < 1e-6 * r.penetration

@@ -1,6 +1,6 @@
-"""The page: its modules by Node's own test runner, and in a browser what it shows, beside what the package computes.
+"""The page: unit tests of its modules in Node, and a comparison of what a browser displays with the package.
 
-Skipped where node, or a browser and the package puppeteer-core, are missing; `make test-page` brings the latter.
+Skipped without node, or without a browser and the package puppeteer-core, which `make test-page` installs.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from viscoroll.case.case import BODIES, COUNTERPARTS
 ROOT = Path(__file__).parents[3]
 TESTS = ROOT / "tests" / "page"
 LIBRARY = ROOT / "build" / "wasm" / "package" / "viscoroll.single.js"
-#: Bytes of the whole page, as servers send it.
+#: Largest size of the whole page as servers send it [B].
 MOST_TO_DOWNLOAD = 700e3
 
 NODE = shutil.which("node")
@@ -46,7 +46,7 @@ def test_modules():
 
 
 def environment():
-    """Return that of node, with the browser, and where `make test-page` puts what the tests need."""
+    """Return the environment of node with the browser and the folder where `make test-page` installs packages."""
     own = ROOT / "build" / "page" / "node_modules"
     paths = filter(None, [str(own), os.environ.get("NODE_PATH")])
     return os.environ | {"BROWSER": BROWSER or "", "NODE_PATH": os.pathsep.join(paths)}
@@ -60,7 +60,7 @@ def has_driver():
 
 
 def driven(address, folder):
-    """Return what was seen of a page."""
+    """Drive a page in the browser, and return what it displayed."""
     words = [NODE, str(TESTS / "drive.js"), address, str(folder)]
     done = subprocess.run(words, env=environment(), capture_output=True, text=True, timeout=300, check=False)
     assert done.returncode == 0, done.stderr
@@ -81,15 +81,15 @@ def served(server):
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):
-    """Files of a folder, as any host of sites serves them."""
+    """Server of the files in a folder, like any static host."""
 
     def log_message(self, *_):
-        """Say nothing."""
+        """Suppress the log."""
 
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory):
-    """Return the folder of the page as it stands in the site, with the library in WebAssembly."""
+    """Return the folder of the page as published on the site, with the library in WebAssembly."""
     if not LIBRARY.exists():
         pytest.skip("no WebAssembly: `make wasm` makes it")
     folder = tmp_path_factory.mktemp("site")
@@ -99,7 +99,7 @@ def site(tmp_path_factory):
 
 @pytest.fixture(scope="module", params=["viscoroll app", "site from a folder", "site over http"])
 def seen(request, tmp_path_factory):
-    """Return what was seen of a page, and its address."""
+    """Yield what a page displayed, and its address."""
     if not has_driver():
         pytest.skip("no browser, or no puppeteer-core: `make test-page` brings it")
     if request.param == "site from a folder":
@@ -118,12 +118,12 @@ def seen(request, tmp_path_factory):
         yield driven(address, tmp_path_factory.mktemp("seen")) | {"address": address.removesuffix("index.html")}
 
 
-#: How it was solved, and what is left open: differences, which compilers round in their own ways.
+#: Numbers that depend on the round-off of each compiler: effort of the solution, and residuals and error estimates.
 ROUNDED = {"iterations", "operator_applications", "residual", "power_balance_error", "error_estimate"}
 
 
 def assert_numbers(shown, result):
-    """Assert that a page shows the numbers of a result, which the same sources computed: to round-off."""
+    """Assert that a page displays the numbers of a result, to round-off: both come from the same sources."""
     assert shown["penetration"] > 0.0
     for name, value in shown.items():
         expected = getattr(result, name)
@@ -142,7 +142,7 @@ def readme_ball():
 
 
 def solved_by(code):
-    """Return the result of copied Python."""
+    """Run copied Python code, and return its result."""
     names = {}
     with contextlib.redirect_stdout(io.StringIO()) as printed:
         exec(code, names)
@@ -158,7 +158,7 @@ def test_the_case_of_the_readme_gives_its_numbers(seen):
 
 @pytest.mark.slow
 def test_the_last_place_of_a_slider_is_answered(seen):
-    """In what time is printed; that no more than two of many places are solved is shown by newest.test.js."""
+    """Print the response times; newest.test.js tests that at most two of many positions of a slider are solved."""
     print(f"{seen['address']}: {seen['first']:.2f} s to the first answer, {seen['start']:.2f} s to the refined one")
     print(f"{seen['answered']:.2f} s from the last of 30 places of a slider to its answer")
     load, unit = seen["load"]

@@ -1,4 +1,4 @@
-"""The server of the page: who is answered, what is served, and how it ends."""
+"""The server of the page: whom it answers, what it serves, and how it ends."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ CASE = tomllib.loads(example_text())
 
 
 def asked(server, method, path, body=None):
-    """Return status, headers and content of what a server answers."""
+    """Return status, headers and content of the server's answer."""
     with closing(http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=60)) as connection:
         connection.request(method, path, body)
         response = connection.getresponse()
@@ -108,7 +108,7 @@ def test_two_windows_are_answered(server):
         window.start()
     for window in windows:
         window.join()
-    # The quick one need not wait for the slow one.
+    # The quick request does not wait for the slow one.
     assert [json.loads(content)["result"]["scalars"]["friction"] for *_, content in found] == [0.0, 0.3]
 
 
@@ -137,7 +137,8 @@ def test_ctrl_c_ends_it_with_a_solve_under_way():
         endless = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-4}}
         with closing(http.client.HTTPConnection("127.0.0.1", int(port))) as window:
             window.request("POST", f"/{token}/solve", json.dumps({"case": endless}))
-            with socket.create_connection(("127.0.0.1", int(port))):  # says nothing, as browsers do in advance
+            # sends nothing, like the connections that browsers open in advance
+            with socket.create_connection(("127.0.0.1", int(port))):
                 time.sleep(0.3)
                 program.send_signal(signal.SIGINT)
                 output, messages = program.communicate(timeout=10)

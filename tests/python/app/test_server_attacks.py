@@ -1,4 +1,4 @@
-"""Attacks on the server of the page, each with the answer that it must get."""
+"""Attacks on the server of the page, each with the required answer."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ CASE = tomllib.loads(example_text())
 
 
 def exchange(server, raw, *, timeout=20.0):
-    """Return all that a server sends for the bytes of a request."""
+    """Return all that the server sends in answer to the bytes of a request."""
     with socket.create_connection(("127.0.0.1", server.server_port), timeout=timeout) as connection:
-        with contextlib.suppress(ConnectionError):  # it may refuse before it has read all
+        with contextlib.suppress(ConnectionError):  # the server may refuse before it has read all
             connection.sendall(raw)
         received = b""
         with contextlib.suppress(ConnectionError):
@@ -35,7 +35,7 @@ def exchange(server, raw, *, timeout=20.0):
 
 
 def request(server, line="GET /{token}/ HTTP/1.1", *headers, host="127.0.0.1:{port}", body=b""):
-    """Return the bytes of a request; texts may contain {token} and {port}."""
+    """Return the bytes of a request; its texts may contain {token} and {port}."""
     lines = [line, *([f"Host: {host}"] if host is not None else []), *headers]
     head = "\r\n".join([*lines, "", ""]).format(token=server.token, port=server.server_port)
     return head.encode("latin-1") + body
@@ -92,7 +92,7 @@ def test_attacks_are_refused(server, name):
     assert head.split()[1] == str(status).encode(), received[:200]
     assert b"evil" not in content
     assert CASE["ball"]["layers"][0]["shear_modulus"]["type"].encode() not in content
-    assert exchange(server, request(server)).startswith(b"HTTP/1.0 200")  # it goes on
+    assert exchange(server, request(server)).startswith(b"HTTP/1.0 200")  # the server continues
 
 
 def test_answers_carry_the_headers_that_protect_them(server):
@@ -115,7 +115,7 @@ def test_a_request_that_arrives_slowly_is_cut(server, monkeypatch):
             connection.sendall(beginning)
             with contextlib.suppress(ConnectionError):
                 while time.monotonic() < begun + 5.0:
-                    connection.sendall(b"x")  # each byte alone comes in time
+                    connection.sendall(b"x")  # each single byte arrives in time
                     connection.settimeout(0.05)
                     with contextlib.suppress(TimeoutError):
                         if not connection.recv(1):
@@ -143,7 +143,7 @@ SECRET = '[secret]\npassword = "swordfish"\n'
 
 
 def naming_a_file(path):
-    """Return cases that name a file wherever a table may."""
+    """Yield cases that name a file in every place where a table may stand."""
     network = {"type": "kraus", "plateau": 1e6, "strain": 0.01, "loss": 1e5}
     moduli = [
         path,
@@ -179,7 +179,7 @@ def test_no_case_has_a_file_read(tmp_path, monkeypatch):
 
 
 def command_lines_seen_by_another_user(user):
-    """Return the command lines of all processes, and what reading a file as that user gives."""
+    """Return the command lines of all processes that the given user can read."""
     script = (
         "import os, sys, glob\n"
         f"if {user} is not None: os.setgid({user}); os.setuid({user})\n"

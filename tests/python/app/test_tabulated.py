@@ -1,4 +1,4 @@
-"""Tables of materials for the page in the site: what they come to is what the package's own functions give."""
+"""Tables of materials for the page on the site reproduce the results of the package's own functions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from viscoroll.app.tabulated import tabulated_materials
 from viscoroll.case import build_case, example_text
 from viscoroll.case.tables import read_toml
 
-#: Weights are powers of a ratio; their sum leaves as little as 1.4e-5 to the modulus at rest.
+#: Relative tolerance. Weights are powers of a ratio, and their sum leaves as little as 1.4e-5 for the modulus at rest.
 DIGITS = 1e-9
 
 OMEGA = np.geomspace(1e-2, 1e5, 15)
@@ -21,12 +21,12 @@ OMEGA = np.geomspace(1e-2, 1e5, 15)
 
 @pytest.fixture(scope="module")
 def tables():
-    """Return the tables as the page has them."""
+    """Return the tables in the form in which the page receives them."""
     return json.loads(json.dumps(tabulated_materials(), allow_nan=False))
 
 
 def modulus(table, tmp_path):
-    """Return what a case file has of a table."""
+    """Return the modulus that a case file builds from a table."""
     (tmp_path / "case.toml").write_text(example_text(), encoding="utf-8")
     case = read_toml(tmp_path / "case.toml")
     case["ball"]["layers"][0]["shear_modulus"] = table

@@ -1,4 +1,4 @@
-"""Balls on balls: mirror images, closed forms, another method, and what each body loses."""
+"""Balls on balls: mirror images, closed forms, an independent method, and the power dissipated in each body."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ OTHER = vr.CoatedSphere(
 RIGID = vr.CoatedSphere(core_radius=33e-3)
 HEAVY = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5, density=2e3)
 MESH = vr.Mesh(nodes_per_revolution=1400)
-MESH_OF_OTHER = vr.Mesh(nodes_per_revolution=2200)  # nodes at the same distances on 33 mm as those of MESH on 21 mm
+# 33 mm: the distance between nodes is that of MESH on 21 mm
+MESH_OF_OTHER = vr.Mesh(nodes_per_revolution=2200)
 
 
 def rolled(ball, on, *, load=60.0, speed=52.5e-3, mesh=MESH, **options):
@@ -32,7 +33,8 @@ def test_two_alike_are_one_on_its_mirror(poisson_ratio):
     layer = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=poisson_ratio)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     pair = rolled(ball, ball)
-    # A plane that hardly deforms has the same nodes on a paraboloid; the bare one's lie on the ball: (a/R)² beside it.
+    # On a nearly rigid plane, the nodes are the same but lie on a paraboloid; those of the rigid plane lie on the ball.
+    # The difference is (a/R)².
     stiff = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=1e16), poisson_ratio=0.3)
     for mirror, tolerance in ((vr.CoatedPlane(layers=[stiff]), 1e-7), (None, 3e-3)):
         one = rolled(ball, mirror)
@@ -42,11 +44,12 @@ def test_two_alike_are_one_on_its_mirror(poisson_ratio):
         assert pair.max_pressure == pytest.approx(one.max_pressure, rel=tolerance)
         assert pair.semi_axis_x == pytest.approx(one.semi_axis_x, rel=tolerance)
     assert pair.counterpart_bulk_power == pytest.approx(pair.rolling_bulk_power, rel=1e-9)
-    assert abs(pair.driving_force) < 1e-3 * pair.resisting_torque / 21e-3  # each pays for itself: of the mesh
+    # each body supplies its own loss, to the error of the mesh
+    assert abs(pair.driving_force) < 1e-3 * pair.resisting_torque / 21e-3
 
 
 def test_hertz_with_both_radii_and_moduli():
-    """Thick coatings beside the contact, ν = 0.3 and ½, so that neither the cores nor the curvature are felt."""
+    """The coatings are thick compared with the contact, ν = 0.3 and ½, so neither cores nor curvature matter."""
 
     def hard(radius, modulus, nu):
         layer = vr.Layer(thickness=0.9 * radius, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=nu)
@@ -54,12 +57,12 @@ def test_hertz_with_both_radii_and_moduli():
 
     first, second = hard(20e-3, 5e6, 0.5), hard(50e-3, 2e6, 0.3)
     radius = 1.0 / (1.0 / 20e-3 + 1.0 / 50e-3)
-    modulus = 1.0 / (0.5 / (2.0 * 5e6) + 0.7 / (2.0 * 2e6))  # E* of (1 - ν)/(2 G) of each
+    modulus = 1.0 / (0.5 / (2.0 * 5e6) + 0.7 / (2.0 * 2e6))  # E* from (1 - ν)/(2 G) of each body
     a = 0.2e-3
     load = 4.0 / 3.0 * modulus * a**3 / radius
-    mesh = vr.Mesh(nodes_per_revolution=round(40 * math.pi * 20e-3 / a))  # 40 nodes across
+    mesh = vr.Mesh(nodes_per_revolution=round(40 * math.pi * 20e-3 / a))  # 40 nodes across the contact
     r = vr.solve(first, on=second, load=load, angular_speed=1.0, mesh=mesh, threads=1)
-    # 1e-3 is the mesh's, and that of (a/R)² and of the cores.
+    # The mesh, (a/R)² and the cores contribute 1e-3.
     for place in (r.x, r.z):
         second_moment = (r.pressure * place**2).sum() / r.pressure.sum()
         assert math.sqrt(5.0 * second_moment) == pytest.approx(a, rel=1e-3)
@@ -70,7 +73,7 @@ def test_hertz_with_both_radii_and_moduli():
 
 
 def test_unlike_ones_beside_two_half_spaces():
-    """Both coatings are all but solid; the sum is another method: no transform, memory as creep of what passed."""
+    """Both balls are nearly solid; the independent sum uses no transform but the creep of the material that passes."""
     solids = Solid(6e6, 3e6, 0.125, 0.5), Solid(8e6, 2e6, 0.02, 0.3)
     radii, load, speed = (21e-3, 40e-3), 0.03, 5e-3
     expected = roll(solids, 1.0 / (1.0 / radii[0] + 1.0 / radii[1]), load, speed, 30e-6, 6.2e-4)
@@ -92,15 +95,15 @@ def test_unlike_ones_beside_two_half_spaces():
         for solid, radius in zip(solids, radii, strict=True)
     ]
     r = rolled(balls[0], balls[1], load=load, speed=speed, mesh=vr.Mesh(nodes_per_revolution=4400))
-    # The sum's own mesh of 28 nodes across leaves 2e-3 open between moment and losses; wakes, 0.6 mm, and the contact,
-    # 0.42 mm, are 1/50 of the radii.
+    # The sum's own mesh, 28 nodes across, leaves a difference of 2e-3 between moment and losses; the wakes, 0.6 mm, and
+    # the contact, 0.42 mm, are 1/50 of the radii.
     assert r.resisting_torque == pytest.approx(expected.moment, rel=1e-2)
     assert r.rolling_bulk_power == pytest.approx(expected.losses[0] * speed, rel=1e-2)
     assert r.counterpart_bulk_power == pytest.approx(expected.losses[1] * speed, rel=1e-2)
     assert r.penetration == pytest.approx(expected.depth, rel=2e-2)
 
 
-@pytest.mark.filterwarnings("ignore:the power balance is open")  # by the balance of what is lost at the low speed
+@pytest.mark.filterwarnings("ignore:the power balance is open")  # at the low speed
 @pytest.mark.parametrize("speed", [2.1e-3, 52.5e-3])
 def test_torques_about_both_centers_pay_for_what_each_loses(speed):
     errors = []
@@ -112,7 +115,8 @@ def test_torques_about_both_centers_pay_for_what_each_loses(speed):
         relative = 1.0 / (1.0 / 21e-3 + 1.0 / 33e-3)
         both = speed * r.resisting_torque / relative / r.bulk_power - 1.0
         errors.append(np.abs([own, others, both]))
-    # Of the mesh, 200 nodes across: one that loses a fifth of what the other loses takes five times the share.
+    # Error of the mesh, 200 nodes across; it is five times as large relative to the body that dissipates a fifth of the
+    # other's power.
     assert errors[-1][2] < 5e-4
     assert np.all(errors[-1] < 3e-3)
     assert errors[-1].max() < 0.25 * errors[0].max()
@@ -121,12 +125,12 @@ def test_torques_about_both_centers_pay_for_what_each_loses(speed):
 
 def test_which_is_called_the_first_does_not_matter():
     first, other = rolled(BALL, OTHER), rolled(OTHER, BALL, mesh=MESH_OF_OTHER)
-    # The same nodes, and the same sums but for the order of summands.
+    # The nodes are the same, and so are the sums except for the order of summation.
     assert first.rolling_bulk_power == pytest.approx(other.counterpart_bulk_power, rel=1e-6)
     assert first.counterpart_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-6)
     assert first.penetration == pytest.approx(other.penetration, rel=1e-6)
     assert first.resisting_torque == pytest.approx(other.resisting_torque, rel=1e-6)
-    # By the slopes of the other body alone, whose errors are the mesh's.
+    # The force follows from the slopes of the other body alone, whose errors are those of the mesh.
     assert first.driving_force == pytest.approx(-other.driving_force, rel=3e-3)
 
 
@@ -144,7 +148,7 @@ def test_nor_does_it_with_friction(creepage):
     )
     traction = [-r.shear_traction[0].sum() * r.contact_area / r.contact.sum() for r in (first, other)]
     assert traction[0] == pytest.approx(-traction[1], abs=2e-3 * 0.2 * 60.0)
-    # The loss per way is that at the speed of the first one's surface.
+    # The loss per distance is the same at the surface speed of the first ball.
     assert first.rolling_bulk_power == pytest.approx(other.counterpart_bulk_power, rel=1e-3 + abs(creepage))
     assert first.counterpart_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-3 + abs(creepage))
     assert first.slip_power == pytest.approx(other.slip_power, rel=1e-2)
@@ -168,7 +172,7 @@ def test_power_balance_in_every_drive(bodies, drive):
 
 
 def test_equal_balls_do_not_slip():
-    # Mirror images of each other, whatever Poisson's ratio: pressure causes no slip where no traction is asked for.
+    # The balls are mirror images whatever Poisson's ratio, so pressure causes no slip without creepage.
     layer = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.3)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     r = rolled(ball, ball, friction=0.2, drive=vr.Drive(creepage=0.0))
@@ -177,12 +181,12 @@ def test_equal_balls_do_not_slip():
 
 
 def test_the_coated_one_loses_as_much_whichever_rolls():
-    # The nodes lie on the ball where what it rolls on is rigid, else on a paraboloid: (a/R)² apart.
+    # The nodes lie on the ball if the counterbody is rigid, otherwise on a paraboloid: they differ by (a/R)².
     first, other = rolled(BALL, RIGID), rolled(RIGID, BALL, mesh=MESH_OF_OTHER)
     assert other.rolling_bulk_power == first.counterpart_bulk_power == 0.0
     assert other.counterpart_bulk_power == pytest.approx(first.rolling_bulk_power, rel=5e-3)
     assert other.penetration == pytest.approx(first.penetration, rel=3e-3)
-    # The rigid ball's pressure passes through its center.
+    # The pressure on the rigid ball passes through its center.
     assert abs(other.driving_torque) < 1e-12 * other.resisting_torque
 
 
@@ -196,7 +200,8 @@ def test_a_large_ball_is_a_plane():
 
 
 def test_a_bulging_track_with_thin_layers_is_a_ball():
-    # A groove's layers are flat: h/R = 1/330 of the answer. Its normals turn both ways, as the ball's do.
+    # A groove's layers are flat, which changes the result by h/R = 1/330. Its normals tilt in both directions, as the
+    # ball's do.
     layer = vr.Layer(thickness=0.1e-3, shear_modulus=RUBBER, poisson_ratio=0.3)
     track = vr.Groove(radius=-33e-3, path_radius=-33e-3, layers=[layer])
     other = vr.CoatedSphere(core_radius=32.9e-3, layers=[layer])
@@ -206,10 +211,11 @@ def test_a_bulging_track_with_thin_layers_is_a_ball():
         assert getattr(on_track, name) == pytest.approx(getattr(on_other, name), rel=3e-3), name
 
 
-@pytest.mark.filterwarnings("ignore:the power balance is open")  # full stick: the balance divides by nearly nothing
+# full stick: the denominator of the balance is nearly zero
+@pytest.mark.filterwarnings("ignore:the power balance is open")
 def test_kalkers_coefficients_of_two_balls():
-    # J. J. Kalker (1990), table E3, ν = ½, circle: two alike are as stiff as one whose modulus counts in full, for
-    # tractions each shear half: C by the contact's mean radius and the modulus itself.
+    # J. J. Kalker (1990), table E3, ν = ½, circle. For two identical bodies, the combined shear modulus is their own
+    # modulus, and C follows from the mean radius of the contact.
     modulus, radius, ratio, across = 1e6, 20e-3, 160, 40
     layer = vr.Layer(thickness=0.5 * radius, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=0.5 * radius, layers=[layer])
@@ -249,7 +255,8 @@ def test_a_coarser_theta_is_taken_over_to_the_other_ball():
 
 
 def test_truncation_keeps_its_wave_number_on_the_other_ball():
-    # As many nodes and orders on the path, so the sums are the same whichever ball is called the first.
+    # Both meshes have equally many nodes and orders per distance, so the sums are the same for either order of the
+    # balls.
     cut = vr.Mesh(nodes_per_revolution=700, max_order=700), vr.Mesh(nodes_per_revolution=1100, max_order=1100)
     first, other = rolled(BALL, OTHER, mesh=cut[0]), rolled(OTHER, BALL, mesh=cut[1])
     assert first.resisting_torque == pytest.approx(other.resisting_torque, rel=1e-6)

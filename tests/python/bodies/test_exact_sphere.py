@@ -28,10 +28,10 @@ def paper_ball(thickness):
 
 
 def incompressible_solutions(degree):
-    """Solutions u Y + v Psi of an incompressible layer with mu = 1, for each r^s: (s, u, v, s_rr, s_rv) at r = 1.
+    """Return solutions u Y + v Psi of an incompressible layer, mu = 1: (s, u, v, s_rr, s_rv) at r = 1 for each r^s.
 
-    The potentials: u = grad(r^l Y), and grad(r^(-l-1) Y), without pressure; and those of the pressure p = r^l Y or
-    r^(-l-1) Y, u = a r^(s) Y + b r^(s) sqrt(L) Psi with div u = 0 and laplace(u) = grad p (H. Lamb, Hydrodynamics,
+    The potentials u = grad(r^l Y) and grad(r^(-l-1) Y) have no pressure. The solutions of the pressure p = r^l Y or
+    r^(-l-1) Y are u = a r^(s) Y + b r^(s) sqrt(L) Psi with div u = 0 and laplace(u) = grad p (H. Lamb, Hydrodynamics,
     art. 335).
     """
     root = mpmath.sqrt(degree * (degree + 1))
@@ -53,7 +53,7 @@ def incompressible_solutions(degree):
 
 
 def closed_compliance(degree, core):
-    """Spheroidal and toroidal compliance of an incompressible layer, mu = 1, on a rigid core, outer radius 1."""
+    """Return the spheroidal and toroidal compliance of an incompressible layer on a rigid core; mu = r_o = 1."""
     with mpmath.workdps(60 + int(2 * degree * -math.log10(core))):
         core = mpmath.mpf(core)
         solutions = incompressible_solutions(degree)
@@ -97,7 +97,7 @@ def test_material_sees_the_order_and_not_the_degree(rubber):
 
 @pytest.mark.parametrize("poisson_ratio", [0.0, 0.3, 0.45])
 def test_degree_one_of_a_solid_ball_is_the_rest_of_a_slow_shaking(poisson_ratio):
-    """What a free ball yields to a slowly shaken surface, less the motion of its mass as a whole."""
+    """Compare with a free ball under slow harmonic surface loads, without the rigid motion of its mass."""
 
     def shaken(omega2, load):
         # grad(j1(alpha r) Y) and curl curl(x j1(beta r) Y), with mu = rho = 1.
@@ -128,7 +128,8 @@ def test_degree_one_of_a_solid_ball_is_the_rest_of_a_slow_shaking(poisson_ratio)
         omega2 = mpmath.mpf("1e-9")
         expected = np.zeros((2, 2))
         for column, load in enumerate(([1, 0], [0, 1])):
-            # Force per mass 4 pi / 3: s + sqrt(2) tau over 1/3 of what (1, sqrt(2)) squared gives.
+            # Rigid motion (1, sqrt(2)): the projected force s + sqrt(2) tau per projected mass, 1/3 of (1, sqrt(2))
+            # squared; the mass is 4 pi / 3.
             rigid = -(load[0] + mpmath.sqrt(2) * load[1]) / omega2
             moved = shaken(omega2, load)
             expected[:, column] = float(moved[0] - rigid), float(moved[1] - mpmath.sqrt(2) * rigid)
@@ -155,7 +156,7 @@ def test_every_degree_is_passive(rubber, inner_boundary):
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
 def test_hertz_on_a_solid_ball(poisson_ratio):
-    """Penetration tends to Hertz's linearly in a / R: what the center of the ball moves less than infinity does."""
+    """The penetration tends to Hertz's linearly in a / R: the ball's center moves less than a point at infinity."""
     radius, modulus = 20e-3, 1e6
     ball = elastic_ball(
         radius, modulus=modulus, poisson_ratio=poisson_ratio, radius=radius, inner_boundary=vr.InnerBoundary.SOLID
@@ -171,7 +172,7 @@ def test_hertz_on_a_solid_ball(poisson_ratio):
         assert r.max_pressure == pytest.approx(1.5 * load / (np.pi * a**2), rel=0.5 * share**2 + 5e-3)
         assert abs(r.resisting_torque) < 1e-9 * load * a
     assert penetrations[0] < penetrations[1] < penetrations[2] < 1.0
-    # The influence of a compressible sphere has a logarithm beside the half-space's pole: E. Sternberg and
+    # Besides the half-space's pole, the influence function of a compressible sphere has a logarithm: E. Sternberg and
     # F. Rosenthal, J. Appl. Mech. 19 (1952) 413-421.
     s = np.array(shares)
     limit = np.linalg.solve(np.stack([s**0, s, s * np.log(s)], axis=1), penetrations)[0]
@@ -182,7 +183,7 @@ def roll(ball, curvature, **options):
     return vr.solve(ball, load=100.0, angular_speed=2.5, curvature=curvature, **options)
 
 
-#: Errors of PAPER and SPHERE against the exact sphere [%], torque and penetration, by thickness per outer radius.
+#: Errors of PAPER and SPHERE relative to the exact sphere [%], torque and penetration, by thickness / outer radius.
 ERRORS = {
     0.05: ((-0.07, -0.03), (-0.02, 0.01)),
     0.2: ((-0.62, -0.43), (-0.17, 0.06)),
@@ -206,7 +207,7 @@ def test_what_the_other_curvatures_leave_out(share):
 @pytest.mark.parametrize("patch_load", vr.PatchLoad)
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 def test_power_balance(compliance, patch_load, friction):
-    """The power lost, a sum of its own over degrees and orders, is the work done, the better the finer the mesh."""
+    """The dissipated power, an independent sum over degrees and orders, converges to the work done."""
     errors = []
     for nodes in (200, 400):
         mesh = vr.Mesh(nodes_per_revolution=nodes)
@@ -219,7 +220,7 @@ def test_power_balance(compliance, patch_load, friction):
 
 
 def test_low_speed():
-    """T -> P Omega r_o sum g tau / g_inf, whatever the thickness: the share that is left falls with the speed."""
+    """T -> P Omega r_o sum g tau / g_inf for any thickness; the remaining difference decreases with the speed."""
     ball, time = paper_ball(0.7 * OUTER), 0.125
     ratios, shifts = [], [0.5, 1.0, 1.5]
     nodes = 300
@@ -263,7 +264,7 @@ def test_orders_are_refused(paper_ball):
 @pytest.mark.parametrize("compliance", vr.Compliance)
 @pytest.mark.parametrize("angular_speed", [1.0, 4.0])
 def test_strong_memory_of_a_thin_coating(compliance, angular_speed):
-    """Displacements downstream of the nodes, as on the torus, from which a thin coating differs little."""
+    """Compare with the torus, from which a thin coating differs little, if displacements persist behind the contact."""
     layer = vr.Layer(thickness=1e-3, shear_modulus=vr.KelvinVoigt(modulus=3e6, viscosity=3e4), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     case = {"load": 50.0, "angular_speed": angular_speed, "mesh": vr.Mesh(nodes_per_revolution=800)}
@@ -274,7 +275,8 @@ def test_strong_memory_of_a_thin_coating(compliance, angular_speed):
 
 
 def test_shell_that_rests_on_a_rim():
-    # Some twenty nodes around a dent carry it, each by bending all of the shell. 120 directions did not do.
+    # About twenty nodes around a dent support the load, each by bending the whole shell. 120 search directions were not
+    # enough.
     material = vr.Prony(
         instantaneous_modulus=3.609e8, weights=[0.3147, 0.68495], relaxation_times=[0.03267702, 0.04400252]
     )
@@ -297,7 +299,7 @@ def rolled_exactly(ball, on, *, load=10.0, nodes=600, **options):
 
 @pytest.mark.parametrize("thickness", [1e-3, 10e-3])
 def test_exact_ball_on_what_deforms(thickness):
-    """The sum of both operators; on a plane that hardly deforms (a/R)² = 1e-2 is the nodes' alone."""
+    """Both operators add; on a nearly rigid plane, only the positions of the nodes differ, by (a/R)² = 1e-2."""
     ball = paper_ball(thickness)
     bare = rolled_exactly(ball, None)
     stiff = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=1e14), poisson_ratio=0.3)
@@ -310,7 +312,7 @@ def test_exact_ball_on_what_deforms(thickness):
     assert pair.counterpart_bulk_power == pytest.approx(pair.rolling_bulk_power, rel=1e-9)
     mat = vr.CoatedPlane(layers=paper.ball().layers)
     soft = rolled_exactly(ball, mat, nodes=1200)
-    assert soft.driving_torque * 2.5 == pytest.approx(soft.rolling_bulk_power, rel=5e-3)  # the mesh's
+    assert soft.driving_torque * 2.5 == pytest.approx(soft.rolling_bulk_power, rel=5e-3)  # error of the mesh
     assert soft.driving_force * 2.5 * OUTER == pytest.approx(soft.counterpart_bulk_power, rel=5e-3)
     rubbing = rolled_exactly(ball, mat, nodes=1200, friction=0.3)
     assert rubbing.slip_power > 0.0
@@ -346,5 +348,5 @@ def test_two_solid_balls_are_hertzian():
     r = rolled_exactly(first, other, load=load, nodes=round(40 * math.pi * 20e-3 / a))
     second_moment = (r.pressure * r.x**2).sum() / r.pressure.sum()
     assert math.sqrt(5.0 * second_moment) == pytest.approx(a, rel=2e-3)
-    # Each ball comes closer to its center by less than a²/R in proportion to a/R, here 1/50: hertz, docstring.
+    # Each ball approaches by less than a²/R, in proportion to a/R, here 1/50: see the docstring of hertz.
     assert r.penetration == pytest.approx(a**2 / radius, rel=2e-2)

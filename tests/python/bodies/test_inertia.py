@@ -11,7 +11,7 @@ from viscoroll import paper
 
 
 def ball_at(group):
-    """Ball of figure 13 (h = 5 mm) with the density that gives the group (67) rho Omega^2 r_i^2 / G_o."""
+    """Return the ball of figure 13 (h = 5 mm) with the density that gives the group (67) rho Omega^2 r_i^2 / G_o."""
     return paper.ball(thickness=5e-3, density=group * 6e6 / (paper.ANGULAR_SPEED**2 * 20e-3**2))
 
 
@@ -40,7 +40,7 @@ RATIOS = {
 
 @pytest.mark.parametrize("group", [0.3, pytest.param(0.55, marks=pytest.mark.slow)])
 def test_figure_13_rises_towards_the_critical_speed(group):
-    # Rows of nodes that enter the contact leave 0.2 % at 400 nodes per revolution.
+    # At 400 nodes per revolution, rows of nodes that enter the contact cause an error of 0.2 %.
     mesh = vr.Mesh(nodes_per_revolution=400)
     still, moving = roll(ball_at(0.0), mesh), roll(ball_at(group), mesh)
     torque, penetration = RATIOS[group]
@@ -52,20 +52,21 @@ def test_torque_and_penetration_grow_with_inertia():
     results = [roll(ball_at(group)) for group in (0.0, *RATIOS)]
     assert (np.diff([r.penetration for r in results]) > 0.0).all()
     torques = [r.resisting_torque / results[0].resisting_torque for r in results[1:]]
-    # Orders are cut at the mesh's Nyquist order twice, and a contact of 20 rows has stairs: 7 % at the most.
+    # The mesh cuts the orders at twice its Nyquist order, and with 20 rows in contact the torque varies in steps: 7 %
+    # at most.
     assert torques == pytest.approx([torque for torque, _ in RATIOS.values()], rel=0.07)
 
 
 def test_inertia_is_negligible_in_the_papers_example():
-    # Of the order of the group (67), 1e-7 to 1e-6.
+    # The change is of the order of the group (67), 1e-7 to 1e-6.
     with_density, without = roll(paper.ball()), roll(paper.ball(density=0.0))
     change = with_density.resisting_torque / without.resisting_torque - 1.0
     assert 0.0 < abs(change) < 1e-5
 
 
 def test_small_inertia_is_as_exact_as_large(rubber):
-    # The series in the Mach number serves slow rolling, the full equations of every order fast rolling: at their seam,
-    # unlike layers (never a series) made alike must give the same.
+    # Slow rolling uses the series in the Mach number, fast rolling the full equations of every order. Dissimilar layers
+    # never use the series, so nearly identical layers must give the same result by both.
     def ball(epsilon):
         inner = vr.Layer(thickness=2e-3, shear_modulus=rubber, poisson_ratio=0.45, density=1000.0)
         other = vr.StandardLinearSolid(
@@ -77,12 +78,12 @@ def test_small_inertia_is_as_exact_as_large(rubber):
     mesh = vr.Mesh(nodes_per_revolution=64, max_order=64)
     for speed in (2.5, 20.0):
         series, full = (vr.influence_tables(ball(e), speed, mesh, reach=8) for e in (0.0, 1e-12))
-        # The moduli differ by 1e-12, the inertia series is cut at 1e-12.
+        # The moduli differ by 1e-12, and the inertia series is truncated at 1e-12.
         np.testing.assert_allclose(series, full, rtol=0.0, atol=1e-11 * full.max())
 
 
 def test_centrifugal_displacement_of_one_layer():
-    # Spherically symmetric: u = -r + A j1(kr) + B y1(kr) with k^2 = rho Omega^2 / (lambda + 2 mu), u(r_i) = 0 and
+    # Spherical symmetry: u = -r + A j1(kr) + B y1(kr) with k^2 = rho Omega^2 / (lambda + 2 mu), u(r_i) = 0 and
     # sigma_rr(r_o) = (lambda + 2 mu) u' + 2 lambda u / r = 0.
     inner, outer, shear, nu, density = 20e-3, 26e-3, 2e6, 0.3, 1200.0
     stiffness = shear * 2 * (1 - nu) / (1 - 2 * nu)
@@ -95,7 +96,7 @@ def test_centrifugal_displacement_of_one_layer():
         return -np.cos(x) / x**2 - np.sin(x) / x
 
     def slope(f, x):
-        # f' = f0 - 2 f / x with f0 the function of order 0.
+        # f' = f0 - 2 f / x, where f0 is the function of order 0.
         zero = np.sin(x) / x if f is j1 else -np.cos(x) / x
         return zero - 2 * f(x) / x
 
@@ -115,7 +116,7 @@ def test_centrifugal_displacement_of_one_layer():
         ]
         a, b = np.linalg.solve(rows, [inner, traction(outer, 1.0, outer)])
         expected = -outer + a * j1(k * outer) + b * y1(k * outer)
-        # j1 loses two digits at kr = 0.1, and the difference from the radius four.
+        # At kr = 0.1, j1 loses two digits, and the difference from the radius loses four.
         assert vr.centrifugal_displacement(ball, speed) == pytest.approx(expected, rel=1e-9, abs=0.0)
 
 
@@ -132,7 +133,7 @@ def test_centrifugal_displacement_in_the_limit_of_low_speed():
         thickness=outer - inner, shear_modulus=vr.Elastic(modulus=shear), poisson_ratio=nu, density=density
     )
     displacement = vr.centrifugal_displacement(vr.CoatedSphere(core_radius=inner, layers=[layer]), speed)
-    # Of the order of 1e-14 m: the absolute tolerance of pytest.approx, 1e-12, would hide it.
+    # The displacement is of the order of 1e-14 m: the absolute tolerance of pytest.approx, 1e-12, would hide it.
     assert displacement == pytest.approx(a * outer + b / outer**2 - q * outer**3, rel=1e-9, abs=0.0)
 
 
@@ -151,16 +152,16 @@ def test_centrifugal_displacement_enters_the_contact():
     still = roll(ball)
     fast = vr.solve(ball, load=100.0, angular_speed=200.0, mesh=still.mesh, compliance=vr.Compliance.RADIAL)
     assert fast.centrifugal_displacement == vr.centrifugal_displacement(ball, 200.0) > 1e-6
-    # The ball swells and so stands higher, but for the softening by inertia (some per cent of the penetration).
+    # The ball grows, so its center rises, except for the softening by inertia (some percent of the penetration).
     rise = fast.center_height - still.center_height
     assert rise == pytest.approx(fast.centrifugal_displacement, abs=0.03 * still.penetration)
-    # Far from the contact the surface is displaced by just that, outwards: downwards at the bottom.
+    # Far from the contact, the surface is displaced outwards by the same amount: downwards at the bottom.
     depth = np.sqrt(ball.outer_radius**2 - fast.x**2 - fast.z**2) / ball.outer_radius
     assert fast.displacement[0, 0] == pytest.approx(-fast.centrifugal_displacement * depth[0, 0], abs=2e-5)
 
 
 def swelling_roller(density):
-    """Return a roller that grows by 5.5e-3 of its radius at 300 rad/s, where it has a density."""
+    """Return a roller whose radius grows by 5.5e-3 at 300 rad/s if its density is 2000 kg/m³."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1e-2)
     layer = vr.Layer(thickness=15e-3, shear_modulus=rubber, poisson_ratio=0.2, density=density)
     return vr.CoatedCylinder(core_radius=10e-3, layers=[layer])
@@ -187,11 +188,12 @@ def test_two_that_swell_alike_have_no_force_between_them(friction):
     given = {"load": 2000.0, "angular_speed": 300.0, "friction": friction, "drive": drive, "mesh": mesh}
     still, fast = (vr.solve(b, on=b, **given) for b in (swelling_roller(0.0), SWOLLEN))
     forces = [r.driving_force * 25e-3 / r.resisting_torque for r in (still, fast)]
-    assert forces == pytest.approx([0.0, 0.0], abs=4e-4)  # of the mesh; swelling on one side alone leaves 0.01 and more
+    # error of the mesh; centrifugal growth of one body alone would leave 0.01 or more
+    assert forces == pytest.approx([0.0, 0.0], abs=4e-4)
 
 
 def test_a_tread_does_not_swell_along_its_axis():
-    """Nor does its crown: in a close groove the contact is as wide as at rest, but for softening by inertia."""
+    """Nor does its crown: in a close groove the contact is as wide as at rest, except for the softening by inertia."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1e-2)
 
     def semi_axis(density, on):
@@ -203,7 +205,8 @@ def test_a_tread_does_not_swell_along_its_axis():
     on_plane, in_groove = (
         semi_axis(1500.0, on) / semi_axis(0.0, on) for on in (vr.CoatedPlane(), vr.Groove(radius=51.2e-3))
     )
-    assert in_groove == pytest.approx(on_plane, abs=3e-3)  # 0.02 apart where the crown swells, 49 times as much here
+    # they would differ by 0.02 if the crown grew, which counts 49-fold in this close groove
+    assert in_groove == pytest.approx(on_plane, abs=3e-3)
 
 
 def test_what_would_swell_to_fill_its_groove_is_refused():
@@ -217,7 +220,7 @@ def test_what_would_swell_to_fill_its_groove_is_refused():
 
 
 def test_a_rigid_ball_does_not_swell_with_what_it_rolls_on():
-    """Its lever is its own: the force that was given to drive it is the one that it is driven by."""
+    """The moment arm is the ball's own radius: the driving force of the result is the prescribed one."""
     soft = vr.StandardLinearSolid(instantaneous_modulus=2800.0, relaxed_modulus=64.0, relaxation_time=233.0)
     layer = vr.Layer(thickness=0.6, shear_modulus=soft, poisson_ratio=-0.25, density=1720.0)
     on = vr.CoatedSphere(layers=[layer], inner_boundary="SOLID")
@@ -287,7 +290,7 @@ def test_critical_speed_of_a_callable_is_that_of_its_modulus(rubber):
     ids=["Kelvin-Voigt", "standard linear"],
 )
 def test_short_time_stiffness_out_of_reach_hides_no_waves(modulus):
-    # Both are elastic at every frequency that rolling reaches.
+    # Both materials are elastic at all frequencies of rolling.
     def ball(material):
         layer = vr.Layer(thickness=5e-3, shear_modulus=material, poisson_ratio=0.5, density=1000.0)
         return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
@@ -300,13 +303,13 @@ def test_short_time_stiffness_out_of_reach_hides_no_waves(modulus):
 
 @pytest.mark.parametrize(
     ("thickness", "poisson_ratio", "load", "exponent"),
-    # Powers of the gap curvature: 1/3 by Hertz, and in thin layers 1/2, or 2/3 where they are incompressible.
+    # Exponents of the gap curvature: 1/3 by Hertz; for thin layers 1/2, or 2/3 if they are incompressible.
     [(50e-3, 0.45, 30.0, 1.0 / 3.0), (0.5e-3, 0.2, 300.0, 1.0 / 2.0), (2e-3, 0.4999, 33.0, 2.0 / 3.0)],
     ids=["thick", "thin", "thin, incompressible"],
 )
 def test_growth_scales_the_arcs_between_nodes(thickness, poisson_ratio, load, exponent):
-    # Nodes keep their arcs at rest. Told from the other ball, which does not grow, the same pair has the gap curvature
-    # of lengths that are s times as small.
+    # Nodes keep their arcs at rest. If the other ball, which does not grow, is the rolling body, the gap curvature of
+    # the same pair is that of lengths smaller by the factor s.
     def ball(radius, density):
         layer = vr.Layer(
             thickness=thickness,

@@ -1,4 +1,4 @@
-"""Influence tables and the rotated compliance against direct sums of the paper's equations."""
+"""Influence tables and the rotated compliance, compared with direct sums of the paper's equations."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ def order_compliance(ball):
 
 
 def table_matrix(ball, **options):
-    """Tables spread out over all pairs of nodes, shape (3, 3, nodes, nodes)."""
+    """Expand the tables over all pairs of nodes; shape (3, 3, nodes, nodes)."""
     tables = vr.influence_tables(ball, SPEED, MESH, reach=(2 * HALF[0], 2 * HALF[1]), **options)
     j, k = (a.ravel() for a in np.meshgrid(*(np.arange(-h, h + 1) for h in HALF), indexing="ij"))
     return tables[:, :, j[:, None] - j + 2 * HALF[0], k[:, None] - k + 2 * HALF[1]]
 
 
 def test_tables_are_the_direct_sum_of_all_orders(unlike_ball, nodes):
-    # Single orders are checked elsewhere; here it is folding, symmetries and transforms against equation (53) by hand.
+    # Other tests check single orders; this one checks aliasing, symmetries and transforms against equation (53).
     expected = boundary.compliance_matrix(
         order_compliance(unlike_ball), MESH.max_order, unlike_ball.outer_radius, MESH.spacing, *nodes
     )
@@ -46,12 +46,12 @@ def test_tables_agree_with_the_reference_from_the_moduli_on(unlike_ball, nodes):
     ]
 
     def compliance(m, n):
-        # Half of the orders are the conjugates of the others: the fields are real.
+        # The fields are real, so half of the orders are the conjugates of the others.
         half = reference.extrapolated_compliance(layers, SPEED, m[MESH.max_order :], n[MESH.max_order :], (5, 10, 20))
         return np.concatenate([half[:0:-1, ::-1].conj(), half])
 
     expected = boundary.compliance_matrix(compliance, MESH.max_order, unlike_ball.outer_radius, MESH.spacing, *nodes)
-    # What the extrapolation of 20 radial sub-intervals leaves at order 40.
+    # Error of the extrapolation of 20 radial sub-intervals at order 40.
     tables = table_matrix(unlike_ball, curvature=vr.Curvature.PAPER)
     np.testing.assert_allclose(tables, expected, rtol=0.0, atol=1e-8 * expected[0, 0].max())
 
@@ -83,7 +83,7 @@ def test_tables_are_mirror_symmetric_in_theta(unlike_ball):
 
 def test_memory_makes_the_tables_unsymmetric_in_phi(paper_ball):
     radial = vr.influence_tables(paper_ball, SPEED, MESH, reach=6)[0, 0]
-    # Material leaves the load towards growing phi: there it has not yet recovered.
+    # Material leaves the load towards growing phi and has not yet recovered there.
     behind, ahead = radial[7:, 6], radial[5::-1, 6]
     assert (np.abs(behind - ahead) > 1e-3 * radial.max()).any()
     elastic = vr.CoatedSphere(
@@ -101,13 +101,13 @@ def test_reach_is_limited_to_half_a_revolution(paper_ball, reach):
 
 
 def test_unlike_spacings(unlike_ball):
-    """A node is as wide in theta as the mesh says: three narrow patches side by side are one wide one."""
+    """A node has the width in theta that the mesh prescribes: three narrow adjacent patches make one wide patch."""
     wide = vr.influence_tables(unlike_ball, SPEED, vr.Mesh(nodes_per_revolution=120), reach=4)
     mesh = vr.Mesh(nodes_per_revolution=120, theta_nodes_per_revolution=360)
     narrow = vr.influence_tables(unlike_ball, SPEED, mesh, reach=(4, 13))
     offsets = 13 + 3 * np.arange(-4, 5)
     together = (narrow[..., offsets - 1] + narrow[..., offsets] + narrow[..., offsets + 1]) / 3.0
-    # Both sums hold all orders, to nine digits of their centers.
+    # Both sums contain all orders, to nine digits of their central values.
     np.testing.assert_allclose(together, wide, rtol=0.0, atol=1e-8 * wide.max())
 
 
@@ -119,14 +119,15 @@ def test_all_orders_are_the_limit_of_many(paper_ball):
         for n in (72, 216, 648, 1944)
     ]
     largest = [error.max() / every.max() for error in errors]
-    # A sharp end leaves the square of the patch's transform there, 1/N_t each: nine times less for thrice the orders.
+    # Truncation leaves the square of the patch's transform at the last order, 1/N_t each: a ninth for three times the
+    # orders.
     assert all(finer < coarser / 4.0 for coarser, finer in itertools.pairwise(largest))
     assert largest[-1] < 1e-5
 
 
 @pytest.mark.parametrize("nodes", [2_000, 50_000, 1_000_000])
 def test_fine_meshes_see_a_half_space(nodes):
-    """On patches that are small against the coating, Love's solution for a square on an incompressible half-space."""
+    """On patches much smaller than the coating, compare with Love's square on an incompressible half-space."""
     modulus = 3e6
     layer = vr.Layer(thickness=20e-3, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=0.0, layers=[layer], inner_boundary=vr.InnerBoundary.SOLID)
@@ -142,15 +143,15 @@ def test_fine_meshes_see_a_half_space(nodes):
     h = 0.5 * side
     love = corner(x + h, y + h) + corner(x - h, y - h) - corner(x + h, y - h) - corner(x - h, y + h)
     love *= 0.5 / (2.0 * np.pi * modulus * side**2)  # (1 - nu) / (2 pi G) per unit force
-    # The ball's curvature: some spacings against its radius.
+    # Tolerance for the ball's curvature: some spacings relative to its radius.
     np.testing.assert_allclose(radial, love, rtol=0.0, atol=max(10.0 * mesh.spacing, 1e-8) * love.max())
 
 
 def test_coatings_thinner_than_the_mesh():
-    """Far above the mesh's orders a thin incompressible coating yields most: none of them may be missing."""
+    """A thin incompressible coating is most compliant far above the orders of the mesh; the sum includes them all."""
     layer = vr.Layer(thickness=0.25e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])  # a fifth of a spacing
     every = vr.influence_tables(ball, 1.0, vr.Mesh(nodes_per_revolution=100), reach=2)[0, 0]
     many = vr.influence_tables(ball, 1.0, vr.Mesh(nodes_per_revolution=100, max_order=8050), reach=2)[0, 0]
-    # What 8050 orders leave out: the square of 100 / 8050 of what a half-space would yield at the center.
+    # Contribution of orders above 8050: (100 / 8050)^2 of a half-space's compliance at the center.
     np.testing.assert_allclose(every, many, rtol=0.0, atol=1e-3 * many.max())

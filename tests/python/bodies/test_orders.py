@@ -1,4 +1,4 @@
-"""Single orders: state matrix and surface compliance against the paper's own equations and 50-digit arithmetic."""
+"""Single orders: state matrix and surface compliance, compared with the paper's equations and 50-digit arithmetic."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_state_matrix_is_equation_26(angular_speed, m, n):
     for (layer, _), core_layer in zip(TWO_LAYERS, ball.layers, strict=True):
         r = 0.3 * layer.inner + 0.7 * layer.outer
         a = reference.system_matrix(layer, angular_speed, m, n, r)
-        # From dq/dr = A q with stresses sigma to dz/d(ln r) = B z with r sigma.
+        # Transform dq/dr = A q with stresses sigma to dz/d(ln r) = B z with r sigma.
         d = np.diag([1, 1, 1, r, r, r])
         expected = np.diag([0, 0, 0, 1, 1, 1]) + r * d @ a @ np.linalg.inv(d)
         b = vr.state_matrix(core_layer, angular_speed, r, m, n, curvature=vr.Curvature.PAPER)
@@ -59,7 +59,7 @@ def test_two_layers_with_inertia_agree_with_the_papers_product(angular_speed):
     expected = reference.extrapolated_compliance([layer for layer, _ in TWO_LAYERS], angular_speed, m, n, (20, 40, 80))
     compliance = vr.surface_compliance(ball_of(TWO_LAYERS), angular_speed, m, n, curvature=vr.Curvature.PAPER)
     size = np.abs(expected).max(axis=(1, 2), keepdims=True)
-    # What extrapolation of the sub-intervals leaves at order 90.
+    # Error of the extrapolation of the sub-intervals at order 90.
     assert (np.abs(compliance - expected) < 1e-9 * size).all()
 
 
@@ -71,17 +71,17 @@ def test_the_papers_product_overflows_where_the_recursion_does_not():
 
 
 def membrane_stiffness(k2, curvature):
-    """Return what the equations of a curvature have for the k^2 of the paper's (26) beside the shear modulus."""
+    """Return the term that replaces k^2 beside the shear modulus in the paper's (26) for a curvature."""
     if curvature is vr.Curvature.PAPER:
         return k2
     return k2 - 2 if k2 >= 4 else mpmath.mpf(k2) / 2
 
 
 def exact_compliance(layers, angular_speed, m, n, curvature, *, digits=50, hollow=False):
-    """Surface compliance without inertia to `digits` digits: the matrix exponential of each layer in ln r.
+    """Return the surface compliance without inertia to `digits` digits, by matrix exponentials of the layers in ln r.
 
     Material deeper than exp(-70 / k) is left out (its effect is below exp(-140)), and the working precision covers the
-    growth of the exponentials in what remains.
+    growth of the exponentials in the rest.
     """
     k = math.hypot(m, n)
     with mpmath.workdps(digits + (80 if k else 20) + 20):
@@ -121,7 +121,8 @@ def exact_compliance(layers, angular_speed, m, n, curvature, *, digits=50, hollo
 
 
 CURVATURES = [vr.Curvature.SPHERE, vr.Curvature.PAPER]
-THICKNESSES = [21e-6, 0.2e-3, 1e-3, 5e-3, 20.979e-3]  # of 21 mm: 1e-3 of the radius to a core of 1e-3 of it
+# of 21 mm: from 1e-3 of the radius to a core of 1e-3 of it
+THICKNESSES = [21e-6, 0.2e-3, 1e-3, 5e-3, 20.979e-3]
 ORDERS = [
     (0, 0),
     (0, 1),
@@ -143,7 +144,8 @@ KINDS = [(1, vr.Curvature.SPHERE), (2, vr.Curvature.SPHERE), (1, vr.Curvature.PA
 
 @pytest.mark.parametrize(
     ("thickness", "poisson_ratio", "count", "curvature"),
-    [  # any two of a thickness, a ratio and a kind meet once or twice: a matrix of fifty digits takes its time
+    # each pair of thickness, ratio and kind occurs once or twice, because a matrix with fifty digits takes time
+    [
         (thickness, poisson_ratio, *KINDS[(i + j) % 3])
         for i, thickness in enumerate(THICKNESSES)
         for j, poisson_ratio in enumerate([0.0, 0.3, 0.49999, 0.5])
@@ -161,8 +163,8 @@ def test_surface_compliance_agrees_with_fifty_digits(thickness, poisson_ratio, c
     for m, n in ORDERS:
         expected = exact_compliance(layers, 2.5, m, n, curvature)
         compliance = vr.surface_compliance(ball, 2.5, m, n, curvature=curvature)
-        # C is positive definite, so C_ij is at most of the size (C_ii C_jj)^(1/2); the radii lose a digit or two in
-        # thicknesses that are differences of them.
+        # C is positive definite, so C_ij is at most of the size (C_ii C_jj)^(1/2); a thickness that is a difference of
+        # radii loses a digit or two.
         diagonal = np.abs(np.diag(expected))
         size = np.sqrt(np.outer(diagonal, diagonal))
         assert (np.abs(compliance - expected) <= 1e-9 * size).all(), (m, n)
@@ -184,7 +186,7 @@ def test_exponents_of_the_paper_are_the_closed_ones(rubber):
 @pytest.mark.parametrize("poisson_ratio", [0.0, 0.3, 0.5])
 @pytest.mark.parametrize(("m", "n"), [(2, 0), (3, -4), (4, 12)])
 def test_exponents_on_a_sphere_are_the_classical_ones(rubber, poisson_ratio, m, n):
-    """Powers of r of the spheroidal and the toroidal solutions, with l (l + 1) = k^2."""
+    """Compare with the powers of r of the spheroidal and toroidal solutions, with l (l + 1) = k^2."""
     degree = math.sqrt(m**2 + n**2 + 0.25) - 0.5
     spheroidal = [degree + 1, degree - 1, -degree, -degree - 2]
     expected = sorted([*spheroidal, degree, -degree - 1])
@@ -197,7 +199,7 @@ def test_exponents_on_a_sphere_are_the_classical_ones(rubber, poisson_ratio, m, 
 @pytest.mark.parametrize("inner_boundary", vr.InnerBoundary)
 @pytest.mark.parametrize("curvature", CURVATURES)
 def test_every_order_is_passive(rubber, inner_boundary, curvature):
-    """Work is done on the coating, and lost in it, whatever the load: thin, thick and nearly solid balls."""
+    """Any load does work on the coating and dissipates energy in it: thin, thick and nearly solid balls."""
     m, n = (order.ravel() for order in np.meshgrid(np.arange(6), np.arange(-6, 7)))
     for thickness in (1e-3, 0.1, 0.5, 0.501, 0.9, 0.999):
         solid = inner_boundary is vr.InnerBoundary.SOLID
@@ -230,7 +232,7 @@ def test_equal_layers_are_one_layer(rubber):
 
     m, n = np.meshgrid([0, 1, 7, 80, 400], [0, 3, 50])
     one, seven = (vr.surface_compliance(ball(count), 25.0, m, n) for count in (1, 7))
-    # C_rr, the rest by the size of its diagonal neighbors.
+    # C_rr; the other entries relative to the geometric mean of their diagonal entries.
     diagonal = np.abs(np.einsum("...ii->...i", one))
     size = np.sqrt(diagonal[..., :, None] * diagonal[..., None, :])
     assert (np.abs(one - seven) <= 1e-12 * size).all()
@@ -277,7 +279,7 @@ def test_poisson_ratio_is_complex_with_a_constant_bulk_modulus(rubber):
     # u = A r + B / r^2 with u(r_i) = 0; sigma_rr = 3K A - 4 mu B / r^3.
     a, b = 1.0, -(inner**3)
     expected = (a * outer + b / outer**2) / (3 * bulk * a - 4 * mu * b / outer**3)
-    # Compliances are small numbers of m/Pa, which the absolute tolerance of pytest.approx, 1e-12, would hide.
+    # Compliances are small numbers in m/Pa, which the absolute tolerance of pytest.approx, 1e-12, would hide.
     assert vr.surface_compliance(ball, 2.5, 0, 0)[0, 0] == pytest.approx(expected, rel=1e-12, abs=0.0)
 
 
@@ -298,14 +300,14 @@ def test_hollow_ball_agrees_with_fifty_digits(thickness, poisson_ratio):
     for m, n in [(0, 1), (1, 0), (2, 1), (3, -5), (40, 7), (300, 300)]:
         expected = exact_compliance(layers, 2.5, m, n, vr.Curvature.SPHERE, hollow=True)
         compliance = vr.surface_compliance(ball, 2.5, m, n)
-        # A thin shell bends far more easily than it stretches: digits are lost by their ratio.
+        # A thin shell bends far more easily than it stretches; the ratio costs digits.
         assert np.abs(compliance - expected).max() < 1e-9 / thickness * np.abs(expected).max()
-        if thickness * math.hypot(m, n) > 40.0:  # out of reach of the inner surface
+        if thickness * math.hypot(m, n) > 40.0:  # the inner surface has no influence
             np.testing.assert_allclose(compliance, vr.surface_compliance(solid_core, 2.5, m, n), rtol=1e-12)
 
 
 def regular_compliance(poisson_ratio, mu, m, n):
-    """Compliance of a homogeneous solid ball of radius 1: the three solutions r^s with the largest exponents."""
+    """Return the compliance of a homogeneous solid ball of radius 1, from the three r^s with the largest exponents."""
     layer = vr.Layer(thickness=1.0, shear_modulus=vr.Elastic(modulus=mu), poisson_ratio=poisson_ratio)
     exponents, solutions = np.linalg.eig(vr.state_matrix(layer, 1.0, 1.0, m, n))
     regular = solutions[:, np.argsort(exponents.real)[3:]]
@@ -321,7 +323,7 @@ def test_solid_ball_keeps_the_regular_solutions(poisson_ratio):
         expected = radius * regular_compliance(poisson_ratio, mu, m, n)
         compliance = vr.surface_compliance(ball, 1.0, m, n)
         np.testing.assert_allclose(compliance, expected, rtol=0.0, atol=1e-9 * np.abs(expected).max())
-    # Order (0, 0): uniform swelling u_r = r sigma / 3K, and no mean rotation.
+    # Order (0, 0): uniform expansion u_r = r sigma / 3K, and no mean rotation.
     bulk = 2.0 * mu * (1.0 + poisson_ratio) / (3.0 * (1.0 - 2.0 * poisson_ratio)) if poisson_ratio < 0.5 else np.inf
     np.testing.assert_allclose(
         vr.surface_compliance(ball, 1.0, 0, 0), np.diag([radius / (3.0 * bulk), 0.0, 0.0]), rtol=1e-12, atol=1e-22

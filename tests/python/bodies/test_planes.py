@@ -1,4 +1,4 @@
-"""Balls on planes and in grooves: numbers of independent computations, exact relations, and what each body loses."""
+"""Balls on planes and in grooves: independent computations, exact relations, and the power dissipated in each body."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ def rolled(ball, on, *, load=100.0, speed=52.5e-3, mesh=MESH, **options):
 
 @pytest.mark.parametrize(
     ("speed", "base", "moment"),
-    # Independent computations with the gap of a paraboloid, of which the plain NumPy one is
-    # tests/reference/rolling_plane.py: 20.10, 31.41, 11.179, 3.109 and 4.405.
+    # Independent computations with the gap of a paraboloid, 20.10, 31.41, 11.179, 3.109 and 4.405;
+    # tests/reference/rolling_plane.py is the one in plain NumPy.
     [
         (2.1e-3, None, 20.10e-3),
         (10.5e-3, None, 31.41e-3),
@@ -51,7 +51,7 @@ def rolled(ball, on, *, load=100.0, speed=52.5e-3, mesh=MESH, **options):
         (52.5e-3, 1e7, 4.405e-3),
     ],
 )
-@pytest.mark.filterwarnings("ignore:the strain")  # linear theory is what is compared
+@pytest.mark.filterwarnings("ignore:the strain")  # both computations use linear theory
 def test_rigid_ball_on_a_layer(speed, base, moment):
     plane = CoatedPlane(
         layers=[LAYER],
@@ -59,7 +59,7 @@ def test_rigid_ball_on_a_layer(speed, base, moment):
     )
     r = rolled(RIGID, plane, speed=speed, mesh=Mesh(nodes_per_revolution=2400))
     assert r.resisting_torque == pytest.approx(moment, rel=2e-3)
-    assert r.driving_torque == 0.0  # pressure stands on the ball
+    assert r.driving_torque == 0.0  # the pressure is normal to the ball
     assert r.driving_force * RADIUS == pytest.approx(r.resisting_torque, rel=1e-12)
     assert r.power_balance_error < 1e-3
     assert r.rolling_bulk_power == 0.0
@@ -70,7 +70,7 @@ def test_rigid_ball_on_a_layer(speed, base, moment):
     ("s", "torque", "depth"), [(0.1, 0.0850, 1.5806), (0.5, 0.1992, 1.4859), (2.0, 0.1256, 1.2585)]
 )
 def test_viscoelastic_half_space(s, torque, depth):
-    # Independent computation: T / (P a_0) and d R / a_0^2 over V tau / a_0, a_0 of Hertz with G_0; a/R = 0.03.
+    # Independent computation: T / (P a_0) and d R / a_0^2 over V tau / a_0, with a_0 of Hertz for G_0; a/R = 0.03.
     load = 0.3
     a = (3.0 * load * RADIUS / (16.0 * 6e6)) ** (1 / 3)
     ground = CoatedPlane(base=HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5))
@@ -80,8 +80,8 @@ def test_viscoelastic_half_space(s, torque, depth):
 
 
 def test_compliances_add_up_exactly():
-    # On the mirror image of its own plane a rigid ball would have two equal planes; one of twice the compliance is the
-    # same. With a curved coating it is not quite: the ball's equations keep the curvature.
+    # If the ball's coating were flat, ball and mat would be mirror images: two identical planes, equivalent to one of
+    # twice the compliance. The ball's equations include the curvature of its coating, so the results differ a little.
     half = StandardLinearSolid(instantaneous_modulus=3e6, relaxed_modulus=1.5e6, relaxation_time=0.125)
     both = rolled(SOFT, MAT)
     one = rolled(RIGID, CoatedPlane(layers=[Layer(thickness=1e-3, shear_modulus=half, poisson_ratio=0.5)]))
@@ -91,7 +91,7 @@ def test_compliances_add_up_exactly():
 
 @pytest.mark.parametrize("speed", [2.1e-3, 52.5e-3, 210e-3])
 def test_each_body_pays_for_itself(speed):
-    # From some 100 nodes across: what the torque leaves open is the error of the whole balance and of the plane's.
+    # More than 100 nodes across on the fine mesh. The deviation is the error of the mesh in both balances.
     errors = []
     for nodes in (600, 2400):
         r = rolled(SOFT, MAT, speed=speed, mesh=Mesh(nodes_per_revolution=nodes))
@@ -105,7 +105,7 @@ def test_each_body_pays_for_itself(speed):
 
 
 def test_friction_too_small_to_push_a_ball_over_its_mat_is_told_by_the_force():
-    # The mat pushes back with 0.53 N, and friction bears 0.3 N.
+    # The mat resists with 0.53 N, and friction supports 0.3 N.
     message = r"drive\.force must be between 0\.\d+ N and 0\.\d+ N, else the ball slides without end, got 0 N"
     with pytest.raises(ValueError, match=message):
         rolled(RIGID, MAT, friction=0.003, mesh=Mesh(nodes_per_revolution=600))
@@ -120,7 +120,7 @@ def test_rigid_ball_on_a_plane_with_friction(drive):
     assert r.power_balance_error < 1e-2
     if drive.torque == 0.0:
         assert abs(r.driving_torque) < 1e-8
-        assert r.driving_force == pytest.approx(0.466, rel=1e-2)  # independent, on a mesh of its own
+        assert r.driving_force == pytest.approx(0.466, rel=1e-2)  # independent computation on its own mesh
     if drive.force == 0.0:
         assert abs(r.driving_force) < 1e-8
 
@@ -149,7 +149,7 @@ def test_what_a_drive_prescribes_comes_back_without_round_off(drive, name, given
 
 
 def test_creepage_of_free_rolling_has_the_sign_of_what_deforms():
-    # An incompressible coating lengthens in contact and drives ahead; under a rigid ball the layer does.
+    # An incompressible coating lengthens in contact and drives ahead; under a rigid ball, the layer does.
     free = {"friction": 1.0, "mesh": Mesh(nodes_per_revolution=600)}
     assert rolled(SOFT, None, **free).creepage > 1e-3
     assert rolled(RIGID, MAT, **free).creepage < -1e-3
@@ -171,7 +171,10 @@ THICKLY_COATED = {
 
 
 def kalker(pair, ratio, across):
-    """C_23, C_32, C_33, nu = 1/2, by the mean radius of the contact, R / ratio, so many nodes across."""
+    """Return C_23, C_32, C_33, scaled by the mean radius of the contact.
+
+    `ratio` is R / a, and `across` is the number of nodes across the contact; nu = 1/2.
+    """
     modulus, radius = KALKER_MODULUS, KALKER_RADIUS
     a = radius / ratio
     mesh = Mesh(nodes_per_revolution=round(np.pi * ratio * across))
@@ -192,16 +195,18 @@ def kalker(pair, ratio, across):
     )
 
 
-@pytest.mark.filterwarnings("ignore:the power balance is open")  # full stick: the balance divides by nearly nothing
+# full stick: the denominator of the balance is nearly zero
+@pytest.mark.filterwarnings("ignore:the power balance is open")
 @pytest.mark.parametrize(
     ("pair", "ratio"), [(ON_GROUND, 40), (THICKLY_COATED, 160)], ids=["half-space", "thick coating"]
 )
 def test_kalkers_coefficients_of_spin(pair, ratio):
-    # J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3, nu = 1/2, circle; the partner
-    # is rigid.
+    # J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3, nu = 1/2, circle; the other
+    # body is rigid.
     exact = np.array([1.63, 1.63, 1.16])
     coarse, fine = kalker(pair, ratio, 20), kalker(pair, ratio, 40)
-    assert fine[0] == pytest.approx(fine[1], rel=1e-6 if pair is ON_GROUND else 1e-4)  # a ball's own mesh is curved
+    # the ball's own mesh is curved
+    assert fine[0] == pytest.approx(fine[1], rel=1e-6 if pair is ON_GROUND else 1e-4)
     np.testing.assert_allclose(fine[:2], exact[:2], rtol=0.03)
     assert fine[2] == pytest.approx(exact[2], rel=0.05)
     assert np.all(np.abs(fine - exact) < np.abs(coarse - exact))
@@ -225,13 +230,13 @@ def test_dish_turns_the_pressure_back():
     relative = 1.0 / (1.0 / RADIUS - 1.0 / 60e-3)
     assert r.driving_torque == pytest.approx(r.resisting_torque * RADIUS / relative, rel=1e-12)
     # The whole power, with the relative radius: 2.4e-4 on this mesh. A gap whose slope is not the moment arm of the
-    # pressure leaves terms of (a/R)^2: 2.7e-3.
+    # pressure would leave terms of (a/R)^2: 2.7e-3.
     assert r.bulk_power == pytest.approx(52.5e-3 * r.resisting_torque / relative, rel=5e-4)
 
 
 def test_close_rigid_grooves_balance():
-    # In a close fit the gap is a small difference of two circles, and terms of (a/R)^2 that one of them lacks are
-    # 1 / (1 - R/rho) times as large: they left 5 and 4 % of the power open where 0.1 and 0.5 % are the mesh's.
+    # In a close fit, the gap is a small difference of two circles. Terms of (a/R)^2 that one of them lacks are 1 / (1 -
+    # R/rho) times as large: they left the power balance open by 5 and 4 %, where the mesh causes 0.1 and 0.5 %.
     mesh = Mesh(nodes_per_revolution=600)
     assert rolled(SOFT, Groove(radius=23e-3, path_radius=23e-3), mesh=mesh).power_balance_error < 3e-3
     layer = replace(LAYER, thickness=10e-3)
@@ -243,7 +248,7 @@ def test_close_rigid_grooves_balance():
 @pytest.mark.parametrize("layers", [[], [LAYER]])
 @pytest.mark.parametrize("drive", [Drive(force=0.0), Drive(torque=0.0), Drive(creepage=5e-3)])
 def test_dish_with_friction(drive, layers):
-    # A raceway that turns about its own axis: its surface lags away from the middle, as the ball's does.
+    # A raceway that turns about its own axis: away from the middle its surface lags, as the ball's does.
     dish = Groove(radius=40e-3, path_radius=80e-3, layers=layers)
     r = rolled(SOFT, dish, friction=0.3, drive=drive, mesh=Mesh(nodes_per_revolution=900))
     assert r.slip_power > 0.0
@@ -262,7 +267,7 @@ def test_what_a_towed_ball_loses_is_what_tows_it(ball):
 
 
 def test_power_is_lost_whichever_way_the_mat_passes():
-    # All slides, and the center moves as fast either way.
+    # The whole contact slides, and the center moves equally fast in both directions.
     forth, back = (
         rolled(SOFT, MAT, friction=0.3, drive=Drive(creepage=creepage), mesh=Mesh(nodes_per_revolution=600))
         for creepage in (-0.5, -1.5)

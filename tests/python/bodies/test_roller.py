@@ -17,7 +17,7 @@ STEEL = vr.CoatedCylinder(core_radius=50e-3, layers=[])
 
 @pytest.mark.parametrize("speed", [0.005, 0.05, 0.5])
 def test_hunters_closed_form_is_what_collocation_finds(speed):
-    # 800 strips leave some 1e-5 themselves: 400 differ from them by as much.
+    # 800 strips have an error of about 1e-5; 400 strips differ from them by as much.
     found = analytic.hunter(load=5e3, speed=speed, radius=50e-3, shear_modulus=RUBBER, poisson_ratio=0.5).moment
     assert found == pytest.approx(reference.half_plane_moment(speed, load=5e3, radius=50e-3, nodes=400), rel=1e-4)
 
@@ -40,7 +40,7 @@ def test_rigid_roller_on_a_half_plane_is_hunters(angular_speed):
         load=5e3, speed=angular_speed * 50e-3, radius=50e-3, shear_modulus=RUBBER, poisson_ratio=0.5
     )
     assert r.resisting_torque == pytest.approx(exact.moment, rel=1e-3)
-    assert r.semi_axis_x == pytest.approx(exact.half_width, rel=0.01)  # by whole nodes
+    assert r.semi_axis_x == pytest.approx(exact.half_width, rel=0.01)  # resolution of whole nodes
     assert r.penetration is r.strain is r.model_error is r.center_height is None
     assert np.isfinite(r.displacement).all()
 
@@ -52,7 +52,7 @@ def coating():
 
 @pytest.mark.parametrize(("angular_speed", "moment"), [(0.1, 2.806), (1.0, 2.456), (10.0, 0.2888)])
 def test_roller_on_a_rigid_plane(coating, angular_speed, moment):
-    # By an independent program (docs/theory/rollers.md): in the limit of the mesh, to its own 0.3 %, and on one
+    # Results of an independent program (docs/theory/rollers.md): in the limit of the mesh, to its own 0.3 %; and on one
     # mesh, where its sums and the library's differ by 2e-9.
     given = {"load": 5e3, "angular_speed": angular_speed}
     r = vr.solve(ROLLER, accuracy=1e-3, **given)
@@ -65,7 +65,8 @@ def test_roller_on_a_rigid_plane(coating, angular_speed, moment):
 
 
 def test_mirrored_pairs_share_the_resistance_out():
-    # The curved layer of a large roller is a flat one: what deforms changes who is driven, and nothing else.
+    # The curved layer of a large roller acts like a flat one: which body deforms decides who is driven, and nothing
+    # else.
     mat = vr.CoatedPlane(layers=[SOFT])
     on_mat = vr.solve(vr.CoatedCylinder(core_radius=2.0, layers=[]), on=mat, load=5e3, angular_speed=0.02)
     thick = vr.CoatedCylinder(core_radius=1.99, layers=[SOFT])
@@ -78,7 +79,7 @@ def test_mirrored_pairs_share_the_resistance_out():
 
 
 def test_thin_layers_come_to_their_limits():
-    # Errors of the order h/a = 1/30, in a limit that an incompressible layer is slow to reach.
+    # Errors of the order h/a = 1/30; an incompressible layer approaches the limit slowly.
     hard = vr.Elastic(modulus=1e6)
     for nu, form in ((0.3, analytic.thin_compressible_layer_line), (0.5, analytic.thin_incompressible_layer_line)):
         given = {"load": 6e4 if nu == 0.3 else 5e6, "radius": 1.0, "thickness": 1e-3, "shear_modulus": 1e6}
@@ -111,7 +112,7 @@ def test_compare_knows_hunter_where_layers_are_thick_and_wakes_short():
         assert form.holds(2e3, speed)
         r = vr.solve(roller, load=2e3, angular_speed=speed, accuracy=3e-3)
         assert form(2e3, speed) == pytest.approx(r.resisting_torque, rel=0.02)
-    assert not form.holds(2e3, 10.0)  # where the wake reaches the core: 37 % too much
+    assert not form.holds(2e3, 10.0)  # the wake reaches the core: the closed form is 37 % too large
 
 
 def test_pictures_of_rollers_are_profiles(tmp_path):
@@ -123,7 +124,8 @@ def test_pictures_of_rollers_are_profiles(tmp_path):
 
 
 def test_slow_rolling_loses_load_times_way_times_loss_time():
-    # Linear in speed only as long as the way in the loss time is small beside the contact: two speeds, extrapolated.
+    # Linear in speed only if the travel in the loss time is small compared with the contact; extrapolated from two
+    # speeds.
     torque = [
         vr.solve(ROLLER, load=5e3, angular_speed=speed, mesh=vr.Mesh(nodes_per_revolution=12000)).resisting_torque
         / (5e3 * speed * 60e-3 * 0.125)
@@ -157,8 +159,9 @@ def test_roller_model_gives_what_solve_gives():
 
 
 def test_lateral_creepage_shears_a_roller_along_its_axis():
-    # Elastic, thick, full stick at the leading edge: shear along the axis follows Carter's curve with a half-plane's
-    # antiplane compliance, 1/(μk) in place of (1-ν)/(μk): at ν = ½ half as stiff, so that the same creepage does half.
+    # Elastic, thick, full stick at the leading edge: shear along the axis follows Carter's curve with the antiplane
+    # compliance of a half-plane, 1/(μk) in place of (1-ν)/(μk). At ν = ½ it is half as stiff, so the same creepage has
+    # half the effect.
     a = 1e-4
     load = np.pi * 1e7 * a**2 / 0.1
     layer = vr.Layer(thickness=60e-3, shear_modulus=vr.Elastic(modulus=1e7), poisson_ratio=0.5)
@@ -172,13 +175,13 @@ def test_lateral_creepage_shears_a_roller_along_its_axis():
 
 
 def _carter_pair(nu: float, share: float, across: int):
-    """Roll a thick coating on a half-plane alike: a pair without cross compliance, whatever ν."""
+    """Roll a thick coating on an identical half-plane: a pair without cross compliance for any ν."""
     hard = vr.Elastic(modulus=1e7)
     radius, a = 0.1, 1e-4
     layer = vr.Layer(thickness=60e-3, shear_modulus=hard, poisson_ratio=nu)
     ground = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=hard, poisson_ratio=nu))
     given = {"load": np.pi * 1e7 * a**2 / (4.0 * (1.0 - nu) * radius), "radius": radius, "poisson_ratio": nu}
-    given["shear_modulus"] = 0.5e7  # of the two together
+    given["shear_modulus"] = 0.5e7  # of the two bodies together
     drive = vr.Drive(creepage=share * 0.3 * a / radius)
     mesh = vr.Mesh(nodes_per_revolution=round(across * np.pi * radius / a))
     roller = vr.CoatedCylinder(core_radius=40e-3, layers=[layer])
@@ -192,11 +195,12 @@ def test_two_alike_follow_carter(nu):
         r, force = _carter_pair(nu, share, 100)
         assert r.driving_force / (0.3 * r.load) == pytest.approx(force / (0.3 * r.load), abs=0.01)
     errors = [abs(r.driving_force - force) for r, force in (_carter_pair(nu, 0.5, n) for n in (50, 200))]
-    assert errors[1] < 0.4 * errors[0]  # first order, but for what the free roller creeps
+    assert errors[1] < 0.4 * errors[0]  # first order, except for the creepage of the free roller
 
 
 def test_friction_knows_which_body_is_soft_by_signs_alone():
-    # A flat layer, and the same around a roller so large that it is flat: who slides over whom is a matter of words.
+    # A flat layer, and the same layer around a roller so large that it is nearly flat: which body slides over the other
+    # is a matter of convention.
     radius, given = 2.0, {"load": 5e3, "angular_speed": 0.02, "friction": 0.3}
     mesh = vr.Mesh(nodes_per_revolution=100_000)
     thick = vr.CoatedCylinder(core_radius=radius - 10e-3, layers=[SOFT])
@@ -205,7 +209,7 @@ def test_friction_knows_which_body_is_soft_by_signs_alone():
         coated = vr.solve(thick, **given, mesh=mesh, drive=vr.Drive(creepage=creepage))
         bare = vr.CoatedCylinder(core_radius=radius, layers=[])
         on_mat = vr.solve(bare, on=mat, **given, mesh=mesh, drive=vr.Drive(creepage=1.0 / (1.0 + creepage) - 1.0))
-        dragged = on_mat.driving_force - on_mat.resisting_torque / radius  # less what the pressure takes
+        dragged = on_mat.driving_force - on_mat.resisting_torque / radius  # without the component of the pressure
         assert dragged == pytest.approx(-coated.driving_force, abs=2e-3 * 0.3 * 5e3)
         assert on_mat.slip_power == pytest.approx(coated.slip_power, rel=1e-2)
         assert on_mat.counterpart_bulk_power == pytest.approx(coated.rolling_bulk_power, rel=1e-2)
@@ -260,7 +264,7 @@ def test_large_roller_is_a_plane():
 def test_two_rollers_do_not_care_which_is_called_the_first(creepage):
     speed, given = 60e-3, {"load": 5e3, "friction": 0.2}
     back = 1.0 / (1.0 + creepage) - 1.0
-    meshes = [vr.Mesh(nodes_per_revolution=n) for n in (6000, 10000)]  # nodes at the same distance
+    meshes = [vr.Mesh(nodes_per_revolution=n) for n in (6000, 10000)]  # the same distance between nodes
     first = vr.solve(
         ROLLER, on=OTHER, angular_speed=speed / 60e-3, drive=vr.Drive(creepage=creepage), mesh=meshes[0], **given
     )
@@ -274,7 +278,7 @@ def test_two_rollers_do_not_care_which_is_called_the_first(creepage):
     )
     traction = [-r.shear_traction[0].sum() * np.ptp(r.x) / (len(r.x) - 1) for r in (first, other)]
     assert traction[0] == pytest.approx(-traction[1], abs=2e-3 * 0.2 * 5e3)
-    # The loss per way is that at the speed of the first one's surface.
+    # The loss per distance is the same at the surface speed of the first roller.
     assert first.rolling_bulk_power == pytest.approx(other.counterpart_bulk_power, rel=1e-3 + abs(creepage))
     assert first.counterpart_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-3 + abs(creepage))
     assert first.slip_power == pytest.approx(other.slip_power, rel=1e-2)
@@ -291,7 +295,7 @@ def test_power_balance_of_two_rollers_with_friction(drive):
 
 
 def test_equal_rollers_do_not_slip():
-    # Mirror images of each other, whatever Poisson's ratio: pressure causes no slip where no traction is asked for.
+    # The rollers are mirror images whatever Poisson's ratio, so pressure causes no slip without creepage.
     mesh = vr.Mesh(nodes_per_revolution=6000)
     layer = vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.3)
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
@@ -306,7 +310,7 @@ def test_roller_in_a_ring_has_the_relative_radius():
     r = vr.solve(
         ROLLER, on=vr.Groove(path_radius=90e-3), load=5e3, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=6000)
     )
-    # The pressure passes by both axes: moments about the roller's and about the ring's, and the whole power.
+    # The pressure has moments about the roller's axis and about the ring's; the whole power is their sum.
     assert r.driving_torque == pytest.approx(r.resisting_torque * 60e-3 / relative, rel=1e-12)
     assert r.bulk_power == pytest.approx(60e-3 * r.resisting_torque / relative, rel=1e-3)
     assert r.driving_force == pytest.approx(r.resisting_torque / 90e-3, rel=1e-12)
@@ -320,7 +324,7 @@ def test_roller_in_a_ring_has_the_relative_radius():
 
 
 def test_bulging_track_with_a_thin_layer_is_a_roller():
-    # A groove's layers are flat: h/R = 1/500 of the answer.
+    # A groove's layers are flat, which changes the result by h/R = 1/500.
     layer = vr.Layer(thickness=0.2e-3, shear_modulus=RUBBER, poisson_ratio=0.3)
     given = {"load": 2e3, "angular_speed": 1.0, "friction": 0.2, "mesh": vr.Mesh(nodes_per_revolution=6000)}
     on_track, on_roller = (
@@ -342,7 +346,7 @@ def test_power_balance_in_a_ring_with_friction(layers, drive):
 
 
 def _carters_traction(s, share: float):
-    """Return t / (μ p₀) at x = s a, what sticks being of half width 1 - share and beginning at the leading edge."""
+    """Return t / (μ p₀) at x = s a; the stick zone has half width 1 - share and begins at the leading edge."""
 
     def hertz(s):
         return np.sqrt(np.maximum(1.0 - s**2, 0.0))
@@ -352,7 +356,7 @@ def _carters_traction(s, share: float):
 
 
 def _error_of_carters_traction(share: float, across: int):
-    """Return x / a, the error of the traction per largest one, and that of its sum, at `share` of full sliding."""
+    """Return x / a, the error of the traction / its maximum, and the error of its sum, at `share` of full sliding."""
     a, radius = 1e-4, 0.1
     load = np.pi * 1e7 * a**2 / radius
     layer = vr.Layer(thickness=60e-3, shear_modulus=vr.Elastic(modulus=1e7), poisson_ratio=0.5)
@@ -367,16 +371,16 @@ def _error_of_carters_traction(share: float, across: int):
 
 @pytest.mark.parametrize("share", [0.25, 0.5, 0.75])
 def test_traction_of_a_fine_mesh_is_carters_within_a_percent(share):
-    # In the mean square.
+    # Root mean square error.
     x, error, _ = _error_of_carters_traction(share, 200)
     assert np.linalg.norm(error) < 0.01 * np.linalg.norm(_carters_traction(x, share))
 
 
 @pytest.mark.parametrize("share", [0.25, 0.5, 0.75])
 def test_traction_along_the_contact_is_carters(share):
-    # F. W. Carter (1926). An incompressible coating, thick beside the contact, on a rigid plane: the mean error is of
-    # first order in the mesh, until one of the order a/R = 1/1000 is left. More than 1 % is found only at the nodes
-    # next to the ends of slip and stick, where Carter's curve has a slope without end.
+    # F. W. Carter (1926). Incompressible coating, thick compared with the contact, on a rigid plane. The mean error is
+    # of first order in the mesh, down to one of the order a/R = 1/1000. Errors above 1 % occur only at the nodes next
+    # to the ends of slip and stick, where the slope of Carter's curve is infinite.
     _, coarse, _ = _error_of_carters_traction(share, 50)
     x, fine, force = _error_of_carters_traction(share, 100)
     assert np.abs(force) < 0.01
@@ -437,7 +441,7 @@ def test_fast_rollers_with_mass_are_refused():
         layers=[vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.5, density=1000.0)],
     )
     critical = vr.critical_speed(heavy)
-    # The Rayleigh wave of the short-time modulus, 0.9553 of the shear wave's speed (ν = ½).
+    # Rayleigh wave of the short-time modulus, 0.9553 of the shear wave's speed (ν = ½).
     assert critical == pytest.approx(0.9553 * np.sqrt(6e6 / 1000.0) / 60e-3, rel=1e-3)
     with pytest.raises(ValueError, match="angular_speed must be below the critical speed"):
         vr.solve(heavy, load=5e3, angular_speed=1.01 * critical)

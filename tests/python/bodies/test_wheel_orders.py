@@ -1,4 +1,4 @@
-"""Orders of a wheel's tread: Bessel functions at 40 digits, a roller's, layers, parities, and bad input."""
+"""Orders of a wheel's tread: Bessel functions with 40 digits, limit of a roller, layers, parities, and bad input."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def wheel(hub, layers):
 
 
 def error(found, expected):
-    """Largest error of an entry, by the size of what it couples."""
+    """Return the largest error of an entry, relative to the geometric mean of its diagonal entries."""
     expected = np.reshape(expected, (3, 3))
     size = np.sqrt(np.abs(np.diag(expected)))
     return np.max(np.abs(found - expected) / np.outer(size, size))
@@ -33,7 +33,7 @@ def test_one_layer_is_bessels(m, k_radius, hub, nu):
     thickness = 50e-3 - hub
     found = vr.surface_compliance(wheel(hub, [(thickness, RUBBER, nu)]), SPEED, m, k)
     modulus = RUBBER.complex_modulus(m * SPEED)
-    # Some hundred round-offs.
+    # About a hundred times the round-off.
     assert error(found, reference.surface_compliance(hub, [(thickness, complex(modulus), nu)], m, k)) < 1e-12
 
 

@@ -1,4 +1,4 @@
-"""What users meet of a wheel besides the numbers of a solve: parameters, messages, files, studies, closed forms."""
+"""Wheels beyond the numbers of a solve: parameters, messages, files, studies, closed forms."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ FLAT = vr.CoatedWheel(**WHEEL)
 CROWNED = vr.CoatedWheel(**WHEEL, crown_radius=0.3)
 ENDLESS = replace(CROWNED, sides="endless")
 
-#: Some fifteen nodes across the contact under 100 N.
+#: About fifteen nodes across the contact under 100 N.
 MESH = vr.Mesh(nodes_per_revolution=400)
 
 
@@ -35,7 +35,7 @@ def test_parameters():
 
 
 def test_crown():
-    # A chord of the profile's circle.
+    # Drop of a chord of the profile's circle.
     assert CROWNED.crown_drop(15e-3) == pytest.approx(0.3 - math.sqrt(0.3**2 - 15e-3**2), rel=1e-12)
     assert CROWNED.crown_drop(-15e-3) == CROWNED.crown_drop(15e-3)
     assert FLAT.crown_drop(15e-3) == 0.0
@@ -144,7 +144,7 @@ def test_bad_case_files(tmp_path, before, after, message):
 
 
 def test_studies_tell_wheels_apart():
-    """By everything that changes the result, in the keys of a cache and in the groups that share tables."""
+    """The keys of a cache and the groups that share tables depend on every parameter that changes the result."""
     changes = [{}, {"width": 29e-3}, {"crown_radius": 0.31}, {"hub": "crowned"}, {"sides": "endless"}]
     keys = []
     for changed in changes:
@@ -165,8 +165,8 @@ def test_flat_wheels_have_the_forms_of_rollers():
     assert forms["hunter"].holds(40.0, 0.5)
     narrow = analytic.applicable(replace(wide, width=0.2))
     assert narrow["hunter"](20.0, 0.5) == pytest.approx(0.5 * forms["hunter"](40.0, 0.5), rel=1e-14)
-    assert not narrow["hunter"].holds(20.0, 0.5)  # the faces count
-    assert narrow["low_speed"].holds(20.0, 1e-3)  # but not where the torque is that of any contact
+    assert not narrow["hunter"].holds(20.0, 0.5)  # the faces matter
+    assert narrow["low_speed"].holds(20.0, 1e-3)  # but not where the torque does not depend on the contact
 
 
 def test_crowned_wheels_have_the_forms_of_ellipses():
@@ -177,7 +177,7 @@ def test_crowned_wheels_have_the_forms_of_ellipses():
     )
     assert forms["greenwood_tabor"](0.5, 1.0) == pytest.approx(3.0 / 32.0 * contact.semi_axis_x, rel=1e-12)
     assert forms["persson"].holds(0.1, 1.0)
-    assert not forms["persson"].holds([1.0, 500.0], 1.0).any()  # the longer semi-axis is 2.3 mm, and more
+    assert not forms["persson"].holds([1.0, 500.0], 1.0).any()  # the longer semi-axis is 2.3 mm or more
     slow = forms["low_speed"]
     assert slow(500.0, 0.01) == pytest.approx(500.0 * 0.01 * 50e-3 * 0.125, rel=1e-9)
     np.testing.assert_array_equal(slow.holds(500.0, [1e-2, 10.0]), [True, False])
@@ -189,7 +189,7 @@ def test_rigid_bodies_have_no_closed_form():
 
 
 def test_frequencies_of_rolling():
-    """The highest goes with the contact's length along the path: the narrower the wheel, the longer."""
+    """The highest frequency depends on the contact's length along the path, which is larger for a narrower wheel."""
     crowned, wide = replace(CROWNED, width=0.1), replace(FLAT, width=0.1)
     _, of_crowned = vr.rolling_range(crowned, load=100.0, angular_speed=1.0)
     _, of_wide = vr.rolling_range(wide, load=100.0, angular_speed=1.0)
@@ -205,12 +205,12 @@ def test_frequencies_of_rolling():
 
 @pytest.fixture(scope="module")
 def rolled():
-    """Return a crowned wheel, rolled: its contact ends before the faces."""
+    """Return a crowned wheel in rolling contact, which ends before the faces."""
     return vr.solve(ENDLESS, load=100.0, angular_speed=2.5, accuracy=0.05)
 
 
 def test_where_the_contact_ends(rolled):
-    """By the nodes that touch, whose patches end at the faces where all of the width touches."""
+    """Compare with the nodes in contact, whose patches end at the faces if the whole width is in contact."""
     columns = rolled.z[0, rolled.contact.any(axis=0)]
     patch = abs(rolled.z[0, 1] - rolled.z[0, 0])
     assert rolled.contact_width == pytest.approx(np.ptp(columns) + patch, rel=1e-12)
@@ -219,7 +219,7 @@ def test_where_the_contact_ends(rolled):
     assert "distance from the faces" in repr(rolled)
     ball = vr.solve(vr.CoatedSphere(core_radius=40e-3, layers=[TREAD]), load=20.0, angular_speed=1.0, accuracy=0.1)
     assert ball.face_distance is None
-    assert ball.contact_width == pytest.approx(2.0 * ball.semi_axis_z, rel=0.1)  # of a coarse disk
+    assert ball.contact_width == pytest.approx(2.0 * ball.semi_axis_z, rel=0.1)  # coarsely meshed disk
     roller = vr.CoatedCylinder(core_radius=40e-3, layers=[TREAD])
     line = vr.solve(roller, load=1e3, angular_speed=1.0, accuracy=0.1)
     assert (line.contact_width, line.face_distance) == (None, None)
@@ -262,7 +262,7 @@ def test_a_model_solves_as_a_single_call(rolled):
     model = vr.RollingModel(ENDLESS, angular_speed=2.5, mesh=MESH)
     one = vr.solve(ENDLESS, load=100.0, angular_speed=2.5, mesh=MESH)
     model.solve(load=50.0)
-    # Tables reach as far as the largest load so far: other sums for the last digits.
+    # The tables reach as far as the largest load so far, so sums differ in the last digits.
     assert model.solve(load=100.0).resisting_torque == pytest.approx(one.resisting_torque, rel=1e-9)
 
 
@@ -284,9 +284,9 @@ def test_a_study(tmp_path):
     assert study.attrs["title"] == "rolling resistance of a coated wheel"
     assert "crown_radius=0.3, hub=STRAIGHT, sides=ENDLESS" in study.attrs["ball"]
     assert (study.face_distance.sel(width=34e-3) > study.face_distance.sel(width=30e-3)).all()
-    # The faces are farther than a thickness from neither contact: an endless tread does not know them.
+    # Both contacts are at least a thickness away from the faces, and an endless tread has no faces.
     torque = study.resisting_torque.to_numpy()
-    assert torque[0] == pytest.approx(torque[1], rel=0.05)  # of meshes to 10 %
+    assert torque[0] == pytest.approx(torque[1], rel=0.05)  # the meshes differ by 10 %
     with pytest.raises(ValueError, match="ball must be a roller at all points or at none"):
         vr.sweep(
             lambda ends: ENDLESS if ends else vr.CoatedCylinder(core_radius=40e-3, layers=[TREAD]),
@@ -307,20 +307,21 @@ def test_from_the_shell(tmp_path):
     assert (tmp_path / "contact.png").stat().st_size > 1000
 
 
-@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # of faces that are not there
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # the faces of an endless tread
 @pytest.mark.parametrize("wheel", [replace(FLAT, sides="endless"), ENDLESS], ids=["flat", "crowned"])
 def test_slow_rolling_is_that_of_any_contact(wheel):
-    """T = P Ω R t whatever the shape of the contact, where the closed form says that it holds."""
+    """T = P Ω R t for any shape of the contact, wherever the closed form declares itself valid."""
     form = analytic.applicable(wheel)["low_speed"]
     speed = 0.02
     assert form.holds(500.0, speed)
     r = vr.solve(wheel, load=500.0, angular_speed=speed, accuracy=0.02)
-    # Which is approached slowly, from below: by 9 % where the surface moves by 5 % of the contact in the loss time.
+    # The torque approaches the limit slowly from below: 9 % remain where the surface travels 5 % of the contact in the
+    # loss time.
     assert 0.9 < r.driving_torque / form(500.0, speed) < 1.01
 
 
 def test_small_contacts_see_a_half_space():
-    """On a thick tread, far from its faces, Hertz's ellipse and the torque of its spectrum."""
+    """On a thick tread far from its faces, compare with Hertz's ellipse and the torque of its spectrum."""
     tread = one_layer(vr.StandardLinearSolid(instantaneous_modulus=3.3e6, relaxed_modulus=3e6, relaxation_time=0.125))
     wheel = vr.CoatedWheel(
         core_radius=1e-3, layers=[replace(tread, thickness=49e-3)], width=60e-3, crown_radius=0.1, sides="endless"
@@ -330,6 +331,6 @@ def test_small_contacts_see_a_half_space():
     assert torque.holds(load, speed)
     r = vr.solve(wheel, load=load, angular_speed=speed, accuracy=0.01)
     contact = analytic.hertz_ellipse(load=load, radius=50e-3, crown_radius=0.1, shear_modulus=3.1e6, poisson_ratio=0.5)
-    # The modulus is between 3 and 3.3 MPa: 3 % of a length. The torque is right to the loss, a tenth of the modulus.
+    # The modulus is between 3 and 3.3 MPa: 3 % of a length. The torque is accurate to the loss, a tenth of the modulus.
     assert (r.semi_axis_x, r.semi_axis_z) == pytest.approx((contact.semi_axis_x, contact.semi_axis_z), rel=0.03)
     assert r.driving_torque == pytest.approx(torque(load, speed), rel=0.1)

@@ -1,4 +1,4 @@
-"""Limits of what happens inside: tractions at bonds, temperature, and the load at which the cold state ends."""
+"""Limits on inner quantities: tractions at bonds, temperature, and the load at which the cold state ends."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def file(tmp_path):
 
 @pytest.mark.parametrize("body", ["ball", "roller", "wheel", "ball on a mat", "two balls"])
 def test_every_body_has_bonds_and_a_temperature(file, body):
-    """The larger of both bodies, where both have bonds."""
+    """If both bodies have bonds, the limit uses the larger value."""
     case = load_case(file(body, COOLED + ON_PLANES.get(body, "")))
     outcome = outcome_of(case, ["bond_shear", "bond_tension", "temperature", "strain"], None)
     result = case.solve()
@@ -68,7 +68,7 @@ def test_every_body_has_bonds_and_a_temperature(file, body):
 
 
 def test_the_load_at_which_the_cold_state_ends(file):
-    """That of `self_heating`; the case is its coldest state, as warm as it makes itself."""
+    """Compare with `self_heating`: the case is its own coldest state, as warm as it makes itself."""
     case = load_case(file("roller", COOLED + SHIFT, nodes=300))
     outcome = outcome_of(case, ["load_to_fold", "temperature"], None)
     hot = case.self_heating()
@@ -81,7 +81,7 @@ def test_the_load_at_which_the_cold_state_ends(file):
 
 
 def test_a_design_from_the_shell(file, tmp_path):
-    """The bond allows a range, of which the end is told with its unit, and the power per length of the roller."""
+    """The shell reports the end of the range that the bond allows, with its unit, and the roller's power per length."""
     middle = outcome_of(load_case(file("roller", nodes=300)), ["bond_shear"], None).value("bond_shear")
     table = '[design]\nvary = "cylinder.layers[0].thickness"\nfrom = 3e-3\nto = 12e-3\n'
     path = file("roller", f"{table}limits = {{ bond_shear = {middle!r}, strain = 0.3 }}\n", nodes=300)

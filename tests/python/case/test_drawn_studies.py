@@ -1,4 +1,4 @@
-"""Draws of materials in files: kept beside the material, and taken by a study from the shell."""
+"""Draws of materials in files: stored with the material, and used by a study from the shell."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ confidence = 0.9
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Return where a material with ten draws and a study of it are, and the superposition."""
+    """Return the folder of a material with ten draws and of a study, and the superposition."""
     folder = tmp_path_factory.mktemp("drawn")
     curve = vr.superpose(measured(1, Noise()), reference=REFERENCE)
     vr.save_material(folder / "rubber.toml", curve, fit=curve.fit, draws=curve.draws(10))

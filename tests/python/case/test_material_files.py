@@ -1,4 +1,4 @@
-"""Measured materials in files and case files, and the commands around them."""
+"""Measured materials in files and case files, and the commands that use them."""
 
 from __future__ import annotations
 
@@ -283,12 +283,12 @@ def power(thickness, folder):
 
 
 def test_design_stops_at_the_limit(tmp_path):
-    """The pressure falls as the coating gets thicker, and power grows: the thinnest that is allowed is the best."""
+    """A thicker coating has less pressure and more power loss: the thinnest allowed coating is the best."""
     _, middle = power(1.5e-3, tmp_path)
     path = case_file(tmp_path, RUBBER, DESIGN.replace("{limits}", f"{{ max_pressure = {middle.max_pressure!r} }}"))
     found = design_case(path)
     assert found.result.max_pressure <= middle.max_pressure * (1.0 + 1e-9)
-    # All that keep the limit among twelve lose at least as much, but for the mesh's staircase.
+    # All of the twelve that meet the limit dissipate at least as much, to the error of the mesh.
     for thickness in np.geomspace(0.5e-3, 6e-3, 12):
         watts, result = power(float(thickness), tmp_path)
         if result.max_pressure <= middle.max_pressure:
@@ -298,8 +298,8 @@ def test_design_stops_at_the_limit(tmp_path):
 
 
 def test_design_under_a_temperature(tmp_path):
-    """What is found is no hotter than the limit; without a table of how it is cooled there is none."""
-    coarse = {"nodes": "160\nmax_order = 240"}  # the loss inside is summed at every point of the search
+    """The result is at most as hot as the limit; without a table [thermal] there is no temperature."""
+    coarse = {"nodes": "160\nmax_order = 240"}  # the search sums the inner losses at every point
     cooled = "\n[thermal]\nconvection = 20.0\nambient = 293.15\nconductivity = 0.2\n"
     middle = load_case(case_file(tmp_path, RUBBER, cooled, **coarse))
     heated = middle.thermal.temperature(middle.solve())
@@ -312,7 +312,7 @@ def test_design_under_a_temperature(tmp_path):
 
 
 def test_design_of_any_number(tmp_path):
-    """Of the load itself power is least at the lower end."""
+    """The load itself may vary: the power is smallest at the lower end."""
     table = (
         DESIGN.replace('"ball.layers[0].thickness"', '"rolling.load"').replace("0.5e-3", "20.0").replace("6e-3", "60.0")
     )

@@ -1,4 +1,4 @@
-"""Measurements beside a case: files, bands, pictures, and how they are refused."""
+"""Measurements with a case: files, error bands, pictures, and input checks."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def measure(tmp_path):
 
 
 def test_bands_are_those_of_the_results(case_file, measure):
-    # In any order, and twice at one place.
+    # The loads are unordered, and one occurs twice.
     path = measure("load,penetration,error\n100,1e-4,1e-6\n50, 8e-5, 2e-6\n100,2e-4,1e-6\n")
     case = load_case(case_file)
     trial = compare_measured(case, read_measurements(path))

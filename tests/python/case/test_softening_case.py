@@ -1,4 +1,4 @@
-"""Filled rubber in case files: the same as from Python, in the shell, and over a study."""
+"""Filled rubber in case files: the same results as from Python, in the shell, and over a study."""
 
 from __future__ import annotations
 
@@ -73,12 +73,12 @@ def test_the_shell_tells_both_torques(write):
 def test_a_study_of_filled_rubber(write):
     case = load_case(write(SWEEP))
     study = vr.sweep(**case.arguments() | {"load": [1e3, 2e3]})
-    # a point of a study is solved on one thread, which alters no digit
+    # A study solves each point on one thread, which changes no digit.
     assert study.resisting_torque[1].item() == case.strain_softening().result.resisting_torque
 
 
 def test_studies_tell_networks_apart(write):
-    """By law and matrix, and by the values of a matrix that is a function."""
+    """Cache keys depend on the law, the matrix, and the values of a matrix that is a function."""
     case = load_case(write(SWEEP))
     arguments = {"load": 1e3, "angular_speed": 2.5}
 
@@ -105,7 +105,7 @@ def test_what_is_refused(write, network, message):
 
 
 def test_filled_rubber_that_heats_itself(write):
-    """The shell tells what `self_heating` finds: the coldest state, its strain and both torques."""
+    """The shell reports the results of `self_heating`: the coldest state, its strain and both torques."""
     thermal = """
 [thermal]
 convection = 10.0

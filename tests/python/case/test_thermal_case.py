@@ -1,4 +1,4 @@
-"""Case files with a table [thermal], and what the command line makes of them."""
+"""Case files with a table [thermal], and the results of the command line."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def case(tmp_path):
 def test_the_commented_table_is_valid(case):
     head, table = example_text().split("# [thermal]\n")
     lines = ["[thermal]", *(line.removeprefix("# ") for line in table.splitlines())]
-    lines.remove(next(line for line in lines if "williams" in line))  # one of two
+    lines.remove(next(line for line in lines if "williams" in line))  # one of two shift laws
     thermal = load_case(case(head + "\n".join(lines))).thermal
     assert thermal.conductivity == 0.2
     assert thermal.core is vr.Core.INSULATED
@@ -63,7 +63,7 @@ def test_solve_reports_temperatures_and_draws_the_section(case, capsys, tmp_path
     picture = tmp_path / "section.png"
     run("solve", case(COARSE + THERMAL), "--json", "--section", picture)
     (found,) = json.loads(capsys.readouterr().out)["thermal"]
-    # Of the mesh of π/100; 1.90 K on fine ones.
+    # Result on the mesh of π/100; fine meshes give 1.90 K.
     assert found["maximum"] == pytest.approx(1.90, rel=0.1)
     assert found["heat_to_surroundings"] == pytest.approx(found["heat"], rel=1e-9)
     assert picture.stat().st_size > 10000

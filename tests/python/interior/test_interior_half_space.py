@@ -1,4 +1,4 @@
-"""Inside an elastic half-space: Hertz's pressure on its axis, and shear along and across the path as Cerruti has it."""
+"""Fields in an elastic half-space: Hertz's pressure on its axis, and Cerruti's shear along and across the path."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MODULUS, RADIUS = 5e6, 50e-3
 
 
 def rolled(poisson_ratio, contact, nodes, friction=0.0):
-    """Roll a rigid ball on an elastic half-space, with a contact of that radius [m]."""
+    """Roll a rigid ball on an elastic half-space, with the given contact radius [m]."""
     load = 8.0 * MODULUS * contact**3 / (3.0 * (1.0 - poisson_ratio) * RADIUS)
     base = vr.HalfSpace(shear_modulus=vr.Elastic(modulus=MODULUS), poisson_ratio=poisson_ratio)
     return vr.solve(
@@ -30,7 +30,7 @@ def rolled(poisson_ratio, contact, nodes, friction=0.0):
 def test_hertz_under_a_ball(poisson_ratio, shear, depth):
     """Largest shear and both stresses on the axis (K. L. Johnson, Contact Mechanics, 3.45 and section 4.2)."""
     contact = 0.01 * RADIUS
-    r = rolled(poisson_ratio, contact, 12500)  # twenty nodes to the radius of the contact
+    r = rolled(poisson_ratio, contact, 12500)  # twenty nodes per contact radius
     peak = 1.5 * r.load / (math.pi * contact**2)
     assert r.max_pressure == pytest.approx(peak, rel=2e-3)
     zeta = np.concatenate([[0.2, 0.3], np.arange(0.40, 0.66, 0.02), [1.0, 2.0]])
@@ -38,7 +38,7 @@ def test_hertz_under_a_ball(poisson_ratio, shear, depth):
     radial = inside.stress.sel(component="rr")
     down = -1.0 / (1.0 + zeta**2)
     around = -((1.0 + poisson_ratio) * (1.0 - zeta * np.arctan(1.0 / zeta)) - 0.5 / (1.0 + zeta**2))
-    np.testing.assert_allclose(radial / peak, down, atol=3e-3)  # of the patches
+    np.testing.assert_allclose(radial / peak, down, atol=3e-3)  # error of the patches
     for component in ("phiphi", "thetatheta"):
         np.testing.assert_allclose(inside.stress.sel(component=component) / peak, around, atol=3e-3)
     largest = 0.5 * (inside.principal_stress[0] - inside.principal_stress[2]).to_numpy() / peak
@@ -47,7 +47,7 @@ def test_hertz_under_a_ball(poisson_ratio, shear, depth):
 
 
 def cerruti(x, y, z, poisson_ratio):
-    """Stresses xx, yy, zz, xy, yz, zx of a unit force along x, z down (Johnson, equation 3.76)."""
+    """Return the stresses xx, yy, zz, xy, yz, zx of a unit force along x, z down (Johnson, equation 3.76)."""
     rho = np.sqrt(x**2 + y**2 + z**2)
     s = rho + z
     m = 1.0 - 2.0 * poisson_ratio
@@ -69,7 +69,7 @@ def cerruti(x, y, z, poisson_ratio):
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
 @pytest.mark.parametrize("across", [False, True])
 def test_shear_by_itself_is_cerrutis(poisson_ratio, across):
-    """All six stresses below a round patch of shear that is larger on one side, as the sum of its forces has them."""
+    """All six stresses below a round patch of asymmetric shear, compared with the sum over its point forces."""
     contact = 0.02 * RADIUS
     r = rolled(poisson_ratio, contact, 3000, friction=0.3)
     x, z = r.x, r.z
@@ -81,7 +81,7 @@ def test_shear_by_itself_is_cerrutis(poisson_ratio, across):
     steps = np.array([-1.2, -0.4, 0.0, 0.7]) / RADIUS * contact
     found = r.interior(depth=depths, phi=0.5 * math.pi - steps, theta=0.5 * math.pi - 1.3 * steps, of="counterpart")
     here_x, here_z = found.x.to_numpy()[:, None], found.z.to_numpy()[None, :]
-    # On the plane, which bears what is opposite to the ball's: φ points backward, θ to -z and r upwards.
+    # The plane is loaded by the reaction of the ball's tractions: φ points backward, θ to -z and r upwards.
     for level, depth in enumerate(depths):
         along, aside = here_x[..., None, None] - x, here_z[..., None, None] - z
         if across:
@@ -101,7 +101,7 @@ def test_shear_by_itself_is_cerrutis(poisson_ratio, across):
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
 def test_shear_under_a_roller_is_that_of_its_pressure(poisson_ratio):
-    """For tractions q of Hertz's shape σ_zz is q τ_xz/p and τ_xz is q σ_xx/p of his pressure (Johnson, section 7.1)."""
+    """For tractions q of Hertz's shape, σ_zz is q τ_xz/p and τ_xz is q σ_xx/p of Hertz's p (Johnson, section 7.1)."""
     radius, load = 79.5e-3, 500.0
     base = vr.HalfSpace(shear_modulus=vr.Elastic(modulus=MODULUS), poisson_ratio=poisson_ratio)
     r = vr.solve(
@@ -123,6 +123,6 @@ def test_shear_under_a_roller_is_that_of_its_pressure(poisson_ratio):
     m, n = np.sqrt(0.5 * (root + difference)), np.sign(x) * np.sqrt(0.5 * (root - difference))
     along = -(m * (1.0 + (y**2 + n**2) / (m**2 + n**2)) - 2.0 * y) / a
     shear = -n * (m**2 - y**2) / (m**2 + n**2) / a
-    # The plane bears what is opposite to the roller's.
+    # The plane is loaded by the reaction of the roller's tractions.
     np.testing.assert_allclose(inside.stress.sel(component="rr"), -1e5 * shear, atol=2e2)
     np.testing.assert_allclose(inside.stress.sel(component="rphi"), -1e5 * along, atol=2e2)

@@ -1,4 +1,4 @@
-"""Single orders inside the layers: against 50-digit arithmetic, and the work that they lose."""
+"""Single orders inside the layers: 50-digit arithmetic, and the work that they dissipate."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from viscoroll.interior import order_fields
 
 CORE, SURFACE = 20e-3, 23e-3
 PRONY = [(6e6, [0.5], [0.125]), (2e6, [0.3, 0.2], [0.01, 1.0]), (9e6, [0.4, 0.3], [0.05, 0.3])]
-SOLID_CORE = 1e-9  # inner radius of the reference's solid ball, which starts where it must
+SOLID_CORE = 1e-9  # inner radius of the reference's solid ball, where its integration starts
 
 
 def shells(inner=CORE, outer=SURFACE, density=0.0, bulk=None):
-    """Three layers of unlike moduli and Poisson's ratios, the middle one incompressible."""
+    """Return three layers of dissimilar moduli and Poisson's ratios, the middle one incompressible."""
     radii = np.linspace(inner, outer, 4)
     ratios = [0.3, 0.5, 0.45]
     return [
@@ -57,17 +57,18 @@ def ball_of(layers, within="rigid"):
 
 
 def places_in(layers, ball):
-    """Middle and both ends of every layer; the ends as the package finds them."""
+    """Return the middle and both ends of every layer; the package determines the ends."""
     radii = [ball.core_radius or 0.5 * layers[0].outer, *(shell.outer for shell in layers)]
     middles = [0.5 * (shell.inner + shell.outer) for shell in layers[1:]]
     return sorted([*radii, *middles])
 
 
 def compare(layers, within, angular_speed, m, n, curvature=vr.Curvature.PAPER):
-    """Largest error of any field, relative to the largest of its kind at the place.
+    """Return the largest error of any field, relative to the largest value of its kind at the place.
 
-    The recursion starts 36 e-folds below the surface: at depth d that leaves exp(2d - 72) of a field, 4e-11 at 24.
-    Deeper, where a field is exp(-24) or less of that at the surface, its error is taken relative to 1e-3 of that.
+    The recursion starts 36 e-folds below the surface, so its relative error at depth d is exp(2d - 72): 4e-11 at 24
+    e-folds. Deeper, where a field is at most exp(-24) of its surface value, the error is relative to 1e-3 of the
+    surface value.
     """
     ball = ball_of(layers, within)
     radii = places_in(layers, ball)
@@ -89,7 +90,7 @@ def compare(layers, within, angular_speed, m, n, curvature=vr.Curvature.PAPER):
 
 
 LOW_ORDERS = [(1, 0), (2, -1), (13, 7)]
-HIGH_ORDERS = [(150, 40), (350, 360)]  # which end above the innermost layer of a solid ball
+HIGH_ORDERS = [(150, 40), (350, 360)]  # these fields end above the innermost layer of a solid ball
 
 
 @pytest.mark.parametrize(
@@ -98,7 +99,7 @@ HIGH_ORDERS = [(150, 40), (350, 360)]  # which end above the innermost layer of 
     + [(within, *order) for within in ("rigid", "hollow") for order in LOW_ORDERS + HIGH_ORDERS],
 )
 def test_fields_agree_with_fifty_digits(within, m, n):
-    """Up to 70 e-folds from the surface to the core: k ln(23/20) = 70 at the last order."""
+    """Test up to 70 e-folds from the surface to the core: k ln(23/20) = 70 at the last order."""
     inner = SOLID_CORE if within == "solid" else CORE
     layers = shells(inner=inner)
     assert compare(layers, within, 2.5, m, n) < 1e-10
@@ -112,7 +113,7 @@ def test_fields_on_a_sphere_and_with_a_bulk_modulus(m, n):
 
 @pytest.mark.parametrize(("m", "n"), [(4, 0), (7, 3), (47, 20)])
 def test_fields_with_inertia(m, n):
-    """At 0.6 of the lowest shear wave speed of the three layers."""
+    """The speed is 0.6 of the lowest shear wave speed of the three layers."""
     layers = shells(density=1000.0)
     speed = 0.6 * math.sqrt(1e6 / 1400.0) / SURFACE
     assert compare(layers, "rigid", speed, m, n) < 1e-10
@@ -123,7 +124,7 @@ def test_fields_with_inertia(m, n):
 @pytest.mark.parametrize("curvature", [vr.Curvature.PAPER, vr.Curvature.SPHERE])
 @pytest.mark.parametrize("density", [0.0, 1000.0])
 def test_every_order_loses_what_is_put_in(within, curvature, density):
-    """The work of a surface stress is the integral of what is lost inside: ν < ½, ν = ½ and a real bulk modulus."""
+    """The work of a surface stress is the integral of the inner dissipation: ν < ½, ν = ½ and a real bulk modulus."""
     layers = shells(inner=8e-3 if within == "solid" else CORE, bulk=3e7, density=density)
     ball = ball_of(layers, within)
     points, weights = np.polynomial.legendre.leggauss(60)
@@ -134,7 +135,7 @@ def test_every_order_loses_what_is_put_in(within, curvature, density):
         inner = ball.core_radius
         for layer in ball.layers:
             outer = inner + layer.thickness
-            # Powers of r that are not whole want points crowded at the center.
+            # Non-integer powers of r need points concentrated at the center.
             y, crowding = 0.5 * (1.0 + points), 4 if inner == 0.0 else 1
             radius = inner + (outer - inner) * y**crowding
             widths = (outer - inner) * crowding * y ** (crowding - 1) * 0.5 * weights
@@ -156,7 +157,7 @@ def test_every_order_loses_what_is_put_in(within, curvature, density):
 
 
 def test_nothing_moves_on_a_rigid_core_and_nothing_pulls_at_a_cavity():
-    """To the last digit; what is left there, the core's traction and the cavity's way, are those of fifty digits."""
+    """Both boundary conditions hold exactly; core traction and cavity displacement agree with fifty digits."""
     layers = shells()
     rigid, hollow = (
         order_fields(ball_of(layers, within), 2.5, [5], [3], radius=[CORE], curvature=vr.Curvature.PAPER)

@@ -1,4 +1,4 @@
-"""Inside wheels, and inside what they roll on: Bessel functions at 40 digits, rollers, planes, work and tractions."""
+"""Fields inside wheels and their counterbodies: Bessel functions with 40 digits, rollers, planes, work, tractions."""
 
 from __future__ import annotations
 
@@ -29,7 +29,10 @@ pytestmark = pytest.mark.filterwarnings("ignore:the pressure of a flat tread:vis
 
 
 def largest_error(found, expected):
-    """Of any component, relative to the largest of its kind at the place; on the hub, that holds, of all places."""
+    """Return the largest error of any component, relative to the largest value of its kind at the place.
+
+    On the hub, whose displacement is zero, the error is relative to the largest value at all places.
+    """
     worst = 0.0
     for kind in range(3):
         exact = np.array([place[kind] for place in expected])
@@ -49,7 +52,7 @@ def test_orders_are_bessels(m, n):
     expected = reference.order_fields(HUB, given, m, n / 50e-3, places)
     found = order_fields(UNLIKE, SPEED, [m], [n], radius=RADII)
     assert largest_error(found, expected) < 1e-11
-    # In a mirror that the axis stands upright on, u_z and what has one index z change sides.
+    # A mirror plane normal to the axis changes the sign of u_z and of components with one index z.
     mirrored = order_fields(UNLIKE, SPEED, [m], [-n], radius=RADII)
     flips = [np.array([1, 1, -1]), *[np.array([1, 1, 1, 1, -1, -1])] * 2]
     for kind, flip in enumerate(flips):
@@ -66,7 +69,7 @@ def test_without_waves_across_it_is_a_roller(m):
 
 
 def test_a_large_wheel_is_a_plane():
-    """Linearly in h/R."""
+    """The difference is linear in h/R."""
     depth = np.array([0.0, 2e-3, 4e-3, 7e-3, 10e-3])
     plane = vr.CoatedPlane(layers=UNLIKE.layers)
     errors = []
@@ -103,7 +106,7 @@ def test_every_order_loses_what_is_put_in(density):
             nu = layer.poisson_ratio
             bulk = (mu * 2 * (1 + nu) / (3 * (1 - 2 * nu))).imag[:, None] if nu is not None and nu < 0.5 else 0.0
             density_lost = 2 * mu.imag[:, None] * (square - abs(trace) ** 2 / 3) + bulk * abs(trace) ** 2
-            # Of the measure r dr dphi dz the length along z is that of the surface.
+            # In the measure r dr dphi dz, the length along z is that of the surface.
             lost += (density_lost * radius) @ (0.5 * layer.thickness * weights)
             inner += layer.thickness
         displacement = order_fields(wheel, SPEED, m, n, depth=[0.0])[0][:, 0] @ load
@@ -112,14 +115,14 @@ def test_every_order_loses_what_is_put_in(density):
 
 @pytest.fixture(scope="module")
 def flat():
-    """Return a flat wheel with endless sides, rolled: the compliance of its contact is that of the orders inside."""
+    """Return a flat wheel with endless sides in rolling contact: solver and inner fields use the same orders."""
     return vr.solve(FLAT, load=300.0, angular_speed=SPEED, friction=0.3, mesh=MESH)
 
 
 def test_the_loss_is_what_the_surface_puts_in(flat):
     loss = flat.loss()
     assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-7)
-    # The orders left out are those of the pressure's steep ends at the sides.
+    # The truncated orders describe the steep ends of the pressure at the sides.
     assert loss.attrs["power"] == pytest.approx(flat.bulk_power, rel=2e-3)
     assert loss.attrs["bulk_power"] == flat.bulk_power
     assert vr.loss_spectrum(flat).power.sum() == pytest.approx(flat.bulk_power, rel=1e-2)
@@ -129,7 +132,7 @@ def test_displacement_at_the_surface_is_that_of_the_solver(flat):
     with pytest.warns(vr.ResultWarning, match="less than a quarter of a spacing"):
         surface = flat.interior(depth=[0.0]).isel(depth=0)
     radial = surface.displacement.sel(direction="r").to_numpy()
-    # The solver's displacement is upwards, against r at the lowest point.
+    # The solver's displacement is positive upwards, against r at the lowest point.
     np.testing.assert_allclose(radial, -flat.displacement, atol=1e-9 * np.abs(flat.displacement).max())
 
 
@@ -137,12 +140,12 @@ def test_displacement_at_the_surface_is_that_of_the_solver(flat):
     ("wheel", "friction"), [(FLAT, 0.0), (CROWNED, 0.3), (replace(CROWNED, width=40e-3, sides="free"), 0.3)]
 )
 def test_at_the_surface_the_tractions_come_back(wheel, friction):
-    """By the sum over all orders, at the centers of patches that are not those of the mesh."""
+    """The sum over all orders gives the tractions at the centers of patches, which are not those of the mesh."""
     r = vr.solve(wheel, load=100.0, angular_speed=SPEED, friction=friction, mesh=MESH)
     with pytest.warns(vr.ResultWarning):
         surface = r.interior(depth=[0.0]).isel(depth=0)
     along, across = r.shear_traction
-    # Along the plane, forward is -φ; what is not along the radius presses with its share.
+    # Along the plane, forward is -φ; tractions that are not normal to the radius contribute to the radial stress.
     radial = -r.pressure + along * r.x / wheel.outer_radius + across * r.z / wheel.crown_radius
     size = r.pressure.max()
     np.testing.assert_allclose(surface.stress.sel(component="rr"), radial, atol=2e-5 * size)
@@ -152,13 +155,13 @@ def test_at_the_surface_the_tractions_come_back(wheel, friction):
 
 
 def test_the_middle_of_a_wide_wheel_is_a_roller():
-    """At the same load per length; four radii wide, in tracks two circumferences apart."""
+    """Load per length is equal; the wheel is four radii wide, and its periodic tracks are two circumferences apart."""
     wide = replace(FLAT, width=0.2)
     mesh = vr.Mesh(nodes_per_revolution=400, theta_nodes_per_revolution=60)
     roller = vr.CoatedCylinder(core_radius=HUB, layers=[TREAD])
     line = vr.solve(roller, load=5e3, angular_speed=SPEED, mesh=vr.Mesh(nodes_per_revolution=400))
     wheel = vr.solve(wide, load=5e3 * 0.2, angular_speed=SPEED, mesh=mesh)
-    # What the edges take or leave, in a tread of twenty thicknesses.
+    # Effect of the edges in a tread of twenty thicknesses.
     share = wheel.pressure[:, wheel.pressure.shape[1] // 2].sum() / line.pressure[:, 0].sum()
     assert share == pytest.approx(1.0, abs=0.02)
     depth = [3e-3, 5e-3, 8e-3, 10e-3]
@@ -183,14 +186,14 @@ def test_the_middle_of_a_wide_wheel_is_a_roller():
     ids=["half-space", "rail", "roller", "wheel"],
 )
 def test_what_is_under_a_wheel(on):
-    """Each of the two loses its own power; under a flat wheel there is no crown in the orders of the solve."""
+    """Each body dissipates its own power; under a flat wheel, the orders of the solve have no crown."""
     r = vr.solve(FLAT, on=on, load=100.0, angular_speed=SPEED, friction=0.3, mesh=MESH)
     for of, power in (("ball", r.rolling_bulk_power), ("counterpart", r.counterpart_bulk_power)):
         loss = r.loss(of=of, depth=[])
         assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-7)
         crowned = of == "counterpart" and isinstance(on, vr.CoatedWheel)
         assert loss.attrs["power"] == pytest.approx(power, rel=5e-2 if crowned else 5e-3)
-    # What one presses, the other bears, in the middle, a third of a spacing below either surface.
+    # Both bodies have the same pressure in the middle, a third of a spacing below either surface.
     inside = [r.interior(depth=[0.5e-3], theta=[0.5 * np.pi], of=of) for of in ("ball", "counterpart")]
     pressed = [float(side.stress.sel(component="rr").min()) for side in inside]
     assert pressed == pytest.approx([-r.pressure[:, r.pressure.shape[1] // 2].max()] * 2, rel=0.1)
@@ -200,7 +203,7 @@ def test_bonds(flat):
     bonds = flat.bonds()
     np.testing.assert_allclose(bonds.depth, [10e-3])
     assert np.abs(bonds.displacement).max() == 0.0
-    # ν = ½ on a hub that stretches nowhere.
+    # ν = ½ on a hub that does not stretch.
     np.testing.assert_allclose(bonds.von_mises, math.sqrt(3.0) * bonds.shear_traction, rtol=1e-5, atol=10.0)
     assert bonds.attrs["body"] == "CoatedWheel"
 
@@ -217,8 +220,8 @@ def test_free_sides_are_told_where_they_are_near():
     assert len(told) == 1
     far = vr.solve(replace(free, width=50e-3), load=20.0, angular_speed=SPEED, mesh=MESH)
     assert far.face_distance > 10e-3
-    far.interior(depth=[2e-3], theta=[0.5 * np.pi])  # errors are what warnings are here
-    # There the tread does not know that it ends, but its crown changes what it loses.
+    far.interior(depth=[2e-3], theta=[0.5 * np.pi])  # the test would fail on a warning
+    # There, the tread is unaffected by its ends, but its crown changes the dissipation.
     assert far.loss(depth=[]).attrs["power"] == pytest.approx(far.bulk_power, rel=0.02)
 
 
@@ -237,16 +240,16 @@ def test_files_and_pictures(flat, tmp_path):
     save_interior(inside, tmp_path / "inside.vtu")
     volume = meshio.read(tmp_path / "inside.vtu")
     assert {block.type for block in volume.cells} == {"hexahedron"}
-    # Straight across: z is the nodes', at every depth.
+    # z is that of the nodes at every depth.
     np.testing.assert_allclose(np.unique(volume.points[:, 1].round(9)), np.sort(flat.z[0].round(9)))
     radius = np.hypot(volume.points[:, 0], volume.points[:, 2])
     np.testing.assert_allclose(np.unique(radius.round(9)), [42e-3, 45e-3, 47e-3])
-    # Pressed along the vertical, from which the radius hardly differs.
+    # The load is vertical, which is nearly the radial direction.
     pressed = float(inside.stress.sel(component="rr").min())
     assert volume.point_data["stress [Pa]"][:, 8].min() == pytest.approx(pressed, rel=0.02)
     plot_section(flat)
     axes = plot_loss(flat).axes[0]
-    assert axes.get_xlim()[1] >= 15.0  # the width is seen
+    assert axes.get_xlim()[1] >= 15.0  # the picture includes the full width
 
 
 def test_bad_places_are_named(flat):

@@ -1,4 +1,4 @@
-"""Equivalent linear rolling beside columns whose network is followed exactly, `tests/reference/network_columns.py`."""
+"""Equivalent linear rolling compared with columns of exact network, `tests/reference/network_columns.py`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 import viscoroll as vr
 from reference.network_columns import Columns
 
-#: Load [N/m], moment [N] and set of peak, that another program found, by the peak of strain.
+#: Results of another program by peak strain: load [N/m], moment [N], and permanent set / peak strain.
 ROWS = {
     0.001: (2.53478, 6.63585e-6, 0.0307),
     0.003: (11.46052, 9.47594e-5, 0.0794),
@@ -21,7 +21,7 @@ ROWS = {
 
 @pytest.mark.parametrize("peak", ROWS)
 def test_columns_of_two_programs(peak):
-    """To the digits given."""
+    """Compare to the digits of the table."""
     load, moment, left = ROWS[peak]
     found = Columns().pass_of(peak)
     assert found[:2] == pytest.approx((load, moment), rel=2e-6)
@@ -30,10 +30,11 @@ def test_columns_of_two_programs(peak):
 
 @pytest.mark.parametrize(
     ("peak", "bound"),
-    [(0.01, 0.02), (0.1, 0.045)],  # what one modulus for all strains of a pass leaves, and columns that touch: h/a
+    # errors of one modulus for all strains of a pass, and of neglected interaction of columns: h/a
+    [(0.01, 0.02), (0.1, 0.045)],
 )
 def test_matched_torque_is_that_of_the_columns(peak, bound):
-    """A thin layer without Poisson's ratio is columns: E = 2 G, and the shear of a column's strain is 2/√3 of it."""
+    """A thin layer with ν = 0 acts as columns: E = 2 G, and the shear of a column's strain is 2/√3 of the strain."""
     columns = Columns()
     load, moment, left = columns.pass_of(peak)
     matrix = vr.StandardLinearSolid(
@@ -56,7 +57,7 @@ def test_matched_torque_is_that_of_the_columns(peak, bound):
     )
     harmonic, matched = np.array(found.torque_bounds) / moment
     assert matched == pytest.approx(1.0, abs=bound)
-    assert harmonic > 1.2  # a parabola's harmonics lose 1.62 times what the network does
-    # from the track as it is, less its set
+    assert harmonic > 1.2  # the harmonics of a parabola dissipate 1.62 times as much as the network
+    # measured from the actual track, without its set
     assert found.result.penetration == pytest.approx(height * peak * (1.0 - left), rel=bound)
     assert found.layer_amplitudes[0] == pytest.approx(peak * (1.0 - left) / math.sqrt(3.0), rel=bound)

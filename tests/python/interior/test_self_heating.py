@@ -1,4 +1,4 @@
-"""Torque and temperature found together."""
+"""Self-heating: torque and temperature found together."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from viscoroll.solution.loss import default_max_order
 
 AMBIENT = 293.15
 COOLING = {"conductivity": 0.2, "convection": 10.0, "ambient": AMBIENT}
-UNIFORM = COOLING | {"conductivity": 1e3}  # of temperature, as in the independent computation
+UNIFORM = COOLING | {"conductivity": 1e3}  # uniform temperature, as in the independent computation
 MESH = vr.Mesh(nodes_per_revolution=240)
 
 
 def falling(temperature):
-    """a_T = e^(-0.1 (T - ambient))."""
+    """Return the shift factor a_T = e^(-0.1 (T - ambient))."""
     return math.exp(-0.1 * (temperature - AMBIENT))
 
 
@@ -38,18 +38,18 @@ def heated(angular_speed, **options):
 
 @pytest.fixture(scope="module")
 def curve():
-    """Torque of the speed on the same mesh, by the program of the references."""
+    """Return the torque as a function of speed on the same mesh, by the reference program."""
     return torque_curve(1e-4, 100.0, nodes=240)
 
 
 def rises(curve, angular_speed):
-    """Return the rises of a coating of uniform temperature, and which are stable."""
+    """Return the rises of a coating of uniform temperature, and whether they are stable."""
     return steady_rises(curve, angular_speed, convection=10.0, shift_rate=0.1, limit=120.0)
 
 
 @pytest.mark.parametrize("angular_speed", [2.5, 25.0])
 def test_one_state(curve, angular_speed):
-    """As the program says to 1 %: 1.19 and 1.53 K."""
+    """The reference program gives 1.19 and 1.53 K, to 1 %."""
     (state,) = heated(angular_speed, limit=AMBIENT + 30.0, points=8, **UNIFORM).states
     assert state.stable
     assert rises(curve, angular_speed) == [(pytest.approx(state.mean_temperature - AMBIENT, rel=0.01), True)]
@@ -59,13 +59,13 @@ def test_one_state(curve, angular_speed):
 
 
 def test_three_states(curve):
-    """As the program says to 1 %: 1.54, 33.5 and 61.1 K at 100 rad/s; the middle one is unstable."""
+    """The reference program gives 1.54, 33.5 and 61.1 K at 100 rad/s, to 1 %; the middle one is unstable."""
     hot = heated(100.0, **UNIFORM)
     found = [(pytest.approx(state.mean_temperature - AMBIENT, rel=0.01), state.stable) for state in hot.states]
     assert rises(curve, 100.0) == found
     assert [state.stable for state in hot.states] == [True, False, True]
     for state in hot.states:
-        # Each is one: its moduli, solved again, make its temperature.
+        # A steady state: a solve with its moduli gives its temperature.
         ball = coated_ball(shifted(RUBBER, falling(state.mean_temperature)), thickness=5e-3)
         again = vr.solve(ball, load=100.0, angular_speed=100.0, mesh=MESH)
         found = vr.temperature(again, **UNIFORM)
@@ -73,7 +73,7 @@ def test_three_states(curve):
 
 
 def test_no_state_is_refused_with_the_largest_speed():
-    """Below the hot branch, moduli that the heat brings to their peak of loss."""
+    """The limit is below the hot branch, and heat brings the moduli to their peak of loss."""
     coarse = vr.Mesh(nodes_per_revolution=120)
     fast = {"load": 400.0, "convection": 3.0, "limit": AMBIENT + 60.0, "points": 8, "mesh": coarse}
     with pytest.raises(ValueError, match=r"angular_speed must be at most about .* rad/s for a steady temperature") as e:
@@ -99,7 +99,7 @@ def test_without_a_shift_the_temperature_is_that_of_the_moduli():
 
 
 def test_sublayers_have_temperatures_of_their_own():
-    """The outer half is the warmer one, and moduli of these temperatures, solved again, lead to them."""
+    """The outer half is warmer, and a solve with the moduli of both temperatures gives these temperatures."""
     given = {"load": 100.0, "angular_speed": 25.0, "mesh": vr.Mesh(nodes_per_revolution=160)}
     cooling = COOLING | {"core": vr.Core.ISOTHERMAL}
     ball = coated_ball(thickness=5e-3)
@@ -113,7 +113,7 @@ def test_sublayers_have_temperatures_of_their_own():
 
 @pytest.fixture(scope="module")
 def roller():
-    """Return a roller of 50 + 10 mm at 30 rad/s under 8 kN/m, its moduli shifted by the WLF law of rubber."""
+    """Return a roller of 50 + 10 mm at 30 rad/s under 8 kN/m; its moduli shift by the WLF law of rubber."""
     shift = vr.WilliamsLandelFerry(c1=8.86, c2=101.6, reference_temperature=AMBIENT)
     body = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(RUBBER, thickness=10e-3)])
     with warnings.catch_warnings():
@@ -132,7 +132,7 @@ def roller():
 
 
 def test_a_roller_has_three_states_and_a_fold_in_load(roller):
-    """Of an independent program in NumPy: rises [K], torques [N], and where cold and middle state merge."""
+    """Compare with a NumPy program: rises [K], torques [N], and the load where cold and middle state merge."""
     rises = [state.mean_temperature - AMBIENT for state in roller.states]
     assert rises == pytest.approx([1.9248, 13.1285, 36.432], rel=1e-3)
     torques = [state.result.resisting_torque for state in roller.states]
@@ -140,16 +140,16 @@ def test_a_roller_has_three_states_and_a_fold_in_load(roller):
     assert [state.stable for state in roller.states] == [True, False, True]
     fold = roller.largest_load()
     assert fold.load == pytest.approx(10154.4, rel=1e-3)
-    assert fold.mean_temperature - AMBIENT == pytest.approx(5.582, rel=0.02)  # flat there
+    assert fold.mean_temperature - AMBIENT == pytest.approx(5.582, rel=0.02)  # the maximum is flat
     assert 0.0 < fold.strain < 0.1
-    # The cold state goes on to any speed at this load: ΔT a_T has its maximum above the plateau of the torque.
+    # At this load, the cold state exists at any speed: ΔT a_T has its maximum above the plateau of the torque.
     assert roller.largest_speed() is None
     assert len(plot_folds(roller, points=3).axes) == 2
     assert roller.loads([AMBIENT + 5.0, AMBIENT + 30.0])[1] < roller.loads([AMBIENT + 5.0])[0]
 
 
 def test_a_vertical_shift_is_a_load_per_modulus():
-    """T(F; b) = b T(F/b; 1), to the last digits of the same mesh."""
+    """T(F; b) = b T(F/b; 1), to the last digits on the same mesh."""
     half = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(RUBBER, thickness=10e-3)])
     given = {"conductivity": 1e3, "convection": 15.0, "ambient": AMBIENT, "mesh": vr.Mesh(nodes_per_revolution=2000)}
     hot = vr.self_heating(
@@ -166,13 +166,13 @@ def test_a_vertical_shift_is_a_load_per_modulus():
     assert hot.states[0].result.resisting_torque == pytest.approx(0.5 * plain.resisting_torque, rel=1e-9)
 
 
-#: A wheel of 50 + 10 mm, 50 mm wide, with a crown, whose film takes what its power makes.
+#: A wheel of 50 + 10 mm, 50 mm wide, with a crown; convection removes its heat.
 WHEEL = vr.CoatedWheel(core_radius=50e-3, layers=[one_layer(thickness=10e-3)], width=50e-3, crown_radius=0.2)
-EVEN = {"conductivity": 1e3, "convection": 15.0, "ambient": AMBIENT}  # as warm everywhere
+EVEN = {"conductivity": 1e3, "convection": 15.0, "ambient": AMBIENT}  # uniform temperature
 
 
 def test_a_wheel_is_as_warm_as_its_moduli():
-    """Its moduli, solved again, make its temperature; and the load that makes it is the one it was found at."""
+    """A solve with its moduli gives its temperature; the load of this temperature is the given load."""
     given = COOLING | {"side_convection": 8.0, "hub_conductance": 0.1}
     mesh = vr.Mesh(nodes_per_revolution=80)
     hot = vr.self_heating(
@@ -191,7 +191,7 @@ def test_a_wheel_is_as_warm_as_its_moduli():
 
 @pytest.mark.slow
 def test_loads_of_a_softening_wheel_have_a_maximum():
-    """By T(F; b) = b T(F/b; 1) contacts of one modulus make every state, past the largest load, too."""
+    """Contacts of one modulus give every state, also beyond the largest load: T(F; b) = b T(F/b; 1)."""
     body = replace(WHEEL, core_radius=20e-3, width=30e-3, crown_radius=0.1)
     mesh, speed = vr.Mesh(nodes_per_revolution=60), 15.0
 
@@ -220,7 +220,8 @@ def test_loads_of_a_softening_wheel_have_a_maximum():
             **EVEN,
         )
     assert hot.states[0].mean_temperature == pytest.approx(temperatures[0], abs=0.02)
-    np.testing.assert_allclose(hot.loads(temperatures), loads, rtol=0.01)  # of so coarse a mesh powers climb by steps
+    # on so coarse a mesh, powers increase in steps
+    np.testing.assert_allclose(hot.loads(temperatures), loads, rtol=0.01)
 
 
 TREAD = vr.SofteningModulus(matrix=RUBBER, network=vr.MasingNetwork(storage=6e6, critical_strain=0.01))
@@ -232,7 +233,7 @@ FILLED = {
 
 
 def filled(name, **options):
-    """Self-heating of filled rubber whose matrix the heat shifts."""
+    """Return filled rubber and its self-heating; the heat shifts the matrix."""
     body, load, speed, nodes = FILLED[name]
     given = {"load": load, "angular_speed": speed, "shift": falling, "limit": AMBIENT + 40.0, "points": 4}
     mesh = vr.Mesh(nodes_per_revolution=nodes)
@@ -243,7 +244,7 @@ def filled(name, **options):
 
 @pytest.mark.parametrize("name", ["ball", "roller", pytest.param("wheel", marks=pytest.mark.slow)])
 def test_filled_rubber_is_at_rest_in_strain_and_heat(name):
-    """Strain of the shifted moduli, found apart, makes that contact; its heat makes the temperature of the shift."""
+    """A separate search with the shifted moduli gives the same contact, whose heat gives the same temperature."""
     body, hot = filled(name)
     state = hot.states[0]
     warm = shifted(TREAD, falling(state.layer_temperatures[0]))
@@ -256,13 +257,13 @@ def test_filled_rubber_is_at_rest_in_strain_and_heat(name):
     assert state.softening.torque_bounds == pytest.approx(found.torque_bounds, rel=1e-3)
     assert state.softening.layer_amplitudes == pytest.approx(found.layer_amplitudes, rel=1e-3)
     assert state.result.resisting_torque == state.softening.torque_bounds[1]
-    orders = default_max_order(found.result, 12.0)  # as on the way to a state
+    orders = default_max_order(found.result, 12.0)  # the same as in the search for a state
     rise = vr.temperature(found.result, **COOLING, max_order=orders).mean
     assert AMBIENT + rise == pytest.approx(state.mean_temperature, abs=2e-3 * rise)
 
 
 def test_filled_rubber_by_harmonics():
-    """Of the two ways that a network may lose, that which loses more is the hotter."""
+    """The loss method with the larger loss gives the hotter state."""
     hot, harmonic = (filled("roller", softening=way)[1].states[0] for way in ("network", "harmonic"))
     assert harmonic.softening.loss == "harmonic"
     assert harmonic.result.resisting_torque == harmonic.softening.torque_bounds[0]
@@ -274,7 +275,7 @@ def test_filled_rubber_by_harmonics():
 
 @pytest.mark.slow
 def test_filled_rubber_has_a_largest_load():
-    """A matrix that melts beside a network: the cold state ends in a fold, on whose either side loads are smaller."""
+    """A matrix that melts beside a network: the cold state ends in a fold, with smaller loads on both sides."""
     melting = {"vertical_shift": lambda kelvin: 1.0 / (1.0 + math.exp((kelvin - AMBIENT - 10.0) / 2.0))}
     matrix = vr.StandardLinearSolid(instantaneous_modulus=12e6, relaxed_modulus=9e6, relaxation_time=0.01)
     network = vr.MasingNetwork(storage=2e6, critical_strain=0.02)

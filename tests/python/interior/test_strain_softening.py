@@ -1,4 +1,4 @@
-"""Rolling of filled rubber: what is known of it without any iteration, limits, scaling, and what is refused."""
+"""Rolling of filled rubber: exact relations without iteration, limits, scaling, and input checks."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ mpl.use("Agg")
 NETWORK = vr.MasingNetwork(storage=6e6, critical_strain=0.01)
 TREAD = vr.SofteningModulus(matrix=RUBBER, network=NETWORK)
 
-#: That strain is above 0.2 is no news in these cases.
+#: A strain above 0.2 is expected in these cases.
 pytestmark = pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")
 
 
@@ -51,7 +51,7 @@ def test_a_network_that_no_strain_softens_is_a_linear_one():
     frequency = 2.5 * contact.ball.outer_radius / contact.semi_axis_x
     linear = tread.at(0.5, reference_frequency=frequency)
     expected = vr.solve(roller(linear), load=2e3, angular_speed=2.5, mesh=contact.mesh)
-    # the frequency is that of the pass before, whose half-width is within a node's
+    # The frequency belongs to the previous iteration, whose half-width is accurate to one node.
     assert contact.resisting_torque == pytest.approx(expected.resisting_torque, rel=2e-3)
     assert contact.penetration == pytest.approx(expected.penetration, rel=2e-3)
 
@@ -65,7 +65,7 @@ def test_a_network_that_loses_nothing_needs_no_matching():
 
 
 def test_the_modulus_is_that_of_the_strain_it_makes(soft_roller):
-    """Solved once more at the amplitude found, the contact has that amplitude: a fixed point, to the tolerance."""
+    """A solve at the amplitude found has this amplitude: a fixed point, to the tolerance."""
     modulus = soft_roller.result.ball.layers[0].shear_modulus
     storage = NETWORK.at(soft_roller.layer_amplitudes[0])[0]
     assert modulus.network.modulus == pytest.approx(storage, rel=1e-12)
@@ -82,7 +82,7 @@ def test_it_comes_to_the_same_from_the_other_side(soft_roller):
 
 
 def test_scaling_of_moduli(soft_roller):
-    """Thrice the moduli under thrice the load are the same strain."""
+    """Three times the moduli under three times the load give the same strain."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=18e6, relaxed_modulus=9e6, relaxation_time=0.125)
     network = vr.MasingNetwork(storage=18e6, critical_strain=0.01)
     found = softened(roller(vr.SofteningModulus(matrix=rubber, network=network)), load=6e3)
@@ -91,7 +91,7 @@ def test_scaling_of_moduli(soft_roller):
 
 
 def test_scaling_of_lengths(soft_roller):
-    """A line load and lengths twice as large are the same strain."""
+    """A line load and lengths twice as large give the same strain."""
     layer = one_layer(TREAD, thickness=20e-3)
     found = softened(vr.CoatedCylinder(core_radius=0.1, layers=[layer]), load=4e3)
     assert found.layer_amplitudes == pytest.approx(soft_roller.layer_amplitudes, rel=1e-6)
@@ -107,7 +107,7 @@ def test_sublayers_are_layers():
 
 
 def test_sublayers_hardly_matter(soft_roller):
-    """docs/theory/filled-rubber.md: torque within some 3 % at equal load."""
+    """docs/theory/filled-rubber.md: the torque changes by about 3 % at equal load."""
     cut = softened(roller(), sublayers=3)
     assert cut.torque_bounds == pytest.approx(soft_roller.torque_bounds, rel=0.04)
 
@@ -125,7 +125,7 @@ def search_of(body, *, nodes, load=2e3):
     )
 
 
-#: Bodies whose strain goes with the modulus as G^-α at given load, and how well such a limit is met.
+#: Bodies whose strain at given load varies with the modulus as G^-α, and the tolerance of this limit.
 SLOPES = {
     "thick roller": (lambda m: roller(m, thickness=40e-3), 100.0, 12000, 1 / 2, 0.02),
     "thin compressible roller": (lambda m: roller(m, thickness=1e-4, poisson_ratio=0.0), 2e4, 3000, 2 / 3, 0.02),
@@ -136,7 +136,7 @@ SLOPES = {
 
 @pytest.mark.parametrize("name", SLOPES)
 def test_slope_of_the_iteration(name):
-    """An elastic layer at two amplitudes: d ln g/d ln G = -α, by the way the contact grows."""
+    """An elastic layer at two amplitudes: d ln g/d ln G = -α, because the contact grows."""
     make, load, nodes, alpha, tolerance = SLOPES[name]
     network = vr.KrausNetwork(storage=1e7, loss=0.0, critical_strain=0.01)
     body = make(vr.SofteningModulus(matrix=vr.Elastic(modulus=1e7), network=network))
@@ -149,7 +149,7 @@ def test_slope_of_the_iteration(name):
 
 
 def test_base_ball():
-    """Torques beside that of the rubber without network; the values are those of another program, matched to 3 %."""
+    """Torques relative to the rubber without network, compared with another program; the matched one to 3 %."""
     ball = coated_ball(TREAD)
     mesh = vr.Mesh(nodes_per_revolution=600)
     linear = vr.solve(coated_ball(), load=100.0, angular_speed=2.5, mesh=mesh)
@@ -161,7 +161,7 @@ def test_base_ball():
 
 
 def test_both_of_a_pair_soften_alike():
-    """Two rollers alike bear the same strain."""
+    """Two identical rollers have the same strain."""
     found = softened(roller(), on=roller(), load=4e3)
     assert found.layer_amplitudes[0] == pytest.approx(found.layer_amplitudes[1], rel=1e-6)
     assert found.loss_scales[0] == pytest.approx(found.loss_scales[1], rel=1e-6)

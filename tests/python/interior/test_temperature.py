@@ -1,4 +1,4 @@
-"""Steady conduction against closed forms, and where the heat goes."""
+"""Steady conduction compared with closed forms, and the heat balance."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_uniform_source_on_an_isothermal_core():
 @pytest.mark.parametrize("degree", [1, 4, 60])
 @pytest.mark.parametrize("core", [0.0, None, 40.0])
 def test_one_degree(degree, core):
-    """T_l = -q r²/(k (6 - l(l+1))) + A (r/r_o)^l + B (r_i/r)^(l+1), by the conditions at both ends."""
+    """T_l = -q r²/(k (6 - l(l+1))) + A (r/r_o)^l + B (r_i/r)^(l+1), from the conditions at both ends."""
     layers = shell(core=core, degrees=degree + 1)
     rises = layers.solve(source_of(layers, degree, Q))
     particular = -Q / (K * (6 - degree * (degree + 1)))
@@ -88,7 +88,7 @@ def test_one_degree(degree, core):
 
 
 def test_unlike_layers_on_an_insulated_core():
-    """Mean heat flows outwards only: the drops through the layers add up."""
+    """The mean heat flows only outwards, so the temperature drops of the layers add up."""
     radii, conductivities, heats = (15e-3, 18e-3, 21e-3), (0.5, 0.1), (2e4, 7e4)
     layers = shell(radii=radii, conductivities=conductivities)
     rises = layers.solve(source_of(layers, 0, np.array(heats)[layers.layer]))
@@ -111,18 +111,18 @@ def test_thin_shell_is_a_fin():
     for degree in (0, 2, 6):
         rises = layers.solve(source_of(layers, degree, Q))
         fin = Q * h / (H + K * h * degree * (degree + 1) / OUTER**2)
-        assert rises[degree, -1] == pytest.approx(fin, rel=2e-3)  # of h/R and of the Biot number
+        assert rises[degree, -1] == pytest.approx(fin, rel=2e-3)  # errors of h/R and of the Biot number
 
 
 def test_varying_convection_joins_the_degrees():
-    """A uniform coefficient given as a function is the number; another one keeps the balance of heat."""
+    """A uniform coefficient given as a function equals the number; a varying one keeps the balance of heat."""
     uniform = shell(convection=lambda theta: np.full(theta.shape, H))
     source = np.random.default_rng(1).uniform(0.5, 1.0, (9, uniform.place.size)) * Q
     np.testing.assert_allclose(uniform.solve(source), shell().solve(source), rtol=1e-10)
     varying = shell(convection=lambda theta: H * (1.0 + np.sin(theta) ** 2))
     rises = varying.solve(source)
     assert varying.heat_outwards(rises) == pytest.approx(varying.heat_of(source), rel=1e-11)
-    # At the surface -k T' = h_c T, at angles of the test's own; slopes by differences of the polynomial.
+    # The slope of a polynomial through the rises is finite at the surface.
     layer = varying.layer == 0
     fit = np.polynomial.Polynomial.fit(varying.place[layer], rises[:, layer].T[:, 0], 12)
     assert np.isfinite(fit.deriv()(OUTER))
@@ -134,7 +134,7 @@ def base_case():
 
 
 def test_base_case_on_an_insulated_core(base_case):
-    """Independent computation: 1.85 K on the surface, there 1.69 K weighted by the loss, and 1.90 K at most."""
+    """Compare with an independent computation: surface 1.85 K, 1.69 K weighted by the loss, and 1.90 K at most."""
     t = vr.temperature(base_case, conductivity=0.2, convection=10.0, ambient=293.15)
     assert t.surface_maximum == pytest.approx(1.85, rel=5e-3)
     assert t.maximum == pytest.approx(1.90, rel=5e-3)
@@ -147,11 +147,11 @@ def test_base_case_on_an_insulated_core(base_case):
     mean = t.heat / (4 * math.pi * 21e-3**2 * 10.0)
     surface = t.rise.isel(radius=-1)
     weights = np.sin(surface.theta)
-    assert float((surface * weights).sum() / weights.sum()) == pytest.approx(mean, rel=1e-3)  # by points in θ
+    assert float((surface * weights).sum() / weights.sum()) == pytest.approx(mean, rel=1e-3)  # quadrature error in θ
 
 
 def test_isothermal_core_takes_the_heat_and_warns_of_ripple(base_case):
-    """At 2.5 rad/s a point cools between its passages: the mean over a revolution does not hold."""
+    """At 2.5 rad/s, a point cools between its passages: the mean over a revolution does not represent it."""
     with pytest.warns(vr.ResultWarning, match="swings by up to 0.1"):
         t = vr.temperature(base_case, conductivity=0.2, convection=10.0, ambient=293.15, core=vr.Core.ISOTHERMAL)
     assert t.heat_to_core + t.heat_to_surroundings == pytest.approx(t.heat, rel=1e-9)
@@ -168,7 +168,7 @@ def test_conducting_core_lies_between(base_case):
 
 
 def test_the_plane_cools_the_track(base_case):
-    """Some 85 W/(m² K) under a metal plane on the track, by a contact of 2 a = 4.7 mm; this one's middle is longer."""
+    """A metal plane cools the track of a contact of 2 a = 4.7 mm by about 85 W/(m² K); this contact is longer."""
     film = vr.plane_cooling(base_case, convection=10.0, conductivity=0.2, heat_capacity=2e6)
     assert film(np.array([0.5 * math.pi]))[0] == pytest.approx(
         10.0 + 85.0 * math.sqrt(2.0 * base_case.semi_axis_x / 4.7e-3), rel=0.02

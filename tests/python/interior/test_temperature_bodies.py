@@ -1,4 +1,4 @@
-"""Temperatures of rollers, belts and tracks, steady and over time, against closed forms and an independent program."""
+"""Steady and transient temperatures of rollers, belts and tracks: closed forms and an independent program."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_an_annulus_on_an_insulated_hub():
 
 @pytest.mark.parametrize("hub", [0.0, 8.0, None])
 def test_side_faces_by_bessel_functions(hub):
-    """Each cos(β z) has I_0 and K_0; the heat that goes in comes out, by surface, hub and faces."""
+    """Each cos(β z) has I_0 and K_0; the heat supplied leaves through surface, hub and faces."""
     width, side = 40e-3, 15.0 / K
     modes = modes_of_roller(width, side, 12)
     layers = annulus(None if hub is None else np.full(12, hub), width=width, side=side, count=12)
@@ -79,7 +79,7 @@ def test_a_slab_cooled_on_both_faces():
 
 
 def test_a_wave_across_a_slab_fades_as_cosh():
-    """A source of one cosine on an isothermal base, q/(k κ²) (1 - cosh κ y + …)."""
+    """A source of one cosine on an isothermal base gives q/(k κ²) (1 - cosh κ y + …)."""
     period, h = 20e-3, 3e-3
     modes = modes_of_slab(period, 4)
     layers = Conduction((-h, 0.0), (K,), modes, film=0.0, inner=None)
@@ -92,7 +92,7 @@ def test_a_wave_across_a_slab_fades_as_cosh():
 
 
 def test_one_mode_in_time():
-    """A slab on an isothermal base, warm as sin(x y/h): it fades by k x²/ρc h², x tan-condition of its free face."""
+    """A rise sin(x y/h) on an isothermal base decays at the rate k x²/(ρc h²); x solves the surface condition."""
     h, film, capacity = 6e-3, 40.0, 2e6
     layers = Conduction((-h, 0.0), (K,), modes_of_slab(None), film=film, inner=None)
     x = optimize.brentq(lambda x: K * x / h * math.cos(x) + film * math.sin(x), 0.5 * math.pi, math.pi)
@@ -107,14 +107,14 @@ def test_one_mode_in_time():
 @pytest.mark.parametrize(
     ("modes", "inner"),
     [
-        (modes_of_ball(30), 0.2 * np.arange(30.0) / 20e-3),  # a core that conducts
+        (modes_of_ball(30), 0.2 * np.arange(30.0) / 20e-3),  # a conducting core
         (modes_of_ball(30), None),
         (modes_of_roller(50e-3, 15.0 / K, 30), np.full(30, 40.0)),
     ],
     ids=["on a core", "on an isothermal one", "between faces"],
 )
 def test_the_slowest_times_are_those_of_all_modes(modes, inner):
-    """Beside what is left after long of each mode alone."""
+    """Compare with the late decay of each mode alone."""
     capacity = 2e6
     layers = Conduction((20e-3, 22e-3, 25e-3), (K, 2.0 * K), modes, film=12.0, inner=inner)
     found = layers.slowest(capacity, 3)
@@ -135,7 +135,7 @@ def turning():
 
 
 def test_a_roller_agrees_with_an_independent_program(turning):
-    """Means by the loss, largest rises and those of the surface [K] of a program in NumPy, to its digits."""
+    """Compare mean weighted by the loss, maximum and surface maximum [K] with the digits of a NumPy program."""
     hub = 8.0 * 2.0 * math.pi * 50e-3 * 50e-3
     for options, mean, most, surface in (
         ({}, 0.60875, 0.65841, 0.51073),
@@ -144,7 +144,7 @@ def test_a_roller_agrees_with_an_independent_program(turning):
     ):
         t = vr.temperature(turning, **AIR, **options)
         assert t.mean == pytest.approx(mean, rel=2e-4)
-        assert t.maximum == pytest.approx(most, rel=5e-4)  # the program looks at 24 points
+        assert t.maximum == pytest.approx(most, rel=5e-4)  # the program evaluates 24 points
         assert t.surface_maximum == pytest.approx(surface, rel=2e-4)
         assert t.heat_to_core + t.heat_to_surroundings == pytest.approx(t.heat, rel=1e-9)
         assert t.heat_unit == ("W" if "width" in options else "W/m")
@@ -152,7 +152,7 @@ def test_a_roller_agrees_with_an_independent_program(turning):
 
 
 def test_a_polyurethane_roller_of_finite_width():
-    """Its largest rises [K] on an isothermal hub, on one of 1 W/K, and with side faces: the same program's."""
+    """Largest rises [K] on an isothermal hub, on one of 1 W/K, and with side faces, from the same program."""
     layer = vr.Layer(thickness=15e-3, shear_modulus=PU, poisson_ratio=0.49)
     body = vr.CoatedCylinder(core_radius=80e-3, layers=[layer])
     r = vr.solve(body, load=80e3, angular_speed=10.0, mesh=vr.Mesh(nodes_per_revolution=6000))
@@ -168,7 +168,7 @@ def test_a_polyurethane_roller_of_finite_width():
 
 
 def test_a_belt_is_hardly_warmed():
-    """A pass each 0.24 s: 9.0e-6 K a pass, 0.01652 K in the mean, by the same program."""
+    """A pass every 0.24 s: 9.0e-6 K per pass, 0.01652 K on average, by the same program."""
     belt = vr.CoatedPlane(layers=[vr.Layer(thickness=6e-3, shear_modulus=RUBBER, poisson_ratio=0.5)])
     mesh = vr.Mesh(nodes_per_revolution=8000)
     r = vr.solve(vr.CoatedCylinder(core_radius=79.5e-3), on=belt, load=2e3, angular_speed=5.0 / 79.5e-3, mesh=mesh)
@@ -182,7 +182,7 @@ def test_a_belt_is_hardly_warmed():
 
 
 def test_the_track_of_a_ball_to_and_fro():
-    """On an isothermal base 0.1303 K: the same program's, with tracks 25.6 mm apart."""
+    """On an isothermal base, the same program gives 0.1303 K, with tracks 25.6 mm apart."""
     mat = vr.CoatedPlane(layers=[vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5)])
     mesh = vr.Mesh(nodes_per_revolution=1885)
     r = vr.solve(vr.CoatedSphere(core_radius=21e-3), on=mat, load=100.0, angular_speed=2.5, mesh=mesh)
@@ -191,7 +191,7 @@ def test_the_track_of_a_ball_to_and_fro():
         t = vr.temperature(r, core=vr.Core.ISOTHERMAL, **options)
     assert t.maximum == pytest.approx(0.1303, rel=1e-3)
     insulated = vr.temperature(r, **options)
-    assert 0.985 * 2.4555 < insulated.maximum < 2.4555  # neighbors are farther off here
+    assert 0.985 * 2.4555 < insulated.maximum < 2.4555  # the neighboring tracks are farther away here
     assert insulated.heat_to_surroundings == pytest.approx(insulated.heat, rel=1e-9)
 
 
@@ -202,7 +202,7 @@ def test_a_cold_start_ends_in_the_steady_state(turning):
     assert abs(maximum[0]) < 1e-12
     assert (np.diff(maximum) > 0.0).all()
     assert maximum[-1] == pytest.approx(t.maximum, rel=1e-6)
-    # At first all heat stays where it is made.
+    # At first, all heat stays where it is generated.
     early = vr.temperature(turning, time=[1e-3], **AIR).history
     assert early.maximum[0] == pytest.approx(
         1e-3 * turning.loss().power_density.max().item() / 2e6, rel=5e-3
@@ -218,14 +218,14 @@ def test_a_cold_start_ends_in_the_steady_state(turning):
 
     kappa = optimize.brentq(left, 20.0, 150.0)
     assert t.times[0] == pytest.approx(2e6 / (K * kappa**2), rel=1e-8)
-    # Back to the surroundings, after the load is gone.
+    # Cooling to the surroundings after the load is removed.
     again = vr.temperature(turning, time=[0.0, 500.0], start=t, **AIR).history
     assert again.maximum[0] == pytest.approx(t.maximum, rel=1e-5)
 
 
 def test_a_block_warms_for_weeks_and_a_half_space_for_ever():
-    """Heated at the surface it lacks e^(x²) erfc x of its last rise, x = h √(κt)/k: 13 % after a day."""
-    h, capacity, depth = 10.0, 2e6, 6.0  # so deep that it does not end within these times
+    """Heated at the surface, it lacks e^(x²) erfc x of its final rise, x = h √(κt)/k: 13 % after a day."""
+    h, capacity, depth = 10.0, 2e6, 6.0  # so deep that the heat does not reach the end within these times
     places = (-depth, -3.0, -1.5, -0.7, -0.3, -0.1, -0.03, -0.01, -1e-3, -5e-5, 0.0)
     layers = Conduction(places, (K,) * 10, modes_of_slab(None), film=h, inner=np.zeros(1))
     source = np.where(layers.layer == 9, Q, 0.0)[None]
@@ -243,7 +243,7 @@ def test_a_block_warms_for_weeks_and_a_half_space_for_ever():
 
 
 def test_from_a_steady_state_nothing_changes(turning):
-    """The field at its places between the faces is all that the waves across are known by."""
+    """The values of the field between the faces determine the waves across."""
     cooling = AIR | {"width": 50e-3, "side_convection": 15.0}
     t = vr.temperature(turning, **cooling)
     with pytest.raises(ValueError, match="start must be left out without time"):

@@ -1,4 +1,4 @@
-"""Temperatures of wheels, whose heat lies where they bear: closed forms, rollers, finite elements of the section."""
+"""Temperatures of wheels, heated in the contact: closed forms, rollers, finite elements of the section."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:the pressure of a flat tread:vis
 
 
 def root(j, biot):
-    """Even ones x tan x = Bi, odd ones -x cot x = Bi, each by bisection in its quarter."""
+    """Return the root of wave j: x tan x = Bi if even, -x cot x = Bi if odd, by bisection in its quarter."""
 
     def left(x):
         even = x * math.sin(x) - biot * math.cos(x)
@@ -41,14 +41,14 @@ def root(j, biot):
 
 @pytest.mark.parametrize("biot", [0.02, 0.9, 30.0])
 def test_waves_between_faces(biot):
-    """They are what leaves by the faces, across each other, and make up 1 as a roller's do."""
+    """The waves satisfy the condition at the faces, are orthogonal, and represent 1 as those of a roller do."""
     side = 2.0 * biot / WIDTH
     modes = modes_of_wheel(WIDTH, side, 9)
     beta = np.sqrt(modes.rate(np.array([OUTER]))[:, 0])
     np.testing.assert_allclose(0.5 * WIDTH * beta, [root(j, biot) for j in range(9)], rtol=1e-12)
     points, weights = np.polynomial.legendre.leggauss(60)
     values = modes.values(0.5 * WIDTH * points)
-    products = math.pi * WIDTH * (values * weights) @ values.T  # over z and around
+    products = math.pi * WIDTH * (values * weights) @ values.T  # over z and the circumference
     np.testing.assert_allclose(products, np.diag(modes.square), atol=1e-14)
     np.testing.assert_allclose(math.pi * WIDTH * values @ weights, modes.area, atol=1e-14)
     np.testing.assert_allclose(modes.unity[::2], modes_of_roller(WIDTH, side, 5).unity, rtol=1e-13)
@@ -96,7 +96,7 @@ def test_one_wave_by_bessel_functions(j, hub):
 
 
 def expanded(modes, layers, source):
-    """Return q_j of a source q(r, z), by Gauss's points."""
+    """Return the coefficients q_j of a source q(r, z), by Gauss quadrature."""
     points, weights = np.polynomial.legendre.leggauss(200)
     z = 0.5 * WIDTH * points
     waves = math.pi * WIDTH * weights * modes.values(z) / modes.square[:, None]
@@ -104,14 +104,14 @@ def expanded(modes, layers, source):
 
 
 def varying_film(z):
-    """Return a film that is larger towards one face."""
+    """Return a convection coefficient that is larger towards one face."""
     return H * (2.0 + z / WIDTH)
 
 
 @pytest.mark.parametrize("hub", [0.0, 8.0, None])
 @pytest.mark.parametrize("film", [H, varying_film])
 def test_a_section_agrees_with_finite_elements(hub, film):
-    """A heat off the middle: both to 2e-6 of the largest rise, of which elements twice as large make 1e-5."""
+    """A heat source off the middle: both agree to 2e-6 of the largest rise; elements twice as large give 1e-5."""
     modes = modes_of_wheel(WIDTH, SIDE / K, 80)
     inner = None if hub is None else np.full(80, hub)
     outer = film if film is H else film_across(lambda theta: film(OUTER * (0.5 * math.pi - theta)), modes, WIDTH, OUTER)
@@ -121,12 +121,12 @@ def test_a_section_agrees_with_finite_elements(hub, film):
     radius, z = layers.place[1::4], np.linspace(-0.45, 0.45, 7) * WIDTH
     expected = section.values(section.steady(sample_source, 3.0), radius, z)
     found = rises[:, 1::4].T @ modes.values(z)
-    # Where the hub is held at 3 K, waves meet it and the colder faces in a corner.
+    # If the hub is held at 3 K, the corners between hub and colder faces limit the accuracy of the waves.
     np.testing.assert_allclose(found, expected, atol=(2e-6 if hub is not None else 1e-3) * expected.max())
 
 
 def test_a_cold_start_agrees_with_finite_elements():
-    """After five minutes, by steps of 1 s; the slowest wave fades as its Bessel functions do."""
+    """Compare after five minutes, in steps of 1 s; the slowest mode decays as its Bessel functions do."""
     modes = modes_of_wheel(WIDTH, SIDE / K, 80)
     layers = Conduction((HUB, OUTER), (K,), modes, film=H, inner=np.zeros(80))
     steady = layers.solve(expanded(modes, layers, sample_source))
@@ -161,7 +161,7 @@ def crowned():
 @pytest.mark.parametrize("sides", [{}, {"side_convection": SIDE}])
 @pytest.mark.parametrize("hub", [{}, {"hub_conductance": 0.2}, {"core": vr.Core.ISOTHERMAL, "core_temperature": 300.0}])
 def test_with_an_even_load_it_is_a_roller(flat, sides, hub):
-    """A roller's loss at every place across: that roller's temperature, whatever takes the heat."""
+    """The loss of a roller at every place across gives that roller's temperature, for any cooling."""
     roller = vr.solve(
         vr.CoatedCylinder(core_radius=HUB, layers=[TREAD]),
         load=8e3,
@@ -184,7 +184,8 @@ def test_with_an_even_load_it_is_a_roller(flat, sides, hub):
     rises = body.conduction.solve(source, body.inner_rise)
     found = rises[:, [0, -1]].T @ body.values(of_roller.rise.z.to_numpy())
     expected = of_roller.rise.isel(radius=[0, -1])
-    np.testing.assert_allclose(found, expected, atol=1e-4 * of_roller.maximum)  # 80 and 40 even waves in the corners
+    # 80 and 40 even waves differ in the corners
+    np.testing.assert_allclose(found, expected, atol=1e-4 * of_roller.maximum)
     assert body.means(source, rises)[0] == pytest.approx(of_roller.mean, rel=1e-6)
 
 
@@ -212,7 +213,7 @@ def test_heat_goes_in_and_out(wheel, options, request):
 
 
 def test_the_field_is_that_of_its_own_loss(crowned):
-    """The loss of the crowned wheel, put into finite elements of the section between its nodes."""
+    """Compare with finite elements of the section, heated by the loss interpolated between its nodes."""
     t = vr.temperature(crowned, side_convection=SIDE, hub_conductance=0.1, max_order=120, **AIR)
     depth = np.linspace(0.0, 10e-3, 81)
     loss = crowned.loss(depth=depth, max_order=120)
@@ -232,15 +233,19 @@ def test_the_field_is_that_of_its_own_loss(crowned):
     hub = 0.1 / (2.0 * math.pi * HUB * CROWNED.width)
     section = Section((HUB, OUTER), CROWNED.width, K, film=H, side=SIDE, hub=hub)
     share = crowned.bulk_power / (2.0 * math.pi * section.load(source).sum())
-    assert share == pytest.approx(1.0, abs=0.02)  # of the crown and of the faces
+    assert share == pytest.approx(1.0, abs=0.02)  # effect of the crown and of the faces
     rise = section.steady(source)
     places = t.rise.z.to_numpy()[::20]
     expected = share * section.values(rise, t.rise.radius.to_numpy()[1::6], places)
-    np.testing.assert_allclose(t.rise[1::6, ::20], expected, atol=2e-3 * t.maximum)  # what is linear between nodes
+    # linear interpolation between nodes
+    np.testing.assert_allclose(t.rise[1::6, ::20], expected, atol=2e-3 * t.maximum)
 
 
 def test_the_middle_of_a_wide_wheel_is_a_roller():
-    """Per what is lost there, which the edges of the pressure change by some percent, as what is lost beyond them."""
+    """Compare relative to the loss in the middle, which the edges of the pressure change by some percent.
+
+    The loss beyond the edges changes it as well.
+    """
     mesh = vr.Mesh(nodes_per_revolution=300, theta_nodes_per_revolution=60)
     wide = vr.solve(replace(FLAT, width=0.2), load=8e3 * 0.2, angular_speed=10.0, mesh=mesh)
     line = vr.solve(vr.CoatedCylinder(core_radius=HUB, layers=[TREAD]), load=8e3, angular_speed=10.0, mesh=MESH)
@@ -257,7 +262,7 @@ def test_the_middle_of_a_wide_wheel_is_a_roller():
 
 
 def test_a_crown_is_hotter_than_a_flat_tread(flat, crowned):
-    """By the same power, since its heat is made in less."""
+    """Relative to the power, the crowned wheel is hotter, because its heat is generated in a smaller volume."""
     cooling = AIR | {"side_convection": SIDE, "core": vr.Core.ISOTHERMAL}
     of_flat, of_crowned = (vr.temperature(r, max_order=60, **cooling) for r in (flat, crowned))
     assert of_crowned.maximum / of_crowned.heat > 1.1 * of_flat.maximum / of_flat.heat
@@ -270,13 +275,13 @@ def test_one_hour(crowned):
     assert abs(maximum[0]) < 1e-12
     assert (np.diff(maximum) > 0.0).all()
     assert maximum[-1] == pytest.approx(t.maximum, rel=1e-9)
-    # From the steady state nothing changes, and from that of another load everything does, in the same times.
+    # Starting from the steady state, nothing changes.
     still = vr.temperature(crowned, time=[0.0, 600.0], start=t, **cooling).history
     np.testing.assert_allclose(still.maximum, t.maximum, rtol=1e-9)
 
 
 def test_what_is_under_a_wheel():
-    """A roller has a width of its own, a plane a time between passes, and a wheel is one whichever is called first."""
+    """A roller needs its own width and a plane the time between passes; a wheel may be either body."""
     soft = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=2e6, relaxation_time=0.02)
     layer = one_layer(soft, thickness=5e-3)
     air = AIR | {"max_order": 50}
@@ -299,7 +304,7 @@ def test_what_is_under_a_wheel():
     pair = vr.solve(CROWNED, on=replace(CROWNED, width=40e-3), **given)
     of_both = [vr.temperature(pair, of=of, **air) for of in ("ball", "counterpart")]
     assert [float(t.rise.z.max()) for t in of_both] == pytest.approx([25e-3, 20e-3])
-    assert of_both[0].heat == pytest.approx(of_both[1].heat, rel=1e-2)  # alike, but for the mesh
+    assert of_both[0].heat == pytest.approx(of_both[1].heat, rel=1e-2)  # identical, except for the mesh
 
 
 @pytest.mark.parametrize(

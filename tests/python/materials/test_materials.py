@@ -1,4 +1,4 @@
-"""Complex moduli: closed forms, limits, and what is refused."""
+"""Complex moduli: closed forms, limits, and input checks."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ def test_a_number_is_an_elastic_modulus(modulus):
 
 
 def test_weights_that_sum_to_1_but_for_round_off():
-    """Ten weights of 0.1 make 0.9999999999999999 or 1.0000000000000002 by the order: a fluid, with no loss at rest."""
+    """Ten weights of 0.1 sum to 0.9999999999999999 or 1.0000000000000002: a fluid, with no loss at rest."""
     for weights in ([0.1] * 10, [0.7, 0.2, 0.1 + 2e-16], [1.0]):
         series = vr.Prony(instantaneous_modulus=1e6, weights=weights, relaxation_times=np.arange(len(weights)) + 1.0)
         assert series.complex_modulus(1e9).real == pytest.approx(1e6)

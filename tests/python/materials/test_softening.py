@@ -1,4 +1,4 @@
-"""Moduli that fall with strain: laws of the network, measured sweeps, and what is refused."""
+"""Moduli that decrease with strain: laws of the network, measured sweeps, and input checks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ STRAINS = np.array([0.001, 0.003, 0.01, 0.03, 0.1])
 
 
 def test_kraus_at_its_critical_strain_and_a_decade_off():
-    # by hand: u = 10^(±0.6) = 3.98107; 1/(1 + u²) = 0.05935096
+    # Hand calculation: u = 10^(±0.6) = 3.98107; 1/(1 + u²) = 0.05935096.
     storage, loss = KRAUS.at([0.001, 0.01, 0.1])
     np.testing.assert_allclose(storage + 2e6, [9525192.5, 6e6, 2474807.5], atol=0.05)
     np.testing.assert_allclose(loss + 0.2e6, [578048.58, 1e6, 578048.58], atol=0.005)
@@ -21,14 +21,14 @@ def test_kraus_at_its_critical_strain_and_a_decade_off():
 
 @pytest.mark.parametrize("x", [1e-3, 0.0299, 0.0301, 0.3, 1.0, 3.0, 100.0])
 def test_masing_is_the_first_harmonic_of_its_loop(x):
-    """The branches of the loop by Masing's rule, integrated by Gauss's points, to round-off of these."""
+    """Integrate the branches of the loop by Masing's rule with Gauss points, to round-off."""
     nodes, weights = np.polynomial.legendre.leggauss(400)
     phase, weights = 0.5 * np.pi * (1.0 + nodes), 0.5 * np.pi * weights
     strain = x * np.cos(phase)  # unloading from x to -x, half a period
     first = x / (1.0 + x)
     stress = first - 2.0 * (0.5 * (x - strain)) / (1.0 + 0.5 * (x - strain))
     storage = 2.0 / np.pi * (weights * stress * np.cos(phase)).sum() / x
-    # cos(φ) comes before cos(φ - δ): what lags has its share along +sin
+    # cos(φ) precedes cos(φ - δ): the lag has a positive component along sin.
     loss = 2.0 / np.pi * (weights * stress * np.sin(phase)).sum() / x
     np.testing.assert_allclose(
         vr.MasingNetwork(storage=1.0, critical_strain=1.0).at(x), (storage, abs(loss)), rtol=1e-9, atol=1e-14
@@ -40,12 +40,12 @@ def test_masing_loses_most_where_carbon_black_does():
     x = np.linspace(1.5, 1.65, 15001)
     loss = network.at(x)[1]
     assert loss.max() == pytest.approx(0.151392, abs=5e-7)
-    assert x[loss.argmax()] == pytest.approx(1.56692, abs=2e-4)  # a maximum is flat
+    assert x[loss.argmax()] == pytest.approx(1.56692, abs=2e-4)  # the maximum is flat
 
 
 @pytest.mark.parametrize(("kind", "factor"), [("shear", 1.0), ("double_shear", 2.0), ("tension", 1.0 / np.sqrt(3.0))])
 def test_a_sweep_is_the_network_that_made_it(kind, factor):
-    """Double amplitudes are twice as large, and a bar that keeps its volume shears by √3 of its elongation."""
+    """Double amplitudes are twice as large, and an incompressible bar shears by √3 of its elongation."""
     matrix = RUBBER.complex_modulus(10.0)
     storage, loss = KRAUS.at(STRAINS)
     sweep = vr.StrainSweep(
@@ -58,7 +58,7 @@ def test_a_sweep_is_the_network_that_made_it(kind, factor):
     )
     np.testing.assert_allclose(sweep.at(STRAINS), (storage, loss), rtol=1e-12)
     assert sweep.known_strains == pytest.approx((0.001, 0.1))
-    # half of its first value, which is 1/(1 + u²) at u² = 10^-1.2; between points it is a chord in ln g
+    # Strain at half of the first value, which is 1/(1 + u²) at u² = 10^-1.2; points are joined linearly in ln g.
     half = 0.01 * (1.0 + 2.0 * 10.0**-1.2) ** (1.0 / 1.2)
     assert sweep.yield_strain == pytest.approx(half, rel=0.03)
 
@@ -67,14 +67,14 @@ def test_without_a_matrix_the_last_storage_and_the_least_loss_are_its():
     storage, loss = KRAUS.at(STRAINS)
     sweep = vr.StrainSweep(strain=STRAINS, storage=storage + 2e6, loss=loss + 2e5)
     np.testing.assert_allclose(sweep.at(STRAINS), (storage - storage[-1], loss - loss.min()), rtol=1e-9, atol=1e-6)
-    np.testing.assert_array_equal(sweep.at(10.0), sweep.at(0.1))  # held
+    np.testing.assert_array_equal(sweep.at(10.0), sweep.at(0.1))  # extrapolation holds the last value
 
 
 def test_a_softening_modulus_is_matrix_and_network():
     tread = vr.SofteningModulus(matrix=RUBBER, network=MASING)
     at = tread.at(0.01, reference_frequency=50.0, loss_scale=0.7)
     storage, loss = MASING.at(0.01)
-    # the causal law has this storage at ω₀ exactly, and the loss within LossFactor's ripple of 0.5 %
+    # At ω₀, the causal law has exactly this storage, and its loss is within LossFactor's ripple of 0.5 %.
     expected = RUBBER.complex_modulus(50.0) + storage + 0.7j * loss
     assert at.complex_modulus(50.0) == pytest.approx(expected, rel=2e-3)
     assert at.complex_modulus(0.0).imag == 0.0

@@ -1,4 +1,4 @@
-"""What tests of benchmarks have in common: the rows of the page that name them."""
+"""Shared fixtures of comparisons with published results: the rows of the page that name each test."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from outside import rows
 
 @pytest.fixture
 def judge(request: pytest.FixtureRequest) -> Callable[[Mapping[str, float]], None]:
-    """Hold numbers, by what they are, against the rows that name this test."""
+    """Return a function that compares named numbers with the rows that name this test."""
 
     def held(found: Mapping[str, float]) -> None:
         rows.judge(f"outside/{request.path.name}::{request.node.originalname}", found)

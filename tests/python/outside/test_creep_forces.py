@@ -1,4 +1,4 @@
-"""Creep forces: Kalker's coefficients, Carter's line, and the curve of a steel wheel by CONTACT."""
+"""Creep forces: Kalker's coefficients, Carter's curve, and the creep curve of a steel wheel by CONTACT."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ FRACTIONS = {0.0: "0", 0.25: "¼", 0.5: "½"}
 
 
 @pytest.mark.slow
-@pytest.mark.filterwarnings("ignore:the power balance is open")  # full stick: the balance divides by nearly nothing
+# full stick: the denominator of the balance is nearly zero
+@pytest.mark.filterwarnings("ignore:the power balance is open")
 def test_kalkers_coefficients(judge):
-    # 80 nodes across, which takes eight seconds. C₁₁ and C₂₂ come from above and C₂₃ from below, by half with each
-    # finer mesh: 20, 40 and 80 leave 2.8, 1.4 and 0.6 % of C₂₃.
+    # 80 nodes across take eight seconds. C₁₁ and C₂₂ converge from above and C₂₃ from below, with half the error on
+    # each finer mesh: 20, 40 and 80 nodes have errors of 2.8, 1.4 and 0.6 % of C₂₃.
     found = {}
     for ratio, fraction in FRACTIONS.items():
         for name, value in zip(("C₁₁", "C₂₂", "C₂₃"), source.coefficients(ratio, across=80), strict=True):
@@ -30,8 +31,8 @@ def test_carter(judge):
 
 
 def test_creep_force_of_a_steel_wheel(judge):
-    # On as many elements as they have, 1400 in contact, eleven solves: 0.5 % from each other, and their first slope
-    # 1.5 % from Kalker's, ours 1 %.
+    # Eleven solves on as many elements as CONTACT has, 1400 in contact: they differ by 0.5 %. The first slope of
+    # CONTACT differs from Kalker's by 1.5 %, ours by 1 %.
     wheel = source.SteelWheel()
     judge(
         {

@@ -7,7 +7,7 @@ from outside import rubber_roller as source
 
 
 def test_penetration_and_pressure(judge):
-    # What linear theory leaves out, which grows with the strain.
+    # The difference is the error of linear theory, which grows with the strain.
     found = {}
     for row in source.printed():
         r = source.linear(row["load [N/m]"])
@@ -24,9 +24,9 @@ def test_model_error_covers_them(row):
     assert abs(r.max_pressure / row["largest pressure [Pa]"] - 1.0) < r.model_error
 
 
-@pytest.mark.filterwarnings("ignore")  # of another program, whatever its version says
+@pytest.mark.filterwarnings("ignore")  # warnings of another program, in any version
 def test_felupe_itself():
-    # On half as many elements each way, which leave 1.2e-3 of the load and 8e-4 of the pressure.
+    # Half as many elements in each direction, with errors of 1.2e-3 of the load and 8e-4 of the pressure.
     pytest.importorskip("felupe")
     rows = source.printed()
     again = source.press([row["penetration [m]"] for row in rows])

@@ -1,4 +1,4 @@
-"""Benchmarks held against the last recorded ones: what is compared, and what is said of it."""
+"""Comparison of benchmarks with the last recorded ones: what is compared, and the verdicts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A slice of the random campaign, and whether the campaign sees what is wrong."""
+"""A subset of the randomized tests, and whether the tests detect errors."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from campaign.twins import twins
 
 SEED = 1
 
-#: The quick ones of the first cases, and some of rollers and of other ground than planes.
+#: Quick cases among the first ones, and some of rollers and of counterbodies other than planes.
 NUMBERS = (
     *(3, 7, 11, 12, 16, 31, 32, 34, 36, 38, 73, 145, 152, 231, 240, 258, 321, 323),
     *(2, 23, 29, 37, 42, 46, 67, 88, 97, 100, 111, 123, 141, 161, 163, 166, 177, 199),
@@ -27,7 +27,7 @@ NUMBERS = (
 
 @pytest.fixture(scope="module")
 def outcomes() -> dict[str, Outcome]:
-    """Return how the cases of the slice ended, by name."""
+    """Return the outcomes of the subset, by name."""
     return {outcome.case: outcome for outcome in run(SEED, NUMBERS, jobs=1, limit=20.0)}
 
 
@@ -108,7 +108,7 @@ def test_doctored_solutions_are_seen(sound, name):
 
 
 def pair_case() -> Case:
-    """Return two balls alike, without friction."""
+    """Return two identical balls without friction."""
     modulus = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=0.1)
     layer = vr.Layer(thickness=5e-3, shear_modulus=modulus, poisson_ratio=0.4)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
@@ -188,7 +188,7 @@ def end(omega):
 
 
 def bad_case(seed: int, number: int) -> Case:
-    """Return a case that hangs, one that crashes, and then sound ones."""
+    """Return a case that hangs, one that crashes, and then sound cases."""
     case = elastic_case()
     if number > 1:
         return replace(case, name=f"{seed}:{number}")

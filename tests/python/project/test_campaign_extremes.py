@@ -1,4 +1,4 @@
-"""The campaign of numbers that are far too small or large: its cases, and a slice of it."""
+"""Randomized tests with far too small or too large numbers: their cases, and a subset of them."""
 
 from __future__ import annotations
 

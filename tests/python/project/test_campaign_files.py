@@ -1,4 +1,4 @@
-"""A slice of the damaged files, and whether their campaign sees what is wrong."""
+"""A subset of the tests with damaged files, and whether these tests detect errors."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SEED = 1
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_slice(kind):
-    """Fifteen files of each kind: 225, which take 4 s in all."""
+    """Fifteen files of each kind: 225 files, which take 4 s in total."""
     kinds = list(KINDS)
     first = kinds.index(kind)
     for number in range(first, first + 15 * len(kinds), len(kinds)):

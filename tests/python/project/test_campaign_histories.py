@@ -1,4 +1,4 @@
-"""A slice of the random histories, and whether their campaign sees what is wrong."""
+"""A subset of the randomized histories, and whether these tests detect errors."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from campaign.runner import Outcome, run
 
 SEED = 1
 
-#: Quick ones of the first cases, of most kinds of pairs.
+#: Quick cases among the first ones, of most kinds of pairs.
 NUMBERS = (3, 5, 10, 11, 13, 14, 22, 24, 25, 26, 28, 30, 31, 33, 35, 43, 44, 48, 53, 56, 67, 74, 77, 79, 84)
 
 
 @pytest.fixture(scope="module")
 def outcomes() -> dict[str, Outcome]:
-    """Return how the cases of the slice ended, by name."""
+    """Return the outcomes of the subset, by name."""
     return {outcome.case: outcome for outcome in run(SEED, NUMBERS, jobs=1, limit=20.0, draw=draw, run_case=run_case)}
 
 
@@ -49,7 +49,7 @@ def test_source_makes_the_history_again():
 
 
 def history_case(**changes: object) -> HistoryCase:
-    """Return a ball that rolls, stands, is lifted and comes back; with friction, unless there are changes."""
+    """Return a ball that rolls, stands, is lifted and returns; with friction, unless `changes` say otherwise."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=0.1)
     layer = vr.Layer(thickness=5e-3, shear_modulus=rubber, poisson_ratio=0.4)
     arguments = {
@@ -111,17 +111,17 @@ def test_doctored_histories_are_seen(sound, name):
 
 
 def test_the_size_of_energies_is_positive(sound):
-    """With friction the counterbody may dissipate less than nothing, and more of that than the slip dissipates."""
+    """With friction, the counterbody may gain energy, even more than the slip dissipates."""
     gaining = replace(sound, dissipated_energy=-2.0 * sound.dissipated_energy)
     assert turnover(gaining) > turnover(sound) > 0.0
 
 
 def test_sliding_that_turns_back_may_seem_to_give_work():
-    """A locked ball slides by 20 mm, and back in one step: by a mean of forces that are opposite."""
+    """A locked ball slides 20 mm and returns in one step, in which the mean of opposite forces acts."""
     moved = {"time": [0.0, 1.0, 1.0], "angle": [0.0, 0.0, 0.0], "load": [1.0, 1.0, 1.0], "center_way": [0.0, 0.02, 0.0]}
     case = history_case(**moved)
     history = vr.roll(case.ball, **case.arguments)
-    given = 0.5 * history.friction * 0.02  # J, of a load of 1 N
+    given = 0.5 * history.friction * 0.02  # [J] for a load of 1 N
     assert given > 10.0 * TURNED_BACK * turnover(history)
     back = replace(history, slip_energy=changed(history.slip_energy, -1, -given))
     assert "energy gained by slip" not in violations(case, back)

@@ -1,4 +1,4 @@
-"""The examples in the docstrings of the package."""
+"""Examples in the docstrings of the package."""
 
 from __future__ import annotations
 

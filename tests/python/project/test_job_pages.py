@@ -1,6 +1,6 @@
-"""Pages by job: what each must have, what those on measurements print, and which words lead a search to one.
+"""Pages by job: required parts, output of the pages about measurements, and search words.
 
-All of them run where the site is built, and their commands in `test_page_commands.py`.
+The build of the site runs all pages, and `test_page_commands.py` runs their commands.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ JOBS = sorted((DOCS / "jobs").glob("*.md"))
 
 
 def check_search() -> ModuleType:
-    """Return docs/check_search.py, which is of no package and checks the site itself where it is built."""
+    """Return docs/check_search.py, which belongs to no package and checks the built site."""
     spec = importlib.util.spec_from_file_location("check_search", DOCS / "check_search.py")
     assert spec is not None
     assert spec.loader is not None
@@ -37,13 +37,13 @@ def text_of(name: str) -> str:
 
 
 def blocks(page: str, language: str = "{code-cell}") -> list[str]:
-    """Return the blocks of a language, without the cell that tells a notebook how to draw."""
+    """Return the blocks of a language, without the cell that configures plots in a notebook."""
     found = re.findall(rf"```{re.escape(language)}\n(.*?)```", page, re.DOTALL)
     return [block for block in found if "%matplotlib" not in block]
 
 
 def run(name: str, folder: Path) -> str:
-    """Run the Python of a page in a folder, as a script whose warnings are errors; return what it prints."""
+    """Run the Python of a page in a folder, as a script whose warnings are errors; return its output."""
     (folder / "page.py").write_text("\n".join(blocks(text_of(name))), encoding="utf-8")
     done = subprocess.run(
         [sys.executable, "-W", "error", "page.py"], cwd=folder, capture_output=True, text=True, timeout=300
@@ -93,7 +93,7 @@ def test_measurements_become_a_torque_with_a_band(tmp_path):
     printed = run("dma", tmp_path)
     assert "339 points in 20 sweeps" in printed
     assert "undetermined              -40 to -29.99 °C" in printed
-    # Intervals of 95 %: with these errors all nine hold it, one of nine may not with others.
+    # The intervals cover 95 %: all nine contain the truth for this noise; for other noise, one of nine may not.
     held = re.search(r"the band holds the truth at (\d) of 9 temperatures", printed)
     assert held
     assert int(held[1]) >= 8

@@ -1,4 +1,4 @@
-"""What is distributed says what it is: licenses by what is inside, and one version everywhere."""
+"""The distributions declare their contents: licenses of all parts, and one version everywhere."""
 
 from __future__ import annotations
 

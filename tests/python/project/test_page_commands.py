@@ -1,8 +1,8 @@
-"""Commands and TOML files on the pages run as printed, page by page in a folder of their own, from top to bottom.
+"""Commands and TOML files on the pages run as printed, in order, each page in its own folder.
 
-A command is a line of a block `console` or `sh`, a line that is indented, or inline code that names a file. A TOML
-block names its file in its first line; one without a body is the lower part of the example case, as its comment says.
-What a reader brings along, measurements and a case file of the example, is there.
+A command is a line of a block `console` or `sh`, an indented line, or inline code that names a file. The first line of
+a TOML block names its file; a block without a body is the lower part of the example case, as its comment says. The
+reader's own files, measurements and a case file of the example, are provided.
 """
 
 from __future__ import annotations
@@ -26,18 +26,18 @@ _BLOCKS = re.compile(
     re.DOTALL | re.MULTILINE,
 )
 
-#: Tables of what rolls.
+#: Tables of rolling bodies.
 _BODIES = ("[ball]", "[cylinder]", "[wheel]")
 
-#: Commands that take minutes on a page, and what of them takes seconds.
+#: Commands that take minutes on a page, and replacements that take seconds.
 _SHORT = {"viscoroll reproduce": "viscoroll reproduce table2 --coarse"}
 
-#: The command that ends on Ctrl-C alone, tested in `app/test_server.py`.
+#: Command that ends only on Ctrl-C, tested in `app/test_server.py`.
 _SERVES = "app"
 
 
 def steps(page: Path) -> list[tuple[str, str]]:
-    """Return what a page does in the shell: ("toml", text) and ("run", command), in its order."""
+    """Return the shell steps of a page in order: ("toml", text) and ("run", command)."""
     found = []
     for match in _BLOCKS.finditer(page.read_text(encoding="utf-8")):
         if match["language"] == "toml":
@@ -54,7 +54,7 @@ COMMANDED = [page for page in PAGES if steps(page)]
 
 
 def brought_along(folder: Path) -> None:
-    """Write what readers have: measurements in a file of each kind, and a case."""
+    """Write the files that readers provide: measurements in one file of each kind, and a case."""
     source = vr.example_data("pressure_sensitive_adhesive.txt")
     (folder / "dma.txt").write_bytes(source.read_bytes())
     rows = [
@@ -74,7 +74,7 @@ def write_file(block: str, folder: Path) -> None:
 
 
 def run_line(line: str, folder: Path) -> None:
-    """Run a command, with what it prints in a file where the page has it so; what it is to write must be there."""
+    """Run a command and redirect its output if the page does so; files that it should write must exist."""
     words, arrow, target = line.partition(">")
     program, *arguments = shlex.split(_SHORT.get(words.partition("#")[0].strip(), words), comments=True)
     assert program == "viscoroll"

@@ -1,4 +1,4 @@
-"""What the core is checked against does not use the core."""
+"""The reference programs do not use the core that they check."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import pytest
 import reference
 from viscoroll.reproduce import plain
 
-#: The one that judges the package by the others imports it.
+#: This program evaluates the package with the reference programs, so it imports the package.
 JUDGE = "finite_strain_table.py"
 FILES = [Path(plain.__file__), *sorted(Path(reference.__file__).parent.glob("*.py"))]
 
 
 @pytest.mark.parametrize("path", [path for path in FILES if path.name != JUDGE], ids=lambda path: path.name)
 def test_the_reference_is_independent_of_the_core(path):
-    """Only libraries, its own modules and the plain product are imported."""
+    """The file imports only libraries, its own modules and the plain product."""
     allowed = {"viscoroll.reproduce.plain"}
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         names = []

@@ -1,6 +1,6 @@
-"""The folders of the Python package are the user's path: none imports from a later one, and no imports run in circles.
+"""The folders of the Python package form layers: none imports from a later layer, and no imports are circular.
 
-Imports for annotations alone and those in functions count as any other.
+Imports for annotations only and imports in functions count as well.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import pytest
 
 PACKAGE = Path(__file__).parents[3] / "python" / "viscoroll"
 
-#: In the order of the path; those of one place do not know each other.
+#: Layers in the order of the user's path; folders of the same layer do not import each other.
 ROOMS = (
     {"_core"},
     {"_support"},
@@ -34,7 +34,7 @@ PATHS = sorted(path.relative_to(PACKAGE) for path in PACKAGE.rglob("*.py"))
 
 
 def module_of(path):
-    """Return a path within the package as Python's imports have it: parts, of which there are none for its face."""
+    """Return a path within the package as the parts of its module name, empty for the package itself."""
     return path.parent.parts if path.stem == "__init__" else path.with_suffix("").parts
 
 
@@ -50,7 +50,7 @@ def may_import(module, other):
 
 
 def imports(path, source):
-    """Return the modules of the package that a source imports, wherever in it."""
+    """Return the modules of the package that a source imports anywhere."""
     folder = path.parent.parts
     found = set()
     for node in ast.walk(ast.parse(source)):

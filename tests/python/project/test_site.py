@@ -1,4 +1,4 @@
-"""What the documentation says of tests, files and tables is there: the site itself is checked where it is built."""
+"""The tests, files and tables that the documentation mentions exist; the site itself is checked where it is built."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 
 
 def declaration(test: str) -> tuple[Path, str]:
-    """Return the file of a test, and how its declaration is written there."""
+    """Return the file of a test, and the pattern of its declaration."""
     file, name = test.split("::")
     if file.endswith(".cpp"):
         suite, case = name.split(".")
@@ -45,14 +45,14 @@ def test_rows_of_the_readme_are_rows_of_the_table():
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_links_between_files_lead_somewhere(page):
-    """As on the pages of a host of repositories, where the sources are read as they are."""
+    """The links must also work in a repository browser, which shows the sources."""
     targets = re.findall(r"\]\((?!https?:|#)([^)#\s]+)", page.read_text(encoding="utf-8"))
     missing = [t for t in targets if not t.startswith("api/generated/") and not (page.parent / t).exists()]
     assert missing == []
 
 
 def test_sources_cite_chapters_and_headings_of_the_theory():
-    """A source cites a chapter by its file, maybe with a heading of it: docs/theory/friction.md, "Limits"."""
+    """A source cites a chapter by its file, optionally with a heading: docs/theory/friction.md, "Limits"."""
     sources = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
     cited = []
     for source in sources:
@@ -69,7 +69,7 @@ def test_sources_cite_chapters_and_headings_of_the_theory():
 
 
 def tables() -> ModuleType:
-    """Return docs/tables.py, which is of no package."""
+    """Return docs/tables.py, which belongs to no package."""
     spec = importlib.util.spec_from_file_location("tables", ROOT / "docs" / "tables.py")
     assert spec is not None
     assert spec.loader is not None
@@ -79,7 +79,7 @@ def tables() -> ModuleType:
 
 
 def test_tables_of_pages_are_as_they_would_be_made():
-    """`make tables` writes them; a host of repositories shows them as they stand in the sources."""
+    """`make tables` writes the tables; a repository browser shows them as they are in the sources."""
     written = tables().pages()
     assert {"validation.md", "performance.md", "signs.md", "bodies.md", "judged-from-outside.md"} <= {
         page.name for page in written
@@ -98,6 +98,6 @@ def test_every_table_stands_on_a_page():
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_pages_that_draw_say_how(page):
-    """Pictures of the library show themselves; other figures are shown as their names without it."""
+    """Plots of the library display themselves; other figures need `%matplotlib inline`."""
     text = page.read_text(encoding="utf-8")
     assert "from matplotlib.figure import Figure" not in text or "%matplotlib inline" in text

@@ -1,4 +1,4 @@
-"""The C++ sources read as one stream: no stage includes a later one."""
+"""The stages of the C++ sources: no stage includes a later one."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 
 CPP = Path(__file__).parents[3] / "cpp"
 
-#: In the order of the method; those of one place do not know each other.
+#: Stages in the order of the method; stages of the same set do not include each other.
 STAGES = (
     {"shared"},
     {"materials"},
@@ -22,7 +22,7 @@ STAGES = (
     {"transient", "interior"},
 )
 
-#: Where a public header belongs: the first stage that may know it.
+#: Public headers of each stage: the first stage that may include them.
 PUBLIC = {
     "shared": {"cores", "errors", "observer"},
     "materials": {"materials"},
@@ -42,7 +42,7 @@ SOURCES = sorted(str(path.relative_to(CPP / "src")) for path in CPP.glob("src/**
 
 
 def stage_of(path):
-    """Return the stage of a file, by its path from cpp/src or cpp/include."""
+    """Return the stage of a file from its path in cpp/src or cpp/include."""
     if path.startswith("viscoroll/"):
         return STAGE_OF_HEADER[Path(path).stem]
     return path.split("/")[0] if "/" in path else "shared"

@@ -24,7 +24,7 @@ from viscoroll.reproduce.speed import Figure12
 
 @pytest.fixture(scope="module")
 def compute():
-    """Every item once, on one runner."""
+    """Return a function that computes each item once, with one runner."""
     runner, outcomes = Runner(coarse=True), {}
 
     def outcome(name):
@@ -54,7 +54,7 @@ def test_table_2_with_wrong_torques_is_not_reproduced():
 
 def test_the_product_converges_to_the_exact_step(compute):
     figure = compute("figure4")
-    # Plain NumPy and the core: what interpolation of the compliance leaves.
+    # Plain NumPy and the core differ by the interpolation of the compliance.
     assert figure.exact == pytest.approx(figure.solver, rel=1e-6)
     five, ten = (figure.counts.index(count) for count in (5, 10))
     for alpha, order in ((0.0, 1.0), (0.5, 2.0), (1.0, 1.0)):
@@ -86,7 +86,7 @@ def test_friction_peaks_in_the_boundary_layer_and_falls_as_the_paper_says(comput
     # docs/theory/friction.md at pi/250: 1.070 and 0.912.
     assert ratio.max() == pytest.approx(1.07, abs=0.02)
     assert ratio[-1] == pytest.approx(0.91, abs=0.02)
-    # Neither without slip nor where all sticks is power lost by it.
+    # Slip dissipates no power without friction or where everything sticks.
     assert figure.slip_shares[0] == 0.0
     assert figure.slip_shares[-1] < 0.25 * figure.slip_shares.max()
 
@@ -120,7 +120,7 @@ def test_inertia_ends_at_the_critical_speed(compute):
     figure = compute("figure13")
     assert agreements(figure) == [True, False, True]
     assert figure.critical_group == pytest.approx(0.58, abs=0.005)  # docs/theory/inertia.md
-    # docs/theory/inertia.md; 160 nodes per revolution are 7 % off the converged ratios.
+    # docs/theory/inertia.md; 160 nodes per revolution differ by 7 % from the converged ratios.
     assert figure.torques / figure.torques[0] == pytest.approx([1.0, 1.108, 1.364], rel=0.07)
 
 
@@ -165,7 +165,7 @@ def test_verdicts_are_a_table(tmp_path):
 
 
 def test_a_coarse_mesh_is_no_witness(compute):
-    """Neither against the paper nor for it; what is known without the mesh, or on the paper's own meshes, is said."""
+    """A coarse mesh gives no verdict, except on statements independent of it or computed on the paper's own meshes."""
     coarse, fine = Runner(coarse=True), Runner()
     for name in ITEMS:
         outcome = compute(name)
@@ -222,7 +222,7 @@ def test_compare_command(coarse_case, tmp_path):
 
 
 def test_closed_forms_that_hold_are_near_the_solver():
-    # A soft, nearly solid ball rolling slowly: the low-speed limit, with the mesh's and the limit's own few percent.
+    # A soft, nearly solid ball at low speed: the limit and the mesh contribute some percent each.
     gel = vr.KelvinVoigt(modulus=1e5, viscosity=1000.0)
     ball = coated_ball(gel, core_radius=2e-3, thickness=18e-3)
     case = replace(
@@ -242,7 +242,7 @@ def test_closed_forms_that_hold_are_near_the_solver():
 
 
 def test_springs_with_memory_on_a_thin_coating():
-    # a = 23 h, where the closed form holds at all speeds: the solver's 1 % accuracy.
+    # a = 23 h, where the closed form holds at all speeds; the solver's accuracy is 1 %.
     foam = vr.StandardLinearSolid(instantaneous_modulus=6e5, relaxed_modulus=3e5, relaxation_time=0.01)
     ball = coated_ball(foam, core_radius=0.25, poisson_ratio=0.3)
     comparison = compare_torques(replace(_case(), ball=ball, load=60.0, accuracy=0.01), speeds=(0.3, 30.0), points=4)
@@ -278,7 +278,8 @@ def test_figure_6_starts_from_both_states(compute):
     figure = compute("figure6")
     fresh = [figure.overshoot(vr.Start.FRESH, speed) for speed in (0.5, 2.5, 4.0)]
     relaxed = [figure.overshoot(vr.Start.RELAXED, speed) for speed in (0.5, 2.5, 4.0)]
-    # The coarse mesh is good for half a percent of the torque. Relaxed: four lattices at pi/350 and pi/500.
+    # The coarse mesh is accurate to half a percent of the torque. Relaxed: four phase-shifted meshes at pi/350 and
+    # pi/500.
     np.testing.assert_allclose(fresh, [0.002, 0.068, 0.089], atol=0.008)
     np.testing.assert_allclose(relaxed, [0.3658, 3.616, 6.125], rtol=0.006)
     assert [verdict.agrees for verdict in figure.verdicts()] == [True, True, False]
@@ -291,6 +292,6 @@ def test_figure_8_overshoots_more_with_friction_when_fresh(compute):
     fresh = figure.overshoots(vr.Start.FRESH)
     assert max(fresh[:2]) < 0.005  # without friction and at 0.5: 0.00 and 0.05 % at π/150
     assert 0.01 < fresh[-1] < 0.08  # at 2: 3.4 % at π/150, 5.7 % on the coarse mesh
-    # A flat spot overshoots whatever the friction, by 4.1 to 5.5 % on fine meshes.
+    # A flat spot overshoots at any friction, by 4.1 to 5.5 % on fine meshes.
     assert 0.02 < min(figure.overshoots(vr.Start.RELAXED)) < max(figure.overshoots(vr.Start.RELAXED)) < 0.12
     assert figure.verdicts()[0].agrees

@@ -1,4 +1,4 @@
-"""Checks of measured moduli: what scatter explains is not held against them, and what it does not explain is found."""
+"""Checks of measured moduli: scatter causes no false alarm, and larger errors are detected."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def scattered(omega, storage, loss, seed, scatter=0.03):
 
 @pytest.mark.parametrize("omega", [np.logspace(-4, 1, 51), np.logspace(-1, 2, 31)], ids=["on a plateau", "rising"])
 def test_scatter_of_3_percent_is_no_fall_of_the_storage_modulus(omega):
-    """Of 40 sweeps of a passive rubber none to two are refused by each check, for its limit is no certainty."""
+    """Each check refuses at most two of 40 sweeps of a passive rubber, because its limit is statistical."""
     modulus = RUBBER.complex_modulus(omega)
     refused = np.zeros(3)
     for seed in range(40):
@@ -29,7 +29,7 @@ def test_scatter_of_3_percent_is_no_fall_of_the_storage_modulus(omega):
 
 
 def test_a_fall_that_scatter_does_not_explain_is_found():
-    """By a fifth over three decades, six times the scatter, in each of 40 sweeps."""
+    """A decrease by a fifth over three decades is six times the scatter, and is found in each of 40 sweeps."""
     omega = np.logspace(-1, 2, 31)
     falling = 1e6 * np.linspace(1.0, 0.8, omega.size)
     for seed in range(40):
@@ -39,7 +39,7 @@ def test_a_fall_that_scatter_does_not_explain_is_found():
 
 
 def test_limits_without_scatter_are_as_they_were():
-    """One point in a smooth curve that lies 3 % low is told, one that lies 1 % low is let pass."""
+    """A single point 3 % below a smooth curve is reported, and one 1 % below passes."""
     omega = np.logspace(-1, 2, 31)
     modulus = RUBBER.complex_modulus(omega)
     for depth, passes in ((0.03, False), (0.01, True)):

@@ -1,4 +1,4 @@
-"""What data sheets give, hardness and rebound, with the spread that it has."""
+"""Hardness and rebound from data sheets, with the spread of the relations."""
 
 from __future__ import annotations
 
@@ -8,10 +8,7 @@ from scipy.integrate import solve_ivp
 
 
 def kept(loss_factor):
-    """Return the share of its energy that a mass keeps which strikes a spring and a dashpot until their force is gone.
-
-    The mass and the spring are 1, the dashpot the loss factor at the frequency 1 of both.
-    """
+    """Return the share of its energy that a mass retains after a blow on a spring and a dashpot until zero force."""
 
     def force(_, state):
         return -state[0] - loss_factor * state[1]
@@ -28,7 +25,7 @@ def kept(loss_factor):
 
 @pytest.mark.parametrize("rebound", [0.05, 0.2, 0.55, 0.9])
 def test_spread_of_a_rebound_holds_both_ends_of_the_blow(rebound):
-    """A blow until the force is gone, integrated by itself; half a percent is what data sheets leave."""
+    """Integrate a blow until the force is zero; data sheets round the rebound to half a percent."""
     loss = vr.rebound_to_loss_factor(rebound)
     assert loss.unit == "1"
     assert loss.lower < loss.value < loss.upper
@@ -37,11 +34,11 @@ def test_spread_of_a_rebound_holds_both_ends_of_the_blow(rebound):
 
 def test_spread_of_a_rebound_at_the_ends_of_its_range():
     assert vr.rebound_to_loss_factor(0.999).lower == 0.0
-    assert vr.rebound_to_loss_factor(0.02).upper < 2.0  # what `LossFactor` takes
+    assert vr.rebound_to_loss_factor(0.02).upper < 2.0  # limit of `LossFactor`
 
 
 def test_hardness_beyond_shore_a_names_shore_d():
-    """Where Qi, Joyce and Boyce let both scales meet, S = S_A = S_D + 50."""
+    """Qi, Joyce and Boyce let both scales meet at S = S_A = S_D + 50."""
     with pytest.raises(
         ValueError, match=r"got 95; give what is harder in Shore D, where 95 Shore A is about 45: scale='D'"
     ):

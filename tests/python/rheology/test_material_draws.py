@@ -1,4 +1,4 @@
-"""Draws of measured materials: what they scatter by, what they know nothing of, and shifts that are found anew."""
+"""Draws of measured materials: their scatter, their independence, and shifts that are fitted again."""
 
 from __future__ import annotations
 
@@ -31,7 +31,10 @@ def scatter(draws):
 
 
 def test_draws_scatter_as_fits_to_other_data():
-    """To a third, by 60 fits to fresh noise and 60 draws of each of 4 data sets: some 10 % and 20 % of themselves."""
+    """Compare, to a third, 60 fits to fresh noise with 60 draws of each of 4 data sets.
+
+    The standard deviations themselves have errors of about 10 % and 20 %.
+    """
     fits = [vr.fit_prony(sampled(0.03, 0.03, seed)) for seed in range(60)]
     fresh = scatter(vr.Draws(RUBBER, [fit.series for fit in fits]))
     drawn = np.mean([scatter(fit.draws(60)) for fit in fits[:4]], axis=0)
@@ -39,7 +42,7 @@ def test_draws_scatter_as_fits_to_other_data():
 
 
 def test_copies_keep_errors_but_for_signs_and_leverage():
-    """Unknowns that can follow a point leave nothing of its error; it is made up for, up to ten times."""
+    """Copies keep the size of each error, divided by 1 - leverage, at most ten times as large."""
     expected = np.array([1.0, 2.0, 4.0, 8.0])
     data = expected * [1.1, 0.9, 1.05, 1.0]
     columns = np.array([[1.0], [1.0], [0.0], [0.0]])  # leverage ½, ½, 0 and 0
@@ -47,7 +50,7 @@ def test_copies_keep_errors_but_for_signs_and_leverage():
     np.testing.assert_allclose(np.abs(copies / expected - 1.0), np.tile([0.2, 0.2, 0.05, 0.0], (50, 1)), atol=1e-12)
     assert (copies[:, :3].std(axis=0) > 0.0).all()
     (first, *_) = wild_copies(data, expected, np.eye(4), count=2, seed=0)
-    error = first / expected - 1.0  # of which -1 would leave no modulus
+    error = first / expected - 1.0  # -1 would give a zero modulus
     np.testing.assert_allclose(error, np.where(error > 0.0, [1.0, 1.0, 0.5, 0.0], [-0.9, -0.9, -0.5, 0.0]), atol=1e-12)
 
 
@@ -56,11 +59,11 @@ def test_draws_are_those_of_seed_and_data():
     first, again, other = (fit.draws(3, seed=seed) for seed in (0, 0, 1))
     assert first[0] == again[0] != other[0]
     assert first.middle == fit.series
-    # Materials that were measured at the same frequencies have independent draws.
+    # Materials measured at the same frequencies have independent draws.
     of_others = vr.fit_prony(sampled(0.03, 0.03, seed=1)).draws(100)
     of_these = fit.draws(100)
     torques = [np.array([m.complex_modulus(10.0).imag for m in draws]) for draws in (of_these, of_others)]
-    assert abs(np.corrcoef(*torques)[0, 1]) < 0.35  # 0.1 is the standard deviation
+    assert abs(np.corrcoef(*torques)[0, 1]) < 0.35  # the standard deviation is 0.1
 
 
 def test_a_sparse_fit_draws_sparse_series():
@@ -74,7 +77,7 @@ def curve():
 
 
 def test_shifts_are_found_anew(curve):
-    """They scatter by what their covariance says, to a half: that of 40 draws has a tenth, and it is a linear one."""
+    """The shifts scatter by their linear covariance, to a half; the scatter of 40 draws is accurate to a tenth."""
     draws = curve.draws(40)
     factors = np.array([draw.factors.log10_factor for draw in draws])
     others = np.arange(len(TEMPERATURES)) != curve.anchor

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 
-#: Known series, two terms to a decade, at places of no round number.
+#: Known series with two terms per decade, at times that are not round numbers.
 KNOWN = vr.Prony(
     instantaneous_modulus=2e7,
     weights=[0.05, 0.06, 0.08, 0.1, 0.12, 0.1, 0.09, 0.08, 0.06],
@@ -50,9 +50,9 @@ def test_known_series_from_noise_of_3_percent():
 
 
 def test_intervals_hold_the_truth():
-    """Coverage over 40 data sets with noise and 10 frequencies; of many more see `tests/campaign/intervals.py`.
+    """Coverage over 40 noisy data sets and 10 frequencies; `tests/campaign/intervals.py` tests many more.
 
-    Neighboring frequencies and both moduli are correlated: some 200 independent cases, of standard deviation 2 %.
+    Neighboring frequencies and both moduli are correlated: about 200 independent cases, standard deviation 2 %.
     """
     probe = np.geomspace(0.3, 3e4, 10)
     true = KNOWN.complex_modulus(probe)
@@ -73,7 +73,7 @@ def test_scatter_is_the_noise():
 
 
 def test_sharp_terms_need_more_times():
-    """A single term lies between the times of the grid: what two to a decade leave, and eight do not."""
+    """A single term lies between the times of the grid: two per decade leave an error that eight do not."""
     series = vr.Prony(instantaneous_modulus=1e7, weights=[0.3, 0.2, 0.3], relaxation_times=[1.3e-3, 0.9, 57.0])
     omega = np.geomspace(1e-3, 1e4, 71)
     coarse, fine = (vr.fit_prony(sampled(series, omega), terms_per_decade=n) for n in (2, 8))
@@ -82,7 +82,7 @@ def test_sharp_terms_need_more_times():
 
 
 def test_sparse_series_on_request():
-    """Three sharp terms are found as three; seven terms for nine leave more than the full series, and a few percent."""
+    """Three sharp terms are recovered; seven terms for nine fit worse than the full series, to a few percent."""
     sharp = vr.Prony(instantaneous_modulus=1e7, weights=[0.3, 0.2, 0.3], relaxation_times=[1.3e-3, 0.9, 57.0])
     found = vr.fit_prony(sampled(sharp, np.geomspace(1e-3, 1e4, 71))).sparse(3).series
     np.testing.assert_allclose(sorted(found.relaxation_times), [1.3e-3, 0.9, 57.0], rtol=1e-3)
@@ -95,7 +95,7 @@ def test_sparse_series_on_request():
 
 
 def test_relaxed_modulus_has_a_floor():
-    """Of a liquid nothing stays at rest: the floor does."""
+    """A liquid has no modulus at rest, so the fit returns `relaxed_floor`."""
     omega = np.geomspace(0.1, 1e3, 41)
     x = 1j * omega * 0.01
     fluid = 1e6 * x / (1.0 + x)
@@ -160,7 +160,7 @@ def test_loss_factor_is_constant_over_its_decades(loss_factor, error, decades):
 
 
 def test_loss_factor_is_kjartansson_s_law_and_causal():
-    """Storage rises as |iω|^α does, and a passive series fits it."""
+    """The storage rises as |iω|^α, and a passive series fits it."""
     pad = vr.LossFactor(modulus=1e6, loss_factor=0.3, reference_frequency=10.0)
     omega = 10.0 * np.logspace(-3, 3, 61)
     alpha = 2.0 / np.pi * np.arctan(0.3)
@@ -183,7 +183,7 @@ def test_loss_factor_out_of_range(change, message):
 
 
 def test_hardness():
-    """Gent's and Qi's relations at Shore A 60, by hand: E = 3.61 and 5.89 MPa."""
+    """Compare with Gent's and Qi's relations at Shore A 60, by hand: E = 3.61 and 5.89 MPa."""
     shear = vr.hardness_to_modulus(60.0)
     assert shear.value == pytest.approx(np.sqrt(3.605e6 * 5.884e6) / 3.0, rel=1e-3)
     assert shear.lower < 3.605e6 / 3.0 < 5.884e6 / 3.0 < shear.upper
@@ -196,7 +196,7 @@ def test_hardness():
 
 
 def test_rebound():
-    """What a half swing of a weakly damped oscillator keeps: e^(-2 π ζ / sqrt(1 - ζ²) / 2) twice over, η = 2 ζ."""
+    """A weakly damped oscillator retains e^(-2 π ζ / sqrt(1 - ζ²)) of its energy in half a swing, η = 2 ζ."""
     for damping in (1e-3, 0.05):
         kept = np.exp(-np.pi * damping / np.sqrt(1.0 - damping**2)) ** 2  # amplitudes of half a swing, squared
         assert vr.rebound_to_loss_factor(kept).value == pytest.approx(2.0 * damping, rel=2.0 * damping**2)

@@ -1,4 +1,4 @@
-"""Published materials: each says whose it is and what is not known, and is what its source says."""
+"""Published materials: each names its source and its unknowns, and agrees with its source."""
 
 from __future__ import annotations
 
@@ -44,13 +44,13 @@ def test_each_rolls(name):
 
 
 def test_the_adhesive_is_what_its_data_give():
-    """Made by the chain that the tutorial shows, from the data of the package."""
+    """The adhesive is the result of the steps of the tutorial with the data of the package."""
     data = vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
     curve = vr.superpose(data.between(-35.0, 160.0), reference=20.0)
     omega = np.geomspace(1e-2, 1e4, 13)
     for degrees in (0.0, 20.0, 60.0):
         stored = vr.example_material("pressure_sensitive_adhesive").at(temperature=degrees).complex_modulus(omega)
-        # The least-squares fit of the shifts ends within 1e-6 decades, elsewhere than on this machine, too.
+        # The least-squares fit of the shifts is reproducible within 1e-6 decades, also on other machines.
         np.testing.assert_allclose(stored, curve.at(temperature=degrees).complex_modulus(omega), rtol=1e-3)
 
 
@@ -58,7 +58,7 @@ def test_the_adhesive_is_what_its_data_give():
     ("kelvin", "ratio", "time"), [(293.1633333, 335.9818859, 0.227690381), (313.153, 38.61426008, 0.229855055)]
 )
 def test_the_foam_is_what_was_measured_at_10_radians_a_second(kelvin, ratio, time):
-    """As its authors sum up the same sheets: tan δ = 1/(ωτ), E' = 24 545.2584 Pa γ ω²τ² / (1 + ω²τ²)."""
+    """Compare with the authors' summary of the same sheets: tan δ = 1/(ωτ), E' = 24 545.2584 Pa γ ω²τ² / (1 + ω²τ²)."""
     foam = vr.example_material("vinyl_nitrile_foam")
     assert foam.poisson_ratio == 0.228250439894909
     relaxing = 10.0 * time

@@ -1,4 +1,4 @@
-"""A temperature ramp at one frequency, as most laboratories send it: what it gives, and what it cannot give."""
+"""A temperature ramp at one frequency, as most laboratories send it: what it provides, and what it cannot."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import viscoroll as vr
 from specimens import command
 from viscoroll.rheology import TemperatureRamp
 
-#: Two relaxations eight decades apart and what lies between, by a law that is known.
+#: Two relaxations eight decades apart and the times between them, with a known law.
 RUBBER = vr.Prony(instantaneous_modulus=1e9, weights=[0.1] * 9 + [0.099], relaxation_times=np.logspace(-7, 2, 10))
 LAW = vr.WilliamsLandelFerry(c1=12.0, c2=90.0, reference_temperature=303.15)
 FREQUENCY = 2.0 * np.pi
@@ -19,7 +19,7 @@ def modulus(temperature, frequency=FREQUENCY):
 
 
 def written(path, step, *, noise=0.0, frequencies=(FREQUENCY,), head="Temperature,Frequency"):
-    """Write a ramp from 0 to 80 °C as instruments do: the temperature rises all the while."""
+    """Write a ramp from 0 to 80 °C as instruments do: the temperature rises continuously."""
     generator = np.random.default_rng(3)
     temperature = np.arange(0.0, 80.0 + 0.5 * step, step)
     rows = [f"{head},Storage modulus,Loss modulus", "°C,Hz,MPa,MPa" if "," in head else "°C,MPa,MPa"]
@@ -32,14 +32,15 @@ def written(path, step, *, noise=0.0, frequencies=(FREQUENCY,), head="Temperatur
     return path
 
 
-@pytest.mark.parametrize("step", [0.2, 0.7, 2.5])  # gaps below and above those that tell sweeps apart
+@pytest.mark.parametrize("step", [0.2, 0.7, 2.5])  # below and above the gaps that separate sweeps
 def test_a_ramp_is_seen_as_one_and_says_what_it_gives(tmp_path, step):
     data = vr.read_rheology(written(tmp_path / "ramp.csv", step), tensile=True)
     ramp = data.ramp
     assert isinstance(ramp, TemperatureRamp)
     assert ramp.frequency == pytest.approx(FREQUENCY)
     assert ramp.temperature.size == round(80.0 / step) + 1
-    np.testing.assert_allclose(ramp.storage, modulus_over(ramp.temperature).real, rtol=1e-2)  # of 0.005 °C, as printed
+    # 0.005 °C, round-off of the file
+    np.testing.assert_allclose(ramp.storage, modulus_over(ramp.temperature).real, rtol=1e-2)
     said = repr(data)
     assert said.splitlines()[0].startswith("RheologyData of ramp.csv: a temperature ramp at one frequency, 6.283 rad/s")
     assert "it cannot give how they depend on frequency" in said
@@ -65,12 +66,12 @@ def test_a_law_makes_a_master_curve_of_a_ramp_and_the_checks_judge_it(tmp_path):
     true, found = RUBBER.complex_modulus(omega), curve.fit.series.complex_modulus(omega)
     np.testing.assert_allclose(np.abs(found), np.abs(true), rtol=0.03)
     assert all(check.passed for check in vr.check_modulus(curve))
-    # With twice the activation, storage changes half as fast with frequency as its loss says.
+    # With twice the activation, storage changes half as fast with frequency as its loss requires.
     wrong = vr.WilliamsLandelFerry(c1=24.0, c2=90.0, reference_temperature=303.15)
     causal, passive, _ = vr.check_modulus(vr.superpose(data, reference=30.0, factors=wrong))
     assert not causal.passed
     assert not passive.passed
-    # A table of factors is the same.
+    # A table of the same factors gives the same result.
     table = vr.ShiftFactors(
         temperature=(0.0, 30.0, 80.0), log10_factor=[np.log10(LAW(t + 273.15)) for t in (0, 30, 80)]
     )
@@ -133,7 +134,7 @@ def test_a_ramp_from_the_shell(tmp_path):
 
 
 def test_an_unknown_column_may_be_the_frequency(tmp_path):
-    """A table of several frequencies is not taken for a ramp at one unless that is said."""
+    """A table of several frequencies is not read as a ramp at one frequency unless the user says so."""
     path = tmp_path / "export.csv"
     path.write_text(
         "Température;Fréquence;G';G''\n" + "".join(f"{t};{f};{t + f};1\n" for t in (20, 40) for f in (1, 10))

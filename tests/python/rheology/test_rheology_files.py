@@ -1,9 +1,10 @@
-"""Files as rheometers and DMA instruments write them, and what is refused.
+"""Files as rheometers and DMA instruments write them, and input checks.
 
-`pressure_sensitive_adhesive.txt` was written by TRIOS 5.1, `pyvisco_freq_user_raw.csv` comes with pyvisco. The others
-are made by hand after the layouts of files that programs for them read, for want of a free one: TRIOS "Plain Text" (a
-step below its name, names, units, numbers, in Windows' code page), RheoCompass (UTF-16, tabs, "Interval data:", units
-in brackets, a status column), Proteus (##, units behind a slash, semicolons, decimal commas).
+`pressure_sensitive_adhesive.txt` was written by TRIOS 5.1, and `pyvisco_freq_user_raw.csv` is from pyvisco. No free
+files of other programs were found, so the others are made by hand after the layouts of files that readers of these
+formats expect: TRIOS "Plain Text" (a step below its name, names, units, numbers, in Windows' code page), RheoCompass
+(UTF-16, tabs, "Interval data:", units in brackets, a status column), Proteus (##, units behind a slash, semicolons,
+decimal commas).
 """
 
 from __future__ import annotations
@@ -101,7 +102,7 @@ def test_proteus(tmp_path):
     np.testing.assert_allclose(sweep.storage, [3.5e6, 12.5e6 / 3.0], rtol=1e-15)
 
 
-#: Columns as TRIOS writes all of them, after those of files that programs for it read.
+#: All columns that TRIOS writes, after those of files that programs for it read.
 TRIOS_ALL = """Storage modulus\tLoss modulus\tTan(delta)\tAngular frequency\tOscillation torque\tStep time\t\
 Temperature\tRaw phase\tOscillation displacement\tComplex viscosity\tFrequency\tOscillation strain\tAxial force
 MPa\tMPa\t\trad/s\tµN.m\ts\t°C\t°\trad\tPa.s\tHz\t%\tN

@@ -1,4 +1,4 @@
-"""Strain sweeps: files as instruments write them, made by hand for want of free ones, and laws fitted to them."""
+"""Strain sweeps: files in instrument formats, made by hand because no free ones exist, and laws fitted to them."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_a_fit_finds_what_made_the_sweep(law):
 
 
 def test_intervals_hold_what_noise_leaves():
-    """Of 95 % intervals of 40 noisy sweeps 34 hold the truth at the least, with 99.9 % probability."""
+    """At least 34 of the 95 % intervals of 40 noisy sweeps contain the truth, with 99.9 % probability."""
     random = np.random.default_rng(7)
     storage, loss = KRAUS.at(STRAINS)
     held = 0

@@ -13,7 +13,7 @@ from viscoroll.rheology.shift_laws import fit_wlf
 
 DATA = Path(__file__).parent / "data"
 
-#: A rubber of 25 terms over twelve decades, off the places where a fit puts its times.
+#: A rubber of 25 terms over twelve decades, at times that differ from those of a fit.
 TIMES = 0.7 * np.logspace(-9, 3, 25)
 RUBBER = vr.Prony(
     instantaneous_modulus=1e9,
@@ -28,7 +28,7 @@ def wlf(temperature):
 
 
 def measured_isotherms(noise, seed=0, temperatures=tuple(range(0, 81, 10))):
-    """Isotherms of three decades of the rubber above, by its law, with relative noise on both moduli."""
+    """Return isotherms of three decades of the rubber above, by its law, with relative noise on both moduli."""
     generator = np.random.default_rng(seed)
     omega = np.logspace(-1, 2, 22)
     sweeps = []
@@ -48,7 +48,7 @@ def adhesive():
 
 @pytest.fixture(scope="module")
 def master(adhesive):
-    """Shift the adhesive without its coldest sweep, whose shift the data leave open."""
+    """Shift the adhesive without its coldest sweep, whose shift the data do not determine."""
     return vr.superpose(adhesive.between(-35.0, 160.0), reference=20.0)
 
 
@@ -62,7 +62,7 @@ def test_known_wlf_constants_lie_in_their_intervals(noisy):
     c1, c2 = noisy.wlf.parameters["c1"], noisy.wlf.parameters["c2"]
     assert c1.lower <= C1 <= c1.upper
     assert c2.lower <= C2 <= c2.upper
-    # The intervals say something: within a tenth of the value.
+    # The intervals are informative: within a tenth of the value.
     assert c1.upper - c1.lower < 0.1 * C1
     assert c2.upper - c2.lower < 0.1 * C2
 
@@ -78,7 +78,7 @@ def test_modulus_at_another_temperature(noisy):
     table = noisy.at(temperature=45.0)
     omega = np.geomspace(1e-1, 1e2, 7)
     true, found = RUBBER.complex_modulus(omega * 10.0 ** wlf(45.0)), table.complex_modulus(omega)
-    np.testing.assert_allclose(np.abs(found), np.abs(true), rtol=0.04)  # three points of 3 % to an entry, and a_T
+    np.testing.assert_allclose(np.abs(found), np.abs(true), rtol=0.04)  # three points with 3 % noise per entry, and a_T
     smooth = noisy.series_at(temperature=45.0).complex_modulus(omega)
     np.testing.assert_allclose(np.abs(smooth), np.abs(true), rtol=0.02)
     with pytest.raises(ValueError, match=r"temperature must be in \[0, 80\] °C, where it was measured, got 90"):
@@ -92,12 +92,12 @@ def test_a_fitted_law_shifts_moduli_in_kelvin(noisy):
 
 
 def test_coverage_of_the_intervals_of_wlf_constants():
-    """Both true constants in their 95 % intervals in most of 12 data sets: 8 or fewer has a chance of 1e-3."""
+    """Both true constants are in their 95 % intervals in most of 12 data sets: 8 or fewer has a probability of 1e-3."""
     inside = 0
     for seed in range(12):
         data = measured_isotherms(0.03, seed=100 + seed, temperatures=(0, 20, 40, 60))
         law = vr.superpose(data, reference=REFERENCE - 10.0).wlf
-        # The same law about another reference: C₂' = C₂ + T_r' - T_r, C₁' C₂' = C₁ C₂.
+        # The same law with another reference: C₂' = C₂ + T_r' - T_r, C₁' C₂' = C₁ C₂.
         c2 = C2 - 10.0
         c1 = C1 * C2 / c2
         found = law.parameters
@@ -221,7 +221,7 @@ def test_pyvisco_data_are_named_as_inconsistent():
 @pytest.mark.parametrize("temperature", [0.0, 20.0, 40.0])
 @pytest.mark.parametrize("speed", [1e-3, 1e-2, 1e-1])
 def test_torque_of_the_fit_is_that_of_the_table(master, temperature, speed):
-    """File, shift, fit, torque: within 1 %, of which 0.2 % may be the meshes."""
+    """Read, shift, fit, solve: within 1 %, of which the meshes may contribute 0.2 %."""
     torques = []
     for material in (master.at(temperature=temperature), master.series_at(temperature=temperature)):
         layer = vr.Layer(thickness=2e-3, shear_modulus=material, poisson_ratio=0.5)
@@ -259,7 +259,7 @@ def test_range_against_the_harmonics_of_rolling(rubber):
 
 
 def test_constants_of_shifts_that_do_not_bend_are_not_told():
-    """Colder ones are farther apart by WLF; here they are nearer, and its best is a straight line."""
+    """WLF shifts are farther apart at low temperatures; these are closer, and the best fit is a straight line."""
     temperature = np.arange(-40.0, 61.0, 10.0)
     above = temperature - REFERENCE
     law = fit_wlf(vr.ShiftFactors(temperature=temperature, log10_factor=-0.1 * above - 5e-4 * above**2), REFERENCE)

@@ -1,4 +1,4 @@
-"""Solves that choose their own mesh."""
+"""Solves to a prescribed accuracy, which choose their own mesh."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_default_accuracy_is_one_percent(paper_ball):
 
 
 def test_a_thousandth(paper_ball):
-    """Continuum limits from meshes up to pi/6600: 11.3867 mN m, and 11.1854 mN m with the vertical compliance."""
+    """Compare with continuum limits from meshes up to pi/6600: 11.3867 mN m, and 11.1854 mN m with VERTICAL."""
     for compliance, limit in ((vr.Compliance.RADIAL, 11.3867e-3), (vr.Compliance.VERTICAL, 11.1854e-3)):
         r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=1e-3, compliance=compliance, curvature=PAPER)
         assert r.resisting_torque == pytest.approx(limit, rel=1e-4)
@@ -42,8 +42,8 @@ def test_a_thousandth(paper_ball):
 
 @pytest.mark.slow
 def test_torque_is_a_smooth_function_of_load(paper_ball):
-    """Nodes that join the contact one by one leave no staircase: the power law's exponent falls steadily."""
-    loads = np.geomspace(50.0, 60.0, 17)  # steps of 1.15 %, as of 200 loads over a decade
+    """Nodes that join the contact one by one cause no steps: the exponent of the power law decreases steadily."""
+    loads = np.geomspace(50.0, 60.0, 17)  # steps of 1.15 %, as for 200 loads over a decade
     torques = [
         vr.solve(paper_ball, load=load, angular_speed=2.5, accuracy=1e-3, compliance=vr.Compliance.RADIAL)
         for load in loads

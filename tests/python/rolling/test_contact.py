@@ -13,7 +13,7 @@ PATCHES = [vr.PatchLoad.FLAT, vr.PatchLoad.SPHERICAL]
 
 
 def nodal_force(result):
-    """Vertical force of every node [N] from the pressure on its patch."""
+    """Return the vertical force of every node [N] from the pressure on its patch."""
     area = (result.ball.outer_radius * result.mesh.spacing) ** 2
     if result.patch_load is vr.PatchLoad.SPHERICAL:
         area = area * np.sqrt(1.0 - (result.z / result.ball.outer_radius) ** 2)  # sin(theta)
@@ -110,7 +110,8 @@ BONDED_LAYER = [
 
 @pytest.mark.parametrize(("slenderness", "depth", "load"), BONDED_LAYER)
 def test_static_contact_of_a_bonded_layer(slenderness, depth, load):
-    # A coated sphere tends to the flat layer like a/R: extrapolate from two radii. The mesh resolves contact and layer.
+    # A coated sphere tends to the flat layer like a/R, so two radii are extrapolated. The mesh resolves contact and
+    # layer.
     thickness, shear = 1e-3, 1e6
     contact_radius = slenderness * thickness
     errors = []
@@ -162,7 +163,7 @@ def test_patch_loads_differ_little(paper_ball):
 @pytest.mark.parametrize("compliance", COMPLIANCES)
 @pytest.mark.parametrize("patch_load", PATCHES)
 def test_large_contacts_without_a_matrix(paper_ball, compliance, patch_load):
-    """The conditions hold where products by FFT take the place of elimination, and refinement goes on converging."""
+    """The conditions hold if products by FFT replace elimination, and refinement still converges."""
     mesh = vr.Mesh(nodes_per_revolution=1200, max_order=1800)
     r = vr.solve(
         paper_ball,
@@ -187,7 +188,7 @@ def test_large_contacts_without_a_matrix(paper_ball, compliance, patch_load):
 
 
 def test_unlike_spacings_agree(paper_ball):
-    """A mesh that is finer in theta than in phi, or the other way, has the same limit."""
+    """Meshes that are finer in theta than in phi, or coarser, have the same limit."""
     torques = [
         vr.solve(
             paper_ball,
@@ -209,7 +210,7 @@ def test_unlike_spacings_agree(paper_ball):
 
 
 def test_contacts_are_found_whatever_they_are_started_from(paper_ball):
-    """From the contact of a coarse level, and by a dense solution from all candidates: the same set."""
+    """A start from the contact of a coarse level and a dense solution from all candidates give the same contact."""
     mesh = vr.Mesh(nodes_per_revolution=600)
     model = vr.RollingModel(paper_ball, angular_speed=2.5, mesh=mesh)
     for load in (0.3, 3.0, 30.0, 100.0):
@@ -225,7 +226,7 @@ def test_contacts_are_found_whatever_they_are_started_from(paper_ball):
 
 @pytest.mark.parametrize("nodes", [60_000, 200_000])
 def test_hertz_on_the_finest_meshes(nodes):
-    """An elastic ball of one piece: Hertz, to the square of the contact's share of the radius and the mesh's error."""
+    """A homogeneous elastic ball follows Hertz, to the order (a/R)^2 and the error of the mesh."""
     modulus, radius, across = 1e6, 20e-3, 128
     ball = coated_ball(vr.Elastic(modulus=modulus), thickness=radius, core_radius=0.0, inner_boundary="SOLID")
     a = 0.5 * across * 2.0 * np.pi / nodes * radius
@@ -239,7 +240,7 @@ def test_hertz_on_the_finest_meshes(nodes):
 
 
 def test_products_agree_with_a_dense_solution(paper_ball):
-    """Some 500 nodes, found by products from a coarser mesh's contact, against NumPy on the same influence tables."""
+    """About 500 nodes, solved iteratively from the contact of a coarser mesh; NumPy uses the same influence tables."""
     mesh = vr.Mesh(nodes_per_revolution=600, theta_nodes_per_revolution=540)
     r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=mesh, compliance=vr.Compliance.RADIAL)
     assert r.operator_applications > 0
@@ -251,7 +252,7 @@ def test_products_agree_with_a_dense_solution(paper_ball):
     depth = np.sqrt(paper_ball.outer_radius**2 - r.x**2 - r.z**2).ravel()
     force, height = contact.solve_normal_contact(matrix, swelling * depth, 100.0)
     patch = paper_ball.outer_radius**2 * mesh.spacing * mesh.theta_spacing
-    # A relative residual of 1e-11, and a share of the radius' round-off in the depth.
+    # A relative residual of 1e-11, and round-off of the radius in the penetration.
     np.testing.assert_allclose(r.pressure.ravel() * patch, -force, rtol=0.0, atol=1e-8 * np.abs(force).max())
     assert r.center_height == pytest.approx(height, rel=1e-12)
 
@@ -259,7 +260,7 @@ def test_products_agree_with_a_dense_solution(paper_ball):
 @pytest.mark.parametrize("compliance", COMPLIANCES)
 @pytest.mark.parametrize(("viscosity", "angular_speed"), [(3e4, 1.0), (3e4, 4.0), (1.5e5, 1.0), (1.5e5, 5.0)])
 def test_pressure_does_not_alternate_where_memory_is_strong(compliance, viscosity, angular_speed):
-    """V tau / a of 0.1 to 3: were the compliance taken at the nodes, rows that alternate would meet no resistance."""
+    """V tau / a of 0.1 to 3: with the compliance taken at the nodes, alternating rows would meet no resistance."""
     torques = []
     for nodes in (800, 1600):
         r = vr.solve(
@@ -272,9 +273,9 @@ def test_pressure_does_not_alternate_where_memory_is_strong(compliance, viscosit
         assert r.status is vr.Status.CONVERGED
         assert (r.gap > -1e-9 * r.penetration).all()
         torques.append(r.driving_torque)
-    assert torques[0] == pytest.approx(torques[1], rel=1e-2)  # the staircase of 30 nodes across
+    assert torques[0] == pytest.approx(torques[1], rel=1e-2)  # discrete contact of 30 nodes across
     assert r.power_balance_error < 1e-2
-    # Contact is one piece, and some rows behind the jump at the leading edge the pressure has one maximum at most.
+    # The contact is connected, and some rows behind the jump at the leading edge the pressure has at most one maximum.
     middle = r.pressure[:, r.pressure.shape[1] // 2]
     inside = np.flatnonzero(middle)
     assert len(inside) == inside[-1] - inside[0] + 1

@@ -1,4 +1,4 @@
-"""Bad input: an exception that names parameter, value, unit and allowed range, from every entry."""
+"""Input checks: every entry raises an exception that names parameter, value, unit and allowed range."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def coated(body=vr.CoatedSphere, core_radius=0.05, layers=({},), **changes):
 THIN = coated(layers=({"thickness": 1e-9}, {"shear_modulus": vr.Elastic(modulus=6e6)}))
 DAMPED = {"shear_modulus": vr.KelvinVoigt(modulus=1e6, viscosity=1e3)}
 UNBOUNDED = [
-    # Each of these once took minutes or more, without end where lengths differ most.
+    # These inputs once took minutes or more, or did not end for the largest ratios of lengths.
     (lambda: coated(core_radius=1e8), {}, r"layers\[0\].thickness must be at least 1e-09 of .*, 0.1 m, got 0.001 m"),
     (
         lambda: coated(vr.CoatedCylinder, core_radius=1e8),
@@ -109,7 +109,7 @@ def test_numbers_that_are_none(make, valid, name, unit, value):
 @pytest.mark.parametrize(("sign", "exponent"), [(1, 400), (-3, 5000)])
 @pytest.mark.parametrize(("make", "valid", "name", "unit"), POSITIVE)
 def test_integers_beyond_floats(make, valid, name, unit, sign, exponent):
-    # The second is beyond what Python writes in decimal, too.
+    # The second number also exceeds what Python prints in decimal.
     with pytest.raises(ValueError, match=rf"^{name} must be <= 1.8e\+308 in size, got about {sign}e{exponent}$"):
         make(**valid | {name: sign * 10**exponent})
 
@@ -300,7 +300,7 @@ def test_absurd_loads(paper_ball, load):
 
 
 def test_load_that_the_mesh_cannot_see(paper_ball):
-    # One node carries a tiny load: solved, with an error estimate that says so.
+    # One node supports a tiny load: this is solved, with a large error estimate.
     r = vr.solve(paper_ball, load=1e-9, angular_speed=2.5, mesh=vr.Mesh(**MESH))
     assert r.contact.sum() == 1
     assert np.isfinite(r.pressure).all()

@@ -1,7 +1,8 @@
-"""How far linear theory is from finite strain: both compliances beside a finite-element witness.
+"""Error of linear theory relative to finite strain: both compliances, compared with finite elements.
 
-The whole campaign is `python -m tests.reference.finite_strain_table`; here are two penetrations of one geometry, on a
-mesh with h/50 at the edge. It misses (against h/2000) 1e-5 of the penetration at a given load and 1.5e-3 of the torque.
+`python -m tests.reference.finite_strain_table` computes the whole table; here are two penetrations of one geometry, on
+a mesh with h/50 at the edge. Relative to h/2000, its error is 1e-5 of the penetration at a given load and 1.5e-3 of the
+torque.
 """
 
 from __future__ import annotations
@@ -15,14 +16,14 @@ from reference.finite_strain import Coating
 from reference.finite_strain_obstacle import press_node_by_node
 from reference.finite_strain_torque import VISCOSITIES, slow_torques
 
-PAPER = (20.0, 21.0, 0.5)  # core and outer radius in mm, Poisson's ratio
+PAPER = (20.0, 21.0, 0.5)  # core and outer radius [mm], Poisson's ratio
 COARSE = {"finest": 0.02, "coarsest": 0.2, "growth": 1.4}
 RADIAL, VERTICAL = vr.Compliance.RADIAL, vr.Compliance.VERTICAL
 
 
 @pytest.fixture(scope="module")
 def pressed():
-    """Coating, state, strain and load at 6 and 15 % of the thickness, from edges that make that nearly."""
+    """Return coating, state, strain and load at about 6 and 15 % of the thickness, for two given contact edges."""
     cases, guess = {}, None
     for strain, edge in ((0.06, 0.07548), (0.15, 0.12575)):
         coating = Coating(*PAPER, edge, **COARSE)
@@ -33,7 +34,7 @@ def pressed():
 
 
 def test_contact_pushes_and_overlaps_nowhere(pressed):
-    # A wrong condition at the edge would leave tension before it or overlap behind it.
+    # A wrong condition at the edge would leave tension inside it or overlap outside it.
     for coating, state, _, _ in pressed.values():
         theta, gap, force = coating.surface(state)
         inside = theta < coating.edge * (1.0 - 1e-9)
@@ -44,21 +45,22 @@ def test_contact_pushes_and_overlaps_nowhere(pressed):
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
 def test_small_strain_is_a_bonded_layer(poisson_ratio):
-    # R = 301 h and a = h: strains of 2e-3, a/R of 3e-3. Otherwise the elements, the law or the bond would be wrong.
+    # R = 301 h and a = h: strains of 2e-3, a/R of 3e-3. A deviation would indicate wrong elements, law or bond.
     radius = 301.0
     coating = Coating(radius - 1.0, radius, poisson_ratio, 1.0 / radius)
     state, penetration, load = coating.press()
     exact_load, exact_approach = bonded_layer(1.0, poisson_ratio)
-    assert load * radius == pytest.approx(exact_load, rel=5e-3)  # cube of the edge, which is exact to h/500
+    # proportional to the cube of the edge, which is accurate to h/500
+    assert load * radius == pytest.approx(exact_load, rel=5e-3)
     assert penetration * radius == pytest.approx(exact_approach, rel=2e-3)
-    # Linear theory: P Omega r_o eta/G, whatever the viscosity. A wrong rate of C, a factor or a part left out, shows.
+    # Linear theory: P Omega r_o eta/G for each viscosity. The check detects a wrong rate of C, factor or missing term.
     for torque in slow_torques(coating, state, load).values():
         assert torque == pytest.approx(1.0, abs=2e-3)
 
 
 def test_contact_found_node_by_node_is_the_same(pressed):
-    # Load against penetration without the condition at the edge, on plain elements of h/10: -2e-5 found, which falls to
-    # -1e-5 on h/20 (and at 6 % from -3e-4 to -9e-5).
+    # Load at given penetration without the condition at the edge, on uniform elements of h/10: the difference is -2e-5,
+    # on h/20 it is -1e-5 (at 6 %, it falls from -3e-4 to -9e-5).
     _, _, strain, load = pressed[0.15]
     plain = Coating(*PAPER, 0.1, finest=0.1, coarsest=0.1, growth=1.0)
     state, first = press_node_by_node(plain, 0.5 * strain)
@@ -69,8 +71,9 @@ def test_contact_found_node_by_node_is_the_same(pressed):
 
 
 def test_elements_of_first_order_are_stiffer_until_they_are_small(pressed):
-    # Without regard to the edge, as a first attempt would be made. On h/8 the load is 2.7e-3 too large and, at a given
-    # one, the penetration 1.1e-3 too small: C_RR would seem to be off by -0.2 %, not -0.3 %. On h/20 2.6e-4 are left.
+    # First-order elements without the condition at the edge, as in a first attempt. On h/8 the load is 2.7e-3 too
+    # large, and at given load the penetration is 1.1e-3 too small: C_RR would seem to be off by -0.2 %, not -0.3 %. On
+    # h/20, 2.6e-4 remain.
     _, _, strain, load = pressed[0.15]
     errors = []
     for size in (0.125, 0.05):
@@ -84,7 +87,7 @@ def test_elements_of_first_order_are_stiffer_until_they_are_small(pressed):
 
 
 def squeezed(x):
-    """Return where a coating around the origin goes, r_i = 4, r_o = 5; z is the vertical."""
+    """Return the deformed position in a coating around the origin, r_i = 4, r_o = 5; z is vertical."""
     radius = np.linalg.norm(x)
     depth, height = radius - 4.0, x[2] / radius
     sink = 0.2 * depth * height**2
@@ -92,22 +95,22 @@ def squeezed(x):
 
 
 def cauchy_green(x, step=1e-4):
-    """Return C of `squeezed` by differences."""
+    """Return C of `squeezed` by finite differences."""
     columns = [(squeezed(x + step * e) - squeezed(x - step * e)) / (2.0 * step) for e in np.eye(3)]
     gradient = np.stack(columns, axis=1)
     return gradient.T @ gradient
 
 
 def turned(angle):
-    """Return the rotation about y, which carries z towards x."""
+    """Return the rotation about y that turns z towards x."""
     c, s = np.cos(angle), np.sin(angle)
     return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
 
 
 def test_power_is_that_of_turning_the_ball():
-    # The power of a given field that no mesh knows: C of a particle before and after a small turn of the ball, in its
-    # own axes, in Cartesian coordinates. Were the derivation of the rate wrong, in azimuth or in spin, they would
-    # differ; the cap of the witness is cut off where `squeezed` is sampled, at 2.5 rad.
+    # Power of a given analytic field: C of a particle before and after a small rotation of the ball, in the particle's
+    # axes, in Cartesian coordinates. An error of the rate in azimuth or spin would make a difference. The finite
+    # elements end at 2.5 rad, where `squeezed` is sampled.
     coating = Coating(4.0, 5.0, 0.3, 0.5, finest=0.1, coarsest=0.1, growth=1.0)
     state = np.zeros(coating.basis.N)
     theta, radius = coating.basis.doflocs
@@ -142,8 +145,8 @@ def test_power_is_that_of_turning_the_ball():
     [(0.06, -0.0022, 0.0342), (0.15, -0.0032, 0.1116)],
 )
 def test_radial_penetration_is_nearer_to_finite_strain(pressed, strain, radial, vertical):
-    # C_RR is within half a percent, C_WW is 3 and 11 % too soft. Another number would mean another compliance, or that
-    # docs/accuracy.md is wrong: its digits, which the curvature terms that the paper leaves out would change.
+    # C_RR is accurate within half a percent; C_WW is 3 and 11 % too soft. Other numbers would indicate another
+    # compliance, or wrong digits in docs/accuracy.md, which depend on the curvature terms that the paper omits.
     coating, _, found, load = pressed[strain]
     for compliance, expected in ((RADIAL, radial), (VERTICAL, vertical)):
         error = table.penetration(PAPER, load, coating.edge, compliance) / found - 1.0
@@ -151,7 +154,8 @@ def test_radial_penetration_is_nearer_to_finite_strain(pressed, strain, radial, 
 
 
 def test_radial_torque_lies_between_the_viscosities_of_finite_strain(pressed):
-    # At 15 % finite strain has 0.98 to 1.06, by the viscosity; C_RR has 0.997 and C_WW 1.13, which none has.
+    # At 15 %, finite strain gives 0.98 to 1.06, depending on the viscosity; C_RR gives 0.997, and C_WW gives 1.13,
+    # outside this range.
     coating, state, _, load = pressed[0.15]
     finite = slow_torques(coating, state, load)
     assert [finite[name] for name in VISCOSITIES] == pytest.approx([1.0605, 1.0240, 0.9819], abs=2e-3)

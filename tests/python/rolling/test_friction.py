@@ -30,7 +30,7 @@ DRIVES = {
 
 
 def assert_conditions_hold(r):
-    """Contact, stick, slip and balance, on the fields that the user gets."""
+    """Assert the conditions of contact, stick, slip and balance on the fields of the result."""
     stress = 1e-8 * r.max_pressure
     length = 1e-8 * r.penetration
     assert r.status is vr.Status.CONVERGED
@@ -92,7 +92,7 @@ def test_curved_patches(paper_ball):
     assert 0.0 < abs(curved.resisting_torque / flat.resisting_torque - 1.0) < 5e-3
 
 
-# Ratios T_r(mu) / T_r(0) of docs/theory/friction.md, an independent NumPy computation, printed to three digits.
+# Ratios T_r(mu) / T_r(0) of docs/theory/friction.md from an independent NumPy computation, printed to three digits.
 @pytest.mark.parametrize(
     ("mu", "ratio"),
     [
@@ -175,14 +175,14 @@ def test_no_friction_is_the_frictionless_solver(paper_ball):
     assert not without.shear_traction.any()
     given = roll(paper_ball, mu=0.0, drive=vr.Drive(creepage=0.1))
     assert given.linear_speed == pytest.approx(1.1 * SLOW * paper_ball.outer_radius)
-    # Little friction does little.
+    # Small friction has a small effect.
     assert roll(paper_ball, mu=1e-6).resisting_torque == pytest.approx(smooth.resisting_torque, rel=1e-5)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("mu", [0.1, 0.3, 1.0])
 def test_power_balance_closes(paper_ball, mu):
-    """T Omega + Q V_s = bulk + slip, for all drives: to 1 % at pi/250, and the better the finer the mesh."""
+    """T Omega + Q V_s = bulk + slip for all drives: to 1 % at pi/250, and better on finer meshes."""
     worst = {}
     for nodes in (100, 200, 500):
         errors = []
@@ -222,10 +222,10 @@ def elastic_ball(core_radius, radius, modulus=1e6):
 
 
 def small_contact(nodes_across, **options):
-    """Elastic ball whose contact radius is 1/40 of its radius: a half-space but for errors of that order.
+    """Solve an elastic ball whose contact radius is 1/40 of its radius: nearly a half-space.
 
-    A core of 0.3 of the radius lies twelve contact diameters deep. With one of 1e-3, the moment of the tractions would
-    turn the ball about its core by far more than the contact is wide.
+    A core of 0.3 of the radius is twelve contact diameters deep. With a core of 1e-3 of the radius, the moment of the
+    tractions would rotate the ball about its core by far more than the width of the contact.
     """
     radius, modulus, share = 20e-3, 1e6, 0.025
     nodes = 2 * round(np.pi * nodes_across / (2.0 * share))
@@ -240,7 +240,7 @@ def small_contact(nodes_across, **options):
 
 
 def kalker_coefficients(nodes_across, lateral=False):
-    """C_11, or C_22, from the force at small creepage from free rolling: F = 2 G a^2 C xi for a rigid plane."""
+    """Return C_11 or C_22 from the force at small creepage from free rolling, F = 2 G a^2 C xi on a rigid plane."""
     free = small_contact(nodes_across)
     creepage = 5e-5
     modulus, radius = 1e6, np.sqrt(free.contact_area / np.pi)
@@ -258,7 +258,7 @@ def test_full_stick_is_what_much_friction_leads_to(paper_ball, drive):
     stuck, *rough = (roll(paper_ball, mu=mu, **given) for mu in (math.inf, 4.0, 1.0))
     assert_conditions_hold(stuck)
     np.testing.assert_array_equal(stuck.stick, stuck.contact)
-    # Of the mesh, on which the trailing edge lets singular tractions go.
+    # Error of the mesh, caused by the singular tractions at the trailing edge.
     assert stuck.power_balance_error < 0.02
     pressed = np.abs([r.pressure - stuck.pressure for r in rough]).max(axis=(1, 2))
     assert pressed[0] < 0.5 * pressed[1]
@@ -274,7 +274,7 @@ def test_full_stick_is_any_friction_with_which_all_of_the_contact_sticks(paper_b
 
 
 def test_full_stick_that_asks_for_tension_is_said_so(paper_ball):
-    # At the edge of this contact nodes that stick are pulled, and pressed where they are left out.
+    # At the edge of this contact, sticking nodes are in tension, and in compression if they are removed.
     message = "no full stick without tension was found in .* of the load; with a finite friction nodes may slip"
     with pytest.raises(vr.ConvergenceError, match=message):
         roll(paper_ball, mu=math.inf, drive=vr.Drive(creepage=0.0))
@@ -286,7 +286,7 @@ def test_small_creepage_follows_kalker():
     assert kalker_coefficients(40) == pytest.approx(5.20, rel=0.03)
     assert kalker_coefficients(20) == pytest.approx(5.20, rel=0.03)
     assert kalker_coefficients(20, lateral=True) == pytest.approx(3.98, rel=0.03)
-    # Converging: the contact area of few nodes is itself uncertain.
+    # The error decreases; the contact area of few nodes is itself uncertain.
     errors = [abs(kalker_coefficients(n) - 5.20) for n in (6, 20)]
     assert errors[1] < errors[0]
 
@@ -383,7 +383,7 @@ def test_the_summary_tells_the_speed_of_the_center(paper_ball):
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "mu"), [(name, mu) for name in DRIVES for mu in (0.2, 0.5, 2.0)])
 def test_large_contacts_without_a_matrix(paper_ball, mu, name):
-    """Some 3000 nodes, solved by products: all conditions hold, and the power balance closes."""
+    """About 3000 nodes, solved iteratively: all conditions hold, and the power balance closes."""
     mesh = vr.Mesh(nodes_per_revolution=1400)
     r = roll(paper_ball, mu=mu, drive=DRIVES[name], mesh=mesh, compliance=vr.Compliance.VERTICAL)
     assert r.operator_applications > 0
@@ -393,7 +393,7 @@ def test_large_contacts_without_a_matrix(paper_ball, mu, name):
     pressure, (t_x, t_z), (s_x, s_z) = r.pressure, r.shear_traction, r.slip_velocity
     top = pressure.max()
     size = np.hypot(t_x, t_z)
-    # Conditions hold as forces to 1e-9 of the load, spread over thousands of nodes.
+    # Conditions hold as forces to 1e-9 of the load, distributed over thousands of nodes.
     assert (pressure[r.contact] > -1e-6 * top).all()
     assert (pressure[~r.contact] == 0.0).all()
     assert (r.gap[~r.contact] > -1e-8 * r.penetration).all()
@@ -412,7 +412,7 @@ def one_layer(core_radius, thickness, modulus, **options):
 
 
 HARD = {
-    # Contacts of 1 to 34 nodes to which full stick does not lead.
+    # Contacts of 1 to 34 nodes, which full stick as a start does not solve.
     "slippery, driven hard": (
         one_layer(
             0.23718672545634156,
@@ -448,12 +448,12 @@ HARD = {
 def test_states_that_full_stick_does_not_lead_to(ball, nodes, options):
     mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=nodes)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", vr.ResultWarning)  # few nodes, by intention
+        warnings.simplefilter("ignore", vr.ResultWarning)  # few nodes on purpose
         assert_conditions_hold(roll(ball, mesh=mesh, **options))
 
 
 def test_towed_by_way_of_less_friction():
-    # From full stick and from no friction steps go astray; from mu = 0.3 they lead there.
+    # Iterations from full stick and from zero friction diverge; those from mu = 0.3 converge.
     material = vr.Prony(
         instantaneous_modulus=15004.339,
         weights=[0.28282342, 0.16715161, 0.44998299, 0.09714387],

@@ -1,4 +1,4 @@
-"""States of stick and slip that are hard to find, each of which was missed or took minutes once."""
+"""States of stick and slip that are hard to find, each of which was once missed or took minutes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def found(kind):
 
 
 def power_law(*, modulus, amplitude, time, exponent):
-    """Return a spring beside a springpot: a user's function."""
+    """Return a spring parallel to a springpot, as a user's function."""
     return lambda omega: modulus + amplitude * (1j * time * omega) ** exponent
 
 
@@ -36,7 +36,7 @@ def solve(row):
 
 
 def measured(r):
-    """Return what a state is judged by: how far it is from solved, and the largest slip of nodes that stick."""
+    """Return the criteria of a state, among them its residual and the largest slip of sticking nodes."""
     speed = np.hypot(*r.slip_velocity)
     creeping = speed.max(initial=0.0, where=r.stick)
     curving = (r.semi_axis_x / r.ball.outer_radius) ** 2 * r.angular_speed * r.ball.outer_radius
@@ -45,13 +45,13 @@ def measured(r):
         "stick_share": r.stick.sum() / r.contact.sum(),
         "residual": r.residual,
         "iterations": r.iterations,
-        "creep": creeping / curving,  # per slip that the ball's curvature asks for
+        "creep": creeping / curving,  # relative to the slip due to the ball's curvature
         "creep_of_fastest": creeping / speed.max(),
     }
 
 
 @found("state")
-@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # loads that press a coating to a tenth
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # loads that indent a coating by a tenth
 def test_hard_states_are_found(row):
     r = solve(row)
     assert r.status is vr.Status[row.get("status", "CONVERGED")]
@@ -73,8 +73,8 @@ def test_what_has_no_state_is_refused_as_such(row):
 
 
 def test_a_drive_between_the_states_of_two_creepages():
-    # Neither full stick nor no friction leads there, but states at given creepages do, and to one of those only the way
-    # from less friction.
+    # Neither full stick nor zero friction leads to this state, but states at given creepages do; one of these is
+    # reached only from less friction.
     modulus = vr.Prony(
         instantaneous_modulus=719306705.8964465,
         weights=[
@@ -111,9 +111,9 @@ def test_a_drive_between_the_states_of_two_creepages():
     assert (np.hypot(*given.shear_traction) <= 4.0 * given.pressure + 1e-8 * given.max_pressure).all()
 
 
-@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # of the strain
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # large strain
 def test_a_contact_that_fits_with_friction_if_it_fits_without():
-    # Every fourth node of the widest window ends within the contact: the load was refused, with friction alone.
+    # Every fourth node of the widest window ends within the contact: only with friction, the load was refused.
     modulus = vr.StandardLinearSolid(instantaneous_modulus=1e6, relaxed_modulus=5e5, relaxation_time=0.1)
     ball = coated_ball(modulus, thickness=21e-3, poisson_ratio=0.3, core_radius=0.0, inner_boundary="SOLID")
     mesh = vr.Mesh(nodes_per_revolution=200)
@@ -130,7 +130,7 @@ def test_harmonics_beyond_memory_are_refused_by_the_order_that_asks_for_them(pap
 
 
 def test_coefficients_that_share_a_start_do_not_depend_on_their_order():
-    """The way to full stick is gone once for a model, to the same bits as by a coefficient alone."""
+    """A model computes its start from full stick once, with the same bits as for a single coefficient."""
     given = {"load": 20.0, "angular_speed": 2.5}
     mesh = vr.Mesh(nodes_per_revolution=100)
     coefficients = [0.05, 0.3, 1.0]
@@ -151,8 +151,8 @@ def test_coefficients_that_share_a_start_do_not_depend_on_their_order():
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # one node is a coarse mesh
 @pytest.mark.parametrize("load", [1e-9, 1.12e-7])
 def test_one_node_under_a_load_far_below_the_forces_of_its_lag(load):
-    # Without creepage the node lags by forces of 6e5 loads, which one step undoes. Such steps were given up above 1000
-    # loads: "no state of stick and slip was found in 37 iterations".
+    # Without creepage, the node lags by forces of 6e5 loads, which one step removes. Steps above 1000 loads used to be
+    # rejected: "no state of stick and slip was found in 37 iterations".
     ball = coated_ball(vr.Elastic(modulus=1.26e5), thickness=0.555e-3, poisson_ratio=0.5, core_radius=0.110145)
     mesh = vr.Mesh(nodes_per_revolution=93)
     r = vr.solve(ball, load=load, angular_speed=1.0, friction=0.366, compliance="VERTICAL", mesh=mesh)

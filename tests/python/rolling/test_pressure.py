@@ -1,4 +1,4 @@
-"""The largest pressure: to the accuracy asked for, without zigzag, or with a warning."""
+"""The largest pressure: within the prescribed accuracy, without zigzag, or with a warning."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from viscoroll import analytic
 
 CASES = {case.name: case for case in cases()}
 
-#: Of the idler on a layer of order 1/2 [Pa]: 0.96249 to 0.96250 MPa on 200, 400, 800, 1600 and 3300 nodes across, with
-#: displacements at the nodes and downstream of them.
+#: Pressure of the idler on a layer of order 1/2 [Pa]: 0.96249 to 0.96250 MPa on 200, 400, 800, 1600 and 3300 nodes
+#: across, with displacements at the nodes and downstream of them.
 IDLERS = 0.9625e6
 
 
 @pytest.mark.parametrize("accuracy", [0.05, 0.01, 1e-3])
 def test_an_idler_on_a_fractional_cover(accuracy):
-    """Which had 1.132, 1.038 and 0.9625 MPa where displacements were taken at the nodes."""
+    """With displacements at the nodes, it was 1.132, 1.038 and 0.9625 MPa."""
     r, _ = CASES["idler, order 1/2"].solve(accuracy=accuracy)
     assert r.max_pressure == pytest.approx(IDLERS, rel=accuracy)
     assert abs(r.max_pressure / IDLERS - 1.0) <= r.max_pressure_error <= accuracy
     assert vr.WarningKind.PRESSURE_PEAK not in r.warnings
-    assert zigzag(r) < 0.005  # of which 0.2 are left next to a front that is all but a jump
+    assert zigzag(r) < 0.005  # 0.2 remain next to a front that is almost a jump
 
 
 @pytest.mark.parametrize(
@@ -41,7 +41,7 @@ def test_an_idler_on_a_fractional_cover(accuracy):
     ],
 )
 def test_against_a_mesh_four_times_as_fine(name):
-    """A few of the thirty cases of tests/campaign/pressure.py."""
+    """Test a few of the thirty cases of tests/campaign/pressure.py."""
     outcome = judge(CASES[name], 0.02)
     assert not outcome.warned
     assert outcome.error < 0.02
@@ -51,7 +51,7 @@ def test_against_a_mesh_four_times_as_fine(name):
 @pytest.mark.parametrize("modulus", [RUBBER, STEEP])
 @pytest.mark.parametrize("time", [0.03, 0.3, 3.0, 30.0])
 def test_hunters_pressure(modulus, time):
-    """Of material that has relaxed as it enters, and that has had no time to: V τ from 0.03 to 30 half widths."""
+    """V τ from 0.03 to 30 half widths: the material has relaxed as it enters, or has no time to relax."""
     static = analytic.hertz_line(load=5e3, radius=50e-3, shear_modulus=modulus.relaxed_modulus, poisson_ratio=0.5)
     speed = time * static.half_width / modulus.relaxation_time
     exact = analytic.hunter(load=5e3, speed=speed, radius=50e-3, shear_modulus=modulus, poisson_ratio=0.5)
@@ -62,11 +62,11 @@ def test_hunters_pressure(modulus, time):
     assert r.max_pressure == pytest.approx(pressures.max(), rel=2e-3)
     assert r.max_pressure_error <= 2e-3
     found = r.x.ravel()[r.pressure.argmax()]
-    # Where the pressure differs from its largest by less than is asked for.
+    # Positions where the pressure differs from its maximum by less than the tolerance.
     near = places[pressures > (1.0 - 2e-3) * pressures.max()]
     spacing = 2.0 * np.pi * 50e-3 / r.mesh.nodes_per_revolution
     assert near.min() - spacing < found < near.max() + spacing
-    # At every node: edges lie between nodes, so that a steep front may be off by a spacing.
+    # Compare at every node: edges are between nodes, so a steep front may be off by one spacing.
     around = np.array([exact.pressure(r.x.ravel() + shift * spacing) for shift in (-1.0, -0.5, 0.0, 0.5, 1.0)])
     margin = 2e-3 * pressures.max()
     assert (around.min(axis=0) - margin <= r.pressure.ravel()).all()
@@ -87,11 +87,11 @@ def test_hunters_pressure_bears_the_load():
 
 
 def test_a_pressure_without_a_bound_is_told():
-    """At the leading edge of a Kelvin-Voigt body, where it grows like 1/√ξ."""
+    """At the leading edge of a Kelvin-Voigt body, the pressure grows like 1/√ξ."""
     case = CASES["Kelvin-Voigt, strong"]
     with pytest.warns(vr.ResultWarning, match="largest pressure is uncertain"):
         r, _ = case.solve(accuracy=0.02)
-    assert r.status is vr.Status.CONVERGED  # torque and penetration do not hang on it
+    assert r.status is vr.Status.CONVERGED  # torque and penetration do not depend on it
     assert r.max_pressure_error > 0.1
     finer, _ = case.solve(mesh=vr.Mesh(nodes_per_revolution=2 * r.mesh.nodes_per_revolution))
     assert finer.max_pressure > 1.1 * r.max_pressure
@@ -100,7 +100,7 @@ def test_a_pressure_without_a_bound_is_told():
 
 
 def test_error_on_a_given_mesh_is_that_of_a_smooth_maximum():
-    """Of Hertz's pressure the one ahead lies above the largest by 2 (Δ/a)² at most, and it is drawn from two nodes."""
+    """Extrapolation of Hertz's pressure from two nodes exceeds the maximum by at most 2 (Δ/a)²."""
     layer = vr.Layer(thickness=45e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)
     roller = vr.CoatedCylinder(core_radius=5e-3, layers=[layer])
     for nodes in (800, 1600):

@@ -25,7 +25,8 @@ def roll(ball, *, load=paper.LOAD, angular_speed=paper.ANGULAR_SPEED, nodes=500,
 
 @pytest.mark.parametrize(("key", "printed"), paper.TABLE_2.items())
 def test_table_2_of_the_paper(paper_ball, key, printed):
-    # The paper takes the arc r_o (pi/2 - phi) for the lever arm x, 0.3 % more (docs/theory/reference-values.md).
+    # The paper uses the arc r_o (pi/2 - phi) as moment arm in place of x, which is 0.3 % more
+    # (docs/theory/reference-values.md).
     assert roll(paper_ball, nodes=key[0], order=key[1]).resisting_torque == pytest.approx(printed, rel=5e-3)
 
 
@@ -52,7 +53,7 @@ def test_vertical_compliance_of_theory_section_8(paper_ball):
 
 
 def fit_power_law(x, y):
-    """Least squares of y = a x^b itself, not of its logarithm: for each exponent the best factor is linear."""
+    """Fit y = a x^b itself by least squares, not its logarithm: for each exponent, the best factor is linear."""
 
     def fit(b):
         a = (y * x**b).sum() / (x ** (2 * b)).sum()
@@ -75,7 +76,7 @@ def test_power_laws_of_theory_section_8(thickness, factor, exponent):
 
 @pytest.mark.parametrize(("nodes", "order", "expected"), [(100, 500, 0.126), (200, 500, 0.021), (500, 500, 0.008)])
 def test_power_balance_measures_the_mesh_error(paper_ball, nodes, order, expected):
-    # The differences of docs/theory/normal-contact.md, there relative to the power of the torque.
+    # Differences of docs/theory/normal-contact.md, which are given there relative to the power of the torque.
     r = roll(paper_ball, nodes=nodes, order=order)
     difference = r.resisting_torque * r.angular_speed - r.dissipated_power
     assert abs(difference) / (r.resisting_torque * r.angular_speed) == pytest.approx(expected, abs=6e-4)
@@ -101,9 +102,9 @@ def test_work_at_displaced_points_is_what_the_coating_loses(radial, thickness):
 
 @pytest.mark.parametrize(("thickness", "load"), [(1e-3, 100.0), (1e-3, 10.0), (5e-3, 50.0)])
 def test_low_speed_limit(thickness, load):
-    # T_r -> P Omega r_o sum(g tau) / g_inf for any load and thickness (docs/theory/normal-contact.md), 0.125 s here.
-    # The limit is approached slowly, so that three speeds are extrapolated. The shift
-    # Omega 0.125 s of the slowest is one mesh step.
+    # T_r -> P Omega r_o sum(g tau) / g_inf for any load and thickness (docs/theory/normal-contact.md), here 0.125 s.
+    # The torque approaches the limit slowly, so three speeds are extrapolated. The shift Omega 0.125 s of the slowest
+    # speed is one mesh step.
     ball = paper.ball(thickness=thickness, density=0.0)
     static = roll(ball, load=load, angular_speed=1e-6, nodes=400, order=600)
     nodes = 2 * round(np.pi * 16 * ball.outer_radius / static.semi_axis_x)
@@ -119,7 +120,7 @@ def test_low_speed_limit(thickness, load):
 
 @pytest.mark.parametrize(("thickness", "angular_speed"), [(1e-3, 2.5), (1e-3, 0.2), (5e-3, 25.0)])
 def test_pressure_leans_to_the_leading_edge(thickness, angular_speed):
-    # As far as a program in plain NumPy says on the same mesh, whose sums end 2e-7 of the torque off.
+    # Compare with a program in plain NumPy on the same mesh, whose sums are truncated at 2e-7 of the torque.
     ball = coated_ball(thickness=thickness)
     mesh = vr.Mesh(nodes_per_revolution=200)
     r = vr.solve(ball, load=100.0, angular_speed=angular_speed, mesh=mesh, curvature=vr.Curvature.PAPER)
@@ -144,8 +145,8 @@ def test_no_loss_no_resistance(poisson_ratio, radial):
 
 @pytest.mark.parametrize(("speed", "modulus"), [(1e-4, 3e6), (1e5, 6e6)])
 def test_far_from_the_relaxation_the_coating_is_elastic(speed, modulus):
-    # The relaxed modulus at low speed, the instantaneous one at high speed; but order m = 0 turns with the ball, so its
-    # material is at rest and always relaxed.
+    # The relaxed modulus at low speed, and the instantaneous one at high speed. Order m = 0 is at rest in the rotating
+    # material, so it always has the relaxed modulus.
     def elastic(omega):
         return np.where(omega == 0.0, 3e6, modulus)
 
@@ -158,8 +159,8 @@ def test_far_from_the_relaxation_the_coating_is_elastic(speed, modulus):
 @settings(max_examples=15, deadline=None)
 @given(length=st.floats(0.01, 100.0), stiffness=st.floats(1e-3, 1e3), time=st.floats(1e-3, 1e3), radial=st.booleans())
 def test_dimensional_scaling(length, stiffness, time, radial):
-    # Lengths by `length`, moduli by `stiffness`, times by `time`: forces by stiffness * length^2, densities by
-    # stiffness * time^2 / length^2; the solution is the same in these units.
+    # Lengths scale by `length`, moduli by `stiffness`, times by `time`, forces by stiffness * length^2, and densities
+    # by stiffness * time^2 / length^2; the solution is the same in these units.
     def ball(size, modulus, duration):
         rubber = vr.StandardLinearSolid(
             instantaneous_modulus=6e6 * modulus, relaxed_modulus=3e6 * modulus, relaxation_time=0.125 * duration
@@ -196,8 +197,8 @@ def test_rolling_always_dissipates_what_drives_it(load, speed, thickness, poisso
     r = roll(ball, load=load, angular_speed=speed, nodes=300, order=300, radial=False)
     assert r.status is vr.Status.CONVERGED
     assert min(r.resisting_torque, r.dissipated_power) > 0.0
-    # The work at the surface is the loss in the layer, but for the rows of nodes at the edge: of 127 random cases the
-    # worst was off by 0.73 / sqrt(nodes), which are 80 to 350; on fewer the result warns.
+    # The work at the surface is the loss in the layer, except for the rows of nodes at the edge: in 127 random cases
+    # the largest difference was 0.73 / sqrt(nodes) for 80 to 350 nodes; with fewer nodes, the result warns.
     work = r.driving_torque * r.angular_speed
     if not r.warnings:
         assert work == pytest.approx(r.dissipated_power, rel=1.2 / np.sqrt(r.contact.sum()))

@@ -1,4 +1,4 @@
-"""Derivatives of results by what was put in: against whole solves, scaling laws, and a whole modulus."""
+"""Derivatives of results by the inputs, compared with whole solves, scaling laws, and a scaled modulus."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ CASES = {
     "wheel": (WHEEL, {"load": 50.0, "mesh": vr.Mesh(nodes_per_revolution=400)}),
 }
 
-#: So little that hardly any node joins.
+#: Relative step, so small that hardly any node joins the contact.
 STEP = 1e-5
 
 
@@ -50,7 +50,7 @@ def solved(request):
 
 
 def whole(result, ball, given, change):
-    """Return central difference quotients of whole solves."""
+    """Return central difference quotients of whole solves, relative to the result."""
     answers = ("resisting_torque", "penetration", "max_pressure")
     more, less = (vr.solve(b, **g) for b, g in (change(ball, given, STEP), change(ball, given, -STEP)))
     return np.array([(getattr(more, a) - getattr(less, a)) / (2.0 * STEP * getattr(result, a)) for a in answers])
@@ -84,7 +84,7 @@ def test_derivatives_are_those_of_whole_solves(solved, change):
 
 
 def test_forces_and_moduli_have_one_unit(solved):
-    """Torque and pressure are of the first degree in load and all moduli together, the penetration of degree 0."""
+    """Torque and pressure are homogeneous of degree 1 in load and all moduli, and the penetration of degree 0."""
     _, _, _, found = solved
     loads = [name for name in found.parameters if name in ("load", "drive.torque", "drive.force")]
     total = np.sum([list(found[name].values()) for name in loads], axis=0)
@@ -108,7 +108,7 @@ def test_a_whole_modulus_is_the_sum_of_its_bands():
 
 
 def test_a_small_loss_pays_for_the_torque():
-    """Where little is lost the torque is in proportion to it, at whatever frequencies."""
+    """For a small loss, the torque is proportional to the loss at all frequencies."""
     modulus = replace(RUBBER, instantaneous_modulus=3.003e6)
     ball = replace(BALL, layers=[replace(SOFT, shear_modulus=modulus)])
     found = vr.solve(ball, load=50.0, angular_speed=5.0, mesh=MESH).sensitivity()
@@ -132,7 +132,7 @@ def test_what_it_tells(tmp_path):
 
 
 def test_one_picture_of_loss_and_sensitivity():
-    """The loss over a decade adds up to all of it, and what was not measured is gray."""
+    """The loss per decade integrates to the total, and unmeasured frequencies are gray."""
     roller, mat = vr.CoatedCylinder(core_radius=20e-3, layers=[SOFT]), vr.CoatedPlane(layers=[HARD])
     found = vr.solve(roller, on=mat, load=2e3, angular_speed=5.0, mesh=LINE).sensitivity()
     assert not found.plot().axes[1].patches

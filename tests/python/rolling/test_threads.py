@@ -1,4 +1,4 @@
-"""Many threads at once: the results of one, whatever the others do. To be run on a Python without the GIL as well."""
+"""Many threads at once: each result is that of a single thread. Run these tests also on a Python without the GIL."""
 
 from __future__ import annotations
 

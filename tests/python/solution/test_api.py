@@ -1,4 +1,4 @@
-"""What a Python user expects around the numbers: reprs, copies, threads, Ctrl-C, files."""
+"""Python behavior besides the numbers: reprs, copies, threads, Ctrl-C, files."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def test_inputs_are_values(value):
     assert pickle.loads(pickle.dumps(value)) == value
     assert copy.deepcopy(value) == value
     assert hash(copy.copy(value)) == hash(value)
-    # Enumerations write themselves as <Name.MEMBER: number>.
+    # Enumerations print themselves as <Name.MEMBER: number>.
     assert eval(re.sub(r"<([\w.]+): \d+>", r"\1", repr(value)), dict(vars(vr))) == value
     with pytest.raises(dataclasses.FrozenInstanceError):
         setattr(value, dataclasses.fields(value)[0].name, 1.0)
@@ -123,7 +123,7 @@ def test_inputs_are_values(value):
     ],
 )
 def test_inputs_store_numbers_of_python(value, twin):
-    # Arrays would stay mutable and have no hash; scalars of NumPy would show in the repr.
+    # Arrays would remain mutable and have no hash; NumPy scalars would appear in the repr.
     assert repr(value) == repr(twin)
     assert hash(value) == hash(twin)
 
@@ -214,8 +214,8 @@ def test_all_scalars_are_attributes(result):
 
 
 def test_every_field_is_documented():
-    """Scalars by the core's table, which no other text repeats."""
-    text = inspect.getdoc(vr.Result)  # from Python 3.13 on compilers take the indentation away
+    """The core's table documents the scalars; no other text repeats them."""
+    text = inspect.getdoc(vr.Result)  # from Python 3.13 on, the compiler removes the indentation
     names = set(re.findall(r"^(\w[\w, ]*?)(?: : .*)?$", text, flags=re.MULTILINE))
     documented = {name for entry in names for name in entry.split(", ")}
     assert {field.name for field in dataclasses.fields(vr.Result)} <= documented
@@ -299,7 +299,7 @@ def test_an_exception_in_progress_ends_the_solve():
 
 
 def test_waiting_for_another_threads_tables_can_be_stopped(unlike_ball):
-    """Tables of a shared model are made by one thread; the others tell what they wait for, and stop when asked."""
+    """One thread makes the tables of a shared model; the others report that they wait, and can be interrupted."""
     model = vr.RollingModel(unlike_ball, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=500, max_order=6000))
     summing, waiting = threading.Event(), threading.Event()
 
@@ -327,7 +327,8 @@ ROLL = (
     "vr.roll(vr.CoatedSphere(core_radius=21e-3), on=vr.CoatedPlane(layers=paper.ball().layers), time=[0.0, 1e3],"
     " way=[0.0, 100.0], load=100.0, mesh=vr.Mesh(nodes_per_revolution=400))"
 )
-LONG_CALLS = {  # and after how many seconds they are in what they are named for
+# calls, and the time after which each is in the stage that it is named for [s]
+LONG_CALLS = {
     "tables": (SOLVE.format(20000, 30000, ""), 2.0),
     "many orders to a node": (SOLVE.format(64, 200000, ""), 0.5),
     "contact": (SOLVE.format(24000, 12000, ""), 3.0),
@@ -353,7 +354,7 @@ except KeyboardInterrupt:
         time.sleep(seconds)
         assert process.poll() is None, "the solve is too short for this test"
         process.send_signal(signal.SIGINT)
-        # It takes 0.3 s at most; the bound only keeps a failure from hanging, since timings decide no test.
+        # Stopping takes at most 0.3 s; the bound only keeps a failure from hanging, since no test depends on timing.
         try:
             output, _ = process.communicate(timeout=20)
         finally:

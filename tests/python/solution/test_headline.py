@@ -1,4 +1,4 @@
-"""What a user reads first: the coefficient, the torques, the creepage, the warnings, and the error estimate."""
+"""The first lines of a result: the coefficient, the torques, the creepage, the warnings, and the error estimate."""
 
 from __future__ import annotations
 
@@ -32,7 +32,8 @@ def test_coefficient_is_power_lost_per_load_and_way(paper_ball, drive):
 
 
 def test_coefficient_of_a_towed_ball_is_its_drag_per_load(paper_ball):
-    # Without a torque the force alone pays for all that is lost; what is left is the mesh's power balance.
+    # Without a torque, the force alone supplies the dissipated power; the rest is the error of the mesh's power
+    # balance.
     r = vr.solve(paper_ball, drive=vr.Drive(torque=0.0), **EXAMPLE | {"mesh": vr.Mesh(nodes_per_revolution=500)})
     assert r.rolling_resistance_coefficient == pytest.approx(r.driving_force / r.load, rel=5e-3)
 
@@ -47,17 +48,18 @@ def test_statics_hold_with_the_radial_compliance(paper_ball, drive):
     """Pressure acts at its offset and tractions at the height of the plane, so T = T_r - Q H."""
     r = vr.solve(paper_ball, drive=drive, **EXAMPLE)
     moment = r.resisting_torque - r.driving_force * r.center_height
-    # To the residual of the contact conditions, 1e-10 of the load, at a lever arm of H.
+    # Residual of the contact conditions, 1e-10 of the load, with the moment arm H.
     assert r.driving_torque == pytest.approx(moment, abs=1e-9 * r.load * r.center_height)
 
 
 @pytest.mark.parametrize(("core_radius", "thickness", "load"), [(15e-3, 6e-3, 3.0), (6.3e-3, 14.7e-3, 0.3)])
 @pytest.mark.parametrize("friction", [0.05, 0.3, 3.0])
 def test_creepage_of_free_elastic_rolling(core_radius, thickness, load, friction):
-    """With u_r in its kinematics the radial formulation creeps like the full one, to the order (a/R)^2.
+    """With u_r in its kinematics, the radial formulation has the creepage of the full one, to the order (a/R)^2.
 
-    Without it they differ by 0.3 (a/R)^2 on the nearly solid ball (+0.19 for -0.11), and by a factor of two on the
-    other. What is left is of the order (a/R)^3 and the tractions' own difference, some 0.01 (a/R)^2, and the mesh.
+    Without u_r they would differ by 0.3 (a/R)^2 on the nearly solid ball (+0.19 in place of -0.11), and by a factor of
+    two on the other. The remaining difference is of the order (a/R)^3, plus that of the tractions, about 0.01 (a/R)^2,
+    and that of the mesh.
     """
     ball = elastic_ball(core_radius, thickness)
     case = {"load": load, "angular_speed": 1.0, "friction": friction, "mesh": vr.Mesh(nodes_per_revolution=900)}
@@ -72,14 +74,14 @@ def test_a_coarse_mesh_is_a_warning(paper_ball):
         vr.ResultWarning, match=r"mesh is too coarse: 3 nodes across the contact \(good from 10\)"
     ) as caught:
         r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=60))
-    assert caught[0].filename == __file__  # it points at the call, not into the package
+    assert caught[0].filename == __file__  # the warning points at the call, not into the package
     assert list(r.warnings) == [vr.WarningKind.COARSE_MESH]
     assert "warning" in repr(r)
     assert r.scalars()["warnings"] == "COARSE_MESH"
 
 
 def test_an_open_balance_is_a_warning():
-    """Of what loses next to nothing: slip in a ring that no node of this mesh lies in."""
+    """A ball that dissipates almost nothing: its slip is in a ring that contains no node of this mesh."""
     layer = vr.Layer(thickness=2e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     with pytest.warns(vr.ResultWarning, match=r"power balance is open by 0\.\d+ \(good up to 0.05\) of a rolling"):
@@ -110,7 +112,7 @@ def test_a_good_result_is_no_warning(paper_ball):
 
 
 def test_the_same_mesh_is_not_solved_twice():
-    """A large contact on a solid ball asks for fewer nodes than the fewest: twice those may still be too few."""
+    """A large contact on a solid ball needs fewer nodes than the minimum; twice the minimum may still be too few."""
     layer = vr.Layer(thickness=20e-3, shear_modulus=vr.KelvinVoigt(modulus=1e6, viscosity=1e5), poisson_ratio=0.5)
     ball = vr.CoatedSphere(layers=[layer], inner_boundary=vr.InnerBoundary.SOLID)
     r = vr.solve(ball, load=600.0, angular_speed=1.0, accuracy=0.4)
@@ -120,7 +122,7 @@ def test_the_same_mesh_is_not_solved_twice():
 
 
 def test_the_estimate_covers_the_force_of_a_given_creepage():
-    """On 5 mm, mu = 0.3, 1 rad/s, c = 0.01, torque and penetration had settled while the force was 4 % off."""
+    """At 5 mm, mu = 0.3, 1 rad/s, c = 0.01, torque and penetration had converged while the force was 4 % off."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
     layer = vr.Layer(thickness=5e-3, shear_modulus=rubber, poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
@@ -146,7 +148,7 @@ def test_a_material_that_relaxes_to_next_to_nothing_is_refused_by_its_name():
 
 
 def test_contacts_of_slow_materials_are_sized_by_what_rolls():
-    """A hundredth of the modulus is left after a day: the mesh is chosen for the stiff coating that rolls today."""
+    """A hundredth of the modulus remains after a day: the mesh is chosen for the stiff coating during rolling."""
     r = vr.solve(slow_ball(6e4, 1e5), load=10.0, angular_speed=2.5, accuracy=0.05)
     across = np.count_nonzero(r.contact.any(axis=1))
     assert 20 <= across <= 100

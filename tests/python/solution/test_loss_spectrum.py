@@ -1,4 +1,4 @@
-"""Power lost by harmonics, and how much of it a measured table does not hold."""
+"""Dissipated power by harmonics, and the share that a measured table does not cover."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ COARSE = vr.Mesh(nodes_per_revolution=300)
 
 
 def summed(result):
-    """Return the power of each order m from 1 on, as many as nodes, from all orders n: nothing is left out."""
+    """Return the power of the orders m from 1 to the number of nodes, each summed over all orders n."""
     phi, theta = (np.pi / 2 + result.mesh.spacing * (np.arange(count) - count // 2) for count in result.pressure.shape)
     phi, theta = (angle.ravel() for angle in np.meshgrid(phi, theta, indexing="ij"))
     tractions = np.stack([-result.pressure, -result.shear_traction[0], -result.shear_traction[1]])
@@ -30,7 +30,7 @@ def summed(result):
 
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 def test_harmonics_are_those_of_all_orders(paper_ball, friction):
-    """One by one up to 32, and some of the rest for all: of pressure alone, and of tractions in three directions."""
+    """Orders up to 32 are summed singly, and samples represent the rest, for pressure alone and for three tractions."""
     result = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=COARSE, friction=friction)
     spectrum, power = vr.loss_spectrum(result), summed(result)
     np.testing.assert_allclose(spectrum.power[:31], power[:31], rtol=2e-3)
@@ -38,7 +38,7 @@ def test_harmonics_are_those_of_all_orders(paper_ball, friction):
 
 
 def test_harmonics_add_up_to_the_power_of_the_core(paper_ball):
-    """The core sums all orders on the mesh; here some hundred of them, at the most 0.1 % off."""
+    """The core sums all orders on the mesh; the spectrum uses about a hundred, with an error of at most 0.1 %."""
     result = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=MESH)
     spectrum = vr.loss_spectrum(result)
     assert spectrum.power.sum() == pytest.approx(result.bulk_power, rel=1e-3)
@@ -47,17 +47,17 @@ def test_harmonics_add_up_to_the_power_of_the_core(paper_ball):
 
 
 def test_harmonics_with_friction(paper_ball):
-    """Tractions along the surface come in; of the curvature in their directions the torus's sum knows nothing."""
+    """Tractions along the surface contribute; the sum on the torus neglects the curvature in their directions."""
     result = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=MESH, friction=0.3)
     assert vr.loss_spectrum(result).power.sum() == pytest.approx(result.bulk_power, rel=0.03)
 
 
 def test_share_outside_a_table(rubber):
-    """The whole table holds nearly all of the loss, one that is cut does not."""
+    """The whole table covers nearly all of the loss, and a truncated one does not."""
     omega = np.geomspace(0.5, 5e4, 101)
     modulus = rubber.complex_modulus(omega)
     whole = vr.MasterCurve(omega, modulus.real, modulus.imag, extrapolation="hold")
-    kept = (omega > 5.0) & (omega < 60.0)  # the orders 3 to 23
+    kept = (omega > 5.0) & (omega < 60.0)  # orders 3 to 23
     cut = vr.MasterCurve(omega[kept], modulus.real[kept], modulus.imag[kept], extrapolation="hold")
     shares = []
     for table in (whole, cut):

@@ -1,4 +1,4 @@
-"""Damaged caches: the numbers of the undamaged study, or an error that names the file, the point and the remedy."""
+"""Damaged caches give the numbers of the undamaged study, or an error that names the file, the point and the remedy."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_a_damaged_point_is_named_and_solved_again_on_request(cached, statement)
 
 
 def test_rows_of_other_points_are_not_taken(cached):
-    """A row with the checksum of another point, as a damaged index finds it, is damaged."""
+    """A row with the checksum of another point, as a damaged index finds it, counts as damaged."""
     folder, _ = cached
     columns = ("scalars", "fields", "draws", "error", "checksum")
     others = ", ".join(f"{name} = (SELECT {name} FROM point WHERE rowid = 1)" for name in columns)
@@ -56,7 +56,7 @@ def test_rows_of_other_points_are_not_taken(cached):
 
 
 def test_a_study_of_one_changed_bit_is_not_read(cached):
-    """The netCDF file has no checksums of its own."""
+    """The netCDF file itself has no checksums."""
     folder, before = cached
     path = folder / "study.nc"
     content = bytearray(path.read_bytes())

@@ -1,4 +1,4 @@
-"""Fits of the resisting torque: exact recovery, coverage of the intervals, the paper's curves, refusals."""
+"""Fits of the resisting torque: exact recovery, coverage of the intervals, the paper's curves, input checks."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def saturating(x):
 
 
 def matched(x):
-    """Equations (60)-(63) with a_i = 11.8, a_o = 11 mN m, b_o = 0.15, c_o = 0.6, c_i = 0.25, in full."""
+    """Return equations (60)-(63) in full, with a_i = 11.8, a_o = 11 mN m, b_o = 0.15, c_o = 0.6, c_i = 0.25."""
     a_i, a_o, b_o, c_o, c_i, width = 11.8e-3, 11e-3, 0.15, 0.6, 0.25, 0.1
     delta = a_o * (1.0 + b_o)
     b_i = delta / a_i - 1.0
@@ -42,7 +42,7 @@ LAWS = {
 def test_exact_data_give_the_exact_law(fit, law, x, true, noise):
     found = fit(x, law(x))
     for name, value in true.items():
-        # Least squares to 1e-14 in the squares leaves about 1e-7 in the parameters.
+        # Least squares to 1e-14 in the squares gives about 1e-7 in the parameters.
         assert found.parameters[name].value == pytest.approx(value, rel=1e-6)
     np.testing.assert_allclose(found.predict(x.reshape(-1, 1)), law(x).reshape(-1, 1), rtol=1e-9)
     assert found.r_squared == pytest.approx(1.0, abs=1e-12)
@@ -87,7 +87,7 @@ def test_failed_points_are_left_out():
 
 
 def test_frictionless_torque_counts_as_exact():
-    # Points at μ = 0 carry no information on the four parameters, and no degrees of freedom.
+    # Points at μ = 0 carry no information on the four parameters, and add no degrees of freedom.
     found = vr.fit_friction_law(FRICTION, matched(FRICTION))
     given = vr.fit_friction_law(FRICTION[1:], matched(FRICTION[1:]), frictionless_torque=matched(0.0))
     assert found.degrees_of_freedom == given.degrees_of_freedom == len(FRICTION) - 5
@@ -107,7 +107,7 @@ def test_tables_3_and_4_of_the_paper():
     study = vr.sweep(paper.ball, thickness=[1e-3, 5e-3], load=LOAD, **case)
     thin, thick = (vr.fit_power_law(LOAD, torque) for torque in study.resisting_torque)
     # The columns of table 3 are swapped (docs/theory/misprints.md). Nodes at the edge of small contacts scatter our
-    # torques, so our intervals are wider than the printed ones, which they must meet.
+    # torques, so our intervals are wider than the printed ones, with which they must overlap.
     assert thin.parameters["a"].lower < 2.321e-5
     assert thin.parameters["a"].upper > 2.097e-5
     assert thin.parameters["b"].lower < 1.368
@@ -121,8 +121,8 @@ def test_tables_3_and_4_of_the_paper():
 
     study = vr.sweep(same_radius, thickness=np.linspace(1e-3, 10e-3, 10), load=[100.0], **case)
     found = vr.fit_thickness_law(study.thickness, study.resisting_torque.sel(load=100.0))
-    # b and c make up for one another, hence the laws are compared and not the parameters: with those of table 4 at the
-    # middle of their intervals, within the 1.5 % that these allow.
+    # Errors of b and c compensate each other, so the laws are compared and not the parameters: with table 4 at the
+    # middle of its intervals, within the 1.5 % that these allow.
     printed = 0.0593 * np.tanh(61.3 * study.thickness**0.835)
     np.testing.assert_allclose(found.predict(study.thickness), printed, rtol=0.015)
     assert found.r_squared > 0.9998

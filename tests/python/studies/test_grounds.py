@@ -1,4 +1,4 @@
-"""Studies that vary what a body rolls on: by a function, as bodies themselves, and by names."""
+"""Studies that vary the counterbody: by a function, as a list of bodies, and by names."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_labels_of_what_it_rolls_on():
 
     assert labels([belt(4e-3), belt(6e-3)]) == ["CoatedPlane, layer 4 mm", "CoatedPlane, layer 6 mm"]
     assert labels({"new": belt(4e-3), "worn": belt(4e-3, 3e6)}) == ["new", "worn"]
-    assert labels([belt(4e-3), belt(4e-3, 3e6)]) == ["on[0]", "on[1]"]  # which nothing short tells apart
+    assert labels([belt(4e-3), belt(4e-3, 3e6)]) == ["on[0]", "on[1]"]  # no short label distinguishes them
     steel, soft = vr.CoatedCylinder(core_radius=50e-3), vr.CoatedCylinder(core_radius=40e-3, layers=belt(5e-3).layers)
     (axes,) = plot_study(vr.sweep(IDLER, on={"new": belt(4e-3), "worn": belt(4e-3, 3e6)}, **CASE)).axes
     assert [text.get_text() for text in axes.get_xticklabels()] == ["new", "worn"]

@@ -1,4 +1,4 @@
-"""Studies of a material that is not known exactly: intervals, how they are found, and what becomes of them."""
+"""Studies of an uncertain material: intervals, their computation, and their use."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from scipy.stats import t as student
 from viscoroll.studies.draws import drawn_answers
 from viscoroll.studies.picture import plot_study
 
-#: Rollers are solved in little time.
+#: Rollers take little time to solve.
 CASE = {"load": 1e3, "angular_speed": 3.0, "mesh": vr.Mesh(nodes_per_revolution=1000), "progress": False}
 DRAWS = 20
 
 
 def drawn_material(seed, temperature):
-    """Return draws of a rubber, of data with 3 % of noise."""
+    """Return draws of a rubber, from data with 3 % noise."""
     curves = vr.superpose(measured(seed, Noise()), reference=REFERENCE).draws(DRAWS)
     return curves.map(lambda curve: curve.series_at(temperature=temperature))
 
@@ -51,7 +51,7 @@ CASES = {
 
 @pytest.mark.parametrize("case", CASES)
 def test_linear_intervals_are_those_of_whole_solves(material, case):
-    """To a tenth of half their width, of 2 %: squares of some per cent, and nodes that join or leave."""
+    """Intervals agree to a tenth of their half width of 2 %; squares of some percent and joining nodes contribute."""
     factory, given = CASES[case]
     linear, whole = (vr.sweep(factory, modulus=material, draws=way, **CASE | given) for way in ("linear", "solve"))
     for name in ("resisting_torque", "dissipated_power", "penetration"):
@@ -63,7 +63,7 @@ def test_linear_intervals_are_those_of_whole_solves(material, case):
 
 
 def test_intervals_are_those_of_solves_one_by_one(material):
-    """By Student's quantile of as many draws, around the result."""
+    """Student's quantile for as many draws gives the interval around the result."""
     found = vr.sweep(roller, modulus=material, draws="solve", confidence=0.8, **CASE)
     given = {name: value for name, value in CASE.items() if name != "progress"}
     torques = [vr.solve(roller(modulus), **given).resisting_torque for modulus in material]
@@ -74,18 +74,18 @@ def test_intervals_are_those_of_solves_one_by_one(material):
 
 
 def test_intervals_hold_the_truth():
-    """Of 12 data sets 9 at least: where 95 % are held, 4 or more are missed with a chance of 2e-3.
+    """At least 9 of 12 intervals contain the truth: with 95 % coverage, 4 or more misses have a probability of 2e-3.
 
-    Two hundred sets, and at five temperatures: `tests/campaign/intervals.py`.
+    `tests/campaign/intervals.py` tests two hundred data sets at five temperatures.
     """
     truth = vr.sweep(roller(true_modulus(60.0)), **CASE)
     inside = [held(vr.sweep(roller, modulus=drawn_material(seed, 60.0), **CASE), truth)[0] for seed in range(12)]
     for answer, share in zip(ANSWERS, np.mean(inside, axis=0), strict=True):
-        assert share >= 0.75 or answer == "max_pressure", answer  # which is at the edge here
+        assert share >= 0.75 or answer == "max_pressure", answer  # the largest pressure is at the edge here
 
 
 def test_draws_can_be_stopped(material):
-    """Ctrl-C of a study reaches points between two solves of their draws."""
+    """Ctrl-C stops a point between two solves of its draws."""
 
     def stop(stage, fraction):
         if stage == "draws" and fraction > 0.0:
@@ -98,7 +98,7 @@ def test_draws_can_be_stopped(material):
 
 
 def test_draws_of_two_materials_go_together(material):
-    """Scatter of both layers alone adds up by squares where draws are independent."""
+    """The draws are independent, so the squares of the scatter of both layers add up."""
     other = drawn_material(5, 70.0)
 
     def both(inner, outer):
@@ -110,20 +110,22 @@ def test_draws_of_two_materials_go_together(material):
 
     together = width(inner=material, outer=other)
     alone = np.hypot(width(inner=material, outer=other.middle), width(inner=material.middle, outer=other))
-    assert together == pytest.approx(alone, rel=0.4)  # the correlation of 20 has a standard deviation of 0.2
+    assert together == pytest.approx(alone, rel=0.4)  # the correlation of 20 draws has a standard deviation of 0.2
     with pytest.raises(ValueError, match="draws must be as many of each parameter, got 20 of inner, 2 of outer"):
         width(inner=material, outer=vr.Draws(other.middle, other[:2]))
 
 
 def test_draws_of_a_mat(material):
-    """What is rolled on has draws as well: under a rigid roller the scatter is that of a roller coated so."""
+    """A counterbody may have draws: under a rigid roller, the scatter is that of a roller with the same coating."""
     mats = material.map(lambda modulus: vr.CoatedPlane(layers=roller(modulus).layers))
-    fine = CASE | {"mesh": vr.Mesh(nodes_per_revolution=4000)}  # on a coarse one nodes that just touch scatter powers
+    # on a coarse mesh, nodes that just touch scatter powers
+    fine = CASE | {"mesh": vr.Mesh(nodes_per_revolution=4000)}
     found = vr.sweep(vr.CoatedCylinder(core_radius=22e-3), on=mats, **fine)
     own = vr.sweep(roller, modulus=material, **fine)
     for name, allowed in (("penetration", 0.05), ("dissipated_power", 0.3)):
         half = [(study[f"{name}_upper"] / study[name] - 1.0).item() for study in (found, own)]
-        assert half[0] == pytest.approx(half[1], rel=allowed)  # a cover of 2 mm on a plane, or around 20 mm
+        # a cover of 2 mm on a plane, or around 20 mm
+        assert half[0] == pytest.approx(half[1], rel=allowed)
 
 
 def test_a_cache_keeps_draws(tmp_path, material, monkeypatch):
@@ -132,7 +134,7 @@ def test_a_cache_keeps_draws(tmp_path, material, monkeypatch):
     assert first.resisting_torque_lower.attrs["units"] == "N"
     assert first.resisting_torque_lower.attrs["long_name"].endswith("lower end of 0.95")
     assert (first.attrs["draws"], first.attrs["confidence"]) == ("20, linear", "0.95")
-    monkeypatch.setattr("viscoroll.studies.run.drawn_answers", None)  # nothing is solved again
+    monkeypatch.setattr("viscoroll.studies.run.drawn_answers", None)  # no further solves
     xarray.testing.assert_identical(first, vr.sweep(roller, modulus=material, **given))
     wider = vr.sweep(roller, modulus=material, confidence=0.99, **given)
     half, wide = (study.resisting_torque - study.resisting_torque_lower for study in (first, wider))
@@ -140,7 +142,7 @@ def test_a_cache_keeps_draws(tmp_path, material, monkeypatch):
 
 
 def test_draws_that_fail_leave_no_interval(material):
-    """The result stays, with a warning; the others' interval would be of those that bear the load."""
+    """The result remains, with a warning; an interval without the failed draws would be biased."""
     soft = vr.Draws(material.middle, [material[0], vr.Elastic(modulus=1e3)])
     with pytest.warns(vr.ResultWarning, match=r"of 1 points: .*1 NO_INTERVAL"):
         found = vr.sweep(roller, modulus=soft, draws="solve", **CASE)
@@ -154,7 +156,7 @@ def test_draws_that_fail_leave_no_interval(material):
 
 
 def test_draws_far_from_the_middle_are_no_first_order():
-    """Ten times as soft and as stiff ones would have a torque below 0 in their interval."""
+    """With draws ten times as soft and as stiff, the interval would include negative torques."""
     found_one = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.1)
     far = vr.Draws(found_one, [vr.Elastic(modulus=3e5), vr.Elastic(modulus=3e7)])
     with pytest.warns(vr.ResultWarning, match="1 NO_INTERVAL"):
@@ -164,7 +166,7 @@ def test_draws_far_from_the_middle_are_no_first_order():
 
 
 def test_a_largest_pressure_at_the_edge_has_no_linear_interval():
-    """Where what enters the contact is stiff, its first nodes bear most: here at 50 °C, and not at 70."""
+    """If the material enters stiff, the first nodes have the largest pressure: at 50 °C, but not at 70 °C."""
     draws = vr.superpose(measured(3, Noise()), reference=REFERENCE).draws(3)
     given = {"load": 30.0, "angular_speed": 3.0, "mesh": vr.Mesh(nodes_per_revolution=1500), "progress": False}
     found = vr.sweep(of_curve, curve=draws, temperature=[50.0, 70.0], **given)
@@ -173,7 +175,7 @@ def test_a_largest_pressure_at_the_edge_has_no_linear_interval():
 
 
 def test_draws_of_anything_can_be_solved(material):
-    """Thickness as well, where each is solved."""
+    """The thickness may vary as well if each draw is solved."""
     thick = vr.Draws(2e-3, [1.9e-3, 2.1e-3])
     found = vr.sweep(roller, modulus=material.middle, thickness=thick, draws="solve", **CASE)
     assert found.resisting_torque_lower < found.resisting_torque < found.resisting_torque_upper
@@ -210,7 +212,7 @@ def test_a_picture_has_bands(material):
     (axes,) = plot_study(found).axes
     assert len(axes.collections) == 2
     edge = axes.collections[1].get_paths()[0].vertices
-    lower = 1e3 * found.resisting_torque_lower.sel(angular_speed=3.0)  # in mN
+    lower = 1e3 * found.resisting_torque_lower.sel(angular_speed=3.0)  # [mN]
     assert edge[:, 1].min() == pytest.approx(lower.min().item())
     assert axes.get_title().endswith("bands hold the true value with 0.95 of probability")
     assert not plot_study(found, variable="contact_area").axes[0].collections

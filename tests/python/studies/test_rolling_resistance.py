@@ -1,4 +1,4 @@
-"""The fitted surface of rolling resistance: NumPy's polynomials, and what lies beside the fit."""
+"""The fitted surface of rolling resistance: NumPy's polynomials, and quantities outside the fit."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def test_outside_decides(surface):
         surface(0.0, 1.0)
     with pytest.raises(ValueError, match=r"angular_speed must be in \[-8, 8\] rad/s, where it was fitted, got -9"):
         surface(50.0, [1.0, -9.0])
-    assert surface(50.0, -8.0) == -surface(50.0, 8.0)  # the end of the range, both ways
+    assert surface(50.0, -8.0) == -surface(50.0, 8.0)  # the end of the range in both directions
     with pytest.raises(ValueError, match="outside must be one of error, hold, got 'guess'"):
         surface(50.0, 1.0, outside="guess")
     held = surface([0.0, 10.0, 400.0], 100.0, outside="hold")

@@ -1,4 +1,4 @@
-"""What studies keep: points found again by their own inputs, what is not kept, and what survives an interruption."""
+"""Caches of studies: keys from all inputs, which points are stored, and recovery after an interruption."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def coated(modulus, thickness=1e-3):
 
 @pytest.fixture
 def solves(monkeypatch):
-    """Collect the loads of all points solved in this process."""
+    """Collect the loads of all points that this process solves."""
     loads = []
 
     def solve_point(solver, **case):
@@ -76,12 +76,12 @@ def test_a_study_grows(tmp_path, solves):
     assert len(solves) == 2 + (16 - 2)
     study = sweep(paper.ball, **grown | {"angular_speed": [2.5, 1.0]}, cache=path)
     assert len(solves) == 16 + 16
-    # Tables reach as far as the largest load of a task asks for, which changes round-off.
+    # Tables reach as far as the largest load of a task requires, which changes round-off.
     direct = sweep(paper.ball, **grown | {"angular_speed": [2.5, 1.0]})
     for name in ("resisting_torque", "slip_power", "penetration"):
         np.testing.assert_allclose(study[name], direct[name], rtol=1e-9, atol=1e-12)
     xarray.testing.assert_identical(xarray.load_dataset(path), study)
-    # A part of it is there as well; points with fields are others.
+    # Part of the study is also in the cache; points with fields are different ones.
     solves.clear()
     part = sweep(paper.ball, load=[50.0], thickness=1e-3, cache=path)
     there = study.sel(load=50.0, thickness=1e-3, friction=0.0, angular_speed=2.5)
@@ -92,7 +92,7 @@ def test_a_study_grows(tmp_path, solves):
 
 
 def test_points_are_known_by_all_their_inputs(tmp_path, rubber, solves):
-    """Another study with the same cache has other points; the same inputs in other words are the same points."""
+    """Another study with the same cache has other points; equivalent inputs give the same points."""
 
     def count(ball, **changes):
         solves.clear()
@@ -137,7 +137,7 @@ def test_functions_are_compared_as_far_as_meshes_reach(mesh, highest):
     def softens_from(order):
         return lambda omega: np.where(np.asarray(omega) < 2.0 * order, 3e6, 1e6) + 0j
 
-    # Samples lie at equal ratios, 1.17 at most.
+    # Sample frequencies have equal ratios, at most 1.17.
     assert len({key_of(softens_from(order), mesh) for order in (0.8 * highest, 0.5 * highest, 1e9)}) == 3
     assert key_of(softens_from(1.01 * highest), mesh) == key_of(softens_from(1e9), mesh)
 
@@ -156,7 +156,7 @@ def test_functions_that_fail_somewhere_are_compared_elsewhere():
 
 
 class PicklingExecutor(Executor):
-    """Solves here, at once, but takes only what could be sent elsewhere."""
+    """Executor that runs at once in this process, but requires arguments that can be pickled."""
 
     def submit(self, function, *arguments):
         """Solve."""
@@ -220,7 +220,7 @@ def test_failed_points_are_nan_with_their_message(tmp_path, solves):
 
 
 def test_points_less_accurate_than_wanted_are_kept_and_counted(tmp_path, solves):
-    # The smaller contact is narrower than the spacing of any mesh allowed.
+    # The smaller contact is narrower than the spacing of any allowed mesh.
     parameters = {"load": [1e-13, 100.0], "mesh": None, "accuracy": 0.2, "cache": tmp_path / "study.nc"}
     for _ in range(2):
         with pytest.warns(vr.ResultWarning, match="^of 2 points: 1 ACCURACY_NOT_REACHED; see warnings$"):
@@ -245,7 +245,7 @@ def test_a_bug_in_the_users_ball_does_not_outlive_it(tmp_path, solves):
 
 def test_a_bug_in_the_users_material_does_not_outlive_it(tmp_path, rubber):
     def fails_once_solved(error):
-        """Fail at an order that solves sum and functions are not compared at."""
+        """Return a ball that fails at an order which solves use, but at which functions are not compared."""
 
         def modulus(omega):
             if error is not None and np.isclose(omega, 37 * SPEED["angular_speed"]).any():
@@ -274,13 +274,13 @@ def test_what_is_not_of_a_ball_is_raised():
 
 
 class EndsOtherProcesses:
-    """A modulus that ends any process but the one that made it."""
+    """Modulus that terminates any process except the one that created it."""
 
     def __init__(self):
         self.home = os.getpid()
 
     def __call__(self, omega):
-        """Return an elastic modulus, if at all."""
+        """Return an elastic modulus, or end the process."""
         if os.getpid() != self.home:
             os._exit(1)
         return np.full(np.shape(omega), 3e6, dtype=complex)
@@ -309,19 +309,19 @@ def run_until(program, ready, sent):
 
 
 def kept(path):
-    """Count the points that another process has kept, in a copy, since that process has locked the file."""
+    """Count the points that another process has stored, in a copy, because that process locks the file."""
     if not point_store_path(path).exists():
         return 0
     copied = shutil.copy(point_store_path(path), path.with_name("copy"))
     with contextlib.closing(sqlite3.connect(copied)) as database:
         try:
             return database.execute("SELECT count(*) FROM point").fetchone()[0]
-        except sqlite3.DatabaseError:  # copied in the middle of a transaction
+        except sqlite3.DatabaseError:  # copied during a transaction
             return 0
 
 
 def settled(path, count):
-    """Whether so many points are kept, and still are when the last transaction has had time to end."""
+    """Return whether `count` points are stored, also after the time of a last transaction."""
     if kept(path) != count:
         return False
     time.sleep(0.5)
@@ -365,7 +365,7 @@ try:
 except KeyboardInterrupt:
     print("stopped")
 """
-    # The other points would take hours: that the program ends within the time limit of `run_until` shows that it stops.
+    # The other points would take hours: if the program ends within the limit of `run_until`, it has stopped.
     output, code = run_until(program, lambda: kept(path) == 3, signal.SIGINT)
     assert (output, code) == ("stopped\n", 0)
     assert kept(path) == 3

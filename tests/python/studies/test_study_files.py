@@ -1,4 +1,4 @@
-"""Studies from files and from the shell: what varies, pictures, refusals."""
+"""Studies from files and from the shell: varied parameters, pictures, input checks."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_any_number_can_vary(study_file):
     assert study.relaxation_time.attrs["units"] == "s"
     assert study.nodes_per_revolution.values.tolist() == [80, 100]
     assert not study.resisting_torque.isnull().any()
-    assert "creepage" not in study.data_vars  # given, not found
+    assert "creepage" not in study.data_vars  # an input, not a result
 
 
 def test_names_are_told_apart(study_file):
@@ -105,14 +105,15 @@ def test_sweep_and_plot_from_the_shell(study_file, tmp_path):
 
 
 def test_ctrl_c_in_the_shell_says_how_to_go_on(study_file, tmp_path):
-    # Each point would take hours: that the command ends at all shows that it stops.
+    # Each point would take hours: if the command ends at all, it has stopped.
     path = study_file('"rolling.load" = [90.0, 100.0]', numerics="nodes_per_revolution = 20000\nmax_order = 30000")
     with subprocess.Popen(
         [sys.executable, "-m", "viscoroll", "sweep", str(path)], stderr=subprocess.PIPE, text=True
     ) as process:
         while process.poll() is None and not (tmp_path / "study.nc.points").exists():
             time.sleep(0.01)
-        time.sleep(0.5)  # into the first solves; right before them would do as well
+        # within the first solves; just before them would work as well
+        time.sleep(0.5)
         process.send_signal(signal.SIGINT)
         _, message = process.communicate(timeout=60)
     assert process.returncode == 130

@@ -20,7 +20,7 @@ def _unit(name):
 
 
 def study_of(scale=1e-3, missing=(), **dimensions):
-    """Return a study of a power law of all numbers, in N m."""
+    """Return a study in which a power law of all parameters gives the torque [N m]."""
     shape = [len(values) for values in dimensions.values()]
     torque = np.full(shape, scale)
     for axis, values in enumerate(dimensions.values()):
@@ -112,7 +112,7 @@ def test_texts_below_the_axis_do_not_overlap(count):
     labels = [text for text in axes.get_xticklabels() if text.get_text()]
     assert [text.get_text() for text in labels][:2] == ["force = 0 N", "torque = 0.01 N m"]
     for one, other in pairwise(labels):
-        # Slanted texts: their boxes overlap, the texts do not while they are farther apart than they are high.
+        # Slanted texts: their boxes overlap, but the texts do not if their distance exceeds their height.
         apart = other.get_window_extent().x1 - one.get_window_extent().x1
         assert apart > 0.0
         if one.get_rotation() == 0.0:

@@ -1,4 +1,4 @@
-"""Studies of more points than memory holds are refused at once, with their number and the limit."""
+"""Studies with more points than memory holds are refused at once, with their number and the limit."""
 
 from __future__ import annotations
 
@@ -19,10 +19,11 @@ MANY = np.linspace(1.0, 2.0, 10_000)
 
 @pytest.fixture(autouse=True)
 def at_once():
-    """Fail where much memory or time is spent."""
+    """Fail if a test uses much memory or time."""
     before, start = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, time.process_time()
     yield
-    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 100_000  # [kB], a million numbers as a list
+    # [kB], about a list of a million numbers
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 100_000
     assert time.process_time() - start < 5.0
 
 
@@ -31,7 +32,7 @@ def at_once():
     [
         ({"load": MANY, "angular_speed": MANY, "thickness": MANY}, "1000000000000 "),
         ({"load": range(1, 10**12 + 1)}, "1000000000000 "),
-        ({"load": range(1, 10**40)}, "9223372036854775807 "),  # the longest that Python counts
+        ({"load": range(1, 10**40)}, "9223372036854775807 "),  # the largest length in Python
         ({"load": np.broadcast_to(1.0, (10**12,))}, "1000000000000 "),
         ({"load": range(1, 1002), "angular_speed": {f"{i}": 1.0 + i for i in range(1000)}}, "1001000 "),
         (dict.fromkeys(("load", "angular_speed", "friction", "max_iterations", *"abcdefgh"), MANY), "about 1e48 "),

@@ -1,4 +1,4 @@
-"""Parameter studies: what a dataset holds, where points are solved, and what survives an interruption."""
+"""Parameter studies: contents of the dataset, where points are solved, and recovery after an interruption."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def sweep(*arguments, **parameters):
 
 @pytest.fixture
 def solves(monkeypatch):
-    """Collect the loads of all points solved in this process."""
+    """Collect the loads of all points that this process solves."""
     loads = []
 
     def solve_point(solver, **case):
@@ -36,7 +36,7 @@ def solves(monkeypatch):
 
 
 def same_numbers(one, other):
-    """But for the last digits: a model's tables, and so its transforms, reach as far as its loads so far asked for."""
+    """Assert equality except for the last digits, because the tables of a model depend on its previous loads."""
     xarray.testing.assert_identical(*(xarray.Dataset(coords=study.coords) for study in (one, other)))
     assert {**one.attrs, "created": ""} == {**other.attrs, "created": ""}
     assert set(one.data_vars) == set(other.data_vars)
@@ -60,9 +60,9 @@ def test_every_point_equals_a_direct_solve():
                     if isinstance(value, str) and name in study.data_vars:
                         assert point[name].item() == value
                     elif name in study.data_vars:
-                        # A model's tables reach as far as its largest load asks for, which changes round-off.
+                        # A model's tables reach as far as its largest load requires, which changes round-off.
                         value = np.nan if value is None else value
-                        # Zeros, as of frictionless forces and the residual, are round-off of numbers near 1 and 100.
+                        # Zeros, such as frictionless forces and the residual, are round-off of numbers near 1 and 100.
                         np.testing.assert_allclose(point[name].item(), value, rtol=1e-8, atol=1e-13, err_msg=name)
     assert set(expected) - set(study.variables) == {"compliance", "curvature", "patch_load"}
 
@@ -114,7 +114,7 @@ def test_points_are_grouped_by_influence_table(paper_ball):
     tasks = plan.tasks(range(12), largest=100)
     assert [(task.shared["angular_speed"], len(task.cases)) for task in tasks] == [(1.0, 6), (2.5, 6)]
     assert sorted(i for task in tasks for i in task.indices) == list(range(12))
-    # Split where there would be fewer tasks than workers.
+    # Groups are split if there would be fewer tasks than workers.
     assert [len(task.cases) for task in plan.tasks(range(12), largest=4)] == [3, 3, 3, 3]
 
 

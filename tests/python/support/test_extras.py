@@ -1,4 +1,4 @@
-"""Packages of extras that are not installed: an ImportError that names the package and the command that installs it."""
+"""Optional packages that are not installed: an ImportError that names the package and the command to install it."""
 
 from __future__ import annotations
 

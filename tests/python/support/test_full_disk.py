@@ -1,4 +1,4 @@
-"""Files that cannot be written to the end: an OSError that names the file, no draft, and the file before as it was."""
+"""Failed writes on a full disk: an OSError that names the file, no draft, and the previous file unchanged."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ FACTORS = ShiftFactors(temperature=(20.0, 30.0), log10_factor=(0.0, -1.0))
 
 @contextmanager
 def full_disk(size=0):
-    """Let files grow to some bytes: writing beyond fails as on a full disk, with EFBIG in place of ENOSPC."""
+    """Limit the size of files [B]: a larger write fails as on a full disk, with EFBIG in place of ENOSPC."""
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
     try:
@@ -110,7 +110,7 @@ def test_an_interrupted_draft_is_removed_and_other_errors_stay(tmp_path):
 
 
 def test_nothing_else_writes_files():
-    """Every function that writes a file goes through `draft_of`, or names a draft or a buffer in memory."""
+    """Every function that writes a file uses `draft_of`, or writes to a draft or a buffer in memory."""
     package = Path(vr.__file__).parent
     writes = re.compile(r"\.(savefig|to_netcdf|write_text|write_bytes)\(|\bnp\.savez?\w*\(|\.open\(\"[wax]")
     lines = {
@@ -128,7 +128,7 @@ def test_nothing_else_writes_files():
 
 @pytest.mark.parametrize("space", [0, 6_000, 30_000])
 def test_a_study_goes_on_after_a_full_disk(tmp_path, space):
-    """The database cannot be made, cannot grow, or the study cannot be written: what was kept is found again."""
+    """The database cannot be created, cannot grow, or the study cannot be written: stored points are found again."""
     path = tmp_path / "study.nc"
     case = {"angular_speed": [1.0, 2.0, 4.0], "load": 100.0, "mesh": MESH, "cache": path, "progress": False}
     with full_disk(space), pytest.raises(OSError) as raised:  # noqa: PT011

@@ -1,4 +1,4 @@
-"""What a notebook shows: tables with units, pictures once, bars; seen in a real kernel."""
+"""Output in a notebook, tested in a real kernel: tables with units, each picture once, progress bars."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def test_pictures_show_once(outputs):
 
 
 def test_bars_come_without_warnings(outputs):
-    # A text on the error stream, or a widget where ipywidgets is installed.
+    # The bar is a text on the error stream, or a widget if ipywidgets is installed.
     texts = {cell: streams(outputs[cell]) + "".join(of_kind(outputs[cell], "text/plain")) for cell in ("study", "bar")}
     assert "point" in texts["study"]
     assert "%|" in texts["bar"]

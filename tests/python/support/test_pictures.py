@@ -1,4 +1,4 @@
-"""Pictures of one set of axes are drawn where the caller wants them; the others have a chief part that is."""
+"""Pictures of one set of axes are drawn in the caller's axes; pictures of several have a main part that is."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def result():
     return vr.solve(paper.ball(), **CASE)
 
 
-# What is drawn more than once is computed once.
+# Quantities that several tests draw are computed once.
 
 
 @cache

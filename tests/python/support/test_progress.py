@@ -1,4 +1,4 @@
-"""One way to see how far a long computation is: `progress`, a function or True, wherever something takes long."""
+"""Progress of long computations: all of them accept `progress`, a function or True."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MOTION = {"time": [0.0, 0.8], "angle": [0.0, 2.0], "load": 50.0, "mesh": vr.Mesh
 
 @pytest.fixture(scope="module")
 def ball(rubber):
-    """Return a ball of unlike layers, which are solved one order after the other: reports come every 20 ms."""
+    """Return a ball of dissimilar layers, which are solved order by order: reports come every 20 ms."""
     inner = vr.Layer(thickness=0.5e-3, shear_modulus=rubber, poisson_ratio=0.5)
     outer = vr.Layer(thickness=0.5e-3, shear_modulus=vr.Elastic(modulus=4e6), poisson_ratio=0.45)
     return vr.CoatedSphere(core_radius=20e-3, layers=[inner, inner, outer])

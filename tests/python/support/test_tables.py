@@ -33,7 +33,7 @@ def test_texts_are_escaped():
 def test_all_scalars_of_a_result_have_their_units(paper_ball):
     r = vr.solve(paper_ball, load=50.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=100), friction=0.2)
     found = cells(r._repr_html_())
-    assert SCALARS["face_distance"][1] not in found  # of a ball, which has none
+    assert SCALARS["face_distance"][1] not in found  # a ball has no faces
     for name, (_, label) in SCALARS.items() - {("face_distance", SCALARS["face_distance"])}:
         place = found.index(label)
         assert found[place + 1 : place + 3] == [f"{v:.6g}" if isinstance(v := getattr(r, name), float) else str(v),

@@ -1,4 +1,4 @@
-"""Friction over time between any two bodies: the steady state it ends in, power, statics, and a towed start."""
+"""Transient friction between any two bodies: the final steady state, power, statics, and a towed start."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from test_transient_pairs import BALL, EARTH, MAT, PAIRS, ROLLER, STEEL, THICK_M
 FREE, TOWED = vr.Drive(force=0.0), vr.Drive(torque=0.0)
 PRESSED_EARTH = vr.CoatedPlane(layers=[], base=EARTH)
 
-#: What rolls on what, how it is driven, under which load, and nodes a revolution that leave half a percent of the
-#: creepage: errors fall with the square of the spacing.
+#: Rolling body, counterbody, drive, load, and nodes per revolution for an error of half a percent of the creepage,
+#: which decreases with the square of the spacing.
 STEADY = {
     "ball on mat": (STEEL, MAT, FREE, 100.0, 400),
     "towed ball on mat": (STEEL, MAT, TOWED, 100.0, 400),
@@ -35,7 +35,7 @@ STEADY = {
 @pytest.mark.slow
 @pytest.mark.parametrize(("body", "on", "drive", "load", "nodes"), STEADY.values(), ids=STEADY)
 def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes):
-    """Force, torque and creepage, and what each body and slip lose."""
+    """Force, torque, creepage, and the dissipation in each body and by slip agree."""
     omega, turn = 2.5, 1.4
     options = {"on": on, "load": load, "friction": 0.3}
     moved = {"drive": drive}
@@ -44,15 +44,15 @@ def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes)
     mesh = vr.Mesh(nodes_per_revolution=nodes)
     h = vr.roll(body, time=[0.0, turn / omega], angle=[0.0, turn], mesh=mesh, lattices=2, **options, **moved)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", vr.ResultWarning)  # of strains
+        warnings.simplefilter("ignore", vr.ResultWarning)  # large strains
         r = vr.solve(body, angular_speed=omega, drive=drive, accuracy=1e-3, **options)
     last = h.angle > 0.7 * turn
     duration = np.ptp(h.time[last])
     speed = np.ptp(h.center_way[last]) / duration / (omega * body.outer_radius)
-    small = 3e-4 if abs(r.creepage) < 1e-3 else 0.0  # on a half-space, as much as elsewhere is half a percent
+    small = 3e-4 if abs(r.creepage) < 1e-3 else 0.0  # on a half-space, this equals half a percent elsewhere
     assert speed - 1.0 == pytest.approx(r.creepage, rel=5e-3, abs=small)
     assert h.resisting_torque[last].mean() == pytest.approx(r.resisting_torque, rel=5e-3)
-    # What is 0 comes out as 0.
+    # Zero forces come out as zero.
     assert h.driving_torque[last].mean() == pytest.approx(r.driving_torque, rel=5e-3, abs=1e-7 * r.resisting_torque)
     pushed = 1e-7 * r.resisting_torque / body.outer_radius
     assert h.driving_force[last].mean() == pytest.approx(r.driving_force, rel=5e-3, abs=pushed)
@@ -65,7 +65,7 @@ def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes)
     assert h.energy_balance_error[-1] < 2e-3
 
 
-#: Coarse meshes leave more open than fine ones.
+#: Largest error of the energy balance; it is larger on coarse meshes.
 MOVED = {
     "ball on mat": 5e-3, "soft ball on mat": 3e-3, "soft ball in dish": 5e-3, "soft ball in rigid dish": 5e-3,
     "ball on ball": 3e-3, "roller on mat": 2e-3, "soft roller on roller": 2e-3, "soft roller in ring": 2e-3,
@@ -75,14 +75,14 @@ MOVED = {
 
 @pytest.mark.parametrize(("pair", "left"), MOVED.items(), ids=MOVED)
 def test_power_balances_with_slip(pair, left):
-    """Start, stop, turn back: what torque, force and load do is stored or lost, and slip takes, but gives nothing."""
+    """Start, stop, reverse: the work of torque, force and load is stored or dissipated; slip only dissipates."""
     body, on, load, nodes = PAIRS[pair]
     h = vr.roll(
         body, on=on, time=[0.0, 0.1, 0.2, 0.3], angle=[0.0, 0.2, 0.2, 0.1], load=load * np.array([1.0, 1.1, 0.9, 1.0]),
         friction=0.2, mesh=vr.Mesh(nodes_per_revolution=nodes // 2), lattices=1,
     )  # fmt: skip
     assert h.slip_energy[-1] > 0.0
-    # Where a node turns back within a step, the mean of its tractions is not that of their work.
+    # If a node reverses within a step, the mean of its tractions differs from the mean weighted by the work.
     assert (np.diff(h.slip_energy) > -1e-6 * h.work[-1]).all()
     assert np.abs(h.driving_force).max() < 1e-9 * load, "nothing pushes the center"
     assert h.energy_balance_error[-1] < left
@@ -101,17 +101,18 @@ def test_mirrored_motion_has_mirrored_forces(pair):
 
 
 def test_a_towed_rigid_ball_starts_on_a_mat():
-    """It has no torque at any instant, and its force is M/R."""
+    """A towed rigid ball has no torque at any instant, and its force is M/R."""
     motion = {"time": [0.0, 0.2, 0.4], "way": [0.0, 10.5e-3, 10.5e-3], "load": 100.0}
     options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200)}
     towed = vr.roll(STEEL, **motion, **options, friction=0.3, drive=TOWED)
     assert np.abs(towed.driving_torque).max() < 1e-12 * 100.0 * 21e-3
-    # Tractions without moment about the center push with their sagitta's share alone, up to (a/R)^2/2 = 1 % of μP.
+    # Tractions without moment about the center contribute to the force only by their sagitta, up to (a/R)^2/2 = 1 % of
+    # μP.
     np.testing.assert_allclose(towed.driving_force, towed.resisting_torque / 21e-3, rtol=0, atol=0.01 * 30.0)
     early = towed.time <= 0.2
     assert towed.driving_force[early] == pytest.approx(towed.resisting_torque[early] / 21e-3, rel=1e-2, abs=1e-3)
     assert towed.slip_energy[-1] > 0.0
-    assert towed.driving_force.max() > 3.0 * towed.driving_force[early][-1]  # it must break away
+    assert towed.driving_force.max() > 3.0 * towed.driving_force[early][-1]  # the ball must break away
 
 
 def test_little_friction_is_the_next_thing_to_none():
@@ -119,12 +120,12 @@ def test_little_friction_is_the_next_thing_to_none():
     options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "lattices": 1}
     smooth = vr.roll(STEEL, **motion, **options)
     little, more = (vr.roll(STEEL, **motion, **options, friction=mu, drive=TOWED) for mu in (3e-3, 6e-3))
-    limit = 2.0 * little.resisting_torque - more.resisting_torque  # it counts by its first power
+    limit = 2.0 * little.resisting_torque - more.resisting_torque  # linear extrapolation to zero friction
     np.testing.assert_allclose(limit, smooth.resisting_torque, rtol=0, atol=2e-3 * smooth.resisting_torque.max())
 
 
 def test_either_of_two_rollers_may_be_called_the_one_that_rolls():
-    """At a creepage of 5 %, which is -4.8 % to the other one: forces and slip are the same."""
+    """A creepage of 5 % is -4.8 % for the exchanged rollers: forces and slip are the same."""
     other = vr.CoatedCylinder(core_radius=70e-3, layers=THICK_MAT.layers)
     elastic = [
         vr.CoatedCylinder(
@@ -146,7 +147,7 @@ def test_either_of_two_rollers_may_be_called_the_one_that_rolls():
     a = history(*elastic, way, (1.0 + creepage) * way)
     b = history(*elastic[::-1], (1.0 + creepage) * way, way)
     assert a.slip_energy[-1] == pytest.approx(b.slip_energy[-1], rel=3e-3)
-    # T_2 = T_1 + Q (R_1 + R_2 - d), about the other one's own axis.
+    # T_2 = T_1 + Q (R_1 + R_2 - d), about the axis of the other roller.
     height = sum(body.outer_radius for body in elastic) - a.penetration[-1]
     of_other = a.driving_torque[-1] + a.driving_force[-1] * height
     assert of_other == pytest.approx(b.driving_torque[-1], rel=1e-3)
@@ -166,7 +167,7 @@ def test_saved_states_with_friction_go_on_to_the_last_bit(pair):
 
 
 def test_a_locked_ball_slides_over_a_mat():
-    """Friction bears all it can: the force is μP and what the mat's slope adds, the torque μP about the center."""
+    """At full sliding, the force is μP plus the force of the mat's slope, and the torque is μP about the center."""
     h = vr.roll(
         STEEL, on=MAT, time=[0.0, 0.5], way=[0.0, 0.0], center_way=[0.0, 5e-3], load=100.0, friction=0.2,
         mesh=vr.Mesh(nodes_per_revolution=200), lattices=1,
@@ -174,15 +175,15 @@ def test_a_locked_ball_slides_over_a_mat():
     assert h.stick_share[-1] == 0.0
     pushed_back = h.resisting_torque[-1] / 21e-3
     assert h.driving_force[-1] == pytest.approx(20.0 + pushed_back, rel=1e-3)
-    assert -h.driving_torque[-1] == pytest.approx(20.0 * 21e-3, rel=1e-2)  # less the sagitta of the contact
-    assert h.slip_energy[-1] == pytest.approx(20.0 * 5e-3, rel=0.05)  # sticks at first
+    assert -h.driving_torque[-1] == pytest.approx(20.0 * 21e-3, rel=1e-2)  # minus the sagitta of the contact
+    assert h.slip_energy[-1] == pytest.approx(20.0 * 5e-3, rel=0.05)  # the ball sticks at first
 
 
 @pytest.mark.parametrize("nodes", [100, 200])
 @pytest.mark.parametrize("on", ["mat", "half-space", "roller"])
 @pytest.mark.parametrize(("modulus", "load", "friction"), [(1e6, 1e3, 0.1), (1e7, 5e4, 0.1), (5e7, 1e3, 0.3)])
 def test_rollers_are_pressed_on_one_another(on, modulus, load, friction, nodes):
-    """On the shifted lattice all nodes may slip, where forces do not tell the place of the center."""
+    """On the shifted mesh, all nodes may slip, and then forces do not determine the position of the center."""
     layer = vr.Layer(thickness=10e-3, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
     counterbody = {
         "mat": vr.CoatedPlane(layers=[layer]),
@@ -195,13 +196,13 @@ def test_rollers_are_pressed_on_one_another(on, modulus, load, friction, nodes):
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[soft])
     options = {"on": counterbody, "load": load, "mesh": vr.Mesh(nodes_per_revolution=nodes), "lattices": 2}
     pressed = vr.RollingHistory(roller, friction=friction, **options)
-    # To the round-off that instants are solved to.
+    # Tolerance of the solution at each instant.
     assert abs(pressed.now.driving_force) < 1e-9 * load
     assert abs(pressed.now.center_way) < 1e-9 * pressed.now.semi_axis_x
 
 
 def test_friction_too_small_to_push_a_ball_over_its_mat():
-    """The mat comes to push back with 2.5 N, of which friction gives 1 N; a torque of 0.63 N m takes all of 30 N."""
+    """The mat resists with 2.5 N, of which friction supports 1 N; a torque of 0.63 N m requires all of 30 N."""
     motion = {"time": [0.0, 0.02], "way": [0.0, 1.4e-3], "load": 100.0}
     options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "lattices": 1}
     slides = r"at angle 0\.\d+ rad, else the ball slides without end, got"
@@ -209,14 +210,14 @@ def test_friction_too_small_to_push_a_ball_over_its_mat():
         vr.roll(STEEL, **motion, **options, friction=0.01)
     with pytest.raises(ValueError, match=r"driving_torque must be between -0\.62\d N m and 0\.62\d N m .* 0\.64 N m"):
         vr.roll(STEEL, **motion, **options, friction=0.3, drive=vr.Drive(torque=0.64))
-    # More friction, or the torque alone that keeps the ball rolling.
+    # More friction, or the torque alone, keeps the ball rolling.
     assert vr.roll(STEEL, **motion, **options, friction=0.03).stick_share[-1] > 0.0
     towed = vr.roll(STEEL, **motion, **options, friction=0.01, drive=TOWED)
     assert towed.driving_force.max() > 2.0
 
 
 def test_two_soft_balls_alike_are_one_on_its_mirror_plane():
-    """Mirror images never slide, so friction changes nothing but terms of the order (a/R)^4."""
+    """Mirror images never slide, so friction changes only terms of the order (a/R)^4."""
     twin = vr.CoatedSphere(core_radius=BALL.core_radius, layers=BALL.layers)
     motion = {"time": [0.0, 0.1], "angle": [0.0, 0.2], "load": 100.0}
     options = {"on": twin, "mesh": vr.Mesh(nodes_per_revolution=120), "lattices": 1}

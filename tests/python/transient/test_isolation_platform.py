@@ -1,4 +1,4 @@
-"""The worked example docs/jobs/isolation_platform.py: its mechanics, and what its rubber loses."""
+"""The worked example docs/jobs/isolation_platform.py: its mechanics, and the loss in its rubber."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from specimens import one_layer
 
 DOCS = Path(__file__).parents[3] / "docs" / "jobs"
 MESH = vr.Mesh(nodes_per_revolution=100)
-RELEASED = 80e-3  # displacement from which it swings freely [m]
+RELEASED = 80e-3  # displacement at which it is released [m]
 
 
 @pytest.fixture(autouse=True)
@@ -28,7 +28,7 @@ def made(modulus=None):
 
 @cache
 def free_swing():
-    """Return platform, a motion of two periods from rest on one side, and what a contact has come to."""
+    """Return platform, a motion of two periods from rest on one side, and the history of a contact."""
     page, platform = made()
     time = np.linspace(0.0, 2.1 * platform.period, 701)
     slope = float(np.arcsin(RELEASED / platform.length))
@@ -40,7 +40,8 @@ def test_what_the_swing_loses_is_what_rolling_takes():
     energy = platform.energy(motion.slope, motion.rate)
     rolled = motion.rolled(platform)
     assert rolled[-1] > 0.3 * energy[0]
-    # Average acceleration keeps the energy of a linear swing, with trapezoids of the work; this one is nearly linear.
+    # Average acceleration conserves the energy of a linear swing, with the trapezoidal rule for the work; this swing is
+    # nearly linear.
     np.testing.assert_allclose(energy[0] - energy, rolled, rtol=0, atol=1e-5 * rolled[-1])
 
 
@@ -53,12 +54,12 @@ def test_what_rolling_takes_is_lost_and_stored_in_the_rubber():
     stored = end.stored_energy - start.stored_energy
     pressed = platform.mass * 9.81 / platform.balls * (end.penetration - start.penetration)
     taken = 2 * platform.balls * (end.dissipated_energy + stored - pressed)
-    # By trapezoids of steps of up to 0.2 mm, a tenth of the contact; loads change by 1 %.
+    # Trapezoidal rule with steps of up to 0.2 mm, a tenth of the contact; loads change by 1 %.
     assert motion.rolled(platform)[-1] == pytest.approx(taken, rel=3e-3)
 
 
 def test_a_cycle_loses_what_a_harmonic_one_does():
-    """From one largest displacement to the next on its side: a cycle of their mean amplitude, which is no first one."""
+    """Compare one cycle between maxima with a harmonic cycle of their mean amplitude that is not the first one."""
     platform, motion, _ = free_swing()
     displacement = motion.displacement(platform)
     turns = [np.argmax(np.where(abs(motion.time / platform.period - k) < 0.3, displacement, -1)) for k in (1, 2)]
@@ -71,12 +72,13 @@ def test_a_cycle_loses_what_a_harmonic_one_does():
     load = platform.mass * 9.81 / platform.balls
     h = vr.roll(platform.ball, on=platform.dish, time=time, way=way, load=load, mesh=MESH, lattices=2)
     lost = np.diff(np.interp([duration, 2.0 * duration], h.time, h.dissipated_energy))[0]
-    # The swing decays by a sixth in this cycle, and the loss goes nearly with the amplitude: second order of that.
+    # The swing decays by a sixth in this cycle, and the loss is nearly proportional to the amplitude: a second-order
+    # error.
     assert rolled == pytest.approx(2 * platform.balls * lost, rel=1e-2)
 
 
 def test_forces_on_the_platform_balance():
-    """A ball bears P along the normal and M / R along the dish; slowly, P = W / cos θ + M tan θ / R."""
+    """A ball transmits P along the normal and M / R along the dish; slowly, P = W / cos θ + M tan θ / R."""
     platform, motion, _ = free_swing()
     slope, along = motion.slope, motion.moment / platform.ball_radius
     level = platform.balls * (motion.load * np.sin(slope) + along * np.cos(slope))
@@ -85,7 +87,7 @@ def test_forces_on_the_platform_balance():
     lift = platform.length * (1.0 - np.cos(slope))
     step = motion.time[1]
     second = (lift[2:] - 2.0 * lift[1:-1] + lift[:-2]) / step**2
-    # In its first millimeter the moment rises within a few steps: differences of second order see it late.
+    # In the first millimeter, the moment rises within a few steps, which second-order differences do not resolve.
     np.testing.assert_allclose(second[50:], upward[1:-1][50:], rtol=0, atol=1e-2 * np.abs(upward).max())
 
 
@@ -97,7 +99,7 @@ def test_small_swings_without_loss_are_a_pendulum_s():
     share = motion.slope[falling] / (motion.slope[falling] - motion.slope[falling + 1])
     quarter = time[falling] + share * (time[1] - time[0])
     assert platform.period == pytest.approx(2.0 * np.pi * np.sqrt(2.0 * (0.4 - 0.021) / 9.81))
-    # The staircase of two coarse lattices pulls with some thousandths of what restores.
+    # The discrete contacts of two coarse meshes add some thousandths of the restoring force.
     assert 4.0 * quarter == pytest.approx(platform.period, rel=1e-2)
 
 

@@ -1,4 +1,4 @@
-"""What `roll` refuses, and what it saves and draws."""
+"""Input checks of `roll`, its files and its pictures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files of saved states: damaged ones, ones of other versions, and states of other bodies are refused."""
+"""Files of saved states: damaged files, other versions, and states of other bodies are refused."""
 
 from __future__ import annotations
 

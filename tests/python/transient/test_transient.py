@@ -1,7 +1,7 @@
-"""Transient rolling: exact checks, and a program that shares nothing with the library, tests/reference/transient.py.
+"""Transient rolling: exact checks, and an independent program, tests/reference/transient.py.
 
-The same mesh and steps give the same history; limits of fine meshes and their error bars are those of such a program
-(single lattices at π/150, π/250 and π/400, extrapolated, with the paper's curvature):
+On the same mesh and with the same steps, it gives the same history. The limits of fine meshes and their error bars come
+from such a program (single meshes at π/150, π/250 and π/400, extrapolated, with the paper's curvature):
 docs/theory/transient.md.
 """
 
@@ -34,7 +34,7 @@ def speed(omega: float, turn: float, **options: object) -> vr.History:
 
 @pytest.mark.parametrize("compliance", list(vr.Compliance))
 def test_standing_follows_lee_and_radok(compliance):
-    """Where contact grows, the penetration is that of an elastic ball under the load ∫J dP, in units of G₀."""
+    """While the contact grows, the penetration is that of an elastic ball under the load ∫J dP, in units of G₀."""
     h = vr.roll(
         BALL, time=[0, 0.3, 0.6], angle=[0, 0, 0], load=[100, 100, 130], start=vr.Start.FRESH, mesh=COARSE,
         compliance=compliance, lattices=2,
@@ -49,12 +49,12 @@ def test_standing_follows_lee_and_radok(compliance):
     elastic = coated_ball(vr.Elastic(modulus=6e6))
     for i in (0, len(h.time) // 3, -1):
         alone = vr.RollingHistory(elastic, load=creep(h.time[i]), mesh=COARSE, compliance=compliance, lattices=2)
-        assert h.penetration[i] == pytest.approx(alone.now.penetration, rel=1e-9)  # the solver's tolerance
+        assert h.penetration[i] == pytest.approx(alone.now.penetration, rel=1e-9)  # tolerance of the solver
     assert np.abs(h.resisting_torque).max() < 1e-10  # nodes at whole and half positions: symmetric
 
 
 def steady_whole_nodes(nodes: int, omega: float) -> float:
-    """Torque in the steady state of whole-node stepping, found at once: C(j) = Σ w_k K(j - k)."""
+    """Return the steady torque of whole-node stepping, solved directly: C(j) = Σ w_k K(j - k)."""
     elastic = coated_ball(vr.Elastic(modulus=3e6))
     half = 14
     table = vr.influence_tables(
@@ -98,7 +98,7 @@ def test_whole_nodes_end_in_their_table():
         BALL, time=steps * 2 * np.pi / nodes / omega, angle=steps * 2 * np.pi / nodes, load=100.0, mesh=COARSE,
         lattices=1, steps_per_spacing=None,
     )  # fmt: skip
-    # After three turns 1e-13 of the start is left; the contact is solved to 1e-11.
+    # After three turns, 1e-13 of the start remains; the contact is solved to 1e-11.
     assert h.resisting_torque[-1] == pytest.approx(steady_whole_nodes(nodes, omega), rel=1e-8)
 
 
@@ -123,7 +123,7 @@ def test_start_at_another_node_changes_nothing():
         vr.roll(BALL, time=[0, 0.1], angle=[s * spacing, s * spacing + 0.2], load=100.0, mesh=COARSE, lattices=1)
         for s in (0, 1000007)
     )
-    # The place of a node a million spacings away keeps ten digits.
+    # The position of a node a million spacings away has ten digits.
     np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-9)
 
 
@@ -136,15 +136,15 @@ def test_elastic_torque_has_mean_zero():
         stepper = vr.RollingHistory(ball, load=100.0, mesh=COARSE, lattices=1, angle=place * spacing)
         torque.append(stepper.now.resisting_torque)
     size = np.sqrt(np.mean(np.square(torque)))
-    assert size * MILLI > 0.1  # the staircase is there
+    assert size * MILLI > 0.1  # the discrete nodes have an effect
     assert abs(torque[0]) < 1e-8 * size
     assert abs(torque[16]) < 1e-8 * size
-    # Its harmonics fall slowly, as nodes join and leave: 32 places alias some of them.
+    # Its harmonics decay slowly, because nodes join and leave: sampling at 32 positions aliases some of them.
     assert abs(np.mean(torque)) < 1e-2 * size
 
 
 def test_units_scale_out():
-    """Time, load with modulus, and length: torque goes with G L³ at P ~ G L²."""
+    """Scale time, load with modulus, and length: the torque scales with G L³ at P ~ G L²."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=60e6, relaxed_modulus=30e6, relaxation_time=1.25)
     big = coated_ball(rubber, core_radius=40e-3, thickness=2e-3)
     a = vr.roll(BALL, time=[0, 0.1, 0.2], angle=[0, 0.2, 0.2], load=100.0, mesh=COARSE)
@@ -153,7 +153,7 @@ def test_units_scale_out():
     np.testing.assert_allclose(80 * a.dissipated_energy, b.dissipated_energy, rtol=1e-7)
 
 
-# --- the program of the references ----------------------------------------------------------------------------------
+# --- the reference program -------------------------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
@@ -163,7 +163,7 @@ def ring():
 
 @pytest.mark.parametrize("start", list(vr.Start))
 def test_agrees_with_the_program(ring, start):
-    """It starts, stands, turns back, and rolls on under a load that jumps and rises."""
+    """The ball starts, stops, reverses, and rolls on under a load that jumps and rises."""
     step = 2.0 * np.pi / 120 / 4
     angle = step * np.concatenate([np.arange(33), np.full(6, 32), np.arange(31, 19, -1), [20], np.arange(21, 29)])
     seconds = np.concatenate(
@@ -176,14 +176,14 @@ def test_agrees_with_the_program(ring, start):
         steps_per_spacing=None, curvature=vr.Curvature.PAPER,
     )  # fmt: skip
     torque, depth = reference.roll(time, angle, load, relaxed=start is vr.Start.RELAXED, ring=ring)
-    # The program's sums end 8e-7 of the largest torque off.
+    # The sums of the program are truncated at 8e-7 of the largest torque.
     np.testing.assert_allclose(h.resisting_torque, torque, rtol=0, atol=2e-6 * np.abs(torque).max())
     np.testing.assert_allclose(h.penetration, depth, rtol=1e-6)
 
 
 # --- limits of fine meshes ------------------------------------------------------------------------------------------
 
-#: (start, Ω [rad/s]): torques at ψ = 0.05, 0.1, 0.2, 0.3 and the largest [mN m], with their bars.
+#: (start, Ω [rad/s]): torques at ψ = 0.05, 0.1, 0.2, 0.3 and their maximum [mN m], with error bars.
 STARTS = {
     (vr.Start.FRESH, 2.5): ([3.00, 7.97, 12.15, 11.67, 12.16], [0.02, 0.02, 0.02, 0.02, 0.03]),
     (vr.Start.RELAXED, 2.5): ([50.5, 47.04, 15.05, 9.28, 52.57], [0.1, 0.05, 0.03, 0.03, 0.1]),
@@ -243,13 +243,13 @@ PENETRATIONS = {
 @pytest.mark.slow
 @pytest.mark.parametrize("compliance", PENETRATIONS)
 def test_pressed_and_left_standing(compliance):
-    """Penetrations of Lee and Radok hold for steps of any length, so that a fine mesh costs a contact for each."""
+    """Penetrations of Lee and Radok hold for steps of any length, so a fine mesh needs one contact per instant."""
     times = [0.0, 0.05, 0.1, 0.25, 0.5, 50.0]
     h = vr.roll(
         BALL, time=times, angle=np.zeros(6), load=100.0, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=1600),
         compliance=compliance, curvature=vr.Curvature.PAPER, lattices=1, steps_per_spacing=None,
     )  # fmt: skip
-    # Limits of the mesh, to 2e-5 mm: what is missing falls with the square of the spacing, 4e-5 at π/400, 1e-5 here.
+    # Limits of the mesh, to 2e-5 mm: the error decreases with the square of the spacing, 4e-5 at π/400, 1e-5 here.
     np.testing.assert_allclose(h.penetration * MILLI, PENETRATIONS[compliance], rtol=0, atol=2e-5)
 
 
@@ -270,7 +270,7 @@ def steady_torque(ball: vr.CoatedSphere, omega: float) -> float:
 )
 def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
     steady = steady_torque(BALL, omega)
-    turn = 0.8 if omega < 3.0 else 8.0  # what is left of the last turn, e^(-2π/(Ωλ)), is 0.2 % at 4 rad/s
+    turn = 0.8 if omega < 3.0 else 8.0  # at 4 rad/s, the effect of the last turn, e^(-2π/(Ωλ)), is 0.2 %
     h = speed(omega, turn, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=nodes))
     last = h.angle > h.angle[-1] - h.mesh.spacing
     assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=bound)
@@ -281,7 +281,7 @@ def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
     [(300, 0.005, 0.5), (300, 0.005, 2.5), (300, 0.005, 4.0), (500, 0.0015, 0.5), (500, 0.0015, 2.5)],
 )
 def test_fractional_zener_ends_in_the_steady_torque(omega, nodes, bound):
-    """Its memory has no end: what is left of the start falls from 0.15 % after 1 s at 4 rad/s to 0.05 % here."""
+    """Its memory is unlimited: the effect of the start falls from 0.15 % after 1 s at 4 rad/s to 0.05 % here."""
     ball = coated_ball(ZENER)
     steady = steady_torque(ball, omega)
     h = speed(omega, 2.0 * omega, ball=ball, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=nodes))
@@ -337,7 +337,7 @@ def test_a_jump_takes_what_it_stores():
 
 
 def test_a_flat_spot_returns_each_turn():
-    """λ = 10 s: peaks once a turn, which fade by e^(-2π/(Ωλ)) each."""
+    """λ = 10 s: one peak per turn, which decays by e^(-2π/(Ωλ)) each turn."""
     slow = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=5.0)
     omega = 2.5
     h = speed(omega, 8 * np.pi, ball=coated_ball(slow), mesh=COARSE)
@@ -347,7 +347,7 @@ def test_a_flat_spot_returns_each_turn():
     np.testing.assert_allclose(peaks[1:] / peaks[:-1], np.exp(-2 * np.pi / (omega * 10.0)), rtol=0.02)
 
 
-# --- state in, state out --------------------------------------------------------------------------------------------
+# --- saved states ----------------------------------------------------------------------------------------------------
 
 
 def test_a_copy_tries_a_step():
@@ -359,7 +359,7 @@ def test_a_copy_tries_a_step():
 
 
 def test_a_pickled_history_goes_on():
-    """With the mesh that the first load has chosen, and all options."""
+    """The copy keeps the mesh that the first load has chosen, and all options."""
     mat = vr.CoatedPlane(layers=BALL.layers)
     first = vr.RollingHistory(vr.CoatedSphere(core_radius=21e-3), on=mat, load=80.0, lattices=1, steps_per_spacing=2)
     first.advance(time=0.1, way=4e-3, load=100.0)
@@ -416,7 +416,7 @@ def test_a_state_of_another_ball_is_refused():
 
 
 def test_a_state_goes_on_though_the_load_is_not_borne_for_ever():
-    """Pressed on in no time and for a moment, on what all but flows in the end: nothing is pressed where it goes on."""
+    """Material that almost flows cannot support this load permanently, but a brief history continues from its state."""
     putty = vr.FractionalZener(instantaneous_modulus=1e7, relaxed_modulus=5e3, relaxation_time=100.0, order=0.5)
     ball = vr.CoatedSphere(core_radius=2e-3, layers=[vr.Layer(thickness=1e-3, shear_modulus=putty, poisson_ratio=0.3)])
     given = {"load": 0.3, "mesh": vr.Mesh(nodes_per_revolution=100), "lattices": 1, "longest_time": 1e3}
@@ -433,13 +433,13 @@ def test_a_state_goes_on_though_the_load_is_not_borne_for_ever():
 @pytest.mark.parametrize("on", [None, vr.CoatedPlane(layers=BALL.layers)], ids=["ball", "mat"])
 @pytest.mark.parametrize("wrong", [np.nan, np.inf, -1.5, 1e9, 1e300])
 def test_a_spoiled_state_is_refused_or_goes_on(wrong, on):
-    """Whichever of its numbers is another one, nobody is told of nonsense by a crash; none is not a number."""
+    """If any number of a state is wrong, the state is refused or continues; the program does not crash."""
     body = BALL if on is None else vr.CoatedSphere(core_radius=21e-3)
     given = {"on": on, "load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=60), "lattices": 1}
     stepper = vr.RollingHistory(body, **given)
     stepper.advance(time=0.01, angle=0.02, load=100.0)
     numbers = stepper.state.numbers
-    whole = np.flatnonzero(numbers == np.floor(numbers))  # counts and places, among zeros
+    whole = np.flatnonzero(numbers == np.floor(numbers))  # counts and positions, among zeros
     refused = 0
     for place in [*range(60), *whole[-40:]]:
         spoiled = numbers.copy()
@@ -449,7 +449,7 @@ def test_a_spoiled_state_is_refused_or_goes_on(wrong, on):
             other.advance(time=other.now.time + 0.01, angle=other.now.angle + 0.02, load=100.0)
         except (ValueError, vr.ConvergenceError):
             refused += 1
-    assert refused >= (99 if not np.isfinite(wrong) else 10)  # of a hundred; a width may be none
+    assert refused >= (99 if not np.isfinite(wrong) else 10)  # of a hundred; a width may be undefined
 
 
 @pytest.mark.parametrize(
@@ -472,12 +472,12 @@ def test_a_rising_load_widens_the_tables():
 
 
 def test_progress_counts_instants():
-    """Of one lattice as well, whose steps are the only thing there is to count."""
+    """The steps of a single mesh are counted as well."""
     seen = []
     vr.roll(
         BALL, time=[0.0, 1.0], angle=[0.0, 2.0], load=100.0, mesh=vr.Mesh(nodes_per_revolution=500), lattices=1,
         progress=lambda stage, fraction: seen.append(fraction) if stage == "rolling" else None,
     )  # fmt: skip
-    rolled = [fraction for fraction in seen if fraction not in (0.0, 1.0)]  # the first contact is a stage, too
+    rolled = [fraction for fraction in seen if fraction not in (0.0, 1.0)]  # the first contact is also a stage
     assert len(set(rolled)) > 5
     assert (np.diff(rolled) >= 0.0).all()

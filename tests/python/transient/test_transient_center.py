@@ -1,4 +1,4 @@
-"""The center in transient rolling with friction: its mass, its way where that is given, and lifting off."""
+"""The center in transient rolling with friction: its mass, its prescribed displacement, and lift-off."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ELASTIC = coated_ball(vr.Elastic(modulus=3e6))
 
 
 def follow(time: np.ndarray, angle: np.ndarray, *, ball: vr.CoatedSphere = BALL, **options: object) -> vr.History:
-    """Follow a motion, one step from knot to knot."""
+    """Follow a motion with one step per segment between waypoints."""
     given = {"load": LOAD, "friction": 0.3, "mesh": COARSE, "lattices": 1, "steps_per_spacing": None} | options
     return vr.roll(ball, time=time, angle=angle, **given)
 
@@ -30,19 +30,22 @@ def follow(time: np.ndarray, angle: np.ndarray, *, ball: vr.CoatedSphere = BALL,
 
 
 def pushed_stiffness(start: vr.Start, **given: object) -> float:
-    """Return the force per way of a center that is pushed but a little, in no time to creep [N/m]."""
+    """Return the force per displacement of the center for a tiny push in a time too short for creep [N/m]."""
     h = follow(np.array([0.0, 1e-6]), np.zeros(2), start=start, center_way=[0.0, 1e-8], **given)
     return h.driving_force[-1] / 1e-8
 
 
 def lacking(h: vr.History, friction: float) -> np.ndarray:
-    """Share of μP that is not forward [-]: where nodes slip sideways at w too, 1 - cos arctan(w/V), about (w/V)²/2."""
+    """Return the share of μP that is not forward [-], where nodes also slip sideways at w.
+
+    It is 1 - cos arctan(w/V), about (w/V)²/2.
+    """
     return 1.0 - np.abs(h.driving_force) / (friction * LOAD)
 
 
 @pytest.mark.parametrize(("ball", "retardation_time"), [(ELASTIC, np.inf), (BALL, 0.25)])
 def test_a_locked_ball_slides_to_a_halt(ball, retardation_time):
-    """Sliding it is slowed down by μP/M, for V₀M/(μP); then it sticks, and swings by what shear has stored."""
+    """Sliding decelerates at μP/M for V₀M/(μP); then the ball sticks and swings by the energy stored in shear."""
     time = np.linspace(0.0, 0.15, 301)
     speed, mass, friction = 0.3, 10.0, 0.3
     force, stiffness = friction * LOAD, pushed_stiffness(vr.Start.RELAXED, ball=ball, friction=friction)
@@ -50,19 +53,19 @@ def test_a_locked_ball_slides_to_a_halt(ball, retardation_time):
     slows_down = force / mass
     sliding = (time > 0.02) & (time < 0.095)
     np.testing.assert_array_equal(h.stick_share[sliding], 0.0)
-    # A sheared coating creeps, sideways as well, at most with its shear per retardation time; an elastic one does not.
+    # A sheared coating creeps, also sideways, at most by its shear per retardation time; an elastic one does not.
     sideways = force / stiffness / retardation_time
     assert lacking(h, friction)[sliding].min() > -1e-12
     assert (lacking(h, friction) < 1e-12 + 0.5 * (sideways / h.center_speed) ** 2)[sliding].all()
-    # What the first steps lack of its acceleration halves in each step.
+    # The error of the acceleration in the first steps halves in each step.
     forces = h.driving_force[sliding]
     np.testing.assert_allclose(
         -mass * np.diff(h.center_speed[sliding]) / np.diff(time[sliding]), 0.5 * (forces[1:] + forces[:-1]), rtol=1e-7
     )
-    # It starts to slide, and swings, by about μP/k.
+    # The ball starts to slide, and swings, by about μP/k.
     assert h.center_way.max() == pytest.approx(speed**2 / (2.0 * slows_down), abs=force / stiffness)
     assert h.slip_energy[-1] == pytest.approx(0.5 * mass * speed**2, rel=0.01)
-    # It comes back with what shear had stored, (μP)²/2k.
+    # The ball rebounds with the energy stored in shear, (μP)²/2k.
     halted = time > 0.1
     assert h.center_speed[halted].min() == pytest.approx(-force / np.sqrt(stiffness * mass), rel=0.05)
     energy = 0.5 * mass * h.center_speed**2 + h.stored_energy - h.stored_energy[0] + h.dissipated_energy
@@ -70,15 +73,15 @@ def test_a_locked_ball_slides_to_a_halt(ball, retardation_time):
 
 
 def test_a_spinning_ball_catches_up():
-    """Started at once, it slips and draws its mass along by μP until the center has reached the speed of rolling."""
+    """Started at once, the ball slips and accelerates its mass by μP until the center reaches the speed of rolling."""
     omega, mass, friction = 0.5, 1000.0, 0.3
     time = np.linspace(0.0, 0.8, 161)
     h = follow(time, omega * time, mass=mass, friction=friction, start=vr.Start.FRESH)
     grows = friction * LOAD / mass
     slipping = (time > 0.1) & (time < 0.3)
     np.testing.assert_array_equal(h.stick_share[slipping], 0.0)
-    # Pressed down and let go while it passes, a node moves sideways too, by less than the penetration in half a
-    # contact: that part of the traction grows as slip gets slower, by its second power.
+    # While a node passes the contact, it also moves sideways, by less than the penetration in half a contact: this part
+    # of the traction grows as the slip decreases, with its inverse square.
     slip = (omega * RADIUS - h.center_speed)[slipping]
     sideways = (h.penetration * omega * RADIUS / h.semi_axis_x)[slipping]
     sideways_share = lacking(h, friction)[slipping]
@@ -89,14 +92,14 @@ def test_a_spinning_ball_catches_up():
     np.testing.assert_allclose(
         -mass * np.diff(h.center_speed[slipping]) / np.diff(time[slipping]), 0.5 * (forces[1:] + forces[:-1]), rtol=1e-4
     )
-    # Until the coating is sheared as far as it can be, the force is less than μP: ∫(1 - F/μP) dt is 0.6 μP/k per speed
-    # of slip for Hertz's pressure on Mindlin's half-space, and 0.9 for (1 - r²/a²)² on a foundation of springs; thin
-    # and incompressible, the coating lies between.
+    # Until the coating is fully sheared, the force is less than μP: ∫(1 - F/μP) dt is 0.6 μP/k per slip speed for
+    # Hertz's pressure on Mindlin's half-space, and 0.9 for (1 - r²/a²)² on a foundation of springs; the thin
+    # incompressible coating is between them.
     delay = 0.3 - np.interp(0.3, time, h.center_speed) / grows
     shear = friction * LOAD / pushed_stiffness(vr.Start.FRESH, friction=friction)
     assert 0.6 < delay / (shear / (omega * RADIUS)) < 0.9
     assert h.center_speed[-1] == pytest.approx(omega * RADIUS, rel=0.05)
-    # The momentum is what all forces have put in, by the trapezoidal rule.
+    # The momentum is the impulse of all forces, by the trapezoidal rule.
     impulse = -trapezoid(h.driving_force, time)
     assert mass * h.center_speed[-1] == pytest.approx(impulse, rel=1e-3)
 
@@ -107,13 +110,14 @@ def test_a_light_center_rolls_freely():
     none = follow(time, time, start=vr.Start.FRESH)
     np.testing.assert_allclose(light.center_way, none.center_way, rtol=0, atol=1e-9 * none.center_way[-1])
     np.testing.assert_allclose(light.driving_torque, none.driving_torque, rtol=0, atol=1e-7 * none.driving_torque.max())
-    # Its speed follows from the ways of the last steps, to second order where the mean over a step is of first order.
+    # The speed follows to second order from the displacements of the last steps; a mean over one step is of first
+    # order.
     assert light.center_speed[-1] == pytest.approx(none.center_speed[-1], rel=1e-2)
 
 
 @pytest.mark.parametrize(("mass", "rel"), [(1e6, 1e-4), (1e9, 1e-7), (1e15, 1e-13)])
 def test_a_heavy_center_goes_as_if_it_was_led(mass, rel):
-    """What it deviates falls with its mass, as far as numbers go."""
+    """The deviation decreases with the mass, down to round-off."""
     time = np.linspace(0.0, 0.3, 31)
     heavy = follow(time, time, mass=mass, center_speed=1.01 * RADIUS)
     led = follow(time, time, center_way=1.01 * RADIUS * time)
@@ -134,7 +138,7 @@ def swing(steps_per_period: int) -> tuple[vr.History, float, float]:
 
 
 def energy_lost_on_a_spring(steps_per_period: int) -> float:
-    """Return what the same steps take from a mass on a spring in two periods, M = k = 1 [-]."""
+    """Return the energy that the same steps remove from a mass on a spring in two periods, M = k = 1 [-]."""
     step = 2.0 * np.pi / steps_per_period
     way, speed, acceleration = 0.0, 1.0, 0.0
     for _ in range(2 * steps_per_period):
@@ -145,7 +149,7 @@ def energy_lost_on_a_spring(steps_per_period: int) -> float:
 
 
 def test_a_mass_on_an_elastic_coating_keeps_its_energy():
-    """It swings with √(k/M): what is kinetic becomes stored and comes back, but for what the steps take."""
+    """It swings with √(k/M): kinetic energy is stored and returned, except for the loss of the time steps."""
     errors, lost = [], []
     for steps in (60, 120):
         h, frequency, energy = swing(steps)
@@ -155,7 +159,7 @@ def test_a_mass_on_an_elastic_coating_keeps_its_energy():
         assert work_on_coating == pytest.approx(h.stored_energy[-1] - h.stored_energy[0], abs=1e-3 * energy)
         lost.append(1.0 - (0.5 * 2.0 * h.center_speed[-1] ** 2 + h.stored_energy[-1] - h.stored_energy[0]) / energy)
     assert errors[1] < 0.02
-    assert 3.0 < errors[0] / errors[1] < 5.0  # of second order
+    assert 3.0 < errors[0] / errors[1] < 5.0  # second order
     assert 0.0 < lost[1] < 0.005
     np.testing.assert_allclose(lost, [energy_lost_on_a_spring(steps) for steps in (60, 120)], rtol=1e-4)
 
@@ -186,7 +190,8 @@ def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
     resisting = trapezoid([one.resisting_torque for one in rolling], [one.time for one in rolling]) / duration
     height = RADIUS - rolling[-1].penetration
     assert mass * slows_down * height == pytest.approx(-resisting, rel=1e-3)
-    # A mesh finer than the lattices, whose average has no bias of one position of the nodes: -13 % at 150 of them.
+    # A mesh finer than the phase-shifted ones, because one position of the nodes biases the average: -13 % at 150
+    # nodes.
     towed = vr.solve(
         BALL, load=LOAD, angular_speed=(rolling[-1].angle - rolling[0].angle) / duration, friction=0.3,
         drive=vr.Drive(torque=0.0), mesh=vr.Mesh(nodes_per_revolution=600), threads=1,
@@ -194,7 +199,7 @@ def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
     assert resisting == pytest.approx(towed.resisting_torque, rel=0.01)
 
 
-# --- a given way ----------------------------------------------------------------------------------------------------
+# --- prescribed displacement of the center ---------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("creepage", [0.0, 0.03])
@@ -211,12 +216,12 @@ def test_a_given_way_ends_in_the_steady_state_of_that_creepage(creepage):
     assert h.energy_balance_error[-1] < 0.02
 
 
-# --- lifting off ----------------------------------------------------------------------------------------------------
+# --- lift-off --------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("compliance", list(vr.Compliance))
 def test_a_lifted_ball_forgets(compliance):
-    """Off the plane nothing works on it, so that it loses what it has stored; pressed again it is as fresh as ever."""
+    """Off the plane, no work is done, so the ball dissipates its stored energy; pressed again, it is fresh."""
     given = {"friction": 0.0, "compliance": compliance, "lattices": 2}
     time = [0.0, 0.1, 0.1, 0.2, 20.0, 20.0]
     h = follow(time, np.linspace(0.0, 0.1, 6), load=[LOAD, LOAD, 0.0, 0.0, 0.0, LOAD], **given)
@@ -235,7 +240,7 @@ def test_a_lifted_ball_forgets(compliance):
 
 
 def test_lifting_off_and_coming_down_while_rolling():
-    """Energy, by a load that falls to zero and rises again, and with it the tables' way around the ball."""
+    """The energy balance holds as the load falls to zero and rises again, while the tables move around the ball."""
     h = vr.roll(
         BALL, time=[0.0, 0.2, 0.3, 0.5, 0.8], angle=[0.0, 0.4, 0.6, 1.0, 1.6], load=[100.0, 0.0, 0.0, 100.0, 100.0],
         mesh=vr.Mesh(nodes_per_revolution=200),
@@ -248,16 +253,16 @@ def test_lifting_off_and_coming_down_while_rolling():
 
 
 def test_a_lifted_center_falls_free():
-    """Off the plane a force accelerates the mass by Q/M, exactly; coming down, the ball skids."""
+    """Off the plane, a force accelerates the mass by Q/M exactly; after landing, the ball skids."""
     time = np.array([0.0, 0.05, 0.1, 0.15, 0.2, 0.2, 0.21])
     load = [LOAD, 0.0, 0.0, 0.0, 0.0, LOAD, LOAD]
     h = follow(time, np.zeros_like(time), load=load, mass=0.5, drive=vr.Drive(force=1.0), friction=1.0)
     speed = h.center_speed
     np.testing.assert_array_equal(h.driving_force[1:5], 0.0)
-    # The acceleration comes to its value by halves, in steps of second order.
+    # The error of the acceleration halves in each step of this second-order method.
     assert np.diff(speed)[2] / 0.05 == pytest.approx(1.0 / 0.5, rel=0.1)
     np.testing.assert_allclose(np.diff(h.center_way)[1:4], [0.05 * v + 0.05**2 for v in speed[1:4]], rtol=1e-12)
-    assert h.center_way[5] == h.center_way[4]  # in no time
+    assert h.center_way[5] == h.center_way[4]  # in zero time
     assert h.center_speed[6] < h.center_speed[5]
 
 
@@ -295,7 +300,8 @@ def test_bad_input(change, message):
 
 
 def test_a_heavy_center_in_a_short_step():
-    # A force of 1e-8 of the inertia is below the round-off of the way, from which it was found: no step had a state.
+    # A force of 1e-8 of the inertia is below the round-off of the displacement, from which it was computed: no step had
+    # a solution.
     soft = vr.Elastic(modulus=1e4)
     ball = vr.CoatedSphere(core_radius=21e-3, layers=[vr.Layer(thickness=2e-3, shear_modulus=soft, poisson_ratio=0.5)])
     plane = vr.CoatedPlane(layers=ball.layers)

@@ -1,4 +1,4 @@
-"""Transient rolling with friction: statics, the energy balance, and the steady state it ends in."""
+"""Transient rolling with friction: statics, the energy balance, and the final steady state."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ BALL = paper.ball(density=0.0)
 
 
 def start(omega: float, turn: float, **options: object) -> vr.History:
-    """Roll at once at a constant speed."""
+    """Roll at constant speed from the start."""
     return vr.roll(BALL, time=[0.0, turn / omega], angle=[0.0, turn], load=100.0, **options)
 
 
-#: Fresh, 0.2 rad/s, μ = 0.3, C_r in full: torques at ψ = 0.05, 0.1, 0.2, 0.4 of the independent program [mN m].
+#: Fresh, 0.2 rad/s, μ = 0.3, full C_r: torques at ψ = 0.05, 0.1, 0.2, 0.4 of the independent program [mN m].
 STARTING_TORQUES = [17.1, 27.25, 30.1, 30.24]
 THEIR_BARS = [0.2, 0.2, 0.15, 0.1]
 
@@ -31,7 +31,7 @@ def starting_torques(nodes: int, steps_per_spacing: int) -> np.ndarray:
 
 
 def test_friction_starts_as_it_should():
-    """The limit of the mesh, by what falls with the square of the spacing from π/100 to π/150."""
+    """Extrapolate to the limit of the mesh from π/100 and π/150; the error falls with the square of the spacing."""
     coarse, fine = starting_torques(200, 4), starting_torques(300, 4)
     limit = fine + (fine - coarse) / (1.5**2 - 1.0)
     assert (np.abs(limit - STARTING_TORQUES) <= THEIR_BARS).all(), limit
@@ -52,7 +52,7 @@ def test_friction_ends_in_the_steady_state(friction, compliance):
     steady = vr.solve(BALL, angular_speed=0.2, **given)
     angle = np.arange(41) * mesh.spacing
     h = vr.roll(BALL, time=angle / 0.2, angle=angle, lattices=1, steps_per_spacing=None, start=vr.Start.FRESH, **given)
-    # Whole nodes, on the same mesh: slip and memory are taken from node to node otherwise than in the steady solver.
+    # Whole nodes on the same mesh: slip and memory move from node to node, unlike in the steady solver.
     assert h.resisting_torque[-1] == pytest.approx(steady.resisting_torque, rel=3e-3)
     assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=3e-3)
     assert h.creepage[-1] == pytest.approx(steady.creepage, abs=3e-4)
@@ -73,7 +73,7 @@ def test_energy_balance_with_friction(compliance):
 @pytest.mark.parametrize("load", [1e-4, 0.1])
 @pytest.mark.parametrize("friction", [0.05, 1.0])
 def test_a_load_that_a_single_node_bears(load, friction):
-    """Hundreds of nodes are guessed to touch where the sphere falls by many penetrations within a spacing."""
+    """The first guess contains hundreds of nodes if the sphere drops by many penetrations within a spacing."""
     mesh = vr.Mesh(nodes_per_revolution=60)
     pressed, smooth = (vr.RollingHistory(BALL, load=load, mesh=mesh, lattices=1, friction=mu) for mu in (friction, 0.0))
     assert np.count_nonzero(pressed.contact.pressure) == 1
@@ -83,7 +83,7 @@ def test_a_load_that_a_single_node_bears(load, friction):
 @pytest.mark.parametrize("lattices", [2, 3, 4])
 @pytest.mark.parametrize(("load", "nodes"), [(5e3, 200), (5e3, 400), (5e4, 200), (5e4, 800)])
 def test_a_roller_is_pressed_with_little_friction(load, nodes, lattices):
-    """On shifted lattices no node rests in the middle: all of them slip."""
+    """On shifted meshes, no node is in the middle, so all nodes slip."""
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)])
     mesh = vr.Mesh(nodes_per_revolution=nodes)
     pressed, smooth = (
@@ -95,7 +95,7 @@ def test_a_roller_is_pressed_with_little_friction(load, nodes, lattices):
 
 @pytest.mark.parametrize("start", vr.Start)
 def test_a_center_stays_where_a_symmetric_contact_slips(start):
-    """All nodes slip outwards, at the same forces wherever the center goes by less than they slip."""
+    """All nodes slip outwards, with the same forces for any displacement of the center below their slip."""
     rubber = one_layer(thickness=10e-3)
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[rubber])
     given = {"mesh": vr.Mesh(nodes_per_revolution=200), "lattices": 2, "start": start, "friction": 0.01}
@@ -110,7 +110,7 @@ def test_a_force_on_the_center():
     pushed = start(0.5, 0.3, drive=vr.Drive(force=5.0), **given)
     free = start(0.5, 0.3, **given)
     np.testing.assert_allclose(pushed.driving_force[1:], 5.0, rtol=1e-6)
-    # Statics: a force pushes where a torque is spared.
+    # Statics: a force replaces part of the torque.
     height = 21e-3 - pushed.penetration[-1]
     np.testing.assert_allclose(
         pushed.driving_torque[-1], pushed.resisting_torque[-1] - 5.0 * height, rtol=1e-6, atol=1e-9
@@ -122,7 +122,8 @@ def test_a_force_on_the_center():
         start(0.5, 0.3, drive=vr.Drive(creepage=0.1), **given)
 
 
-#: Histories whose nodes at the edge of the contact came and went for ever, by a count of their visits [s, rad, N].
+#: Histories whose nodes at the edge of the contact alternated without end, which a count of their changes detects [s,
+#: rad, N].
 UNSETTLED = {
     "the load changes at standstill": {
         "time": [0.0, 0.3, 0.8, 0.812], "angle": [0.0, 0.14, 0.14, 0.14], "load": [100.0, 196.0, 128.0, 175.0],
@@ -141,13 +142,14 @@ def test_little_friction_settles(motion):
     h = vr.roll(BALL, lattices=1, **motion)
     assert np.abs(h.driving_force).max() < 1e-9 * max(motion["load"]), "nothing pushes the center, to the tolerance"
     assert (np.diff(h.slip_energy) > -1e-12 * h.work[-1]).all(), "friction gives nothing back, to round-off"
-    # Of a mesh as coarse as this the steps leave 0.03 and 0.3 % of the energy open.
+    # On a mesh as coarse as this, the steps leave 0.03 and 0.3 % of the energy open.
     assert h.energy_imbalance[-1] == pytest.approx(0.0, abs=1e-2 * h.work[-1])
 
 
 @pytest.mark.parametrize("seed", range(40))
 def test_random_motions_of_little_friction_settle(seed):
-    # Slips that turned round from step to step, past the rest between, left 31 of the first 200 without a state.
+    # Slips that reversed in each step, past the state of rest between, left 31 of the first 200 motions without a
+    # solution.
     draw = np.random.default_rng([77, seed])
     pieces = draw.integers(3, 6)
     time = np.cumsum([0.0, *10.0 ** draw.uniform(-2.0, 0.0, pieces)])
@@ -159,7 +161,8 @@ def test_random_motions_of_little_friction_settle(seed):
 
 
 def test_a_load_that_no_friction_helps_to_support_is_refused_as_such():
-    # Both contacts span 60 degrees without friction. 'stick and slip did not settle' blamed the friction.
+    # Without friction, both contacts span 60 degrees. The old message, 'stick and slip did not settle', blamed the
+    # friction.
     stiff = vr.Layer(thickness=12e-3, shear_modulus=vr.Elastic(modulus=4.5e7), poisson_ratio=-0.98)
     ball = vr.CoatedSphere(core_radius=25e-3, layers=[stiff])
     with pytest.raises(ValueError, match="load must be small enough for the coating"):

@@ -1,4 +1,4 @@
-"""What holds of every pair on any mesh, and that each becomes as steady as the steady solver has it."""
+"""Relations that hold for every pair on any mesh, and the final steady state of each."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ EARTH = vr.HalfSpace(
     shear_modulus=vr.StandardLinearSolid(instantaneous_modulus=2e7, relaxed_modulus=1e7, relaxation_time=0.05),
     poisson_ratio=0.4,
 )
-#: Of a bulk modulus, over an elastic one.
+#: A layer with a bulk modulus, on an elastic one.
 THICK = [one_layer(vr.Elastic(modulus=3e6), thickness=4e-3), one_layer(thickness=6e-3, bulk_modulus=2e7)]
 TREAD = [one_layer(SOFTER, thickness=4e-3), one_layer(thickness=6e-3)]
 
-#: What rolls, on what, under which load [N or N/m], on how many nodes a revolution for a steady state within 0.2 %.
+#: Rolling body, counterbody, load [N or N/m], and nodes per revolution for a steady state within 0.2 %.
 PAIRS = {
     "ball on mat": (STEEL, MAT, 100.0, 300),
     "soft ball on mat": (BALL, SOFT_MAT, 100.0, 300),
@@ -55,7 +55,7 @@ EVERY = pytest.mark.parametrize(("body", "on", "load", "nodes"), PAIRS.values(),
 
 
 def force_balance(h, curvature):
-    """Return ∫(M/R) ds + ∫P dd - ΔE - D per D, from the series alone."""
+    """Return ∫(M/R) ds + ∫P dd - ΔE - D per D, computed from the series alone."""
     relative = 1.0 / h.ball.outer_radius + curvature
 
     def integral(force, way):
@@ -73,14 +73,14 @@ def curvature_of(on):
 
 @EVERY
 def test_ends_as_the_steady_solver_has_it(body, on, load, nodes):
-    """So are what each body loses, from its own memory, and the mean moment, whose work is what is stored and lost."""
+    """Each body's loss also agrees, from its own memory, and the mean moment, whose work is stored and dissipated."""
     omega, turn = 2.5, 1.4
     h = vr.roll(
         body, on=on, time=[0.0, turn / omega], angle=[0.0, turn], load=load,
         mesh=vr.Mesh(nodes_per_revolution=nodes),
     )  # fmt: skip
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", vr.ResultWarning)  # of strains and sides
+        warnings.simplefilter("ignore", vr.ResultWarning)  # large strains, and sides
         r = vr.solve(body, on=on, load=load, angular_speed=omega, accuracy=2e-3)
     last = h.angle > 0.7 * turn
     gained = h.dissipated_energy + h.stored_energy
@@ -89,12 +89,13 @@ def test_ends_as_the_steady_solver_has_it(body, on, load, nodes):
     of_counterpart = np.ptp(counterpart[last]) / np.ptp(h.time[last])
     assert power == pytest.approx(r.bulk_power, rel=2e-3)
     assert of_counterpart == pytest.approx(r.counterpart_bulk_power, rel=2e-3)
-    assert h.resisting_torque[last].mean() == pytest.approx(r.resisting_torque, rel=4e-3)  # the lattices' noise
+    # noise of the phase-shifted meshes
+    assert h.resisting_torque[last].mean() == pytest.approx(r.resisting_torque, rel=4e-3)
     assert h.penetration[-1] == pytest.approx(r.penetration, rel=3e-3)
     assert force_balance(h, curvature_of(on)) < 1e-3
 
 
-#: Of which "wheel on mat" is enough.
+#: Tests in which "wheel on mat" represents these pairs.
 WHEELS = {"wheel", "wheel on wheel", "wheel of unlike layers"}
 
 
@@ -121,7 +122,7 @@ def test_start_elsewhere_changes_nothing(pair):
                 lattices=1)
         for s in (0, -1000007)
     )  # fmt: skip
-    # The place of a node a million spacings away keeps ten digits.
+    # The position of a node a million spacings away has ten digits.
     np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-8 * a.resisting_torque.max())
 
 
@@ -139,7 +140,7 @@ def test_a_term_split_in_two_is_the_same():
 
 
 def test_standing_follows_lee_and_radok():
-    """Where contact grows, the approach is that of an elastic mat under the load ∫J dP, in units of G₀."""
+    """While the contact grows, the approach is that of an elastic mat under the load ∫J dP, in units of G₀."""
     mesh = vr.Mesh(nodes_per_revolution=100)
     h = vr.roll(STEEL, on=MAT, time=[0.0, 0.5], way=[0.0, 0.0], load=100.0, start=vr.Start.FRESH, mesh=mesh, lattices=1)
     stiff = vr.CoatedPlane(layers=[one_layer(vr.Elastic(modulus=6e6))])
@@ -157,7 +158,7 @@ def test_long_after_a_stop_it_is_as_pressed_for_ever(pair):
     way = round(20e-3 / (21e-3 * options["mesh"].spacing)) * 21e-3 * options["mesh"].spacing  # whole nodes
     h = vr.roll(body, time=[0.0, 0.4, 10.4], way=[0.0, way, way], load=load, **options)
     still = vr.RollingHistory(body, load=load, way=way, **options)
-    assert h.penetration[-1] == pytest.approx(still.now.penetration, rel=1e-9)  # e^(-40) is left
+    assert h.penetration[-1] == pytest.approx(still.now.penetration, rel=1e-9)  # e^(-40) remains
     assert abs(h.resisting_torque[-1]) < 1e-9 * h.resisting_torque.max()
 
 
@@ -169,8 +170,8 @@ def test_elastic_moment_has_mean_zero():
         for place in np.arange(32) / 32
     ]
     size = np.sqrt(np.mean(np.square(torque)))
-    assert size > 1e-4  # the staircase is there
-    assert abs(np.mean(torque)) < 1e-2 * size  # 32 places alias some of its harmonics
+    assert size > 1e-4  # the discrete nodes have an effect
+    assert abs(np.mean(torque)) < 1e-2 * size  # sampling at 32 positions aliases some harmonics
     h = vr.roll(STEEL, on=mat, time=[0.0, 1.0], way=[0.0, 0.05], load=100.0, mesh=mesh)
     assert abs(h.dissipated_energy[-1]) < 1e-12
 
@@ -190,7 +191,7 @@ def test_a_saved_state_goes_on_to_the_last_bit(body, on, load, nodes):
 
 @pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft roller on roller", "ball of unlike layers"])
 def test_an_interrupted_motion_goes_on_to_the_last_bit(pair):
-    """Ctrl-C in the middle of a stretch between knots, whose steps are not to be divided anew."""
+    """Ctrl-C within a segment between waypoints, whose steps must not be divided again."""
     body, on, load, nodes = PAIRS[pair]
     options = {"on": on, "mesh": vr.Mesh(nodes_per_revolution=nodes), "lattices": 1}
     motion = {"time": [0.0, 2.4, 2.6, 2.8], "angle": [0.0, 6.0, 6.0, 5.7], "load": [load, load, 0.8 * load, load]}
@@ -204,13 +205,13 @@ def test_an_interrupted_motion_goes_on_to_the_last_bit(pair):
         stepper._history.roll(**motion, center_way=[], progress=stop)
     rest = vr.roll(body, **motion, **options, start=stepper.state)
     whole = vr.roll(body, **motion, **options)
-    assert 0.0 < rest.time[0] < 2.4  # no knot
+    assert 0.0 < rest.time[0] < 2.4  # not a waypoint
     for name in ("time", "angle", "resisting_torque", "penetration", "stored_energy", "dissipated_energy", "work"):
         np.testing.assert_array_equal(getattr(rest, name), getattr(whole, name)[-len(rest.time) :], err_msg=name)
 
 
 def test_a_dish_is_rolled_around_no_faster_than_it_forgets():
-    """Its track closes on itself 1.26 m on, and remembers for 14 retardation times of 0.08 s."""
+    """Its track closes after 1.26 m and remembers for 14 retardation times of 0.08 s."""
     body, on, load, _ = PAIRS["soft ball in dish"]
     options = {"on": on, "load": load, "mesh": vr.Mesh(nodes_per_revolution=60), "lattices": 1}
     with pytest.raises(
@@ -218,13 +219,13 @@ def test_a_dish_is_rolled_around_no_faster_than_it_forgets():
     ):
         vr.roll(body, time=[0.0, 0.7], way=[0.0, 1.4], **options)
     slowly = vr.roll(body, time=[0.0, 2.8], way=[0.0, 1.4], **options)
-    assert slowly.energy_balance_error[-1] < 1e-2  # a coarse mesh
-    rigid = vr.Groove(radius=on.radius, path_radius=on.path_radius)  # remembers nothing
+    assert slowly.energy_balance_error[-1] < 1e-2  # coarse mesh
+    rigid = vr.Groove(radius=on.radius, path_radius=on.path_radius)  # no memory
     vr.roll(body, time=[0.0, 0.7], way=[0.0, 1.4], **options | {"on": rigid})
 
 
 def test_a_ball_lifts_off_in_one_dish_place_and_lands_in_another():
-    """At load 0 there is no moment, and in the new place the dish is as good as new."""
+    """At load 0 there is no moment, and at the new position the dish is undeformed."""
     dish = vr.Groove(radius=0.2, path_radius=0.2, layers=MAT.layers)
     options = {"on": dish, "mesh": vr.Mesh(nodes_per_revolution=100), "lattices": 1}
     stepper = vr.RollingHistory(STEEL, load=100.0, **options)
@@ -280,7 +281,7 @@ def test_bad_input(change, message):
 
 
 def test_a_close_rigid_groove_balances():
-    # The slope of the gap is the moment arm of the pressure: 2e-3 is the mesh's, 0.15 was left open without that.
+    # The slope of the gap is the moment arm of the pressure: the mesh leaves 2e-3; otherwise, 0.15 was open.
     groove = vr.Groove(radius=23e-3, path_radius=23e-3)
     h = vr.roll(
         BALL, on=groove, time=[0.0, 0.1], angle=[0.0, 0.25], load=[100.0, 100.0],

@@ -1,6 +1,7 @@
-"""Rollers start and stop: values per length of an independent program, on 500, 1 000 and 2 000 nodes a revolution.
+"""Rollers start and stop: values per length of an independent program, with 500, 1000 and 2000 nodes per revolution.
 
-Here 1 000 nodes, four lattices: within 0.1 % of forces that rise or fall, the noise of the lattices, and 3e-4 mm.
+These tests use 1000 nodes and four phase-shifted meshes: within 0.1 % of forces that rise or fall, which is the noise
+of the meshes, and 3e-4 mm.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ def test_out_of_the_flat_spot():
     h = turned(1.0, 1.0)
     assert h.penetration[0] * MILLI == pytest.approx(0.27500, abs=5e-5)
     assert h.resisting_torque.max() == pytest.approx(6.3035, rel=1e-3)
-    assert h.angle[h.resisting_torque.argmax()] == pytest.approx(0.0572, abs=0.0016)  # a step
+    assert h.angle[h.resisting_torque.argmax()] == pytest.approx(0.0572, abs=0.0016)  # one step
     found = np.interp([0.05, 0.1, 0.2, 0.3], h.angle, h.resisting_torque)
     np.testing.assert_allclose(found, [6.2486, 5.157, 2.7743, 2.429], rtol=1e-3)
     np.testing.assert_allclose(h.driving_torque, h.resisting_torque, rtol=1e-9, atol=1e-12)  # on a rigid plane
@@ -47,14 +48,14 @@ def test_pressed_on_in_no_time():
 
 @pytest.mark.parametrize(("omega", "torque", "bar"), [(0.1, 2.8063, 2.5e-3), (1.0, 2.4563, 1e-3), (10.0, 0.2886, 1e-3)])
 def test_steady(omega, torque, bar):
-    """The bar of the limit is 4e-4. At 10 rad/s half a turn is as long as λ, and the flat spot is still ahead."""
+    """The error bar of the limit is 4e-4. At 10 rad/s, half a turn takes λ, and the flat spot has not returned yet."""
     h = turned(omega, 2.0)
     assert steady(h.resisting_torque, h.angle, 1.2) == pytest.approx(torque, abs=bar)
     assert h.energy_balance_error[-1] < 1e-3
 
 
 def test_on_a_soft_plane():
-    """With the gap of its circle at its own nodes; that of a parabola has 10.442 and 9.051 N, terms of (a/R)² apart."""
+    """The gap is that of the circle at its nodes; a parabola gives 10.442 and 9.051 N, which differ by (a/R)²."""
     angle, moment = reference.start(1000, "circle")
     plane = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=10e-3)])
     h = turned(1.0, 1.5, on=plane, lattices=2)
@@ -70,7 +71,7 @@ def test_on_a_soft_plane():
 
 
 def test_a_half_plane_is_hunters():
-    """Any datum serves: nothing rests, and no approach is told. Hunter's steady moment is 4.26712 N."""
+    """A half-plane has no reference height, so no approach is reported. Hunter's steady moment is 4.26712 N."""
     rigid = vr.CoatedCylinder(core_radius=50e-3)
     ground = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5))
     h = turned(1.0, 1.5, body=rigid, on=ground)
@@ -86,7 +87,7 @@ def test_a_half_plane_is_hunters():
 
 
 def test_two_alike_are_one_on_the_plane():
-    """Each has the other's mirror image for a plane: the same moment, twice the approach, and each pays for itself."""
+    """The mirror plane acts as a rigid plane: equal moment, twice the approach, and each body supplies its own loss."""
     one, two = (turned(1.0, 0.4, on=on, lattices=1) for on in (None, ROLLER))
     np.testing.assert_allclose(two.resisting_torque, one.resisting_torque, rtol=0, atol=1e-8)
     np.testing.assert_allclose(two.penetration, 2.0 * one.penetration, rtol=1e-8)

@@ -1,4 +1,4 @@
-"""Wheels whose treads end at free faces: what rolls steadily, slowly, there and back, once around, and stands."""
+"""Wheels whose treads end at free faces: steady and slow rolling, back and forth, one turn, and standing."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from viscoroll.case.motion import load_motion
 
 SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
 TREAD = one_layer(thickness=10e-3)
-#: Half as thick each, the inner one twice as stiff at every frequency, or of other times.
+#: Layers of half the thickness; the inner one is twice as stiff at every frequency, or has other relaxation times.
 LIKE = vr.StandardLinearSolid(instantaneous_modulus=12e6, relaxed_modulus=6e6, relaxation_time=0.125)
 TWO_LIKE, TWO_UNLIKE = (
     [one_layer(inner, thickness=5e-3), one_layer(thickness=5e-3)] for inner in (LIKE, SOFTER)
@@ -25,7 +25,7 @@ CROWNED = replace(FLAT, crown_radius=0.1)
 NARROW = replace(FLAT, width=8e-3)
 MAT = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=5e-3)])
 
-#: What rolls, on what, under which load [N], and the least by which the torque of endless sides differs.
+#: Rolling body, counterbody, load [N], and the least relative difference of the torque with endless sides.
 WHEELS = {
     "flat": (FLAT, None, 300.0, 0.1),
     "flat, of two like layers": (replace(FLAT, layers=TWO_LIKE), None, 300.0, 0.1),
@@ -40,7 +40,7 @@ WHEELS = {
 EVERY = pytest.mark.parametrize(
     ("body", "on", "load", "apart"),
     [
-        # Sections and orders of unlike layers are solved around all their times, and by the steady solver once more.
+        # Sections and orders of dissimilar layers are solved for all their times, and again by the steady solver.
         pytest.param(*wheel, id=name, marks=[pytest.mark.slow] if "unlike" in name else [])
         for name, wheel in WHEELS.items()
     ],
@@ -54,15 +54,15 @@ def endless(body):
 
 def solved(body, on, **case):
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", vr.ResultWarning)  # of strains, sides and edges
+        warnings.simplefilter("ignore", vr.ResultWarning)  # large strains, sides and edges
         return vr.solve(body, on=on, **case)
 
 
 @EVERY
 def test_ends_as_the_steady_solver_has_it(body, on, load, apart):
-    """With free sides, which are another matter than endless ones; by the work that is stored and lost, and the depth.
+    """Free sides agree, and differ from endless ones; the work stored and dissipated and the penetration are compared.
 
-    At 400 nodes a revolution the history has left 7e-4 of its limit, the steady solver as much at its accuracy.
+    At 400 nodes per revolution, the history differs from its limit by 7e-4, and the steady solver by as much.
     """
     omega, turn, mesh = 2.5, 1.4, vr.Mesh(nodes_per_revolution=400)
     h = vr.roll(body, on=on, time=[0.0, turn / omega], angle=[0.0, turn], load=load, mesh=mesh)
@@ -75,14 +75,14 @@ def test_ends_as_the_steady_solver_has_it(body, on, load, apart):
     assert h.penetration[-1] == pytest.approx(r.penetration, rel=2e-3)
     assert abs(r.resisting_torque / far.resisting_torque - 1.0) > apart
     assert h.energy_balance_error[-1] < 1e-3
-    assert np.diff(h.dissipated_energy).min() >= 0.0  # in no step of any
+    assert np.diff(h.dissipated_energy).min() >= 0.0  # in no step
 
 
 @pytest.mark.parametrize("body", [FLAT, CROWNED, NARROW], ids=["flat", "crowned", "narrow"])
 def test_low_speed_law(body):
-    """T = P Ω r_o τ, whatever the tread: forces of the elastic contact that move on do the work of its way.
+    """T = P Ω r_o τ for any tread: the forces of the elastic contact do the work of its travel.
 
-    A spacing of 2 mm in 32 steps leaves 1 to 2 %, for nodes come and go within steps; 5 % in 4 steps.
+    A spacing of 2 mm in 32 steps has an error of 1 to 2 %, because nodes join and leave within steps; in 4 steps, 5 %.
     """
     load, omega, turn = 100.0, 1e-3, 0.3
     h = vr.roll(
@@ -107,7 +107,7 @@ def test_mirrored_motion_has_mirrored_torque(body):
 
 
 def test_standing_follows_lee_and_radok():
-    """Where contact grows, the approach is that of an elastic tread under the load ∫J dP, in units of G₀."""
+    """While the contact grows, the approach is that of an elastic tread under the load ∫J dP, in units of G₀."""
     h = vr.roll(FLAT, time=[0.0, 0.5], angle=[0.0, 0.0], load=200.0, start="fresh", mesh=COARSE, lattices=1)
     stiff = replace(FLAT, layers=[one_layer(vr.Elastic(modulus=6e6), thickness=10e-3)])
     for i in (0, len(h.time) // 2, -1):
@@ -119,7 +119,7 @@ def test_standing_follows_lee_and_radok():
 
 @pytest.mark.parametrize("body", [FLAT, CROWNED], ids=["flat", "crowned"])
 def test_elastic_wheels_are_those_of_the_steady_solver(body):
-    """On the same nodes: that influence is made symmetric, and ends with its tables, changes 2e-6 of the depth."""
+    """On the same nodes, symmetrized influence and truncated tables change the penetration by 2e-6."""
     wheel = replace(body, layers=[one_layer(vr.Elastic(modulus=3e6), thickness=10e-3)])
     mesh = vr.Mesh(nodes_per_revolution=300)
     depth = vr.RollingHistory(wheel, load=300.0, mesh=mesh, lattices=1).now.penetration
@@ -128,7 +128,7 @@ def test_elastic_wheels_are_those_of_the_steady_solver(body):
 
 
 def test_a_flat_spot_returns_each_turn():
-    """λ = 10 s: peaks once a turn, which fade by e^(-2π/(Ωλ)) each."""
+    """λ = 10 s: one peak per turn, which decays by e^(-2π/(Ωλ)) each turn."""
     slow = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=5.0)
     wheel, omega = replace(FLAT, layers=[one_layer(slow, thickness=10e-3)]), 2.5
     h = vr.roll(wheel, time=[0.0, 8 * np.pi / omega], angle=[0.0, 8 * np.pi], load=200.0, mesh=COARSE)
@@ -140,7 +140,7 @@ def test_a_flat_spot_returns_each_turn():
 
 @pytest.mark.parametrize(("body", "friction"), [(CROWNED, 0.0), (FLAT, 0.3)], ids=["crowned", "with friction"])
 def test_a_saved_state_goes_on_to_the_last_bit(body, friction):
-    """Through a jump and in the air."""
+    """The motion includes a jump and a lift-off."""
     options = {"load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=80), "lattices": 2, "friction": friction}
     whole = vr.RollingHistory(body, **options)
     whole.advance(time=0.05, angle=0.1, load=100.0)
@@ -152,7 +152,7 @@ def test_a_saved_state_goes_on_to_the_last_bit(body, friction):
 
 
 def test_a_rising_load_widens_the_tables():
-    """Of a crowned wheel until it reaches the faces, which a history begun under that load has from the first."""
+    """A crowned wheel that reaches its faces agrees with a history that begins under the final load."""
     h = vr.roll(
         CROWNED, time=[0.0, 1.0, 6.0], angle=[0.0, 0.5, 0.5], load=[10.0, 900.0, 900.0], mesh=COARSE, lattices=1
     )
@@ -167,14 +167,18 @@ def test_a_state_of_endless_sides_is_refused():
     state = vr.RollingHistory(endless(FLAT), **options).state
     with pytest.raises(ValueError, match=r"start must be a state of .*sides=FREE.*, got one of .*sides=ENDLESS"):
         vr.RollingHistory(FLAT, **options, start=state)
-    unnamed = vr.RollingState(state.numbers)  # the core compares the influence of both treads
+    # the core compares the influence of both treads
+    unnamed = vr.RollingState(state.numbers)
     with pytest.raises(ValueError, match="start must be a state of the same ball and mesh"):
         vr.RollingHistory(FLAT, **options, start=unnamed)
 
 
 @pytest.mark.parametrize("drive", [{}, {"drive": vr.Drive(torque=0.0)}], ids=["free", "towed"])
 def test_with_friction_it_ends_as_the_steady_solver_has_it(drive):
-    """At 200 nodes a revolution the history has left 4e-3, at 600 the steady solver, of first order along x, 2e-3."""
+    """The history with 200 nodes per revolution has an error of 4e-3, and the steady solver with 600 one of 2e-3.
+
+    The steady solver is of first order along x.
+    """
     omega, turn = 2.5, 1.4
     options = {"load": 300.0, "friction": 0.3} | drive
     h = vr.roll(FLAT, time=[0.0, turn / omega], angle=[0.0, turn], mesh=vr.Mesh(nodes_per_revolution=200), **options)

@@ -1,4 +1,4 @@
-"""Layers with relaxation functions of their own: at every order they creep by other times."""
+"""Layers with different relaxation functions, which have other creep times at every order."""
 
 from __future__ import annotations
 
@@ -27,22 +27,22 @@ def mesh(nodes):
 
 
 def test_first_turn_is_that_of_an_independent_program():
-    """Plain NumPy, in the limit of π/150, π/250, π/350: the depth to 1e-7 m, the maximum to 0.05 mN m, at 1.385 mm."""
+    """Plain NumPy in the limit of π/150, π/250, π/350: depth to 1e-7 m, maximum to 0.05 mN m, at 1.385 mm."""
     h = vr.roll(STEEL, on=MAT, time=[0.0, 0.04], way=[0.0, 2.1e-3], load=100.0, mesh=mesh(300))
     assert h.penetration[0] == pytest.approx(0.2384e-3, rel=5e-4)
-    assert h.resisting_torque.max() == pytest.approx(76.94e-3, rel=2e-3)  # the mesh takes 1e-3
-    assert h.way[h.resisting_torque.argmax()] == pytest.approx(1.385e-3, abs=0.03e-3)  # a step is 0.11 mm
+    assert h.resisting_torque.max() == pytest.approx(76.94e-3, rel=2e-3)  # error of the mesh 1e-3
+    assert h.way[h.resisting_torque.argmax()] == pytest.approx(1.385e-3, abs=0.03e-3)  # one step is 0.11 mm
 
 
 def test_a_ball_at_rest_is_that_of_zonal_harmonics():
-    """Whose limit is 0.24343 mm."""
+    """The limit of zonal harmonics is 0.24343 mm."""
     expected = pressed_depth(20e-3, [(0.5e-3, 1e6), (0.5e-3, 3e6)], 100.0, rings=50)
     still = vr.RollingHistory(BALL, load=100.0, mesh=mesh(500), lattices=4)
-    assert still.now.penetration == pytest.approx(expected, rel=5e-4)  # the mesh takes 4e-4
+    assert still.now.penetration == pytest.approx(expected, rel=5e-4)  # error of the mesh 4e-4
 
 
 def test_more_times_change_little():
-    """The choice of times stands for every order, and the more so the smaller the tolerance."""
+    """The chosen times represent every order, better for smaller tolerances."""
     torques = []
     for tolerance in (1e-2, 1e-5):
         h = vr.roll(
@@ -56,7 +56,7 @@ def test_more_times_change_little():
 
 
 def test_layers_told_apart_by_next_to_nothing_are_one():
-    """A time that is longer by 2e-5 is enough not to creep alike."""
+    """A time longer by 2e-5 is enough to make the layers dissimilar."""
     other = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125 * (1 + 2e-5))
     two = vr.CoatedSphere(core_radius=20e-3, layers=[one_layer(m, thickness=0.5e-3) for m in (other, RUBBER)])
     a, b = (vr.roll(ball, **STEPS) for ball in (two, coated_ball()))
@@ -66,7 +66,7 @@ def test_layers_told_apart_by_next_to_nothing_are_one():
 
 
 def test_a_bulk_modulus_makes_one_layer_creep_by_its_orders():
-    """Next to none it is Poisson's ratio that is left: 3 K = 2 mu (1 + nu) / (1 - 2 nu), whatever mu, with nu = 1/2."""
+    """For a large K, it equals a layer with Poisson's ratio 1/2, since 3 K = 2 mu (1 + nu) / (1 - 2 nu) for any mu."""
     stiff, soft, none = (
         vr.roll(coated_ball(**kind), **STEPS)
         for kind in ({"bulk_modulus": 1e13}, {"bulk_modulus": 2e7}, {"poisson_ratio": 0.5})
@@ -80,7 +80,7 @@ def test_friction_ends_as_the_steady_solver_has_it():
     omega = 2.5
     h = vr.roll(BALL, time=[0.0, 0.4], angle=[0.0, 0.4 * omega], load=100.0, friction=0.3, mesh=mesh(200), lattices=2)
     r = vr.solve(BALL, load=100.0, angular_speed=omega, friction=0.3, mesh=mesh(800))
-    assert h.resisting_torque[h.angle > 0.8].mean() == pytest.approx(r.resisting_torque, rel=2e-2)  # a coarse mesh
+    assert h.resisting_torque[h.angle > 0.8].mean() == pytest.approx(r.resisting_torque, rel=2e-2)  # coarse mesh
 
 
 def random_layers(rng):
@@ -98,7 +98,7 @@ def random_layers(rng):
 
 @pytest.mark.parametrize("seed", range(8))
 def test_no_step_gains_energy(seed):
-    """Weights of common times may be negative; what a step loses is not. Of 96 stacks the least was 3e-8 of all."""
+    """Weights of common times may be negative, but no step gains energy: of 96 stacks, the least loss was 3e-8."""
     plane = vr.CoatedPlane(layers=random_layers(np.random.default_rng(seed)))
     h = vr.roll(
         STEEL, on=plane, time=[0.0, 0.02, 0.5, 0.9, 1.0], way=[0.0, 4e-3, 0.8e-3, 0.8e-3, 6e-3],

@@ -1,4 +1,4 @@
-"""The library in WebAssembly: the same numbers and messages as natively, from the same tables."""
+"""The library in WebAssembly gives the same numbers and messages as the native one, from the same tables."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ pytestmark = [
     pytest.mark.skipif(not PACKAGE.exists(), reason="needs build/wasm, which `make wasm` makes"),
 ]
 
-#: Relative. Compilers and transforms differ, and with them the round-off of sums: by 3e-13 of these cases.
+#: Relative tolerance. Compilers and transforms differ, and so the round-off of sums: 3e-13 in these cases.
 EQUAL = 1e-9
 
-#: Bytes of a script, as servers send it.
+#: Largest size of the script as servers send it [B].
 MOST_TO_DOWNLOAD = 700e3
 
 RUBBER = {
@@ -58,7 +58,7 @@ def layer(shear_modulus=RUBBER, *, thickness=1e-3, **others):
 
 
 BALL = {"core_radius": 20e-3, "layers": [layer(poisson_ratio=0.5, density=1000.0)]}
-#: The elements of a tread that ends in faces have a round-off of 1e-9 themselves where it is incompressible.
+#: For an incompressible tread that ends in faces, the elements themselves have a round-off of 1e-9.
 TREAD = layer(thickness=10e-3, poisson_ratio=0.49)
 WHEEL = {"core_radius": 40e-3, "layers": [TREAD], "width": 30e-3, "crown_radius": 300e-3}
 
@@ -127,7 +127,7 @@ CASES = {
     "ball on a ball": case(ball=BALL, other_ball={"core_radius": 15e-3, "layers": [layer(PRONY)]}),
 }
 
-#: What has to be wrong about a case, and what is said of it.
+#: Faults of cases.
 BAD = {
     "a load that is none": case(ball=BALL, load=-100.0),
     "a load too large": case(ball=BALL, load=1e5),
@@ -160,7 +160,7 @@ BAD = {
 
 
 def answers(requests, way="module"):
-    """Return what node says to requests, and the table of scalars."""
+    """Return the answers of node to requests, and the table of scalars."""
     runner = ROOT / "tests" / "wasm" / "answers.mjs"
     done = subprocess.run(
         ["node", str(runner), str(PACKAGE), way], input=json.dumps(requests), capture_output=True, encoding="utf-8"
@@ -171,18 +171,18 @@ def answers(requests, way="module"):
 
 @pytest.fixture(scope="module")
 def of_wasm():
-    """All answers by names. One process, which takes some seconds: the module is compiled while it solves."""
+    """Return all answers by name, from one process that takes some seconds: the module is compiled while it solves."""
     requests = {name: {"case": tables, "fields": True} for name, tables in CASES.items()}
     requests |= {name: {"case": tables} for name, tables in BAD.items()}
     return dict(zip(requests, answers(list(requests.values()))["answers"], strict=True))
 
 
-#: Scalars that are differences of what is of the size of 1.
+#: Scalars that are differences of numbers of the size of 1.
 DIFFERENCES = {"power_balance_error", "error_estimate", "residual", "creepage"}
 
 
 def size_of(scalar, native):
-    """Return beside what the round-off of a scalar that nearly vanishes is to be seen: 0 where none does."""
+    """Return the size to which the round-off of a scalar that may vanish is relative, or 0 for other scalars."""
     torque = native.load * native.semi_axis_x
     sizes = {"N": native.load, "N m": torque, "W": torque * native.angular_speed}
     return 1.0 if scalar.name in DIFFERENCES else sizes.get(scalar.unit, 0.0)
@@ -266,7 +266,7 @@ def test_pages_and_workers_get_the_same(way, of_wasm):
 
 
 def test_what_json_cannot_say():
-    """JavaScript's Infinity goes as the text that it is in case files."""
+    """JavaScript's Infinity is sent as the text of case files."""
     stuck = case(600, ball=BALL, friction=float("inf"))
     told = case(600, ball=BALL, friction="inf")
     found, refused = answers([{"case": told}, {"case": case(ball=BALL, load="nan")}])["answers"]

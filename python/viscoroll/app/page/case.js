@@ -1,14 +1,14 @@
 /**
- * What was typed, and the case that it describes.
+ * The state of the form, and the case that it describes.
  *
- * A state holds numbers as they were typed, with their units, [20, "mm"], of everything that the form can show. A case
- * has the tables and keys of a case file, as JSON in SI units: what solvers take.
+ * A state holds the numbers of all fields of the form, as the user typed them, with their units, such as [20, "mm"]. A
+ * case has the tables and keys of a case file, as JSON in SI units; it is the input of the solvers.
  */
 
 import { KINDS, kindOf, newLayer } from "./materials.js";
 import { fromSI, tidy, toSI } from "./units.js";
 
-/** The example of the README. */
+/** State for the example of the README. */
 export function initialState() {
   return {
     body: "ball",
@@ -33,14 +33,14 @@ export function initialState() {
     compliance: "radial",
     curvature: "sphere",
     accuracy: 0.01,
-    numerics: {}, // what else a case file has of them
+    numerics: {}, // other keys of this table in a case file
   };
 }
 
 /** Whether load and results are per length. */
 const isLine = (state) => state.body === "cylinder";
 
-/** Quantities of the numbers of a state; those of its layers are of their kinds. */
+/** Quantity of a number of the state; the kinds of materials define the quantities of their numbers. */
 export function quantity(name, state) {
   const line = isLine(state);
   return {
@@ -58,14 +58,14 @@ export function quantity(name, state) {
   }[name];
 }
 
-/** What lies around the core; a ball that is solid has none. */
+/** Whether the body has a core; a solid ball has none. */
 const hasCore = (state) => state.body !== "ball" || state.inner_boundary !== "solid";
 
 function thickness(state) {
   return state.layers.reduce((sum, layer) => sum + toSI(layer.thickness, "length"), 0);
 }
 
-/** Outer radius [m]. */
+/** Outer radius of the body [m]. */
 export function outerRadius(state) {
   const size = toSI(state.size, "length");
   if (!hasCore(state)) return thickness(state);
@@ -82,10 +82,10 @@ export function coreRadius(state) {
 /** Angular speed [rad/s]. */
 const angularSpeed = (state) => toSI(state.speed, "speed", outerRadius(state));
 
-/** What rolls, by its tables in a case file. */
+/** Names of the rolling bodies, by their tables in a case file. */
 export const BODIES = { ball: "ball", cylinder: "roller", wheel: "wheel" };
 
-/** What each rolls on. */
+/** Names of the counterbodies that the form offers for a body. */
 export function groundsOf(body) {
   return {
     rigid: "rigid plane",
@@ -97,8 +97,8 @@ export function groundsOf(body) {
 }
 
 /**
- * The same state with another body. Wheels and rollers are bought by their diameter; loads per length and of the whole
- * have no common number.
+ * The same state with another body. The size of wheels and rollers is given by the outer diameter, as in catalogs. Load
+ * and drive are reset if they change between total values and values per length.
  */
 export function withBody(state, body) {
   const on = state.on in groundsOf(body) ? state.on : "rigid";
@@ -108,7 +108,7 @@ export function withBody(state, body) {
   return { ...next, load: [isLine(next) ? 2 : 100, load], force: [0, force], torque: [0, torque] };
 }
 
-/** The same size, given by the other number. */
+/** The same state with the size given by core radius or outer diameter. */
 export function sizedBy(state, given) {
   const meters = given === "core_radius" ? coreRadius(state) : 2 * outerRadius(state);
   return given === state.given ? state : { ...state, given, size: fromSI(meters, "mm", "length") };
@@ -178,7 +178,7 @@ function rollingTable(state) {
     angular_speed: angularSpeed(state),
     friction: state.friction,
   };
-  if (state.friction === 0) return rolling; // nothing can drive it
+  if (state.friction === 0) return rolling; // without friction there is no drive
   return { ...rolling, drive: { [state.drive]: toSI(state[state.drive], quantity(state.drive, state)) } };
 }
 
@@ -188,7 +188,7 @@ function numericsTable(state) {
 }
 
 /**
- * The state that shows a case, with what the form cannot show in words.
+ * The state of the form for a case, and the names of the keys that the form does not have.
  * @returns {{state: object, left: string[]}}
  */
 export function stateOf(tables) {
@@ -259,7 +259,7 @@ function readNumerics(state, { accuracy = 0.01, compliance = "radial", curvature
     curvature,
     numerics: Object.fromEntries(entries.filter((one) => !isOfMesh(one))),
   });
-  left.push(...entries.filter(isOfMesh).map(([name]) => `numerics.${name}`)); // the page has meshes of its own
+  left.push(...entries.filter(isOfMesh).map(([name]) => `numerics.${name}`)); // the page chooses the meshes
 }
 
 function layersOf({ layers = [] }) {

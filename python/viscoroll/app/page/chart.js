@@ -1,4 +1,4 @@
-/** Curves in a plane, as SVG: axes with round numbers, lines, points, areas. */
+/** Charts as SVG: axes with round numbers, lines, points, areas. */
 
 import { svg } from "./dom.js";
 import { ABOVE, BESIDE, decadeTicks, roundTicks } from "./ticks.js";
@@ -9,7 +9,7 @@ const RIGHT = 14;
 const TOP = 30;
 const BOTTOM = 46;
 
-/** Height over width, and the least height [pixels], on telephones. */
+/** Ratio of height to width, and smallest height [pixels], which applies on telephones. */
 const SHAPE = 0.52;
 const LOWEST = 190;
 
@@ -19,16 +19,17 @@ const DOT = 3;
 let count = 0;
 
 /**
+ * A chart of lines.
  * @param {object} of
  * @param {number} of.width [pixels]
  * @param {{x: number[], y: number[], name: string, kind: string, fill?: boolean, points?: boolean}[]} of.lines
- *   `kind` is the class that gives them their color
+ *   `kind` is the CSS class that gives the line its color
  * @param {string} of.xLabel
  * @param {string} of.yLabel
  * @param {boolean} [of.logX]
  * @param {[number, number]} of.xRange
  * @param {[number, number]} [of.yRange]
- * @param {{x: number, y: number}} [of.mark] a point of its own
+ * @param {{x: number, y: number}} [of.mark] a separate point, drawn as a ring
  * @returns {SVGElement}
  */
 export function chart({ width, lines, xLabel, yLabel, logX = false, xRange, yRange, mark }) {
@@ -56,7 +57,7 @@ export function chart({ width, lines, xLabel, yLabel, logX = false, xRange, yRan
   );
 }
 
-/** What lies between two ends each way, with the points at its edges. */
+/** The rectangle of the chart, enlarged by the radius of points at its edges. */
 function around([left, right], [top, bottom]) {
   return { x: left - DOT, y: top - DOT, width: right - left + 2 * DOT, height: bottom - top + 2 * DOT };
 }
@@ -83,7 +84,7 @@ function curve({ x: xs, y: ys, kind, fill, points, name }, x, y) {
   ];
 }
 
-/** Names of lines, in the middle of the top. */
+/** Legend with the names of the lines, at the top center. */
 function legend(lines, middle) {
   if (lines.length < 2) return [];
   const left = middle - 55;
@@ -100,7 +101,7 @@ function label(x, y, anchor, text, kind = "tick") {
   return svg("text", { x, y, "text-anchor": anchor, class: kind }, text);
 }
 
-/** Where values lie on an axis, and which it names. */
+/** Function from values to positions on an axis [pixels], and the values of its ticks. */
 function axis([low, high], [from, to], room, log = false) {
   const scale = log ? Math.log10 : (value) => value;
   const [a, b] = [scale(low), scale(high)];
@@ -108,7 +109,7 @@ function axis([low, high], [from, to], room, log = false) {
   return { at, ticks: log ? decadeTicks(low, high) : roundTicks(low, high, Math.abs(to - from) / room) };
 }
 
-/** From 0, or what is below, to a little above the highest. */
+/** Range that contains 0 and all values, extended by 10 %. */
 function padded(values) {
   if (values.length === 0) return [0, 1];
   const [low, high] = [Math.min(0, ...values), Math.max(0, ...values)];

@@ -1,4 +1,4 @@
-/** A case as Python and as a case file: exactly the numbers that the page has. */
+/** A case as Python code and as a case file, with exactly the numbers of the page. */
 
 const CLASSES = {
   ball: "CoatedSphere",
@@ -27,7 +27,7 @@ const MODULI = {
 
 const ROLLING_BODIES = ["ball", "cylinder", "wheel"];
 
-/** Lines of Python that solve a case and print its numbers. */
+/** Python code that solves a case and prints its results. */
 export function pythonOf(tables) {
   const { rolling, numerics = {}, ...bodies } = tables;
   const rolls = ROLLING_BODIES.find((name) => name in bodies);
@@ -73,7 +73,7 @@ function python(name, value) {
   return literal(name, value);
 }
 
-/** A modulus by its table; what data sheets and laboratories give becomes a call of what reads it. */
+/** A modulus from its table; data of data sheets and publications become calls of the functions that convert them. */
 function modulus({ type, ...table }) {
   if (type === "published") {
     return `vr.example_material(${literal("", table.name)}).at(temperature=${literal("", table.temperature)})`;
@@ -94,7 +94,7 @@ function modulus({ type, ...table }) {
 
 const INTEGERS = ["nodes_per_revolution", "theta_nodes_per_revolution", "max_order"];
 
-/** A number or a text as Python and TOML both have it. */
+/** A number or a text in the common syntax of Python and TOML. */
 function literal(name, value) {
   if (typeof value !== "number") return JSON.stringify(value);
   if (INTEGERS.includes(name)) return String(value);
@@ -103,7 +103,7 @@ function literal(name, value) {
   return Number.isInteger(value) ? `${value}.0` : String(value);
 }
 
-/** A line as it is, or, where it is longer than lines of code are, with a line for each argument of the outer call. */
+/** A line of code; if it is longer than 100 characters, with one line for each argument of the outer call. */
 function wrapped(line) {
   if (line.length <= 100) return line;
   const open = line.indexOf("(");

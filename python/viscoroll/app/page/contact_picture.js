@@ -1,31 +1,31 @@
-/** Pictures of a contact: maps of it, and pressure and profile in the middle plane. */
+/** Pictures of a contact: maps of pressure and stick, and charts of pressure and profile in the middle plane. */
 
 import { chart } from "./chart.js";
 import { el } from "./dom.js";
 import { PRESSURE_GRADIENT, drawMap } from "./map.js";
 import { handy, handyUnit } from "./units.js";
 
-/** What a map shows, for those who hear it. */
+/** Descriptions of the maps for screen readers. */
 const MAPS = { pressure: "pressure in the contact", stick: "where the contact sticks and slips" };
 
-/** What is drawn of the middle plane. */
+/** Charts of the middle plane, by their captions. */
 const PROFILES = {
   "Pressure in the middle plane": pressureChart,
   "Profile in the middle plane, above what it rolls on": profileChart,
 };
 
-/** How far beside the contact profiles reach, by its half length. */
+/** Half the length of the charts divided by half the length of the contact. */
 const REACH = 1.6;
 
 const ALONG = "x [mm], rolling to the right";
 
 /**
- * Draw all pictures of a result, as wide as there is room.
- * @param {HTMLElement} root is filled
- * @param {object} result with fields
+ * Draw all pictures of a result in the available width.
+ * @param {HTMLElement} root element to fill
+ * @param {object} result result with fields
  */
 export function drawContact(root, { fields, scalars }) {
-  const ofPoints = fields.z.length > 1; // of line contact there is nothing to see from above
+  const ofPoints = fields.z.length > 1; // a line contact needs no map
   const canvases = Object.entries(MAPS)
     .filter(([what]) => ofPoints && (what === "pressure" || fields.stick))
     .map(([what, label]) => [what, el("canvas", { role: "img", "aria-label": label })]);
@@ -41,7 +41,7 @@ export function drawContact(root, { fields, scalars }) {
 function caption(what, scalars) {
   if (what === "stick") return ["Where it ", key("sticks"), " and ", key("slips")];
   const ramp = el("span", { class: "ramp" });
-  ramp.style.background = PRESSURE_GRADIENT; // an attribute would be refused by the server's content security policy
+  ramp.style.background = PRESSURE_GRADIENT; // the server's content security policy forbids style attributes
   return ["Pressure: 0 ", ramp, ` ${handy(scalars.max_pressure, "Pa")}`];
 }
 
@@ -49,12 +49,12 @@ const key = (name) => el("span", { class: `key ${name}` }, name);
 
 const millimeters = (values) => values.map((value) => 1e3 * value);
 
-/** Pressures of the middle plane [Pa]. */
+/** Pressures in the middle plane [Pa]. */
 function pressed({ z, pressure }) {
   return pressure.map((row) => row[Math.floor(z.length / 2)]);
 }
 
-/** Between which x profiles are shown [mm]. */
+/** Range of x in the charts [mm]. */
 function reach(fields) {
   const pressures = pressed(fields);
   const half = Math.max(...fields.x.filter((_, i) => pressures[i] > 0).map(Math.abs));
@@ -82,6 +82,6 @@ function profileChart(fields, _, width) {
     { x: millimeters(x), y: millimeters(surface), name: "surface", kind: "one" },
     { x: millimeters(x), y: millimeters(rigid), name: "undeformed", kind: "two" },
   ];
-  const yRange = [low - 0.08 * (high - low), high + 0.35 * (high - low)]; // the names of the lines stand above
+  const yRange = [low - 0.08 * (high - low), high + 0.35 * (high - low)]; // space for the legend above
   return chart({ width, lines, xLabel: ALONG, yLabel: "height [mm]", xRange, yRange });
 }

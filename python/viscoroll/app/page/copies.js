@@ -1,10 +1,10 @@
-/** The case as Python, as a case file and as a link, to be copied. */
+/** Buttons that copy the case as Python code, as a case file and as a link. */
 
 import { caseOf } from "./case.js";
 import { caseFileOf, pythonOf } from "./code.js";
 import { fragmentOf } from "./link.js";
 
-/** Connect the buttons; `state` gives the state that is shown. */
+/** Connect the buttons; the function `state` returns the current state. */
 export function connectCopies(state) {
   const texts = {
     "copy-python": ["Python", () => pythonOf(caseOf(state()))],
@@ -19,7 +19,7 @@ export function connectCopies(state) {
   });
 }
 
-/** Copy a text, and show it, for browsers that let no page copy. */
+/** Copy a text, and show it for browsers that do not let pages copy. */
 async function copy(name, text) {
   const shown = document.getElementById("code");
   const said = document.getElementById("code-said");

@@ -1,9 +1,9 @@
-/** Cases along a curve: a number of the state from small to large, in an order that shows its shape early. */
+/** Cases for a curve over one number of the state, in an order that shows its shape early. */
 
 import { caseOf, outerRadius } from "./case.js";
 import { tidy } from "./units.js";
 
-/** What a curve can run along: its name on the page, by which factors, and what of the state it varies. */
+/** Numbers that a curve can vary: label, range of factors, number of points, and the varied part of the state. */
 export const ALONG = {
   speed: {
     label: "speed",
@@ -31,7 +31,7 @@ export const ALONG = {
 
 const scaled = ([value, unit], factor) => [tidy(value * factor), unit];
 
-/** The number that a curve varies, as it was typed. */
+/** The number that a curve varies, with its unit, as the user typed it. */
 export function typedAlong(state, along) {
   return along === "thickness" ? state.layers.at(-1)?.thickness : state[along];
 }
@@ -51,7 +51,7 @@ export function pointsOf(state, along) {
   });
 }
 
-/** 0 to count - 1, ends first, then the middles of what is left open. */
+/** The indices 0 to count - 1: both ends first, then repeatedly the middles of the gaps. */
 export function spread(count) {
   const order = [0, count - 1];
   for (let step = 2 ** Math.floor(Math.log2(count - 1)); step >= 1; step /= 2) {

@@ -1,10 +1,10 @@
-/** The curve of a result against speed, load or thickness, which fills in as it is solved. */
+/** Chart of a result against speed, load or thickness, to which points are added as they are solved. */
 
 import { chart } from "./chart.js";
 import { ALONG, pointsOf, typedAlong } from "./curve.js";
 import { el } from "./dom.js";
 
-/** Results that can be drawn, and those of them that friction alone determines. */
+/** Results that can be drawn, and those that exist only with friction. */
 const DRAWN = [
   "resisting_torque",
   "rolling_resistance_coefficient",
@@ -29,9 +29,9 @@ export class CurvePicture {
   #marked = null;
 
   /**
-   * @param {HTMLElement} root with a figure, and places for what can be chosen
-   * @param {Results} results what knows names and units of results
-   * @param {() => void} ask asks for another curve
+   * @param {HTMLElement} root element with a figure and the controls
+   * @param {Results} results names and units of the results
+   * @param {() => void} ask called to request another curve
    */
   constructor(root, results, ask) {
     this.#root = root;
@@ -57,7 +57,7 @@ export class CurvePicture {
     root.querySelector("#curve-along").replaceChildren(...buttons);
   }
 
-  /** Take back the curve, and return the cases of the next one. */
+  /** Remove the curve, and return the cases of the next one. */
   begin(state) {
     this.#state = state;
     this.#points = pointsOf(state, this.#along);
@@ -70,14 +70,14 @@ export class CurvePicture {
     return this.#points;
   }
 
-  /** Add the answer of one of these cases. */
+  /** Add the answer for one of these cases. */
   add(place, { result }) {
     this.#found.push({ ...this.#points[place], scalars: result?.scalars ?? null });
     this.#root.dataset.filling = this.#found.length === this.#points.length ? "done" : "filling";
     this.#draw();
   }
 
-  /** The answer of the case itself. */
+  /** Mark the result of the case itself. */
   mark(result) {
     this.#marked = result.scalars;
     this.#draw();

@@ -1,15 +1,15 @@
-/** Elements of the page, made in one expression. */
+/** Functions that make elements of the page in one expression. */
 
 /**
  * @param {string} tag
- * @param {object} [attributes] `on...` are listeners; false and undefined leave an attribute out
+ * @param {object} [attributes] `on...` are listeners; attributes that are false or undefined are omitted
  * @param {...(Node|string|null)} children
  */
 export function el(tag, attributes = {}, ...children) {
   return filled(document.createElement(tag), attributes, children);
 }
 
-/** The same for pictures. */
+/** The same for SVG elements. */
 export function svg(tag, attributes = {}, ...children) {
   return filled(document.createElementNS("http://www.w3.org/2000/svg", tag), attributes, children);
 }

@@ -1,11 +1,11 @@
-/** Cases to begin with. */
+/** Example cases. */
 
 import { initialState } from "./case.js";
 import { PRESETS } from "./materials.js";
 
 const layer = (preset, thickness) => ({ thickness: [thickness, "mm"], preset, ...PRESETS[preset].layer });
 
-/** What each changes of the example of the README. */
+/** Differences of each example from the initial state. */
 const CHANGES = {
   paper: { label: "ball of the paper, 1 mm of rubber", state: {} },
   skate: {
@@ -62,7 +62,7 @@ const CHANGES = {
   },
 };
 
-/** Labels by name. */
+/** Labels of the examples by name. */
 export const EXAMPLES = Object.fromEntries(Object.entries(CHANGES).map(([name, { label }]) => [name, label]));
 
 export function exampleState(name) {

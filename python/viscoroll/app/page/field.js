@@ -1,32 +1,32 @@
-/** One line of the form: a label, what is typed, its unit, the SI value beside, a slider, and what is wrong with it. */
+/** One row of the form: label, input, unit, SI value, slider, and error message. */
 
 import { el } from "./dom.js";
 import { SI, UNITS, fromSI, shown, tidy, toSI, unitNamed } from "./units.js";
 
-const STEPS = 300; // of a slider: some half a percent of a decade's value each, over three decades
+const STEPS = 300; // of a slider: over three decades, each changes the number by some 2 %
 
-/** How long nothing more is typed before a number is read [ms]: 7 on the way to 78 is none to be solved. */
+/** Pause in typing after which a number is read [ms], so that the first digit of 78 is not solved as 7. */
 const PAUSE = 300;
 
-/** 1,000 is one to some, and a thousand to others: it is asked for. */
+/** Pattern of ambiguous numbers: 1,000 means 1 or 1000, so that it gives an error message. */
 const THOUSANDS = /^[-+]?[1-9]\d{0,2},\d{3}(?!\d)/;
 
 let count = 0;
 
 /**
- * A number with its unit.
+ * A field for a number with its unit.
  * @param {object} of
  * @param {string} of.label
- * @param {string} of.parameter what messages call it
- * @param {[number, string]|number|null} of.value as it is typed; null: left empty
- * @param {string} [of.quantity] without it the number has no unit, and is no pair
- * @param {[number, number]} of.range of the slider, in SI units; what is typed may lie outside
- * @param {boolean} [of.linear] whether the slider is; otherwise it is logarithmic
- * @param {number} [of.step] of the slider, in the unit that is shown
- * @param {string} [of.empty] what an empty field means, where it may be empty
- * @param {() => number} [of.radius] outer radius, for speeds of the center
- * @param {string} [of.note] a few words below
- * @param {(value) => void} of.change is given what is typed
+ * @param {string} of.parameter name of the parameter in messages
+ * @param {[number, string]|number|null} of.value number as the user types it; null: empty
+ * @param {string} [of.quantity] without it, the value is a number without unit, not a pair
+ * @param {[number, number]} of.range range of the slider, in SI units; typed numbers may be outside of it
+ * @param {boolean} [of.linear] whether the slider is linear; otherwise it is logarithmic
+ * @param {number} [of.step] step of the slider, in the selected unit
+ * @param {string} [of.empty] meaning of an empty field, if it may be empty
+ * @param {() => number} [of.radius] outer radius [m], for speeds of the center
+ * @param {string} [of.note] note below the field
+ * @param {(value) => void} of.change called with the new value
  */
 export function numberField({
   label,
@@ -48,7 +48,7 @@ export function numberField({
   const back = (number, unit) => (quantity ? fromSI(number, unit, quantity, radius())[0] : tidy(number));
   const units = quantity ? Object.keys(UNITS[quantity]) : [];
   let misread = false;
-  let pause = null; // before what was typed is read
+  let pause = null; // timer until the typed text is read
   let [number, unit] = value === null ? [null, units[0] ?? ""] : pair(value);
 
   const input = el("input", {
@@ -58,7 +58,7 @@ export function numberField({
     autocomplete: "off",
     placeholder: empty,
     oninput: typed,
-    onchange: left, // or Enter is pressed
+    onchange: left, // also after Enter
   });
   const select =
     units.length > 1
@@ -115,7 +115,7 @@ export function numberField({
   }
   function left() {
     read();
-    if (!misread) show(); // with what was typed as a unit at its place
+    if (!misread) show(); // moves a typed unit to the list of units
   }
   function converted() {
     const kept = number === null ? null : si([number, unit]);
@@ -153,14 +153,14 @@ export function numberField({
     problem,
   );
   show();
-  const sayOfRead = (text, kind) => misread || say(text, kind); // what the solver says is of another number
+  const sayOfRead = (text, kind) => misread || say(text, kind); // the solver saw an earlier number
   return { root, parameter, say: sayOfRead, refresh: () => show({ text: false }) };
 }
 
 /**
- * A choice of a few.
- * @param {() => string} of.value which it is
- * @param {() => string} [of.note] a few words below
+ * A field for a choice from a list.
+ * @param {() => string} of.value returns the current choice
+ * @param {() => string} [of.note] returns the note below the field
  */
 export function choiceField({ label, parameter, value, options, note = () => "", change }) {
   const id = `field-${(count += 1)}`;

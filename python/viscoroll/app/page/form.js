@@ -1,4 +1,4 @@
-/** The form: what rolls, on what, how; and what the solver says of each of its numbers. */
+/** The form: rolling body, counterbody, motion, and messages of the solver at the fields. */
 
 import { BODIES, coreRadius, groundsOf, outerRadius, quantity, sizedBy, withBody } from "./case.js";
 import { el } from "./dom.js";
@@ -6,14 +6,14 @@ import { choiceField, numberField } from "./field.js";
 import { layerRow, layerRows } from "./layer_rows.js";
 import { handy, shown } from "./units.js";
 
-/** Fields that warnings are about, by their kinds; others stand beside the results. */
+/** Fields at which warnings appear, by the kind of the warning; other warnings appear with the results. */
 const WARNED = { large_strain: "load", contact_at_side: "width", edge_pressure: "sides", tight_crown: "crown_radius" };
 
 const INSIDES = { rigid: "rigid core", hollow: "hollow", solid: "solid, no core" };
 
 const DRIVES = { force: "a force on the center", torque: "a torque (0: towed)", creepage: "a creepage" };
 
-/** Sliders of drives, of the whole and per length [SI]. */
+/** Labels and slider ranges of the drives, for total values and per length (`line`), in SI units. */
 const DRIVEN = {
   force: { label: "force, forward", range: [-500, 500], line: [-1e4, 1e4] },
   torque: { label: "driving torque", range: [-10, 10], line: [-100, 100] },
@@ -28,8 +28,8 @@ export class Form {
   #modelIsOpen = false;
 
   /**
-   * @param {HTMLElement} root is filled
-   * @param {(state) => void} change is called with each new state
+   * @param {HTMLElement} root element to fill
+   * @param {(state) => void} change called with each new state
    */
   constructor(root, change) {
     this.#root = root;
@@ -37,7 +37,7 @@ export class Form {
     root.addEventListener("submit", (event) => event.preventDefault());
   }
 
-  /** Show a state, with the fields that it has; the focus stays at its place. */
+  /** Show the fields of a state; the focus stays at its position. */
   show(state) {
     const place = this.#controls().indexOf(document.activeElement);
     this.#state = state;
@@ -46,17 +46,17 @@ export class Form {
     if (place >= 0) this.#controls()[place]?.focus();
   }
 
-  /** Say what is wrong at the field that caused it, where there is one; return what is left to be said. */
+  /** Show an error at the field that caused it, if there is one; return the text to show with the results. */
   sayError({ message, parameter }) {
     const field = parameter && this.#field(parameter);
     if (!field) return message;
-    const text = message.replace(/^[\w.[\]]+: /, ""); // its place in the case is that of the field
+    const text = message.replace(/^[\w.[\]]+: /, ""); // the field itself shows the place in the case
     field.say(text, "error");
     field.root.closest("details")?.setAttribute("open", "");
     return `No answer: ${text}`;
   }
 
-  /** Say warnings at their fields; return those that have none. */
+  /** Show warnings at their fields; return the warnings without a field. */
   sayWarnings(warnings) {
     return warnings.filter(({ kind, message }) => {
       const field = WARNED[kind] && this.#field(WARNED[kind]);
@@ -65,7 +65,7 @@ export class Form {
     });
   }
 
-  /** Take back all that was said. */
+  /** Remove all messages. */
   sayNothing() {
     for (const field of this.#fields) field.say("", "");
   }
@@ -74,7 +74,7 @@ export class Form {
     return [...this.#root.querySelectorAll("input, select, button, summary")];
   }
 
-  /** The field of a parameter as messages name it: by its whole path, or its last name. */
+  /** The field for the parameter of a message: the one with the same path, or else with the same last name. */
   #field(parameter) {
     const path = parameter
       .replace(/^(ball|cylinder|wheel|rolling|numerics)\./, "")
@@ -90,7 +90,7 @@ export class Form {
     );
   }
 
-  /** Change the state; `redraw` where it has other fields then. */
+  /** Change the state; `redraw` if the new state has other fields. */
   #set(part, redraw = false) {
     this.#state = { ...this.#state, ...part };
     if (redraw) this.show(this.#state);
@@ -130,7 +130,7 @@ export class Form {
     );
   }
 
-  /** A field that is there while a condition holds; numbers that are being typed are not drawn anew for that. */
+  /** A field that is visible while a condition holds. It is hidden, not removed, so that inputs keep their focus. */
   #shownWhile(condition, root) {
     const refresh = () => (root.hidden = !condition());
     refresh();
@@ -166,12 +166,12 @@ export class Form {
     );
   }
 
-  /** What has no rigid core is thick: its layers keep all of their curvature. */
+  /** Set the inside of a ball. Without a rigid core its layers are thick, and the exact curvature is used. */
   #setInside(inside) {
     this.#set({ inner_boundary: inside, curvature: inside === "rigid" ? "sphere" : "exact" }, true);
   }
 
-  /** The size that follows from the one that is given. */
+  /** Text with the size that follows from the given size. */
   #otherSize() {
     const text = el("p", { class: "note" });
     const refresh = () => {
@@ -248,7 +248,7 @@ export class Form {
       exact: "all: thick layers, solid balls",
       paper: "as the paper prints it",
     };
-    const own = this.#state.accuracy; // of a case file
+    const own = this.#state.accuracy; // it may be that of a case file
     const accuracies = { [own]: `${shown(100 * own)} %`, 0.03: "3 %", 0.01: "1 %", 0.003: "0.3 %" };
     return el(
       "details",

@@ -1,16 +1,16 @@
-/** The layers of a body, one row each: what a layer is made of, by presets or numbers. */
+/** Rows of the form for the layers of a body, with materials from presets or numbers. */
 
 import { el } from "./dom.js";
 import { choiceField, numberField } from "./field.js";
 import { KINDS, PRESETS, SHORE_D, newLayer } from "./materials.js";
 
 /**
- * All layers of a list, with a button for one more.
+ * Rows for all layers, and a button that adds a layer.
  * @param {object} of
- * @param {() => object[]} of.layers as they are now
- * @param {string} of.prefix of the names of their parameters
- * @param {(field) => void} of.add is given each field
- * @param {(layers, redraw: boolean) => void} of.change is given the layers as they become
+ * @param {() => object[]} of.layers returns the current layers
+ * @param {string} of.prefix prefix of the names of their parameters
+ * @param {(field) => void} of.add called with each field
+ * @param {(layers, redraw: boolean) => void} of.change called with the changed layers
  * @returns {HTMLElement[]}
  */
 export function layerRows(of) {
@@ -22,7 +22,7 @@ export function layerRows(of) {
   ];
 }
 
-/** One layer; `endless`: material of no thickness. */
+/** Row for one layer; `endless`: a half-space, which has no thickness. */
 export function layerRow({ layers, prefix, add, change, index, endless = false }) {
   const layer = () => layers()[index];
   const update = (part, redraw = false) =>

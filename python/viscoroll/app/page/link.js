@@ -1,8 +1,8 @@
-/** The state in the fragment of an address, by which a link restores it. */
+/** Conversion between a state and the fragment of an address, so that a link restores the state. */
 
 import { caseOf, initialState } from "./case.js";
 
-/** The fragment of a state: what of it is not as at the beginning, as base64 of its JSON. */
+/** The fragment for a state: its differences from the initial state, as JSON in base64. */
 export function fragmentOf(state) {
   const initial = initialState();
   const changed = Object.entries(state).filter(
@@ -14,7 +14,7 @@ export function fragmentOf(state) {
   return `#${text.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`;
 }
 
-/** The state of a fragment, or null where it is none of ours. */
+/** The state for a fragment, or null if the fragment does not describe a state. */
 export function stateOfFragment(fragment) {
   try {
     const text = fragment.slice(1).replaceAll("-", "+").replaceAll("_", "/");
@@ -25,11 +25,11 @@ export function stateOfFragment(fragment) {
       changed !== null && typeof changed === "object" && Object.keys(changed).every((name) => name in initial);
     return fragment.length > 1 && known && hasCase({ ...initial, ...changed }) ? { ...initial, ...changed } : null;
   } catch {
-    return null; // no base64, no JSON, or no state
+    return null; // not base64, not JSON, or not a state
   }
 }
 
-/** Whether a state describes a case: what has no number, or a unit that is none, is null in its JSON. */
+/** Whether a state describes a case: missing numbers and unknown units become null in its JSON. */
 function hasCase(state) {
   return !JSON.stringify(caseOf(state)).includes(":null");
 }

@@ -1,4 +1,4 @@
-/** The page: what is typed becomes a case, the case an answer, the answer numbers and pictures. */
+/** The page: it makes a case from the form, has it solved, and shows numbers and pictures. */
 
 import { caseOf, initialState, outerRadius, stateOf } from "./case.js";
 import { connectCopies } from "./copies.js";
@@ -19,9 +19,9 @@ class Page {
   #form = new Form(at("form"), (state) => this.#change(state));
   #results;
   #curve;
-  #newest = null; // until there is a solver
+  #newest = null; // null until there is a solver
 
-  /** @param {object} start what the page was given: a solver, and maybe a case to begin with */
+  /** @param {object} start the solver, and maybe an initial case, from the script element of the page */
   constructor(start) {
     const linked = stateOfFragment(location.hash);
     const { state, left } = linked || !start.case ? { state: linked ?? initialState(), left: [] } : stateOf(start.case);
@@ -63,7 +63,7 @@ class Page {
     this.#ask();
   }
 
-  /** Show a state that comes from elsewhere than the form. */
+  /** Show a state that does not come from the form. */
   #follow(state) {
     if (!state || fragmentOf(state) === fragmentOf(this.#state)) return;
     this.#form.show(state);
@@ -95,7 +95,7 @@ class Page {
     document.body.dataset.wrong = Boolean(error);
     if (error) this.#tellError(error);
     else this.#tellResult(result, tables, stage, seconds);
-    at("answer").dataset.of = JSON.stringify(tables); // for programs that read the page, as its tests do
+    at("answer").dataset.of = JSON.stringify(tables); // for programs that read the page, such as its tests
     document.body.dataset.stage = `${stage}-solved`;
   }
 
@@ -114,14 +114,14 @@ class Page {
     say(stage === "coarse" ? `A coarse answer (${meshText(result, seconds)}).` : refinedText(result, seconds));
   }
 
-  /** What was wrong may be right by now: it is being asked for. */
+  /** Remove the messages about the previous case, while the new one is solved. */
   #takeBack() {
     this.#form.sayNothing();
     at("error").textContent = "";
     say("Solving …");
   }
 
-  /** What is no answer of a solver: it could not be asked. */
+  /** Show an error of the page or of the connection to the solver, which gave no answer. */
   #fail(error) {
     document.body.dataset.wrong = true;
     at("error").textContent = error.message;

@@ -1,9 +1,9 @@
-/** The contact from above, on a canvas: its pressure, and with friction where it sticks and slips. */
+/** Map of the contact on a canvas: pressure, or with friction the areas of stick and slip. */
 
 import { ABOVE, BESIDE, roundTicks } from "./ticks.js";
 import { shown } from "./units.js";
 
-/** Colors of pressure from 0 to the largest: a few of "magma" of matplotlib, reversed, linear in between. */
+/** Colors of pressure from 0 to the largest, interpolated linearly: some of matplotlib's "magma", reversed. */
 const PRESSURE = [
   [252, 253, 191],
   [254, 159, 109],
@@ -15,7 +15,7 @@ const PRESSURE = [
 const STICK = [60, 150, 80];
 const SLIP = [235, 145, 50];
 
-/** Length over width from which on both have scales of their own, and height over width of the largest map. */
+/** Largest aspect ratio of a contact with equal scales on both axes, and largest height over width of a map. */
 const SLENDER = 4;
 const TALLEST = 1.1;
 
@@ -23,8 +23,8 @@ const MARGIN = { left: 52, right: 14, top: 10, bottom: 40 };
 
 /**
  * Draw a map of the fields of an answer.
- * @param {HTMLCanvasElement} canvas as wide as its element is
- * @param {object} fields of an answer [SI]
+ * @param {HTMLCanvasElement} canvas canvas to fill in its whole width
+ * @param {object} fields fields of an answer [SI units]
  * @param {"pressure"|"stick"} what
  */
 export function drawMap(canvas, fields, what) {
@@ -43,7 +43,7 @@ export function drawMap(canvas, fields, what) {
   drawAxes(context, frame, window, getComputedStyle(canvas));
 }
 
-/** Where the map lies [pixels]: both axes have one scale, but where the contact is a sliver. */
+/** Rectangle of the map on the canvas [pixels]: both axes have the same scale, unless the contact is slender. */
 function frameOf(width, window) {
   const shape = (window.z[1] - window.z[0]) / (window.x[1] - window.x[0]);
   const height = Math.round(width * Math.min(Math.max(shape, 1 / SLENDER), TALLEST));
@@ -51,7 +51,7 @@ function frameOf(width, window) {
   return { left: MARGIN.left + Math.round((width - narrowed) / 2), top: MARGIN.top, width: narrowed, height };
 }
 
-/** What is shown: the contact and some margin; indices and coordinates [m], where x grows to the right. */
+/** Window of the map, the contact and a margin: indices of nodes, and coordinates [m] with x to the right. */
 function contactWindow({ x, z, pressure }) {
   const rows = x.map((_, i) => i).filter((i) => pressure[i].some((p) => p > 0));
   const columns = z.map((_, j) => j).filter((j) => pressure.some((row) => row[j] > 0));
@@ -61,7 +61,7 @@ function contactWindow({ x, z, pressure }) {
   };
   const [i0, i1] = ends(rows, x.length);
   const [j0, j1] = ends(columns, z.length);
-  const half = (values) => 0.5 * Math.abs(values[1] - values[0]); // nodes are middles of their cells
+  const half = (values) => 0.5 * Math.abs(values[1] - values[0]); // nodes are the centers of their cells
   return {
     rows: [i0, i1],
     columns: [j0, j1],
@@ -72,7 +72,7 @@ function contactWindow({ x, z, pressure }) {
   };
 }
 
-/** One pixel for each node. */
+/** Picture with one pixel for each node. */
 function picture({ pressure, stick }, { rows, columns, flipped, upward }, what) {
   const [width, height] = [rows[1] - rows[0] + 1, columns[1] - columns[0] + 1];
   const image = new ImageData(width, height);
@@ -99,7 +99,7 @@ function ramp(share) {
   return low.map((one, k) => Math.round(one + (place % 1) * (high[k] - one)));
 }
 
-/** The same colors as a gradient of CSS. */
+/** The colors of pressure as a CSS gradient. */
 export const PRESSURE_GRADIENT = `linear-gradient(to right, ${PRESSURE.map((color) => `rgb(${color.join(" ")})`).join(", ")})`;
 
 function drawAxes(context, frame, window, style) {

@@ -1,14 +1,15 @@
-/** Kinds of materials that a layer can be typed as, and materials to begin with. */
+/** Kinds of materials in the form, and presets. */
 
 import { fromSI, tidy, toSI } from "./units.js";
 
-/** Where hardness has a modulus, by scale. */
+/** Ranges of hardness with a known modulus, by scale [Shore]. */
 const SHORE_A = [20, 90];
 export const SHORE_D = [30, 85];
 
 /**
- * Kinds by the `type` of a case file. `fields`: what is typed, as the form shows it; `table`: the table of a case file;
- * `typed`: the way back. Names of fields are those of case files where these have them.
+ * Kinds of materials, by the `type` of a case file. `fields`: the fields of the form; `table`: function that converts a
+ * layer of the state to the table of a case file; `typed`: the inverse function. Fields have the names of the keys of
+ * case files if there are such keys.
  */
 export const KINDS = {
   standard_linear_solid: {
@@ -50,7 +51,7 @@ export const KINDS = {
       },
       { name: "reference_frequency", label: "hardness holds at", quantity: "frequency", range: [0.1, 1e4] },
     ],
-    // A durometer is read after a second; from there the loss factor holds up to the frequencies of contacts.
+    // A durometer is read after one second. The loss factor is constant from there to the frequencies of contacts.
     initial: { hardness: 85, scale: "A", rebound: [55, "%"], reference_frequency: [1, "rad/s"], decades: 4.5 },
     table: (layer) => ({
       type: "hardness",
@@ -121,19 +122,19 @@ export const KINDS = {
   kept: {
     label: "as in the case file",
     fields: [],
-    initial: null, // there is none to choose
+    initial: null, // the user cannot choose this kind
     table: (layer) => layer.kept,
     typed: (table) => ({ kept: table }),
   },
 };
 
-/** Both scales have the same modulus at a difference of 50, as far as they reach. */
+/** Change the scale of a hardness: equal moduli differ by 50 between the scales; limit it to the range of the scale. */
 function onScale({ hardness }, scale) {
   const [low, high] = scale === "D" ? SHORE_D : SHORE_A;
   return { scale, hardness: Math.min(Math.max(hardness + (scale === "D" ? -50 : 50), low), high) };
 }
 
-/** The kind that a table of a case file is typed as. */
+/** The kind for a table of a case file. */
 export function kindOf(table) {
   const kind = KINDS[table.type];
   const optional = ["type", "scale", "rebound", "reference_frequency", "decades"];
@@ -154,7 +155,7 @@ const hard = (hardness, rebound) => ({
 const BLOW =
   "A hardness gives a modulus after a second, to a factor of 1.4 or so; a rebound the loss under a blow of milliseconds.";
 
-/** Materials to begin with, by name: what of a layer they set, and where it comes from. */
+/** Presets by name: label, source, and the part of a layer that they set. */
 export const PRESETS = {
   paper_rubber: {
     label: "rubber of the paper",
@@ -196,7 +197,7 @@ export const PRESETS = {
   },
 };
 
-/** A layer of the rubber of the paper. */
+/** A new layer, made of the rubber of the paper. */
 export function newLayer() {
   return { thickness: [1, "mm"], preset: "paper_rubber", ...PRESETS.paper_rubber.layer };
 }

@@ -1,14 +1,14 @@
 /**
- * Solves the newest case alone: coarsely while numbers change, to its accuracy when they rest, and then along a curve.
+ * Solver of the newest case only: on a coarse mesh while numbers change; after a pause, to its accuracy; then a curve.
  */
 
-/** How long nothing changes before the page takes it as rest [ms]. */
+/** Pause without changes after which the case is solved to its accuracy [ms]. */
 const REST = 250;
 
-/** Nodes across a contact of a coarse answer, by which it is right to some percent. */
+/** Number of nodes across a contact on a coarse mesh, which gives an accuracy of some percent. */
 const ACROSS = 16;
 
-/** Nodes per revolution of coarse meshes: at the least, before any answer is there, and at the most. */
+/** Nodes per revolution of coarse meshes: smallest number, number before the first answer, largest number. */
 const FEWEST = 300;
 const FIRST = { ball: 400, wheel: 400, cylinder: 2000 };
 const MOST = 3000;
@@ -20,10 +20,10 @@ export class Newest {
   #running = false;
   #abort = new AbortController();
   #changed = () => {};
-  #across = null; // nodes per revolution that the last answer asks for, and of what
+  #across = null; // suitable nodes per revolution according to the last answer, and its body
 
   /**
-   * @param {object} solver as of solver.js
+   * @param {object} solver a solver of solver.js
    * @param {object} tell `solving(stage)`, `solved(answer, {tables, stage, seconds})`, `point(place, answer)`, `failed(error)`
    */
   constructor(solver, tell) {
@@ -32,15 +32,15 @@ export class Newest {
   }
 
   /**
-   * Ask for a case, in place of all that was asked for.
-   * @param {object} tables the case
+   * Request a case; it replaces all earlier requests.
+   * @param {object} tables tables of the case
    * @param {number} radius outer radius [m]
-   * @param {object[]} curve cases along a curve, coarse ones, in the order in which they are to be solved
+   * @param {object[]} curve cases of a curve, in the order of solving, to be solved on coarse meshes
    */
   ask(tables, radius, curve) {
     this.#wanted = { tables, radius, curve };
     this.#changed();
-    this.#abort.abort(); // what is coarse and under way is not of this signal: it is soon there, and shown
+    this.#abort.abort(); // does not abort a coarse solve, which soon ends and gives a picture
     this.#abort = new AbortController();
     if (!this.#running) this.#run();
   }
@@ -87,7 +87,7 @@ export class Newest {
     return Math.round(Math.min(Math.max(this.#across.nodes, FEWEST), body === "cylinder" ? Infinity : MOST));
   }
 
-  /** Whether anything changes within the time of rest. */
+  /** Whether the case changes during the pause. */
   async #isDisturbed() {
     return new Promise((resolve) => {
       const timer = setTimeout(() => resolve(false), REST);
@@ -105,7 +105,7 @@ export class Newest {
 
 const bodyOf = (tables) => Object.keys(FIRST).find((name) => name in tables);
 
-/** The case on a mesh of its own in place of an accuracy. */
+/** The case with a given mesh instead of an accuracy. */
 function coarse(tables, nodes) {
   const { accuracy: _, ...numerics } = tables.numerics;
   return { ...tables, numerics: { ...numerics, nodes_per_revolution: nodes } };

@@ -1,10 +1,10 @@
-/** What was found: numbers by the table of the solver, pictures of the contact, and what to know before relying on it. */
+/** Display of a result: numbers from the solver's table of scalars, pictures of the contact, and warnings. */
 
 import { drawContact } from "./contact_picture.js";
 import { el } from "./dom.js";
 import { handy, handyUnit, resultUnit, shown } from "./units.js";
 
-/** Numbers that are shown large, those of friction where there is some; all others are in the table. */
+/** Main numbers, and further ones with friction; the table contains all numbers. */
 const FIRST = [
   "resisting_torque",
   "rolling_resistance_coefficient",
@@ -15,7 +15,7 @@ const FIRST = [
 ];
 const WITH_FRICTION = ["driving_torque", "driving_force", "creepage", "slip_power"];
 
-/** Shares, which read best as percents. */
+/** Ratios that are displayed in percent. */
 const PERCENTS = ["strain", "model_error", "creepage", "power_balance_error", "error_estimate", "max_pressure_error"];
 
 export class Results {
@@ -27,8 +27,8 @@ export class Results {
   #last = null;
 
   /**
-   * @param {{numbers, pictures, table, warnings}} elements that are filled
-   * @param {{name: string, unit: string, description: string}[]} scalars the table of the solver
+   * @param {{numbers, pictures, table, warnings}} elements elements to fill
+   * @param {{name: string, unit: string, description: string}[]} scalars scalars of the solver
    */
   constructor({ numbers, pictures, table, warnings }, scalars) {
     [this.#numbers, this.#pictures, this.#table, this.#warnings] = [numbers, pictures, table, warnings];
@@ -38,9 +38,9 @@ export class Results {
 
   /**
    * Show a result.
-   * @param {object} result of an answer
-   * @param {object} tables its case
-   * @param {string[]} warnings those that stand at no field
+   * @param {object} result result of an answer
+   * @param {object} tables tables of its case
+   * @param {string[]} warnings warnings that do not appear at a field
    */
   show(result, tables, warnings) {
     this.#last = { result, line: "cylinder" in tables };
@@ -61,26 +61,26 @@ export class Results {
     this.draw();
   }
 
-  /** The main numbers on one line. */
+  /** Text of torque and coefficient, on one line. */
   brief({ scalars }) {
     const [torque, coefficient] = FIRST.map((name) => this.text(name, scalars[name]));
     return `torque ${torque}  ·  coefficient ${coefficient}`;
   }
 
-  /** The value of a scalar result as people read it. */
+  /** Text of a scalar result in a suitable unit. */
   text(name, value) {
     if (value === null || value === undefined) return shown(value);
     const [unit, one] = this.unit(name, value);
     return `${shown(value / one, PERCENTS.includes(name) ? 4 : 5)} ${unit}`.trim();
   }
 
-  /** The unit in which one of its values reads best, and the SI value of that. */
+  /** Suitable unit for a value of a scalar result, and the SI value of this unit. */
   unit(name, value) {
     if (PERCENTS.includes(name)) return ["%", 1e-2];
     return handyUnit(value, resultUnit(this.#scalar(name).unit, this.#last?.line));
   }
 
-  /** Its name as attributes and files have it, in words. */
+  /** The name of a scalar result in words. */
   label(name) {
     return name.replaceAll("_", " ");
   }
@@ -100,7 +100,7 @@ export class Results {
     );
   }
 
-  /** What else a number says: engineers ask for the force that keeps a wheel rolling. */
+  /** Note below a number, for example the force that corresponds to the coefficient. */
   #note(name, scalars, { rolling }) {
     if (name === "rolling_resistance_coefficient" && scalars[name] !== null) {
       return `a resistance of ${handy(scalars[name] * rolling.load, this.#last.line ? "N/m" : "N")}`;
@@ -110,7 +110,7 @@ export class Results {
     return null;
   }
 
-  /** Draw the pictures, as wide as there is room, in the colors of the page. */
+  /** Draw the pictures in the available width and the colors of the page. */
   draw() {
     if (this.#last && this.#pictures.clientWidth > 0) drawContact(this.#pictures, this.#last.result);
   }

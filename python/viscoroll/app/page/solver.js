@@ -1,21 +1,21 @@
 /**
- * Who solves: the program that serves the page, or WebAssembly in a worker. Either has
+ * The solvers: the program that serves the page, or WebAssembly in a worker. Both have the methods
  *
  *     async solve(request, signal) -> {result} or {error}    async scalars() -> [{name, unit, description}]
  *
- * of the same request; an aborted signal ends a solve, whose promise is then rejected by an AbortError.
+ * for the same requests. An aborted signal ends a solve, and its promise is rejected with an AbortError.
  */
 
 import { withMaterials } from "./tabulated.js";
 
-/** The solver that the page was given, or null where it has none. */
+/** The solver that the page specifies, or null if it has none. */
 export function connect(start) {
   if (start.solver === "native") return new NativeSolver();
   if (start.solver === "wasm") return new WorkerSolver(globalThis.viscorollWorker, globalThis.viscorollMaterials);
   return null;
 }
 
-/** Asks the program that serves the page. */
+/** Solver in the program that serves the page. */
 class NativeSolver {
   where = "on this machine, by the installed library";
 
@@ -41,7 +41,7 @@ async function post(name, content, signal) {
   return response.json();
 }
 
-/** Asks a worker, which answers one request after the other; whoever aborts one ends the worker, and gets a new one. */
+/** Solver in a worker, which answers one request after the other. To abort one, the worker is replaced by a new one. */
 class WorkerSolver {
   where = "in this browser, by WebAssembly: nothing leaves it";
   #script;
@@ -51,8 +51,8 @@ class WorkerSolver {
   #count = 0;
 
   /**
-   * @param {string} text of the worker's script; as a text it is there on a page that was opened as a file, too
-   * @param {object} materials as of tabulated.js
+   * @param {string} text script of the worker; a text also works on a page that was opened as a file
+   * @param {object} materials tables for tabulated.js
    */
   constructor(text, materials) {
     this.#script = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));

@@ -1,11 +1,11 @@
 /**
- * Materials of data sheets and laboratories, for the library in WebAssembly, which does not know them: their formulas and
- * data are the Python package's. What they come to was tabulated by it when the site was built (app/tabulated.py).
+ * Materials of data sheets and laboratories for the library in WebAssembly, which does not have them: only the Python
+ * package has their formulas and data. It tabulated their moduli when the site was built (app/tabulated.py).
  */
 
 /**
- * A request whose case has materials that the library knows.
- * @returns {{known: object}|{error: {message: string, parameter: string}}} the latter for what is between the tables
+ * The request with materials that the library has.
+ * @returns {{known: object}|{error: {message: string, parameter: string}}} an error for values that are not tabulated
  */
 export function withMaterials(request, tables) {
   try {
@@ -45,7 +45,7 @@ function ofDataSheet({ hardness, scale = "A", rebound, ...table }, tables, place
   return scaled(found, tables.rebound, { modulus, ...table }, place);
 }
 
-/** Scales meet at a difference of 50: what is harder than 90 Shore A is given in Shore D. */
+/** Hint for hardnesses above 90 Shore A, which are given in Shore D: about 50 less. */
 function inShoreD(hardness, scale) {
   return scale === "A" && hardness > 90 && hardness <= 100 ? `; in Shore D it is about ${hardness - 50}` : "";
 }
@@ -64,7 +64,7 @@ function ofLaboratory({ name, temperature }, tables, place) {
 
 const percent = (share) => Number((100 * share).toPrecision(12));
 
-/** A series of 1 Pa and 1 rad/s, whose weights are geometric between their ends, of a modulus that holds at a frequency. */
+/** A tabulated series of 1 Pa at 1 rad/s, with geometric weights between the ends, scaled to modulus and frequency. */
 function scaled([instantaneous, first, second, ratio, last], { decades, relaxation_times: times }, table, place) {
   const { modulus, reference_frequency: frequency, decades: wanted = 3 } = table;
   if (wanted !== decades) throw new NotTabulated(place, "decades", String(decades), wanted);

@@ -1,6 +1,6 @@
-/** Light and dark: as the system has it, or as the page says around which this one stands. */
+/** Light or dark theme: that of the system, or of the page that embeds this one. */
 
-/** Follow both; `redraw` draws what has its colors from the script. */
+/** Follow changes of both; `redraw` draws the pictures whose colors come from the script. */
 export function followTheme(redraw) {
   globalThis.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
   globalThis.addEventListener("message", ({ source, data }) => {

@@ -1,12 +1,12 @@
-/** Round numbers that axes name. */
+/** Round numbers for the ticks of axes. */
 
-/** Room for the name of a number [pixels]: beside others, and above them. */
+/** Space for the label of a tick [pixels]: horizontally, and vertically. */
 export const BESIDE = 45;
 export const ABOVE = 24;
 
 const ENOUGH = 5;
 
-/** Multiples of 1, 2 or 5 times a power of ten between two numbers, some five or, of less room, so many. */
+/** Multiples of 1, 2 or 5 times a power of ten between two numbers: some five, or fewer if there is less space. */
 export function roundTicks(low, high, most) {
   const rough = (high - low) / Math.min(Math.max(most, 2), ENOUGH);
   const power = 10 ** Math.floor(Math.log10(rough));
@@ -16,7 +16,7 @@ export function roundTicks(low, high, most) {
   return ticks;
 }
 
-/** 1, 2 and 5 of each decade between two numbers > 0, or, where those are too many, 1 alone. */
+/** 1, 2 and 5 of each decade between two numbers > 0, or only 1 if these are too many. */
 export function decadeTicks(low, high) {
   const all = [];
   for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); power += 1) {

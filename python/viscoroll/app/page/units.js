@@ -1,8 +1,8 @@
-/** Units that engineers type and read, and the SI values behind them. */
+/** Units for input and display, and conversion to SI units. */
 
 const TURN = 2 * Math.PI;
 
-/** SI value of one of each unit, by quantity; the first is the one that a new number has. */
+/** SI values of the units, by quantity; the first unit is the default. */
 export const UNITS = {
   length: { mm: 1e-3, cm: 1e-2, m: 1, in: 0.0254 },
   modulus: { MPa: 1e6, kPa: 1e3, GPa: 1e9, Pa: 1, psi: 6894.757293168 },
@@ -18,7 +18,7 @@ export const UNITS = {
   percent: { "%": 1e-2 },
 };
 
-/** SI unit of each quantity, as messages of the solver have it. */
+/** SI unit of each quantity, as in messages of the solver. */
 export const SI = {
   length: "m",
   modulus: "Pa",
@@ -34,7 +34,7 @@ export const SI = {
   percent: "",
 };
 
-/** What people type for these units. */
+/** Other spellings of units that users may type. */
 const ALIASES = {
   kg: "kgf",
   lb: "lbf",
@@ -50,18 +50,18 @@ const ALIASES = {
   c: "°C",
 };
 
-/** The unit of a quantity that a text names, in capitals or not, or undefined. */
+/** The unit with the name that a text gives, in upper or lower case, or undefined. */
 export function unitNamed(text, quantity) {
   const name = text.toLowerCase();
   const wanted = (ALIASES[name] ?? name).toLowerCase();
   return Object.keys(UNITS[quantity]).find((unit) => unit.toLowerCase() === wanted);
 }
 
-/** Speeds of the center, in m/s: over the outer radius they are angular speeds. */
+/** Units for speeds of the center [m/s]; divided by the outer radius, they give angular speeds. */
 const CENTER_SPEEDS = { "km/h": 1 / 3.6, "m/s": 1, mph: 0.44704 };
 
 /**
- * SI value of what was typed, rid of the last digit that products of decimals leave: 3 mm are 0.003 m.
+ * SI value of a number with a unit, without round-off in the last digits: 3 mm are 0.003 m.
  * @param {[number, string]} typed number and unit
  * @param {string} quantity
  * @param {number} [radius] outer radius [m], for speeds of the center
@@ -70,7 +70,7 @@ export function toSI([value, unit], quantity, radius) {
   return tidy(value * factor(unit, quantity, radius));
 }
 
-/** What is typed in a unit for an SI value. */
+/** Number and unit for an SI value. */
 export function fromSI(value, unit, quantity, radius) {
   return [tidy(value / factor(unit, quantity, radius)), unit];
 }
@@ -79,12 +79,12 @@ function factor(unit, quantity, radius) {
   return unit in CENTER_SPEEDS && quantity === "speed" ? CENTER_SPEEDS[unit] / radius : UNITS[quantity][unit];
 }
 
-/** A number without the noise of its last digits. */
+/** A number without round-off in its last digits. */
 export function tidy(value) {
   return Number(value.toPrecision(13));
 }
 
-/** A number as people write it, with so many significant digits at the most. */
+/** Text of a number, with at most `digits` significant digits. */
 export function shown(value, digits = 4) {
   if (value === null || value === undefined) return "–";
   const rounded = Number(value.toPrecision(digits));
@@ -108,11 +108,11 @@ const PREFIXES = [
   ["n", 1e-9],
 ];
 
-/** Units with prefixes that engineers read them with; a meter has no larger ones. */
+/** Units that take prefixes, and their usual prefixes; meters have none above 1. */
 const PREFIXED = { m: "mµn", N: "kmµ", "N m": "kmµ", "N m/m": "kmµ", W: "kmµ", Pa: "GMk", "N/m": "kM", "W/m": "kmµ", "m/s": "mµ" };
 
 /**
- * The unit in which a result reads best, and its SI value.
+ * Suitable unit for a result, and the SI value of this unit.
  * @returns {[string, number]}
  */
 export function handyUnit(value, unit) {
@@ -121,24 +121,24 @@ export function handyUnit(value, unit) {
   const allowed = PREFIXED[unit];
   const size = Math.abs(value ?? 0);
   if (!allowed || size === 0) return [unit, 1];
-  if (unit === "Pa" && size >= 1e5 && size < 1e9) return ["MPa", 1e6]; // 0.3 MPa, not 300 kPa: as moduli are typed
-  if (unit === "m" && size >= 1e-5) return size < 1 ? ["mm", 1e-3] : ["m", 1]; // as lengths are typed
+  if (unit === "Pa" && size >= 1e5 && size < 1e9) return ["MPa", 1e6]; // 0.3 MPa, not 300 kPa, as in the input of moduli
+  if (unit === "m" && size >= 1e-5) return size < 1 ? ["mm", 1e-3] : ["m", 1]; // as in the input of lengths
   const fitting = PREFIXES.filter(([prefix]) => prefix === "" || allowed.includes(prefix));
   const [prefix, one] = fitting.find(([, step]) => size >= step) ?? fitting.at(-1);
   return [prefix + unit, one];
 }
 
-/** A result with its handy unit. */
+/** Text of a result with a suitable unit. */
 export function handy(value, unit, digits = 4) {
   if (value === null || value === undefined) return "–";
   const [name, one] = handyUnit(value, unit);
   return `${shown(value / one, digits)} ${name}`.trim();
 }
 
-/** In line contact what has these units is per length. */
+/** Units in line contact of quantities that are per length there. */
 const PER_LENGTH = { "N m": "N m/m", N: "N/m", W: "W/m", "m^2": "m" };
 
-/** The unit of a scalar result; `unit` is that of its table. */
+/** The unit of a scalar result; `unit` is its unit in point contact. */
 export function resultUnit(unit, lineContact) {
   return (lineContact && PER_LENGTH[unit]) || unit;
 }
