@@ -70,15 +70,15 @@ def changes(rows: list[dict[str, str]]) -> list[Change]:
 def main() -> int:
     """Print time and error of every case, before and now."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--tolerance", type=float, default=0.25, help="relative change that is left unsaid")
-    parser.add_argument("results", nargs="?", type=Path, default=RESULTS, help="file of bench/run.py")
+    parser.add_argument("--tolerance", type=float, default=0.25, help="largest relative change that is not reported")
+    parser.add_argument("results", nargs="?", type=Path, default=RESULTS, help="file written by bench/run.py")
     options = parser.parse_args()
     if not 0.0 < options.tolerance < 10.0:
         parser.error(f"--tolerance must be in (0, 10), got {options.tolerance}")
     with options.results.open(newline="") as file:
         found = changes(list(csv.DictReader(file)))
     if not found:
-        print("nothing to compare: no case of the last commit was measured before on this processor")
+        print("nothing to compare: there are no earlier results for cases of the last commit on this processor")
     worse = 0
     for change in found:
         judgment = change.judgment(options.tolerance)

@@ -215,8 +215,8 @@ def main() -> None:
     """Run a solver and print times, error and details."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("solver", choices=SOLVERS)
-    parser.add_argument("nodes", type=int, help="nodes along a side of the window")
-    parser.add_argument("--runs", type=int, default=5, help="solves after a warm-up")
+    parser.add_argument("nodes", type=int, help="number of nodes along a side of the window")
+    parser.add_argument("--runs", type=int, default=5, help="number of solves after a warm-up")
     options = parser.parse_args()
     solver = SOLVERS[options.solver]
     solver(64)

@@ -43,7 +43,7 @@ FREQUENCY = 997
 
 #: Phases by functions in a stack; the first match counts. The name of a library stands for all its functions.
 PHASES: list[tuple[str, tuple[str, ...]]] = [
-    ("new pages of memory", ("asm_exc_page_fault", "do_syscall_64")),
+    ("page faults", ("asm_exc_page_fault", "do_syscall_64")),
     (
         "tables",
         (
@@ -58,14 +58,14 @@ PHASES: list[tuple[str, tuple[str, ...]]] = [
     ),
     ("factorizations", ("factor<", "dense_inverse", "bordered_inverse", "SingleFactors", "DenseFactors")),
     ("inverse of the contact", ("ContactInverse::times", "selfadjoint_matrix_vector_product", "KeptInverse")),
-    ("memory of the rows", ("RowMemory",)),
+    ("stored rows", ("RowMemory",)),
     ("transforms", ("libfftw3", "RealFft", "SpectralProduct", "InverseConvolution")),
     ("products without transforms", ("TableProduct", "normal_compliance", "general_matrix_vector", "MirroredTables")),
     ("products without transforms", ("gebp_kernel", "gemm_pack")),
     ("orthogonalization", ("solve_krylov", "Arnoldi")),
     ("results", ("make_result", "SurfaceWindow", "extended")),
 ]
-REST = "sets and all else"
+REST = "active sets and the rest"
 
 
 @dataclass(frozen=True)
@@ -176,7 +176,7 @@ def instants(counters: Mapping[str, float]) -> dict[str, Work]:
     return {
         "inverse of the contact": Work(2.0 * half * half) * steps,
         "products without transforms": Work(2.0 * rows * (2.0 * reach + rows) * aside * aside) * steps,
-        "memory of the rows": Work(0.0, 2.0 * DOUBLE * (2.0 * reach + rows) * aside * 2.0) * steps,
+        "stored rows": Work(0.0, 2.0 * DOUBLE * (2.0 * reach + rows) * aside * 2.0) * steps,
     }
 
 
@@ -195,7 +195,7 @@ CASES = [
     Case("fine_rolling/1024", "window of 1024²", large_window, is_parallel=True),
     Case("fine_rolling/2048", "window of 2048²", large_window, is_parallel=True),
     Case("friction/mu_03_pi_250", "friction at π/250", small_friction),
-    Case("revolution/1000_one_lattice", "4000 steps in time, 1000 nodes", instants),
+    Case("revolution/1000_one_lattice", "4000 time steps, 1000 nodes", instants),
 ]
 
 
@@ -274,7 +274,7 @@ def rows() -> Iterable[str]:
         f"On {cpu_name()}, one core: {flops / 1e9:.1f} Gflop/s in dense products, "
         f"{bytes_per_second / 1e9:.1f} GB/s in sums of large arrays; at {git('rev-parse', '--short', 'HEAD')}.\n"
     )
-    yield "| case, phase | Gflop | GB | at least [ms] | took [ms] | times | alone of two threads |"
+    yield "| case, phase | Gflop | GB | lower bound [ms] | measured [ms] | ratio | one of two threads works |"
     yield "|---|---|---|---|---|---|---|"
     for case in CASES:
         run = profile(case.name, {cores[0]})
@@ -300,7 +300,7 @@ def row(name: str, work: Work, least: float, took: float, share: str) -> str:
 
 def main() -> None:
     if shutil.which("perf") is None:
-        sys.exit("the limit is left as it was: no perf, which tells phases")
+        sys.exit("the table was not updated: perf, which identifies the phases, is not installed")
     text = PAGE.read_text(encoding="utf-8")
     before, rest = text.split(PLACE[0])
     after = rest.split(PLACE[1])[1]

@@ -43,12 +43,12 @@ def by_advance(stepper: vr.RollingHistory, turn: float) -> list[float]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("way", choices=("roll", "advance"))
+    parser.add_argument("call", choices=("roll", "advance"))
     parser.add_argument("nodes", type=int)
     parser.add_argument("--runs", type=int, default=5)
     options = parser.parse_args()
 
-    follow = {"roll": by_roll, "advance": by_advance}[options.way]
+    follow = {"roll": by_roll, "advance": by_advance}[options.call]
     fresh = vr.RollingHistory(
         paper.ball(),
         load=LOAD,

@@ -75,7 +75,7 @@ def transform_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, obje
     """Yield the cases of bench_transforms, built with FFTW and with PocketFFT: wall time on one core."""
     for program in TRANSFORMS:
         if not program.exists():
-            print(f"{program.relative_to(ROOT)} left out: not built")
+            print(f"{program.relative_to(ROOT)} skipped: not built")
             continue
         names = subprocess.run([program, "--benchmark_list_tests"], capture_output=True, text=True, check=True).stdout
         for name in filter(only.search, names.splitlines()):
@@ -123,13 +123,13 @@ def script_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]
     folder = Path(__file__).parent
     cases = [(f"hertz/{nodes}/{solver}", folder / "hertz.py", solver, nodes) for solver, nodes in HERTZ]
     cases += [(f"paper_resolution/{solver}", folder / "plain_numpy.py", solver) for solver in ("viscoroll", "plain")]
-    cases += [(f"revolution_python/500_{way}", folder / "revolution.py", way, 500) for way in ("roll", "advance")]
+    cases += [(f"revolution_python/500_{call}", folder / "revolution.py", call, 500) for call in ("roll", "advance")]
     for case, script, solver, *rest in cases:
         if not only.search(case):
             continue
         module = MODULES.get(str(solver), str(solver))
         if module != "plain" and importlib.util.find_spec(module) is None:
-            print(f"{case:<40} left out: {module} is not installed")
+            print(f"{case:<40} skipped: {module} is not installed")
             continue
         output, peak = run(sys.executable, script, solver, *rest, "--runs", runs)
         yield row(case, "cpu", output["seconds"], output["error"], peak, details=text(output["details"]))
@@ -141,9 +141,13 @@ def text(details: dict[str, object]) -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--runs", type=int, default=5, help="repetitions of each case")
-    parser.add_argument("--only", type=re.compile, default=re.compile(""), help="cases to run, as a pattern")
-    parser.add_argument("--keep-dirty", action="store_true", help="record uncommitted sources as well")
+    parser.add_argument("--runs", type=int, default=5, help="number of repetitions of each case")
+    parser.add_argument(
+        "--only", type=re.compile, default=re.compile(""), help="regular expression for the cases to run"
+    )
+    parser.add_argument(
+        "--keep-dirty", action="store_true", help="record results even if there are uncommitted sources"
+    )
     options = parser.parse_args()
 
     rows = []
@@ -153,7 +157,7 @@ def main() -> None:
             print(f"error {done['error']}  {done['peak_mb']} MB  {done['details']}", flush=True)
             rows.append(done)
     if git("status", "--porcelain", "--", "cpp", "python", "bench") and not options.keep_dirty:
-        print("sources differ from the commit: not recorded")
+        print("results not recorded: there are uncommitted sources")
         return
     with RESULTS.open("a", newline="") as file:
         csv.DictWriter(file, COLUMNS).writerows(rows)

@@ -30,7 +30,7 @@ def tread(thickness: float) -> vr.CoatedSphere:
     return vr.CoatedSphere(core_radius=50e-3 - thickness, layers=[layer])
 
 
-def answers(thickness: float, speed: float) -> list[tuple[bool, float, float, float]]:
+def steady_states(thickness: float, speed: float) -> list[tuple[bool, float, float, float]]:
     """Return stability, hottest point [°C], largest shear and largest tension [MPa] of every steady state."""
     hot = vr.self_heating(
         tread(thickness),
@@ -60,7 +60,7 @@ def main(path: str) -> None:
     axes = figure.subplots(1, 3)
     labels = ("hottest point [°C]", "largest shear at the bond [MPa]", "largest tension inside [MPa]")
     for thickness in THICKNESSES:
-        points = [(speed, *row) for speed in SPEEDS for row in answers(thickness, speed)]
+        points = [(speed, *row) for speed in SPEEDS for row in steady_states(thickness, speed)]
         for place, (panel, label) in enumerate(zip(axes, labels, strict=True), start=2):
             stable = [(p[0], p[place]) for p in points if p[1]]
             (line,) = panel.plot(*zip(*stable, strict=True), "o-", label=f"{thickness * 1e3:g} mm")

@@ -40,26 +40,26 @@ def faults(site: Path) -> list[str]:
     found = []
     for path, page in pages.items():
         if "&lt;Figure size" in path.read_text(encoding="utf-8"):
-            found.append(f"{path.relative_to(site.resolve())}: a figure is shown as its name")
+            found.append(f"{path.relative_to(site.resolve())}: page shows the name of a figure instead of the figure")
         for tag, target in page.targets:
             url = urlsplit(target)
             where = f"{path.relative_to(site.resolve())}: <{tag}> {target}"
             if url.scheme or url.netloc:
                 if tag in LOADED and url.scheme != "data":
-                    found.append(f"{where}: comes from the net")
+                    found.append(f"{where}: loaded from the network")
                 continue
             aim = (path.parent / unquote(url.path)).resolve() if url.path else path
             if not aim.exists():
                 found.append(f"{where}: no such file")
             elif aim in pages and unquote(url.fragment) not in pages[aim].places:
-                found.append(f"{where}: no such place")
+                found.append(f"{where}: no such anchor")
     return found
 
 
 def main(site: Path) -> int:
     """Print all faults; return 1 if there are any."""
     found = faults(site)
-    print("\n".join(found) or "no broken links, and nothing that comes from the net")
+    print("\n".join(found) or "no broken links, and nothing is loaded from the network")
     return 1 if found else 0
 
 

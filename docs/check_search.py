@@ -56,7 +56,7 @@ def main(site: Path) -> int:
         for query, page in SEARCHED.items()
         if not all(page in pages_with(index, language.stem(word)) for word in words_of(query))
     ]
-    print("\n".join(lost) or f"{len(SEARCHED)} searches find their pages")
+    print("\n".join(lost) or f"{len(SEARCHED)} searches find the expected pages")
     return 1 if lost else 0
 
 

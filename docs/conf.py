@@ -93,7 +93,7 @@ html_theme_options = {
 }
 
 if not write_page(ROOT / "build" / "site" / "try", ROOT / "build" / "wasm" / "package" / "viscoroll.single.js"):
-    print("the page to try it on has no solver, and says so: `make wasm` makes one")
+    print("the page 'Try it' is built without a solver; build one with `make wasm`")
 
 # Take MathJax with its font from a package; by default, readers would download it.
 _mathjax = find_spec("sphinx-mathjax-offline")

@@ -31,7 +31,7 @@ def validation_table(path: Path) -> str:
     """Return the table of validation: quantity, reference, deviation and tests."""
     rows = tomllib.loads(path.read_text(encoding="utf-8"))["row"]
     return table(
-        ("what", "against", "found", "test"),
+        ("what is compared", "reference", "deviation", "test"),
         [
             (row["what"], row["against"], row["found"], "<br>".join(f"`{test}`" for test in row["tests"]))
             for row in rows
@@ -40,14 +40,14 @@ def validation_table(path: Path) -> str:
 
 
 def outside_tables(path: Path) -> dict[str, str]:
-    """Return a table for each published benchmark: their number, ours, the difference, and the test."""
+    """Return a table for each published benchmark: published number, number of viscoroll, difference, test."""
 
     def difference(row: dict[str, str]) -> str:
         return f"{100.0 * (float(row['ours']) / float(row['theirs']) - 1.0):+.2f} %"
 
     return {
         name: table(
-            ("what", "theirs", "ours", "difference", "test"),
+            ("quantity", "published", "viscoroll", "difference", "test"),
             [
                 (row["what"], row["theirs"], row["ours"], difference(row), f"`{row['test']}`")
                 for row in benchmark["row"]
@@ -82,7 +82,7 @@ def benchmark_table(path: Path) -> str:
 def scalar_table() -> str:
     """Return the table of all scalar results with their units."""
     return table(
-        ("name", "unit", "of a roller", "what"),
+        ("name", "unit", "unit (roller)", "description"),
         [
             (f"`{name}`", shown(unit), shown(unit_in_contact(unit, line_contact=True)), label)
             for name, (unit, label) in SCALARS.items()

@@ -38,7 +38,7 @@ def bundle(folder: Path, main: str = "main") -> str:
         name for name, part in zip(order, parts, strict=True) if re.search(r"^(import|export)\b", part, re.MULTILINE)
     ]
     if left:
-        raise ValueError(f"import and export must be of names, as in other modules, in {', '.join(left)}")
+        raise ValueError(f"import and export must name their objects, in {', '.join(left)}")
     return '(() => {\n"use strict";\n' + "".join(parts) + "})();\n"
 
 
@@ -57,7 +57,7 @@ def write_page(folder: Path, library: Path) -> bool:
     text = (PAGE / "index.html").read_text(encoding="utf-8")
     for before, after in ((_START, _START.replace("none", "wasm" if solves else "none")), (_MODULE, scripts)):
         if before not in text:
-            raise ValueError(f"index.html must have {before}")
+            raise ValueError(f"index.html must contain {before}")
         text = text.replace(before, after)
     (folder / "index.html").write_text(text, encoding="utf-8")
     (folder / "page.js").write_text(bundle(PAGE), encoding="utf-8")

@@ -107,9 +107,7 @@ void require_friction(double value) {
   require_nonnegative("friction", value, "");
   if (value <= kLargestFriction) return;
   reject("friction",
-         "at most " + text(kLargestFriction) +
-             ", for no pair of materials has more, or infinite, where all of the contact sticks",
-         value);
+         "at most " + text(kLargestFriction) + " (no pair of materials has more), or infinite for full stick", value);
 }
 
 void require_finite(std::string_view name, double value) {

@@ -1,17 +1,20 @@
-"""A platform on steel balls between dishes with rubber, on ground that shakes: worked out for docs/jobs/isolation.md.
+"""Motion of a platform on steel balls between dishes with rubber on shaking ground, for docs/jobs/isolation.md.
 
-Every ball, of radius R, rolls between a dish in the floor and an equal one, upside down, in the platform. Both have the
-radius ρ, and both contacts go the way s = ρ θ along them, θ the slope there: the platform swings as a pendulum of the
-length L = 2 (ρ - R),
+Each ball of radius R rolls between a dish in the floor and an identical, inverted dish in the platform, both of radius
+ρ. Where the slope of the dishes is θ, each contact has traveled s = ρ θ along its dish. The platform swings as a
+pendulum of the length L = 2 (ρ - R):
 
-    m (L θ'' + g sin θ + a_g cos θ) + N M / R = 0,    N P = m (g cos θ + L θ'² - a_g sin θ),
+    m (L θ'' + g sin θ + a_g cos θ) + N M / R = 0,    N P = m (g cos θ + L θ'² - a_g sin θ).
 
-displaced by L sin θ and lifted by L (1 - cos θ). P is what a contact bears, and M its moment: the two contacts of a
-ball cost 2 M (1/R - 1/ρ) a way s, which is M / R a way L θ. Slowly, with W the platform's weight on a ball, that is a
-level force W tan θ + M / (R cos θ) under a load W / cos θ: what restores and what is lost add up. Balls weigh nothing.
+The platform is displaced by L sin θ and lifted by L (1 - cos θ). m is its mass, a_g the horizontal acceleration of the
+ground and N the number of balls, whose mass is neglected. P is the normal load of a contact and M its resisting moment.
+The two contacts of a ball dissipate the energy 2 M (1/R - 1/ρ) per contact travel s, which equals M / R per L θ. If the
+platform moves slowly, a ball that carries the weight W has the load P = W / cos θ and exerts the horizontal force
+W tan θ + M / (R cos θ): restoring force plus rolling resistance.
 
-M depends on all that was before, so it comes from a rolling history, a step of Newmark's rule at a time; or, nearly, on
-load and speed alone, from a fitted surface, and then any integrator will do.
+M depends on the whole history of the motion. `by_newmark` therefore advances a rolling history with each step of
+Newmark's method. `by_solve_ivp` approximates M by its steady value, a fitted function of load and speed that works
+with any integrator.
 
     python docs/jobs/isolation_platform.py [picture.png]
 """
@@ -35,88 +38,90 @@ GRAVITY = 9.81  # [m/s²]
 class Platform:
     """Platform, balls and dishes."""
 
-    layers: tuple[vr.Layer, ...]  # of every dish
+    layers: tuple[vr.Layer, ...]  # of each dish
     ball_radius: float = 21e-3  # R [m]
     dish_radius: float = 0.4  # ρ [m]
-    rim: float = 60e-3  # way along a dish to its rim [m]
+    rim: float = 60e-3  # arc length from the center of a dish to its rim [m]
     balls: int = 4
     mass: float = 400.0 / GRAVITY  # [kg]
 
     @property
     def ball(self) -> vr.CoatedSphere:
-        """A ball, all core."""
+        """Rigid ball without layers."""
         return vr.CoatedSphere(core_radius=self.ball_radius)
 
     @property
     def dish(self) -> vr.Groove:
-        """A dish, alike along and across."""
+        """Dish with the same radius along and across the path."""
         return vr.Groove(radius=self.dish_radius, path_radius=self.dish_radius, layers=self.layers)
 
     @property
     def length(self) -> float:
-        """Length of the pendulum that the platform is, L [m]."""
+        """Length L of the equivalent pendulum [m]."""
         return 2.0 * (self.dish_radius - self.ball_radius)
 
     @property
     def period(self) -> float:
-        """Period of small swings without loss [s]."""
+        """Period of small oscillations without loss [s]."""
         return float(2.0 * np.pi * np.sqrt(self.length / GRAVITY))
 
     def way(self, slope: float) -> float:
-        """Way of the contacts along their dishes [m].
+        """Travel of the contacts along their dishes at a slope [m].
 
         Raises
         ------
         ValueError
-            Beyond the rim.
+            If a contact would be beyond the rim.
         """
         way = self.dish_radius * slope
         if abs(way) > self.rim:
-            raise ValueError(f"way must be within the rim of the dish, ±{self.rim:g} m, got {way:g} m")
+            raise ValueError(
+                f"way must be in [-{self.rim:g}, {self.rim:g}] m, within the rim of the dish, got {way:g} m"
+            )
         return way
 
     def load(self, slope: float, rate: float, shake: float) -> float:
-        """Load on each contact [N]; 0 where the ground falls faster than the platform."""
+        """Load on each contact [N], under the ground acceleration `shake` [m/s²]; 0 if the platform lifts off."""
         pressing = GRAVITY * np.cos(slope) + self.length * rate**2 - shake * np.sin(slope)
         return max(0.0, self.mass * float(pressing) / self.balls)
 
-    def swing(self, slope: float, shake: float, moment: float) -> float:
-        """Acceleration of the slope, θ'' [rad/s²], by the moment M of each contact."""
+    def angular_acceleration(self, slope: float, shake: float, moment: float) -> float:
+        """Second derivative θ'' of the slope [rad/s²], with the moment M of each contact."""
         pull = GRAVITY * np.sin(slope) + shake * np.cos(slope)
         return -float(pull + self.balls * moment / (self.ball_radius * self.mass)) / self.length
 
     def energy(self, slope: np.ndarray, rate: np.ndarray) -> np.ndarray:
-        """Energy of the swing above the lowest point [J]."""
+        """Kinetic plus potential energy relative to rest at the lowest point [J]."""
         return self.mass * self.length * (0.5 * self.length * rate**2 + GRAVITY * (1.0 - np.cos(slope)))
 
 
 @dataclass(frozen=True)
 class Motion:
-    """What the platform does over time, and what a contact does."""
+    """Motion of the platform, with moment and load of a contact."""
 
     time: np.ndarray  # [s]
     slope: np.ndarray  # θ [rad]
     rate: np.ndarray  # θ' [rad/s]
-    acceleration: np.ndarray  # of the platform, level, the ground's among it [m/s²]
+    acceleration: np.ndarray  # of the platform, horizontal, including the ground's [m/s²]
     moment: np.ndarray  # M of each contact [N m]
-    load: np.ndarray  # P on it [N]
+    load: np.ndarray  # P of each contact [N]
 
     def displacement(self, platform: Platform) -> np.ndarray:
-        """Of the platform against the ground [m]."""
+        """Horizontal displacement of the platform relative to the ground [m]."""
         return platform.length * np.sin(self.slope)
 
     def force(self, platform: Platform) -> np.ndarray:
-        """Level force of the balls on the platform, against the displacement [N]."""
+        """Horizontal force of the balls on the platform, positive against the displacement [N]."""
         return -platform.mass * self.acceleration
 
     def rolled(self, platform: Platform) -> np.ndarray:
-        """Work that the balls' rolling has taken since the first instant [J]."""
+        """Work against the rolling resistance since the start [J]."""
         force = platform.balls * self.moment / platform.ball_radius
         return cumulative_trapezoid(force, platform.length * self.slope, initial=0.0)
 
 
 def ground_motion(duration: float = 12.0, step: float = 0.01, peak: float = 2.0) -> tuple[np.ndarray, np.ndarray]:
-    """Return times [s] and a synthetic ground acceleration [m/s²]: noise of 0.4 to 4 Hz that swells and fades."""
+    """Return times [s] and a synthetic ground acceleration [m/s²]: noise of 0.4 to 4 Hz that rises and decays."""
     time = np.arange(0.0, duration, step)
     noise = np.random.default_rng(7).standard_normal(len(time))
     shaped = sosfilt(butter(2, [0.4, 4.0], btype="bandpass", fs=1.0 / step, output="sos"), noise)
@@ -129,27 +134,27 @@ def by_newmark(
 ) -> tuple[Motion, vr.RollingHistory]:
     """Integrate from rest at a slope by Newmark's average acceleration; return the motion and a contact's history.
 
-    Both dishes are alike, and so are the histories of all contacts: one stands for all. A step that is tried rolls a
-    copy, and the one that balances the forces is the history from there on. The rubber makes θ'' answer to itself by
-    less than a hundredth, so every pass brings two digits.
+    All contacts have the same history, because the dishes are identical; one history represents them all. Each
+    iteration of a step advances a copy of the history. The copy that balances the forces replaces the history. The
+    moment depends so weakly on θ'' that each iteration reduces the error of θ'' at least a hundredfold.
     """
     load = platform.load(slope, 0.0, ground[0])
     start = platform.way(slope)
     stepper = vr.RollingHistory(platform.ball, on=platform.dish, load=load, way=start, mesh=mesh, lattices=2)
-    rate, swing = 0.0, platform.swing(slope, ground[0], stepper.now.resisting_torque)
-    rows = [(slope, rate, swing, stepper.now.resisting_torque, load)]
+    rate, acceleration = 0.0, platform.angular_acceleration(slope, ground[0], stepper.now.resisting_torque)
+    rows = [(slope, rate, acceleration, stepper.now.resisting_torque, load)]
     for before, now, shake in zip(time[:-1], time[1:], ground[1:], strict=True):
-        step, found, change = now - before, swing, np.inf
+        step, found, change = now - before, acceleration, np.inf
         while abs(change) > 1e-9 * GRAVITY / platform.length:
-            new_slope = slope + step * rate + 0.25 * step**2 * (swing + found)
-            new_rate = rate + 0.5 * step * (swing + found)
+            new_slope = slope + step * rate + 0.25 * step**2 * (acceleration + found)
+            new_rate = rate + 0.5 * step * (acceleration + found)
             load = platform.load(new_slope, new_rate, shake)
             trial = copy.copy(stepper)
             moment = trial.advance(time=now, way=platform.way(new_slope), load=load).resisting_torque
-            change = platform.swing(new_slope, shake, moment) - found
+            change = platform.angular_acceleration(new_slope, shake, moment) - found
             found += change
-        stepper, slope, rate, swing = trial, new_slope, new_rate, found
-        rows.append((slope, rate, swing, moment, load))
+        stepper, slope, rate, acceleration = trial, new_slope, new_rate, found
+        rows.append((slope, rate, acceleration, moment, load))
     return as_motion(platform, time, ground, *np.array(rows).T), stepper
 
 
@@ -166,47 +171,49 @@ def fitted_resistance(platform: Platform, accuracy: float) -> vr.RollingResistan
 def by_solve_ivp(
     platform: Platform, time: np.ndarray, ground: np.ndarray, surface: vr.RollingResistance, slope: float = 0.0
 ) -> Motion:
-    """Integrate by SciPy's method for stiff equations: the torque of steady rolling knows nothing of before."""
-    # Power lost per speed is M times what R is of the relative radius.
-    share = 1.0 - platform.ball_radius / platform.dish_radius
+    """Integrate with the torque of steady rolling, which does not depend on the history, by SciPy's LSODA."""
+    # Dissipated power / angular speed is M (1 - R/ρ).
+    factor = 1.0 - platform.ball_radius / platform.dish_radius
 
     def moment(slope: float, rate: float, shake: float) -> float:
-        platform.way(slope)  # within the rim
+        platform.way(slope)  # raises an error beyond the rim
         speed = platform.dish_radius * rate / platform.ball_radius
-        return float(surface(platform.load(slope, rate, shake), speed, outside=vr.Extrapolation.HOLD)) / share
+        return float(surface(platform.load(slope, rate, shake), speed, outside=vr.Extrapolation.HOLD)) / factor
 
     def change(now: float, state: np.ndarray) -> list[float]:
         shake = float(np.interp(now, time, ground))
-        return [state[1], platform.swing(state[0], shake, moment(*state, shake))]
+        return [state[1], platform.angular_acceleration(state[0], shake, moment(*state, shake))]
 
-    step = time[1] - time[0]  # of the ground's record, which is to be seen
+    step = time[1] - time[0]  # longer integration steps would skip parts of the ground's motion
     done = solve_ivp(change, time[[0, -1]], [slope, 0.0], "LSODA", time, rtol=1e-7, atol=1e-9, max_step=step)
     states = list(zip(*done.y, ground, strict=True))
     moments = np.array([moment(*state) for state in states])
-    swings = [platform.swing(s, shake, m) for (s, _, shake), m in zip(states, moments, strict=True)]
+    accelerations = [
+        platform.angular_acceleration(s, shake, m) for (s, _, shake), m in zip(states, moments, strict=True)
+    ]
     loads = np.array([platform.load(*state) for state in states])
-    return as_motion(platform, time, ground, *done.y, np.array(swings), moments, loads)
+    return as_motion(platform, time, ground, *done.y, np.array(accelerations), moments, loads)
 
 
 def as_motion(
     platform: Platform, time: np.ndarray, ground: np.ndarray, slope: np.ndarray, rate: np.ndarray, swing: np.ndarray,
     moment: np.ndarray, load: np.ndarray,
 ) -> Motion:  # fmt: skip
-    """Return a motion, with the platform's acceleration."""
+    """Return the motion with the acceleration of the platform; `swing` is θ''."""
     level = platform.length * (swing * np.cos(slope) - rate**2 * np.sin(slope))
     return Motion(time, slope, rate, level + ground, moment, load)
 
 
-def break_away(platform: Platform, stand: float, mesh: vr.Mesh) -> float:
-    """Force that moves the platform again after a millimeter's roll and standing for some time [N]."""
-    time, way = np.cumsum([0.0, 0.4, stand, 0.2]), [-20e-3, 0.0, 0.0, 10e-3]
+def break_away(platform: Platform, dwell: float, mesh: vr.Mesh) -> float:
+    """Largest force that moves the platform 10 mm away from the center after a rest of `dwell` seconds [N]."""
+    time, way = np.cumsum([0.0, 0.4, dwell, 0.2]), [-20e-3, 0.0, 0.0, 10e-3]
     load = platform.mass * GRAVITY / platform.balls
     h = vr.roll(platform.ball, on=platform.dish, time=time, way=way, load=load, mesh=mesh, lattices=2)
     return float(platform.balls * h.resisting_torque[h.time > time[2]].max() / platform.ball_radius)
 
 
 def draw(time: np.ndarray, ground: np.ndarray, platform: Platform, motions: dict[str, Motion]) -> Figure:
-    """Draw accelerations and displacement over time, and the loop of all forces of the balls."""
+    """Draw accelerations and displacement over time, and the total force of the balls over the displacement."""
     figure = Figure(figsize=(11.0, 4.6), layout="constrained")
     axes = figure.subplot_mosaic([["acceleration", "loop"], ["displacement", "loop"]])
     axes["acceleration"].plot(time, ground, color="0.6", label="ground")
@@ -225,7 +232,7 @@ def draw(time: np.ndarray, ground: np.ndarray, platform: Platform, motions: dict
 def main(
     nodes: int = 400, accuracy: float = 0.01, duration: float = 12.0, picture: str | None = None
 ) -> dict[str, float]:
-    """Compute, print and draw; return what was printed."""
+    """Compute and print the numbers, draw the picture if a path is given, and return the numbers."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
     platform = Platform(layers=(vr.Layer(thickness=1e-3, shear_modulus=rubber, poisson_ratio=0.5),))
     mesh = vr.Mesh(nodes_per_revolution=nodes)
@@ -235,17 +242,17 @@ def main(
         "by steady torque": by_solve_ivp(platform, time, ground, fitted_resistance(platform, accuracy)),
     }
     numbers = {
-        "period of small swings without loss [s]": platform.period,
+        "period of small oscillations without loss [s]": platform.period,
         "largest acceleration of the ground [m/s²]": float(np.abs(ground).max()),
     }
     for name, motion in motions.items():
         numbers |= {
             f"largest displacement, {name} [mm]": float(np.abs(motion.displacement(platform)).max()) * 1e3,
             f"largest acceleration, {name} [m/s²]": float(np.abs(motion.acceleration).max()),
-            f"taken by rolling, {name} [mJ]": float(motion.rolled(platform)[-1]) * 1e3,
+            f"dissipated by rolling, {name} [mJ]": float(motion.rolled(platform)[-1]) * 1e3,
         }
-    for stand in (0.0, 0.1, 1.0, 10.0):
-        numbers[f"break-away force after standing {stand:g} s [N]"] = break_away(platform, stand, mesh)
+    for dwell in (0.0, 0.1, 1.0, 10.0):
+        numbers[f"break-away force after a dwell of {dwell:g} s [N]"] = break_away(platform, dwell, mesh)
     for name, value in numbers.items():
         print(f"{name:<56} {value:8.3f}")
     if picture:

@@ -43,9 +43,9 @@ CustomModulus custom_modulus(const py::typing::Callable<py::object(py::array_t<d
 }  // namespace
 
 void bind_inputs(py::module_& m) {
-  py::native_enum<Extrapolation>(m, "Extrapolation", "enum.Enum", "What a master curve does outside its table.")
-      .value("ERROR", Extrapolation::error, "refuse")
-      .value("HOLD", Extrapolation::hold, "keep the value at the nearer end")
+  py::native_enum<Extrapolation>(m, "Extrapolation", "enum.Enum", "Behavior of a master curve outside its table.")
+      .value("ERROR", Extrapolation::error, "raise an error")
+      .value("HOLD", Extrapolation::hold, "keep the value at the nearer end of the table")
       .finalize();
 
   py::classh<Elastic>(m, "Elastic")
@@ -93,12 +93,13 @@ void bind_inputs(py::module_& m) {
            }),
            py::kw_only(), py::arg("thickness"), py::arg("shear_modulus"), py::arg("poisson_ratio").none(true),
            py::arg("bulk_modulus").none(true), py::arg("density"));
-  py::native_enum<InnerBoundary>(m, "InnerBoundary", "enum.Enum", "What lies within the innermost layer.")
+  py::native_enum<InnerBoundary>(m, "InnerBoundary", "enum.Enum",
+                                 "Boundary condition at the inner surface of the innermost layer.")
 #define VISCOROLL_INNER_BOUNDARY(name, NAME, details, is_core, is_free) .value(#NAME, InnerBoundary::name, details)
 #include "viscoroll/inner_boundaries.def"
 #undef VISCOROLL_INNER_BOUNDARY
       .finalize();
-  py::native_enum<Curvature>(m, "Curvature", "enum.Enum", "How much of the sphere's curvature the equations keep.")
+  py::native_enum<Curvature>(m, "Curvature", "enum.Enum", "Curvature terms in the layer equations of a sphere.")
       .value("SPHERE", Curvature::sphere, "the paper's orders with the membrane stiffness of a sphere")
       .value("PAPER", Curvature::paper, "equation (26) as printed")
       .value("EXACT", Curvature::exact, "spherical harmonics in place of the paper's orders")
@@ -117,13 +118,13 @@ void bind_inputs(py::module_& m) {
              return cylinder;
            }),
            py::kw_only(), py::arg("core_radius"), py::arg("layers"));
-  py::native_enum<Hub>(m, "Hub", "enum.Enum", "What the hub of a crowned wheel looks like under the tread.")
-      .value("STRAIGHT", Hub::straight, "a cylinder: the tread is thinner at its sides")
-      .value("CROWNED", Hub::crowned, "it follows the crown: the layers are as thick everywhere")
+  py::native_enum<Hub>(m, "Hub", "enum.Enum", "Shape of the hub under the tread of a crowned wheel.")
+      .value("STRAIGHT", Hub::straight, "a cylinder; the tread is thinner at its faces")
+      .value("CROWNED", Hub::crowned, "parallel to the crown; the thickness of the layers is constant")
       .finalize();
-  py::native_enum<Sides>(m, "Sides", "enum.Enum", "What a tread ends in.")
-      .value("FREE", Sides::free, "faces at half the width, which bulge")
-      .value("ENDLESS", Sides::endless, "none: the tread goes on, but bears pressure within the width alone")
+  py::native_enum<Sides>(m, "Sides", "enum.Enum", "Lateral ends of a tread.")
+      .value("FREE", Sides::free, "stress-free faces at half the width, which bulge")
+      .value("ENDLESS", Sides::endless, "no faces; the tread continues, but is loaded only within the width")
       .finalize();
   py::classh<CoatedWheel>(m, "CoatedWheel")
       .def(py::init([](double core_radius, std::vector<Layer> layers, double width, double crown_radius, Hub hub,

@@ -40,7 +40,7 @@ Tractions make_tractions(const Mesh& mesh, double radius, std::optional<double> 
 
 /// Return places from two arrays, the positions and the indices of the layers.
 std::vector<Place> places_from(const InputArray<double>& position, const InputArray<int>& layer) {
-  if (position.size() != layer.size()) throw py::value_error("position and layer must be of one length");
+  if (position.size() != layer.size()) throw py::value_error("position and layer must have the same length");
   std::vector<Place> places;
   places.reserve(static_cast<std::size_t>(position.size()));
   for (py::ssize_t i = 0; i < position.size(); ++i) {

@@ -64,7 +64,7 @@ void bind_scalars(py::module_& m) {
 #undef VISCOROLL_SCALAR
     };
   };
-  m.def("result_scalars", descriptions, "What the scalar results are, in SI units.");
+  m.def("result_scalars", descriptions, "Descriptions of the scalar results, in SI units.");
 
   py::classh<ResultScalars> scalars(m, "ResultScalars");
 #define VISCOROLL_SCALAR(type, name, unit, label, details) \
@@ -76,26 +76,29 @@ void bind_scalars(py::module_& m) {
 }  // namespace
 
 void bind_result(py::module_& m) {
-  py::native_enum<Status>(m, "Status", "enum.Enum", "How a solve ended.")
-      .value("CONVERGED", Status::converged, "every condition holds")
-      .value("MAX_ITERATIONS", Status::max_iterations, "the iterations ran out")
-      .value("ACCURACY_NOT_REACHED", Status::accuracy_not_reached, "the finest mesh allowed is not accurate enough")
+  py::native_enum<Status>(m, "Status", "enum.Enum", "Outcome of a solve.")
+      .value("CONVERGED", Status::converged, "all contact conditions are satisfied")
+      .value("MAX_ITERATIONS", Status::max_iterations, "the limit of iterations was reached")
+      .value("ACCURACY_NOT_REACHED", Status::accuracy_not_reached,
+             "the error estimate exceeds the requested accuracy on the finest mesh")
       .finalize();
 
-  py::native_enum<WarningKind>(m, "WarningKind", "enum.Enum", "What a user should know before relying on a result.")
-      .value("MAX_ITERATIONS", WarningKind::max_iterations, "the contact still changed when the iterations ran out")
+  py::native_enum<WarningKind>(m, "WarningKind", "enum.Enum", "Kinds of warnings about a result.")
+      .value("MAX_ITERATIONS", WarningKind::max_iterations, "the contact still changed at the limit of iterations")
       .value("ACCURACY_NOT_REACHED", WarningKind::accuracy_not_reached,
-             "the error estimate is above what was asked for")
+             "the error estimate exceeds the requested accuracy")
       .value("COARSE_MESH", WarningKind::coarse_mesh, "a given mesh has few nodes across the contact")
-      .value("POWER_BALANCE", WarningKind::power_balance, "a given mesh leaves the power balance open")
+      .value("POWER_BALANCE", WarningKind::power_balance, "on a given mesh the power-balance error is large")
       .value("PRESSURE_PEAK", WarningKind::pressure_peak,
-             "the largest pressure is less certain than what was asked for, or on a given mesh than a tenth")
-      .value("LARGE_STRAIN", WarningKind::large_strain, "beyond what linear theory is good for")
+             "the error estimate of the largest pressure exceeds the accuracy, or 0.1 on a given mesh")
+      .value("LARGE_STRAIN", WarningKind::large_strain, "the strain exceeds the range of linear theory")
       .value("CONTACT_AT_SIDE", WarningKind::contact_at_side,
-             "the contact of a crowned wheel reaches its sides; with endless ones, ends nearer than the tread is thick")
+             "the contact of a crowned wheel reaches a face or, with endless sides, is closer to it than the tread "
+             "thickness")
       .value("EDGE_PRESSURE", WarningKind::edge_pressure,
-             "the pressure grows without bounds at the edge of a flat tread with endless sides, or on what deforms")
-      .value("TIGHT_CROWN", WarningKind::tight_crown, "rounder than the tread is thick")
+             "the pressure is singular at the edges of a flat wheel with endless sides or on a wider deformable "
+             "counterbody")
+      .value("TIGHT_CROWN", WarningKind::tight_crown, "the crown radius is smaller than the tread thickness")
       .finalize();
 
   py::classh<Refinement>(m, "Refinement")

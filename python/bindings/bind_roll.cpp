@@ -99,9 +99,9 @@ auto field(std::vector<T> ContactField::* member) {
 }  // namespace
 
 void bind_roll(py::module_& m) {
-  py::native_enum<Start>(m, "Start", "enum.Enum", "What the coating has gone through before the first instant.")
-      .value("RELAXED", Start::relaxed, "it has borne the load for ever")
-      .value("FRESH", Start::fresh, "it is pressed on in no time")
+  py::native_enum<Start>(m, "Start", "enum.Enum", "Load history of the coating before the first instant.")
+      .value("RELAXED", Start::relaxed, "the coating has relaxed fully under the load")
+      .value("FRESH", Start::fresh, "the load is applied instantaneously to an undeformed coating")
       .finalize();
 
   py::classh<HistoryOptions>(m, "HistoryOptions")

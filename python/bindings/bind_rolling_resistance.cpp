@@ -22,7 +22,7 @@ py::array_t<double> torques(const RollingResistance& surface, const InputArray<d
                             const InputArray<double>& angular_speed, Extrapolation outside) {
   const auto loads = view(load);
   const auto speeds = view(angular_speed);
-  if (loads.size() != speeds.size()) throw py::value_error("load and angular_speed must be of one length");
+  if (loads.size() != speeds.size()) throw py::value_error("load and angular_speed must have the same length");
   py::array_t<double> found(load.size());
   double* torque = found.mutable_data();
   for (std::size_t i = 0; i < loads.size(); ++i) torque[i] = resisting_torque(surface, loads[i], speeds[i], outside);

@@ -47,7 +47,7 @@ Result solve_kept_released(const RollingBody& body, const Counterpart& on, doubl
                            const InputArray<unsigned char>& stick, const InputArray<double>& pressure,
                            const InputArray<double>& shear_traction, double penetration, double creepage, int threads,
                            const py::object& progress) {
-  if (contact.ndim() != 2) throw py::value_error("contact must have rows and columns");
+  if (contact.ndim() != 2) throw py::value_error("contact must be a two-dimensional array");
   const KeptContact kept{.phi_nodes = static_cast<int>(contact.shape(0)),
                          .theta_nodes = static_cast<int>(contact.shape(1)),
                          .contact = copied(contact),
@@ -83,18 +83,18 @@ Result solve_on_model(const RollingModel& model, double load, double angular_spe
 }  // namespace
 
 void bind_solve(py::module_& m) {
-  py::native_enum<Compliance>(m, "Compliance", "enum.Enum", "The compliance in the contact condition.")
-      .value("RADIAL", Compliance::radial, "C_RR: pressure along the radius, the one nearer to finite strain")
-      .value("VERTICAL", Compliance::vertical, "C_WW: pressure on the normals of the undeformed sphere")
+  py::native_enum<Compliance>(m, "Compliance", "enum.Enum", "Compliance in the contact condition.")
+      .value("RADIAL", Compliance::radial, "C_RR: pressure along the radius; closer to finite strain")
+      .value("VERTICAL", Compliance::vertical, "C_WW: pressure along the normals of the undeformed sphere")
       .finalize();
   py::native_enum<PatchLoad>(m, "PatchLoad", "enum.Enum", "Traction on the patch of a node.")
       .value("FLAT", PatchLoad::flat, "uniform in (phi, theta), equation (53)")
       .value("SPHERICAL", PatchLoad::spherical, "proportional to 1/sin(theta), equation (38)")
       .finalize();
   py::native_enum<SlipKinematics>(m, "SlipKinematics", "enum.Enum",
-                                  "How far material travels between nodes of an undeformed sphere.")
+                                  "Distance that material travels between nodes of an undeformed sphere.")
       .value("EXACT", SlipKinematics::exact, "the difference of x = r_o sin(theta) cos(phi)")
-      .value("FLAT", SlipKinematics::flat, "r_o times the spacing everywhere, the last form of (55a)")
+      .value("FLAT", SlipKinematics::flat, "r_o times the spacing everywhere, the last form of equation (55a)")
       .finalize();
 
   py::classh<DriveForce>(m, "DriveForce").def(py::init<double>(), py::arg("force"));

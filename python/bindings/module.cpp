@@ -11,7 +11,7 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
   m.attr("__fft__") = viscoroll::kFft;
   m.attr("__commit__") = VISCOROLL_COMMIT;
   py::register_exception<viscoroll::ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError).attr("__doc__") =
-      "An iteration ended without a usable answer; the message says how far it came.";
+      "An iteration ended without a usable result.";
   m.def("core_count", &viscoroll::core_count, "Cores that this process may use.");
   bind_inputs(m);
   bind_modal(m);

@@ -19,7 +19,7 @@ def _run() -> None:
     try:
         from .cli import run
     except ImportError as error:
-        sys.exit(f"viscoroll: the command line needs {error.name}: pip install 'viscoroll[cli,plot]'")
+        sys.exit(f"viscoroll: the command line requires {error.name}, not installed: pip install 'viscoroll[cli,plot]'")
     run()
 
 

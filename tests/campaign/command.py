@@ -37,13 +37,13 @@ def main(
     parser = argparse.ArgumentParser(prog=program, description=description)
     parser.add_argument("--cases", type=int, default=2000, help="number of cases")
     parser.add_argument("--first", type=int, default=0, help="number of the first case")
-    parser.add_argument("--seed", type=int, default=1, help="of the campaign")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the random cases")
     parser.add_argument("--jobs", type=int, default=1, help="number of processes, each with one thread")
+    parser.add_argument("--limit", type=float, default=20.0, help="largest processor time of a solve [s]")
     parser.add_argument(
-        "--limit", type=float, default=20.0, help="processor time of a solve [s], beyond which it hangs"
+        "--output", type=Path, default=Path(output), help="output file with one line of JSON for each case"
     )
-    parser.add_argument("--output", type=Path, default=Path(output), help="JSON, a line for each case")
-    parser.add_argument("--case", metavar="SEED:NUMBER", action="append", help="solve this one here, and show it")
+    parser.add_argument("--case", metavar="SEED:NUMBER", action="append", help="solve and print only this case")
     arguments = parser.parse_args()
     if arguments.case:
         return max([_show(draw(*map(int, name.split(":"))), run_case) for name in arguments.case])
@@ -60,7 +60,9 @@ def main(
             _report(len(outcomes), len(numbers), outcomes)
     print(file=sys.stderr)
     print(summary(outcomes))
-    print(f"{time.monotonic() - start:.0f} s in all; {arguments.output} has each case, --case SEED:NUMBER repeats one")
+    print(
+        f"{time.monotonic() - start:.0f} s in total; {arguments.output} has all cases, --case SEED:NUMBER repeats one"
+    )
     return int(any(outcome.failed for outcome in outcomes))
 
 

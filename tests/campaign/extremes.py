@@ -1,6 +1,6 @@
 """Steady cases with one number far too small or too large: solved or refused, without hangs or NaN.
 
-The solution is not compared with others, since the number often has no effect or alone determines the solution.
+The solution is not compared with other solutions, because the number often has no effect or dominates the solution.
 """
 
 from __future__ import annotations
@@ -122,7 +122,7 @@ def run_case(case: Extreme, before_each: Callable[[Outcome], object] = lambda _:
     except (ValueError, MemoryError) as error:
         outcome.message = str(error)
         is_proper = re.match(r"[a-z_]+[\w.\[\]]*( (and|or|at) [^ ]+( rad/s)?)* must ", outcome.message)
-        outcome.kind = "refused" if is_proper else "refused improperly"
+        outcome.kind = "rejected" if is_proper else "improper message"
     except Exception as error:
         outcome.kind, outcome.message = "error", repr(error)
     else:

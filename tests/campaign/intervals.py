@@ -1,10 +1,10 @@
 """Coverage of intervals: `python -m tests.campaign.intervals`.
 
-The command adds noise to sweeps of a known rubber at five temperatures, shifts them, draws them again, and solves
-rolling at these temperatures. It reports the share of the data sets whose interval contains the result of the rubber
-itself on the same mesh, for each temperature and in total, and the share of the power dissipated at unmeasured
-frequencies, which the draws do not represent. With `--moduli`, it reports the coverage of the moduli. It fails if the
-intervals of the torque contain the truth in less than nine of ten cases.
+The command simulates noisy sweeps of a known rubber at five temperatures, superposes them, draws moduli by a bootstrap,
+and solves rolling at these temperatures. It reports the share of the data sets whose interval contains the result of
+the rubber itself on the same mesh, for each temperature and in total, and the share of the power dissipated at
+unmeasured frequencies, which the draws do not represent. With `--moduli`, it reports the coverage of the moduli. It
+fails if the intervals of the torque contain the truth in less than nine of ten cases.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ def study(seed, noise, *, draws=100, way="linear"):
 def held(found, truth):
     """Return whether intervals contain the truth (1 or 0), and errors per half width, shape (answers, temperatures).
 
-    NaN without an interval, as for a largest pressure at the edge.
+    Results without an interval, such as a largest pressure at the edge, give NaN.
     """
     lower, upper, true, middle = (
         np.array([dataset[f"{answer}{bound}"].values for answer in ANSWERS])
@@ -141,17 +141,19 @@ def torques(sets, draws, noise, way):
     print(file=sys.stderr)
     share, bias, width = np.nanmean(inside, axis=0), np.nanmean(errors, axis=0), np.nanmean(widths, axis=(0, 2))
     print(
-        f"{sets} data sets of noise {noise.storage:.0%} and {noise.loss:.0%} (storage, loss), {draws} draws, {way}: "
-        f"intervals of 95 % at {', '.join(f'{t:g}' for t in TEMPERATURES)} °C"
+        f"{sets} data sets with noise {noise.storage:.0%} and {noise.loss:.0%} (storage, loss), {draws} draws, {way}: "
+        f"95 % intervals at {', '.join(f'{t:g}' for t in TEMPERATURES)} °C"
     )
     for answer, row, off, half in zip(ANSWERS, share, bias, width, strict=True):
         by_temperature = ", ".join(f"{value:.1%}" for value in row)
         print(
-            f"{answer}: hold the truth in {np.nanmean(row):.1%} ({by_temperature}); half width {half:.2%} of it; "
-            f"mean error {np.nanmean(off):+.2f} half widths"
+            f"{answer}: {np.nanmean(row):.1%} contain the true value ({by_temperature}); half-width {half:.2%}; "
+            f"mean error {np.nanmean(off):+.2f} half-widths"
         )
-    print(f"power lost where nobody measured: {', '.join(f'{share:.0%}' for share in unmeasured())}")
-    print(f"processor time of a data set: median {np.median(times):.1f} s, at most {max(times):.1f} s")
+    print(
+        f"power dissipated at frequencies without measurements: {', '.join(f'{share:.0%}' for share in unmeasured())}"
+    )
+    print(f"processor time per data set: median {np.median(times):.1f} s, largest {max(times):.1f} s")
     return float(share[0].mean())
 
 
@@ -176,8 +178,9 @@ def moduli(sets, draws, noise):
     for k, name in enumerate(("storage", "loss")):
         by_frequency = share[:, k].mean(axis=0)
         print(
-            f"{name}: covered {share[:, k].mean():.1%}, {by_frequency.min():.1%} to {by_frequency.max():.1%} by "
-            f"frequency; error {np.sqrt((error[:, k] ** 2).mean()):.2%} rms, {np.abs(error[:, k]).max():.1%} at most"
+            f"{name}: {share[:, k].mean():.1%} contain the true value, {by_frequency.min():.1%} to "
+            f"{by_frequency.max():.1%} by frequency; error {np.sqrt((error[:, k] ** 2).mean()):.2%} rms, "
+            f"largest {np.abs(error[:, k]).max():.1%}"
         )
     return float(share.mean())
 
@@ -186,11 +189,15 @@ def main():
     """Run the tests."""
     parser = argparse.ArgumentParser(prog="python -m tests.campaign.intervals", description=__doc__)
     parser.add_argument("--sets", type=int, default=200, help="number of data sets")
-    parser.add_argument("--draws", type=int, default=100, help="of each")
-    parser.add_argument("--storage-noise", type=float, default=0.03, help="relative standard deviation")
-    parser.add_argument("--loss-noise", type=float, default=0.03, help="relative standard deviation")
-    parser.add_argument("--whole", action="store_true", help="solve each draw whole")
-    parser.add_argument("--moduli", action="store_true", help="count intervals of moduli instead")
+    parser.add_argument("--draws", type=int, default=100, help="number of draws for each data set")
+    parser.add_argument(
+        "--storage-noise", type=float, default=0.03, help="relative standard deviation of the storage modulus"
+    )
+    parser.add_argument(
+        "--loss-noise", type=float, default=0.03, help="relative standard deviation of the loss modulus"
+    )
+    parser.add_argument("--whole", action="store_true", help="solve the contact for each draw")
+    parser.add_argument("--moduli", action="store_true", help="test the intervals of moduli instead of torques")
     arguments = parser.parse_args()
     warnings.simplefilter("ignore", vr.ResultWarning)
     noise = Noise(arguments.storage_noise, arguments.loss_noise)

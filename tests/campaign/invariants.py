@@ -65,7 +65,7 @@ def _contact(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     yield "pressure < 0", -float(result.pressure.min()) / peak
     yield "gap < 0", -float(result.gap.min()) / depth
     yield "gap in contact", float(np.abs(result.gap[inside]).max(initial=0.0)) / depth
-    yield "pressure out of contact", float(result.pressure[outside].max(initial=0.0)) / peak
+    yield "pressure outside contact", float(result.pressure[outside].max(initial=0.0)) / peak
     yield "load balance", abs(float((result.pressure * _areas(result)).sum()) / result.load - 1.0)
     yield "penetration <= 0", 0.0 if depth > 0.0 else 1.0
     yield "penetration >= thickness", 0.0 if (result.penetration or 0.0) < case.thickness else 1.0
@@ -77,8 +77,8 @@ def _status(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
         vr.Status.CONVERGED: accuracy is None or result.error_estimate <= accuracy,
         vr.Status.ACCURACY_NOT_REACHED: accuracy is not None and result.error_estimate > accuracy,
     }
-    yield "iterations ran out", float(result.status is vr.Status.MAX_ITERATIONS)
-    yield "status against estimate", float(not consistent.get(result.status, True))
+    yield "iteration limit reached", float(result.status is vr.Status.MAX_ITERATIONS)
+    yield "status contradicts error estimate", float(not consistent.get(result.status, True))
     yield "residual", result.residual
 
 
@@ -86,7 +86,7 @@ def _friction(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     slip, stick = result.slip, result.stick
     speed = np.hypot(*result.slip_velocity)
     fastest = max(float(speed.max()), _slip_of_the_shape(result))
-    yield "stick that slips", float(speed[stick].max(initial=0.0)) / fastest
+    yield "slip of sticking nodes", float(speed[stick].max(initial=0.0)) / fastest
     yield "stick and slip", float(np.any((stick & slip) | ((stick | slip) != result.contact)))
     if math.isinf(result.friction):
         yield "slip in full stick", float(slip.any())
@@ -99,7 +99,7 @@ def _friction(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     # opposite.
     yield "traction > friction", float((traction - limit).max()) / peak
     yield "slip below the limit", float((limit - traction)[slip].max(initial=0.0)) / peak
-    yield "slip not opposite", float((traction * speed / fastest + against)[slip].max(initial=0.0)) / peak
+    yield "slip not opposite to traction", float((traction * speed / fastest + against)[slip].max(initial=0.0)) / peak
 
 
 def _slip_of_the_shape(result: vr.Result) -> float:
@@ -137,14 +137,14 @@ def _powers(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     yield "power gained in the coating", -result.bulk_power / rolling
     yield "power gained by slip", -result.slip_power / rolling
     if all(isinstance(layer.shear_modulus, vr.Elastic) for layer in case.materials):
-        yield "power lost in an elastic coating", abs(result.bulk_power) / rolling
+        yield "power dissipated in an elastic coating", abs(result.bulk_power) / rolling
 
 
 def _pair(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     """Check that both bodies receive the power that they dissipate: in total, and without friction each one.
 
-    The moment of the pressure is accurate to a moment arm of one spacing, and a loss to the share of one node in the
-    half length of the contact.
+    The tolerance of the moment of the pressure is a moment arm of one spacing. The relative tolerance of a dissipated
+    power is that of one node in the half length of the contact.
     """
     if case.on is None:
         return
@@ -165,11 +165,11 @@ def _pair(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     drive = result.drive
     guided = (result.lateral_force * drive.lateral_creepage + result.spin_moment * drive.spin) * rolling
     unknown = float(levers.sum()) + share * result.dissipated_power
-    yield "power of a pair", TOLERANCE * abs(own + others - guided - result.dissipated_power) / unknown
+    yield "total power of a pair", TOLERANCE * abs(own + others - guided - result.dissipated_power) / unknown
     if not case.has_friction:
         first, other = levers + share * losses.sum()
-        yield "power of the first of a pair", TOLERANCE * abs(own - losses[0]) / first
-        yield "power of the other of a pair", TOLERANCE * abs(others - losses[1]) / other if other > 0.0 else 0.0
+        yield "power of the rolling body", TOLERANCE * abs(own - losses[0]) / first
+        yield "power of the counterbody", TOLERANCE * abs(others - losses[1]) / other if other > 0.0 else 0.0
 
 
 def _symmetry(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
@@ -178,8 +178,8 @@ def _symmetry(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
         return
     peak = float(result.pressure.max())
     forward, sideways = result.shear_traction
-    yield "pressure of both sides", float(np.abs(result.pressure - result.pressure[:, ::-1]).max()) / peak
+    yield "symmetry of pressure", float(np.abs(result.pressure - result.pressure[:, ::-1]).max()) / peak
     if case.has_friction:
         limit = min(result.friction, 4.0) * peak
-        yield "forward traction of both sides", float(np.abs(forward - forward[:, ::-1]).max()) / limit
-        yield "sideways traction of both sides", float(np.abs(sideways + sideways[:, ::-1]).max()) / limit
+        yield "symmetry of forward traction", float(np.abs(forward - forward[:, ::-1]).max()) / limit
+        yield "antisymmetry of lateral traction", float(np.abs(sideways + sideways[:, ::-1]).max()) / limit

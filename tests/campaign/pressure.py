@@ -196,7 +196,7 @@ def judge(case, accuracy):
 def main() -> int:
     """Judge all cases, and print the largest errors."""
     parser = argparse.ArgumentParser(prog="python -m tests.campaign.pressure", description=__doc__)
-    parser.add_argument("--accuracy", type=float, default=0.01, help="that is asked for")
+    parser.add_argument("--accuracy", type=float, default=0.01, help="requested accuracy")
     accuracy = parser.parse_args().accuracy
     outcomes = []
     with warnings.catch_warnings():
@@ -208,7 +208,7 @@ def main() -> int:
     quiet = [outcome for outcome in outcomes if not outcome.warned]
     failed = [outcome.case.name for outcome in outcomes if outcome.failed(accuracy)]
     print(
-        f"{len(quiet)} of {len(outcomes)} without a warning: error of the largest pressure up to "
+        f"{len(quiet)} of {len(outcomes)} cases without a warning: error of the largest pressure up to "
         f"{max(outcome.error for outcome in quiet):.2g}, zigzag up to {max(outcome.zigzag for outcome in quiet):.2g}; "
         f"failed: {', '.join(failed) or 'none'}"
     )

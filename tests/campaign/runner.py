@@ -33,7 +33,7 @@ __all__ = ["FAILURES", "KINDS", "SLOW", "Outcome", "attempt", "run", "run_case"]
 Solution = TypeVar("Solution")
 
 #: Kinds of outcomes. Those from the third on are failures, and so is a solution with violations.
-KINDS = ("solved", "refused", "refused improperly", "no convergence", "hang", "crash", "error")
+KINDS = ("solved", "rejected", "improper message", "no convergence", "hang", "crash", "error")
 FAILURES = KINDS[2:]
 
 #: Processor time [s] above which a case is solved without its twins.
@@ -114,7 +114,7 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
     result = attempt(vr.solve, case, outcome)
     outcome.seconds = time.process_time() - start
     if result is None:
-        if outcome.kind == "refused":
+        if outcome.kind == "rejected":
             _judge_refusal(case, outcome, before_each)
         return outcome
     outcome.nodes = int(result.contact.sum())
@@ -122,7 +122,7 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
     # the coating just supports this load
     warned = case.absurd == "load" and vr.WarningKind.LARGE_STRAIN in result.warnings
     if case.absurd and not warned:
-        outcome.violations[f"absurd {case.absurd} accepted"] = math.inf
+        outcome.violations[f"unphysical {case.absurd} accepted"] = math.inf
     for twin in twins(case) if outcome.seconds < SLOW else ():
         outcome.stage = twin.kind
         before_each(outcome)
@@ -144,10 +144,10 @@ def attempt(solve: Callable[..., Solution], case: Any, outcome: Outcome) -> Solu
     except vr.ConvergenceError as error:
         outcome.message = str(error)
         is_full_stick = math.isinf(case.arguments.get("friction", 0.0))
-        outcome.kind = "refused" if is_full_stick else "no convergence"
+        outcome.kind = "rejected" if is_full_stick else "no convergence"
     except ValueError as error:
         outcome.message = str(error)
-        outcome.kind = "refused" if _is_proper(outcome.message, case) else "refused improperly"
+        outcome.kind = "rejected" if _is_proper(outcome.message, case) else "improper message"
     except Exception:
         outcome.kind, outcome.message = "error", traceback.format_exc()
     else:
@@ -189,7 +189,7 @@ def _judge_refusal(case: Case, outcome: Outcome, before_each: Callable[[Outcome]
         depth = factor**depth_power * (result.penetration or 0.0) / case.thickness
         radius = factor**radius_power * max(result.semi_axis_x, result.semi_axis_z or 0.0) / _smallest_radius(case)
         if depth < 0.5 and radius < 0.5:
-            outcome.violations["bearable load refused"] = 0.5 / max(depth, radius)
+            outcome.violations["supportable load rejected"] = 0.5 / max(depth, radius)
         break
     outcome.stage = "case"
 

@@ -115,7 +115,7 @@ def run(case):
     errors = (amplitude / fine.layer_amplitudes[0] - 1.0, torque / fine.torque_bounds[1] - 1.0)
     wrong = []
     if contacts > MOST_CONTACTS:
-        wrong.append(f"{contacts} contacts")
+        wrong.append(f"{contacts} contacts solved")
     other = (state.amplitudes[0], state.result.resisting_torque)
     if not np.allclose((amplitude, torque), other, rtol=AGREEMENT, atol=0.0):
         wrong.append(f"two states: {amplitude, torque} and {other}")
@@ -126,7 +126,7 @@ def main():
     """Run the tests."""
     parser = argparse.ArgumentParser(prog="python -m tests.campaign.softening", description=__doc__)
     parser.add_argument("--cases", type=int, default=100, help="number of cases")
-    parser.add_argument("--seed", type=int, default=1, help="of the campaign")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the random cases")
     arguments = parser.parse_args()
     warnings.simplefilter("ignore", vr.ResultWarning)
     failed, refused, contacts, times, errors = 0, 0, [], [], []
@@ -136,7 +136,7 @@ def main():
             wrong, count, time_ratio, error = run(case)
         except ValueError as refusal:  # the layer does not support the load
             refused += 1
-            print(f"{number}: refused, {refusal}", flush=True)
+            print(f"{number}: rejected, {refusal}", flush=True)
             continue
         except vr.ConvergenceError as stuck:
             wrong, count, time_ratio, error = [str(stuck)], MOST_CONTACTS, np.nan, np.full(2, np.nan)
@@ -150,10 +150,10 @@ def main():
     print(file=sys.stderr)
     middle, most = np.nanmedian(errors, axis=0), np.nanmax(errors, axis=0)
     print(
-        f"{arguments.cases} cases, {refused} refused, {failed} failed; at most {max(contacts)} contacts, median "
-        f"{np.median(contacts):.0f}; time by that of one contact: median {np.nanmedian(times):.1f}, at most "
-        f"{np.nanmax(times):.1f}; off in amplitude {middle[0]:.1g}, at most {most[0]:.1g}, in torque {middle[1]:.1g}, "
-        f"at most {most[1]:.1g}"
+        f"{arguments.cases} cases, {refused} rejected, {failed} failed; contacts solved: median "
+        f"{np.median(contacts):.0f}, largest {max(contacts)}; time divided by that of one contact: median "
+        f"{np.nanmedian(times):.1f}, largest {np.nanmax(times):.1f}; error of the amplitude: median {middle[0]:.1g}, "
+        f"largest {most[0]:.1g}; error of the torque: median {middle[1]:.1g}, largest {most[1]:.1g}"
     )
     return int(failed > 0)
 

@@ -23,7 +23,7 @@ def summary(outcomes: Sequence[Outcome], examples: int = 3) -> str:
     lines += [f"  {'with violations':<20} {len(violating):6d}", ""]
     lines += _classes(outcomes, examples)
     times = sorted(outcomes, key=lambda outcome: -outcome.seconds)
-    lines.append(f"time of the cases themselves: {sum(outcome.seconds for outcome in outcomes):.0f} s; the longest:")
+    lines.append(f"time without twins: {sum(outcome.seconds for outcome in outcomes):.0f} s; longest cases:")
     lines += [f"  {outcome.seconds:6.1f} s  {outcome.case}  ({outcome.nodes} nodes)" for outcome in times[:5]]
     return "\n".join(lines)
 

@@ -303,7 +303,8 @@ TEST(FreeSides, KnowCrownsThatEndlessSidesRefuse) {
     std::ignore = pressed(Sides::endless);
     ADD_FAILURE() << "a crown that rises where it is pressed was accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("crown_radius must be at least the 0.00029 m", 0), 0U) << error.what();
+    EXPECT_EQ(std::string(error.what()).rfind("crown_radius must be at least the tread thickness, 0.00029 m", 0), 0U)
+        << error.what();
   }
 }
 

@@ -67,7 +67,8 @@ TEST(RollingResistance, RefusesOtherFiles) {
     return std::string(file).replace(file.find(what), what.size(), to);
   };
   EXPECT_EQ(message(changed("[10.0, 1e3]", "[10.0, 1.0]")), "load[1] must be > load[0] = 10 N, got 1");
-  EXPECT_EQ(message(changed("[1.0, 0, 0.25]", "[1.0]")), "coefficients must be of rows as long as the first, got 1");
+  EXPECT_EQ(message(changed("[1.0, 0, 0.25]", "[1.0]")),
+            "coefficients must be a matrix with rows of equal length (3), got 1");
 }
 
 }  // namespace

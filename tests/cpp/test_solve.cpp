@@ -132,10 +132,10 @@ TEST(Solve, NamesWhatIsWrong) {
   sphere.layers[0].thickness = -1e-3;
   EXPECT_EQ(message(sphere, {.load = 1.0, .angular_speed = 2.5}), "layers[0].thickness must be > 0 m, got -0.001");
   sphere.layers.clear();
-  EXPECT_EQ(message(sphere, {.load = 1.0, .angular_speed = 2.5}),
-            "layers must be a list of at least one layer, of what rolls or of what it rolls on (on.layers), or on.base "
-            "given, "
-            "got none: two rigid bodies");
+  EXPECT_EQ(
+      message(sphere, {.load = 1.0, .angular_speed = 2.5}),
+      "layers must be a list of at least one layer unless on.layers or on.base of the counterbody is given, got two "
+      "rigid bodies");
 }
 
 }  // namespace

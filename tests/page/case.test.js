@@ -31,17 +31,17 @@ const README = {
   numerics: { accuracy: 0.01, compliance: "radial" },
 };
 
-test("the page begins with the case of the README", () => {
+test("the page starts with the case of the README", () => {
   assert.deepEqual(caseOf(initialState()), README);
 });
 
-test("an outer diameter gives the core, and a core the outer radius", () => {
+test("the outer diameter determines the core radius, and the core radius the outer radius", () => {
   const state = { ...initialState(), given: "outer_diameter", size: [42, "mm"] };
   assert.deepEqual(caseOf(state), README);
   assert.equal(outerRadius(initialState()), 0.021);
 });
 
-test("a case becomes a state, and the same case again", () => {
+test("converting a case to a state and back does not change it", () => {
   for (const name of Object.keys(EXAMPLES)) {
     const tables = caseOf(exampleState(name));
     const { state, left } = stateOf(tables);
@@ -50,7 +50,7 @@ test("a case becomes a state, and the same case again", () => {
   }
 });
 
-test("materials of all kinds survive the way back", () => {
+test("converting materials of all kinds to a state and back does not change them", () => {
   for (const [kind, { initial }] of Object.entries(KINDS)) {
     if (initial === null) continue;
     const layer = { ...newLayer(), kind, ...initial };
@@ -60,33 +60,33 @@ test("materials of all kinds survive the way back", () => {
   }
 });
 
-test("a hardness is that of the same modulus on the other scale, as far as it reaches", () => {
+test("changing the scale keeps the modulus of a hardness, within the range of the scale", () => {
   const { chosen } = KINDS.hardness.fields.find(({ name }) => name === "scale");
   assert.deepEqual(chosen({ hardness: 95 }, "D"), { scale: "D", hardness: 45 });
   assert.deepEqual(chosen({ hardness: 35 }, "A"), { scale: "A", hardness: 85 });
   assert.deepEqual(chosen({ hardness: 60 }, "D"), { scale: "D", hardness: 30 });
 });
 
-test("a material that the form has no fields for is kept as it is", () => {
+test("a material without fields in the form is kept unchanged", () => {
   const prony = { type: "prony", instantaneous_modulus: 1e6, weights: [0.5], relaxation_times: [1] };
   const tables = structuredClone(README);
   tables.ball.layers[0].shear_modulus = prony;
   assert.deepEqual(caseOf(stateOf(tables).state), tables);
 });
 
-test("numerics that the form has no fields for are kept, but for those of a mesh", () => {
+test("numerics without fields in the form are kept, except those of a mesh", () => {
   const numerics = { accuracy: 0.02, compliance: "radial", patch_load: "spherical", slip_kinematics: "flat" };
   const { state, left } = stateOf({ ...README, numerics });
   assert.deepEqual(left, []);
   assert.deepEqual(caseOf(state).numerics, numerics);
 });
 
-test("what the form has nothing for is named", () => {
+test("unsupported keys are reported by name", () => {
   const tables = { ...README, numerics: { nodes_per_revolution: 500 }, other_ball: { core_radius: 1, layers: [] } };
   assert.deepEqual(stateOf(tables).left, ["other_ball", "numerics.nodes_per_revolution"]);
 });
 
-test("loads per length and of the whole are not taken for each other", () => {
+test("changing between total load and load per length resets the load", () => {
   const roller = withBody(initialState(), "cylinder");
   assert.deepEqual(roller.load, [2, "N/mm"]);
   assert.equal(caseOf(roller).rolling.load, 2000);
@@ -94,7 +94,7 @@ test("loads per length and of the whole are not taken for each other", () => {
   assert.deepEqual(withBody({ ...initialState(), on: "groove" }, "cylinder").on, "rigid");
 });
 
-test("without friction nothing drives", () => {
+test("a case without friction has no drive", () => {
   assert.equal("drive" in caseOf({ ...initialState(), drive: "torque", torque: [1, "N m"] }).rolling, false);
   const slid = { ...README, rolling: { ...README.rolling, drive: { creepage: 0.1 } } };
   assert.deepEqual(stateOf(slid).left, ["rolling.drive"]);
@@ -112,14 +112,14 @@ test("a link restores every example", () => {
   }
 });
 
-test("fragments of others are no states", () => {
+test("other fragments do not give a state", () => {
   for (const fragment of ["", "#", "#answer", "#%%%", "#bnVsbA", "#eyJ4IjoxfQ"])
     assert.equal(stateOfFragment(fragment), null);
   for (const part of [{ layers: 5 }, { layers: [{ kind: "wood" }] }, { load: "heavy" }, { load: [1, "furlong"] }])
     assert.equal(stateOfFragment(`#${btoa(JSON.stringify(part))}`), null);
 });
 
-test("a curve goes through the case in its middle, ends first", () => {
+test("a curve has the case in its middle, and its ends are solved first", () => {
   const state = exampleState("caster");
   for (const along of ["speed", "load", "thickness"]) {
     const points = pointsOf(state, along);

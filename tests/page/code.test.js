@@ -7,7 +7,7 @@ import { caseOf, initialState } from "../../python/viscoroll/app/page/case.js";
 import { caseFileOf, pythonOf } from "../../python/viscoroll/app/page/code.js";
 import { exampleState } from "../../python/viscoroll/app/page/examples.js";
 
-test("the case of the README as Python", () => {
+test("Python code for the case of the README", () => {
   const text = pythonOf(caseOf(initialState()));
   assert.match(text, /^import viscoroll as vr\n/);
   assert.match(text, /StandardLinearSolid\(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0\.125\)/);
@@ -16,13 +16,13 @@ test("the case of the README as Python", () => {
   assert.ok(text.split("\n").every((line) => line.length <= 120));
 });
 
-test("data sheets are read by Python's functions", () => {
+test("Python code for data sheets calls the conversion functions", () => {
   const text = pythonOf(caseOf(exampleState("skate")));
   assert.match(text, /hardness_to_modulus\(82\.0\)\.value/);
   assert.match(text, /rebound_to_loss_factor\(0\.7\)\.value/);
 });
 
-test("the case of the README as a case file", () => {
+test("case file for the case of the README", () => {
   const text = caseFileOf(caseOf(initialState()));
   assert.match(
     text,
@@ -32,7 +32,7 @@ test("the case of the README as a case file", () => {
   assert.match(text, /^\[rolling\]\nload = 100\.0\nangular_speed = 2\.5\nfriction = 0\.0\n/m);
 });
 
-test("integers stay integers", () => {
+test("integers are written as integers", () => {
   const tables = { ...caseOf(initialState()), numerics: { nodes_per_revolution: 400 } };
   assert.match(caseFileOf(tables), /^nodes_per_revolution = 400$/m);
 });

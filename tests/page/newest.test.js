@@ -37,7 +37,7 @@ function noted(solver) {
 
 const curve = [7, 8].map((load) => ({ tables: tables(load), radius: 0.02 }));
 
-test("of thirty quick changes the first and the last are solved", async () => {
+test("only the first and the last of thirty quick changes are solved", async () => {
   const solver = slowSolver(30);
   const { newest, told, end } = noted(solver);
   for (let load = 1; load <= 30; load += 1) newest.ask(tables(load), 0.02, curve);
@@ -47,7 +47,7 @@ test("of thirty quick changes the first and the last are solved", async () => {
   assert.deepEqual(solver.log, ["1 coarse 400", "30 coarse 300", "30 fine", "7 coarse 300", "8 coarse 300"]);
 });
 
-test("a change ends what is being refined", async () => {
+test("a change aborts the refinement", async () => {
   const solver = slowSolver(100);
   const { newest, told, end } = noted(solver);
   newest.ask(tables(1), 0.02, curve);
@@ -58,7 +58,7 @@ test("a change ends what is being refined", async () => {
   assert.deepEqual(told, ["coarse", "coarse", "fine", 0, 1]);
 });
 
-test("a failure is told, and the next case is solved", async () => {
+test("a failure is reported, and the next case is solved", async () => {
   const good = slowSolver(1);
   let first = true;
   const solver = {

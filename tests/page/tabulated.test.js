@@ -31,22 +31,22 @@ test("a series of 1 Pa at 1 rad/s is scaled", () => {
   assert.deepEqual(modulus({ type: "loss_factor", modulus: 4e6, loss_factor: 0.07, reference_frequency: 100 }), scaled);
 });
 
-test("without a rebound there is no loss", () => {
+test("a hardness without a rebound gives an elastic material", () => {
   assert.deepEqual(modulus({ type: "hardness", hardness: 40, scale: "D" }), { type: "elastic", modulus: 3e7 });
 });
 
-test("what is published is a table", () => {
+test("a published material becomes its table", () => {
   assert.deepEqual(modulus({ type: "published", name: "foam", temperature: 20 }), { type: "elastic", modulus: 1e4 });
 });
 
-test("what the library knows stays, and so does the rest of a request", () => {
+test("materials of the library and the rest of a request do not change", () => {
   const tablesOfPaper = caseOf(exampleState("paper"));
   assert.deepEqual(withMaterials({ case: tablesOfPaper, fields: true }, tables), {
     known: { case: tablesOfPaper, fields: true },
   });
 });
 
-test("what lies between the tables is told at its parameter", () => {
+test("values that are not tabulated give an error at their parameter", () => {
   const { error } = known({ type: "hardness", hardness: 82.5 });
   assert.equal(error.parameter, "ball.layers[0].shear_modulus.hardness");
   assert.match(error.message, /hardness must be a whole number in \[82, 82\] Shore A on this page, got 82\.5/);
@@ -56,7 +56,7 @@ test("what lies between the tables is told at its parameter", () => {
   assert.match(others.error.message, /decades must be 3 on this page, got 5/);
 });
 
-test("what is too hard for one scale is given in the other", () => {
-  assert.match(known({ type: "hardness", hardness: 95 }).error.message, /got 95; in Shore D it is about 45/);
+test("the error for a material too hard for Shore A gives the hardness in Shore D", () => {
+  assert.match(known({ type: "hardness", hardness: 95 }).error.message, /got 95; it is about 45 Shore D/);
   assert.doesNotMatch(known({ type: "hardness", hardness: 10 }).error.message, /Shore D/);
 });

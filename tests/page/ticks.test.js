@@ -5,18 +5,18 @@ import { test } from "node:test";
 
 import { decadeTicks, roundTicks } from "../../python/viscoroll/app/page/ticks.js";
 
-test("numbers are round, within the axis, and some five", () => {
+test("there are about five ticks, at round numbers within the axis", () => {
   assert.deepEqual(roundTicks(-4.8, 4.8, 9), [-4, -2, 0, 2, 4]);
   assert.deepEqual(roundTicks(0, 0.037, 5), [0, 0.01, 0.02, 0.03]);
   assert.deepEqual(roundTicks(0, 350, 5), [0, 100, 200, 300]);
 });
 
-test("where there is little room there are fewer", () => {
+test("short axes have fewer ticks", () => {
   assert.deepEqual(roundTicks(-4.8, 4.8, 2.1), [0]);
   assert.deepEqual(roundTicks(-5, 5, 2.1), [-5, 0, 5]);
 });
 
-test("decades have 1, 2 and 5, or 1 alone", () => {
+test("ticks of decades are at 1, 2 and 5, or only at 1", () => {
   assert.deepEqual(decadeTicks(0.4, 7), [0.5, 1, 2, 5]);
   assert.deepEqual(decadeTicks(0.08, 75), [0.1, 1, 10]);
 });

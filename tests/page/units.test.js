@@ -5,28 +5,28 @@ import { test } from "node:test";
 
 import { SI, UNITS, fromSI, handy, resultUnit, shown, toSI, unitNamed } from "../../python/viscoroll/app/page/units.js";
 
-test("every quantity has an SI unit, and that is one of its units or none", () => {
+test("the SI unit of every quantity is one of its units, or empty", () => {
   for (const [quantity, units] of Object.entries(UNITS)) {
     assert.ok(quantity in SI);
     if (SI[quantity] !== "") assert.ok(SI[quantity] in units, quantity);
   }
 });
 
-test("decimals stay decimals", () => {
+test("conversions do not add round-off to decimals", () => {
   assert.equal(toSI([3, "mm"], "length"), 0.003);
   assert.equal(toSI([0.1, "MPa"], "modulus"), 1e5);
   assert.equal(toSI([55, "%"], "percent"), 0.55);
   assert.deepEqual(fromSI(0.003, "mm", "length"), [3, "mm"]);
 });
 
-test("units by their definitions", () => {
+test("units agree with their definitions", () => {
   assert.equal(toSI([1, "in"], "length"), 0.0254);
   assert.equal(toSI([1, "kgf"], "force"), 9.80665);
   assert.ok(Math.abs(toSI([1, "psi"], "modulus") - (0.45359237 * 9.80665) / 0.0254 ** 2) < 1e-8);
   assert.ok(Math.abs(toSI([1, "lbf"], "force") - 0.45359237 * 9.80665) < 1e-11);
 });
 
-test("speeds of the center are angular speeds over the radius", () => {
+test("speeds of the center are converted to angular speeds with the radius", () => {
   assert.equal(toSI([36, "km/h"], "speed", 0.5), 20);
   assert.equal(toSI([1.5, "m/s"], "speed", 0.05), 30);
   assert.ok(Math.abs(toSI([60, "rpm"], "speed") - 2 * Math.PI) < 1e-12);
@@ -36,7 +36,7 @@ test("speeds of the center are angular speeds over the radius", () => {
   }
 });
 
-test("results read in the units of engineers", () => {
+test("results are displayed in the usual units", () => {
   assert.equal(handy(0.0113962, "N m"), "11.4 mN m");
   assert.equal(handy(8.46e6, "Pa"), "8.46 MPa");
   assert.equal(handy(3.2e5, "Pa"), "0.32 MPa");
@@ -49,13 +49,13 @@ test("results read in the units of engineers", () => {
   assert.equal(shown(2.5e-7), "2.5·10⁻⁷");
 });
 
-test("in line contact units are per length", () => {
+test("units in line contact are per length", () => {
   assert.equal(resultUnit("N m", true), "N m/m");
   assert.equal(resultUnit("Pa", true), "Pa");
   assert.equal(resultUnit("N m", false), "N m");
 });
 
-test("units are known by what people type", () => {
+test("units are recognized in usual spellings", () => {
   assert.equal(unitNamed("kg", "force"), "kgf");
   assert.equal(unitNamed("MPA", "modulus"), "MPa");
   assert.equal(unitNamed("Nm", "torque"), "N m");

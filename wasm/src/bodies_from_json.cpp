@@ -142,11 +142,11 @@ Pair pair_from_json(Table& file) {
   auto bodies = take_given(file, kBodies);
   auto counterparts = take_given(file, kCounterparts);
   if (bodies.size() != 1) {
-    throw std::invalid_argument("one of " + names_of(kBodies) + " must be given, got " +
+    throw std::invalid_argument("exactly one of " + names_of(kBodies) + " must be given, got " +
                                 (bodies.empty() ? "none" : names_of(bodies, " and ")));
   }
   if (counterparts.size() > 1) {
-    throw std::invalid_argument("one of " + names_of(kCounterparts) + " must be given at most, got " +
+    throw std::invalid_argument("at most one of " + names_of(kCounterparts) + " may be given, got " +
                                 names_of(counterparts, " and "));
   }
   Pair pair{.body = std::move(bodies.front().value), .on = CoatedPlane{}};

@@ -70,10 +70,11 @@ Options options_from_json(const Json& json, const std::string& place) {
         Mesh{.nodes_per_revolution = *nodes, .max_order = max_order, .theta_nodes_per_revolution = theta_nodes};
     validate(*options.mesh);
   } else if (max_order || theta_nodes) {
-    throw std::invalid_argument("numerics.nodes_per_revolution must be given with the rest of a mesh");
+    throw std::invalid_argument(
+        "numerics.nodes_per_revolution must be given with max_order or theta_nodes_per_revolution");
   }
   if (nodes && accuracy) {
-    throw std::invalid_argument("numerics.accuracy must be left out where a mesh is given");
+    throw std::invalid_argument("numerics.accuracy must be left out if a mesh is given");
   }
   options.accuracy = accuracy.value_or(options.accuracy);
   return options;

@@ -19,7 +19,8 @@ namespace {
 Json parsed(const char* request) {
   constexpr int kDeepest = 100;
   return Json::parse(request, [](int depth, Json::parse_event_t, const Json&) {
-    if (depth > kDeepest) throw std::invalid_argument("request must not be nested as deeply");
+    if (depth > kDeepest)
+      throw std::invalid_argument("request must be nested at most " + std::to_string(kDeepest) + " levels deep");
     return true;
   });
 }
@@ -45,7 +46,7 @@ Json answer_to(const char* request) {
   try {
     return {{"result", solved(parsed(request))}};
   } catch (const std::bad_alloc&) {
-    return {{"error", error_to_json("memory ran out: a coarser mesh, or a larger accuracy, needs less")}};
+    return {{"error", error_to_json("out of memory: use a coarser mesh or a larger accuracy")}};
   } catch (const std::exception& error) {
     return {{"error", error_to_json(error.what())}};
   }

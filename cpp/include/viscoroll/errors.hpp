@@ -29,7 +29,7 @@ class ConvergenceError : public std::runtime_error {
 /// @brief The observer canceled a running computation.
 class Cancelled : public std::runtime_error {
  public:
-  Cancelled() : std::runtime_error("the solve was cancelled by its observer") {}
+  Cancelled() : std::runtime_error("the observer canceled the solve") {}
 };
 
 }  // namespace viscoroll

@@ -74,7 +74,7 @@ PressedNodes find_contact(PressedSurface& surface, PressedNodes contact, const A
     const bool exchange = contact.passes <= kExchanges;
     if (exchange) find_gap(surface, contact);
     std::size_t changes = drop_tensile(contact);
-    if (contact.nodes.empty()) throw ConvergenceError("no node carries load", contact.passes, 1.0);
+    if (contact.nodes.empty()) throw ConvergenceError("no node is in contact", contact.passes, 1.0);
     if (!exchange && changes == 0) find_gap(surface, contact);
     if (exchange || changes == 0) {
       changes += add_overclosed(contact, tolerance);

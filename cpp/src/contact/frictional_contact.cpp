@@ -53,10 +53,10 @@ class StateSearch {
     const bool is_found = (start_.creepage && from_state_with_friction()) || (is_finite ? find() : find_full_stick());
     if (is_found) return finished();
     const int iterations = this->iterations();
-    throw ConvergenceError((is_finite ? "no state of stick and slip" : "no full stick without tension") +
+    throw ConvergenceError((is_finite ? "no state of stick and slip" : "no state of full stick without tension") +
                                (" was found in " + std::to_string(iterations)) + " iterations: the residual is " +
                                rounded(residual_) + " of the load" +
-                               (is_finite ? "" : "; with a finite friction nodes may slip"),
+                               (is_finite ? "" : "; with a finite friction, nodes can slip"),
                            iterations, residual_);
   }
 

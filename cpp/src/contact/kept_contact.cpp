@@ -9,6 +9,7 @@
 #include "contact/normal_contact.hpp"
 #include "contact/stick_slip_by_products.hpp"
 #include "contact/stick_slip_conditions.hpp"
+#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
@@ -46,7 +47,11 @@ ContactSolution slide_kept_nodes(const ContactProblem& problem, ContactSolution 
     change = (state.force - before).matrix().norm() / problem.normal_force;
     ++state.iterations;
   }
-  if (!(change < kUnsettled)) throw ConvergenceError("the kept contact did not settle", state.iterations, change);
+  if (!(change < kUnsettled))
+    throw ConvergenceError(
+        "the iteration with the given nodes in contact did not converge: the last step changed the forces by " +
+            rounded(change) + " of the load",
+        state.iterations, change);
   state.operator_applications = system.products();
   state.residual = change;
   state.converged = true;

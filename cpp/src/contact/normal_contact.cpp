@@ -12,6 +12,7 @@
 #include "contact/pressed_by_matrix.hpp"
 #include "influence/fft.hpp"
 #include "influence/inverse_convolution.hpp"
+#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
@@ -147,7 +148,9 @@ class SurfaceOfProducts : public PressedSurface {
     products_ += solution.products;
     const double error = solution.residual / right_side.norm();
     if (!(error < std::max(kFailure, 2.0 * tolerance))) {
-      throw ConvergenceError("the contact equations were not solved", contact.passes, error);
+      throw ConvergenceError(
+          "the iterative solver of the contact equations did not converge: the relative residual is " + rounded(error),
+          contact.passes, error);
     }
     equations.press(solution.unknowns, contact);
   }

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "contact/krylov.hpp"
+#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
@@ -142,7 +143,9 @@ void PressedByMatrix::press(PressedNodes& contact, double tolerance) {
   }
   const double error = solution.residual / right.norm();
   if (!(error < std::max(kFailure, 2.0 * tolerance))) {
-    throw ConvergenceError("the contact equations were not solved", contact.passes, error);
+    throw ConvergenceError(
+        "the iterative solver of the contact equations did not converge: the relative residual is " + rounded(error),
+        contact.passes, error);
   }
   contact.penetration = solution.unknowns[count] / stiffness;
   contact.pressing.setZero();

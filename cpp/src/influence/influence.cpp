@@ -15,7 +15,7 @@ InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_spee
   validate(mesh);
   const auto require_reach = [](const char* name, int reach, int nodes) {
     if (reach < 0 || reach > nodes / 2) {
-      detail::reject(name, "in [0, " + std::to_string(nodes / 2) + "], half of the nodes per revolution",
+      detail::reject(name, "in [0, " + std::to_string(nodes / 2) + "] (at most half of the nodes per revolution)",
                      std::to_string(reach));
     }
   };

@@ -30,7 +30,7 @@ void validate(const Mesh& mesh) {
   in_range("mesh.theta_nodes_per_revolution", theta_nodes, kFewestNodes, kMostNodesPerRevolution, "");
   constexpr int kLargestRatio = 100;  // ratio of spacings; beyond it, many orders would be summed for few offsets
   in_range("mesh.theta_nodes_per_revolution", theta_nodes, mesh.nodes_per_revolution / kLargestRatio,
-           mesh.nodes_per_revolution * kLargestRatio, ", a hundred times nodes_per_revolution or a hundredth");
+           mesh.nodes_per_revolution * kLargestRatio, " (between 1/100 and 100 times nodes_per_revolution)");
   if (mesh.max_order) {
     in_range("mesh.max_order", *mesh.max_order, (std::max(mesh.nodes_per_revolution, theta_nodes) + 1) / 2,
              kHighestOrder, " (fewer orders than half the nodes per revolution cannot resolve the mesh)");

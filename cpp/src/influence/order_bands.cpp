@@ -104,7 +104,7 @@ double highest_order(int nodes_per_revolution, double finest_order) {
   if (finest_order > kMostPerNode * nodes_per_revolution) {
     reject("mesh.nodes_per_revolution",
            "at least " + rounded(std::ceil(finest_order / kMostPerNode)) +
-               " where the thinnest layer of one material is 1/" + rounded(finest_order) + " of the radius",
+               ", because the thinnest layer of one material is 1/" + rounded(finest_order) + " of the radius",
            std::to_string(nodes_per_revolution));
   }
   return kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
@@ -219,8 +219,8 @@ double finest_order(const LayeredBody& body, double angular_speed) {
 /// Straight directions are not periodic, so their orders are not whole and cannot be truncated.
 void require_all_orders(const Metric& metric, const Mesh& mesh) {
   if (!mesh.max_order) return;
-  const std::string what = metric.is_wheel() ? "the tread of a wheel" : "a plane";
-  reject("mesh.max_order", "left out where " + what + " deforms, whose orders are not whole",
+  const std::string what = metric.is_wheel() ? "wheel tread" : "plane";
+  reject("mesh.max_order", "left out with a deformable " + what + ", whose wavenumbers are continuous",
          std::to_string(*mesh.max_order));
 }
 

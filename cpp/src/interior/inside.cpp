@@ -11,17 +11,17 @@ namespace {
 
 LayeredBody body_under(const CoatedSphere& sphere, double /*radius*/, bool line, Curvature curvature) {
   require_orders(curvature);
-  if (line) reject("tractions.line", "false with a sphere", "true");
+  if (line) reject("tractions.line", "false for a sphere", "true");
   return layered_body(sphere, curvature);
 }
 
 LayeredBody body_under(const CoatedCylinder& cylinder, double /*radius*/, bool line, Curvature /*curvature*/) {
-  if (!line) reject("tractions.line", "true with a cylinder, which under a wheel is a CoatedWheel", "false");
+  if (!line) reject("tractions.line", "true for a cylinder (if the other body is a wheel, use CoatedWheel)", "false");
   return layered_body(cylinder);
 }
 
 LayeredBody body_under(const CoatedWheel& wheel, double /*radius*/, bool line, Curvature /*curvature*/) {
-  if (line) reject("tractions.line", "false with a wheel", "true");
+  if (line) reject("tractions.line", "false for a wheel", "true");
   return layered_body(wheel);
 }
 

@@ -113,16 +113,16 @@ void validate(const Tractions& tractions) {
   require_orders(tractions.curvature);
   const auto require_odd = [](const char* name, int nodes, int most, const char* which) {
     if (nodes < 1 || nodes % 2 == 0 || nodes > most) {
-      reject(name, "odd and in [1, " + std::to_string(most) + "], " + which, std::to_string(nodes));
+      reject(name, "odd and in [1, " + std::to_string(most) + "] (" + which + ")", std::to_string(nodes));
     }
   };
-  constexpr auto kHalf = "half of those per revolution";
+  constexpr auto kHalf = "at most half of the nodes per revolution";
   require_odd("tractions.phi_nodes", tractions.phi_nodes, tractions.mesh.nodes_per_revolution / 2, kHalf);
   if (tractions.theta_spacing) {
     require_positive("tractions.theta_spacing", *tractions.theta_spacing, "rad");
     require_odd("tractions.theta_nodes", tractions.theta_nodes,
                 static_cast<int>(std::min(4.0 * std::numbers::pi / *tractions.theta_spacing, kMostColumns)),
-                "two revolutions");
+                "at most two revolutions");
   } else {
     require_odd("tractions.theta_nodes", tractions.theta_nodes, theta_nodes_per_revolution(tractions.mesh) / 2, kHalf);
   }
@@ -130,7 +130,7 @@ void validate(const Tractions& tractions) {
     reject("tractions.crown_radius", "> 0 m", *tractions.crown_radius);
   }
   if (tractions.line && tractions.theta_nodes != 1) {
-    reject("tractions.theta_nodes", "1 under a line", std::to_string(tractions.theta_nodes));
+    reject("tractions.theta_nodes", "1 in line contact", std::to_string(tractions.theta_nodes));
   }
   require_positive("tractions.radius", tractions.radius, "m");
   for (const double curvature : tractions.counterpart_curvature) {
@@ -139,7 +139,7 @@ void validate(const Tractions& tractions) {
   const auto count = static_cast<std::size_t>(tractions.phi_nodes) * static_cast<std::size_t>(tractions.theta_nodes);
   const auto require_values = [](const char* name, const std::vector<double>& values, std::size_t wanted) {
     if (values.size() != wanted) {
-      reject(name, "one for each node (" + std::to_string(wanted) + ")", std::to_string(values.size()));
+      reject(name, "an array of " + std::to_string(wanted) + " values", std::to_string(values.size()) + " values");
     }
     for (const double value : values) require_finite(name, value);
   };

@@ -39,7 +39,7 @@ std::vector<cplx> order_fields(const LayeredShape& shape, double angular_speed, 
   }
   const bool across = !std::holds_alternative<CoatedCylinder>(shape);
   for (const int order : n) {
-    if (!across && order != 0) detail::reject("n", "0 in a cylinder", std::to_string(order));
+    if (!across && order != 0) detail::reject("n", "0 for a cylinder", std::to_string(order));
   }
   const auto inside = detail::inside_of(shape, angular_speed, radius, !across, curvature);
   const detail::HarmonicBody body(inside.body, inside.angular_speed, magnitudes);

@@ -100,7 +100,7 @@ struct Extent {
       case Way::line:  // a wheel twelve times as wide as its radius
         return {2.0 * pi, "within a revolution of pi/2 rad"};
       default:
-        return {1e-12, "pi/2 rad under a line"};
+        return {1e-12, "pi/2 rad in line contact"};
     }
   }
 };

@@ -45,7 +45,8 @@ struct Validator {
       require_positive(joined(prefix, "relaxation_times") + index, m.relaxation_times[k], "s");
     }
     if (!(weight_sum(m) <= kLargestSum)) {
-      reject(joined(prefix, "weights"), "of a sum <= 1 (the rest is what stays at rest)", weight_sum(m));
+      reject(joined(prefix, "weights"),
+             "such that their sum is <= 1 (the remainder is the relaxed fraction of the modulus)", weight_sum(m));
     }
   }
 
@@ -124,9 +125,9 @@ void require_passive(double omega, cplx mu) {
   if (!(std::isfinite(mu.real()) && std::isfinite(mu.imag()))) {
     reject(where, "finite", text(mu.real()) + (mu.imag() < 0 ? " - " : " + ") + text(std::abs(mu.imag())) + "i Pa");
   }
-  if (!(mu.real() > 0.0)) reject(where, "of storage modulus > 0 Pa", mu.real());
+  if (!(mu.real() > 0.0)) reject(where, "such that the storage modulus is > 0 Pa", mu.real());
   // A negative loss modulus of the size of round-off belongs to a material without loss.
-  if (mu.imag() < -1e-12 * mu.real()) reject(where, "passive, with loss modulus >= 0 Pa", mu.imag());
+  if (mu.imag() < -1e-12 * mu.real()) reject(where, "passive, such that the loss modulus is >= 0 Pa", mu.imag());
 }
 
 }  // namespace

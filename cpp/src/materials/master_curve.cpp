@@ -33,7 +33,8 @@ void validate_table(const MasterCurve& curve, std::string_view prefix) {
     require_nonnegative(entry("frequency"), curve.frequency[i], "rad/s");
     if (i > 0 && !(curve.frequency[i] > curve.frequency[i - 1])) {
       reject(entry("frequency"),
-             "> frequency[" + std::to_string(i - 1) + "] = " + text(curve.frequency[i - 1]) + " rad/s (a sorted table)",
+             "> frequency[" + std::to_string(i - 1) + "] = " + text(curve.frequency[i - 1]) +
+                 " rad/s (sort the table by frequency)",
              curve.frequency[i]);
     }
     require_positive(entry("storage"), curve.storage[i], "Pa");
@@ -57,7 +58,7 @@ std::complex<double> interpolate(const MasterCurve& curve, double omega) {
       const std::string at_rest = low == 0 ? ", give the static modulus as a first entry at 0 rad/s," : "";
       reject("frequency",
              "within the master curve's table, " + text(curve.frequency[low]) + " to " + text(curve.frequency[high]) +
-                 " rad/s (widen the table" + at_rest + " or choose to hold the end values)",
+                 " rad/s (widen the table" + at_rest + " or set extrapolation to HOLD)",
              text(omega) + " rad/s");
     }
     return entry(omega < curve.frequency[low] ? low : high);

@@ -154,7 +154,7 @@ void require_subcritical(const LayeredBody& body, double angular_speed, double h
            text(angular_speed) + " rad/s");
   }
   reject("angular_speed",
-         "such that the plane's material passes at less than the critical speed " + text(critical * radius) +
+         "such that the material of the plane moves slower than the critical speed " + text(critical * radius) +
              " m/s, above which the plane radiates waves",
          text(angular_speed * radius) + " m/s");
 }
@@ -176,9 +176,10 @@ void require_damped_waves(const HarmonicBody& body) {
     const LayerStack<double> stack = body.body().stack(moduli, body.angular_speed());
     const double slowest = slowest_shear_wave(stack);  // relative to the rolling speed, which the inertia contains
     if (damping > 1.0 || slowest > 10.0 || are_stiff(stack, {m})) continue;
-    reject("angular_speed",
-           "below the speed at which the coating radiates waves of order " + text(m) + " that it hardly damps",
-           text(body.angular_speed()) + " rad/s");
+    reject(
+        "angular_speed",
+        "below the speed at which the coating radiates waves of order " + text(m) + ", which its material hardly damps",
+        text(body.angular_speed()) + " rad/s");
   }
 }
 

@@ -21,7 +21,7 @@ using cplx = std::complex<double>;
 void require_rolling(const LayeredBody& body, double angular_speed) {
   if (body.layers.empty()) {
     const bool is_curved = body.metric.is_curved();
-    reject("layers", is_curved ? "a list of at least one layer" : "a list of at least one layer, or base given",
+    reject("layers", is_curved ? "a list of at least one layer" : "a list of at least one layer unless base is given",
            is_curved ? "none" : "neither");
   }
   require_positive("angular_speed", angular_speed, "rad/s");
@@ -42,9 +42,9 @@ void require_resolved_waves(const HarmonicBody& body) {
       if (mach * std::min(m * step, kStepExponent) <= kWaveExponent) continue;
       reject(
           "angular_speed",
-          "so low that every layer moves at most about 5 times as fast as its shear waves, for shorter waves are not "
-          "resolved",
-          text(body.angular_speed()) + " rad/s, where it moves " + rounded(mach) + " times as fast");
+          "so low that no layer moves faster than about 5 times its shear-wave speed (shorter waves are not resolved)",
+          text(body.angular_speed()) + " rad/s, at which a layer moves at " + rounded(mach) +
+              " times its shear-wave speed");
     }
   }
 }
@@ -133,7 +133,7 @@ HarmonicBody body_at_rest(LayeredBody body, double angular_speed) {
 
 void require_orders(Curvature curvature) {
   if (curvature == Curvature::exact) {
-    reject("curvature", "SPHERE or PAPER here, where orders (m, n) are meant", "EXACT");
+    reject("curvature", "SPHERE or PAPER, which have orders (m, n)", "EXACT");
   }
 }
 

@@ -104,7 +104,7 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedPlane& plane, double 
   for (std::size_t i = 0; i < k_xi.size(); ++i) {
     detail::require_finite("k_xi", k_xi[i]);
     detail::require_finite("k_zeta", k_zeta[i]);
-    if (k_xi[i] == 0.0 && k_zeta[i] == 0.0) detail::reject("k_zeta", "other than 0 1/m where k_xi is", "0 1/m");
+    if (k_xi[i] == 0.0 && k_zeta[i] == 0.0) detail::reject("k_zeta", "nonzero if k_xi is 0 1/m", "0 1/m");
     magnitudes.push_back(std::abs(k_xi[i]));
   }
   detail::LayeredBody layers = detail::layered_body(plane, 1.0);

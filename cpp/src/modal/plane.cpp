@@ -33,13 +33,14 @@ void validate(const Groove& groove) {
   const auto require_curved = [](const char* name, const std::optional<double>& radius) {
     if (!radius) return;
     if (*radius != 0.0 && std::isfinite(*radius)) return;
-    detail::reject(name, "other than 0 m and finite, or left out where it is straight (both ways: a CoatedPlane)",
-                   *radius);
+    detail::reject(name, "finite and nonzero, or left out if the groove is straight in this direction",
+                   detail::text(*radius) + " m");
   };
   require_curved("groove.radius", groove.radius);
   require_curved("groove.path_radius", groove.path_radius);
   if (!groove.radius && !groove.path_radius) {
-    detail::reject("groove.radius or groove.path_radius", "given", "neither (a CoatedPlane is straight both ways)");
+    detail::reject("groove.radius or groove.path_radius",
+                   "given (use CoatedPlane for a surface that is straight in both directions)", "neither");
   }
   validate(groove.surface);
 }

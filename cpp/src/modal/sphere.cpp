@@ -23,10 +23,10 @@ void validate(const CoatedSphere& sphere) {
   if (inner.exists()) {
     detail::require_positive("core_radius", sphere.core_radius, "m");
   } else if (sphere.core_radius != 0.0) {
-    detail::reject("core_radius", "0 m in a solid ball", sphere.core_radius);
+    detail::reject("core_radius", "0 m for a solid ball", sphere.core_radius);
   }
   if (sphere.layers.empty() && !inner.is_core) {
-    detail::reject("layers", "a list of at least one layer without a rigid core", "none");
+    detail::reject("layers", "a list of at least one layer if the ball has no rigid core", "none");
   }
   detail::require_layers(sphere.layers);
   detail::require_lengths(sphere.layers, sphere.core_radius);

@@ -34,7 +34,7 @@ void validate(const CoatedWheel& wheel) {
   if (wheel.width > kWidest * radius) {
     detail::reject("width",
                    "at most " + detail::text(kWidest) + " times the outer radius, " + detail::text(kWidest * radius) +
-                       " m (a CoatedCylinder has no ends)",
+                       " m (use CoatedCylinder for a body without faces)",
                    detail::text(wheel.width) + " m");
   }
   // The narrower side of the section determines the size of all elements in the layers.
@@ -43,7 +43,7 @@ void validate(const CoatedWheel& wheel) {
   if (wheel.sides == Sides::free && thickness > kThickest * wheel.width) {
     detail::reject("width",
                    "at least " + detail::text(1.0 / kThickest) + " of the thickness of the layers, " +
-                       detail::text(thickness / kThickest) + " m, where the sides are free",
+                       detail::text(thickness / kThickest) + " m, if the sides are free",
                    detail::text(wheel.width) + " m");
   }
   if (!(wheel.crown_radius >= 0.5 * wheel.width)) {
@@ -60,12 +60,15 @@ void validate(const CoatedWheel& wheel) {
                    detail::text(wheel.crown_radius) + " m");
   }
   const double drop = crown_drop(wheel, 0.5 * wheel.width);
-  const double most = wheel.hub == Hub::straight && !wheel.layers.empty() ? wheel.layers.back().thickness : radius;
+  const bool has_straight_hub = wheel.hub == Hub::straight && !wheel.layers.empty();
+  const double most = has_straight_hub ? wheel.layers.back().thickness : radius;
   if (!(drop < most)) {
-    detail::reject("crown_radius",
-                   "so large that the crown stays within the outermost layer up to the faces, " + detail::text(most) +
-                       " m, on a straight hub (hub=\"crowned\" has layers that follow it)",
-                   detail::text(wheel.crown_radius) + " m, which falls by " + detail::text(drop) + " m");
+    detail::reject(
+        "crown_radius",
+        "so large that the crown drops at the faces by less than " + detail::text(most) + " m, the " +
+            (has_straight_hub ? "thickness of the outermost layer (with hub=\"crowned\" the layers follow the crown)"
+                              : "outer radius"),
+        detail::text(wheel.crown_radius) + " m, with which it drops by " + detail::text(drop) + " m");
   }
 }
 

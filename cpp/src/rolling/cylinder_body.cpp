@@ -17,14 +17,14 @@ namespace {
 /// A line contact has a single row of nodes without lateral spacing; nodal forces are forces per length.
 void require_line_mesh(const Mesh& mesh) {
   if (mesh.theta_nodes_per_revolution) {
-    reject("mesh.theta_nodes_per_revolution", "left out with a roller, whose contact is a single row of nodes",
+    reject("mesh.theta_nodes_per_revolution", "left out for a roller, whose contact is a single row of nodes",
            std::to_string(*mesh.theta_nodes_per_revolution));
   }
 }
 
 void require_curvature_of_cylinder(Curvature curvature) {
   if (curvature == Curvature::sphere) return;
-  reject("curvature", "left out with a roller, whose equations keep all of it",
+  reject("curvature", "left out for a roller, whose equations contain the full curvature",
          curvature == Curvature::exact ? "EXACT" : "PAPER");
 }
 
@@ -62,7 +62,7 @@ Nodes nodes_of(double radius, const Mesh& mesh) {
 }
 
 void require_flat_patches(const Options& options) {
-  if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT with a roller", "SPHERICAL");
+  if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT for a roller", "SPHERICAL");
 }
 
 BodyShape shape_of(const CoatedCylinder& cylinder) {

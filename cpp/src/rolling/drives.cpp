@@ -24,8 +24,8 @@ void validate(const DriveForce& drive, const LoadCase& load_case, const RoundBod
   if (std::abs(drive.force) < largest) return;
   const string unit = " " + string(body.form().load_unit);
   reject("drive.force",
-         "smaller than friction * load = " + text(largest) + unit + " in magnitude, else the " + string(body.name()) +
-             " slides without end",
+         "smaller than friction * load = " + text(largest) + unit + " in magnitude, otherwise the " +
+             string(body.name()) + " slides without end",
          text(drive.force) + unit);
 }
 
@@ -38,7 +38,7 @@ Condition condition(const DriveTorque& drive, double pressure_share) {
 void validate(const DriveTorque& drive, const LoadCase& load_case, const RoundBody& body) {
   require_finite("drive.torque", drive.torque);
   if (load_case.friction > 0.0) return;
-  reject("drive.torque", "left out without friction, where rolling itself fixes the torque",
+  reject("drive.torque", "left out without friction, where the torque follows from the pressure",
          text(drive.torque) + " " + string(body.form().torque_unit));
 }
 

@@ -36,8 +36,9 @@ void require_room_to_swell(const RollingPair& pair, const Swelling& swelling, do
   const double across = is_tread ? 1.0 : swelling.own * own.across + swelling.met() * on.across;
   if (along > 0.0 && (pair.body->form().is_line() || across > 0.0)) return;
   reject("angular_speed",
-         "so low that the " + std::string(pair.body->name()) + " does not swell to fill what it rolls in",
-         text(angular_speed) + " rad/s (its radius grows by " + rounded(swelling.own - 1.0) + " of itself)");
+         "so low that the " + std::string(pair.body->name()) + " does not grow to fill the counterbody",
+         text(angular_speed) + " rad/s (centrifugal growth of the radius by a fraction of " +
+             rounded(swelling.own - 1.0) + ")");
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ double curvature(const std::optional<double>& hollow_radius) { return hollow_rad
 /// @param[in] own curvature of the rolling body [1/m]
 void require_room(std::string_view name, double curvature, const RoundBody& body, double own) {
   if (-curvature <= kClosestFit * own) return;
-  const std::string room = own > 0.0 ? "larger than that of the " + std::string(body.name()) + ", " + text(1.0 / own) +
-                                           " m, by 2 % at the least"
+  const std::string room = own > 0.0 ? "at least 2 % larger than the radius of the " + std::string(body.name()) + ", " +
+                                           text(1.0 / own) + " m"
                                      : "left out under a flat " + std::string(body.name());
   reject(name, room, text(-1.0 / curvature) + " m");
 }
@@ -38,7 +38,7 @@ void require_room(std::string_view name, double curvature, const RoundBody& body
 /// In line contact, only the path may be curved.
 void require_straight_across(const RoundBody& body, const std::optional<double>& radius) {
   if (!radius || !body.form().is_line()) return;
-  reject("on.radius", "left out under a roller, which touches along a line", text(*radius) + " m");
+  reject("on.radius", "left out under a roller, whose contact is a line", text(*radius) + " m");
 }
 
 std::vector<NamedLayer> layers_with_base(const CoatedPlane& plane) {

@@ -195,7 +195,7 @@ class Refiner {
     try {
       std::rethrow_exception(failure_);
     } catch (const MeshTooFine& error) {
-      reject("accuracy", "so large that a mesh for it can be held",
+      reject("accuracy", "so large that the mesh fits into memory",
              text(options_.accuracy) + " (" + error.what() + ")");
     }
   }

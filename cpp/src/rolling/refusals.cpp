@@ -61,7 +61,7 @@ void require_between(const std::string& name, double given, double least, double
   if (given > least && given < most) return;
   const auto in_units = [unit](const std::string& number) { return number + " " + std::string(unit); };
   reject(name,
-         "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + ", else the " +
+         "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + ", otherwise the " +
              std::string(body.name()) + " slides without end",
          in_units(text(given)));
 }
@@ -75,27 +75,27 @@ void reject_load(const RollingPair& pair, double load, const std::string& reason
 }
 
 void reject_contact_over_60_degrees(const RollingPair& pair, double load) {
-  reject_load(pair, load, "is in contact over 60 degrees to a side");
+  reject_load(pair, load, "is in contact beyond 60 degrees to either side");
 }
 
 void require_depth(const RollingPair& pair, double load, double depth) {
   const double most = thickness(pair);
   if (!(depth < most)) {
-    reject_load(pair, load, "is pressed " + rounded(depth) + " m into a coating of " + text(most) + " m");
+    reject_load(pair, load, "is pressed " + rounded(depth) + " m into a coating of thickness " + text(most) + " m");
   }
 }
 
 void require_formulation(const MeshModel& model, const Options& options) {
   model.pair.body->require(options);
   if (!model.counterpart) return;
-  const std::string why = " where the counterpart deforms";
+  const std::string why = " if the counterbody deforms";
   if (options.compliance == Compliance::vertical) reject("compliance", "RADIAL" + why, "VERTICAL");
   if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");
 }
 
 void require_bearable_load(const MeshModel& model, double load) {
   if (load <= unbearable_load(model.pair, model.stiffest_modulus)) return;
-  reject_load(model.pair, load, "would be pressed through any such coating");
+  reject_load(model.pair, load, "would be pressed through any coating of this stiffness");
 }
 
 void require_lasting_stiffness(const Assembly& assembly) {
@@ -105,8 +105,9 @@ void require_lasting_stiffness(const Assembly& assembly) {
   const Relaxation relaxation = strongest_relaxation(assembly.pair(), passing);
   if (relaxation.share >= kLeastShare) return;
   reject(relaxation.layer + ".shear_modulus",
-         "one that relaxes to " + text(kLeastShare) + " of what it is in passing the contact at the least",
-         "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, " + rounded(relaxation.share) + " of it");
+         "such that the relaxed modulus is at least " + text(kLeastShare) +
+             " of the modulus at the frequency of passing the contact",
+         "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, a fraction of " + rounded(relaxation.share));
 }
 
 void require_few_nodes(const Window& window, const Mesh& mesh) {
@@ -123,11 +124,11 @@ void require_contact(const Assembly& assembly, double friction, double penetrati
       assembly.pair().body->require_stiffness();
       assembly.pair().on->require_stiffness();
       // No other cause is possible; such a wide contact is outside the validity of the equations.
-      reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
+      reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through the coating");
     }
     reject("friction",
-           "so small that the forces along the plane do not lift the " + std::string(assembly.pair().body->name()) +
-               " out of its own contact",
+           "so small that the tangential forces do not lift the " + std::string(assembly.pair().body->name()) +
+               " out of contact",
            text(friction));
   }
   require_depth(assembly.pair(), assembly.load_case.load, penetration - assembly.model.centrifugal);

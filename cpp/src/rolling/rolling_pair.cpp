@@ -81,8 +81,8 @@ RollingPair rolling_pair(const RollingBody& body, const Counterpart& on) {
       },
       body, on);
   if (pair.body->is_rigid() && pair.on->is_rigid()) {
-    reject("layers", "a list of at least one layer, of what rolls or of what it rolls on (on.layers), or on.base given",
-           "none: two rigid bodies");
+    reject("layers", "a list of at least one layer unless on.layers or on.base of the counterbody is given",
+           "two rigid bodies");
   }
   for (const auto& [name, layer] : pair.on->layers()) {
     require_length("on." + name + ".thickness", layer.thickness, pair.body->radius(), "the rolling body");

@@ -35,7 +35,7 @@ double chebyshev_sum(std::size_t count, const Coefficient& coefficient, double x
 
 void require_fitted(std::string_view name, double value, double from, double to, std::string_view unit) {
   if (value >= from - kSlack * std::abs(from) && value <= to + kSlack * std::abs(to)) return;
-  reject(name, "in [" + text(from) + ", " + text(to) + "] " + std::string(unit) + ", where it was fitted", value);
+  reject(name, "in [" + text(from) + ", " + text(to) + "] " + std::string(unit) + ", the fitted range", value);
 }
 
 void require_range(const std::string& name, const std::array<double, 2>& range, std::string_view unit) {
@@ -52,10 +52,12 @@ void validate(const RollingResistance& surface) {
   require_range("angular_speed", surface.angular_speed, "rad/s");
   detail::require_positive("radius", surface.radius, "m");
   const auto& rows = surface.coefficients;
-  if (rows.empty() || rows.front().empty()) reject("coefficients", "of one row and column at least", "none");
+  if (rows.empty() || rows.front().empty())
+    reject("coefficients", "a matrix of at least one row and one column", "none");
   for (const std::vector<double>& row : rows) {
     if (row.size() != rows.front().size())
-      reject("coefficients", "of rows as long as the first", std::to_string(row.size()));
+      reject("coefficients", "a matrix with rows of equal length (" + std::to_string(rows.front().size()) + ")",
+             std::to_string(row.size()));
     for (const double coefficient : row) detail::require_finite("coefficients", coefficient);
   }
   detail::require_nonnegative("error", surface.error, "");

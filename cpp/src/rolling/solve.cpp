@@ -63,7 +63,7 @@ Result solve_kept(const RollingBody& body, const Counterpart& on, const LoadCase
   const detail::RollingPair pair = detail::rolling_pair(body, on);
   validate(load_case, *pair.body);
   validate(options);
-  if (!options.mesh) detail::reject("mesh", "that of the state", "none");
+  if (!options.mesh) detail::reject("mesh", "the mesh of the state", "none");
   detail::Watch watch(options.observer);
   const detail::MeshModel model =
       detail::make_model(pair, load_case.angular_speed, *options.mesh, options.curvature, {options.threads, watch});
@@ -97,11 +97,11 @@ Result RollingModel::solve(const LoadCase& load_case, const Options& options) co
   validate(options);
   const double speed = impl_->model.angular_speed;
   if (load_case.angular_speed != speed) {
-    detail::reject("angular_speed", "that of the model, " + detail::text(speed) + " rad/s",
+    detail::reject("angular_speed", "the speed of the model, " + detail::text(speed) + " rad/s",
                    detail::text(load_case.angular_speed) + " rad/s");
   }
   if (options.mesh && *options.mesh != impl_->model.mesh) {
-    detail::reject("mesh", "left out, or that of the model", "another one");
+    detail::reject("mesh", "left out or equal to the mesh of the model", "another mesh");
   }
   detail::Watch watch(options.observer);
   return with_warnings(detail::solve_load_case(impl_->model, load_case, options, watch), options, true);

@@ -18,8 +18,7 @@ Window window_of(const KeptContact& state, const Window& widest) {
   const auto range = [](const std::string& name, int nodes, const NodeRange& most) {
     const int to_edge = nodes / 2;
     if (nodes % 2 == 1 && nodes > 0 && to_edge <= most.last) return NodeRange{-to_edge, to_edge};
-    reject("state." + name, "an odd number up to the " + std::to_string(2 * most.last + 1) + " of the mesh",
-           std::to_string(nodes));
+    reject("state." + name, "odd and in [1, " + std::to_string(2 * most.last + 1) + "]", std::to_string(nodes));
   };
   return {range("phi_nodes", state.phi_nodes, widest.phi), range("theta_nodes", state.theta_nodes, widest.theta)};
 }
@@ -37,11 +36,11 @@ ContactSolution start_of(const KeptContact& state, const SurfaceWindow& nodes, d
   const auto count = static_cast<std::size_t>(size);
   if (state.contact.size() != count || state.stick.size() != count || state.pressure.size() != count ||
       state.shear_traction.size() != 2 * count) {
-    reject("state", "fields of " + std::to_string(count) + " nodes", "others");
+    reject("state", "fields of " + std::to_string(count) + " nodes", "fields of another size");
   }
   ContactSolution start;
   start.contact = marked(state.contact);
-  if (start.contact.empty()) reject("state.contact", "at least one node", "none");
+  if (start.contact.empty()) reject("state.contact", "a mask with at least one node", "none");
   start.stick = marked(state.stick);
   const Eigen::ArrayXd area = nodes.patch_area(start.contact);
   const Eigen::Map<const Eigen::ArrayXd> pressure(state.pressure.data(), size);

@@ -37,7 +37,8 @@ void SphereTables::require_few_values(const SphereRequest& request, int phi_reac
   const std::string most = text(kMostSphereValues) + " values of harmonics and tables";
   const std::string made = text(values) + " with curvature EXACT";
   if (mesh_.max_order) {
-    reject("mesh.max_order", "small enough for " + most, std::to_string(*mesh_.max_order) + " (it makes " + made + ")");
+    reject("mesh.max_order", "so small that the mesh needs at most " + most,
+           std::to_string(*mesh_.max_order) + " (" + made + ")");
   }
   throw MeshTooFine(mesh_.nodes_per_revolution, most, made);
 }

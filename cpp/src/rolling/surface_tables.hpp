@@ -19,8 +19,8 @@ class MeshTooFine : public std::invalid_argument {
   /// @param[in] nodes_per_revolution number of the rejected mesh
   /// @param[in] most,made largest possible amount, and the amount that the mesh needs
   MeshTooFine(int nodes_per_revolution, const std::string& most, const std::string& made)
-      : std::invalid_argument("mesh.nodes_per_revolution must be coarse enough for " + most + ", got " +
-                              std::to_string(nodes_per_revolution) + " (it makes " + made + ")") {}
+      : std::invalid_argument("mesh.nodes_per_revolution must be so small that the mesh needs at most " + most +
+                              ", got " + std::to_string(nodes_per_revolution) + " (" + made + ")") {}
 };
 
 /// @brief Tables of one surface. Threads may share it: tables are summed under a lock and never change.

@@ -31,22 +31,22 @@ int nodes_across(const Result& result) {
 }
 
 std::string coarse_mesh_text(int across, double estimate) {
-  return "the mesh is too coarse: " + std::to_string(across) + " nodes across the contact (good from " +
-         std::to_string(kFewestNodesAcross) + "), error estimate " + rounded(estimate) + " (good up to " +
-         rounded(kLargestEstimate) + "); refine it, or leave it out";
+  return "the mesh is too coarse: " + std::to_string(across) + " nodes across the contact (recommended: at least " +
+         std::to_string(kFewestNodesAcross) + "), error estimate " + rounded(estimate) + " (recommended: at most " +
+         rounded(kLargestEstimate) + "); refine the mesh or leave it out";
 }
 
 std::string power_balance_text(const Result& result) {
-  return "the power balance is open by " + rounded(result.power_balance_error) + " (good up to " +
-         rounded(kLargestEstimate) + ") of a rolling resistance coefficient of " +
-         rounded(result.rolling_resistance_coefficient) + ": refine the mesh, or leave it out";
+  return "the relative error of the power balance is " + rounded(result.power_balance_error) +
+         " (recommended: at most " + rounded(kLargestEstimate) + "), for a rolling resistance coefficient of " +
+         rounded(result.rolling_resistance_coefficient) + "; refine the mesh or leave it out";
 }
 
 std::string pressure_peak_text(const Result& result, double good) {
-  return "the largest pressure is uncertain by " + rounded(result.max_pressure_error) + " (good up to " +
-         rounded(good) +
-         "): nodes do not resolve its peak, as where material enters the contact faster than it "
-         "relaxes; torque and penetration do not hang on it";
+  return "the relative error estimate of the largest pressure is " + rounded(result.max_pressure_error) +
+         " (recommended: at most " + rounded(good) +
+         "): the nodes do not resolve the peak, for example if material enters the contact faster than it "
+         "relaxes; torque and penetration do not depend on the peak";
 }
 
 }  // namespace
@@ -54,13 +54,13 @@ std::string pressure_peak_text(const Result& result, double good) {
 std::vector<Warning> warnings_of(const Result& result, const Options& options, bool mesh_given) {
   std::vector<Warning> warnings = result.warnings;  // those of the bodies
   if (result.status == Status::max_iterations) {
-    warnings.push_back({WarningKind::max_iterations, "the contact still changed when the " +
-                                                         std::to_string(options.max_iterations) +
-                                                         " iterations ran out (max_iterations)"});
+    warnings.push_back(
+        {WarningKind::max_iterations,
+         "the contact still changed after " + std::to_string(options.max_iterations) + " iterations (max_iterations)"});
   }
   if (result.status == Status::accuracy_not_reached) {
     warnings.push_back({WarningKind::accuracy_not_reached, "the error estimate is " + rounded(result.error_estimate) +
-                                                               ", above the accuracy asked for, " +
+                                                               ", above the requested accuracy of " +
                                                                rounded(options.accuracy)});
   }
   const int across = nodes_across(result);
@@ -74,10 +74,11 @@ std::vector<Warning> warnings_of(const Result& result, const Options& options, b
     warnings.push_back({WarningKind::pressure_peak, pressure_peak_text(result, good)});
   }
   if (result.strain && *result.strain > kLargestStrain) {
-    warnings.push_back({WarningKind::large_strain,
-                        "the strain, penetration per thickness of the coating, is " + rounded(*result.strain) +
-                            " (good up to " + rounded(kLargestStrain) + "): linear theory may be off by " +
-                            rounded(kErrorPerStrain * std::abs(*result.strain)) + " of the torque"});
+    warnings.push_back(
+        {WarningKind::large_strain, "the strain, penetration / coating thickness, is " + rounded(*result.strain) +
+                                        " (recommended: at most " + rounded(kLargestStrain) +
+                                        "): linear theory may have a relative error of " +
+                                        rounded(kErrorPerStrain * std::abs(*result.strain)) + " in the torque"});
   }
   return warnings;
 }

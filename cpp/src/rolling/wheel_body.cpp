@@ -17,12 +17,12 @@ namespace {
 constexpr int kFewestColumns = 4;  // on either side of the middle, so that coarser meshes still have some
 
 void require_wheel_options(const Options& options) {
-  if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT with a wheel", "SPHERICAL");
+  if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT for a wheel", "SPHERICAL");
 }
 
 void require_curvature_of_wheel(Curvature curvature) {
   if (curvature == Curvature::sphere) return;
-  reject("curvature", "left out with a wheel, whose equations keep all of it along the path",
+  reject("curvature", "left out for a wheel, whose equations contain the full curvature along the path",
          curvature == Curvature::exact ? "EXACT" : "PAPER");
 }
 
@@ -101,9 +101,9 @@ double error_of(const CoatedWheel& wheel, const ContactReach& contact) {
 
 std::string contact_near_sides(const CoatedWheel& wheel, double across) {
   const double clear = 0.5 * wheel.width - across;
-  return "the contact ends " + rounded(clear) + " m from the sides, nearer than the tread is thick (" +
-         rounded(coating_thickness(wheel)) + " m): with endless sides the torque may be too small by " +
-         rounded(error_of_sides(wheel, across)) + " of it";
+  return "the contact ends " + rounded(clear) + " m from the faces, closer than the tread thickness of " +
+         rounded(coating_thickness(wheel)) + " m: with endless sides the torque may be too small by a fraction of " +
+         rounded(error_of_sides(wheel, across));
 }
 
 std::vector<Warning> warnings_of(const CoatedWheel& wheel, const ContactReach& contact, bool other_deforms) {
@@ -117,20 +117,20 @@ std::vector<Warning> warnings_of(const CoatedWheel& wheel, const ContactReach& c
   const bool is_endless = wheel.sides == Sides::endless && !wheel.layers.empty();
   const bool reaches_sides = clear < 1e-9 * wheel.width;
   if (!is_crowned && reaches_sides && (is_endless || other_deforms)) {
-    const std::string punch = is_endless ? "tread with endless sides" : "wheel on what deforms beside it";
-    add(WarningKind::edge_pressure, "the pressure of a flat " + punch + " grows without bounds towards its edges, +-" +
-                                        rounded(0.5 * wheel.width) + " m: max_pressure is the mesh's");
+    const std::string punch = is_endless ? "tread with endless sides" : "wheel on a wider deformable counterbody";
+    add(WarningKind::edge_pressure, "the pressure of a flat " + punch + " is singular at its edges, z = +-" +
+                                        rounded(0.5 * wheel.width) + " m: max_pressure depends on the mesh");
   }
   if (is_crowned && reaches_sides) {
     add(WarningKind::contact_at_side,
-        "the contact reaches the sides of the crowned tread, +-" + rounded(0.5 * wheel.width) + " m");
+        "the contact reaches the faces of the crowned tread, z = +-" + rounded(0.5 * wheel.width) + " m");
   } else if (is_crowned && is_endless && clear < thickness) {
     add(WarningKind::contact_at_side, contact_near_sides(wheel, contact.across));
   }
   if (wheel.crown_radius < thickness) {
-    add(WarningKind::tight_crown, "the crown is rounder than the tread is thick, " + rounded(wheel.crown_radius) +
-                                      " m and " + rounded(thickness) +
-                                      " m: good as long as the contact is small beside both");
+    add(WarningKind::tight_crown, "the crown radius of " + rounded(wheel.crown_radius) +
+                                      " m is smaller than the tread thickness of " + rounded(thickness) +
+                                      " m: the result is accurate only if the contact is small compared with both");
   }
   return warnings;
 }
@@ -138,11 +138,12 @@ std::vector<Warning> warnings_of(const CoatedWheel& wheel, const ContactReach& c
 void require_gentle_crown(const CoatedWheel& wheel) {
   const double thickness = coating_thickness(wheel);
   if (wheel.sides == Sides::free || wheel.crown_radius >= thickness) return;
-  reject("crown_radius",
-         "at least the " + rounded(thickness) +
-             " m that the tread is thick: to first order, which is all that sides = ENDLESS knows of a crown, this one "
-             "rises where it is pressed (sides = FREE knows it whole)",
-         text(wheel.crown_radius) + " m");
+  reject(
+      "crown_radius",
+      "at least the tread thickness, " + rounded(thickness) +
+          " m: sides = ENDLESS includes the crown to first order only, in which a rounder crown rises under pressure "
+          "(sides = FREE includes it fully)",
+      text(wheel.crown_radius) + " m");
 }
 
 BodyShape shape_of(const CoatedWheel& wheel) {

@@ -20,9 +20,10 @@ using Eigen::Index;
 void require_yielding_at_once(const Body& body, std::string_view prefix, const TimeRange& range) {
   for (const auto& [name, layer] : body.layers()) {
     if (std::isfinite(short_time_modulus(layer.shear_modulus, 1.0 / range.shortest))) continue;
-    reject(std::string(prefix) + name + ".shear_modulus",
-           "one that yields at once in transient rolling, where layers do not creep alike",
-           "KelvinVoigt, which does not");
+    reject(
+        std::string(prefix) + name + ".shear_modulus",
+        "a material with instantaneous compliance in transient rolling if the layers have dissimilar creep functions",
+        "KelvinVoigt, which has none");
   }
 }
 
@@ -46,10 +47,10 @@ BodySpectrum checked_spectrum(const Body& body, std::string_view prefix, const C
     result = layer_spectrum(body.layered(crossing), options, range);
   }
   if (result.spectrum.error > options.spectrum_tolerance) {
-    reject(
-        std::string(prefix) + body.layers().back().name + ".shear_modulus",
-        "one that discrete retardation times stand for within spectrum_tolerance = " + text(options.spectrum_tolerance),
-        "one that they miss by " + rounded(result.spectrum.error));
+    reject(std::string(prefix) + body.layers().back().name + ".shear_modulus",
+           "such that discrete retardation times represent its creep within spectrum_tolerance = " +
+               text(options.spectrum_tolerance),
+           "a material with an error of " + rounded(result.spectrum.error));
   }
   return result;
 }
@@ -132,11 +133,12 @@ void require_followed(const RollingPair& pair, const HistoryOptions& options) {
   const bool is_ball = !pair.body->form().is_line() && std::isinf(width(pair));
   const bool is_on_rigid_plane = pair.on->is_rigid() && pair.on->curvatures() == Curvatures{};
   if (options.mass > 0.0 && pair.on->curvatures().along != 0.0) {
-    reject("mass", "0 kg on what curves along the path, where the center goes another way than the contact",
+    reject("mass",
+           "0 kg on a counterbody that is curved along the path, where center and contact move different distances",
            text(options.mass) + " kg");
   }
   if (options.compliance != Compliance::radial && !(is_ball && is_on_rigid_plane)) {
-    reject("compliance", "RADIAL in transient rolling, but for a ball on the rigid plane", "VERTICAL");
+    reject("compliance", "RADIAL in transient rolling, except for a ball on the rigid plane", "VERTICAL");
   }
 }
 

@@ -133,7 +133,7 @@ PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const A
   PressedNodes contact = find_contact(
       surface, std::move(start),
       {.most_passes = kMostPasses, .first_tolerance = first_tolerance, .tightening = 0.0, .tolerance = kTolerance});
-  if (!contact.converged) throw ConvergenceError("the nodes in contact did not settle", kMostPasses, 1.0);
+  if (!contact.converged) throw ConvergenceError("the set of nodes in contact did not converge", kMostPasses, 1.0);
   return contact;
 }
 

@@ -40,30 +40,29 @@ void validate(const HistoryOptions& options) {
   }
   require_friction(options.friction);
   if (std::isinf(options.friction)) {
-    reject("friction", "finite in transient rolling, where nodes slip as they join the contact", options.friction);
+    reject("friction", "finite in transient rolling, where nodes slip when they enter the contact", options.friction);
   }
   require_finite("driving_force", options.driving_force);
   if (options.driving_torque) {
     require_finite("driving_torque", *options.driving_torque);
     if (options.friction == 0.0) {
-      reject("driving_torque", "left out without friction, where rolling itself fixes the torque",
+      reject("driving_torque", "left out without friction, where the torque follows from the pressure",
              text(*options.driving_torque) + " N m");
     }
     if (options.driving_force != 0.0) {
-      reject("driving_force", "0 N where the torque is given", text(options.driving_force) + " N");
+      reject("driving_force", "0 N if driving_torque is given", text(options.driving_force) + " N");
     }
     if (options.mass > 0.0) {
-      reject("mass", "0 kg where the torque is given, with which forces balance", text(options.mass) + " kg");
+      reject("mass", "0 kg if driving_torque is given, with which the forces balance", text(options.mass) + " kg");
     }
   }
   require_nonnegative("mass", options.mass, "kg");
   require_finite("center_speed", options.center_speed);
   if (options.mass > 0.0 && options.friction == 0.0) {
-    reject("mass", "0 kg without friction, where nothing but a force on the center moves it",
-           text(options.mass) + " kg");
+    reject("mass", "0 kg without friction, where only a force on the center would move it", text(options.mass) + " kg");
   }
   if (options.center_speed != 0.0 && options.mass == 0.0) {
-    reject("center_speed", "0 m/s for a center without mass", text(options.center_speed) + " m/s");
+    reject("center_speed", "0 m/s without a mass", text(options.center_speed) + " m/s");
   }
   require_positive("shortest_time", options.shortest_time, "s");
   if (!(std::isfinite(options.longest_time) && options.longest_time > options.shortest_time)) {
@@ -83,7 +82,7 @@ void validate(const Motion& motion) {
       detail::reject(name, "as long as time (" + std::to_string(motion.time.size()) + ")", std::to_string(length));
     }
   };
-  if (motion.time.empty()) detail::reject("time", "of one knot at least", "none");
+  if (motion.time.empty()) detail::reject("time", "a list of at least one waypoint", "none");
   require_length("angle", motion.angle.size());
   require_length("load", motion.load.size());
   if (!motion.center_way.empty()) require_length("center_way", motion.center_way.size());
@@ -100,7 +99,7 @@ void validate(const Motion& motion) {
     }
   }
   if (!motion.center_way.empty() && motion.center_way.front() != 0.0) {
-    detail::reject("center_way[0]", "0 m, for the way is counted from the first instant",
+    detail::reject("center_way[0]", "0 m, because the displacement is measured from the first instant",
                    detail::text(motion.center_way.front()) + " m");
   }
 }

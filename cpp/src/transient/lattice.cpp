@@ -128,7 +128,7 @@ void Lattice::require_reachable_drive(const Attempt& attempt) {
     const auto in_units = [unit](const std::string& number) { return number + " " + std::string(unit); };
     reject(name,
            "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + " at angle " +
-               rounded(attempt.end.angle) + " rad, else the " + std::string(body.name()) + " slides without end",
+               rounded(attempt.end.angle) + " rad, otherwise the " + std::string(body.name()) + " slides without end",
            in_units(text(given)));
   };
   if (center.torque != 0.0) {
@@ -195,7 +195,8 @@ void Lattice::require_open_track(const ContactPlace& place) const {
     const Index rows = std::max(place.first + place.count - 1, alive->last) - std::min(place.first, alive->first) + 1;
     const double way = spacing * static_cast<double>(rows);
     if (way <= around) continue;
-    reject("way", "less than once around what it rolls on, " + rounded(around) + " m, while its track remembers",
+    reject("way",
+           "less than the circumference of the counterbody, " + rounded(around) + " m, until its surface has recovered",
            rounded(way) + " m");
   }
 }

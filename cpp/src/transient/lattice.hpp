@@ -27,7 +27,7 @@ class ContactTooWide : public std::runtime_error {
 /// @brief Error for a track whose memory extends farther than its tables reach.
 class TrackTooLong : public std::runtime_error {
  public:
-  TrackTooLong() : std::runtime_error("the track is remembered farther than its tables reach") {}
+  TrackTooLong() : std::runtime_error("the memory of the track extends beyond its tables") {}
 };
 
 /// @brief Scalars that are averaged over the phase-shifted meshes and stored for each of them.

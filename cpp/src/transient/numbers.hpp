@@ -101,7 +101,7 @@ class NumberReader {
   }
 
  private:
-  [[noreturn]] static void refuse() { reject("start", "a state of a rolling history", "other numbers"); }
+  [[noreturn]] static void refuse() { reject("start", "a state of a rolling history", "invalid numbers"); }
 
   [[nodiscard]] static Eigen::Index whole(double number, double most) {
     require(number >= 0.0 && number <= most && number == std::floor(number));

@@ -80,7 +80,8 @@ struct RollingHistory::Impl {
   void widen(detail::Watch& watch) {
     const Index half_nodes = pair->half_nodes();
     if (half_nodes == pair->most_half_nodes()) {
-      reject("load", "small enough for the coating", "one that is in contact over 60 degrees to a side");
+      reject("load", "small enough for the coating",
+             "a load with which the contact extends beyond 60 degrees to either side");
     }
     enlarge({.half_nodes = half_nodes + half_nodes / 2 + 1, .track_reach = pair->track_reach}, watch);
   }
@@ -183,13 +184,13 @@ void RollingHistory::Impl::require_forces(const StepEnd& to) const {
   if (to.center_way) {
     detail::require_finite("center_way", *to.center_way);
     if (options.friction == 0.0) {
-      reject("center_way", "left out without friction, where it moves nothing", text(*to.center_way) + " m");
+      reject("center_way", "left out without friction, where it has no effect", text(*to.center_way) + " m");
     }
     if (options.driving_force != 0.0) {
-      reject("driving_force", "0 N where the way of the center is given", text(options.driving_force) + " N");
+      reject("driving_force", "0 N if center_way is given", text(options.driving_force) + " N");
     }
     if (options.driving_torque) {
-      reject("driving_torque", "left out where the way of the center is given", text(*options.driving_torque) + " N m");
+      reject("driving_torque", "left out if center_way is given", text(*options.driving_torque) + " N m");
     }
     return;
   }
@@ -198,8 +199,8 @@ void RollingHistory::Impl::require_forces(const StepEnd& to) const {
     const detail::RoundBody& body = *pair->pair.body;
     const std::string unit = " " + std::string(body.form().load_unit);
     reject("driving_force",
-           "smaller than friction * load = " + text(options.friction * to.load) + unit + " in magnitude, else the " +
-               std::string(body.name()) + " slides without end",
+           "smaller than friction * load = " + text(options.friction * to.load) + unit +
+               " in magnitude, otherwise the " + std::string(body.name()) + " slides without end",
            text(options.driving_force) + unit);
   }
 }
@@ -210,12 +211,13 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   const double farthest = detail::kMostRows * pair->nodes.grid.phi_spacing;
   if (std::abs(to.angle) > farthest) reject("angle", "in +-" + detail::rounded(farthest) + " rad", to.angle);
   if (!(to.time >= now.time)) {
-    reject("time", "not before the instant reached, " + text(now.time) + " s", text(to.time) + " s");
+    reject("time", ">= the current time, " + text(now.time) + " s", text(to.time) + " s");
   }
   detail::require_nonnegative("load", to.load, pair->pair.body->form().load_unit);
   require_forces(to);
   if (std::abs(to.angle - now.angle) > most_turn()) {
-    reject("angle", "within " + detail::rounded(most_turn()) + " rad of the one before, ten million steps", to.angle);
+    reject("angle", "within " + detail::rounded(most_turn()) + " rad of the previous angle (ten million steps)",
+           to.angle);
   }
   const double duration = to.time - now.time;
   if (duration == 0.0) {
@@ -223,8 +225,8 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
         to.angle != now.angle || to.load != now.load || to.center_way.value_or(now.center_way) != now.center_way;
     if (moves && instantaneous() == 0.0) {
       reject("time",
-             "after the instant reached, " + text(now.time) +
-                 " s, for a coating that does not yield at once (KelvinVoigt), which cannot jump",
+             "> the current time, " + text(now.time) +
+                 " s, because a coating without instantaneous compliance (KelvinVoigt) cannot jump",
              text(to.time) + " s");
     }
     return;
@@ -233,8 +235,8 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   const double speed = (to.angle - now.angle) / duration;
   if (inertia * speed * speed > kNegligible) {
     reject("angle",
-           "turned so slowly that inertia is negligible, at most " + detail::rounded(std::sqrt(kNegligible / inertia)) +
-               " rad/s (or layers of density 0)",
+           "changed so slowly that inertia is negligible, at most " +
+               detail::rounded(std::sqrt(kNegligible / inertia)) + " rad/s (or use layers of density 0)",
            detail::rounded(std::abs(speed)) + " rad/s");
   }
 }
@@ -337,18 +339,19 @@ void RollingHistory::Impl::restore(const RollingState& state, detail::Watch& wat
   const Index half_nodes = numbers.count(options.mesh->nodes_per_revolution);
   const Index track_reach = numbers.count(static_cast<double>(pair->most_track_reach()));
   if (numbers.count(detail::kMostLattices) != static_cast<Index>(lattices.size())) {
-    reject("start", "a state of as many lattices (" + std::to_string(lattices.size()) + ")", "one of another number");
+    reject("start", "a state with the same number of lattices (" + std::to_string(lattices.size()) + ")",
+           "a state with another number");
   }
   Impl next(*this);
   for (std::size_t b = 0; b < spectra.size(); ++b) {
     const double compliance = numbers.get();
     if (!(std::abs(compliance / pair->bodies[b].tables.own_compliance() - 1.0) < kSame)) {
-      reject("start", "a state of the same ball and mesh", "one of another compliance");
+      reject("start", "a state of the same bodies and mesh", "a state with another compliance");
     }
     next.spectra[b].spectrum = detail::read_spectrum(numbers);
     if (!(detail::difference(next.spectra[b].spectrum, spectra[b].spectrum) <=
           std::max(kSame, 2.0 * options.spectrum_tolerance))) {
-      reject("start", "a state of the same material", "one that creeps differently");
+      reject("start", "a state of the same materials", "a state with another creep function");
     }
   }
   next.pair = next.with({.half_nodes = half_nodes, .track_reach = track_reach}, watch);
@@ -386,7 +389,7 @@ RollingHistory::RollingHistory(const RollingBody& body, const Counterpart& on, d
   impl.options = options;
   const detail::ContactReach contact = impl.know(body, on, load, watch);
   if (start == Start::fresh && impl.instantaneous() == 0.0) {
-    reject("start", "RELAXED for a coating that does not yield at once (KelvinVoigt)", "FRESH");
+    reject("start", "RELAXED for a coating without instantaneous compliance (KelvinVoigt)", "FRESH");
   }
   impl.lay(contact, watch);
   const StepEnd first{.time = time, .angle = angle, .load = load, .center_way = {}};
@@ -472,7 +475,7 @@ std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, 
   detail::Watch watch(observer);
   RollingHistory::Impl& impl = *history.impl_;
   if (!(impl.now.time >= motion.time.front() && impl.now.time <= motion.time.back())) {
-    reject("time", "of knots from before the instant reached, " + text(impl.now.time) + " s, to after it",
+    reject("time", "a list whose range contains the current time, " + text(impl.now.time) + " s",
            text(motion.time.front()) + " s to " + text(motion.time.back()) + " s");
   }
   const auto share_at = [&motion](double time) {

@@ -276,7 +276,7 @@ void RowMemory::read(NumberReader& numbers, const CreepingTables& tables) {
   const auto field = [&] {
     HalfField values = numbers.matrix();
     if (values.rows() != tables.height() || values.cols() != expected) {
-      reject("start", "a state of the same mesh", "one of another mesh");
+      reject("start", "a state of the same mesh", "a state of another mesh");
     }
     return values;
   };

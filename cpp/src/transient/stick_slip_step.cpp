@@ -157,7 +157,7 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
     const VectorField smooth = without_friction(problem, guess);
     if (finds_from(smooth, problem.friction, *system, plain)) return plain;
     if (descends_from(smooth, problem.friction, one_sticks, held)) return held;
-    throw ConvergenceError("stick and slip did not settle: friction may not bear what drives it",
+    throw ConvergenceError("the stick-slip solver did not converge: friction may be too small for the drive",
                            plain.systems() + held.systems(), held.state().residual);
   };
   const SemismoothNewton& newton = found();

@@ -1,5 +1,4 @@
-// What a loop that runs in real time can afford, on one thread: solves, steps of a history, and values of a fitted
-// torque.
+// Measure how many steady solves, history steps and values of a fitted torque one thread computes per second.
 //
 //     real_time [torque.json]
 #include <cstdio>
@@ -19,7 +18,7 @@ constexpr double kRadius = 21e-3;  // [m]
 constexpr double kLoad = 100.0;    // [N]
 constexpr double kSpeed = 2.5;     // [rad/s]
 
-/// How often a second of this thread's processor bears something, called with 0, 1, 2 ... until half a second is over.
+/// Return the number of calls work(0), work(1), ... per second of processor time, measured over half a second.
 template <class Work>
 double rate(const Work& work) {
   const std::clock_t start = std::clock();
@@ -36,16 +35,17 @@ int main(int argc, char** argv) try {
       .layers = {
           {.thickness = 1e-3, .shear_modulus = vr::standard_linear_solid(6e6, 3e6, 0.125), .poisson_ratio = 0.5}}};
 
-  // Steady rolling under a load that changes: tables of a speed are made once.
+  // Steady rolling under a changing load: the tables for this speed are computed once.
   const vr::RollingModel model(ball, kSpeed, vr::Mesh{.nodes_per_revolution = 150}, 1);
   double torque = 0.0;
   const double solves = rate([&](int i) {
     const vr::LoadCase now{.load = kLoad + i % 10, .angular_speed = kSpeed};
     torque = model.solve(now, {.threads = 1}).resisting_torque;
   });
-  std::printf("%8.0f solves a second at 150 nodes a revolution, the last %.2f mN m\n", solves, torque * 1e3);
+  std::printf("%8.0f steady solves per second at 150 nodes per revolution, last torque %.2f mN m\n", solves,
+              torque * 1e3);
 
-  // A ball on its way, a millisecond at a time, which remembers where it was.
+  // A transient motion in steps of a millisecond, which includes the whole history.
   vr::RollingHistory history(
       ball, kLoad, vr::Start::relaxed,
       {.mesh = vr::Mesh{.nodes_per_revolution = 200}, .lattices = 1, .steps_per_spacing = std::nullopt, .threads = 1});
@@ -53,16 +53,17 @@ int main(int argc, char** argv) try {
     const double time = 1e-3 * (i + 1);
     torque = history.advance(time, kSpeed * time, kLoad + i % 10).resisting_torque;
   });
-  std::printf("%8.0f steps of a history a second at 200 nodes a revolution, the last %.2f mN m\n", steps, torque * 1e3);
+  std::printf("%8.0f history steps per second at 200 nodes per revolution, last torque %.2f mN m\n", steps,
+              torque * 1e3);
 
-  // The torque of steady rolling as a function, which Python fitted over load and speed.
+  // The torque of steady rolling as a function of load and speed, fitted in Python.
   if (argc > 1) {
     std::ifstream file(argv[1]);
     if (!file) throw std::runtime_error(std::string(argv[1]) + " cannot be read");
     const auto surface = nlohmann::json::parse(file).get<vr::RollingResistance>();
     const double values =
         rate([&](int i) { torque = vr::resisting_torque(surface, kLoad - i % 10, kSpeed, vr::Extrapolation::hold); });
-    std::printf("%8.1f million values of the surface a second, the last %.2f mN m to %.1f %%\n", values * 1e-6,
+    std::printf("%8.1f million surface values per second, last torque %.2f mN m (fit error %.1f %%)\n", values * 1e-6,
                 torque * 1e3, surface.largest_error * 100.0);
   }
   return 0;

@@ -98,7 +98,7 @@ def as_float(name: str, value: object) -> float:
     try:
         return float(value)
     except OverflowError:
-        raise ValueError(f"{name} must be <= {sys.float_info.max:.2g} in size, got {shown(value)}") from None
+        raise ValueError(f"{name} must be <= {sys.float_info.max:.2g} in magnitude, got {shown(value)}") from None
 
 
 def as_positive(name: str, value: object, unit: str = "") -> float:
@@ -158,7 +158,7 @@ def as_float_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """
     array = _each(as_float, name, _as_array(name, values))
     if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name} must hold real numbers, got {array.dtype} entries")
+        raise TypeError(f"{name} must contain real numbers, got {array.dtype} entries")
     return array.astype(np.float64)
 
 
@@ -194,7 +194,7 @@ def as_orders(name: str, values: ArrayLike) -> NDArray[np.int32]:
     """
     array = _each(as_int, name, _as_array(name, values))
     if array.dtype.kind not in "iu":
-        raise TypeError(f"{name} must hold whole numbers, got {array.dtype} entries")
+        raise TypeError(f"{name} must contain whole numbers, got {array.dtype} entries")
     if array.size and max(-int(array.min()), int(array.max())) > 10**6:
         raise ValueError(f"{name} must be in [-1e6, 1e6], got {array.min()} to {array.max()}")
     return array.astype(np.int32)

@@ -31,7 +31,7 @@ class extra:  # noqa: N801  (used like a statement: `with extra("plot"): import 
     ...     import a_package_that_nobody_has
     Traceback (most recent call last):
     ...
-    ImportError: this needs a_package_that_nobody_has: pip install 'viscoroll[plot]'
+    ImportError: this function requires a_package_that_nobody_has, which is not installed: pip install 'viscoroll[plot]'
     """
 
     name: str
@@ -46,4 +46,7 @@ class extra:  # noqa: N801  (used like a statement: `with extra("plot"): import 
         if isinstance(error, ModuleNotFoundError) and error.name is not None:
             package = error.name.partition(".")[0]
             if package != "viscoroll":
-                raise ImportError(f"this needs {package}: pip install 'viscoroll[{self.name}]'", name=package) from None
+                raise ImportError(
+                    f"this function requires {package}, which is not installed: pip install 'viscoroll[{self.name}]'",
+                    name=package,
+                ) from None

@@ -128,6 +128,6 @@ def _is_of_the_call(error: TypeError) -> bool:
 def _message(function: str, unknown: list[str], known: list[str]) -> str:
     guesses = list(dict.fromkeys(guess for name in unknown if (guess := meant(name, known))))
     names = ", ".join(name for name in known if name != "self")
-    told = f"did you mean {', '.join(guesses)}?" if guesses else f"it has {names}"
+    told = f"did you mean {', '.join(guesses)}?" if guesses else f"its parameters are {names}"
     given = ", ".join(map(repr, unknown))
     return f"{function}() got an unexpected keyword argument {given}; {told}"

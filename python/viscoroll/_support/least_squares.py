@@ -156,7 +156,7 @@ def fit_law(
     freedom = len(x) - len(start)
     singular = np.linalg.svd(found.jac, compute_uv=False)
     if not singular[-1] > 1e-10 * singular[0]:
-        raise ValueError(f"torque must determine all parameters of {law}, got data that fit many values of them")
+        raise ValueError(f"torque must determine all parameters of {law}, got data that many values fit equally well")
     covariance = np.linalg.inv(found.jac.T @ found.jac) * (2.0 * found.cost / freedom)
     values, covariance = found.x * scale, covariance * np.outer(scale, scale)
     spread = float(np.sum((y - y.mean()) ** 2))

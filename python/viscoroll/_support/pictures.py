@@ -76,4 +76,4 @@ def _way_to_a_file(target: object) -> str:
     """Return a hint how to save a figure if a file was given instead of axes, else an empty text."""
     if not isinstance(target, str | PathLike):
         return ""
-    return f"; without ax there is a figure, whose savefig({shown(fspath(target))}) writes a file"
+    return f"; to write a file, omit ax and call savefig({shown(fspath(target))}) on the returned figure"

@@ -17,17 +17,17 @@ _TOLD = """
 Parameters
 ----------
 ax : matplotlib.axes.Axes, optional
-    Where to draw {part}.
+    Axes on which to draw {part}.
 
 Returns
 -------
 matplotlib.figure.Figure or matplotlib.axes.Axes
-    A new figure, which shows itself in a notebook and is saved by ``savefig``; or `ax`.
+    A new figure, which a notebook displays and ``savefig`` saves; or `ax`.
 
 Raises
 ------
 ImportError
-    Without the extra `viscoroll[plot]`.
+    If the extra `viscoroll[plot]` is not installed.
 """
 
 

@@ -40,7 +40,7 @@ def load_sealed(path: Path) -> xarray.Dataset:
     content = path.read_bytes()
     if content[-_LENGTH:] != _MARK + _checksum(content[:-_LENGTH]):
         raise ValueError(
-            f"{path} must be a study of viscoroll, got another file or a damaged one, without its checksum"
+            f"{path} must be a study file of viscoroll, got a file without a valid checksum: damaged or of other origin"
         )
     return xarray.load_dataset(path, engine="netcdf4")
 

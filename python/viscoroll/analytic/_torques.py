@@ -35,7 +35,7 @@ def slow_form(body: Coating, loss_time: float, reach: Reach, reach_name: str) ->
         met: NDArray[np.bool_] = (path <= 0.05 * a) & (is_real(body.layers) | (a <= 0.2 * body.thickness))
         return met
 
-    moves = f"the surface moves by less than 5 % of the {reach_name} in the loss time; no inertia"
+    moves = f"the surface travels at most 5 % of the {reach_name} within the loss time; no inertia"
     return ClosedForm(torque=torque, holds=holds, validity=moves)
 
 
@@ -67,7 +67,7 @@ def thin_form(body: Coating, winkler: Callable[..., Floats], reach: Reach, reach
         return met
 
     wide = (
-        f"{reach_name} a above 5 thicknesses h and h/(1-2ν), below a fifth of the radius; forgets in a tenth of a "  # noqa: RUF001
-        "revolution; no inertia"
+        f"{reach_name} at least 5 h and h/(1-2ν), with the thickness h, and at most a fifth of the radius; longest "  # noqa: RUF001
+        "relaxation time at most a tenth of a revolution; no inertia"
     )
     return ClosedForm(torque=torque, holds=holds, validity=wide)

@@ -194,13 +194,15 @@ def _half_space(
         return met
 
     small = (
-        "contact radius below a fifth of the thickness; no inertia"
+        "contact radius at most a fifth of the thickness; no inertia"
         if crown_radius is None
-        else "longer semi-axis below a fifth of the thickness and of half the width; no inertia"
+        else "longer semi-axis at most a fifth of the thickness and of half the width; no inertia"
     )
-    lagging = ClosedForm(torque=persson, holds=holds, validity=f"pressure as at rest; {small}")
+    lagging = ClosedForm(torque=persson, holds=holds, validity=f"pressure distribution at rest; {small}")
     return {
-        "greenwood_tabor": ClosedForm(torque=greenwood_tabor, holds=holds, validity=f"all work lost; {small}"),
+        "greenwood_tabor": ClosedForm(
+            torque=greenwood_tabor, holds=holds, validity=f"all deformation work dissipated; {small}"
+        ),
         "persson": lagging if is_known_throughout(layer.shear_modulus) else None,
     }
 
@@ -221,9 +223,11 @@ def _of_roller(roller: CoatedCylinder) -> dict[str, ClosedForm | None]:
     time = shared_loss_time(roller.layers) if is_real(roller.layers) else None
     one_material = is_homogeneous(roller.layers)
     return {
-        "low_speed": None if time is None else slow_form(roller, time, half_width, "half width"),
+        "low_speed": None if time is None else slow_form(roller, time, half_width, "contact half-width"),
         "hunter": _hunter(roller, half_width) if one_material else None,
-        "winkler_line": thin_form(roller, winkler_torque_line, half_width, "half width") if one_material else None,
+        "winkler_line": thin_form(roller, winkler_torque_line, half_width, "contact half-width")
+        if one_material
+        else None,
     }
 
 
@@ -255,7 +259,10 @@ def _hunter(roller: CoatedCylinder, half_width: Reach) -> ClosedForm | None:
         met: NDArray[np.bool_] = (half_width(load) <= 0.2 * roller.thickness) & (wake <= 0.5 * roller.thickness)
         return met
 
-    small = "half width below a fifth of the thickness, way in the retardation time below half of it; no inertia"
+    small = (
+        "contact half-width at most a fifth of the thickness, distance rolled within the retardation time at most half "
+        "the thickness; no inertia"
+    )
     return ClosedForm(torque=torque, holds=holds, validity=small)
 
 
@@ -263,7 +270,7 @@ def _of_wheel(wheel: CoatedWheel) -> dict[str, ClosedForm | None]:
     roller = CoatedCylinder(core_radius=wheel.core_radius, layers=wheel.layers)
     time = shared_loss_time(wheel.layers) if is_real(wheel.layers) else None
     reach = partial(_along_path, wheel, roller)
-    slow = None if time is None else slow_form(wheel, time, reach, "contact's half length")
+    slow = None if time is None else slow_form(wheel, time, reach, "contact half-length")
     if math.isinf(wheel.crown_radius):
         of_roller = _of_roller(roller).items()
         return {name: form and _over_width(form, wheel) for name, form in of_roller} | {"low_speed": slow}
@@ -284,7 +291,7 @@ def _over_width(form: ClosedForm, wheel: CoatedWheel) -> ClosedForm:
         met: NDArray[np.bool_] = form.holds(np.asarray(load) / wheel.width, angular_speed)
         return met & (wheel.width >= _WIDE * wheel.thickness)
 
-    return ClosedForm(torque=torque, holds=holds, validity=f"{form.validity}; width above {_WIDE:g} thicknesses")
+    return ClosedForm(torque=torque, holds=holds, validity=f"{form.validity}; width at least {_WIDE:g} thicknesses")
 
 
 def _along_path(wheel: CoatedWheel, roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:

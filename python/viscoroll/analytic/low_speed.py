@@ -105,7 +105,7 @@ def loss_time(shear_modulus: ShearModulusLike) -> float:
     slowest, slow = (modulus.imag / modulus.real / _AT_REST).tolist()
     if abs(slowest - slow) > 1e-6 * slow:
         raise ValueError(
-            "shear_modulus must have a loss modulus in proportion to frequency near 0 rad/s, got G''/(ω G') = "
+            "shear_modulus must have a loss modulus proportional to frequency near 0 rad/s, got G''/(ω G') = "
             f"{slowest:g} s at {_AT_REST[0]:g} rad/s and {slow:g} s at {_AT_REST[1]:g} rad/s"
         )
     return float(slow)

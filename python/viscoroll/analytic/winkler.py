@@ -259,7 +259,9 @@ def _shear_springs(modulus: ShearModulus) -> _Springs:
             return _Springs(stiff * shares, np.append(times, np.inf), 0.0)
     require_type("shear_modulus", modulus, ShearModulus)
     names = ", ".join(kind.__name__ for kind in KNOWN_IN_TIME)
-    raise ValueError(f"shear_modulus must be one of {names}, which are known in time, got {shown(modulus)}")
+    raise ValueError(
+        f"shear_modulus must be one of {names}, which have closed-form relaxation functions, got {shown(modulus)}"
+    )
 
 
 def longest_time(modulus: ShearModulus) -> float:

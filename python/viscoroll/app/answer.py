@@ -56,7 +56,7 @@ def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
     """
     try:
         if not isinstance(request, dict) or "case" not in request or set(request) - _KEYS:
-            raise ValueError("request must be an object with the keys case and, maybe, fields")
+            raise ValueError("request must be an object with the key case and optionally the key fields")
         case = readable_case(request["case"])
         with kept_in_results():
             result = case.solve(progress=progress)
@@ -64,7 +64,12 @@ def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
         message = one_line(str(error))
         return {"error": {"message": message, "parameter": _parameter(message)}}
     except MemoryError:
-        return {"error": {"message": "memory ran out: a larger accuracy needs less", "parameter": None}}
+        return {
+            "error": {
+                "message": "not enough memory for this case: use a larger accuracy, that is, a coarser mesh",
+                "parameter": None,
+            }
+        }
     found = {
         "scalars": {name: _finite(value) for name, value in result.scalars().items()},
         "state": result.status.name.lower(),
@@ -82,9 +87,9 @@ def readable_case(document: object) -> Case:
         If the tables are not valid, refer to a file, or include tables of `OTHER_TABLES`.
     """
     if not isinstance(document, dict):
-        raise ValueError("case must be an object of the tables of a case file")
+        raise ValueError("case must be an object with the tables of a case file")
     if others := [name for name in OTHER_TABLES if name in document]:
-        raise ValueError(f"{others[0]} must be left out: the page has no such table")
+        raise ValueError(f"{others[0]} must be left out: the page does not support this table")
     return build_case(document, None)
 
 

@@ -199,5 +199,5 @@ def require_body(name: str, body: object, kind: type[RoundBody] | UnionType, wha
     """Raise a TypeError unless a body is of that kind; the message says that `what` does not support other kinds."""
     if isinstance(body, RollingBody) and not isinstance(body, kind):
         wanted = " or ".join(one.noun for one in get_args(kind) or (kind,))
-        raise TypeError(f"{name} must be a {wanted}: {what} of a {body.noun} is not there yet")
+        raise TypeError(f"{name} must be a {wanted}: {what} of a {body.noun} is not implemented")
     require_type(name, body, kind)

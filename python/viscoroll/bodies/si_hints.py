@@ -38,7 +38,7 @@ _TELLING = ("load must be small enough", "angular_speed must be below", "angular
 def si_hint(body: _Layered, on: _Layered | None = None) -> str:
     """Return a hint that lists implausible lengths and moduli of both bodies, or an empty string."""
     doubtful = [*_doubtful(body, ""), *([] if on is None else _doubtful(on, "on."))]
-    return f"viscoroll takes SI units: {', '.join(doubtful)}" if doubtful else ""
+    return f"viscoroll expects SI units, got {', '.join(doubtful)}" if doubtful else ""
 
 
 def unit_doubt(body: _Layered, on: _Layered | None = None) -> str:

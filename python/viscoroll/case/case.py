@@ -103,10 +103,12 @@ def _of_data_sheet(
     given = {name: value for name, value in law.items() if value is not None}
     if rebound is None:
         if given:
-            raise ValueError(f"{' and '.join(given)} must be left out where there is no rebound")
+            raise ValueError(f"{' and '.join(given)} must be left out without a rebound")
         return materials.Elastic(modulus=modulus)
     if reference_frequency is None:
-        raise ValueError("reference_frequency must be given with a rebound: where both hold, in rad/s")
+        raise ValueError(
+            "reference_frequency must be given with a rebound: the frequency [rad/s] of modulus and loss factor"
+        )
     return LossFactor(modulus=modulus, loss_factor=rebound_to_loss_factor(rebound).value, **given)
 
 
@@ -117,7 +119,7 @@ def _with_columns(
     if "file" not in table:
         return table
     if both := [name for name in names if name in table]:
-        raise ValueError(f"file must be left out where columns are given, got {', '.join(both)} too")
+        raise ValueError(f"file must be left out if columns are given, got also {', '.join(both)}")
     path = in_folder(table["file"], info)
     columns = read_columns(what, path, names)
     try:
@@ -257,7 +259,7 @@ class MeshTable(StrictTable):
         if self.nodes_per_revolution is not None:
             return given | {"mesh": Mesh(**numbers)}
         if any(number is not None for number in numbers.values()):
-            raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
+            raise ValueError("numerics.nodes_per_revolution must be given with max_order or theta_nodes_per_revolution")
         return given | {"mesh": None}
 
 
@@ -316,11 +318,9 @@ class PairTables(FileTables):
             for names in (BODIES, COUNTERPARTS)
         )
         if len(bodies) != 1:
-            raise ValueError(f"one of {', '.join(BODIES)} must be given, got {' and '.join(bodies) or 'none'}")
+            raise ValueError(f"exactly one of {', '.join(BODIES)} must be given, got {' and '.join(bodies) or 'none'}")
         if len(counterparts) > 1:
-            raise ValueError(
-                f"one of {', '.join(COUNTERPARTS)} must be given at most, got {' and '.join(counterparts)}"
-            )
+            raise ValueError(f"at most one of {', '.join(COUNTERPARTS)} may be given, got {' and '.join(counterparts)}")
         return {"ball": next(iter(bodies.values())), "on": next(iter(counterparts.values()), None)}
 
 
@@ -374,7 +374,9 @@ class Case:
             raise ValueError("thermal.shift must be given for self-heating")
         for name in ("of", "base_convection", "period"):
             if getattr(self.thermal, name) is not None:
-                raise ValueError(f"thermal.{name} must be left out with thermal.shift: self-heating is of what rolls")
+                raise ValueError(
+                    f"thermal.{name} must be left out with thermal.shift: self-heating considers only the rolling body"
+                )
         cooling = {name: value for name, value in self.thermal if name not in ("of", "base_convection", "period")}
         return self_heating(**self.arguments(), **cooling, **options)
 
@@ -424,7 +426,7 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
     pair = file.pair()
     numerics = file.numerics.arguments()
     if numerics["mesh"] is not None and numerics["accuracy"] is not None:
-        raise ValueError("numerics.accuracy must be left out where a mesh is given")
+        raise ValueError("numerics.accuracy must be left out if a mesh is given")
     return Case(
         thermal=file.thermal,
         **pair,

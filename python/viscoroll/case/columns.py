@@ -36,15 +36,15 @@ def read_columns(what: str, path: Path, names: Sequence[str], maybe: Sequence[st
         finite number.
     """
     (_, header), *rows = _read_rows(what, path) or [(1, [])]
-    wanted = ", ".join(names) + (f" and maybe {', '.join(maybe)}" if maybe else "")
-    needs = f"{what} {path}: needs numbers in columns {wanted}"
+    wanted = ", ".join(names) + (f" and optionally {', '.join(maybe)}" if maybe else "")
+    needs = f"{what} {path}: must have numbers in the columns {wanted}"
     found = [*names, *(name for name in maybe if name in header)]
     for name in found:
         if header.count(name) != 1:
             raise ValueError(f"{needs} (column {name} occurs {header.count(name)} times)")
     for line, cells in rows:
         if len(cells) != len(header):
-            raise ValueError(f"{needs} (line {line} must have {len(header)} cells as the first, got {len(cells)})")
+            raise ValueError(f"{needs} (line {line} must have {len(header)} cells like the header, got {len(cells)})")
     return {name: [_number(cells[header.index(name)], name, line, needs) for line, cells in rows] for name in found}
 
 

@@ -78,7 +78,7 @@ class Comparison:
         """Return the unit of the torques."""
         return scalar_units(line_contact=self.case.ball.line_contact)["resisting_torque"]
 
-    @plots("them")
+    @plots("the torques")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw all torques; closed forms are dashed outside their range of validity."""
         return drawn(self._draw, ax, figsize=(8.4, 5.2))
@@ -95,7 +95,9 @@ class Comparison:
         )
         for place, (name, (torque, holds)) in enumerate(self.forms.items()):
             color, label = f"C{place}", _LABELS.get(name, name)
-            axes.plot(self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, outside its validity")
+            axes.plot(
+                self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, outside its range of validity"
+            )
             if holds.any():
                 axes.plot(self.speeds, np.where(holds, torque, np.nan), color=color, linewidth=2.5, label=label)
         axes.set(

@@ -68,7 +68,7 @@ class Design:
         """Result of the case at the best value."""
         return self.outcome.result
 
-    @plots("the power alone")
+    @plots("only the power")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the power loss against the number, and the ratio of each limited result to its limit."""
         from .._support.pictures import drawn
@@ -97,7 +97,7 @@ class Design:
         left_out = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
         axes.plot(*_column(left_out, "dissipated_power"), "rx", label="not allowed")
         axes.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
-        axes.set(xlabel=self.variable, ylabel=f"power lost [{self.result.unit('dissipated_power')}]")
+        axes.set(xlabel=self.variable, ylabel=f"power dissipated [{self.result.unit('dissipated_power')}]")
         axes.legend()
 
 
@@ -200,12 +200,12 @@ class _File(StrictTable):
 
 def _checked(table: object) -> tuple[str, float, float, dict[str, float]]:
     if not isinstance(table, dict):
-        raise ValueError('design must be a table, as vary = "ball.layers[0].thickness", from = ..., to = ...')
+        raise ValueError('design must be a table, such as vary = "ball.layers[0].thickness", from = ..., to = ...')
     wanted = checked(_File, {"design": table}).design
     if not wanted.low < wanted.high:
         raise ValueError(f"design.from and design.to must be 0 < from < to, got {wanted.low!r} and {wanted.high!r}")
     if unknown := [name for name in wanted.limits if name not in LIMITS]:
-        raise ValueError(f"design.limits must be of {', '.join(LIMITS)}, got {unknown[0]!r}")
+        raise ValueError(f"design.limits must be named {', '.join(LIMITS)}, got {unknown[0]!r}")
     return wanted.vary, wanted.low, wanted.high, wanted.limits
 
 
@@ -215,11 +215,11 @@ def _best(variable: str, low: float, high: float, limits: dict[str, float], sear
     if min(excess) > 0.0:
         nearest = int(np.argmin(excess))
         why = (
-            f"the nearest, {grid[nearest]:g}, exceeds one by {excess[nearest]:.1%}"
+            f"the smallest excess over a limit is {excess[nearest]:.1%}, at {grid[nearest]:g}"
             if np.isfinite(min(excess))
-            else (search.reasons[-1] if search.reasons else "none could be solved")
+            else (search.reasons[-1] if search.reasons else "no value could be solved")
         )
-        raise ValueError(f"design.limits must leave a value of {variable} in [{low:g}, {high:g}]: {why}")
+        raise ValueError(f"design.limits must allow a value of {variable} in [{low:g}, {high:g}]: {why}")
     candidates = []
     for first, last in _ranges(grid, excess):
         start = _edge(search, limits, grid, first, -1)

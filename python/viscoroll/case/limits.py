@@ -20,9 +20,9 @@ __all__ = ["LIMITS", "Outcome", "outcome_of"]
 #: Quantities inside the layers: name, unit, description.
 _INSIDE = {
     "temperature": ("K", "largest temperature of the layers"),
-    "bond_shear": ("Pa", "largest shear traction where layers are bonded"),
-    "bond_tension": ("Pa", "largest tension there"),
-    "load_to_fold": ("1", "load, of that at which the cold state ends"),
+    "bond_shear": ("Pa", "largest shear traction at bonded interfaces"),
+    "bond_tension": ("Pa", "largest tension at bonded interfaces"),
+    "load_to_fold": ("1", "ratio of the load to the load at which the cold state ends"),
 }
 
 #: Names that limits may have.
@@ -54,7 +54,7 @@ class Outcome:
         """
         found = self.inside[name] if name in self.inside else getattr(self.result, name)
         if found is None:
-            raise ValueError(f"design.limits.{name} must be left out: this case has none")
+            raise ValueError(f"design.limits.{name} must be left out: this case does not have this result")
         return float(found)
 
     def unit(self, name: str) -> str:
@@ -85,9 +85,13 @@ def outcome_of(case: Case, names: Collection[str], report: Report | None) -> Out
     """
     heat = {"temperature", "load_to_fold"}.intersection(names)
     if heat and case.thermal is None:
-        raise ValueError(f"design.limits.{min(heat)} needs a table [thermal] that says how the layers are cooled")
+        raise ValueError(
+            f"design.limits.{min(heat)} must be used with a table [thermal], which describes the cooling of the layers"
+        )
     if "load_to_fold" in names and (case.thermal is None or case.thermal.shift is None):
-        raise ValueError("design.limits.load_to_fold needs a thermal.shift, without which no state ends")
+        raise ValueError(
+            "design.limits.load_to_fold must be used with thermal.shift: otherwise the cold state has no largest load"
+        )
     inside: dict[str, float] = {}
     heated: Temperature | None = None
     if heat and case.thermal is not None and case.thermal.shift is not None:
@@ -113,7 +117,7 @@ def _at_bonds(result: Result, names: Collection[str]) -> dict[str, float]:
         return {}
     bonded = [body.of for body in _layered(result) if body.bonded().size]
     if not bonded:
-        raise ValueError(f"design.limits.{min(wanted)} needs layers that are bonded to something, got none")
+        raise ValueError(f"design.limits.{min(wanted)} must be left out: this case has no bonded interfaces")
     tractions = [result.bonds(of=of) for of in bonded]
     return {name: max(float(bonds[field].max()) for bonds in tractions) for name, field in wanted.items()}
 

@@ -74,7 +74,7 @@ def read_measurements(path: Path) -> Measurements:
     columns = {name: np.array(values) for name, values in read_columns(what, path, header).items()}
     places, values, errors = columns.values()
     if not places.size:
-        raise ValueError(f"{what} {path}: there must be a number in {header[0]}, got none")
+        raise ValueError(f"{what} {path}: {header[0]} must have at least one value, got none")
     if places.min() <= 0.0:
         raise ValueError(f"{what} {path}: {header[0]} must be > 0 {UNITS[header[0]]}, got {places.min():g}")
     if errors.min() < 0.0:
@@ -121,11 +121,11 @@ class Trial:
         if self.agrees.all():
             return self._count()
         apart = self._excess().max() / (np.abs(self.measured.values).max() or 1.0)
-        return f"{self._count()}; the others are up to {apart:.2g} of the largest value farther apart"
+        return f"{self._count()}; the bands of the others are apart by up to {apart:.2g} of the largest value"
 
     def _count(self) -> str:
         """Return a text with the number of measurements that agree."""
-        return f"{self.agrees.sum()} of {self.agrees.size} measurements agree within both bands"
+        return f"{self.agrees.sum()} of {self.agrees.size} measurements agree within the error bands"
 
     def _units(self) -> tuple[str, str]:
         """Return the units of the varied parameter and of the measured result."""
@@ -134,7 +134,7 @@ class Trial:
         varied, quantity = (unit_in_contact(unit, line_contact=line) for unit in units)
         return varied, quantity
 
-    @plots("them")
+    @plots("the values")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw measured and computed values with their error bands."""
         return drawn(self._draw, ax, figsize=(8.4, 5.2))
@@ -142,7 +142,9 @@ class Trial:
     def _draw(self, axes: Axes) -> None:
         order = np.argsort(self.measured.places, kind="stable")
         places, computed, bands = (values[order] for values in (self.measured.places, self.computed, self.bands))
-        axes.fill_between(places, computed - bands, computed + bands, alpha=0.3, linewidth=0.0, label="model and mesh")
+        axes.fill_between(
+            places, computed - bands, computed + bands, alpha=0.3, linewidth=0.0, label="errors of model and mesh"
+        )
         axes.plot(places, computed, ".-", label="solver")
         axes.errorbar(
             self.measured.places,
@@ -204,7 +206,7 @@ def compare_measured(case: Case, measured: Measurements, *, progress: ProgressLi
     results = [solved[place] for place in which]
     values = [getattr(result, measured.quantity) for result in results]
     if None in values:
-        raise ValueError(f"{measured.quantity} must be determined in the case to be compared, and is not")
+        raise ValueError(f"{measured.quantity} must be determined by the case, got None: compare another result")
     computed = np.array(values, dtype=float)
     doubts = np.array([result.error_estimate + (result.model_error or 0.0) for result in results])
     return Trial(

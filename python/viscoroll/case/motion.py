@@ -121,14 +121,14 @@ def _knots(motion: _Motion) -> dict[str, Any]:
     """Return the waypoints by name, from lists, from a file or from an oscillation."""
     given = [name for name in ("time", "file", "amplitude") if getattr(motion, name) is not None]
     if len(given) != 1:
-        raise ValueError(f"motion must have one of time, file and amplitude, got {', '.join(given) or 'none'}")
+        raise ValueError(f"motion must have exactly one of time, file and amplitude, got {', '.join(given) or 'none'}")
     match given[0]:
         case "file":
             return _table(motion)
         case "amplitude":
             return _oscillation(motion)
     if (motion.angle is None and motion.way is None) or motion.load is None:
-        raise ValueError("motion needs angle or way, and load, with time")
+        raise ValueError("motion must have load, and angle or way, with time")
     return {name: getattr(motion, name) for name in ("time", "angle", "way", "load", "center_way")}
 
 
@@ -136,12 +136,12 @@ def _table(motion: _Motion) -> dict[str, Any]:
     assert motion.file is not None
     columns = read_columns("motion", motion.file, ("time",), ("angle", "way", "load", "center_way"))
     if ("angle" in columns) == ("way" in columns):
-        raise ValueError(f"motion {motion.file}: needs one of the columns angle and way")
+        raise ValueError(f"motion {motion.file}: must have exactly one of the columns angle and way")
     if "load" not in columns and motion.load is None:
-        raise ValueError(f"motion.load must be given where {motion.file} has no column load")
+        raise ValueError(f"motion.load must be given if {motion.file} has no column load")
     for name in ("load", "center_way"):
         if name in columns and getattr(motion, name) is not None:
-            raise ValueError(f"motion.{name} must be left out where {motion.file} has a column {name}")
+            raise ValueError(f"motion.{name} must be left out if {motion.file} has a column {name}")
     return {"load": motion.load, "center_way": motion.center_way} | columns
 
 
@@ -149,7 +149,7 @@ def _oscillation(motion: _Motion) -> dict[str, Any]:
     if motion.center_way is not None:
         raise ValueError("motion.center_way must be left out with amplitude")
     if motion.frequency is None or motion.load is None:
-        raise ValueError("motion needs frequency and load with amplitude")
+        raise ValueError("motion must have frequency and load with amplitude")
     if not 1e-100 <= motion.frequency <= 1e100:
         raise ValueError(f"motion.frequency must be in [1e-100, 1e100] Hz, got {motion.frequency!r}")
     if not 0.0 < motion.cycles <= 1e4:

@@ -60,7 +60,7 @@ class _Range(StrictTable):
     def _has_logarithms(cls, scale: str, info: ValidationInfo) -> str:
         start, stop = (info.data.get(name, 1.0) for name in ("start", "stop"))
         if scale == "log" and not (start > 0.0 and stop > 0.0):
-            raise ValueError(f"from and to must be > 0 where the scale is log, got {start:g}, {stop:g}")
+            raise ValueError(f"from and to must be > 0 for a log scale, got {start:g} and {stop:g}")
         return scale
 
     def values(self) -> list[float] | list[int]:
@@ -69,7 +69,7 @@ class _Range(StrictTable):
             values = spaced(self.start, self.stop, self.count)
         if not np.isfinite(values).all():
             raise ValueError(
-                f"from and to must be finite, and so must be their difference, got {self.start:g}, {self.stop:g}"
+                f"from and to must be finite and have a finite difference, got {self.start:g} and {self.stop:g}"
             )
         # Counts, for example of nodes, must remain whole numbers.
         whole = self.start.is_integer() and self.stop.is_integer() and bool((values == values.round()).all())
@@ -107,7 +107,9 @@ def load_study(path: str | Path) -> Plan:
 def _study(document: dict[str, Any], folder: Path) -> Plan:
     table = document.pop("sweep", None)
     if not isinstance(table, dict) or not table:
-        raise ValueError('sweep must be a table of what varies, as "rolling.load" = [50.0, 100.0]')
+        raise ValueError(
+            'sweep must be a table of parameters with their values, such as "rolling.load" = [50.0, 100.0]'
+        )
     draws = checked(_DrawsFile, {"draws": document.pop("draws")}).draws if "draws" in document else None
     places = [place_of(key) for key in table]
     entries = {key: _entry(key, entry) for key, entry in table.items()}
@@ -154,8 +156,8 @@ def _drawn(document: dict[str, Any], folder: Path, places: list[_Place]) -> tupl
     """Return both bodies for each draw of the materials at some places; the draws of several places are paired."""
     counts = {_text(place): _count_draws(document, folder, place) for place in places}
     if len(set(counts.values())) != 1:
-        told = ", ".join(f"{count} at {place}" for place, count in counts.items()) or "no place"
-        raise ValueError(f"draws.of must be materials with as many draws each, got {told}")
+        told = ", ".join(f"{count} at {place}" for place, count in counts.items()) or "none"
+        raise ValueError(f"draws.of must name materials with equal numbers of draws, got {told}")
     cases = (
         build_case(substituted(document, {(*place, "draw"): draw for place in places}), folder)
         for draw in range(next(iter(counts.values())))
@@ -172,7 +174,7 @@ def _count_draws(document: dict[str, Any], folder: Path, place: _Place) -> int:
         file = folder / material["file"]
     except (IndexError, KeyError, TypeError):
         raise ValueError(
-            f'draws.of must name tables of measured materials whose files keep draws, got "{_text(place)}"'
+            f'draws.of must name tables of measured materials whose files contain draws, got "{_text(place)}"'
         ) from None
     return count_draws(file)
 
@@ -201,7 +203,7 @@ def _entry(key: str, entry: object) -> list[float] | list[int] | _Range:
             f'sweep."{key}" must be a list of numbers or a table with from, to and count, got {shown(entry)}'
         )
     if "from" not in entry and any(isinstance(value, list | dict) for value in entry.values()):
-        raise ValueError(f'sweep.{key}: write the whole place in quotes, as "{key}.{next(iter(entry))}"')
+        raise ValueError(f'sweep.{key}: the whole place must be in quotes, as in "{key}.{next(iter(entry))}"')
     try:
         return checked(_Range, entry)
     except ValueError as error:

@@ -166,7 +166,7 @@ def errors_in(path: Path) -> Iterator[None]:
     try:
         yield
     except RecursionError:
-        raise ValueError(one_line(f"{path}: nested too deeply")) from None
+        raise ValueError(one_line(f"{path}: tables are nested too deeply")) from None
     except (TypeError, ValueError) as error:
         raise ValueError(one_line(f"{path}: {error}")) from None
 
@@ -199,7 +199,7 @@ def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = 
 #: Python calls that messages suggest, and their form in a file.
 _IN_FILES = {
     "hardness_to_modulus(...).value": '{ type = "hardness", hardness = ... }',
-    "rebound_to_loss_factor(...).value": '..., or a rebound beside a hardness: type = "hardness"',
+    "rebound_to_loss_factor(...).value": '..., or give a rebound with a hardness: type = "hardness"',
 }
 
 #: Largest number of further errors that a message lists.
@@ -221,7 +221,7 @@ def _first_line(error: ValidationError, others: Mapping[str, str], tables: Itera
     # Values are checked only in tables without wrong keys: report the wrong keys of other tables first.
     errors = sorted(error.errors(), key=lambda one: one["type"] == "value_error")
     if others and (whole := [one for one in errors if one["type"] == "missing" and len(one["loc"]) == 1]):
-        return f"{_told(whole[0])}; such a file is for `{next(iter(others.values()))}`"
+        return f"{_told(whole[0])}; this file is for `{next(iter(others.values()))}`"
     missing = [str(one["loc"][-1]) for one in errors if one["type"] == "missing"]
     unknown = [number for number, one in enumerate(errors) if one["type"] == "extra_forbidden"]
     meant = {}
@@ -245,7 +245,9 @@ def _first_line(error: ValidationError, others: Mapping[str, str], tables: Itera
     ]
     if len(more) > _MOST_TOLD:
         return f"{told} (and {len(more)} more)"
-    varied = ["; what [sweep] gives is for `viscoroll sweep`"] if set(missing) - {named} and "sweep" in others else []
+    varied = (
+        ["; only `viscoroll sweep` uses the values of [sweep]"] if set(missing) - {named} and "sweep" in others else []
+    )
     return "; ".join([told, *more]) + "".join(varied)
 
 

@@ -49,8 +49,9 @@ app = typer.Typer(
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     rich_markup_mode="rich",
-    help="Rolling resistance of balls, rollers and wheels with soft viscoelastic layers: on a plane or in a groove, "
-    "rigid or as soft, or on one another; steady, or starting, stopping and turning back. SI units throughout.",
+    help="Rolling resistance of balls, rollers and wheels with soft viscoelastic layers, on a plane, in a groove or on "
+    "another body, rigid or viscoelastic: steady rolling, and motions that start, stop and reverse. All values are in "
+    "SI units.",
 )
 
 _INVALID, _FAILED, _STOPPED = 2, 1, 130
@@ -74,7 +75,7 @@ def run() -> None:
     except ImportError as error:
         _fail(str(error), _INVALID)
     except MemoryError:
-        _fail("the memory does not suffice for this case: give a coarser mesh, or a larger accuracy", _INVALID)
+        _fail("not enough memory for this case: use a coarser mesh, or a larger accuracy", _INVALID)
 
 
 def _fail(message: str, code: int) -> NoReturn:
@@ -91,7 +92,10 @@ def _print_version(wanted: bool) -> None:
 @app.callback()
 def _main(
     version: Annotated[
-        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show version and transforms.")
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version and the FFT library."
+        ),
     ] = False,
 ) -> None:
     pass
@@ -163,7 +167,8 @@ def roll(
     plot: Annotated[Path | None, typer.Option(help="Draw the history to this picture (.png, .svg, .pdf).")] = None,
     save: Annotated[Path | None, typer.Option(help="Write the time series to this file (.csv, .nc).")] = None,
     checkpoint: Annotated[
-        Path | None, typer.Option(help="State of an interrupted run, to go on from (.state).")
+        Path | None,
+        typer.Option(help="File (.state) for the state of an interrupted run; resume from it if it exists."),
     ] = None,
 ) -> None:
     """Compute the history of a motion from a file: roll, stop, stand, reverse."""
@@ -195,11 +200,13 @@ def roll(
 @app.command()
 def sweep(
     study: Annotated[Path, typer.Argument(help="Case file with a table \\[sweep]; see `viscoroll example --sweep`.")],
-    output: Annotated[Path | None, typer.Option(help="Result and cache (.nc); by default beside the file.")] = None,
+    output: Annotated[
+        Path | None, typer.Option(help="Result (.nc), with its cache beside it; by default beside the case file.")
+    ] = None,
     retry_failed: Annotated[
-        bool, typer.Option("--retry-failed", help="Solve points again that failed or are damaged.")
+        bool, typer.Option("--retry-failed", help="Solve failed and damaged points again.")
     ] = False,
-    table: Annotated[Path | None, typer.Option(help="Write a row for each point to this file, too (.csv).")] = None,
+    table: Annotated[Path | None, typer.Option(help="Also write one row for each point to this file (.csv).")] = None,
 ) -> None:
     """Solve all combinations of the parameters that a file varies, except the points that the cache holds."""
     from ..case.study import load_study
@@ -212,7 +219,7 @@ def sweep(
     try:
         dataset = run_plan(load_study(study), cache=path, retry_failed=retry_failed, progress=MESSAGES.is_terminal)
     except KeyboardInterrupt:
-        _fail(f"stopped; the same command goes on from {path}.points", _STOPPED)
+        _fail(f"stopped; run the same command again to resume from {path}.points", _STOPPED)
     if table is not None:
         save_table(dataset, table)
     for message in sorted(set(dataset.error.values.ravel()) - {""}):
@@ -227,13 +234,15 @@ def sweep(
 @app.command()
 def plot(
     study: Annotated[Path, typer.Argument(help="Result of `viscoroll sweep` (.nc).")],
-    output: Annotated[Path | None, typer.Option(help="Picture (.png, .svg, .pdf); by default beside it.")] = None,
+    output: Annotated[
+        Path | None, typer.Option(help="Picture (.png, .svg, .pdf); by default beside the study.")
+    ] = None,
     variable: Annotated[str, typer.Option(help="Scalar result to draw.")] = "resisting_torque",
 ) -> None:
     """Draw a result of a study against its first dimension, one curve for each value of the others."""
     check_target("--output", output, PICTURES)
     if study.suffix != ".nc":
-        raise ValueError(f"study must be the .nc that `viscoroll sweep` writes, got {study.name!r}")
+        raise ValueError(f"study must be a .nc file written by `viscoroll sweep`, got {study.name!r}")
     with extra("files"):
         import netCDF4  # noqa: F401  (xarray reads with it)
         import xarray  # noqa: F401
@@ -251,7 +260,7 @@ def example(
     with_design: Annotated[bool, typer.Option("--design", help="Append the table of `viscoroll design`.")] = False,
     motion: Annotated[bool, typer.Option("--motion", help="Print a file for `viscoroll roll` instead.")] = False,
     measured: Annotated[
-        bool, typer.Option("--measured", help="Print measurements for `viscoroll compare` instead, invented ones.")
+        bool, typer.Option("--measured", help="Print invented measurements for `viscoroll compare` instead.")
     ] = False,
 ) -> None:
     """Print a commented case file to start from: viscoroll example > case.toml."""
@@ -259,7 +268,9 @@ def example(
     others = [name for name, wanted in (("motion", motion), ("measured", measured)) if wanted]
     if len(others) + bool(tables) > 1:
         asked = " and ".join(f"--{name}" for name in [*tables, *others])
-        raise ValueError(f"--sweep and --design are of a case, --motion and --measured files of their own, got {asked}")
+        raise ValueError(
+            f"--sweep and --design extend a case file; --motion and --measured must be given alone, got {asked}"
+        )
     names = others or ["case", *tables]
     typer.echo("".join(example_text(name) for name in names), nl=False)  # type: ignore[arg-type]
 
@@ -267,11 +278,11 @@ def example(
 @app.command()
 def reproduce(
     items: Annotated[
-        list[str] | None, typer.Argument(metavar="[ITEM]...", help="table2, figure12, …; by default all.")
+        list[str] | None, typer.Argument(metavar="[ITEM]...", help="Items such as table2 or figure12; by default all.")
     ] = None,
     output: Annotated[Path, typer.Option(help="Folder for pictures and numbers.")] = Path("reproduced"),
     coarse: Annotated[
-        bool, typer.Option("--coarse", help="A coarse mesh and few points: seconds, not minutes.")
+        bool, typer.Option("--coarse", help="Use a coarse mesh and few points, which takes seconds instead of minutes.")
     ] = False,
 ) -> None:
     """Compute and draw tables and figures of the paper, and compare them with its numbers and statements."""
@@ -299,9 +310,12 @@ def reproduce(
 
 @app.command()
 def compare(
-    case: Annotated[Path, typer.Argument(help="Case file in TOML; its friction and compliance do not count.")],
+    case: Annotated[
+        Path, typer.Argument(help="Case file in TOML; its friction and compliance are ignored without --measured.")
+    ],
     speeds: Annotated[
-        str | None, typer.Option(help="From..to in rad/s, as 0.05..25; by default around that of the case.")
+        str | None,
+        typer.Option(help="Range from..to in rad/s, such as 0.05..25; by default around the speed of the case."),
     ] = None,
     output: Annotated[Path, typer.Option(help="Picture (.png, .svg, .pdf), with a .csv beside it.")] = Path(
         "compare.png"
@@ -310,8 +324,8 @@ def compare(
     measured: Annotated[
         Path | None,
         typer.Option(
-            help="Measurements (.csv: angular_speed or load, a scalar result, its error): draw these beside the "
-            "case, whose friction and compliance count, in place of closed forms."
+            help="Measurements (.csv: angular_speed or load, a scalar result, its error) to compare the case with, "
+            "instead of closed forms."
         ),
     ] = None,
 ) -> None:
@@ -325,7 +339,7 @@ def compare(
     loaded = load_case(case)
     if measured is not None:
         if speeds is not None:
-            raise ValueError("--speeds must be left out with --measured: the case is solved where it was measured")
+            raise ValueError("--speeds must be left out with --measured: the case is solved at the measured points")
         _compare_measured(loaded, measured, output)
         return
     with progress_bar() as report:
@@ -335,8 +349,8 @@ def compare(
     comparison.write_csv(output.with_suffix(".csv"))
     for status, count in comparison.unsettled().items():
         write_message(f"warning: {count} speeds: {_STATUS_TEXT[status]}")
-    names = ", ".join(comparison.forms) or "no closed form suits this ball"
-    write_line(f"torque of the solver beside {names}: {output}, {output.with_suffix('.csv')}")
+    names = ", ".join(comparison.forms) or "no closed form applies to this body"
+    write_line(f"torque of the solver compared with {names}: {output}, {output.with_suffix('.csv')}")
 
 
 def _compare_measured(case: Case, path: Path, output: Path) -> None:
@@ -355,7 +369,9 @@ def _compare_measured(case: Case, path: Path, output: Path) -> None:
 
 @app.command()
 def demo(
-    plot: Annotated[Path, typer.Option(help="Where to draw the contact pressure.")] = Path("demo-contact.png"),
+    plot: Annotated[Path, typer.Option(help="Draw the contact pressure to this picture (.png, .svg, .pdf).")] = Path(
+        "demo-contact.png"
+    ),
 ) -> None:
     """Solve the example of Zéhil and Gavin (section 14) on all meshes of their table 2; compare with their torques."""
     check_target("--plot", plot, PICTURES)
@@ -389,8 +405,8 @@ def _tell_skipped(path: Path, command: str) -> None:
 
 
 _STATUS_TEXT = {
-    Status.MAX_ITERATIONS: "the contact still changed when the iterations ran out",
-    Status.ACCURACY_NOT_REACHED: "the finest mesh allowed is not as accurate as wanted; see the error estimate",
+    Status.MAX_ITERATIONS: "the contact still changed at the largest number of iterations",
+    Status.ACCURACY_NOT_REACHED: "the finest allowed mesh does not have the requested accuracy; see the error estimate",
 }
 
 
@@ -431,7 +447,7 @@ def _thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | 
 
 def _thermal_table(scalars: list[dict[str, float | str]]) -> Table:
     quantities = QUANTITIES | {
-        "mean_temperature": ("K", "temperature of the moduli"),
+        "mean_temperature": ("K", "mean temperature of the layers"),
         "resisting_torque": ("N m", "resisting torque T_r"),
     }
     title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
@@ -446,7 +462,7 @@ def _thermal_table(scalars: list[dict[str, float | str]]) -> Table:
 
 
 def _verdict_table(verdicts: Mapping[str, Sequence[Verdict]]) -> Table:
-    table = Table(title="The paper, reproduced", title_justify="left")
+    table = Table(title="Comparison with the paper", title_justify="left")
     for head in ("item", "the paper", "found", "verdict"):
         table.add_column(head, overflow="fold")
     for name, rows in verdicts.items():
@@ -460,7 +476,7 @@ def _verdict_table(verdicts: Mapping[str, Sequence[Verdict]]) -> Table:
 
 def _table_2(torques: dict[tuple[int, int], float]) -> Table:
     orders = sorted({order for _, order in torques})
-    table = Table(title="Resisting torque T_r in mN m, computed and as printed in table 2", title_justify="left")
+    table = Table(title="Resisting torque T_r [mN m], computed and printed in table 2", title_justify="left")
     table.add_column("spacing")
     table.add_column("N_t")
     for order in orders:

@@ -40,29 +40,34 @@ class Code(StrEnum):
 def material(
     data: Annotated[Path, typer.Argument(help="Text or CSV export of a rheometer or DMA instrument.")],
     reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in °C.")] = None,
-    at: Annotated[float | None, typer.Option(help="Print the modulus at this temperature in °C, too.")] = None,
+    at: Annotated[float | None, typer.Option(help="Also print the modulus at this temperature in °C.")] = None,
     tensile: Annotated[
-        bool | None, typer.Option("--tensile/--shear", help="What the moduli are, where their names do not say.")
+        bool | None, typer.Option("--tensile/--shear", help="Type of the moduli, if the column names do not give it.")
     ] = None,
-    poisson_ratio: Annotated[float, typer.Option(help="By which tension becomes shear.")] = 0.5,
+    poisson_ratio: Annotated[float, typer.Option(help="Poisson's ratio that converts tensile to shear moduli.")] = 0.5,
     columns: Annotated[
-        str | None, typer.Option(help="Names and units, as 'frequency=f:Hz,storage=A:MPa,loss=B:MPa'.")
+        str | None,
+        typer.Option(help="Names and units of the columns, such as 'frequency=f:Hz,storage=A:MPa,loss=B:MPa'."),
     ] = None,
-    between: Annotated[str | None, typer.Option(help="Keep sweeps from..to in °C, as -35..160.")] = None,
+    between: Annotated[str | None, typer.Option(help="Use only the sweeps from..to in °C, such as -35..160.")] = None,
     frequency: Annotated[
-        float | None, typer.Option(help="Of a temperature ramp in rad/s, where the file has no column of it.")
+        float | None, typer.Option(help="Frequency of a temperature ramp in rad/s, if the file has no column of it.")
     ] = None,
-    factors: Annotated[Path | None, typer.Option(help="Your own shift factors (.csv: T, log_aT).")] = None,
+    factors: Annotated[
+        Path | None, typer.Option(help="Shift factors to use (.csv: T, log_aT) instead of fitted ones.")
+    ] = None,
     wlf: Annotated[
-        str | None, typer.Option(help="Your own law of the shift: C1,C2 in K,T_r in °C, as 17.44,51.6,-65.")
+        str | None, typer.Option(help="WLF law of the shift: C1, C2 in K, T_r in °C, such as 17.44,51.6,-65.")
     ] = None,
-    vertical: Annotated[bool, typer.Option("--vertical", help="Shift moduli, too.")] = False,
-    terms_per_decade: Annotated[float, typer.Option(help="Of the Prony series.")] = 2.0,
+    vertical: Annotated[bool, typer.Option("--vertical", help="Also shift the moduli vertically.")] = False,
+    terms_per_decade: Annotated[float, typer.Option(help="Terms of the Prony series per decade.")] = 2.0,
     draws: Annotated[
-        int, typer.Option(help="Save so many draws, too, for intervals: \\[draws] in a study.", min=0)
+        int, typer.Option(help="Number of draws to save for confidence intervals (table \\[draws] of a study).", min=0)
     ] = 0,
     plot: Annotated[Path | None, typer.Option(help="Draw data, fit and residual (.png, .svg, .pdf).")] = None,
-    save: Annotated[Path | None, typer.Option(help="Write the material (.toml), which case files name.")] = None,
+    save: Annotated[
+        Path | None, typer.Option(help="Write the material to this file (.toml), to which case files can refer.")
+    ] = None,
 ) -> None:
     """Make a material from measured moduli: read, shift to one temperature, check, fit, save."""
     from ..rheology import check_modulus, fit_prony, read_rheology, save_material, superpose
@@ -70,15 +75,15 @@ def material(
     check_target("--plot", plot, PICTURES)
     check_target("--save", save, (".toml",))
     if draws == 1:
-        raise ValueError("--draws must be 0, or at least 2, which tell a scatter, got 1")
+        raise ValueError("--draws must be 0 or at least 2, got 1")
     if draws and save is None:
-        raise ValueError("--draws are kept with a material: --save must be given, too")
+        raise ValueError("--save must be given with --draws, because draws are saved with the material")
     measured = read_rheology(
         data, columns=_columns(columns), tensile=tensile, poisson_ratio=poisson_ratio, frequency=frequency
     )
     if between is not None:
         if (ends := parsed_range(between)) is None:
-            raise ValueError(f"--between must be like -35..160, got {between!r}")
+            raise ValueError(f"--between must have the form -35..160, got {between!r}")
         measured = measured.between(*ends)
     for line in repr(measured).splitlines():
         write_line(line)
@@ -108,11 +113,17 @@ def material(
 
 
 def export(
-    case: Annotated[Path, typer.Argument(help="Case file, or one with a table \\[sweep] over load and speed.")],
-    code: Annotated[Code, typer.Option("--for", help="Discrete-element code to write for.")],
-    style: Annotated[str | None, typer.Option(help="Its rolling model; see the docstring of viscoroll.dem.")] = None,
-    output: Annotated[Path | None, typer.Option(help="File for the lines; by default beside the case.")] = None,
-    span: Annotated[float, typer.Option(help="Without \\[sweep]: loads and speeds by so much up and down.")] = 2.0,
+    case: Annotated[Path, typer.Argument(help="Case file, optionally with a table \\[sweep] over load and speed.")],
+    code: Annotated[Code, typer.Option("--for", help="Discrete-element code that reads the input.")],
+    style: Annotated[
+        str | None, typer.Option(help="Rolling model of this code; see the docstring of viscoroll.dem.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option(help="File for the input lines; by default beside the case file.")
+    ] = None,
+    span: Annotated[
+        float, typer.Option(help="Without \\[sweep]: factor by which load and speed vary up and down.")
+    ] = 2.0,
 ) -> None:
     """Write rolling friction as a discrete-element code defines it, and a CSV table of T(P, Ω)."""
     from ..export import dem
@@ -133,7 +144,7 @@ def export(
 
 
 def design(
-    case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; as in docs/studies.md.")],
+    case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; see `viscoroll example --design`.")],
     plot: Annotated[Path | None, typer.Option(help="Draw power and limits (.png, .svg, .pdf).")] = None,
 ) -> None:
     """Find the thickness, or another number of a case, with the least power loss within limits."""
@@ -143,7 +154,7 @@ def design(
     with progress_bar() as report:
         found = design_case(case, progress=report)
     power = f"{found.result.dissipated_power:.6g} {found.result.unit('dissipated_power')}"
-    write_line(f"{found.variable} = {found.best:.6g}: power lost {power}")
+    write_line(f"{found.variable} = {found.best:.6g}: power dissipated {power}")
     for name, limit in found.limits.items():
         reached = ", reached" if name in found.active else ""
         unit = f" {found.outcome.unit(name)}".removesuffix(" 1")
@@ -169,7 +180,7 @@ def _columns(text: str | None) -> dict[str, str | tuple[str, str]] | None:
     for entry in text.split(","):
         role, equals, name = entry.partition("=")
         if not equals:
-            raise ValueError(f"--columns must be like 'frequency=f:Hz,storage=A:MPa', got {entry!r}")
+            raise ValueError(f"--columns must have the form 'frequency=f:Hz,storage=A:MPa', got {entry!r}")
         name, colon, unit = name.rpartition(":")
         columns[role.strip()] = (name, unit) if colon else unit
     return columns
@@ -178,7 +189,9 @@ def _columns(text: str | None) -> dict[str, str | tuple[str, str]] | None:
 def _reference(data: RheologyData, reference: float | None) -> float:
     if reference is None:
         low, high = data.isotherms[0].temperature, data.isotherms[-1].temperature
-        raise ValueError(f"--reference must be given for several sweeps, from {low:.4g} to {high:.4g} °C")
+        raise ValueError(
+            f"--reference must be given for sweeps at several temperatures, from {low:.4g} to {high:.4g} °C"
+        )
     return reference
 
 
@@ -192,7 +205,7 @@ def _own_shift(factors: Path | None, wlf: str | None) -> ShiftFactors | Williams
     try:
         c1, c2, degrees = (float(part) for part in wlf.split(","))
     except ValueError:
-        raise ValueError(f"--wlf must be C1,C2,T_r, as 17.44,51.6,-65, got {wlf!r}") from None
+        raise ValueError(f"--wlf must have the form C1,C2,T_r, such as 17.44,51.6,-65, got {wlf!r}") from None
     return WilliamsLandelFerry(c1=c1, c2=c2, reference_temperature=degrees + 273.15)
 
 
@@ -200,11 +213,13 @@ def _write_ramp(ramp: TemperatureRamp, at: float | None, *, wanted: Path | None)
     """Print what a temperature ramp gives without a shift law: a modulus for case files at one temperature."""
     if wanted is not None:
         raise ValueError(
-            f"{wanted.name} needs a master curve, which a ramp at one frequency gives with a law of the shift alone: "
-            "give --factors or --wlf"
+            f"{wanted.name} requires a master curve; a temperature ramp at one frequency has one only with a law "
+            "of the shift: give --factors or --wlf"
         )
     if at is None:
-        write_line("for a case file at a temperature: --at; for a master curve by your own law: --factors or --wlf")
+        write_line(
+            "--at gives the modulus for a case file; --factors or --wlf give a master curve with your law of the shift"
+        )
         return
     found = ramp.at(temperature=at)
     write_line(
@@ -219,13 +234,13 @@ def _write_modulus(curve: Superposition | Isotherm, temperature: float) -> None:
     from ..rheology import Superposition
 
     if not isinstance(curve, Superposition):
-        raise ValueError("--at needs sweeps at several temperatures")
+        raise ValueError("--at must be left out without sweeps at several temperatures")
     table = curve.at(temperature=temperature)
     omega = np.logspace(-2, 4, 7)
     low, high = table.frequency[1], table.frequency[-1]
     write_line(f"at {temperature:g} °C, measured from {low:.3g} to {high:.3g} rad/s:")
     for w, modulus in zip(omega, table.complex_modulus(omega), strict=True):
-        held = "" if low <= w <= high else "  (held)"
+        held = "" if low <= w <= high else "  (extrapolated)"
         write_line(f"  {w:8g} rad/s  storage {modulus.real:.4g} Pa  loss {modulus.imag:.4g} Pa{held}")
 
 

@@ -17,8 +17,8 @@ __all__ = ["serve_page"]
 
 
 def serve_page(
-    case: Annotated[Path | None, typer.Argument(help="Case file in TOML that the page begins with.")] = None,
-    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open it in the browser.")] = True,
+    case: Annotated[Path | None, typer.Argument(help="Case file in TOML with which the page starts.")] = None,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
 ) -> None:
     """Edit and solve cases on a page in the browser; this machine solves them, and Ctrl-C stops the server."""
     from ..app import serve
@@ -29,7 +29,7 @@ def serve_page(
         with errors_in(case):
             document = read_toml(case)
             for name in [name for name in OTHER_TABLES if name in document]:
-                write_message(f"skipped in {case.name}: the page has no table [{name}]")
+                write_message(f"skipped in {case.name}: the page does not support the table [{name}]")
                 del document[name]
             readable_case(document)
     serve(document, browser=browser, tell=write_line)

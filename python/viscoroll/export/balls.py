@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Balls", "balls_of", "balls_of_study"]
 
-_WANTED = "source must be of a ball on a plane or on another ball"
+_WANTED = "source must be for a ball on a plane or on another ball"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,7 +57,7 @@ def balls_of(ball: RollingBody, on: Counterpart | None) -> Balls:
         return Balls(radii=(ball.outer_radius,))
     if isinstance(on, CoatedSphere):
         return Balls(radii=(ball.outer_radius, on.outer_radius), alike=ball == on)
-    raise ValueError(f"{_WANTED}, got one on a {type(on).__name__}")
+    raise ValueError(f"{_WANTED}, got a ball on a {type(on).__name__}")
 
 
 def balls_of_study(study: xarray.Dataset) -> Balls:
@@ -74,11 +74,11 @@ def balls_of_study(study: xarray.Dataset) -> Balls:
     power = study["dissipated_power"]
     if more := [str(d) for d in power.dims if d not in ("load", "angular_speed") and power.sizes[d] > 1]:
         raise ValueError(
-            f"study must vary load and angular_speed alone, got {', '.join(more)} too: choose, as in "
+            f"study must vary only load and angular_speed, got also {', '.join(more)}: select one value, as in "
             f"study.isel({more[0]}=0)"
         )
     if "on" in study.coords:
-        raise ValueError(f"{_WANTED}, the same at all points, got a study that varies on")
+        raise ValueError(f"{_WANTED}, the same at all points, got a study that varies on=")
     radius = radius_of(study)
     kind = study.attrs.get("on", "None").partition("(")[0]
     if kind in ("None", "CoatedPlane"):
@@ -88,4 +88,4 @@ def balls_of_study(study: xarray.Dataset) -> Balls:
         return Balls(
             radii=(radius, float(attributes["other_radius"])), alike=attributes["ball"] == attributes["other_ball"]
         )
-    raise ValueError(f"{_WANTED}, got one on a {kind}")
+    raise ValueError(f"{_WANTED}, got a ball on a {kind}")

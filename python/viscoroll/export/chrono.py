@@ -20,12 +20,12 @@ def _nsc(point: OperatingPoint, stiffness: Stiffness) -> Written:  # noqa: ARG00
     return Written(
         lines=(
             "auto material = chrono_types::make_shared<ChContactMaterialNSC>();  "
-            f"// {'both balls' if point.balls.are_two else 'ball and floor'}: the smaller counts",
+            f"// {'both balls' if point.balls.are_two else 'ball and floor'}: the smaller value counts",
             f"material->SetRollingFriction({rho!r}f);  // m",
         ),
         parameters={"rolling_friction": rho},
         law=lambda load, speed: rho * load + 0.0 * speed,
-        torque_law="T = rolling_friction P, a length: no radius",
+        torque_law="T = rolling_friction P, where rolling_friction is a length",
         source="Chrono src/chrono/physics/ChContactNSCrolling.cpp, ChContactMaterialNSC.h",
     )
 
@@ -42,7 +42,7 @@ def _multicore(point: OperatingPoint, stiffness: Stiffness) -> Written:
     if point.balls.are_two:
         raise ValueError(
             "style of chrono must be nsc or dem for two balls, got multicore, "
-            "whose torque is 0 where they roll on each other"
+            "whose torque is 0 between two balls that roll on each other"
         )
     mu = point.coefficient
     return Written(
@@ -54,7 +54,7 @@ def _multicore(point: OperatingPoint, stiffness: Stiffness) -> Written:
         ),
         parameters={"rolling_friction": mu},
         law=lambda load, speed: mu * load * point.radius + 0.0 * speed,
-        torque_law="T = rolling_friction P R, R the radius",
+        torque_law="T = rolling_friction P R with the radius R",
         source="Chrono::Multicore ChIterativeSolverMulticoreSMC.cpp; Schwartz et al., Granular Matter 14 (2012) 363",
     )
 
@@ -69,7 +69,7 @@ def _dem(point: OperatingPoint, stiffness: Stiffness) -> Written:
     radius = point.balls.radii[0]
     if len(set(point.balls.radii)) > 1:
         raise ValueError(
-            "style of chrono must be nsc for two balls of unlike radii, got dem, where all have one radius"
+            "style of chrono must be nsc for two balls of different radii, got dem, which has one radius for all balls"
         )
     mu, contact = point.torque / (point.load * radius), "SPH" if point.balls.are_two else "WALL"
     return Written(
@@ -80,7 +80,7 @@ def _dem(point: OperatingPoint, stiffness: Stiffness) -> Written:
         ),
         parameters={"rolling_coeff": mu},
         law=lambda load, speed: mu * load * radius + 0.0 * speed,
-        torque_law="T = rolling_coeff P R, R from the center to the point of contact",
+        torque_law="T = rolling_coeff P R with the distance R from the center to the point of contact",
         source="Chrono src/chrono_dem/cuda/ChDemHelpers.cuh, computeRollingAngAcc",
     )
 

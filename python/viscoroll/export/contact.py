@@ -180,7 +180,7 @@ def operating_points(source: Result | StrainSoftening | xarray.Dataset) -> list[
                 OperatingPoint(balls=balls, load=p, angular_speed=w, torque=torque, penetration=d, bounds=both)
             )
     if not points:
-        raise ValueError("source must have a point that lost power, got none")
+        raise ValueError("source must have a point with dissipated power > 0 W, got none")
     return points
 
 

@@ -105,15 +105,15 @@ class DemInput:
         if not self.point.balls.are_two:
             return "a ball on a plane"
         first, other = self.point.balls.radii
-        return f"two balls, R1 = {first:g} m at Omega, R2 = {other:g} m, 1/R = 1/R1 + 1/R2,"
+        return f"two balls (R1 = {first:g} m rotates at Omega, R2 = {other:g} m, 1/R = 1/R1 + 1/R2)"
 
     def _bounds(self) -> list[str]:
         if self.point.bounds is None:
             return []
         harmonic, network = self.point.bounds
         return [
-            f"filled rubber: T = {harmonic:.6g} N m with its network's loss summed over harmonics, {network:.6g} N m "
-            "with that of a network without rate; what is not known lies between the two, or beyond"
+            f"filled rubber: T = {harmonic:.6g} N m if the loss of the filler network is summed over harmonics, "
+            f"{network:.6g} N m if the network is rate-independent; the true value may lie between the two, or beyond"
         ]
 
     def _comment(self) -> list[str]:
@@ -121,7 +121,7 @@ class DemInput:
         lines = [
             f"viscoroll: rolling resistance of {self._pair()} for {self.code}, {self.style}",
             f"exact at load P = {p.load:g} N, speed Omega = {p.angular_speed:g} rad/s, radius R = {p.radius:g} m: "
-            f"torque T = {p.torque:.6g} N m (power lost per {'relative ' * p.balls.are_two}speed), "
+            f"torque T = {p.torque:.6g} N m (power dissipated per {'relative ' * p.balls.are_two}angular speed), "
             f"T/(P R) = {p.coefficient:.6g}",
             *self._bounds(),
             f"law: {self.written.torque_law}",
@@ -131,14 +131,14 @@ class DemInput:
             loads, speeds = [q.load for q in self.points], [q.angular_speed for q in self.points]
             lines += [
                 f"over P = {min(loads):g} to {max(loads):g} N and Omega = {min(speeds):g} to {max(speeds):g} rad/s "
-                f"this torque is off by up to {self.error:.1%}; the CSV file beside has the right ones",
-                f"stiffness over them: Hertz {k.hertz:.6g} Pa within {k.hertz_error:.1%}, "
+                f"the error of this law is at most {self.error:.1%}; the CSV file contains the computed torques",
+                f"stiffness in this range: Hertz {k.hertz:.6g} Pa within {k.hertz_error:.1%}, "
                 f"Hooke {k.hooke:.6g} N/m within {k.hooke_error:.1%} of the load",
             ]
         else:
             lines.append(
-                f"stiffness by penetration {p.penetration:.6g} m: Hertz {k.hertz:.6g} Pa, Hooke {k.hooke:.6g} N/m; "
-                "at other loads and speeds the error is not known: give a study"
+                f"stiffness from the penetration {p.penetration:.6g} m: Hertz {k.hertz:.6g} Pa, Hooke {k.hooke:.6g} "
+                "N/m; the error at other loads and speeds is unknown: pass a study to estimate it"
             )
         return lines
 
@@ -225,5 +225,7 @@ def _nearest(points: list[OperatingPoint], load: float | None, speed: float | No
             raise ValueError(f"{name} must be one of {', '.join(f'{v:g}' for v in known)} {unit}, got {value:g}")
     found = [p for p in points if p.load == wanted_load and p.angular_speed == wanted_speed]
     if not found:
-        raise ValueError(f"load {wanted_load:g} N at {wanted_speed:g} rad/s must be a point that did not fail")
+        raise ValueError(
+            f"load must be a solved point of the study, got {wanted_load:g} N at {wanted_speed:g} rad/s, which failed"
+        )
     return found[0]

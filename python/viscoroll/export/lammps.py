@@ -23,7 +23,7 @@ def _sds(point: OperatingPoint, stiffness: Stiffness) -> Written:
         lines=_command(point, stiffness, f"rolling sds {spring!r} 0.0 {mu!r}"),
         parameters={"k_roll": spring, "gamma_roll": 0.0, "mu_roll": mu},
         law=lambda load, speed: mu * load * point.radius + 0.0 * speed,
-        torque_law=f"T = mu_roll P R once the ball has turned by {_TURN:g} rad; R the radius, of two balls R_eff",
+        torque_law=f"T = mu_roll P R after a rotation of {_TURN:g} rad; R is the radius, for two balls R_eff",
         source="LAMMPS manual, pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp",
     )
 
@@ -39,7 +39,7 @@ def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
         lines=_command(point, stiffness, f"rolling sds 0.0 {gamma!r} 1.0"),
         parameters={"k_roll": 0.0, "gamma_roll": gamma, "mu_roll": 1.0},
         law=lambda load, speed: gamma * point.radius**2 * speed + 0.0 * load,
-        torque_law="T = gamma_roll R^2 Omega, of two balls Omega_rel, at any load, up to T = P R",
+        torque_law="T = gamma_roll R^2 Omega, for two balls Omega_rel, at any load, up to T = P R",
         source="LAMMPS manual, pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp",
     )
 

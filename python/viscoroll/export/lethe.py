@@ -33,7 +33,7 @@ def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
     if point.balls.are_two:
         raise ValueError(
             "style of lethe must be constant for two balls, got viscous, "
-            "whose torque is 0 where they roll on each other"
+            "whose torque is 0 between two balls that roll on each other"
         )
     mu = point.torque / (point.load * point.radius**2 * point.angular_speed)
     return _written(

@@ -17,7 +17,7 @@ def _cdt(point: OperatingPoint, stiffness: Stiffness) -> Written:
     ball in a run of LIGGGHTS 3.8 has the torque of R to 1e-6 (`tests/python/export/test_dem.py`). For two balls the
     radius is reff = R₁R₂/(R₁+R₂).
     """
-    return _written(point, stiffness, "cdt", "at once")
+    return _written(point, stiffness, "cdt", "immediately")
 
 
 def _epsd(point: OperatingPoint, stiffness: Stiffness) -> Written:
@@ -41,7 +41,7 @@ def _epsd2(point: OperatingPoint, stiffness: Stiffness) -> Written:
 
 
 def _limited(point: OperatingPoint, stiffness: Stiffness, style: str, *, turn: float) -> Written:
-    return _written(point, stiffness, style, f"once the ball has turned by about {turn:.2g} rad")
+    return _written(point, stiffness, style, f"after a rotation of about {turn:.2g} rad")
 
 
 def _written(point: OperatingPoint, stiffness: Stiffness, style: str, when: str) -> Written:
@@ -69,7 +69,7 @@ def _written(point: OperatingPoint, stiffness: Stiffness, style: str, when: str)
         lines=(*properties, *command),
         parameters={"coefficientRollingFriction": rmu, "youngsModulus": young},
         law=lambda load, speed: rmu * load * point.radius + 0.0 * speed,
-        torque_law=f"T = rmu P R {when}; R the radius, of two balls R_eff",
+        torque_law=f"T = rmu P R {when}; R is the radius, for two balls R_eff",
         source=f"LIGGGHTS-PUBLIC src/rolling_model_{style}.h",
     )
 

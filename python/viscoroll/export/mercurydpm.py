@@ -7,7 +7,7 @@ from .contact import OperatingPoint, Stiffness, Style, Written
 __all__ = ["STYLES"]
 
 #: Comment for two balls.
-_WHICH = "  // of both balls; of unlike ones that of both species, getMixedObject"
+_WHICH = "  // for both balls; if they differ, set it for the mixed species (getMixedObject)"
 
 
 def _friction(point: OperatingPoint, stiffness: Stiffness) -> Written:
@@ -29,7 +29,7 @@ def _friction(point: OperatingPoint, stiffness: Stiffness) -> Written:
         ),
         parameters={"rollingFrictionCoefficient": mu, "stiffness": stiffness.hooke},
         law=lambda load, speed: 2.0 * mu * load * point.radius + 0.0 * speed,
-        torque_law="T = 2 mu P R past a small turn: the lever is the effective diameter, 2 R",
+        torque_law="T = 2 mu P R after a small rotation: the moment arm is the effective diameter, 2 R",
         source="MercuryDPM Kernel/Interactions/FrictionForceInteractions/FrictionInteraction.cc",
     )
 

@@ -33,13 +33,13 @@ def _moment(point: OperatingPoint, stiffness: Stiffness) -> Written:
     return Written(
         lines=(
             f"O.materials.append({material}'ball'))",
-            f"O.materials.append({material}'{floor}'))  # the same value: the smaller of etaRoll R counts",
+            f"O.materials.append({material}'{floor}'))  # same value: the smaller product etaRoll R counts",
             f"geometry = {geometry}",
             "law = Law2_ScGeom6D_CohFrictPhys_CohesionMoment(always_use_moment_law=True, useIncrementalForm=True)",
         ),
         parameters={"etaRoll": eta, "young": young},
         law=lambda load, speed: eta * load * least + 0.0 * speed,
-        torque_law=f"T = etaRoll P R once the ball has turned by about {turn:.2g} rad; R the smaller radius",
+        torque_law=f"T = etaRoll P R after a rotation of about {turn:.2g} rad; R is the smaller radius",
         source="YADE pkg/dem/CohesiveFrictionalContactLaw.cpp, Ip2_CohFrictMat_CohFrictMat_CohFrictPhys",
     )
 

@@ -48,7 +48,9 @@ def _write_volume(inside: xarray.Dataset, path: Path) -> None:
     shape = tuple(inside.sizes[name] for name in ("depth", "phi", "theta"))
     section = shape[2] == 1
     if min(shape[:2]) < 2:
-        raise ValueError(f"inside must have at least two depths and phi, for a volume two theta as well, got {shape}")
+        raise ValueError(
+            f"inside must have at least two depths, two phi and, for a volume, two theta, got shape {shape}"
+        )
     axes, points = _frame(inside)
     displacement = inside.displacement.to_numpy().reshape(3, -1)
     stress = inside.stress.to_numpy().reshape(len(COMPONENTS), -1)

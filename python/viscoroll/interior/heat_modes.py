@@ -196,11 +196,11 @@ def _coefficients(
     given = np.asarray(convection(theta), dtype=float)
     if given.shape not in ((), theta.shape):
         raise ValueError(
-            f"convection must be a function of angles: a number, or one for each of the angles, got shape {given.shape}"
+            f"convection must return one number, or one for each of the given angles, got shape {given.shape}"
         )
     coefficient = np.broadcast_to(given, theta.shape)
     if not (np.isfinite(coefficient).all() and coefficient.min() >= 0.0):
-        raise ValueError("convection must be a function that returns finite coefficients >= 0 W/(m^2 K)")
+        raise ValueError("convection must return finite coefficients >= 0 W/(m^2 K)")
     return coefficient
 
 

@@ -128,9 +128,8 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
         If an argument is invalid or does not apply to the body, or if no surface takes the heat.
     """
     if not np.isfinite(inside.thickness):
-        never = "whose heat goes on spreading into the depth, so that it is never steady"
         raise ValueError(
-            f"result.on must have a depth for its temperature, got a half-space, {never}: give a thick layer"
+            "result.on must have a finite thickness for a steady temperature, got a half-space: give a thick layer"
         )
     conductivities = conductivities_of(inside, conductivity)
     match body := inside.body:
@@ -152,7 +151,7 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     assert isinstance(ball, CoatedSphere)
     degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MOST_DEGREES)
     if ball.inner_boundary is not InnerBoundary.RIGID and given.core is not Core.INSULATED:
-        raise ValueError(f"core must be INSULATED in a ball without one, got {shown(given.core)}")
+        raise ValueError(f"core must be INSULATED in a ball without a rigid core, got {shown(given.core)}")
     rise = held_rise(given)
     inner: NDArray[np.float64] | None
     if isinstance(given.core, Core):
@@ -215,7 +214,7 @@ def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> 
     if isinstance(result.on if inside.of == "counterpart" else result.ball, CoatedCylinder):
         refuse(given, ("base_convection", "period"), "a roller")
         if given.width is None:
-            raise ValueError("width must be given with a roller under a wheel: that of the roller [m]")
+            raise ValueError("width must be given for a roller under a wheel: the width of the roller [m]")
         width = as_positive("width", given.width, "m")
     else:
         refuse(given, ("width", "base_convection", "period"), "a wheel")
@@ -260,16 +259,14 @@ def _side(given: Surroundings, conductivities: list[float]) -> float:
     """Return the coefficient of convection at the side faces [W/(m² K)]."""
     side = as_not_negative("side_convection", given.side_convection or 0.0, "W/(m^2 K)")
     if side > 0.0 and len(set(conductivities)) > 1:
-        raise ValueError(
-            f"conductivity must be the same in all layers where side faces take heat, got {conductivities}"
-        )
+        raise ValueError(f"conductivity must be the same in all layers if side faces are cooled, got {conductivities}")
     return side
 
 
 def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
     refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
     if given.period is None:
-        raise ValueError("period must be given with a plane: the time from one pass to the next [s]")
+        raise ValueError("period must be given for a plane: the time from one pass to the next [s]")
     period = as_positive("period", given.period, "s")
     result = inside.result
     track = None if inside.line_contact else _between_tracks(inside)

@@ -111,7 +111,7 @@ def plot_loss(result: Result, *, ax: Axes | None = None, of: Of | None = None) -
 def _draw_loss(axes: Axes, inside: Inside, loss: xarray.Dataset) -> None:
     result = inside.result
     deepest = float(loss.depth.max())
-    label = "energy lost per passage [kJ/m³]"
+    label = "energy dissipated per passage [kJ/m³]"
     if inside.line_contact:
         axes.plot(loss.loss_density.isel(theta=0) * 1e-3, loss.depth * _MM, color="tab:red")
         axes.set(xlabel=label)
@@ -123,7 +123,7 @@ def _draw_loss(axes: Axes, inside: Inside, loss: xarray.Dataset) -> None:
     _draw_layers(axes, inside)
     axes.set(ylabel="depth [mm]")
     axes.set_ylim(deepest * _MM, 0.0)
-    axes.set_title(f"{inside.bulk_power:.3g} {result.unit('bulk_power')} are lost in the layers", fontsize="medium")
+    axes.set_title(f"{inside.bulk_power:.3g} {result.unit('bulk_power')} dissipated in the layers", fontsize="medium")
 
 
 @overload
@@ -161,7 +161,7 @@ def _draw_temperature(axes: Axes, temperature: Temperature) -> None:
     if rise.sizes[across] == 1:
         axes.plot(rise[:, 0], rise[normal] * _MM, color="tab:red")
         axes.set(xlabel="temperature rise [K]", ylabel=below)
-        axes.set_title(f"at most {temperature.maximum:.3g} K over {temperature.ambient:g} K", fontsize="medium")
+        axes.set_title(f"largest rise {temperature.maximum:.3g} K above {temperature.ambient:g} K", fontsize="medium")
         return
     place, along = np.meshgrid(rise[normal], rise[across], indexing="ij")
     if across == "theta":
@@ -170,7 +170,7 @@ def _draw_temperature(axes: Axes, temperature: Temperature) -> None:
     axes.set(xlabel="along the axis [mm]", ylabel=below)
     if normal == "radius":
         axes.set(aspect="equal")
-    axes.set_title(f"at most {temperature.maximum:.3g} K over {temperature.ambient:g} K", fontsize="medium")
+    axes.set_title(f"largest rise {temperature.maximum:.3g} K above {temperature.ambient:g} K", fontsize="medium")
     axes.figure.colorbar(image, ax=axes, label="temperature rise [K]")
 
 

@@ -63,7 +63,7 @@ class SelfHeating:
         """Return the states with units, one per column, as a table for notebooks."""
         rows = [
             ("steady state", *("stable" if state.stable else "unstable" for state in self.states), ""),
-            ("temperature of the moduli", *(number_text(state.mean_temperature) for state in self.states), "K"),
+            ("mean temperature of the layers", *(number_text(state.mean_temperature) for state in self.states), "K"),
             ("resisting torque T_r", *(number_text(state.result.resisting_torque) for state in self.states), "N m"),
             *(
                 (text, *(number_text(getattr(state.temperature, name)) for state in self.states), unit)
@@ -272,7 +272,7 @@ def self_heating(
     found = SelfHeating(states=states, angular_speed=search.angular_speed, limit=highest, _search=search)
     if len(states) > 1:
         temperatures = ", ".join(f"{s.mean_temperature:.1f} K ({'' if s.stable else 'un'}stable)" for s in states)
-        warn([f"{len(states)} steady states: {temperatures}; the coldest is what a cold start reaches"])
+        warn([f"{len(states)} steady states: {temperatures}; a cold start reaches the coldest"])
     return found
 
 
@@ -284,7 +284,7 @@ def _shifts(ball: RollingBody, shift: Shift | Sequence[Shift]) -> list[Shift]:
     except TypeError:
         raise TypeError("shift must be a function of temperature [K], or one for each layer") from None
     if len(several) != len(ball.layers):
-        raise ValueError(f"shift must be one for each of {len(ball.layers)} layers, got {len(several)}")
+        raise ValueError(f"shift must have one function for each of {len(ball.layers)} layers, got {len(several)}")
     for each in several:
         if not callable(each):
             raise TypeError("shift must be a function of temperature [K], or one for each layer")

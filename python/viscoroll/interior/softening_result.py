@@ -27,8 +27,8 @@ __all__ = ["BOUNDS", "Matching", "StrainSoftening", "as_matching"]
 
 #: Labels of the two torques of filled rubber in files and studies, in the order of `StrainSoftening.torque_bounds`.
 BOUNDS = {
-    "harmonic_torque": "resisting torque, the network's loss summed over harmonics",
-    "network_torque": "resisting torque, the network's loss that of a network without rate",
+    "harmonic_torque": "resisting torque with the network loss summed over harmonics",
+    "network_torque": "resisting torque with the loss of a rate-independent network",
 }
 
 #: Loss of a network: that of a rate-independent network, or the sum over harmonics.
@@ -125,7 +125,7 @@ class StrainSoftening:
 
         known = {layer.of for layer in self._layers}
         if self._state is None or (of is not None and of not in known):
-            raise ValueError(f"of must be a body with a layer that softens, got {shown(of)}")
+            raise ValueError(f"of must be a body with a layer that softens with strain, got {shown(of)}")
         body = self._layers[0].of if of is None else of
         inside = inside_of(self.result, body)
         chosen = [found for found, layer in zip(self._state.layers, self._layers, strict=True) if layer.of == body]
@@ -139,7 +139,11 @@ class StrainSoftening:
                 "depth": ("depth", depth, {"units": "m"}),
                 "layer": ("depth", layers),
                 "theta": ("theta", theta, {"units": "rad"}),
-                "z": ("theta", inside.radius * (0.5 * np.pi - theta), {"units": "m", "long_name": "arc sideways"}),
+                "z": (
+                    "theta",
+                    inside.radius * (0.5 * np.pi - theta),
+                    {"units": "m", "long_name": "arc length sideways"},
+                ),
             },
             attrs={"of": body, "resisting_torque": self.result.resisting_torque},
         )
@@ -181,7 +185,7 @@ class StrainSoftening:
         """
         save(self, path, _FORMATS)
 
-    @plots("the network alone")
+    @plots("only the network")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the network over strain with its operating points, and the amplitude over the section.
 
@@ -190,7 +194,7 @@ class StrainSoftening:
         from .softening_picture import Work, plot_softening
 
         if self._state is None:
-            raise ValueError("layers must soften for a picture of it, got none that do")
+            raise ValueError("layers must soften with strain to be drawn, got none that does")
         values = zip(self._layers, self.layer_amplitudes, self.largest_amplitudes, strict=True)
         work = [Work(layer.modulus.network, amplitude, largest) for layer, amplitude, largest in values]
         return plot_softening(work, self.amplitude(), ax)
@@ -202,14 +206,14 @@ class StrainSoftening:
         lines = [
             f"StrainSoftening at P = {self.result.load:g} {self.result.unit('load')}, "
             f"Ω = {self.result.angular_speed:g} rad/s ({self.iterations} contacts solved):",
-            f"  resisting torque T_r   {self.result.resisting_torque:.6g} {unit} (loss of the {self.loss})",
-            f"  bounds of it           {harmonic:.6g} (harmonic sum), {matched:.6g} {unit} (network)",
-            f"  network's share        {self.network_share:.1%} of what these layers lose",
+            f"  resisting torque T_r   {self.result.resisting_torque:.6g} {unit} (loss: {self.loss})",
+            f"  its estimates          {harmonic:.6g} (harmonic sum), {matched:.6g} {unit} (network)",
+            f"  network                {self.network_share:.1%} of the shear loss of these layers",
         ]
         for j, (storage, loss) in enumerate(self.layer_moduli):
             lines.append(
-                f"  {self._layers[j].of} layer {self._layers[j].number:<10} strain {self.layer_amplitudes[j]:.3%}, at "
-                f"most {self.largest_amplitudes[j]:.3%}: N' = {storage:.4g} Pa, N'' = {self.loss_scales[j]:.3f} · "
+                f"  {self._layers[j].of} layer {self._layers[j].number:<10} strain {self.layer_amplitudes[j]:.3%}, "
+                f"largest {self.largest_amplitudes[j]:.3%}: N' = {storage:.4g} Pa, N'' = {self.loss_scales[j]:.3f} · "
                 f"{loss:.4g} Pa"
             )
         return "\n".join([*lines, *(f"  warning                {text}" for text in self.warnings)])

@@ -117,8 +117,8 @@ class SofteningSearch:
                 return state
             if len(self.history) >= _MOST_PASSES:
                 raise ConvergenceError(
-                    f"strain softening did not come to rest in {_MOST_PASSES} passes: the last changed amplitudes or "
-                    f"losses by {change:.2g} of themselves"
+                    f"strain softening did not converge in {_MOST_PASSES} passes: the relative change of amplitudes "
+                    f"or losses in the last one was {change:.2g}"
                 )
             state = self.at(self._ahead(state, scales) if change < before else state.next_amplitudes, scales)
             before = change

@@ -240,7 +240,7 @@ class StateSearch:
             low, high = (low - 0.7, low) if warming else (high, high + 0.7)
             if (excess(low if warming else high) > 0.0) != warming:
                 return float(np.exp(self.find_root(excess, low, high, xtol=1e-4)))
-        raise ConvergenceError(f"no {name} makes {mean:g} K a steady state")
+        raise ConvergenceError(f"no {name} has a steady state at {mean:g} K")
 
     def fold(self, name: Literal["load", "speed"]) -> Fold | None:
         """Return the first maximum, over mean temperatures, of the load or the speed at which they are steady."""
@@ -289,6 +289,6 @@ class StateSearch:
         best = int(np.argmax(speeds))
         return (
             f"angular_speed must be at most about {speeds[best]:.3g} rad/s for a steady temperature below "
-            f"{self.limit:g} K (there {self.ambient + rises[best]:.4g} K), got {self.angular_speed:g} rad/s: "
-            "rolling makes more heat than leaves"
+            f"{self.limit:g} K ({self.ambient + rises[best]:.4g} K at that speed), got {self.angular_speed:g} rad/s: "
+            "rolling dissipates more heat than the surfaces remove"
         )

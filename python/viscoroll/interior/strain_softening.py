@@ -194,16 +194,16 @@ def _cautions(layers: tuple[SofteningLayer, ...], state: State) -> list[str]:
         largest = float(found.amplitudes.max())
         if not least <= amplitude <= most or largest > most:
             texts.append(
-                f"{where}: strains of {amplitude:.3g}, at most {largest:.3g}, lie outside of the sweep, {least:.3g} to "
-                f"{most:.3g}, whose ends are held"
+                f"{where}: the strain {amplitude:.3g} or the largest strain {largest:.3g} is outside the sweep, "
+                f"{least:.3g} to {most:.3g}; moduli outside are those at its ends"
             )
         if not _PLAIN_SCALES[0] <= scale <= _PLAIN_SCALES[1]:
             texts.append(
-                f"{where}: harmonics lose {1.0 / scale:.3g} times what the network does, outside of 0.67 to 2, where "
-                "the two have been held against exact solutions"
+                f"{where}: the harmonics dissipate {1.0 / scale:.3g} times as much as the network; comparisons with "
+                "exact solutions cover ratios from 0.67 to 2"
             )
         if largest > _LARGE_STRAIN:
-            texts.append(f"{where}: the amplitude of strain is up to {largest:.3g}, above 0.2 linear theory is rough")
+            texts.append(f"{where}: the strain amplitude is up to {largest:.3g}; linear theory is inaccurate above 0.2")
     return texts
 
 

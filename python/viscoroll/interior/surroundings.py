@@ -66,7 +66,7 @@ def inner_coefficients(given: Surroundings, modes: HeatModes, area: Callable[[],
         If an argument is invalid.
     """
     if not isinstance(given.core, Core):
-        raise TypeError(f"core must be a viscoroll.Core but in a ball, got {shown(given.core)}")
+        raise TypeError(f"core must be a viscoroll.Core, except in a ball, got {shown(given.core)}")
     if given.core is Core.ISOTHERMAL:
         if given.hub_conductance is not None:
             raise ValueError("hub_conductance must be left out with an ISOTHERMAL core")
@@ -118,7 +118,7 @@ def require_sink(inside: Inside, film: float | NDArray[np.float64], other: bool)
         If neither the surface nor another part, given by `other`, takes heat.
     """
     if not other and not np.any(film) and inside.bulk_power > 0.0:
-        raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
+        raise ValueError("convection must be > 0 W/(m^2 K) if nothing else removes heat, got 0")
 
 
 def refuse(given: Surroundings, names: Sequence[str], body: str) -> None:
@@ -152,5 +152,5 @@ def conductivities_of(inside: Inside, given: float | Sequence[float] | None) -> 
         return [as_positive("conductivity", given, "W/(m K)")] * len(layers)
     several = [as_positive(f"conductivity[{j}]", value, "W/(m K)") for j, value in enumerate(given)]  # type: ignore[arg-type]
     if len(several) != len(layers):
-        raise ValueError(f"conductivity must be one for each of {len(layers)} layers, got {len(several)}")
+        raise ValueError(f"conductivity must have one value for each of {len(layers)} layers, got {len(several)}")
     return several

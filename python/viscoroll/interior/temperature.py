@@ -31,12 +31,12 @@ _RIPPLE = 0.2
 #: Unit and label of each reported number of a temperature, by name.
 QUANTITIES = {
     "maximum": ("K", "largest temperature rise"),
-    "surface_maximum": ("K", "largest rise on the surface"),
-    "mean": ("K", "rise weighted by the loss"),
-    "heat": ("W", "heat"),
-    "heat_to_core": ("W", "of it, to the core, the hub or the base"),
-    "heat_to_surroundings": ("W", "of it, to the surroundings"),
-    "ripple": ("K", "swing over a revolution or a period, at most"),
+    "surface_maximum": ("K", "largest temperature rise on the surface"),
+    "mean": ("K", "mean temperature rise, weighted by the loss"),
+    "heat": ("W", "heat generated"),
+    "heat_to_core": ("W", "heat flow to the core, the hub or the base"),
+    "heat_to_surroundings": ("W", "heat flow to the surroundings"),
+    "ripple": ("K", "largest variation over a revolution or a period"),
 }
 
 
@@ -94,16 +94,16 @@ class Temperature:
     def _repr_html_(self) -> str:
         """Return the numbers with units, as a table for notebooks."""
         rows = [(text, number_text(getattr(self, name)), self._unit(name)) for name, (_, text) in QUANTITIES.items()]
-        return html_table(f"Temperature over {self.ambient:g} K", rows)
+        return html_table(f"Temperature above {self.ambient:g} K", rows)
 
     def __repr__(self) -> str:
         """Return a summary."""
-        times = f"; come to in {', '.join(f'{time:.3g}' for time in self.times)} s" if self.times else ""
+        times = f"; time constants {', '.join(f'{time:.3g}' for time in self.times)} s" if self.times else ""
         return (
             f"Temperature(at most {self.ambient + self.maximum:.2f} K: rise {self.maximum:.3g} K, on the surface "
-            f"{self.surface_maximum:.3g} K, mean by loss {self.mean:.3g} K;\n"
-            f"  {self.heat:.3g} {self.heat_unit}, of which to the core {self.heat_to_core:.3g} {self.heat_unit}; "
-            f"ripple {self.ripple:.2g} K{times})"
+            f"{self.surface_maximum:.3g} K, loss-weighted mean {self.mean:.3g} K;\n"
+            f"  {self.heat:.3g} {self.heat_unit}, {self.heat_to_core:.3g} {self.heat_unit} of it to the core; "
+            f"variation {self.ripple:.2g} K{times})"
         )
 
 
@@ -210,7 +210,7 @@ def temperature(
     capacity = as_positive("heat_capacity", heat_capacity, "J/(m^3 K)")
     require_type("start", start, Temperature, optional=True)
     if start is not None and time is None:
-        raise ValueError("start must be left out without time: the steady state does not know it")
+        raise ValueError("start must be left out without time: the steady state does not depend on it")
     given = Surroundings(
         convection=convection,
         ambient=as_kelvin("ambient", ambient),
@@ -252,8 +252,8 @@ def temperature(
     if ripple > _RIPPLE * abs(found.maximum):
         warn(
             [
-                f"a point's temperature swings by up to {ripple:.2g} K from pass to pass, and the mean rises by "
-                f"{found.maximum:.2g} K: so slowly the peaks are hotter than the mean"
+                f"between passes, the temperature of a point varies by up to {ripple:.2g} K, while its mean rises by "
+                f"up to {found.maximum:.2g} K: at this low speed, peaks are hotter than the computed mean"
             ]
         )
     return found
@@ -278,7 +278,7 @@ def _history(
         field = start.rise if start.history is None else start.history.rise[-1]
         expected = (steady.shape[1], places.size)
         if field.shape != expected:
-            raise ValueError(f"start must be of the same layers and mesh, of shape {expected}, got {field.shape}")
+            raise ValueError(f"start must have the same layers and mesh, with shape {expected}, got {field.shape}")
         before = np.linalg.lstsq(body.values(places).T, field.to_numpy().T, rcond=None)[0]
     rises = body.conduction.approach(steady, before, times, capacity)
     rise = np.einsum("tjp,jz->tpz", rises, body.values(places))

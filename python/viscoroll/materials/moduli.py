@@ -323,9 +323,9 @@ def _way_to_a_modulus(measured: object) -> str:
     ways = {
         "at": "its at(temperature=...)",
         "series": "its series",
-        "isotherms": "superpose(...).at(temperature=...) of it",
-        "storage": "fit_prony(...).series of it",
-        "middle": "its middle, or all of them to sweep",
+        "isotherms": "superpose(...).at(temperature=...) of the data",
+        "storage": "fit_prony(...).series of the curve",
+        "middle": "its middle, or pass all draws to sweep",
         "value": "its value",
     }
     return next((f"; give {way}" for name, way in ways.items() if hasattr(measured, name)), "")

@@ -127,7 +127,7 @@ def shift_factor(shift: Shift, temperature: float, name: str = "shift") -> float
         raise TypeError(f"{name} must be a function of temperature [K], got {shown(shift)}")
     if callable(getattr(shift, "shift", None)):
         raise TypeError(
-            f"{name} must be a function of temperature [K]: of a fitted law take its shift(), got {shown(shift)}"
+            f"{name} must be a function of temperature [K]: use shift() of a fitted law, got {shown(shift)}"
         )
     factor = as_float(f"{name}(temperature)", shift(temperature))
     if not (np.isfinite(factor) and factor > 0.0):

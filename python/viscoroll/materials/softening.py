@@ -91,8 +91,8 @@ class SofteningModulus(ShearModulus):
 
     def _to_core(self) -> _core.CustomModulus:
         raise TypeError(
-            "shear_modulus must be known without an amplitude of strain, got a viscoroll.SofteningModulus: give the "
-            "body to viscoroll.strain_softening, or take its at(amplitude, reference_frequency=...) here"
+            "shear_modulus must not depend on strain here, got a viscoroll.SofteningModulus: pass the body to "
+            "viscoroll.strain_softening, or use the modulus at(amplitude, reference_frequency=...)"
         )
 
 

@@ -81,7 +81,7 @@ class StrainSweep(Network):
             object.__setattr__(self, name, as_floats(name, getattr(self, name)))
         object.__setattr__(self, "kind", as_member("kind", self.kind, StrainKind))
         if (self.matrix is None) != (self.frequency is None):
-            raise ValueError("frequency must be given with matrix, and with matrix alone")
+            raise ValueError("frequency must be given if and only if matrix is given")
         if self.matrix is not None and self.frequency is not None:
             object.__setattr__(self, "matrix", as_modulus(self.matrix))
             object.__setattr__(self, "frequency", as_positive("frequency", self.frequency, "rad/s"))
@@ -91,7 +91,7 @@ class StrainSweep(Network):
     def _require_table(self) -> None:
         lengths = [len(getattr(self, name)) for name in ("strain", "storage", "loss")]
         if len(set(lengths)) != 1 or lengths[0] < 3:
-            raise ValueError(f"strain, storage and loss must have one length of at least 3, got {lengths}")
+            raise ValueError(f"strain, storage and loss must have equal lengths of at least 3, got {lengths}")
         strain = np.asarray(self.strain)
         if not (np.isfinite(strain).all() and strain[0] > 0.0 and (np.diff(strain) > 0.0).all()):
             raise ValueError(f"strain must be finite, > 0 and strictly increasing, got {strain[0]:g} to {strain[-1]:g}")

@@ -70,8 +70,8 @@ class Table2:
         torque.legend(fontsize="small")
         place = {nodes: index for index, nodes in enumerate(rows)}
         for torques, color, label, shift in (
-            (self.by_x, "tab:blue", "lever arm $x$", -0.12),
-            (self.by_arc, "tab:orange", "lever arm $r_o(π/2 - φ)$", 0.12),
+            (self.by_x, "tab:blue", "moment arm $x$", -0.12),
+            (self.by_arc, "tab:orange", "moment arm $r_o(π/2 - φ)$", 0.12),
         ):
             found = self.deviations(torques)
             deviation.plot(
@@ -95,7 +95,7 @@ class Table2:
                 by_mesh=False,
             ),
             Verdict(
-                statement=f"{len(x)} torques, with its own lever arm (arc length)",
+                statement=f"{len(x)} torques, with the paper's moment arm (arc length)",
                 found=f"all within {arc.max() * 100.0:.2f} %, {int((arc <= 1e-3).sum())} within 0.1 %",
                 agrees=bool(arc.max() <= TOLERANCE["arc"]),
                 by_mesh=False,
@@ -111,7 +111,7 @@ class Table2:
         for table in (self.by_x, paper.TABLE_2):
             torques = [table[key] for key in self.by_x if key[0] >= nodes]
             spreads.append(1.0 - min(torques) / max(torques))
-        found = f"within {spreads[0] * 100.0:.2f} % (the printed entries: {spreads[1] * 100.0:.2f} %)"
+        found = f"within {spreads[0] * 100.0:.2f} % (printed entries: {spreads[1] * 100.0:.2f} %)"
         return Verdict(statement=statement, found=found, agrees=round(spreads[0], 3) <= bound, by_mesh=False)
 
 

@@ -72,7 +72,7 @@ class Figure9:
         torque.plot(fine, self.fit.predict(fine) * 1e3, color="tab:blue", label="fit (60)-(63)")
         torque.plot(self.frictions, self.torques * 1e3, "o", color="tab:blue", markersize=4, label="$T_r$")
         floor = self.torques[0] * (1.0 - _FALL)
-        torque.axhline(floor * 1e3, color="k", linestyle="--", linewidth=1.0, label="paper: falls by 8.5 % at most")
+        torque.axhline(floor * 1e3, color="k", linestyle="--", linewidth=1.0, label="paper: falls by at most 8.5 %")
         torque.axhspan(
             self.torques.max() * (1.0 - _SPREAD) * 1e3,
             self.torques.max() * 1e3,
@@ -114,7 +114,7 @@ class Figure9:
                 agrees=spread[0] <= _SPREAD + 0.005,
             ),
             Verdict(
-                statement="falls by 8.5 % at most",
+                statement="falls by at most 8.5 %",
                 found=f"by {spread[1] * 100.0:.1f} % (driving torque {fall[1] * 100.0:.1f} %)",
                 agrees=spread[1] <= _FALL + 0.0005,
             ),
@@ -132,9 +132,9 @@ class Figure9:
                 agrees=worst < 0.03,
             ),
             Verdict(
-                statement="whose inner scale is much smaller than the outer one",
+                statement="inner scale of this fit much smaller than the outer scale",
                 found=f"ε c_i = {_WIDTH * inner:.2f}, c_o = {outer:.2f}"
-                + (": left free, they run into each other; here tied by 1.5" if tied else ""),
+                + ("; independent scales approach each other, so their ratio is fixed at 1.5" if tied else ""),
                 agrees=_WIDTH * inner < 0.3 * outer,
             ),
         ]

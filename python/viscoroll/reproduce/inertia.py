@@ -72,7 +72,7 @@ class Figure13:
         return [
             Verdict(
                 statement="torque and penetration increase with Π",
-                found=f"to {torque:.2f} and {depth:.2f} times at Π = {self.groups[-1]:g}",
+                found=f"by factors of {torque:.2f} and {depth:.2f} at Π = {self.groups[-1]:g}",
                 agrees=rising,
             ),
             Verdict(

@@ -67,7 +67,13 @@ class Figure10:
             a, b = fit.parameters["a"].value, fit.parameters["b"].value
             axes.plot(fine, fit.predict(fine) * 1e3, color="tab:blue", label=_law(a, b))
             a, b = (sum(printed[name]) / 2.0 for name in ("a", "b"))
-            axes.plot(fine, a * fine**b * 1e3, "k--", linewidth=1.0, label="paper, table 3 mended: " + _law(a, b))
+            axes.plot(
+                fine,
+                a * fine**b * 1e3,
+                "k--",
+                linewidth=1.0,
+                label="paper, table 3 with columns swapped: " + _law(a, b),
+            )
             axes.plot(self.data.loads, torque * 1e3, "o", color="tab:blue", markersize=4, label="computed")
             axes.set(xlabel="load $P$ [N]", ylabel="$T_r$ [mN m]", title=f"$h$ = {h * 1e3:g} mm", xlim=0, ylim=0)
             axes.legend(fontsize="small")
@@ -85,7 +91,7 @@ class Figure10:
         return [
             Verdict(
                 statement="well fitted by power laws",
-                found=f"within {residual * 100.0:.1f} % from 20 N on",
+                found=f"within {residual * 100.0:.1f} % at loads of at least 20 N",
                 agrees=residual < 0.05,
             ),
             Verdict(statement="exponents larger than 4/3", found=values, agrees=min(thin, thick) > 4.0 / 3.0),
@@ -139,9 +145,9 @@ class Table3:
             for place, h in enumerate(_THICKNESSES):
                 p = self.data.fits[h].parameters[name]
                 _interval(axes, place + 0.15, (p.lower * scale, p.upper * scale), "tab:blue", p.value * scale)
-                for reading, key, color in (("mended", h, "k"), ("printed", _THICKNESSES[1 - place], "0.6")):
+                for reading, key, color in (("swapped", h, "k"), ("printed", _THICKNESSES[1 - place], "0.6")):
                     low, high = paper.TABLE_3[key][name]
-                    shift = 0.0 if reading == "mended" else -0.15
+                    shift = 0.0 if reading == "swapped" else -0.15
                     _interval(axes, place + shift, (low * scale, high * scale), color)
             axes.set_yticks(range(2), [f"$h$ = {h * 1e3:g} mm" for h in _THICKNESSES])
             axes.set(xlabel=label, ylim=(-0.5, 1.7))

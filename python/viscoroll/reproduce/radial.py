@@ -73,17 +73,17 @@ class Figure4:
         """Compare the errors with the paper's bound, and the exact step with the solver."""
         enough = np.array(self.counts) >= _ENOUGH
         worst = {alpha: float(self.errors(alpha)[enough].max()) for alpha in self.by_product}
-        found = ", ".join(f"{error * 100.0:.2g} % at place {alpha:g}" for alpha, error in worst.items())
+        found = ", ".join(f"{error * 100.0:.2g} % at position {alpha:g}" for alpha, error in worst.items())
         offset = self.exact / _BEST_ESTIMATE - 1.0
         return [
             Verdict(
                 statement="error within 3·10⁻³ % for n_r ≥ 10",
-                found=f"{found} (of A_k in its sub-interval), against the exact step; against "
-                f"the paper's best estimate of 11.44 mN m all are {offset * 100.0:+.1f} %, by the mesh",
+                found=f"{found} (of A_k in its sub-interval), relative to the exact step; relative to the paper's best "
+                f"estimate of 11.44 mN m all are {offset * 100.0:+.1f} %, because of the mesh",
                 agrees=worst[0.5] <= _BOUND,
             ),
             Verdict(
-                statement="(one exact step in place of n_r = 50)",
+                statement="(one exact step instead of n_r = 50)",
                 found=f"plain NumPy and core differ by {abs(self.exact / self.solver - 1.0):.0e} (relative)",
                 agrees=abs(self.exact / self.solver - 1.0) < 1e-6,
                 by_mesh=False,

@@ -18,7 +18,7 @@ __all__ = ["Table4", "compute_table4"]
 _RANGE, _TOLERANCE = (1e-3, 10e-3), 0.03
 
 _UNKNOWN_THICKNESSES = (
-    "unclear: the paper does not say which thicknesses it fits, and choices of them move b and c in and out of the "
+    "unclear: the paper does not state the fitted thicknesses, and their choice moves b and c into or out of the "
     "intervals (100 N: b from 56 to 60, c from 0.819 to 0.829)"
 )
 
@@ -111,9 +111,9 @@ class Table4:
             ),
             Verdict(
                 statement="curves of table 4, h < 1 mm",
-                found=f"refined torques up to {off * 100.0:.0f} % off; "
-                f"the mesh π/{data.nodes // 2} up to {mesh * 100.0:.0f} % off the refined torques, "
-                f"our own fit up to {own * 100.0:.0f} % off its torques",
+                found=f"refined torques deviate by up to {off * 100.0:.0f} %; "
+                f"those on the mesh π/{data.nodes // 2} deviate from them by up to {mesh * 100.0:.0f} %, "
+                f"and our own fit from its torques by up to {own * 100.0:.0f} %",
                 agrees=off <= _TOLERANCE,
             ),
         ]

@@ -83,9 +83,8 @@ class Figure7:
             ),
             Verdict(
                 statement='"deepest penetration" roughly at 0.3 rad/s',
-                found=f"penetration is largest at {deepest:.2g} rad/s and falls from there; "
-                f"it is the torque that is largest nearby, at {most:.2g} rad/s "
-                f"(at 0.3 rad/s {share * 100.0:.1f} % of that)",
+                found=f"the penetration is largest at {deepest:.2g} rad/s and decreases with speed; the torque is "
+                f"largest at {most:.2g} rad/s, and {share * 100.0:.1f} % of that at 0.3 rad/s",
                 agrees=bool(abs(np.log2(deepest / _DEEPEST)) < 1.0),
             ),
         ]
@@ -133,11 +132,11 @@ class Figure12:
         return [
             Verdict(
                 statement="one peak at an intermediate speed, for every load",
-                found=f"{'one peak each' if single else 'not one peak each'}: at {where}",
+                found=f"{'one peak each' if single else 'not one peak each'}, at {where}",
                 agrees=single,
             ),
             Verdict(
-                statement="resistance falls towards 0 at low and at high speed",
+                statement="resistance decreases towards 0 at low and at high speed",
                 found=f"at most {slow * 100.0:.0f} % of the peak at {self.speeds[0]:g} rad/s "
                 f"and {fast * 100.0:.0f} % at {self.speeds[-1]:g} rad/s",
                 agrees=max(slow, fast) < 0.7,

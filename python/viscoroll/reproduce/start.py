@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 __all__ = ["Figure6", "Figure8", "compute_figure6", "compute_figure8"]
 
 #: Starting states, with their titles in the plots.
-_STARTS = {Start.FRESH: "pressed on in no time", Start.RELAXED: "has borne the load for ever"}
+_STARTS = {Start.FRESH: "load applied at the start", Start.RELAXED: "relaxed under the load"}
 
 #: Angular speeds Ω of figure 6 [rad/s]. The paper's text states the smallest and the largest one.
 _SPEEDS, _COARSE_SPEEDS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0), (0.5, 2.5, 4.0)
@@ -126,11 +126,12 @@ class Figure6(SuddenStarts):
         fresh, relaxed = ([self.overshoot(start, s) for s in speeds] for start in _STARTS)
         verdicts.append(
             Verdict(
-                statement="the load is applied somehow before the start",
-                found=f"it decides the peak: pressed on at the start {fresh[0]:.1%} to {fresh[-1]:.1%} above the "
-                f"steady torque, long borne {relaxed[0]:.0%} to {relaxed[-1]:.0%}",
+                statement="the load is applied before the start",
+                found="the time of loading determines the peak above the steady torque: "
+                f"{fresh[0]:.1%} to {fresh[-1]:.1%} if the load is applied at the start, "
+                f"{relaxed[0]:.0%} to {relaxed[-1]:.0%} if the ball is relaxed under the load",
                 agrees=False,
-                unclear="unclear: neither text nor picture has numbers",
+                unclear="unclear: neither the text nor the figure gives numbers",
             )
         )
         return verdicts
@@ -178,7 +179,7 @@ class Figure8(SuddenStarts):
                     found=", ".join(f"{overshoot:.2%}" for overshoot in overshoots)
                     + f" at μ = {', '.join(f'{friction:g}' for known, friction in self.histories if known is start)}",
                     agrees=rises,
-                    unclear="" if rises else "unclear: the text does not say how the load was put on",
+                    unclear="" if rises else "unclear: the text does not state how the load was applied",
                 )
             )
         return verdicts

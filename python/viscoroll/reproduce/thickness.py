@@ -117,7 +117,7 @@ class Figure11:
         return [
             Verdict(
                 statement="torque increases with thickness towards a limit",
-                found=f"{'it rises throughout' if rising else 'not throughout'}, from 7 to 10 mm still by "
+                found=f"{'it increases throughout' if rising else 'not throughout'}, from 7 to 10 mm by "
                 f"{min(growth) * 100.0:.0f} % (25 N) to {max(growth) * 100.0:.0f} % (100 N)",
                 agrees=rising,
             ),

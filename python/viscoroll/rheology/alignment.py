@@ -70,11 +70,11 @@ def undetermined_pairs(isotherms: Sequence[Isotherm]) -> tuple[str, ...]:
         costs = _distances(cold, hot)
         likely = _TRIALS[costs <= 4.0 * costs.min() + 3e-3**2 / _LN10**2]
         if not np.isfinite(costs.min()):
-            named.append(f"{cold.temperature:.4g} to {hot.temperature:.4g} °C: the sweeps have no overlap")
+            named.append(f"{cold.temperature:.4g} to {hot.temperature:.4g} °C: the sweeps do not overlap")
         elif likely.max() - likely.min() >= _OPEN:
             named.append(
-                f"{cold.temperature:.4g} to {hot.temperature:.4g} °C: any shift from {likely.min():.2g} to "
-                f"{likely.max():.2g} decades fits about as well (the sweeps are flat, or do not match)"
+                f"{cold.temperature:.4g} to {hot.temperature:.4g} °C: all shifts from {likely.min():.2g} to "
+                f"{likely.max():.2g} decades fit about equally well (the sweeps are flat, or do not match)"
             )
     return tuple(named)
 

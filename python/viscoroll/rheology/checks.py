@@ -92,28 +92,28 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
     passive = fit_prony(curve, terms_per_decade=_DENSE)
     worst = float(max(np.abs(passive.storage_error).max(), np.abs(passive.loss_error).max()))
     drop, most = _telling_drop(frequency, storage, noise)
-    against = f"where points scatter by {noise:.2%} (limit {limit:.2%})"
+    against = f"; scatter of the points {noise:.2%} (limit {limit:.2%})"
     left = math.hypot(passive.storage_rms, passive.loss_rms) / math.sqrt(2.0)
     return (
         Check(
             name="Kramers-Kronig",
             value=causal,
             limit=limit,
-            message=f"the best causal series leaves {causal:.2%} of storage and loss {against}",
+            message=f"residual of the best causal series {causal:.2%}{against}",
         ),
         Check(
             name="passivity",
             value=left,
             limit=limit,
-            message=f"the best passive series leaves {passive.storage_rms:.2%} of storage and {passive.loss_rms:.2%} "
-            f"of loss, {worst:.1%} at worst, {against}",
+            message=f"residual of the best passive series {passive.storage_rms:.2%} (storage) and "
+            f"{passive.loss_rms:.2%} (loss), largest {worst:.1%}{against}",
         ),
         Check(
             name="monotony",
             value=drop,
             limit=most,
-            message=f"the storage modulus falls by {drop:.2%} as the frequency rises, where points that scatter by "
-            f"{noise:.2%} may (limit {most:.2%})",
+            message=f"largest decrease of the storage modulus with frequency {drop:.2%}; scatter of the points "
+            f"{noise:.2%} (limit {most:.2%})",
         ),
     )
 
@@ -136,7 +136,7 @@ def check_range(curve: MeasuredModulus, *, lowest: float, highest: float) -> Che
     frequency = measured(curve)[0]
     low, high = as_float("lowest", lowest), as_float("highest", highest)
     if not 0.0 < low < high < math.inf:
-        raise ValueError(f"lowest and highest must be 0 < lowest < highest rad/s, got {low!r} and {high!r}")
+        raise ValueError(f"lowest and highest must satisfy 0 < lowest < highest [rad/s], got {low!r} and {high!r}")
     below = max(0.0, math.log10(min(frequency[0], high) / low))
     above = max(0.0, math.log10(high / max(frequency[-1], low)))
     share = (below + above) / math.log10(high / low)
@@ -144,8 +144,8 @@ def check_range(curve: MeasuredModulus, *, lowest: float, highest: float) -> Che
         name="range",
         value=share,
         limit=0.0,
-        message=f"rolling asks for {low:.3g} to {high:.3g} rad/s, the table has {frequency[0]:.3g} to "
-        f"{frequency[-1]:.3g}: {below:.2g} decades below and {above:.2g} above are extrapolated",
+        message=f"rolling requires {low:.3g} to {high:.3g} rad/s, the table covers {frequency[0]:.3g} to "
+        f"{frequency[-1]:.3g}: {below:.2g} decades below and {above:.2g} above it are extrapolated",
     )
 
 

@@ -69,14 +69,12 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
     try:
         shore = as_float("hardness", hardness)
     except TypeError as error:
-        raise TypeError(f"{error}; its scale is given apart, as scale='A' or scale='D'") from None
+        raise TypeError(f"{error}; pass the scale separately, scale='A' or scale='D'") from None
     low, high = ranges[shore_scale]
     if not low <= shore <= high:
         harder = ""
         if shore_scale == "A" and high < shore <= 100.0:
-            harder = (
-                f"; give what is harder in Shore D, where {shore:g} Shore A is about {shore - _A_OF_D:g}: scale='D'"
-            )
+            harder = f"; use scale='D' for harder materials: {shore:g} Shore A is about {shore - _A_OF_D:g} Shore D"
         raise ValueError(f"hardness must be in [{low:g}, {high:g}] Shore {shore_scale}, got {shore:g}{harder}")
     if shore_scale == "D":
         value = _qi(shore + _A_OF_D)
@@ -123,7 +121,7 @@ def rebound_to_loss_factor(rebound: float) -> Parameter:
     share = as_float("rebound", rebound)
     if not 0.02 <= share < 1.0:
         percent = f"; {share:g} % is {share / 100.0:g}" if 1.0 < share <= 100.0 else ""
-        raise ValueError(f"rebound must be in [0.02, 1), a share of the energy, got {share:g}{percent}")
+        raise ValueError(f"rebound must be in [0.02, 1), as a fraction of the energy, got {share:g}{percent}")
     highest = min(share + _ROUNDED, 1.0)
     return Parameter(
         value=_half_swing(share), lower=_half_swing(highest), upper=_until_free(max(share - _ROUNDED, 0.0)), unit="1"

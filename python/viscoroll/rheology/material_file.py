@@ -60,9 +60,7 @@ def save_material(
     path = ending_in([".toml"], path)
     table = curve.curve if isinstance(curve, Superposition) else _table_of(curve)
     reference = curve.reference if isinstance(curve, Superposition) else curve.temperature
-    lines = [
-        "# Shear moduli measured, as viscoroll reads them. Frequencies in rad/s, moduli in Pa, temperatures in °C."
-    ]
+    lines = ["# Measured shear moduli, written by viscoroll. Frequencies in rad/s, moduli in Pa, temperatures in °C."]
     if isinstance(curve, Superposition):
         lines.append(f"source = {_quoted(curve.data.source)}")
     if not np.isnan(reference):
@@ -73,7 +71,7 @@ def save_material(
         lines += _columns(fit.series, ("weights", "relaxation_times"))
     if draws is not None:
         if fit is None:
-            raise ValueError("fit must be given with draws: they are series")
+            raise ValueError("fit must be given with draws, which are Prony series")
         lines += ["", "[draws]", *_rows_of_draws(draws)]
     if isinstance(curve, Superposition):
         lines += ["", f"# {curve.law}", "[shift]", *_columns(curve.factors, ("temperature", "log10_factor"))]
@@ -142,7 +140,7 @@ def _table_of(curve: Isotherm) -> MasterCurve:
 def _material(document: dict[str, Any], temperature: float | None, form: Form) -> MasterCurve | Prony:
     decades = _shift(document, temperature)
     if form == "prony":
-        series = _part(document, "prony", "save it with a fit")
+        series = _part(document, "prony", "save the material with a fit")
         return Prony(
             instantaneous_modulus=as_float("prony.instantaneous_modulus", series["instantaneous_modulus"]),
             weights=_numbers("prony.weights", series["weights"]),
@@ -150,7 +148,7 @@ def _material(document: dict[str, Any], temperature: float | None, form: Form) -
         )
     if form != "table":
         raise ValueError(f"form must be 'table' or 'prony', got {shown(form)}")
-    table = _part(document, "table", "it is no material of viscoroll")
+    table = _part(document, "table", "the file is not a material file of viscoroll")
     frequency, storage, loss = (_numbers(f"table.{name}", table[name]) for name in ("frequency", "storage", "loss"))
     return MasterCurve(_moved(frequency, -decades), storage, loss, extrapolation=Extrapolation.HOLD)
 
@@ -159,7 +157,7 @@ def _draw(document: dict[str, Any], temperature: float | None, form: Form, draw:
     draws = _draws_of(document)
     moduli = _moduli_of_draws(draws)
     if form != "prony":
-        raise ValueError(f"form must be 'prony' where a draw is taken, got {shown(form)}")
+        raise ValueError(f"form must be 'prony' if a draw is given, got {shown(form)}")
     if not 0 <= draw < len(moduli):
         raise ValueError(f"draw must be in [0, {len(moduli) - 1}], got {draw}")
 
@@ -178,13 +176,13 @@ def _draw(document: dict[str, Any], temperature: float | None, form: Form, draw:
 
 
 def _draws_of(document: dict[str, Any]) -> dict[str, Any]:
-    return _part(document, "draws", "save it with draws")
+    return _part(document, "draws", "save the material with draws")
 
 
 def _moduli_of_draws(draws: dict[str, Any]) -> tuple[float, ...]:
     moduli = _numbers("draws.instantaneous_modulus", draws["instantaneous_modulus"])
     if not moduli:
-        raise ValueError("draws.instantaneous_modulus must hold a number for each draw, got none")
+        raise ValueError("draws.instantaneous_modulus must have one number for each draw, got none")
     return moduli
 
 
@@ -222,7 +220,7 @@ def _shift(document: dict[str, Any], temperature: float | None, factors: Sequenc
             raise ValueError(f"reference_temperature must be finite and >= {_ABSOLUTE_ZERO} °C, got {reference:g}")
     if temperature is None or temperature == reference:
         return 0.0
-    shift = _part(document, "shift", "its temperature cannot be changed")
+    shift = _part(document, "shift", "the temperature of this material cannot be changed")
     temperatures = _numbers("shift.temperature", shift["temperature"])
     known = _numbers("shift.log10_factor", shift["log10_factor"]) if factors is None else factors
     return ShiftFactors(temperature=temperatures, log10_factor=tuple(known))(temperature)
@@ -231,7 +229,7 @@ def _shift(document: dict[str, Any], temperature: float | None, factors: Sequenc
 def _part(document: dict[str, Any], name: str, meaning: str) -> dict[str, Any]:
     part = document.get(name)
     if not isinstance(part, dict):
-        raise ValueError(f"needs a table [{name}]: {meaning}")
+        raise ValueError(f"must have a table [{name}]: {meaning}")
     return _Named(name, part)
 
 
@@ -243,7 +241,7 @@ class _Named(dict[str, Any]):
         self._name = name
 
     def __missing__(self, key: str) -> Any:
-        raise ValueError(f"table [{self._name}] needs {key}")
+        raise ValueError(f"table [{self._name}] must have the key {key}")
 
 
 def _columns(holder: object, names: Iterable[str]) -> list[str]:

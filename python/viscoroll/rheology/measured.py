@@ -45,11 +45,11 @@ def measured(curve: MeasuredModulus) -> tuple[Floats, Floats, Floats]:
     try:
         columns = [as_float_array(name, getattr(curve, name)) for name in ("frequency", "storage", "loss")]
     except AttributeError:
-        way = "; give superpose(...) of it, or one of its isotherms" if hasattr(curve, "isotherms") else ""
+        way = "; pass superpose(...) of the data, or one of its isotherms" if hasattr(curve, "isotherms") else ""
         raise TypeError(f"curve must have frequency, storage and loss, got {shown(curve)}{way}") from None
     frequency, storage, loss = columns
     if frequency.ndim != 1 or not frequency.shape == storage.shape == loss.shape:
-        raise ValueError(f"curve must have columns of one length, got {[column.shape for column in columns]}")
+        raise ValueError(f"curve must have columns of equal length, got {[column.shape for column in columns]}")
     order = np.argsort(frequency, kind="stable")
     order = order[frequency[order] > 0.0]
     if order.size < 3:

@@ -167,7 +167,9 @@ class Column:
                 f"in the shell --columns {self.role}={name}:unit"
             )
         if normalized(self.name) in _ANGULAR and unit.endswith("Hz"):
-            raise ValueError(f"{path}: column {self.name!r} must be in 'rad/s' by its name, got {self.unit!r}")
+            raise ValueError(
+                f"{path}: column {self.name!r} must be in 'rad/s' according to its name, got {self.unit!r}"
+            )
         factor, offset = known[unit]
         self._require_size(values, (_LARGEST[_KIND[self.role]] - abs(offset)) / factor, unit, path)
         return np.asarray(values) * factor + offset
@@ -182,7 +184,7 @@ class Column:
             if abs(value) > largest:
                 most = f"{largest:.4g} {unit}".strip()
                 raise ValueError(
-                    f"{path}: column {self.name!r} ({self.role}) must be at most {most} in size, got {value:g}"
+                    f"{path}: column {self.name!r} ({self.role}) must be at most {most} in magnitude, got {value:g}"
                 )
 
 

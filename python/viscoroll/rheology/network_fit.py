@@ -56,7 +56,7 @@ class NetworkFit:
     storage_error: Floats
     loss_error: Floats
 
-    @plots("them")
+    @plots("the moduli")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Plot data and fit."""
         from .picture import plot_strain_sweep
@@ -144,7 +144,7 @@ def fit_network(
         raise ConvergenceError(f"the fit of {law} did not converge: residual {found.cost:.3g}")
     singular = np.linalg.svd(found.jac, compute_uv=False)
     if not singular[-1] > 1e-10 * singular[0]:
-        raise ValueError(f"sweep must determine all parameters of {law}, got data that fit many values of them")
+        raise ValueError(f"sweep must determine all parameters of {law}, got data that many values fit equally well")
     values = np.exp(found.x)
     covariance = np.linalg.inv(found.jac.T @ found.jac) * (2.0 * found.cost / freedom) * np.outer(values, values)
     storage_error, loss_error = found.fun.reshape(2, -1)

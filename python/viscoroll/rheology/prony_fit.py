@@ -165,7 +165,7 @@ class PronyFit:
         fit = fit_sparse(self._fit, self.frequency, self.storage, self.loss, terms=terms, floor=self._floor)
         return _result(fit, self.frequency, self.storage, self.loss, self._floor, self._per_decade, terms)
 
-    @plots("the moduli alone")
+    @plots("only the moduli")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Plot data and fit, and the relative errors below."""
         from .picture import plot_fit

@@ -99,7 +99,7 @@ class PublishedMaterial:
         known = "not measured" if self.poisson_ratio is None else f"{self.poisson_ratio:.4g}"
         told = [
             ("citation", self.citation),
-            ("read at", self.address),
+            ("source", self.address),
             ("license", self.license),
             ("measured", self.measured),
             *(("not measured", text) for text in self.not_measured),

@@ -85,9 +85,9 @@ class TemperatureRamp:
                 f"{self.temperature[0]:.4g} to {self.temperature[-1]:.4g} °C",
                 f"  storage {self.storage.min():.4g} to {self.storage.max():.4g} Pa, tan δ {tan_delta.min():.3g} to "
                 f"{tan_delta.max():.3g}, largest at {self.loss_peak:.4g} °C",
-                "  it gives       modulus and loss factor at this frequency, by temperature: ramp.at(temperature=...)",
-                "  it cannot give how they depend on frequency: no shift can be found at a single one",
-                "  with a law     of the shift, measured or typical of the polymer, a master curve: "
+                "  available      modulus and loss factor at this frequency, by temperature: ramp.at(temperature=...)",
+                "  unavailable    dependence on frequency: data at a single frequency do not determine a shift",
+                "  master curve   with a law of the shift, measured or typical of the polymer: "
                 "superpose(data, reference=..., factors=law)",
             ]
         )

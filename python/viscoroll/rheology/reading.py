@@ -112,7 +112,7 @@ class RheologyData:
 
     def __repr__(self) -> str:
         """Return file, number of points and sweeps, and ranges."""
-        kind = f"tension, by 2 (1 + {self.poisson_ratio:g}) to shear" if self.is_tensile else "shear"
+        kind = f"tension, divided by 2 (1 + {self.poisson_ratio:g})" if self.is_tensile else "shear"
         end = "; ".join([f"moduli of {kind}; {self.dropped} points dropped", *self.remarks])
         if (ramp := self.ramp) is not None:
             first, *others = repr(ramp).splitlines()
@@ -199,7 +199,7 @@ def read_rheology(
     if not tables:
         raise ValueError(_nothing_found(path, text, names))
     if held is not None and any("frequency" in table.columns for table in tables):
-        raise ValueError(f"{path}: frequency must be left out where the file has a column of it, got {held:g} rad/s")
+        raise ValueError(f"{path}: frequency must be left out if the file has a frequency column, got {held:g} rad/s")
     is_tensile = moduli_are_tensile(path, tables) if tensile is None else tensile
     divisor = 2.0 * (1.0 + nu) if is_tensile else 1.0
     isotherms: list[Isotherm] = []
@@ -209,7 +209,7 @@ def read_rheology(
         isotherms += found
         dropped += left_out + table.unreadable
     if not isotherms:
-        raise ValueError(f"{path}: needs points with moduli > 0, got none in {dropped}")
+        raise ValueError(f"{path}: must have points with moduli > 0, got none among {dropped}")
     isotherms.sort(key=lambda isotherm: (isotherm.temperature, isotherm.frequency[0]))
     return RheologyData(
         isotherms=tuple(isotherms),
@@ -232,7 +232,7 @@ def named_columns(columns: Columns | None, roles: Sequence[str]) -> dict[str, tu
     names: dict[str, tuple[str, str | None]] = {}
     for role, value in (columns or {}).items():
         if role not in roles:
-            raise ValueError(f"columns must be of {', '.join(roles)}, got {role!r}")
+            raise ValueError(f"columns must have keys from {', '.join(roles)}, got {role!r}")
         pair = (value, None) if isinstance(value, str) else value
         if (
             not isinstance(pair, tuple | list)
@@ -250,14 +250,14 @@ def _nothing_found(path: Path, text: str, names: Mapping[str, tuple[str, str | N
         unknown = ", ".join(shown(name) for name in ramps[0].unknown)
         other = f'; or columns={{"frequency": (name, unit)}}, in the shell --columns, if it is one of {unknown}'
         return (
-            f"{path}: has moduli over temperature and no column of the frequency, as a ramp at one: pass frequency=... "
-            f"in rad/s, 2 pi times the Hz of the instrument, in the shell --frequency{other if unknown else ''}"
+            f"{path}: has moduli over temperature without a frequency column, as in a ramp at one frequency: pass "
+            f"frequency=... in rad/s (2 pi times the value in Hz), in the shell --frequency{other if unknown else ''}"
         )
     lines = [line for line in text.splitlines() if line.strip()]
     first = next((line for line in lines if any(role_of(cell) for cell in line.replace(";", ",").split(","))), None)
     line = first or (lines[0] if lines else "")
     return (
-        f"{path}: needs a row of names with a frequency and a storage modulus, and numbers below, "
+        f"{path}: must have a header with a frequency and a storage modulus, and rows of numbers below it, "
         f'got {shown(line[:80])}; pass columns={{"frequency": (name, unit), "storage": (name, unit), ...}}, '
         "in the shell --columns frequency=name:unit,storage=name:unit,..."
     )
@@ -270,7 +270,7 @@ def moduli_are_tensile(path: Path, tables: list[Table]) -> bool:
         return bool(said.pop())
     name = tables[0].columns["storage"].name
     raise ValueError(
-        f"{path}: column {name!r} does not say whether it is a modulus of tension or of shear: "
+        f"{path}: column {name!r} may be a tensile or a shear modulus: "
         "pass tensile=True or tensile=False, in the shell --tensile or --shear"
     )
 
@@ -286,7 +286,7 @@ def _isotherms(table: Table, path: Path, divisor: float, held: float | None) -> 
         values["temperature"] = columns["temperature"].converted([], path)  # raises an error: the unit is missing
     if "loss" not in values:
         if "tan_delta" not in columns:
-            raise ValueError(f"{path}: needs a column of the loss modulus or of tan δ beside the storage modulus")
+            raise ValueError(f"{path}: must have a column of the loss modulus or of tan δ besides the storage modulus")
         tan_delta = table.columns["tan_delta"].plain([row["tan_delta"] for row in table.rows], path)
         values["loss"] = values["storage"] * tan_delta
     if held is not None:

@@ -105,16 +105,16 @@ class ShiftFactors:
         except csv.Error as error:
             raise ValueError(f"{path}: {error}") from None
         if len(rows) < 3 or parse_header(rows[0][0])[0].lower() not in ("t", "temperature", "temp."):
-            raise ValueError(f"{path}: needs a row of names (T, log_aT), a row of units (C, -) and rows of numbers")
+            raise ValueError(f"{path}: must have a row of names (T, log_aT), a row of units (C, -) and rows of numbers")
         if rows[1][0].strip().lower() not in ("c", "°c"):
-            raise ValueError(f"{path}: temperature must be in 'C' by the row of units, got {rows[1][0]!r}")
+            raise ValueError(f"{path}: temperature must have the unit 'C' in the row of units, got {rows[1][0]!r}")
         pairs = []
         for row in rows[2:]:
             numbers = [finite_number(cell) for cell in row[:2]]
             if len(row) != len(rows[0]) or len(numbers) < 2 or None in numbers:
                 raise ValueError(
-                    f"{path}: needs two finite numbers first in every row below the units, and as many cells as in the "
-                    f"row of names, got {shown(row)}"
+                    f"{path}: every row below the units must start with two finite numbers, and have as many cells as "
+                    f"the row of names, got {shown(row)}"
                 )
             pairs.append(numbers)
         temperature, factor = zip(*sorted(pairs), strict=True)
@@ -174,7 +174,9 @@ class ShiftLaw:
         """Return law, parameters with intervals, and residual in one line."""
         left = f"residual {self.residual:.3f} decades"
         if (c2 := self.parameters.get("c2")) is not None and c2.value > _STRAIGHT:
-            return f"{self.name} at {self.reference:g} °C: no constants, the shifts do not bend as it does; {left}"
+            return (
+                f"{self.name} at {self.reference:g} °C: constants undetermined, the shifts lack its curvature; {left}"
+            )
         terms = ", ".join(
             f"{name} = {p.value:.5g} {'' if p.unit == '1' else p.unit + ' '}in [{p.lower:.5g}, {p.upper:.5g}]"
             for name, p in self.parameters.items()

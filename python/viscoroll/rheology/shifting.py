@@ -60,7 +60,7 @@ def superpose(
     sweeps = data.isotherms
     temperature = np.array([sweep.temperature for sweep in sweeps])
     if len(sweeps) < 2:
-        raise ValueError(f"data must hold at least 2 sweeps to be shifted, got {len(sweeps)}")
+        raise ValueError(f"data must have at least 2 sweeps to be shifted, got {len(sweeps)}")
     if np.isnan(temperature).any():
         raise ValueError("data must have a temperature for every sweep: pass columns={'temperature': (name, unit)}")
     if not (np.diff(temperature) > 0.0).all():
@@ -74,9 +74,9 @@ def superpose(
         return _by_hand(data, degrees, temperature, known)
     if (ramp := data.ramp) is not None:
         raise ValueError(
-            f"data must be of several frequencies to be shifted, got a temperature ramp at {ramp.frequency:.4g} rad/s: "
-            "give a law of the shift, as factors=vr.WilliamsLandelFerry(...), or take data.ramp.at(temperature=...), "
-            "the modulus and loss factor at that frequency"
+            f"data must have several frequencies to be shifted, got a temperature ramp at {ramp.frequency:.4g} rad/s: "
+            "pass a law of the shift, such as factors=vr.WilliamsLandelFerry(...), or use "
+            "data.ramp.at(temperature=...), the modulus and loss factor at that frequency"
         )
     anchor = int(np.argmin(np.abs(temperature - degrees)))
     found = aligned(data, degrees, shift_pairs(sweeps), anchor, vertical=vertical)

@@ -69,7 +69,7 @@ def read_strain_sweep(
         raise ValueError(f"{path}: {error}") from None
     if not tables:
         raise ValueError(
-            f"{path}: needs a row of names with a strain and a storage modulus, and numbers below; pass "
+            f"{path}: must have a header with a strain and a storage modulus, and rows of numbers below it; pass "
             'columns={"strain": (name, "%"), "storage": (name, unit), ...}'
         )
     is_tensile = moduli_are_tensile(path, tables) if tensile is None else tensile
@@ -78,7 +78,9 @@ def read_strain_sweep(
     measured = rows.get("frequency")
     if frequency is None and matrix is not None:
         if measured is None:
-            raise ValueError(f"frequency must be given with matrix, for {path} does not say that of the sweep")
+            raise ValueError(
+                f"frequency must be given with matrix, because {path} does not contain the frequency of the sweep"
+            )
         frequency = float(measured.mean())
     try:
         return StrainSweep(
@@ -98,7 +100,7 @@ def _chosen(sweeps: list[dict[str, np.ndarray]], number: int | None, path: Path)
     if number is None and len(sweeps) == 1:
         return sweeps[0]
     if number is None:
-        raise ValueError(f"sweep must be given for {path}, which holds {len(sweeps)}: 1 to {len(sweeps)}")
+        raise ValueError(f"sweep must be given for {path}, which has several: 1 to {len(sweeps)}")
     if not 1 <= as_int("sweep", number) <= len(sweeps):
         raise ValueError(f"sweep must be in [1, {len(sweeps)}], got {shown(number)}")
     return sweeps[number - 1]
@@ -113,7 +115,7 @@ def _sweeps(table: Table, path: Path) -> list[dict[str, np.ndarray]]:
     }
     if "loss" not in values:
         if "tan_delta" not in table.columns:
-            raise ValueError(f"{path}: needs a column of the loss modulus or of tan δ beside the storage modulus")
+            raise ValueError(f"{path}: must have a column of the loss modulus or of tan δ besides the storage modulus")
         tan_delta = table.columns["tan_delta"].plain([row["tan_delta"] for row in table.rows], path)
         values["loss"] = values["storage"] * tan_delta
     numbers = np.array([row.get("sweep", 0.0) for row in table.rows])

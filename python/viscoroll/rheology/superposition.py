@@ -218,7 +218,7 @@ class Superposition:
         """Modulus at the reference temperature, as a table."""
         return self.at(temperature=self.reference)
 
-    @plots("the curve alone")
+    @plots("only the curve")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Plot the master curve and its shift factors."""
         from .picture import plot_superposition
@@ -238,7 +238,7 @@ class Superposition:
             *(f"  undetermined              {text}" for text in self.undetermined[:_MOST_TOLD]),
         ]
         if (more := len(self.undetermined) - _MOST_TOLD) > 0:
-            lines.append(f"  undetermined              {more} steps more, of {len(self.data.isotherms) - 1}")
+            lines.append(f"  undetermined              {more} more of {len(self.data.isotherms) - 1} steps")
         return "\n".join(lines)
 
 

@@ -107,7 +107,7 @@ def _settle_frequency(table: Table) -> None:
         return
     both = [table.columns["frequency"], second]
     kept, other = sorted(both, key=lambda column: (not column.has_unit, not column.is_angular))
-    table.remark = f"frequency by {kept.name!r}, for {other.name!r} has no unit"
+    table.remark = f"frequency from {kept.name!r}, because {other.name!r} has no unit"
     if other.has_unit:
         kept_values, other_values = (
             column.converted([row[column.role] for row in table.rows], "frequencies") for column in (kept, other)
@@ -119,9 +119,9 @@ def _settle_frequency(table: Table) -> None:
             told = " and ".join(f"{row[column.role]:g} {column.unit}" for column in (kept, other))
             raise ValueError(
                 f"columns {kept.name!r} and {other.name!r} must agree (1 Hz is 2 pi rad/s), got {told} in one row; "
-                'say which by columns={"frequency": name}, in the shell --columns frequency=name:unit'
+                'select one by columns={"frequency": name}, in the shell --columns frequency=name:unit'
             )
-        table.remark = f"frequency by {kept.name!r}, with which {other.name!r} agrees"
+        table.remark = f"frequency from {kept.name!r}, with which {other.name!r} agrees"
     for row in table.rows:
         row["frequency"] = row[kept.role]
     table.columns["frequency"] = Column(kept.index, kept.name, kept.unit, "frequency")
@@ -155,7 +155,8 @@ def _columns(cells: list[str], names: Mapping[str, tuple[str, str | None]], over
             role = "second_frequency"
         if role in columns:
             raise ValueError(
-                f'two columns hold {role}, {columns[role].name!r} and {name!r}: say which by columns={{"{role}": name}}'
+                f"two columns contain {role}, {columns[role].name!r} and {name!r}: select one by "
+                f'columns={{"{role}": name}}'
             )
         if role in names:
             unit = names[role][1] or unit

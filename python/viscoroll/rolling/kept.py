@@ -61,8 +61,8 @@ class KeptContact:
         for name, change in changes.items():
             if not abs(change) <= _SAME * sizes[name]:
                 raise _core.ConvergenceError(
-                    f"{name} changes by {abs(change) / sizes[name]:.2g} as the contact is solved again as it is: it is "
-                    "not that of a solution"
+                    f"{name} changes by {abs(change) / sizes[name]:.2g} when the same contact is solved again: the "
+                    "result is not a converged solution; check its status"
                 )
 
     def _read(self, solution: _core.Result) -> Floats:

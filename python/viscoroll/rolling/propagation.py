@@ -165,7 +165,7 @@ def _drawn(given: Given, draw: Pair) -> Given:
             restored = place.with_changed(restored, shear_modulus=place.material(given).shear_modulus)
     if (restored.ball, restored.on) != (given.ball, given.on):
         raise ValueError(
-            f"draws must differ in shear moduli alone where they are linear, got {shown(draw)} for "
+            f"draws must differ only in shear moduli for draws='linear', got {shown(draw)} for "
             f"{shown((given.ball, given.on))}"
         )
     return drawn

@@ -51,7 +51,7 @@ class Result(Solution):  # noqa: D101  (described as the solution that it is)
         """
         save(self, path, FORMATS)
 
-    @plots("the map of the pressure alone, of a roller its profile")
+    @plots("only the map of the pressure, or its profile for a roller")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the pressure with the contact outline and the offset of the resultant, and the profile along the path.
 

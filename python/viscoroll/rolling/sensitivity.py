@@ -78,7 +78,7 @@ class Sensitivity:
             f"{name:<{width}}" + "".join(f"  {value:+{wide}.3f}" for wide, value in zip(widths, row, strict=True))
             for name, row in rows
         )
-        return "\n".join(["relative change of the column by that of the row", head, *lines])
+        return "\n".join(["relative change of each column per relative change of each row", head, *lines])
 
     def to_xarray(self) -> xarray.Dataset:
         """Return all sensitivities, by parameter and answer; those to moduli by frequency [rad/s] and answer."""
@@ -217,7 +217,7 @@ def sensitivity(
 def _as_range(measured: tuple[float, float]) -> tuple[float, float]:
     low, high = as_floats("measured", measured) if np.ndim(measured) == 1 and len(measured) == 2 else (0.0, 0.0)
     if not 0.0 < low < high:
-        raise ValueError(f"measured must be two frequencies > 0 rad/s, the lower first, got {shown(measured)}")
+        raise ValueError(f"measured must be two increasing frequencies > 0 rad/s, got {shown(measured)}")
     return low, high
 
 
@@ -228,7 +228,7 @@ def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
         return tuple(answer for answer in _ANSWERS if scalars[answer] is not None)
     for answer in wanted:
         if answer not in SCALARS or not isinstance(scalars[answer], float):
-            raise ValueError(f"answers must be scalars that this result has, got {shown(answer)}")
+            raise ValueError(f"answers must be names of scalars of this result, got {shown(answer)}")
     return tuple(wanted)
 
 

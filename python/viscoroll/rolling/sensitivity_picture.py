@@ -57,7 +57,7 @@ def plot_moduli(
         axes.axhline(0.0, color="0.6", linewidth=0.8)
         axes.set_xscale("log")
         axes.set_xlabel("frequency [rad/s]")
-        axes.set_ylabel(f"change of {answer.replace('_', ' ')}\nby that of the modulus [-]")
+        axes.set_ylabel(f"relative change of {answer.replace('_', ' ')}\nper relative change of the modulus [-]")
         _shade_unmeasured(axes, measured)
         axes.legend(fontsize="small")
 
@@ -65,7 +65,7 @@ def plot_moduli(
         above, below = picture.subplots(2, 1, sharex=True, height_ratios=(2, 3))
         for line, (name, frequency, share) in zip(("-", "--"), _losses(result), strict=False):
             above.plot(frequency, 100.0 * share, line, color="0.3", label=f"loss in {name}")
-        above.set_ylabel("power lost\n[% per decade]")
+        above.set_ylabel("power dissipated\n[% per decade]")
         above.set_ylim(0.0, None)
         draw(below)
         _shade_unmeasured(above, measured)
@@ -82,7 +82,7 @@ def _losses(result: Solution) -> Iterator[tuple[str, Floats, Floats]]:
         spectrum = loss_spectrum(result, of="ball" if which == "ball" else "counterpart")
         bands = bands_of(place.rolling_speed(result), result.mesh, _PER_DECADE)
         power = [float(spectrum.power @ bands.share(i, spectrum.frequency)) for i in range(bands.middles.size)]
-        name = "what rolls" if which == "ball" else "what it rolls on"
+        name = "rolling body" if which == "ball" else "counterbody"
         yield name, bands.middles, np.array(power) / spectrum.power.sum() * _PER_DECADE
 
 

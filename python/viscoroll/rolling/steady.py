@@ -133,7 +133,7 @@ def solve(
     require_type("mesh", mesh, Mesh, optional=True)
     curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
-        raise ValueError(f"accuracy must be left out where a mesh is given, got {shown(accuracy)}")
+        raise ValueError(f"accuracy must be left out if a mesh is given, got {shown(accuracy)}")
     speed = as_float("angular_speed", angular_speed)
     case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
     with reporting(progress) as report, si_hints(ball, on, angular_speed=speed):

@@ -162,10 +162,8 @@ class Inside:
             return
         distance = max(0.5 * (body.width - across), 0.0)
         if distance < body.thickness * (1.0 - 1e-9):
-            near = f"the contact ends {distance:.3g} m from the sides, nearer than the tread is thick"
-            endless = (
-                "stresses near the faces are not those of free sides but of a tread that goes on, and so is the loss"
-            )
+            near = f"the contact ends {distance:.3g} m from the side faces, less than the thickness of the tread"
+            endless = "stresses and loss near the faces are those of a tread without side faces"
             warn([f"{near} ({body.thickness:.3g} m): {endless}"])
 
 
@@ -190,7 +188,7 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
     radius = ball.outer_radius
     if of == "ball":
         if not ball.layers:
-            raise ValueError("result.ball must have a layer, for there to be an inside, got none (it is rigid)")
+            raise ValueError("result.ball must have a layer to be evaluated inside, got a rigid body")
         return Inside(result, of, ball, radius)
     if isinstance(on, CoatedCylinder) and on.layers and isinstance(ball, CoatedWheel):
         tread = CoatedWheel(core_radius=on.core_radius, layers=on.layers, width=ball.width, sides=Sides.ENDLESS)
@@ -199,7 +197,7 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
         return Inside(result, of, on, on.outer_radius)
     if isinstance(on, CoatedPlane | Groove) and (on.layers or on.base is not None):
         return Inside(result, of, CoatedPlane(layers=on.layers, base=on.base), radius)
-    raise ValueError("result.on must have a layer or a base, for there to be an inside, got none (it is rigid)")
+    raise ValueError("result.on must have a layer or a base to be evaluated inside, got a rigid body")
 
 
 def places_of(
@@ -219,7 +217,7 @@ def places_of(
     shape = body._to_core()
     if depth is None:
         if isinstance(body, CoatedPlane):
-            raise ValueError("depth must be given in place of radius in a plane")
+            raise ValueError("depth must be given instead of radius for a plane")
         assert radius is not None
         return _core.places_at(shape, finite_line("radius", radius))
     below = finite_line("depth", depth)

@@ -40,8 +40,8 @@ _TEXT = {
     "von_mises": ("Pa", "von Mises stress"),
     "principal_stress": ("Pa", "principal stresses, the largest tension first"),
     "hydrostatic_pressure": ("Pa", "hydrostatic pressure"),
-    "opening_traction": ("Pa", "tension across the surface r = const, where there is any"),
-    "shear_traction": ("Pa", "shear on the surface r = const"),
+    "opening_traction": ("Pa", "tensile normal traction on the surface r = const, 0 under pressure"),
+    "shear_traction": ("Pa", "shear traction on the surface r = const"),
 }
 
 
@@ -99,7 +99,7 @@ def order_fields(
     require_type("body", body, CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel)
     require_type("curvature", curvature, Curvature)
     if isinstance(body, CoatedPlane) == (rolling_radius is None):
-        raise ValueError("rolling_radius must be given with a plane, and with a plane alone")
+        raise ValueError("rolling_radius must be given if and only if the body is a plane")
     places = places_of(body, depth, radius)
     orders = [np.atleast_1d(as_orders(name, values)).ravel() for name, values in (("m", m), ("n", n))]
     values = _core.order_fields(
@@ -227,8 +227,8 @@ def interior(
             "layer": ("depth", layers, {"long_name": "number of the layer, from the center or the base outwards"}),
             "phi": ("phi", phi, {"units": "rad"}),
             "theta": ("theta", theta, {"units": "rad"}),
-            "x": ("phi", inside.radius * (0.5 * np.pi - phi), {"units": "m", "long_name": "arc forward"}),
-            "z": ("theta", inside.radius * (0.5 * np.pi - theta), {"units": "m", "long_name": "arc sideways"}),
+            "x": ("phi", inside.radius * (0.5 * np.pi - phi), {"units": "m", "long_name": "arc length forward"}),
+            "z": ("theta", inside.radius * (0.5 * np.pi - theta), {"units": "m", "long_name": "arc length sideways"}),
             "direction": list(DIRECTIONS),
             "component": list(COMPONENTS),
             "principal": [1, 2, 3],
@@ -306,7 +306,7 @@ def bonds(result: Solution, *, of: Of | None = None, threads: int = 0, progress:
     depths = inside.depth(inside.bonded())
     if not depths.size:
         body = "result.ball" if inside.of == "ball" else "result.on"
-        raise ValueError(f"{body} must have a rigid core or base, or several layers, for anything to be bonded")
+        raise ValueError(f"{body} must have a rigid core, a rigid base or several layers to have bonds")
     return interior(result, depth=depths, of=inside.of, threads=threads, progress=progress)
 
 
@@ -330,6 +330,6 @@ def _warn_of_shallow_places(inside: Inside, depths: NDArray[np.float64], on_node
     spacing = inside.radius * max(along, 0.0 if inside.line_contact else across)
     share, where = (0.25, "a quarter") if on_nodes else (0.5, "half")
     if depths.size and depths.min() < share * spacing * (1.0 - 1e-9):
-        shallow = f"depth {depths.min():.3g} m is less than {where} of a spacing of the mesh, {share * spacing:.3g} m"
-        steps = "stresses there show the steps of the pressure from patch to patch; a finer mesh has them smaller"
+        shallow = f"depth {depths.min():.3g} m is less than {where} of the node spacing, {share * spacing:.3g} m"
+        steps = "stresses there show the pressure steps between patches; refine the mesh to reduce them"
         warn([f"{shallow}: {steps}"])

@@ -132,7 +132,7 @@ def loss(
     round_off = _ROUND_OFF * result.load * abs(result.angular_speed) * (result.semi_axis_x or 0.0)
     if balance > _BALANCE * max(lost.surface_power, 1e-6 * abs(inside.bulk_power), round_off):
         raise _core.ConvergenceError(
-            f"the loss in the volume, {lost.volume_power:.12g} W, is not the power of the tractions, "
+            f"the power dissipated in the volume, {lost.volume_power:.12g} W, differs from the power of the tractions, "
             f"{lost.surface_power:.12g} W"
         )
     inside.warn_of_sides()
@@ -150,19 +150,19 @@ def loss(
     for power, share, row in zip(order_power, shares, relaxation_power, strict=True):
         row[: len(share)] = share @ power
     where = ("depth", "theta")
-    densities = {"loss_density": (where, density, described("J m-3", "energy lost per volume and passage"))}
+    densities = {"loss_density": (where, density, described("J m-3", "energy dissipated per volume and passage"))}
     if inside.turns:
-        mean = described("W m-3", "power lost per volume, mean over a revolution")
+        mean = described("W m-3", "power dissipated per volume, mean over a revolution")
         densities["power_density"] = (where, density * inside.passes / (2.0 * np.pi), mean)
     watt = "W m-1" if inside.line_contact else "W"
     return xarray.Dataset(
         {
             **densities,
-            "layer_power": ("layer", order_power.sum(axis=1), described(watt, "power lost in each layer")),
+            "layer_power": ("layer", order_power.sum(axis=1), described(watt, "power dissipated in each layer")),
             "relaxation_power": (
                 ("layer", "term"),
                 relaxation_power,
-                described(watt, "power lost in each relaxation time of a Prony series"),
+                described(watt, "power dissipated by each relaxation time of a Prony series"),
             ),
         },
         {

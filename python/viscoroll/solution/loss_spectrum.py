@@ -79,7 +79,9 @@ def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
     inside = inside_of(result, of)
     width = np.ptp(result.z[0]) / inside.radius
     if width > 2.0 * np.pi:
-        raise ValueError(f"result must be narrower than its circumference, got {width / (2.0 * np.pi):.3g} of it")
+        raise ValueError(
+            f"result must have fields narrower than the circumference, got {width / (2.0 * np.pi):.3g} circumferences"
+        )
     m, m_width = _sampled(round(2.0 * np.pi / inside.node_spacings()[0]))
     n, n_width = np.zeros(1, np.int64), np.ones(1)
     if not inside.line_contact:

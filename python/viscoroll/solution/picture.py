@@ -70,7 +70,7 @@ def _headline(result: Solution) -> str:
     """Return the input on one line and the main results on the next."""
     milli = f"m{result.unit('resisting_torque')}"
     given = [f"$P$ = {result.load:g} {result.unit('load')}", f"$Ω$ = {result.angular_speed:g} rad/s"]
-    found = [f"power lost / $PV$ = {result.rolling_resistance_coefficient:.4g}"]
+    found = [f"power dissipated / $PV$ = {result.rolling_resistance_coefficient:.4g}"]
     if result.friction == 0.0:
         found.append(f"$T_r$ = {result.resisting_torque * 1e3:.4g} {milli}")
     else:
@@ -142,7 +142,7 @@ def _draw_stick_and_slip(axes: Axes, result: Solution) -> None:
     _frame(axes, result)
     handles = [Patch(color=colors(i), alpha=0.45, label=name) for i, name in enumerate(("stick", "slip"))]
     axes.legend(
-        handles=handles, loc="upper left", fontsize="small", title="traction on the coating", title_fontsize="small"
+        handles=handles, loc="upper left", fontsize="small", title="traction on the body", title_fontsize="small"
     )
 
 
@@ -181,4 +181,4 @@ def _draw_profile(axes: Axes, result: Solution) -> None:
     gap.plot(x, height, color="tab:blue", linewidth=1.0)
     bottom, top = axes.get_ylim()
     gap.set_ylim(bottom / top * 1.15 * height[shown].max(), 1.15 * height[shown].max())
-    gap.set_ylabel("gap to the plane [mm]", color="tab:blue")
+    gap.set_ylabel("gap [mm]", color="tab:blue")

@@ -62,16 +62,16 @@ FIELDS = {
     "z": ("m", "lateral coordinate of the undeformed node"),
     "pressure": ("Pa", "contact pressure"),
     "displacement": ("m", "vertical displacement of the surface, upwards"),
-    "gap": ("m", "height of the surface above the plane"),
+    "gap": ("m", "height of the surface above the counterbody"),
     "contact": ("1", "whether the node is in contact"),
-    "stick": ("1", "whether the node sticks to the plane"),
+    "stick": ("1", "whether the node sticks to the counterbody"),
     "slip": ("1", "whether the node is in contact and slips"),
 }
 
 #: Unit and description of each vector field, with components along x and z.
 VECTOR_FIELDS = {
-    "shear_traction": ("Pa", "traction of the plane on the coating"),
-    "slip_velocity": ("m/s", "velocity of the coating over the plane, in contact"),
+    "shear_traction": ("Pa", "traction of the counterbody on the rolling body"),
+    "slip_velocity": ("m/s", "velocity of the rolling body relative to the counterbody, in contact"),
 }
 
 

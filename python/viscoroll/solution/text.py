@@ -22,9 +22,12 @@ def result_summary(result: Solution) -> str:
         ),
         ("resisting torque T_r", _quantity(result, "resisting_torque")),
         *_shape_rows(result),
-        ("largest pressure", f"{result.max_pressure:.5g} Pa, to {result.max_pressure_error:.2g} (estimate)"),
+        (
+            "largest pressure",
+            f"{result.max_pressure:.5g} Pa, relative error {result.max_pressure_error:.2g} (estimate)",
+        ),
         *_friction_rows(result),
-        ("power lost in the coating", _quantity(result, "bulk_power")),
+        ("power dissipated in the layers", _quantity(result, "bulk_power")),
         *_pair_rows(result),
         *_extrapolation_rows(result),
         *_error_rows(result),
@@ -83,7 +86,7 @@ def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
         if name != "face_distance" or result.face_distance is not None  # only wheels have faces
     ]
     if (share := extrapolated_loss(result)) is not None:
-        rows.append(("share of that loss at harmonics outside the measured table", share, "1"))
+        rows.append(("share of the dissipated power at frequencies outside the measured table", share, "1"))
     return rows
 
 
@@ -94,34 +97,34 @@ def _quantity(result: Solution, name: str) -> str:
 def _shape_rows(result: Solution) -> list[tuple[str, str]]:
     penetration = "undetermined"
     if result.penetration is not None:
-        penetration = f"{result.penetration:.6g} m, {result.strain:.1%} of the coating"
-    shape = ("contact's half width", f"{result.semi_axis_x:.4g} m")
+        penetration = f"{result.penetration:.6g} m, {result.strain:.1%} of the thickness"
+    shape = ("contact half-width", f"{result.semi_axis_x:.4g} m")
     if result.semi_axis_z is not None:
         shape = ("contact semi-axes x, z", f"{result.semi_axis_x:.4g}, {result.semi_axis_z:.4g} m")
     rows = [("penetration", penetration), shape]
     if result.face_distance is not None:
-        reached = "0 m: it reaches a face" if result.face_distance == 0.0 else f"{result.face_distance:.4g} m"
-        rows.append(("width of the contact, distance from the faces", f"{result.contact_width:.4g} m, {reached}"))
+        reached = "0 m (the contact reaches a face)" if result.face_distance == 0.0 else f"{result.face_distance:.4g} m"
+        rows.append(("contact width, distance from the faces", f"{result.contact_width:.4g} m, {reached}"))
     return rows
 
 
 def _error_rows(result: Solution) -> list[tuple[str, str]]:
     if result.model_error is None:
-        return [("error of the mesh", f"{result.error_estimate:.2g} (estimate)")]
+        return [("relative error of the mesh", f"{result.error_estimate:.2g} (estimate)")]
     errors = f"{result.error_estimate:.2g}, {result.model_error:.2g} (estimates)"
-    return [("error of the mesh, of linear theory", errors)]
+    return [("relative error of the mesh, of linear theory", errors)]
 
 
 def _extrapolation_rows(result: Solution) -> list[tuple[str, str]]:
     share = extrapolated_loss(result)
-    return [] if share is None else [("of that, outside the measured table", f"{share:.2%}")]
+    return [] if share is None else [("share outside the measured table", f"{share:.2%}")]
 
 
 def _pair_rows(result: Solution) -> list[tuple[str, str]]:
     if result.on is None:
         return []
     shares = f"{_quantity(result, 'rolling_bulk_power')}, {_quantity(result, 'counterpart_bulk_power')}"
-    return [("of that in what rolls, in what it rolls on", shares)]
+    return [("in the rolling body, in the counterbody", shares)]
 
 
 def _friction_rows(result: Solution) -> list[tuple[str, str]]:
@@ -131,5 +134,5 @@ def _friction_rows(result: Solution) -> list[tuple[str, str]]:
     return [
         ("friction", f"{result.friction:g}, {sticking:.0%} of the nodes in contact stick"),
         ("creepage, speed of the center V_s", f"{result.creepage:.6g}, {_quantity(result, 'linear_speed')}"),
-        ("power lost by slip", _quantity(result, "slip_power")),
+        ("power dissipated by slip", _quantity(result, "slip_power")),
     ]

@@ -126,7 +126,7 @@ class Colors:
         self.has_bar = not self._texts and coordinate.size > _MOST_IN_LEGEND
         if len(self._texts) > _MOST_TEXTS:
             message = f"study must have at most {_MOST_TEXTS} values of {coordinate.name}, got {coordinate.size}"
-            raise ValueError(f"{message}; select a part of it")
+            raise ValueError(f"{message}; select some of them")
         self._shades: list[Any] = [f"C{i}" for i in range(len(self._texts))]
         if not self._texts:
             self._scale = Scale.of(coordinate)

@@ -181,17 +181,17 @@ class StudyCache:
             self._database.execute(f"PRAGMA application_id = {_APPLICATION}")
             self._database.execute("INSERT INTO made_by VALUES (?)", (made_by.decode(),))
         elif application != _APPLICATION:
-            raise self._damaged("it has another mark")
+            raise self._damaged("its application id is different")
         else:
             found = self._database.execute("SELECT text FROM made_by").fetchone()
             if found != (made_by,):
                 version = found[0].decode(errors="replace") if found and isinstance(found[0], bytes) else repr(found)
                 raise ValueError(
-                    f"cache {self.points} was made by viscoroll {one_line(version)}, and must be of "
-                    f"{made_by.decode()}: delete it and {self.path.name} to start again, or name another cache"
+                    f"cache {self.points} must be made by viscoroll {made_by.decode()}, got a cache made by "
+                    f"{one_line(version)}: delete it and {self.path.name} to start again, or name another cache"
                 )
             if tables != [(statement.encode(),) for statement in sorted(_TABLES)]:
-                raise self._damaged("it has other tables")
+                raise self._damaged("its tables are different")
         self._database.execute("COMMIT")
 
     @contextmanager
@@ -213,14 +213,14 @@ class StudyCache:
 
     def _damaged(self, reason: str) -> ValueError:
         return ValueError(
-            f"cache {self.points} is damaged, or another file than viscoroll writes ({reason}): "
+            f"cache {self.points} is damaged, or is not a file of viscoroll ({reason}): "
             f"delete it and {self.path.name} to start again, or name another cache"
         )
 
     def _unknown_study(self) -> ValueError:
         return ValueError(
-            f"cache {self.path} is damaged, or another file than viscoroll wrote with {self.points.name}: delete "
-            "it, and the same call makes it again from the points, or name another cache"
+            f"cache {self.path} is damaged, or does not belong to {self.points.name}: delete it, and the same call "
+            "makes it again from the points, or name another cache"
         )
 
 

@@ -39,13 +39,13 @@ _COUNTS = {
     "contact_nodes": ("1", "nodes in contact"),
     "nodes_per_revolution": ("1", "nodes per revolution along phi"),
     "theta_nodes_per_revolution": ("1", "nodes per revolution along theta"),
-    "max_order": ("1", "truncation order N_t; NaN where all orders are summed"),
+    "max_order": ("1", "truncation order N_t; NaN if all orders are summed"),
 }
 
 _TEXTS = {
-    "status": "how the solve ended",
-    "warnings": "what to know before relying on it",
-    "error": "why the point failed",
+    "status": "status of the solve",
+    "warnings": "warnings about the result",
+    "error": "error of a failed point",
 }
 
 #: Names of results, which parameters of a function of a body cannot have.
@@ -138,7 +138,7 @@ def _angles(table: list[Outcome], rows: int, columns: int) -> dict[str, Any]:
             values = 0.5 * np.pi + 2.0 * np.pi / float(nodes.pop() or np.nan) * numbers
             angles[name] = ([name], values, _attributes("rad", name))
         else:
-            angles[name] = ([name], numbers, _attributes("1", "nodes from the lowest point"))
+            angles[name] = ([name], numbers, _attributes("1", "number of nodes from the lowest point"))
     return angles
 
 
@@ -200,10 +200,10 @@ def _parameters(ball: RollingBody) -> str:
 def _mesh_text(plan: Plan) -> str:
     meshes = {case.arguments.get("mesh") for case in plan.cases if isinstance(case, LoadCase)}
     if len(meshes) > 1:
-        return "of each point: nodes_per_revolution, theta_nodes_per_revolution, max_order"
+        return "varies, see nodes_per_revolution, theta_nodes_per_revolution, max_order"
     mesh = next(iter(meshes), None)
     if mesh is None:
-        return "chosen for each point: nodes_per_revolution"
+        return "chosen for each point, see nodes_per_revolution"
     return str(mesh)
 
 

@@ -58,8 +58,8 @@ def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], lis
     """
     sets = {name: value for name, value in parameters.items() if isinstance(value, Draws)}
     if len({len(value) for value in sets.values()}) > 1:
-        told = ", ".join(f"{len(value)} of {name}" for name, value in sets.items())
-        raise ValueError(f"draws must be as many of each parameter, got {told}")
+        told = ", ".join(f"{len(value)} for {name}" for name, value in sets.items())
+        raise ValueError(f"draws must be equally many for each parameter, got {told}")
     middle = {**parameters, **{name: value.middle for name, value in sets.items()}}
     drawn = zip(*sets.values(), strict=True)
     return middle, [{**parameters, **dict(zip(sets, members, strict=True))} for members in drawn]
@@ -115,8 +115,8 @@ def _require_near(penetrations: Floats | tuple[()], result: Result) -> None:
     farthest = max((abs(value / result.penetration - 1.0) for value in penetrations), default=0.0)
     if farthest > _FARTHEST:
         raise ValueError(
-            f"draws must change the penetration by at most {_FARTHEST:.0%} where they are linear, got {farthest:.0%}; "
-            'draws="solve" solves each'
+            f"draws must change the penetration by at most {_FARTHEST:.0%} for draws='linear', got {farthest:.0%}; "
+            "use draws='solve' to solve each draw"
         )
 
 
@@ -162,7 +162,11 @@ def interval_variables(
         for bound, values, what in zip(
             _BOUNDS,
             (mean, middles[name] - half, middles[name] + half),
-            (f"mean of {count} draws", f"lower end of {confidence:.4g}", f"upper end of {confidence:.4g}"),
+            (
+                f"mean of {count} draws",
+                f"lower end of the {confidence:.4g} interval",
+                f"upper end of the {confidence:.4g} interval",
+            ),
             strict=True,
         ):
             found[f"{name}_{bound}"] = (name, values, what)

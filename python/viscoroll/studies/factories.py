@@ -47,8 +47,9 @@ class Bodies:
             if names:
                 guesses = [guess for name in names if (guess := meant(name, LOAD_CASE))]
                 raise TypeError(
-                    f"a ball has no parameter {', '.join(names)}; pass a function of {', '.join(names)} that returns "
-                    f"the ball, or as on= what it rolls on{f'; or did you mean {guesses[0]}?' if guesses else ''}"
+                    f"a rolling body has no parameter {', '.join(names)}; pass a function of {', '.join(names)} that "
+                    "returns the rolling body, or as on= the counterbody"
+                    f"{f'; or did you mean {guesses[0]}?' if guesses else ''}"
                 )
             return
         if not self.is_made:

@@ -164,7 +164,7 @@ def fit_friction_law(
     x, y = _data("friction", "", friction, torque, parameters=0, zero=True)
     if frictionless_torque is None:
         if not (x == 0.0).any():
-            raise ValueError("frictionless_torque must be given where no friction is 0, got None")
+            raise ValueError("frictionless_torque must be given if friction contains no 0, got None")
         frictionless_torque = float(y[x == 0.0].mean())
     if not frictionless_torque > 0.0:
         raise ValueError(f"frictionless_torque must be > 0 N m, got {frictionless_torque!r}")
@@ -250,5 +250,7 @@ def _data(
     if not (np.isfinite(second) & (second > 0.0)).all():
         raise ValueError(f"torque must be > 0 N m, got {second[~(second > 0.0) | np.isinf(second)][0]:g}")
     if (count := len(np.unique(first))) <= parameters:
-        raise ValueError(f"{name} must have more different values than parameters ({parameters}), got {count}")
+        raise ValueError(
+            f"{name} must have more than {parameters} different values to determine the parameters, got {count}"
+        )
     return first, second

@@ -77,7 +77,7 @@ def _draw_study(axes: Axes, study: xarray.Dataset, values: xarray.DataArray) -> 
     colors, lines = Colors(values[others[0]]) if others else None, others[1:]
     if (kinds := math.prod(values.sizes[name] for name in lines)) > len(_LINES):
         message = f"study must have at most {len(_LINES)} combinations of {', '.join(lines)}, got {kinds}"
-        raise ValueError(f"{message}; select a part of it")
+        raise ValueError(f"{message}; select some of them")
     across, scale = Abscissa(values[first]), Scale.of(values)
     handles, colored = [], set()
     ends = zip(*(_parts(end, lines) for end in band), strict=True) if band else iter(())
@@ -114,9 +114,9 @@ def _checked(study: xarray.Dataset, variable: str) -> xarray.DataArray:
         raise ValueError(f"variable must be one of {', '.join(map(str, known))}, got {variable!r}")
     values = study[variable]
     if not values.dims:
-        raise ValueError(f"variable must have a dimension to be drawn against, got {variable} of a single point")
+        raise ValueError(f"variable must have a dimension to be drawn against, got {variable} at a single point")
     if not np.isfinite(values).any():
-        raise ValueError(f"variable must have numbers to be drawn, got {variable}, of which no point has one")
+        raise ValueError(f"variable must have finite values to be drawn, got {variable}, which has none")
     return values
 
 
@@ -169,7 +169,7 @@ def _title(study: xarray.Dataset, values: xarray.DataArray, varied: list[str]) -
     ]
     lines = [f"{named(values)} against {named(study[varied[0]])}", ",  ".join(fixed)]
     if _band(study, values):
-        lines.append(f"bands hold the true value with {float(study.attrs['confidence']):.4g} of probability")
+        lines.append(f"bands contain the true value with a probability of {float(study.attrs['confidence']):.4g}")
     if missing := int((~np.isfinite(values)).sum()):
         lines.append(f"{missing} of {values.size} points have no value")
     return "\n".join(filter(None, lines))

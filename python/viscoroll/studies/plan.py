@@ -88,10 +88,12 @@ class Plan:
         if all(isinstance(case, str) for case in self.cases):
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
         if len({ball.line_contact for ball in self.balls()}) > 1:
-            raise ValueError("ball must be a roller at all points or at none, for its results are per length, got both")
+            raise ValueError(
+                "ball must be a roller at all points or at none, because results of rollers are per length, got both"
+            )
         solved = [case for case in self.cases if isinstance(case, LoadCase)]
         if self.way == "linear" and any(case.draws and softens(case.ball, case.arguments.get("on")) for case in solved):
-            raise ValueError("draws must be 'solve' where layers soften with strain, got 'linear'")
+            raise ValueError("draws must be 'solve' if layers soften with strain, got 'linear'")
         known = PointKeys()
         keys = [
             known.key(case.ball, case.arguments, self.fields, case.draws, self.way)

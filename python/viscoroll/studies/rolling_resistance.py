@@ -165,11 +165,11 @@ class RollingResistance:
         ValueError
             If the file has other content.
         """
-        wanted = f"{path} must hold a rolling resistance of viscoroll"
+        wanted = f"{path} must contain a rolling resistance saved by viscoroll"
         try:
             found = _core.RollingResistance(**_numbers(json.loads(Path(path).read_text(encoding="utf-8"))))
         except KeyError as error:
-            raise ValueError(f"{wanted} (without a value of {error})") from None
+            raise ValueError(f"{wanted} ({error} is missing)") from None
         except RecursionError:
             raise ValueError(f"{wanted} (nested too deeply)") from None
         except (TypeError, ValueError) as error:
@@ -192,7 +192,13 @@ class RollingResistance:
         loads[[0, -1]], speeds[[0, -1]] = self.load, self.angular_speed
         torque = self(loads[:, None], speeds)
         return xarray.Dataset(
-            {"torque": (("load", "angular_speed"), torque, {"units": "N m", "long_name": "power lost per speed"})},
+            {
+                "torque": (
+                    ("load", "angular_speed"),
+                    torque,
+                    {"units": "N m", "long_name": "power dissipated per angular speed"},
+                )
+            },
             {"load": ("load", loads, {"units": "N"}), "angular_speed": ("angular_speed", speeds, {"units": "rad/s"})},
             attrs={"outer_radius": self.radius, "error": self.error, "largest_error": self.largest_error},
         )
@@ -202,8 +208,8 @@ class RollingResistance:
         return (
             f"RollingResistance over {self.load[0]:g} to {self.load[1]:g} N and {self.angular_speed[0]:g} to "
             f"{self.angular_speed[1]:g} rad/s, radius {self.radius:g} m: error {self.error:.2%}, "
-            f"{self.largest_error:.2%} at most; slower in proportion to the speed, where the fit has its power "
-            f"{self._power_at_lowest_speed():.2f}"
+            f"largest {self.largest_error:.2%}; below the lowest speed proportional to the speed (exponent of the "
+            f"fit there {self._power_at_lowest_speed():.2f})"
         )
 
     def _power_at_lowest_speed(self) -> float:
@@ -216,11 +222,11 @@ class RollingResistance:
 def _numbers(document: object) -> dict[str, Any]:
     """Return the numbers of a fit from the content of a JSON file, by name."""
     if not isinstance(document, dict):
-        raise TypeError(f"the file must be an object with names, got {shown(document)}")
+        raise TypeError(f"the file must be a JSON object, got {shown(document)}")
     ranges = {name: as_floats(name, document[name]) for name in ("load", "angular_speed")}
     for name, ends in ranges.items():
         if len(ends) != 2:
-            raise ValueError(f"{name} must hold the two ends of a range, got {shown(document[name])}")
+            raise ValueError(f"{name} must be the two ends of a range, got {shown(document[name])}")
     rows = document["coefficients"]
     if not isinstance(rows, list):
         raise TypeError(f"coefficients must be a list of rows, got {shown(rows)}")
@@ -255,19 +261,19 @@ _FORMATS = {
 def _points(study: xarray.Dataset) -> tuple[Floats, Floats, Floats]:
     power = study["dissipated_power"]
     if study["load"].attrs.get("units") == "N/m":
-        raise ValueError("study must be of a ball or wheel, whose load is in N, got loads in N/m, as of rollers")
+        raise ValueError("study must be for a ball or a wheel, with loads in N, got loads in N/m, as for rollers")
     for name in ("load", "angular_speed"):
         if name not in power.dims or power.sizes[name] < 3:
             raise ValueError(f"study must have at least 3 values of {name}, got {power.sizes.get(name, 1)}")
     if more := [str(name) for name in power.dims if name not in ("load", "angular_speed") and power.sizes[name] > 1]:
-        raise ValueError(f"study must vary load and angular_speed alone, got {', '.join(more)} too")
+        raise ValueError(f"study must vary only load and angular_speed, got also {', '.join(more)}")
     power = power.squeeze([n for n in power.dims if n not in ("load", "angular_speed")])
     power = power.transpose("load", "angular_speed").sortby(["load", "angular_speed"])
     load, speed = power["load"].values.astype(float), power["angular_speed"].values.astype(float)
     torque = power.values / speed
     if not (torque > 0.0).all():
         raise ValueError(
-            f"study must have a power lost > 0 W at every point, got {int((~(torque > 0.0)).sum())} others"
+            f"study must have dissipated power > 0 W at every point, got {int((~(torque > 0.0)).sum())} other points"
         )
     return torque, load, speed
 
@@ -276,7 +282,7 @@ def radius_of(study: xarray.Dataset) -> float:
     """Return the outer radius: center height plus penetration, less the centrifugal displacement [m]."""
     radius = (study["center_height"] + study["penetration"] - study["centrifugal_displacement"]).values
     if not np.ptp(radius) <= 1e-9 * radius.max():
-        raise ValueError(f"study must have one ball, got radii from {radius.min():g} to {radius.max():g} m")
+        raise ValueError(f"study must have one outer radius, got radii from {radius.min():g} to {radius.max():g} m")
     return float(radius.flat[0])
 
 

@@ -153,7 +153,7 @@ def doubts(study: xarray.Dataset) -> list[str]:
     counted = ", ".join(f"{count} {kind}" for kind, count in found.items())
     others = len(found) > bool(failed)
     where = "status, warnings and error" if failed and others else "status and error" if failed else "warnings"
-    told = [f"of {study.status.size} points: {counted}; see {where}"] if found else []
+    told = [f"among {study.status.size} points: {counted}; see {where}"] if found else []
     return [*told, *filter(None, [study.attrs.get("caution")])]
 
 
@@ -216,7 +216,7 @@ def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:
     kept = (fields,) if isinstance(fields, str) else tuple(fields)
     for name in kept:
         if name not in known:
-            raise ValueError(f"fields must be of {', '.join(known)}, got {name!r}")
+            raise ValueError(f"fields must be names from {', '.join(known)}, got {name!r}")
     return tuple(name for name in known if name in kept)
 
 
@@ -224,8 +224,8 @@ def _check_names(parameters: dict[str, Any]) -> None:
     if missing := sorted({"load", "angular_speed"} - parameters.keys()):
         guesses = [guess for name in parameters if (guess := meant(name, missing))]
         told = f"; did you mean {', '.join(guesses)}?" if guesses else ""
-        raise TypeError(f"sweep needs {' and '.join(missing)}{told}")
+        raise TypeError(f"sweep requires {' and '.join(missing)}{told}")
     if parameters.get("mesh") is not None and parameters.get("accuracy") is not None:
-        raise ValueError(f"accuracy must be left out where a mesh is given, got {parameters['accuracy']!r}")
+        raise ValueError(f"accuracy must be left out if a mesh is given, got {parameters['accuracy']!r}")
     if taken := sorted(parameters.keys() & RESERVED - LOAD_CASE):
-        raise ValueError(f"parameters must have other names than results, got {', '.join(taken)}")
+        raise ValueError(f"parameters must not have names of results, got {', '.join(taken)}")

@@ -128,20 +128,21 @@ class History(SeriesFields):
         lost = self.dissipated_energy[-1] - self.dissipated_energy[0]
         rows = [
             ("time", f"{self.time[0]:g} to {self.time[-1]:g} s in {len(self.time) - 1} steps"),
-            ("angle", f"{self.angle.min():.4g} to {self.angle.max():.4g} rad, at the end {self.angle[-1]:.4g}"),
+            ("angle", f"{self.angle.min():.4g} to {self.angle.max():.4g} rad, last {self.angle[-1]:.4g}"),
             ("load", f"{self.load.min():g} to {self.load.max():g} {unit['load']}"),
             ("largest torque T_r", f"{torque[highest]:.5g} {unit['resisting_torque']} at {self.time[highest]:.4g} s"),
             ("smallest torque T_r", f"{torque[lowest]:.5g} {unit['resisting_torque']} at {self.time[lowest]:.4g} s"),
             ("penetration", f"{self.penetration.min():.4g} to {self.penetration.max():.4g} m"),
             (
-                "energy lost, of that by slip",
+                "energy dissipated, part of slip",
                 f"{lost:.5g} {unit['work']}, {self.slip_energy[-1]:.3g} {unit['work']}",
             ),
-            ("energy balance open by", f"{self.energy_balance_error[-1]:.1e}"),
-            ("mesh", f"{self.mesh}, {self.lattices} lattices"),
+            ("error of the energy balance", f"{self.energy_balance_error[-1]:.1e}"),
+            ("mesh", str(self.mesh)),
+            ("shifted meshes averaged", str(self.lattices)),
         ]
         width = max(len(label) for label, _ in rows)
-        start = "a state" if self.start is None else f"{self.start.name} start"
+        start = "a saved state" if self.start is None else f"{self.start.name} start"
         return "\n".join([f"History from {start}", *(f"  {label:<{width}}  {value}" for label, value in rows)])
 
     def _repr_html_(self) -> str:
@@ -152,7 +153,7 @@ class History(SeriesFields):
             for label, values, unit in series
             if not np.isnan(values).any()
         ]
-        head = ("", "smallest", "largest", "at the end", "unit")
+        head = ("", "smallest", "largest", "last", "unit")
         return html_table(repr(self).partition("\n")[0], rows, head=head)
 
     def scalars(self) -> dict[str, float | int | str | None]:
@@ -212,7 +213,7 @@ class History(SeriesFields):
         """
         save(self, path, FORMATS)
 
-    @plots("the torque over time alone")
+    @plots("only the torque over time")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw torque, penetration and energies over time, and the loop of torque over angle with its energy."""
         from .picture import plot_history

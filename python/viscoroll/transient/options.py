@@ -19,7 +19,7 @@ __all__ = ["HistoryKeywords", "HistoryOptions", "with_options"]
 _Target = TypeVar("_Target", bound="Callable[..., Any]")
 
 #: Placeholder for the options in a docstring, and the heading before them in the docstring of `HistoryOptions`.
-_PLACE, _HEAD = "**options\n    As of `HistoryOptions`.\n", "Parameters\n----------\n"
+_PLACE, _HEAD = "**options\n    Same as in `HistoryOptions`.\n", "Parameters\n----------\n"
 
 
 class HistoryKeywords(TypedDict, total=False):
@@ -92,7 +92,7 @@ class HistoryOptions:
         require_type("drive", self.drive, Drive)
         if self.drive.creepage is not None:
             raise ValueError(
-                "drive must be a force or a torque in transient rolling; a given speed is a center_way over time"
+                "drive must be a force or a torque in transient rolling; prescribe a speed by center_way instead"
             )
         store_floats(self, [option.name for option in fields(self) if option.type == "float"])
         for name, kind in (("compliance", Compliance), ("curvature", Curvature)):

@@ -61,7 +61,7 @@ def _draw_others(axes: dict[str, Axes], series: Series, units: Units) -> None:
     time = series["time"]
     axes["penetration"].plot(time, series["penetration"] * _MILLI)
     axes["penetration"].set_ylabel("penetration [mm]")
-    for name, label in (("stored_energy", "stored"), ("dissipated_energy", "lost"), ("work", "work")):
+    for name, label in (("stored_energy", "stored"), ("dissipated_energy", "dissipated"), ("work", "work")):
         axes["energy"].plot(time, series[name] * _MILLI, label=label)
     axes["energy"].set(xlabel="time [s]", ylabel=f"energy [m{units['work']}]")
     axes["energy"].legend(fontsize="small")

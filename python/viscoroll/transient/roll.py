@@ -77,7 +77,7 @@ def roll(
         the load is applied instantaneously (FRESH), or the state of another history, at a time between the waypoints,
         from which the motion continues.
     **options
-        As of `HistoryOptions`.
+        Same as in `HistoryOptions`.
     shortest_time, longest_time : float, optional
         Range of times in which moduli with a continuous spectrum are resolved [s]. By default from a tenth of a step
         while the body rolls to ten times the duration of the motion.
@@ -208,7 +208,7 @@ def _motion(**knots: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
             raise ValueError(f"{name} must be one-dimensional, got shape {values.shape}")
         _require_length(name, values, arrays["time"])
     if len(arrays["time"]) < 2:
-        raise ValueError(f"time must hold at least two knots, got {len(arrays['time'])}")
+        raise ValueError(f"time must have at least two waypoints, got {len(arrays['time'])}")
     _core.check_motion(**_lists(arrays))
     return arrays
 

@@ -125,7 +125,7 @@ class RollingHistory:
         State before the first instant: the load has rested on the body until the material has fully relaxed (RELAXED),
         the load is applied instantaneously (FRESH), or the state of another history.
     **options
-        As of `HistoryOptions`.
+        Same as in `HistoryOptions`.
     shortest_time, longest_time : float
         Range of times in which moduli with a continuous spectrum are resolved [s].
     time, angle : float
@@ -175,7 +175,7 @@ class RollingHistory:
             else {"start": as_member("start", start, Start), "time": as_float("time", time), "angle": first}
         )
         if isinstance(start, RollingState) and start.bodies not in ("", both := _bodies_text(ball, on)):
-            raise ValueError(f"start must be a state of {both}, got one of {start.bodies}")
+            raise ValueError(f"start must be a state of {both}, got a state of {start.bodies}")
         self.ball = ball
         self.on = on
         times = {

@@ -56,10 +56,12 @@ def read_state(path: Path) -> tuple[NDArray[np.float64], str]:
     if rest[0] != _FORMAT:
         raise ValueError(f"{path} must be a state of format {_FORMAT.decode()}, got {shown(rest[0].decode('latin-1'))}")
     if len(rest) != 4 or rest[3] != _checksum([mark, *rest[:3]], content):
-        raise ValueError(f"{path} is damaged: its content does not have its checksum; roll from the start")
+        raise ValueError(f"{path} is damaged: its checksum does not match its content; roll from the start")
     made_by, bodies = (part.decode() for part in rest[1:3])
     if made_by != _MADE_BY:
-        raise ValueError(f"{path} was written by viscoroll {made_by}, and must be of {_MADE_BY}: roll from the start")
+        raise ValueError(
+            f"{path} must be written by viscoroll {_MADE_BY}, got a state written by {made_by}: roll from the start"
+        )
     return np.frombuffer(content, dtype="<f8").astype(np.float64), bodies
 
 

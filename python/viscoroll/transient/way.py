@@ -30,10 +30,10 @@ def as_angles(ball: RollingBody, angle: ArrayLike | None, way: ArrayLike | None)
         return as_float_array("angle", angle)
     ways = as_float_array("way", way)
     if not np.isfinite(ways).all():
-        raise ValueError("way must be finite")
+        raise ValueError(f"way must be finite, got {ways[~np.isfinite(ways)].flat[0]:g}")
     return ways / ball.outer_radius
 
 
 def _require_one(angle: object, way: object) -> None:
     if (angle is None) == (way is None):
-        raise ValueError(f"one of angle and way must be given, got {'none' if angle is None else 'both'}")
+        raise ValueError(f"exactly one of angle and way must be given, got {'none' if angle is None else 'both'}")

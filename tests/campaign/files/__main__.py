@@ -19,10 +19,10 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.campaign.files", description=package.__doc__)
     parser.add_argument("--count", type=int, default=20000, help="number of files")
     parser.add_argument("--first", type=int, default=0, help="number of the first file")
-    parser.add_argument("--seed", type=int, default=1, help="seed of the campaign")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the random files")
     parser.add_argument("--jobs", type=int, default=1, help="number of processes")
-    parser.add_argument("--limit", type=float, default=10.0, help="processor time of a file [s], after which it hangs")
-    parser.add_argument("--file", metavar="SEED:NUMBER", action="append", help="read this file here, and show it")
+    parser.add_argument("--limit", type=float, default=10.0, help="largest processor time of a file [s]")
+    parser.add_argument("--file", metavar="SEED:NUMBER", action="append", help="read and print only this file")
     arguments = parser.parse_args()
     if arguments.file:
         return max(_show(*map(int, name.split(":"))) for name in arguments.file)
@@ -38,14 +38,14 @@ def main() -> int:
             print(f"\r{len(outcomes)} of {len(numbers)}, {failed} failed", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     print(_summary(outcomes))
-    print(f"{time.monotonic() - start:.0f} s in all; --file SEED:NUMBER repeats one")
+    print(f"{time.monotonic() - start:.0f} s in total; --file SEED:NUMBER repeats a file")
     return int(any(outcome.failed for outcome in outcomes))
 
 
 def _show(seed: int, number: int) -> int:
     case = draw(seed, number)
     outcome = run_case(case)
-    print(f"{case.name}, {case.kind}, seed {case.seed}: {outcome.message or 'fine'}")
+    print(f"{case.name}, {case.kind}, seed {case.seed}: {outcome.message or 'passed'}")
     return int(outcome.failed)
 
 

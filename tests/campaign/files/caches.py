@@ -105,26 +105,26 @@ def _judged(folder: Path) -> str | None:
         else:
             return _difference(found)
         if str(folder / _STUDY) not in advised:
-            return f"names no file: {advised}"
+            return f"error does not name the file: {advised}"
         if "\n" in advised or not advised.isprintable() or len(advised) > 500:
-            return f"is no readable line: {advised!r}"
+            return f"error is not one readable line: {advised!r}"
         if "retry_failed" not in advised:
             break
     if "delete it" not in advised:
-        return f"says not what to do: {advised}"
+        return f"error does not say what to do: {advised}"
     for name in (_STUDY, _POINTS) if f"{_POINTS} is damaged" in advised or "made by" in advised else (_STUDY,):
         (folder / name).unlink(missing_ok=True)
     try:
         return _difference(study(folder / _STUDY, retry_failed=True))
     except Exception as error:
-        return f"is not fixed by deletion: {type(error).__name__}: {error}"
+        return f"deletion does not fix the cache: {type(error).__name__}: {error}"
 
 
 def _difference(found: xarray.Dataset) -> str | None:
     try:
         xarray.testing.assert_identical(found.assign_attrs(_right_numbers().attrs), _right_numbers())
     except AssertionError as error:
-        return f"gives other numbers: {' '.join(str(error).split())[:200]}"
+        return f"numbers differ: {' '.join(str(error).split())[:200]}"
     return None
 
 

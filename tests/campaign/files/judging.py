@@ -117,14 +117,14 @@ def command_failure(words: tuple[object, ...], folder: Path) -> str | None:
     except SystemExit as ended:
         code = ended.code
     except BaseException as error:
-        return f"{words[0]} ends with {_located(error)}"
+        return f"{words[0]} raises {_located(error)}"
     said = messages.getvalue()
     if code in (None, 0):
         return None
     if code != 2:
-        return f"{words[0]} ends with status {code!r}: {said[-200:]!r}"
+        return f"{words[0]} exits with status {code!r}: {said[-200:]!r}"
     if "Traceback" in said or "viscoroll: " not in said or _INTERNAL.search(said):
-        return f"{words[0]} says {said[-300:]!r}"
+        return f"{words[0]} prints {said[-300:]!r}"
     return None
 
 
@@ -164,11 +164,11 @@ def _message_failure(error: Exception, name: str) -> str | None:
     if isinstance(error, OSError) and error.filename is not None:
         return None
     if name not in message:
-        return f"no file named: {_located(error)}"
+        return f"message does not name the file: {_located(error)}"
     if "\n" in message or not message.isprintable():
-        return f"several lines: {_located(error)}"
+        return f"message has several lines: {_located(error)}"
     if _INTERNAL.search(message.replace(repr(name), "")):
-        return f"unclear: {_located(error)}"
+        return f"message has internal terms: {_located(error)}"
     return None
 
 

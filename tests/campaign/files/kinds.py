@@ -110,11 +110,11 @@ def _differing(path: Path, found: Mapping[str, Any]) -> str | None:
     text = io.StringIO(path.read_bytes().decode("utf-8-sig"), newline="")
     header, *rows = (row for row in csv.reader(text, skipinitialspace=True) if any(map(str.strip, row)))
     if any(len(row) != len(header) for row in rows) or len({name.strip() for name in header}) < len(header):
-        return "read though rows differ in length or columns have one name"
+        return "accepted although rows differ in length or columns have equal names"
     places = {name.strip(): index for index, name in enumerate(header) if name.strip() in found}
     told = {name: [float(row[index]) for row in rows] for name, index in places.items()}
     other = [name for name in told if not np.array_equal(np.asarray(found[name]), told[name])]
-    return f"read with other numbers: {', '.join(other)}" if other else None
+    return f"numbers differ from the file: {', '.join(other)}" if other else None
 
 
 def _measurements(path: Path, random: Random) -> str | None:

@@ -41,7 +41,7 @@ def check(seed: int, folder: Path) -> str | None:
     path = folder / "study.nc"
     path.write_bytes(mutated(content, random, is_text=False))
     failure = reading_failure(
-        load_sealed, path, lambda found: None if found.identical(study) else "read with other content"
+        load_sealed, path, lambda found: None if found.identical(study) else "content differs from the file"
     )
     if failure is None and random.random() < _BY_COMMAND:
         return command_failure(("plot", path), folder)

@@ -41,7 +41,7 @@ def check(seed: int, folder: Path) -> str | None:
 
     def differs(state: vr.RollingState) -> str | None:
         same = np.array_equal(state.numbers.view(np.uint64), numbers.view(np.uint64))
-        return None if same else "read with other numbers"
+        return None if same else "numbers differ from the file"
 
     if failure := reading_failure(vr.RollingState.load, path, differs):
         return failure

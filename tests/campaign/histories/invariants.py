@@ -87,8 +87,8 @@ def _motion(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float
     given = case.arguments
     ends = (history.time[-1], history.angle[-1], history.load[-1])
     wanted = (given["time"][-1], given["angle"][-1], given["load"][-1])
-    yield "time goes back", float((np.diff(history.time) < 0.0).any()) * 2.0
-    yield "not at the last knot", float(ends != wanted) * 2.0
+    yield "time decreases", float((np.diff(history.time) < 0.0).any()) * 2.0
+    yield "end differs from the last waypoint", float(ends != wanted) * 2.0
     # relative to the default tolerance
     yield "spectrum", history.spectrum_error / 0.01
 
@@ -107,7 +107,7 @@ def _lifted(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float
     short = (history.load - borne)[~lifted] / history.load.max()
     # its patches are smaller away from the middle
     slack = 1.0 if _is_ball_on_rigid(case) else 0.0
-    yield "load above largest pressure", float(short.max(initial=0.0)) / TOLERANCE * (1.0 - slack)
+    yield "load > largest pressure times area", float(short.max(initial=0.0)) / TOLERANCE * (1.0 - slack)
 
 
 def _is_ball_on_rigid(case: HistoryCase) -> bool:
@@ -124,16 +124,19 @@ def _energies(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
     others = history.counterpart_dissipated_energy
     lost = {"body": history.dissipated_energy - history.slip_energy - others}
     if not case.has_friction:
-        lost["counterpart"] = others
+        lost["counterbody"] = others
     for name, series in lost.items():
         yield f"energy gained in the {name}", -float(np.diff(series).min()) / (TOLERANCE * energy)
         if all(isinstance(modulus, vr.Elastic) for modulus in case.moduli):
-            yield f"energy lost in the elastic {name}", float(np.abs(series).max()) / (TOLERANCE * energy)
+            yield f"energy dissipated in the elastic {name}", float(np.abs(series).max()) / (TOLERANCE * energy)
     gained = -np.diff(history.slip_energy) - _turned_back(case, history)
     yield "energy gained by slip", float(gained.max()) / (TURNED_BACK * energy)
     if not _is_without_datum(history):
         yield "stored energy < 0", -float(history.stored_energy.min()) / (TOLERANCE * energy)
-        yield "stored in the counterpart < 0", -float(history.counterpart_stored_energy.min()) / (TOLERANCE * energy)
+        yield (
+            "stored energy of the counterbody < 0",
+            -float(history.counterpart_stored_energy.min()) / (TOLERANCE * energy),
+        )
 
 
 def _turned_back(case: HistoryCase, history: vr.History) -> NDArray[np.float64]:
@@ -202,14 +205,17 @@ def _friction(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
     drive = history.drive
     bound = min(history.friction, 1.0) * history.load.max()
     pressed = history.load > 0.0
-    yield "share that sticks", 2.0 * float(np.any((history.stick_share < 0.0) | (history.stick_share > 1.0)))
+    yield "stick share outside [0, 1]", 2.0 * float(np.any((history.stick_share < 0.0) | (history.stick_share > 1.0)))
     if case.on is None and history.mass == 0.0:
         excess = np.abs(history.driving_force) - history.friction * history.load
         yield "force > friction", float(excess.max()) / (TOLERANCE * bound)
     if "center_way" in given:
         ways = np.interp(given["time"], history.time, history.center_way) - np.array(given["center_way"])
         is_jump = np.isin(given["time"], history.time[:-1][np.diff(history.time) == 0.0])
-        yield "center led", float(np.abs(ways[~is_jump]).max(initial=0.0)) / (TOLERANCE * scales(history)["center_way"])
+        yield (
+            "prescribed center displacement",
+            float(np.abs(ways[~is_jump]).max(initial=0.0)) / (TOLERANCE * scales(history)["center_way"]),
+        )
     elif history.mass == 0.0 and drive.force is not None:
         # excluding the instant of the first contact, at which no force acts yet
         off = (history.driving_force - drive.force)[1:][pressed[1:]]

@@ -61,22 +61,22 @@ def draw_motion(rng: np.random.Generator, *, turn: float, time: float, load: flo
         load=[load * rng.uniform(0.3, 1.0)],
     )
     for _ in range(rng.integers(2, 6)):
-        borne = load * rng.uniform(0.3, 1.0) if rng.random() < 0.5 else motion.load[-1]
+        supported = load * rng.uniform(0.3, 1.0) if rng.random() < 0.5 else motion.load[-1]
         stretch = rng.uniform(0.3, 3.0)
         speed = 10.0 ** rng.uniform(-0.5, 0.5)
         match rng.choice(["forward", "backward", "stand", "jump", "lift"], p=[0.35, 0.25, 0.2, 0.1, 0.1]):
             case "forward":
-                motion.go(stretch * time / speed, stretch * turn, borne)
+                motion.go(stretch * time / speed, stretch * turn, supported)
             case "backward":
-                motion.go(stretch * time / speed, -stretch * turn, borne)
+                motion.go(stretch * time / speed, -stretch * turn, supported)
             case "stand":
-                motion.go(time * 10.0 ** rng.uniform(-1.0, 2.0), 0.0, borne)
+                motion.go(time * 10.0 ** rng.uniform(-1.0, 2.0), 0.0, supported)
             case "jump":
                 # A state between two jumps to the same position contains only one of them.
                 turned = turn * rng.uniform(-0.3, 0.3) if rng.random() < 0.3 else 0.0
                 motion.go(0.0, turned, load * rng.uniform(0.3, 1.0))
             case _:
                 rolls = rng.choice([-1.0, 0.0, 1.0], size=3)  # before, during and after the lift
-                for rolled, left in zip(rolls.tolist(), (0.0, 0.0, borne), strict=True):
+                for rolled, left in zip(rolls.tolist(), (0.0, 0.0, supported), strict=True):
                     motion.go(stretch * time / speed, rolled * stretch * turn / 3.0, left)
     return motion

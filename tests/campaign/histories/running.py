@@ -36,14 +36,14 @@ def run_case(case: HistoryCase, before_each: Callable[[Outcome], object] = lambd
     outcome.nodes = nodes_of(history)
     outcome.violations |= violations(case, history)
     if case.absurd:
-        outcome.violations[f"absurd {case.absurd} accepted"] = math.inf
+        outcome.violations[f"unphysical {case.absurd} accepted"] = math.inf
     for twin in twins(case) if outcome.seconds < SLOW else ():
         outcome.stage = twin.kind
         before_each(outcome)
         other = attempt(twin.roll, twin.case, outcome)
         # the twin is refused or fails although the case was solved
         if other is None:
-            outcome.violations[f"{twin.kind}: not rolled"] = math.inf
+            outcome.violations[f"{twin.kind}: no solution"] = math.inf
             return outcome
         found = twin.differences(history, other)
         outcome.violations |= {f"{twin.kind}: {name}": error for name, error in found.items()}

@@ -72,12 +72,12 @@ def test_loss_time(modulus, expected):
     [
         (
             vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.9),
-            r"^shear_modulus must have a loss modulus in proportion to frequency near 0 rad/s, got .* s at 1e-12 rad/s",
+            r"^shear_modulus must have a loss modulus proportional to frequency near 0 rad/s, got .* s at 1e-12 rad/s",
         ),
         (vr.MasterCurve([0.0, 1.0, 9.0], [1.0, 1.0, 2.0], [0.0, 0.1, 0.1]), "within the master curve's table"),
         (
             vr.MasterCurve([1.0, 9.0], [1.0, 2.0], [0.1, 0.1], extrapolation=vr.Extrapolation.HOLD),
-            "shear_modulus must have a loss modulus in proportion to frequency",
+            "shear_modulus must have a loss modulus proportional to frequency",
         ),
     ],
 )
@@ -368,7 +368,7 @@ def test_values_out_of_range(function, valid, changes, message):
 @pytest.mark.parametrize(
     ("function", "valid", "changes", "message"),
     [
-        (analytic.hertz, HERTZ, {"load": "1"}, "load must hold real numbers, got "),
+        (analytic.hertz, HERTZ, {"load": "1"}, "load must contain real numbers, got "),
         (analytic.hertz, HERTZ, {"radius": [1.0, 2.0]}, "radius must be a real number, got list"),
         (analytic.hertz, HERTZ, {"shear_modulus": SPRING}, "shear_modulus must be a real number, got Elastic"),
         (analytic.persson_torque, PERSSON, {"shear_modulus": "1"}, "shear_modulus must be a modulus of viscoroll"),

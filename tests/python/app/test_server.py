@@ -151,7 +151,7 @@ def test_the_command_says_what_it_leaves_out_and_what_is_wrong(tmp_path, monkeyp
     path = tmp_path / "case.toml"
     path.write_text(example_text() + "\n[thermal]\nconvection = 10.0\nambient = 293.15\n", encoding="utf-8")
     done = command("app", path)
-    assert "skipped in case.toml: the page has no table [thermal]" in done.stderr
+    assert "skipped in case.toml: the page does not support the table [thermal]" in done.stderr
     assert begun == [CASE]
     path.write_text(example_text().replace("load = 100.0", "laod = 100.0"), encoding="utf-8")
     done = command("app", path)

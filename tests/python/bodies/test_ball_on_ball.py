@@ -103,7 +103,7 @@ def test_unlike_ones_beside_two_half_spaces():
     assert r.penetration == pytest.approx(expected.depth, rel=2e-2)
 
 
-@pytest.mark.filterwarnings("ignore:the power balance is open")  # at the low speed
+@pytest.mark.filterwarnings("ignore:the relative error of the power balance")  # at the low speed
 @pytest.mark.parametrize("speed", [2.1e-3, 52.5e-3])
 def test_torques_about_both_centers_pay_for_what_each_loses(speed):
     errors = []
@@ -212,7 +212,7 @@ def test_a_bulging_track_with_thin_layers_is_a_ball():
 
 
 # full stick: the denominator of the balance is nearly zero
-@pytest.mark.filterwarnings("ignore:the power balance is open")
+@pytest.mark.filterwarnings("ignore:the relative error of the power balance")
 def test_kalkers_coefficients_of_two_balls():
     # J. J. Kalker (1990), table E3, ν = ½, circle. For two identical bodies, the combined shear modulus is their own
     # modulus, and C follows from the mean radius of the contact.
@@ -270,7 +270,7 @@ def test_case_file():
         "rolling": {"load": 60.0, "angular_speed": 2.5},
     }
     assert build_case(document, None).on == RIGID
-    with pytest.raises(ValueError, match="at most, got plane and other_ball"):
+    with pytest.raises(ValueError, match=r"at most one of .*, got plane and other_ball"):
         build_case(document | {"plane": {}}, None)
 
 
@@ -279,8 +279,8 @@ def test_case_file():
     [
         ({"ball": RIGID, "on": RIGID}, r"layers must be a list of at least one layer.*two rigid bodies"),
         ({"ball": BALL, "on": vr.CoatedCylinder(core_radius=0.1)}, "on must be a CoatedPlane or a Groove or a CoatedS"),
-        ({"on": OTHER, "compliance": "vertical"}, "compliance must be RADIAL where the counterpart deforms"),
-        ({"on": vr.CoatedSphere(core_radius=0.2e-3)}, "load must be small enough.*over 60 degrees to a side"),
+        ({"on": OTHER, "compliance": "vertical"}, "compliance must be RADIAL if the counterbody deforms"),
+        ({"on": vr.CoatedSphere(core_radius=0.2e-3)}, "load must be small enough.*beyond 60 degrees to either side"),
         (
             {"on": vr.CoatedSphere(core_radius=29e-3, layers=[HEAVY]), "angular_speed": 3e3},
             r"angular_speed must be below.*the coating of radius 0\.03 m radiates waves, got 2100 rad/s",

@@ -213,7 +213,9 @@ def test_what_would_swell_to_fill_its_groove_is_refused():
     rubber = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1e-2)
     layer = vr.Layer(thickness=15e-3, shear_modulus=rubber, poisson_ratio=0.2, density=2000.0)
     ball = vr.CoatedSphere(core_radius=10e-3, layers=[layer])
-    with pytest.raises(ValueError, match=r"angular_speed must be so low that the ball does not swell to fill"):
+    with pytest.raises(
+        ValueError, match=r"angular_speed must be so low that the ball does not grow to fill the counterbody"
+    ):
         vr.solve(
             ball, on=vr.Groove(radius=25.6e-3), load=10.0, angular_speed=800.0, mesh=vr.Mesh(nodes_per_revolution=200)
         )

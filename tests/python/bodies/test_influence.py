@@ -96,7 +96,7 @@ def test_memory_makes_the_tables_unsymmetric_in_phi(paper_ball):
 
 @pytest.mark.parametrize("reach", [25, (0, 25), -1])
 def test_reach_is_limited_to_half_a_revolution(paper_ball, reach):
-    with pytest.raises(ValueError, match=r"reach must be in \[0, 24\], half of the nodes per revolution"):
+    with pytest.raises(ValueError, match=r"reach must be in \[0, 24\] \(at most half of the nodes per revolution\)"):
         vr.influence_tables(paper_ball, SPEED, MESH, reach=reach)
 
 

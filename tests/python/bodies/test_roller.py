@@ -406,27 +406,31 @@ def test_bad_cylinders_are_refused_by_name(arguments, message):
 @pytest.mark.parametrize(
     ("roller", "given", "message"),
     [
-        (STEEL, {}, "layers must be a list of at least one layer, of what rolls or of what it rolls on"),
+        (STEEL, {}, "layers must be a list of at least one layer unless on.layers or on.base"),
         (ROLLER, {"load": -1.0}, "load must be > 0 N/m, got -1"),
         (ROLLER, {"load": 1e9}, "load must be small enough for the coating, got 1e[+]09 N/m .the roller"),
-        (ROLLER, {"curvature": vr.Curvature.EXACT}, "curvature must be left out with a roller"),
-        (ROLLER, {"patch_load": vr.PatchLoad.SPHERICAL}, "patch_load must be FLAT with a roller"),
+        (ROLLER, {"curvature": vr.Curvature.EXACT}, "curvature must be left out for a roller"),
+        (ROLLER, {"patch_load": vr.PatchLoad.SPHERICAL}, "patch_load must be FLAT for a roller"),
         (
             ROLLER,
             {"mesh": vr.Mesh(nodes_per_revolution=1000, theta_nodes_per_revolution=500)},
-            "mesh.theta_nodes_per_revolution must be left out with a roller",
+            "mesh.theta_nodes_per_revolution must be left out for a roller",
         ),
         (
             STEEL,
             {"on": HALF_PLANE, "compliance": vr.Compliance.VERTICAL},
-            "compliance must be RADIAL where the counterpart deforms",
+            "compliance must be RADIAL if the counterbody deforms",
         ),
         (ROLLER, {"on": vr.Groove(radius=0.1, path_radius=0.1)}, "on.radius must be left out under a roller"),
-        (ROLLER, {"on": vr.Groove(path_radius=0.0605)}, "on.path_radius must be larger than that of the roller"),
+        (
+            ROLLER,
+            {"on": vr.Groove(path_radius=0.0605)},
+            "on.path_radius must be at least 2 % larger than the radius of the roller",
+        ),
         (
             STEEL,
             {"on": HALF_PLANE, "mesh": vr.Mesh(nodes_per_revolution=1000, max_order=600)},
-            "mesh.max_order must be left out where a plane deforms",
+            "mesh.max_order must be left out with a deformable plane",
         ),
     ],
 )

@@ -87,7 +87,9 @@ def test_a_design_from_the_shell(file, tmp_path):
     path = file("roller", f"{table}limits = {{ bond_shear = {middle!r}, strain = 0.3 }}\n", nodes=300)
     done = command("design", path, "--plot", tmp_path / "design.png")
     assert done.returncode == 0, done.stderr
-    best, power = re.match(r"cylinder.layers\[0\].thickness = (\S+): power lost (\S+) W/m\n", done.stdout).groups()
+    best, power = re.match(
+        r"cylinder.layers\[0\].thickness = (\S+): power dissipated (\S+) W/m\n", done.stdout
+    ).groups()
     assert re.search(rf"  bond_shear = \S+ Pa, limit {middle:.6g} Pa", done.stdout)
     assert re.search(r"  strain = \S+, limit 0.3\n", done.stdout)
     assert (tmp_path / "design.png").stat().st_size > 5000
@@ -100,16 +102,26 @@ def test_a_design_from_the_shell(file, tmp_path):
 @pytest.mark.parametrize(
     ("body", "more", "limits", "message"),
     [
-        ("ball", "", "load_to_fold = 0.8", r"design.limits.load_to_fold needs a table \[thermal\]"),
-        ("ball", COOLED, "load_to_fold = 0.8", "design.limits.load_to_fold needs a thermal.shift"),
+        ("ball", "", "load_to_fold = 0.8", r"design.limits.load_to_fold must be used with a table \[thermal\]"),
+        ("ball", COOLED, "load_to_fold = 0.8", "design.limits.load_to_fold must be used with thermal.shift"),
         (
             "ball",
             "",
             "bond_stress = 1e6",
-            "design.limits must be of .*bond_shear, bond_tension, load_to_fold, got 'bond_",
+            "design.limits must be named .*bond_shear, bond_tension, load_to_fold, got 'bond_",
         ),
-        ("roller on a half-plane", "", "bond_shear = 1e6", "design.limits.bond_shear needs layers that are bonded"),
-        ("roller on a half-plane", "", "strain = 0.1", "design.limits.strain must be left out: this case has none"),
+        (
+            "roller on a half-plane",
+            "",
+            "bond_shear = 1e6",
+            "design.limits.bond_shear must be left out: this case has no bonded interfaces",
+        ),
+        (
+            "roller on a half-plane",
+            "",
+            "strain = 0.1",
+            "design.limits.strain must be left out: this case does not have",
+        ),
     ],
 )
 def test_what_has_no_such_limit_says_so(file, body, more, limits, message):

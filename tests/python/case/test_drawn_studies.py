@@ -83,9 +83,9 @@ def test_draws_of_a_file(folder):
         np.testing.assert_allclose(found.complex_modulus(3.0), expected.complex_modulus(3.0), rtol=1e-12)
     with pytest.raises(ValueError, match=r"draw must be in \[0, 9\], got 10"):
         vr.load_material(path, form="prony", draw=10)
-    with pytest.raises(ValueError, match="form must be 'prony' where a draw is taken, got 'table'"):
+    with pytest.raises(ValueError, match="form must be 'prony' if a draw is given, got 'table'"):
         vr.load_material(path, draw=0)
-    with pytest.raises(ValueError, match="fit must be given with draws: they are series"):
+    with pytest.raises(ValueError, match="fit must be given with draws, which are Prony series"):
         vr.save_material(folder[0] / "other.toml", curve, draws=curve.draws(2))
 
 
@@ -102,8 +102,8 @@ def test_the_shell_saves_draws_of_one_curve(folder):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--draws", 1, "--save", "one.toml"], "--draws must be 0, or at least 2, which tell a scatter, got 1"),
-        (["--draws", 5], "--draws are kept with a material: --save must be given, too"),
+        (["--draws", 1, "--save", "one.toml"], "--draws must be 0 or at least 2, got 1"),
+        (["--draws", 5], "--save must be given with --draws, because draws are saved with the material"),
     ],
 )
 def test_draws_that_nobody_keeps_are_told_of_before_the_work(folder, options, message):
@@ -116,8 +116,8 @@ def test_draws_that_nobody_keeps_are_told_of_before_the_work(folder, options, me
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ('of = ["cylinder.layers[0].thickness"]', 'keep draws, got "cylinder.layers[0].thickness"'),
-        ("of = []", "draws.of must be materials with as many draws each, got no place"),
+        ('of = ["cylinder.layers[0].thickness"]', 'contain draws, got "cylinder.layers[0].thickness"'),
+        ("of = []", "draws.of must name materials with equal numbers of draws, got none"),
         ('of = ["cylinder.layers[0].shear_modulus"]\nby = "luck"', "draws.by: input should be 'linear' or 'solve'"),
     ],
 )

@@ -64,21 +64,21 @@ def test_material_at_its_own_and_another_temperature(curve, saved):
     [
         (None, {"temperature": 90.0}, r"material .*a.toml: temperature must be in \[20.0056, 60.0086\] °C"),
         (None, {"form": "spline"}, "form must be 'table' or 'prony', got 'spline'"),
-        ("x = 1", {}, r"needs a table \[table\]: it is no material of viscoroll"),
-        ("[table]\nfrequency = [1.0]", {}, r"table \[table\] needs storage"),
-        ("[table]\nfrequency = [1.0]", {"form": "prony"}, r"needs a table \[prony\]: save it with a fit"),
+        ("x = 1", {}, r"must have a table \[table\]: the file is not a material file of viscoroll"),
+        ("[table]\nfrequency = [1.0]", {}, r"table \[table\] must have the key storage"),
+        ("[table]\nfrequency = [1.0]", {"form": "prony"}, r"must have a table \[prony\]: save the material with a fit"),
         (
             "[table]\nfrequency = [1.0]",
             {"temperature": 3.0},
-            r"needs a table \[shift\]: its temperature cannot be changed",
+            r"must have a table \[shift\]: the temperature of this material cannot be changed",
         ),
         ("[table", {}, "material .*a.toml: not a TOML file: "),
         ("a = " + 5000 * "[", {}, "material .*a.toml: not a TOML file: nested too deeply"),
         ("a = " + 5000 * "9", {}, "material .*a.toml: not a TOML file: Exceeds the limit"),
         ('[table]\nfrequency = "x"', {}, r"table.frequency must be a list of numbers, got 'x'"),
         ("[table]\nfrequency = [true, 1.0]", {}, r"table.frequency\[0\] must be a real number, got bool True"),
-        ('[table]\nfrequency = ["1.0", 2.0]', {}, "table.frequency must hold real numbers"),
-        (f"[table]\nfrequency = [1.0, {400 * '9'}]", {}, r"table.frequency\[1\] must be <= 1.8e\+308 in size"),
+        ('[table]\nfrequency = ["1.0", 2.0]', {}, "table.frequency must contain real numbers"),
+        (f"[table]\nfrequency = [1.0, {400 * '9'}]", {}, r"table.frequency\[1\] must be <= 1.8e\+308 in magnitude"),
         ('reference_temperature = "x"', {}, "reference_temperature must be a real number, got str 'x'"),
         ("reference_temperature = -300", {}, "reference_temperature must be finite and >= -273.15 °C, got -300"),
         (
@@ -106,7 +106,11 @@ def test_material_at_its_own_and_another_temperature(curve, saved):
             {"form": "prony", "draw": 1},
             r"draws.weights\[1\] must be a list of numbers, got 0.1",
         ),
-        ("[draws]\ninstantaneous_modulus = [1e6]", {"form": "prony", "draw": 0}, r"table \[draws\] needs weights"),
+        (
+            "[draws]\ninstantaneous_modulus = [1e6]",
+            {"form": "prony", "draw": 0},
+            r"table \[draws\] must have the key weights",
+        ),
     ],
 )
 def test_what_is_no_material(saved, content, options, message):
@@ -186,13 +190,13 @@ def test_studies_vary_the_temperature(curve, saved, tmp_path):
     [
         (
             '{ type = "hardness", hardness = 95 }',
-            r"shear_modulus: hardness must be in \[20, 90\] Shore A, got 95; give what is harder in Shore D",
+            r"shear_modulus: hardness must be in \[20, 90\] Shore A, got 95; use scale='D' for harder materials",
         ),
         ('{ type = "hardness", hardness = 85, rebound = 55, reference_frequency = 1.0 }', "55 % is 0.55"),
         ('{ type = "hardness", hardness = 85, rebound = 0.5 }', "reference_frequency must be given with a rebound"),
         (
             '{ type = "hardness", hardness = 85, decades = 2.0 }',
-            "decades must be left out where there is no rebound",
+            "decades must be left out without a rebound",
         ),
         ('"b.toml"', r"ball.layers\[0\].shear_modulus: material .*b.toml: No such file"),
         ('{ type = "measured" }', "shear_modulus of type measured must have file"),
@@ -213,10 +217,10 @@ def test_case_files_with_bad_materials(saved, tmp_path, modulus, message):
 def test_material_asks_for_what_it_does_not_know(tmp_path):
     data = vr.example_data("pressure_sensitive_adhesive.txt")
     for words, message in (
-        ((data, "--reference", 20), "does not say whether it is a modulus of tension or of shear"),
-        ((data, "--shear"), "--reference must be given for several sweeps, from -40 to 150 °C"),
-        ((data, "--shear", "--between", "cold"), "--between must be like -35..160, got 'cold'"),
-        ((data, "--shear", "--columns", "storage"), "--columns must be like"),
+        ((data, "--reference", 20), "may be a tensile or a shear modulus"),
+        ((data, "--shear"), "--reference must be given for sweeps at several temperatures, from -40 to 150 °C"),
+        ((data, "--shear", "--between", "cold"), "--between must have the form -35..160, got 'cold'"),
+        ((data, "--shear", "--columns", "storage"), "--columns must have the form"),
         ((data, "--shear", "--save", tmp_path / "x.csv"), "--save must end in .toml"),
     ):
         done = command("material", *words)
@@ -294,7 +298,7 @@ def test_design_stops_at_the_limit(tmp_path):
         if result.max_pressure <= middle.max_pressure:
             assert found.result.dissipated_power <= watts * 1.01
     assert found.active == ("max_pressure",)
-    assert found.plot().axes[0].get_ylabel() == "power lost [W]"
+    assert found.plot().axes[0].get_ylabel() == "power dissipated [W]"
 
 
 def test_design_under_a_temperature(tmp_path):
@@ -307,7 +311,7 @@ def test_design_under_a_temperature(tmp_path):
     table = DESIGN.replace("{limits}", f"{{ temperature = {hottest!r} }}")
     found = design_case(case_file(tmp_path, RUBBER, cooled + table, **coarse))
     assert found.outcome.value("temperature") <= hottest
-    with pytest.raises(ValueError, match=r"design.limits.temperature needs a table \[thermal\]"):
+    with pytest.raises(ValueError, match=r"design.limits.temperature must be used with a table \[thermal\]"):
         design_case(case_file(tmp_path, RUBBER, table))
 
 
@@ -323,10 +327,10 @@ def test_design_of_any_number(tmp_path):
 @pytest.mark.parametrize(
     ("table", "message"),
     [
-        ("", 'case.toml: design must be a table, as vary = "ball.layers'),
+        ("", 'case.toml: design must be a table, such as vary = "ball.layers'),
         (
             DESIGN.replace("{limits}", "{ pressure = 1.0 }"),
-            "design.limits must be of rolling_resistance_coefficient, .*, got 'pressure'",
+            "design.limits must be named rolling_resistance_coefficient, .*, got 'pressure'",
         ),
         (
             DESIGN.replace("{limits}", "{ max_pressure = -1.0 }"),
@@ -334,7 +338,7 @@ def test_design_of_any_number(tmp_path):
         ),
         (
             DESIGN.replace("{limits}", "{ max_pressure = 1.0 }"),
-            r"design.limits must leave a value of ball.layers\[0\].thickness in .*: the nearest",
+            r"design.limits must allow a value of ball.layers\[0\].thickness in .*: the smallest excess",
         ),
         (
             DESIGN.replace("{limits}", "{}").replace("to =", "until ="),

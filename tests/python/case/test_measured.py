@@ -49,8 +49,8 @@ def test_bands_that_overlap_agree(case_file, measure, share, agree):
     rows = [f"{place},{value},1e-3\n" for place, value in zip((1, 2, 4), off, strict=True)]
     trial = compare_measured(case, read_measurements(measure(head + "".join(rows))))
     assert trial.agrees.sum() == agree
-    assert trial.verdict().startswith(f"{agree} of 3 measurements agree within both bands")
-    assert ("farther apart" in trial.verdict()) == (agree < 3)
+    assert trial.verdict().startswith(f"{agree} of 3 measurements agree within the error bands")
+    assert ("are apart by" in trial.verdict()) == (agree < 3)
 
 
 def test_friction_of_the_case_counts(case_file, measure):
@@ -66,7 +66,7 @@ def test_command_draws_the_example(case_file, measure, tmp_path):
     output = tmp_path / "both.png"
     done = command("compare", case_file, "--measured", measure(example_text("measured")), "--output", output)
     assert done.returncode == 0, done.stderr
-    assert "of 7 measurements agree within both bands" in done.stdout
+    assert "of 7 measurements agree within the error bands" in done.stdout
     assert output.stat().st_size > 10_000
     rows = list(csv.DictReader(output.with_suffix(".csv").read_text("utf-8").splitlines()))
     assert [float(row["angular_speed [rad/s]"]) for row in rows] == [0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 25.0]
@@ -100,12 +100,12 @@ def test_a_roller_has_units_per_length(case_file, measure):
         ("speed,driving_torque,error\n1,1,1\n", "columns must be .*, got 'speed,driving_torque,error'"),
         ("load,grip,error\n1,1,1\n", "columns must be .*, got 'load,grip,error'"),
         ("load,driving_torque\n1,1\n", "columns must be"),
-        ("load,driving_torque,error\n", "there must be a number in load, got none"),
-        ("load,driving_torque,error\n1,one,1\n", "needs numbers in columns load, driving_torque, error"),
+        ("load,driving_torque,error\n", "load must have at least one value, got none"),
+        ("load,driving_torque,error\n1,one,1\n", "must have numbers in the columns load, driving_torque, error"),
         ("load,driving_torque,error\n0,1,1\n", "load must be > 0 N, got 0"),
         ("angular_speed,driving_torque,error\n-1,1,1\n", "angular_speed must be > 0 rad/s, got -1"),
         ("load,driving_torque,error\n1,nan,1\n", "line 2: driving_torque must be a finite number, got 'nan'"),
-        ("load,driving_torque,error\n1,0,5,0,1\n", r"line 2 must have 3 cells as the first, got 5"),
+        ("load,driving_torque,error\n1,0,5,0,1\n", r"line 2 must have 3 cells like the header, got 5"),
         ("load,driving_torque,error\n1_0,1,1\n", "line 2: load must be a finite number, got '1_0'"),
         ("load,driving_torque,error\n1,1,-2\n", "error must be >= 0, got -2"),
     ],
@@ -116,7 +116,7 @@ def test_bad_files_are_refused(measure, text, message):
 
 
 def test_what_is_undetermined_is_refused(case_file, measure):
-    with pytest.raises(ValueError, match="creepage must be determined in the case to be compared"):
+    with pytest.raises(ValueError, match="creepage must be determined by the case, got None"):
         compare_measured(load_case(case_file), read_measurements(measure("load,creepage,error\n100,0,1\n")))
 
 
@@ -126,4 +126,4 @@ def test_missing_files_and_options_that_exclude_each_other(case_file, measure, t
     assert "No such file" in done.stderr
     path = measure(example_text("measured"))
     assert "--speeds must be left out" in command("compare", case_file, "--measured", path, "--speeds", "1..2").stderr
-    assert "files of their own, got --motion and --measured" in command("example", "--measured", "--motion").stderr
+    assert "must be given alone, got --motion and --measured" in command("example", "--measured", "--motion").stderr

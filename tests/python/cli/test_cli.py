@@ -74,12 +74,12 @@ def test_tables_fit_eighty_columns_in_handy_units(case_file):
         ("penetration r_o - H [mm]", "penetration", 1e3),
         ("largest contact pressure [MPa]", "max_pressure", 1e-6),
         ("contact area [mm^2]", "contact_area", 1e6),
-        ("power lost in the coating [mW]", "bulk_power", 1e3),
+        ("power dissipated in the layers [mW]", "bulk_power", 1e3),
         ("strain", "strain", 1.0),
     ]:
         assert rows[label] == [f"{scalars[name] * factor:.5g}"]
     assert rows["speed of the center V_s [m/s]"] == ["undetermined"]
-    assert rows["heat [mW]"] == [f"{scalars['thermal'][0]['heat'] * 1e3:.5g}"]
+    assert rows["heat generated [mW]"] == [f"{scalars['thermal'][0]['heat'] * 1e3:.5g}"]
 
 
 def test_solve_prints_json_and_writes_files(case_file, tmp_path):
@@ -172,7 +172,7 @@ CURVE = 'type = "master_curve"\n'
             CURVE + 'file = "curve.csv"\nextrapolation = ["hold"]',
             "extrapolation: input should be 'error' or 'hold', got ['hold']",
         ),
-        (CURVE + 'file = "curve.csv"\nloss = [0.0]', "file must be left out where columns are given, got loss too"),
+        (CURVE + 'file = "curve.csv"\nloss = [0.0]', "file must be left out if columns are given, got also loss"),
         (CURVE + "file = 3", "shear_modulus: file must be the name of a file, got 3"),
         (CURVE + 'file = "a\\nb.csv"', r"a\nb.csv: No such file or directory"),
         (CURVE + 'file = "long.csv"', "long.csv: field larger than field limit (131072)"),
@@ -207,7 +207,7 @@ def test_bad_materials_are_one_line(tmp_path, text, message):
         ({"relaxation_time": "1.0\n#"}, ""),
         ({"compliance": '"diagonal"'}, "numerics.compliance: input should be 'radial' or 'vertical'"),
         ({"core_radius": "0.02\ncolor = 1"}, "ball.color: extra inputs are not permitted"),
-        ({"accuracy": "0.01\nmax_order = 100"}, "numerics.nodes_per_revolution must be given with the rest of a mesh"),
+        ({"accuracy": "0.01\nmax_order = 100"}, "numerics.nodes_per_revolution must be given with max_order"),
         ({"load": ""}, "not a TOML file"),
         ({"load": "[" * 20_000 + "]" * 20_000}, "case.toml: not a TOML file: nested too deeply"),
         ({"load": "1" + "0" * 400}, "rolling.load: input should be a valid number, got about 1e400"),
@@ -261,7 +261,7 @@ def test_too_little_memory_is_one_line(case_file, monkeypatch):
         raise MemoryError("std::bad_alloc")
 
     monkeypatch.setattr("viscoroll.case.case.solve", fails)
-    assert_refused(command("solve", case_file()), "this case: give a coarser mesh, or a larger accuracy")
+    assert_refused(command("solve", case_file()), "this case: use a coarser mesh, or a larger accuracy")
 
 
 def test_json_has_no_numbers_that_are_none(case_file, monkeypatch):
@@ -287,8 +287,8 @@ def test_coarse_meshes_are_a_warning(case_file):
     case = load_case(path)
     estimate = case.solve().error_estimate
     assert command("solve", path).stderr == (
-        "warning: the mesh is too coarse: 1 nodes across the contact (good from 10), "
-        f"error estimate {estimate:.3g} (good up to 0.05); refine it, or leave it out\n"
+        "warning: the mesh is too coarse: 1 nodes across the contact (recommended: at least 10), "
+        f"error estimate {estimate:.3g} (recommended: at most 0.05); refine the mesh or leave it out\n"
     )
 
 
@@ -320,7 +320,7 @@ def test_help_explains_every_command():
     done = command("--help")
     assert done.returncode == 0
     told = " ".join(done.stdout.split())
-    assert "balls, rollers and wheels with soft viscoelastic layers: on a plane or in a groove" in told
+    assert "balls, rollers and wheels with soft viscoelastic layers, on a plane, in a groove" in told
     for name in ("solve", "sweep", "plot", "demo", "example"):
         assert name in done.stdout
         assert command(name, "--help").returncode == 0
@@ -368,12 +368,12 @@ def test_roll_follows_the_example_motion(tmp_path):
     ("lines", "message"),
     [
         ("time = [0.0, 1.0]\nangle = [0.0]\nload = 1.0", "angle must be as long as time (2), got 1"),
-        ("time = [0.0, 1.0]", "motion needs angle or way, and load, with time"),
-        ("load = 1.0", "motion must have one of time, file and amplitude, got none"),
+        ("time = [0.0, 1.0]", "motion must have load, and angle or way, with time"),
+        ("load = 1.0", "motion must have exactly one of time, file and amplitude, got none"),
         ("amplitude = 0.1\nfrequency = 0.0\nload = 1.0", "motion.frequency must be in [1e-100, 1e100] Hz, got 0.0"),
         ("amplitude = inf\nfrequency = 1.0\nload = 1.0", "motion.amplitude must be finite, got inf"),
         ("file = 'none.csv'\nload = 1.0", "No such file"),
-        ("file = 'bad.csv'\nload = 1.0", "needs numbers in columns time and maybe angle, way, load"),
+        ("file = 'bad.csv'\nload = 1.0", "must have numbers in the columns time and optionally angle, way, load"),
         ("time = [0.0, 1.0]\nangle = [0.0, 1.0]\nload = 1.0\nspeed = 1.0", "motion.speed: extra inputs"),
     ],
 )
@@ -413,4 +413,4 @@ def test_roll_follows_a_way_along_a_mat(tmp_path):
     assert h.way[-1] == pytest.approx(0.01)
     assert h.on.layers[0].thickness == 1e-3
     (tmp_path / "way.csv").write_text("time,way,angle,load\n0,0,0,100\n")
-    assert_refused(command("roll", tmp_path / "motion.toml"), "needs one of the columns angle and way")
+    assert_refused(command("roll", tmp_path / "motion.toml"), "must have exactly one of the columns angle and way")

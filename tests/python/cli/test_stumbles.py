@@ -25,11 +25,11 @@ def data(tmp_path):
 
 
 def test_measurements_are_no_moduli_yet(data):
-    with pytest.raises(TypeError, match=r"; give superpose\(...\).at\(temperature=...\) of it$"):
+    with pytest.raises(TypeError, match=r"; give superpose\(...\).at\(temperature=...\) of the data$"):
         one_layer(data)
-    with pytest.raises(TypeError, match=r"; give fit_prony\(...\).series of it$"):
+    with pytest.raises(TypeError, match=r"; give fit_prony\(...\).series of the curve$"):
         one_layer(data.isotherms[0])
-    with pytest.raises(TypeError, match=r"; give superpose\(...\) of it, or one of its isotherms$"):
+    with pytest.raises(TypeError, match=r"; pass superpose\(...\) of the data, or one of its isotherms$"):
         vr.fit_prony(data)
     fit = vr.fit_prony(data.isotherms[0])
     with pytest.raises(TypeError, match=r"; give its series$"):
@@ -71,10 +71,13 @@ def test_names_serve_in_transient_rolling_as_in_steady():
 
 
 def test_misspelled_parameters_of_a_study():
-    with pytest.raises(TypeError, match=r"a ball has no parameter acuracy; pass .*; or did you mean accuracy\?"):
+    with pytest.raises(
+        TypeError, match=r"a rolling body has no parameter acuracy; pass .*; or did you mean accuracy\?"
+    ):
         vr.sweep(paper.ball(), load=[50.0, 60.0], angular_speed=2.5, acuracy=0.1, progress=False)
     with pytest.raises(
-        TypeError, match=r"a ball has no parameter thickness; .* that returns the ball, or as on= what it rolls on$"
+        TypeError,
+        match=r"rolling body has no parameter thickness; .* that returns the rolling body, or as on= the counterbody$",
     ):
         vr.sweep(paper.ball(), load=[50.0, 60.0], angular_speed=2.5, thickness=1e-3, progress=False)
 
@@ -113,11 +116,14 @@ def test_misspelled_parameters_of_a_study():
             lambda: vr.roll(paper.ball(), mu=0.3),
             "roll() got an unexpected keyword argument 'mu'; did you mean friction?",
         ),
-        (lambda: vr.Mesh(spacing=0.1), "'spacing'; it has nodes_per_revolution, max_order, theta_nodes_per_revolution"),
+        (
+            lambda: vr.Mesh(spacing=0.1),
+            "'spacing'; its parameters are nodes_per_revolution, max_order, theta_nodes_per_revolution",
+        ),
         (lambda: vr.analytic.hertz(P=1.0), "hertz() got an unexpected keyword argument 'P'; did you mean load?"),
         (
             lambda: vr.sweep(paper.ball(), load=1.0, speed=1.0),
-            "sweep needs angular_speed; did you mean angular_speed = ",
+            "sweep requires angular_speed; did you mean angular_speed = ",
         ),
     ],
 )
@@ -130,7 +136,7 @@ def test_arguments_by_other_names(call, message):
 
 MM = 1e3  # factor on lengths [m] that a user gives in millimeters
 IN_MM = (
-    r"; viscoroll takes SI units: outer_radius = 21 m, layers\[0\].thickness = 1 m, "
+    r"; viscoroll expects SI units, got outer_radius = 21 m, layers\[0\].thickness = 1 m, "
     r"layers\[0\].shear_modulus = 3 Pa at rest$"
 )
 
@@ -158,9 +164,13 @@ def ball_of(*, length=1.0, modulus=1.0, density=0.0):
         (
             ball_of(modulus=1e-6),
             {},
-            r"load must .*\); viscoroll takes SI units: layers\[0\].shear_modulus = 3 Pa at rest$",
+            r"load must .*\); viscoroll expects SI units, got layers\[0\].shear_modulus = 3 Pa at rest$",
         ),
-        (ball_of(modulus=1e-9), {}, r"pressed through any such coating\); viscoroll takes SI units: layers\[0\]"),
+        (
+            ball_of(modulus=1e-9),
+            {},
+            r"pressed through any coating of this stiffness\); viscoroll expects SI units, got layers\[0\]",
+        ),
         (
             ball_of(density=1000.0),
             {"angular_speed": 3e4},
@@ -177,7 +187,7 @@ def test_other_units_are_told(ball, case, message):
 
 def test_other_units_are_told_by_models_histories_and_strain():
     soft = ball_of(modulus=1e-6)
-    told = r"; viscoroll takes SI units: layers\[0\].shear_modulus = 3 Pa at rest$"
+    told = r"; viscoroll expects SI units, got layers\[0\].shear_modulus = 3 Pa at rest$"
     mesh = vr.Mesh(nodes_per_revolution=100)
     with pytest.raises(ValueError, match=told):
         vr.RollingModel(soft, angular_speed=2.5, mesh=mesh).solve(load=100.0)
@@ -190,12 +200,12 @@ def test_other_units_are_told_by_models_histories_and_strain():
 
 def test_other_units_are_told_of_what_it_rolls_on():
     mat = vr.CoatedPlane(layers=ball_of(length=MM).layers, base=vr.HalfSpace(shear_modulus=10.0, poisson_ratio=0.5))
-    told = r"units: on.layers\[0\].thickness = 1 m, on.base.shear_modulus = 10 Pa at rest$"
+    told = r"units, got on.layers\[0\].thickness = 1 m, on.base.shear_modulus = 10 Pa at rest$"
     with pytest.raises(ValueError, match=told):
         vr.solve(ball_of(), on=mat, load=1e9, angular_speed=2.5)
 
 
-MILLIMETERS = "viscoroll takes SI units: outer_radius = 21 m, layers[0].thickness = 1 m; were millimeters meant?"
+MILLIMETERS = "viscoroll expects SI units, got outer_radius = 21 m, layers[0].thickness = 1 m; were millimeters meant?"
 
 
 def test_a_ball_of_21_meters_is_solved_and_asked_about():
@@ -232,9 +242,9 @@ def test_a_ball_of_21_meters_in_a_study_and_from_the_shell(tmp_path):
 def test_printed_balls_and_rollers_tell_of_other_units():
     assert str(ball_of()) == repr(ball_of())
     large = ball_of(length=MM)
-    assert str(large) == f"{large!r}\nviscoroll takes SI units: outer_radius = 21 m, layers[0].thickness = 1 m"
+    assert str(large) == f"{large!r}\nviscoroll expects SI units, got outer_radius = 21 m, layers[0].thickness = 1 m"
     roller = vr.CoatedCylinder(core_radius=50.0)
-    assert str(roller).splitlines()[1:] == ["viscoroll takes SI units: outer_radius = 50 m"]
+    assert str(roller).splitlines()[1:] == ["viscoroll expects SI units, got outer_radius = 50 m"]
 
 
 def test_arguments_by_other_names_of_a_model():
@@ -254,7 +264,7 @@ def public():
 
 @pytest.mark.parametrize("function", list(public()), ids=lambda f: f.__qualname__)
 def test_every_public_function_explains_its_arguments(function):
-    with pytest.raises(TypeError, match=r"\(\) got an unexpected keyword argument 'qqq'; it has "):
+    with pytest.raises(TypeError, match=r"\(\) got an unexpected keyword argument 'qqq'; its parameters are "):
         function(qqq=1)
     assert "qqq" not in inspect.signature(function).parameters
     assert "arguments" not in inspect.signature(function).parameters
@@ -290,7 +300,7 @@ def test_files_of_another_kind(tmp_path):
     case, unknown = tmp_path / "case.toml", tmp_path / "unknown.csv"
     case.write_text(example_text(), encoding="utf-8")
     unknown.write_text("f,A,B\n1,2,3\n", encoding="utf-8")
-    assert told("roll", case) == f"{case}: motion: field required; such a file is for `viscoroll solve`"
+    assert told("roll", case) == f"{case}: motion: field required; this file is for `viscoroll solve`"
     case.write_text(example_text().replace("angular_speed", "angularspeed"), encoding="utf-8")
     extra = "extra inputs are not permitted, got 2.5"
     assert told("solve", case) == f"{case}: rolling.angularspeed: {extra}; did you mean angular_speed?"
@@ -305,7 +315,7 @@ def test_files_of_another_kind(tmp_path):
     for wrong, meant in {
         layer.replace("shear_modulus = 1e6", "hardness = 60"): 'shear_modulus = { type = "hardness", hardness = ... }',
         layer.replace("= 1e6", '= { type = "loss_factor", modulus = 1e6, rebound = 0.5, reference_frequency = 1.0 }'): (
-            'loss_factor = ..., or a rebound beside a hardness: type = "hardness"'
+            'loss_factor = ..., or give a rebound with a hardness: type = "hardness"'
         ),
     }.items():
         case.write_text(f"[ball]\ncore_radius = 0.1\n[[ball.layers]]\n{wrong}", encoding="utf-8")
@@ -314,11 +324,11 @@ def test_files_of_another_kind(tmp_path):
         case.write_text(f"[{word}]\ncore_radius = 0.1\n[rolling]\nload = 1.0\nangular_speed = 1.0\n", encoding="utf-8")
         assert told("solve", case).partition(" (and")[0].endswith(f"; did you mean {table}?"), word
     case.write_text(example_text("motion"), encoding="utf-8")
-    assert told("solve", case) == f"{case}: rolling: field required; such a file is for `viscoroll roll`"
+    assert told("solve", case) == f"{case}: rolling: field required; this file is for `viscoroll roll`"
     case.write_text((example_text() + example_text("sweep")).replace("load = 100.0", ""), encoding="utf-8")
-    varied = "; what [sweep] gives is for `viscoroll sweep`"
+    varied = "; only `viscoroll sweep` uses the values of [sweep]"
     assert told("solve", case) == f"{case}: rolling.load: field required{varied}"
-    assert told("plot", case) == "study must be the .nc that `viscoroll sweep` writes, got 'case.toml'"
+    assert told("plot", case) == "study must be a .nc file written by `viscoroll sweep`, got 'case.toml'"
     assert "in the shell --columns frequency=name:unit,storage=name:unit" in told("material", unknown)
 
 

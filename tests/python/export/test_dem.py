@@ -144,7 +144,7 @@ def test_error_over_a_study(study, code, style):
         for j, w in enumerate(SPEEDS)
     ]
     assert written.error == pytest.approx(max(errors), rel=1e-6)
-    assert f"this torque is off by up to {max(errors):.1%}" in written.text
+    assert f"the error of this law is at most {max(errors):.1%}" in written.text
 
 
 def test_table_beside_the_text(study, tmp_path):
@@ -191,7 +191,7 @@ def test_surface_over_load_and_speed(study, paper_ball):
     # A point outside the study, within three times the error estimated by leaving points out.
     between = vr.solve(paper_ball, load=65.0, angular_speed=1.4, mesh=vr.Mesh(nodes_per_revolution=1000))
     assert surface(65.0, 1.4) == pytest.approx(between.dissipated_power / 1.4, rel=3.0 * surface.largest_error)
-    with pytest.raises(ValueError, match=r"load must be in \[30, 120\] N, where it was fitted, got 200"):
+    with pytest.raises(ValueError, match=r"load must be in \[30, 120\] N, the fitted range, got 200"):
         surface(200.0, 1.0)
 
 
@@ -209,7 +209,7 @@ def test_surface_in_files(study, tmp_path):
     with pytest.raises(ValueError, match=r"path must end in \.json, \.nc or \.csv"):
         surface.save(tmp_path / "t.txt")
     (tmp_path / "bad.json").write_text("{}")
-    with pytest.raises(ValueError, match="must hold a rolling resistance of viscoroll"):
+    with pytest.raises(ValueError, match="must contain a rolling resistance saved by viscoroll"):
         vr.RollingResistance.load_file(tmp_path / "bad.json")
 
 
@@ -222,7 +222,7 @@ def test_surface_is_of_no_roller():
     layer = vr.Layer(thickness=10e-3, shear_modulus=3e6, poisson_ratio=0.5)
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
     study = vr.sweep(roller, load=[4e3, 5e3, 6e3], angular_speed=[1.0, 2.0, 3.0], accuracy=0.2, progress=False)
-    with pytest.raises(ValueError, match="study must be of a ball or wheel, whose load is in N, got loads in N/m"):
+    with pytest.raises(ValueError, match="study must be for a ball or a wheel, with loads in N, got loads in N/m"):
         vr.RollingResistance.from_study(study)
 
 
@@ -345,9 +345,9 @@ def test_wheels_are_no_balls():
     tread = vr.Layer(thickness=10e-3, shear_modulus=3e6, poisson_ratio=0.45)
     wheel = vr.CoatedWheel(core_radius=40e-3, layers=[tread], width=30e-3, crown_radius=0.3, sides="endless")
     case = {"load": 100.0, "angular_speed": 1.0, "accuracy": 0.2}
-    with pytest.raises(ValueError, match=r"source must be of a ball .*, got a CoatedWheel"):
+    with pytest.raises(ValueError, match=r"source must be for a ball .*, got a CoatedWheel"):
         vr.dem(vr.solve(wheel, **case), code="lammps")
-    with pytest.raises(ValueError, match=r"source must be of a ball .*, got a study of a coated wheel"):
+    with pytest.raises(ValueError, match=r"source must be for a ball .*, got a study of a coated wheel"):
         vr.dem(vr.sweep(wheel, **case, progress=False), code="lammps")
 
 
@@ -366,7 +366,7 @@ def test_filled_rubber_is_written_with_both_torques(tmp_path):
         assert written.point.torque == pytest.approx(matched, rel=1e-12)  # power per speed, from all dissipation
         assert matched == pytest.approx(found.result.dissipated_power / 2.5, rel=1e-9)
         assert harmonic / matched == pytest.approx(found.torque_bounds[0] / found.torque_bounds[1], rel=1e-9)
-        assert f"T = {harmonic:.6g} N m with its network's loss summed over harmonics" in written.text
+        assert f"T = {harmonic:.6g} N m if the loss of the filler network is summed over harmonics" in written.text
         head, first, *_ = written.save(tmp_path / "yade.txt").read_text(encoding="utf-8").splitlines()
         row = dict(zip(head.split(","), map(float, first.split(",")), strict=True))
         assert row["harmonic_torque [N m]"] == pytest.approx(harmonic, rel=1e-9)

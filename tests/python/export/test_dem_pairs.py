@@ -93,7 +93,7 @@ def test_both_lose_in_the_code_what_they_lose(unlike, code, style):
     relative_speed = 2.5 * (1.0 + FIRST / SECOND)
     torque = LAWS[code, style](written.text, 60.0, relative_speed)
     assert torque * relative_speed == pytest.approx(unlike.dissipated_power, rel=1e-12)
-    assert "two balls, R1 = 0.021 m at Omega, R2 = 0.033 m" in written.text
+    assert "two balls (R1 = 0.021 m rotates at Omega, R2 = 0.033 m" in written.text
 
 
 def test_alike_ones_are_one_type_and_all_of_one_radius_will_do(alike):
@@ -131,7 +131,7 @@ def test_studies_know_both_balls(unlike):
     ("code", "style", "message"),
     [
         ("chrono", "multicore", "style of chrono must be nsc or dem for two balls, got multicore"),
-        ("chrono", "dem", "style of chrono must be nsc for two balls of unlike radii, got dem"),
+        ("chrono", "dem", "style of chrono must be nsc for two balls of different radii, got dem"),
         ("lethe", "viscous", "style of lethe must be constant for two balls, got viscous"),
     ],
 )
@@ -143,19 +143,19 @@ def test_laws_that_are_none_for_two_balls(unlike, code, style, message):
 def test_what_is_no_ball_on_a_plane_or_ball_is_refused():
     layer = vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
-    wanted = "source must be of a ball on a plane or on another ball"
+    wanted = "source must be for a ball on a plane or on another ball"
     with pytest.raises(ValueError, match=f"{wanted}, got a CoatedCylinder"):
         vr.dem(vr.solve(roller, load=5e3, angular_speed=1.0), code="lammps")
     study = vr.sweep(roller, load=[4e3, 5e3], angular_speed=1.0, accuracy=0.1, progress=False)
     with pytest.raises(ValueError, match=f"{wanted}, got a study of a coated cylinder"):
         vr.dem(study, code="lammps")
     groove = {"on": vr.Groove(radius=30e-3), "load": 50.0, "angular_speed": 2.5, "mesh": MESH}
-    with pytest.raises(ValueError, match=f"{wanted}, got one on a Groove"):
+    with pytest.raises(ValueError, match=f"{wanted}, got a ball on a Groove"):
         vr.dem(vr.solve(BALL, **groove), code="lammps")
-    with pytest.raises(ValueError, match=f"{wanted}, got one on a Groove"):
+    with pytest.raises(ValueError, match=f"{wanted}, got a ball on a Groove"):
         vr.dem(vr.sweep(BALL, **groove | {"load": [50.0]}, progress=False), code="lammps")
     several = vr.sweep(BALL, **groove | {"on": [None, OTHER], "load": [50.0]}, progress=False)
-    with pytest.raises(ValueError, match="study must vary load and angular_speed alone, got on too: choose"):
+    with pytest.raises(ValueError, match="study must vary only load and angular_speed, got also on: select"):
         vr.dem(several, code="lammps")
     with pytest.raises(ValueError, match=f"{wanted}, the same at all points"):
         vr.dem(several.isel(on=1), code="lammps")
@@ -163,7 +163,7 @@ def test_what_is_no_ball_on_a_plane_or_ball_is_refused():
 
 def test_a_third_dimension_is_named(paper_ball):
     study = vr.sweep(paper_ball, load=[50.0, 100.0], angular_speed=2.5, friction=[0.0, 0.1], mesh=MESH, progress=False)
-    with pytest.raises(ValueError, match=r"got friction too: choose, as in study\.isel\(friction=0\)"):
+    with pytest.raises(ValueError, match=r"got also friction: select one value, as in study\.isel\(friction=0\)"):
         vr.dem(study, code="lammps")
     assert len(vr.dem(study.isel(friction=1), code="lammps").points) == 2
 
@@ -182,7 +182,7 @@ def test_export_from_the_shell(tmp_path):
     path.write_text(f"{unbearable}\n[groove]\nradius = 0.03\n", encoding="utf-8")
     done = command("export", path, "--for", "lammps")
     assert done.returncode == 2
-    assert "got one on a Groove" in done.stderr
+    assert "got a ball on a Groove" in done.stderr
 
 
 def test_lammps_itself(unlike):

@@ -129,7 +129,7 @@ def test_the_loss_is_what_the_surface_puts_in(flat):
 
 
 def test_displacement_at_the_surface_is_that_of_the_solver(flat):
-    with pytest.warns(vr.ResultWarning, match="less than a quarter of a spacing"):
+    with pytest.warns(vr.ResultWarning, match="less than a quarter of the node spacing"):
         surface = flat.interior(depth=[0.0]).isel(depth=0)
     radial = surface.displacement.sel(direction="r").to_numpy()
     # The solver's displacement is positive upwards, against r at the lowest point.
@@ -212,10 +212,12 @@ def test_free_sides_are_told_where_they_are_near():
     free = replace(CROWNED, sides="free")
     near = vr.solve(free, load=100.0, angular_speed=SPEED, mesh=MESH)
     assert near.face_distance < 10e-3
-    with pytest.warns(vr.ResultWarning, match="stresses near the faces are not those of free sides") as told:
+    with pytest.warns(
+        vr.ResultWarning, match="stresses and loss near the faces are those of a tread without side faces"
+    ) as told:
         near.interior(depth=[2e-3], theta=[0.5 * np.pi])
     assert len(told) == 1
-    with pytest.warns(vr.ResultWarning, match="stresses near the faces") as told:
+    with pytest.warns(vr.ResultWarning, match="stresses and loss near the faces") as told:
         near.loss(depth=[])
     assert len(told) == 1
     far = vr.solve(replace(free, width=50e-3), load=20.0, angular_speed=SPEED, mesh=MESH)
@@ -261,5 +263,5 @@ def test_bad_places_are_named(flat):
         flat.interior(depth=[11e-3])
     with pytest.raises(ValueError, match=r"result\.on must have a layer or a base"):
         flat.interior(depth=[1e-3], of="counterpart")
-    with pytest.raises(ValueError, match="result must be narrower than its circumference"):
+    with pytest.raises(ValueError, match="result must have fields narrower than the circumference"):
         vr.loss_spectrum(replace(flat, z=30.0 * flat.z))

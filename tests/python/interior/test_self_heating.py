@@ -311,7 +311,7 @@ def test_shift_factors():
         def shift(self):
             return wlf
 
-    with pytest.raises(TypeError, match="of a fitted law take its shift"):
+    with pytest.raises(TypeError, match=r"use shift\(\) of a fitted law"):
         shift_factor(Fitted(), 300.0)
     with pytest.raises(TypeError, match="shift must be a function"):
         shift_factor(1.0, 300.0)
@@ -341,7 +341,7 @@ def test_shifted_moduli(modulus):
     ("arguments", "error", "message"),
     [
         ({"shift": 1.0}, TypeError, "shift must be a function"),
-        ({"shift": [falling, falling]}, ValueError, "shift must be one for each of 1 layers, got 2"),
+        ({"shift": [falling, falling]}, ValueError, "shift must have one function for each of 1 layers, got 2"),
         ({"points": 2}, ValueError, r"points must be in \[4, 1000\]"),
         ({"sublayers": 0}, ValueError, r"sublayers must be in \[1, 20\]"),
         ({"limit": 200.0}, ValueError, "limit must be > ambient"),

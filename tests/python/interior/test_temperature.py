@@ -152,7 +152,7 @@ def test_base_case_on_an_insulated_core(base_case):
 
 def test_isothermal_core_takes_the_heat_and_warns_of_ripple(base_case):
     """At 2.5 rad/s, a point cools between its passages: the mean over a revolution does not represent it."""
-    with pytest.warns(vr.ResultWarning, match="swings by up to 0.1"):
+    with pytest.warns(vr.ResultWarning, match="varies by up to 0.1"):
         t = vr.temperature(base_case, conductivity=0.2, convection=10.0, ambient=293.15, core=vr.Core.ISOTHERMAL)
     assert t.heat_to_core + t.heat_to_surroundings == pytest.approx(t.heat, rel=1e-9)
     assert t.heat_to_core > 0.9 * t.heat
@@ -191,7 +191,7 @@ def test_conductivity_may_stand_in_the_layers(base_case):
     ("arguments", "message"),
     [
         ({"conductivity": -0.2}, "conductivity must be > 0 W"),
-        ({"conductivity": [0.2, 0.2]}, "conductivity must be one for each of 1 layers, got 2"),
+        ({"conductivity": [0.2, 0.2]}, "conductivity must have one value for each of 1 layers, got 2"),
         ({"convection": -1.0}, "convection must be >= 0 W"),
         ({"convection": 0.0}, "convection must be > 0 W"),
         ({"ambient": 20.0}, r"ambient must be >= 100 K \(20 °C are 293.15 K\), got 20 K"),

@@ -287,7 +287,7 @@ def test_what_is_under_a_wheel():
     air = AIR | {"max_order": 50}
     given = {"load": 100.0, "angular_speed": 10.0, "mesh": vr.Mesh(nodes_per_revolution=160)}
     roller = vr.solve(FLAT, on=vr.CoatedCylinder(core_radius=25e-3, layers=[layer]), **given)
-    with pytest.raises(ValueError, match="width must be given with a roller under a wheel"):
+    with pytest.raises(ValueError, match="width must be given for a roller under a wheel"):
         vr.temperature(roller, of="counterpart", **air)
     t = vr.temperature(roller, of="counterpart", width=80e-3, side_convection=SIDE, **air)
     assert t.heat == pytest.approx(roller.counterpart_bulk_power, rel=1e-12)
@@ -315,12 +315,12 @@ def test_what_is_under_a_wheel():
         ({"base_convection": 1.0}, "base_convection must be left out with a wheel"),
         ({"side_convection": -1.0}, r"side_convection must be >= 0 W/\(m\^2 K\)"),
         ({"hub_conductance": -1.0}, "hub_conductance must be >= 0 W/K"),
-        ({"convection": 0.0}, r"convection must be > 0 W/\(m\^2 K\) where the core takes no heat"),
-        ({"convection": lambda theta: -1.0}, "convection must be a function that returns finite coefficients"),
-        ({"convection": lambda theta: [1.0, 2.0]}, r"or one for each of the angles, got shape \(2,\)"),
+        ({"convection": 0.0}, r"convection must be > 0 W/\(m\^2 K\) if nothing else removes heat"),
+        ({"convection": lambda theta: -1.0}, "convection must return finite coefficients"),
+        ({"convection": lambda theta: [1.0, 2.0]}, r"or one for each of the given angles, got shape \(2,\)"),
         (
             {"convection": lambda theta: 0.0 * theta},
-            r"convection must be > 0 W/\(m\^2 K\) where the core takes no heat",
+            r"convection must be > 0 W/\(m\^2 K\) if nothing else removes heat",
         ),
         ({"core": vr.Core.ISOTHERMAL, "hub_conductance": 1.0}, "hub_conductance must be left out"),
         ({"of": "counterpart"}, r"result\.on must have a layer or a base"),
@@ -337,5 +337,5 @@ def test_unlike_layers_have_no_films_at_their_faces():
     r = vr.solve(two, load=300.0, angular_speed=10.0, mesh=MESH)
     t = vr.temperature(r, max_order=60, **AIR | {"conductivity": [0.2, 0.3]})
     assert len(t.layer_means) == 2
-    with pytest.raises(ValueError, match="conductivity must be the same in all layers where side faces take heat"):
+    with pytest.raises(ValueError, match="conductivity must be the same in all layers if side faces are cooled"):
         vr.temperature(r, side_convection=SIDE, **AIR | {"conductivity": [0.2, 0.3]})

@@ -70,7 +70,7 @@ def test_master_curve_refuses_or_holds_what_is_outside():
 def test_master_curve_takes_a_static_modulus_at_zero():
     curve = vr.MasterCurve([0.0, 1.0, 10.0], [0.8e6, 1e6, 2e6], [0.0, 1e5, 2e5])
     np.testing.assert_array_equal(curve.complex_modulus([0.0, 1.0]), [0.8e6, 1e6 + 1e5j])
-    with pytest.raises(ValueError, match=r"\(widen the table or choose to hold the end values\), got 0.5 rad/s"):
+    with pytest.raises(ValueError, match=r"\(widen the table or set extrapolation to HOLD\), got 0.5 rad/s"):
         curve.complex_modulus(0.5)
 
 
@@ -122,7 +122,7 @@ def test_weights_that_sum_to_1_but_for_round_off():
         series = vr.Prony(instantaneous_modulus=1e6, weights=weights, relaxation_times=np.arange(len(weights)) + 1.0)
         assert series.complex_modulus(1e9).real == pytest.approx(1e6)
         assert series.complex_modulus(1e-6).real < 1e-3 * 1e6
-    with pytest.raises(ValueError, match="weights must be of a sum <= 1"):
+    with pytest.raises(ValueError, match="weights must be such that their sum is <= 1"):
         vr.Prony(instantaneous_modulus=1e6, weights=[0.7, 0.3001], relaxation_times=[1.0, 2.0])
 
 
@@ -139,7 +139,7 @@ def test_a_relaxed_modulus_of_next_to_nothing_is_refused_by_its_name():
         layer = vr.Layer(thickness=1e-3, shear_modulus=series, poisson_ratio=0.5)
         ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
         for load in (0.01, 100.0):
-            with pytest.raises(ValueError, match=r"shear_modulus.*(relaxe|storage modulus > 0 Pa)"):
+            with pytest.raises(ValueError, match=r"shear_modulus.*(relaxe|storage modulus is > 0 Pa)"):
                 vr.solve(ball, load=load, angular_speed=1.0)
 
 
@@ -155,10 +155,10 @@ def test_errors_of_a_callable_reach_the_caller():
 @pytest.mark.parametrize(
     ("function", "message"),
     [
-        (lambda w: 1e6 - 1j * w, "passive, with loss modulus >= 0 Pa, got -1"),
+        (lambda w: 1e6 - 1j * w, "passive, such that the loss modulus is >= 0 Pa, got -1"),
         (lambda w: np.full(w.shape, np.nan), "at 0 rad/s must be finite"),
         (lambda w: np.full(w.shape, np.inf), "at 0 rad/s must be finite"),
-        (lambda w: w, "at 0 rad/s must be of storage modulus > 0 Pa, got 0"),
+        (lambda w: w, "at 0 rad/s must be such that the storage modulus is > 0 Pa, got 0"),
         (lambda w: np.ones(3), r"one value for each frequency, got shape \(3,\)"),
     ],
 )
@@ -171,14 +171,14 @@ def test_a_callable_is_checked_at_the_harmonics(function, message):
 @pytest.mark.parametrize(
     ("frequency", "error", "message"),
     [
-        ("a", TypeError, "must hold real numbers, got <U1 entries"),
-        ("1.0", TypeError, "must hold real numbers, got <U3 entries"),
-        (1j, TypeError, "must hold real numbers, got complex128 entries"),
-        (True, TypeError, "must hold real numbers, got bool entries"),
+        ("a", TypeError, "must contain real numbers, got <U1 entries"),
+        ("1.0", TypeError, "must contain real numbers, got <U3 entries"),
+        (1j, TypeError, "must contain real numbers, got complex128 entries"),
+        (True, TypeError, "must contain real numbers, got bool entries"),
         (None, TypeError, "must be a real number, got NoneType None"),
         ([1.0, None], TypeError, r"\[1\] must be a real number, got NoneType None"),
-        (10**400, ValueError, r"must be <= 1.8e\+308 in size, got about 1e400"),
-        ([1.0, 10**400], ValueError, r"\[1\] must be <= 1.8e\+308 in size, got about 1e400"),
+        (10**400, ValueError, r"must be <= 1.8e\+308 in magnitude, got about 1e400"),
+        ([1.0, 10**400], ValueError, r"\[1\] must be <= 1.8e\+308 in magnitude, got about 1e400"),
         ([[1.0], [1.0, 2.0]], ValueError, "must be an array, got rows of different lengths"),
     ],
 )

@@ -89,7 +89,7 @@ def test_an_elastic_network_is_an_elastic_one():
 
 def test_without_a_strain_it_is_refused_by_its_name():
     ball = coated_ball(vr.SofteningModulus(matrix=RUBBER, network=MASING))
-    refused = r"viscoroll\.SofteningModulus: give the body to viscoroll\.strain_softening"
+    refused = r"viscoroll\.SofteningModulus: pass the body to viscoroll\.strain_softening"
     for call in (
         lambda: vr.solve(ball, load=10.0, angular_speed=2.5),
         lambda: vr.RollingModel(ball, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=200)),
@@ -129,7 +129,7 @@ def sweep(strain=(0.1, 0.2, 0.4), storage=(1e6, 1e6, 1e6), loss=(1e5, 1e5, 1e5),
         ),
         (lambda: vr.MasingNetwork(storage=1.0, critical_strain=0.0), "critical_strain must be > 0, got 0"),
         (lambda: MASING.at(-0.1), "amplitude must be >= 0, got -0.1"),
-        (lambda: sweep(strain=[0.1, 1.0]), "one length of at least 3"),
+        (lambda: sweep(strain=[0.1, 1.0]), "equal lengths of at least 3"),
         (lambda: sweep(strain=[1, 10, 100]), "strain must be a ratio, 0.01 for 1 %"),
         (lambda: sweep(strain=[0.3, 0.2, 0.4]), "strictly increasing"),
         (lambda: sweep(loss=[0.0, 1.0, 1.0]), "loss must be > 0 Pa, got 0"),
@@ -138,7 +138,7 @@ def sweep(strain=(0.1, 0.2, 0.4), storage=(1e6, 1e6, 1e6), loss=(1e5, 1e5, 1e5),
             lambda: sweep(matrix=2e6, frequency=1.0),
             "storage must be at least that of the matrix at 1 rad/s, 2e[+]06 Pa, got 1e[+]06 Pa",
         ),
-        (lambda: sweep(matrix=2e6), "frequency must be given with matrix"),
+        (lambda: sweep(matrix=2e6), "frequency must be given if and only if matrix"),
     ],
 )
 def test_what_is_refused(make, message):

@@ -19,5 +19,5 @@ def test_extreme_numbers_are_solved_or_refused():
     kinds = {
         outcome.case: outcome.kind for outcome in run(33, range(30), jobs=1, limit=120.0, draw=draw, run_case=run_case)
     }
-    assert set(kinds.values()) <= {"solved", "refused", "no convergence"}, kinds
-    assert list(kinds.values()).count("refused") > 5
+    assert set(kinds.values()) <= {"solved", "rejected", "no convergence"}, kinds
+    assert list(kinds.values()).count("rejected") > 5

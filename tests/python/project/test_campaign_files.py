@@ -49,10 +49,10 @@ def refused(message, kind=ValueError):
         (lambda path: {"loss": np.array([1.0, np.inf])}, "read as inf: loss"),
         (lambda path: [][0], "uncaught IndexError"),
         (refused("deep", RecursionError), "uncaught RecursionError"),
-        (refused("modulus must be > 0"), "no file named"),
-        (refused("{path}: modulus\nmust be > 0"), "several lines"),
-        (refused("{path}: 'NoneType' object is not iterable"), "unclear"),
-        (refused("{path}: pass allow_pickle=True"), "unclear"),
+        (refused("modulus must be > 0"), "message does not name the file"),
+        (refused("{path}: modulus\nmust be > 0"), "message has several lines"),
+        (refused("{path}: 'NoneType' object is not iterable"), "message has internal terms"),
+        (refused("{path}: pass allow_pickle=True"), "message has internal terms"),
         (refused("{path}: modulus must be > 0 Pa, got -1"), None),
     ],
 )
@@ -65,10 +65,10 @@ def test_commands_are_judged(tmp_path, monkeypatch):
     assert judging.command_failure(("solve", tmp_path / "none.toml"), tmp_path) is None
     monkeypatch.setattr(sys.modules["viscoroll.cli.app"], "load_case", lambda path: [][0])
     assert judging.command_failure(("solve", tmp_path / "none.toml"), tmp_path).startswith(
-        "solve ends with IndexError in app.py:solve"
+        "solve raises IndexError in app.py:solve"
     )
 
 
 def test_a_changed_state_is_seen(monkeypatch, tmp_path):
     monkeypatch.setattr(states, "reading_failure", lambda read, path, judge: judge(states.vr.RollingState([1.0])))
-    assert states.check(1, tmp_path) == "read with other numbers"
+    assert states.check(1, tmp_path) == "numbers differ from the file"

@@ -1,4 +1,4 @@
-"""Pages by job: required parts, output of the pages about measurements, and search words.
+"""Pages of the applications: required parts, output of the pages about measurements, and search words.
 
 The build of the site runs all pages, and `test_page_commands.py` runs their commands.
 """
@@ -53,18 +53,18 @@ def run(name: str, folder: Path) -> str:
 
 
 @pytest.mark.parametrize("page", JOBS, ids=lambda page: page.stem)
-def test_every_job_has_a_picture_and_says_what_it_does_not_know(page):
+def test_every_application_has_a_picture_and_states_its_limits(page):
     text = page.read_text(encoding="utf-8")
     assert re.search(r"^## (The picture|Sliders)$", text, re.MULTILINE)
-    assert "## What the number does not know" in text
+    assert "## Limits of the result" in text
     assert "model_error" in text
 
 
-def test_all_jobs_are_listed_and_have_a_card():
+def test_all_applications_are_listed_and_have_a_card():
     names = {page.stem for page in JOBS}
     assert len(names) == 8
     listed = (DOCS / "jobs.md").read_text(encoding="utf-8")
-    home = (DOCS / "index.md").read_text(encoding="utf-8").split("## By job")[1].split("\n## ")[0]
+    home = (DOCS / "index.md").read_text(encoding="utf-8").split("## Applications")[1].split("\n## ")[0]
     assert set(re.findall(r"^jobs/(\S+)$", listed, re.MULTILINE)) == names
     assert set(re.findall(r"^\* \[\*\*.*\]\(jobs/(\S+)\.md\)$", home, re.MULTILINE)) == names
 
@@ -89,12 +89,12 @@ def test_an_index_is_searched_for_all_words_that_count(tmp_path):
 
 
 @pytest.mark.slow
-def test_measurements_become_a_torque_with_a_band(tmp_path):
+def test_measurements_give_a_torque_with_an_interval(tmp_path):
     printed = run("dma", tmp_path)
     assert "339 points in 20 sweeps" in printed
     assert "undetermined              -40 to -29.99 °C" in printed
     # The intervals cover 95 %: all nine contain the truth for this noise; for other noise, one of nine may not.
-    held = re.search(r"the band holds the truth at (\d) of 9 temperatures", printed)
+    held = re.search(r"the interval contains the exact value at (\d) of 9 temperatures", printed)
     assert held
     assert int(held[1]) >= 8
 

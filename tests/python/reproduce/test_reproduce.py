@@ -179,7 +179,7 @@ def test_a_coarse_mesh_is_no_witness(compute):
 def test_intervals_of_unknown_thicknesses_are_unclear(compute):
     intervals = compute("table4").verdicts()[1]
     assert not intervals.agrees
-    assert intervals.judgment.startswith("unclear: the paper does not say which thicknesses it fits")
+    assert intervals.judgment.startswith("unclear: the paper does not state the fitted thicknesses")
 
 
 def test_reproduce_command(tmp_path):

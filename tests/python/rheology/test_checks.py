@@ -35,7 +35,7 @@ def test_a_fall_that_scatter_does_not_explain_is_found():
     for seed in range(40):
         monotony = vr.check_modulus(scattered(omega, falling, np.full(omega.size, 1e5), seed))[2]
         assert not monotony.passed
-        assert "where points that scatter by" in monotony.message
+        assert "scatter of the points" in monotony.message
 
 
 def test_limits_without_scatter_are_as_they_were():

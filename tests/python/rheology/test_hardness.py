@@ -39,9 +39,7 @@ def test_spread_of_a_rebound_at_the_ends_of_its_range():
 
 def test_hardness_beyond_shore_a_names_shore_d():
     """Qi, Joyce and Boyce let both scales meet at S = S_A = S_D + 50."""
-    with pytest.raises(
-        ValueError, match=r"got 95; give what is harder in Shore D, where 95 Shore A is about 45: scale='D'"
-    ):
+    with pytest.raises(ValueError, match=r"got 95; use scale='D' for harder materials: 95 Shore A is about 45 Shore D"):
         vr.hardness_to_modulus(95.0)
     with pytest.raises(ValueError, match=r"hardness must be in \[20, 90\] Shore A, got 101$"):
         vr.hardness_to_modulus(101.0)

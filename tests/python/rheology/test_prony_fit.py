@@ -132,7 +132,7 @@ def test_picture_and_text():
             SimpleNamespace(frequency=[1.0, 2.0, 3.0], storage=[1.0] * 2, loss=[1.0] * 3),
             {},
             ValueError,
-            "columns of one length",
+            "columns of equal length",
         ),
         (3.0, {}, TypeError, "curve must have frequency, storage and loss, got 3.0"),
         (
@@ -201,7 +201,7 @@ def test_rebound():
         kept = np.exp(-np.pi * damping / np.sqrt(1.0 - damping**2)) ** 2  # amplitudes of half a swing, squared
         assert vr.rebound_to_loss_factor(kept).value == pytest.approx(2.0 * damping, rel=2.0 * damping**2)
     with pytest.raises(
-        ValueError, match=r"^rebound must be in \[0.02, 1\), a share of the energy, got 55; 55 % is 0.55$"
+        ValueError, match=r"^rebound must be in \[0.02, 1\), as a fraction of the energy, got 55; 55 % is 0.55$"
     ):
         vr.rebound_to_loss_factor(55)
     with pytest.raises(ValueError, match=r"got 1$"):
@@ -213,7 +213,7 @@ def test_rebound():
 def test_hardness_as_data_sheets_write_it():
     assert vr.hardness_to_modulus(60.0, scale="a") == vr.hardness_to_modulus(60.0)
     assert vr.hardness_to_modulus(40.0, scale="d") == vr.hardness_to_modulus(40.0, scale="D")
-    with pytest.raises(TypeError, match=r"^hardness must be a real number, got str '60 A'; its scale is given apart"):
+    with pytest.raises(TypeError, match=r"^hardness must be a real number, got str '60 A'; pass the scale separately"):
         vr.hardness_to_modulus("60 A")
     with pytest.raises(ValueError, match=r"^scale must be 'A' or 'D', got 'Shore A'$"):
         vr.hardness_to_modulus(60.0, scale="Shore A")

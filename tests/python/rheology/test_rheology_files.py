@@ -115,7 +115,7 @@ MPa\tMPa\t\trad/s\tµN.m\ts\t°C\t°\trad\tPa.s\tHz\t%\tN
 def test_a_frequency_in_radians_and_in_hertz(tmp_path):
     data = vr.read_rheology(written(tmp_path, TRIOS_ALL.format(low="0.0159")), tensile=False)
     np.testing.assert_array_equal(data.isotherms[0].frequency, [0.1, 1.0, 10.0])
-    assert repr(data).endswith("; frequency by 'Angular frequency', with which 'Frequency' agrees")
+    assert repr(data).endswith("; frequency from 'Angular frequency', with which 'Frequency' agrees")
 
 
 def test_the_other_way_around_and_without_a_unit(tmp_path):
@@ -124,7 +124,7 @@ def test_the_other_way_around_and_without_a_unit(tmp_path):
     np.testing.assert_array_equal(data.isotherms[0].frequency, [6.2832, 12.566])
     data = vr.read_rheology(written(tmp_path, rows.format(unit="")))
     np.testing.assert_allclose(data.isotherms[0].frequency, [2.0 * math.pi, 4.0 * math.pi], rtol=1e-15)
-    assert data.remarks == ("frequency by 'f', for 'omega' has no unit",)
+    assert data.remarks == ("frequency from 'f', because 'omega' has no unit",)
 
 
 def test_frequencies_that_disagree_are_refused(tmp_path):
@@ -134,7 +134,7 @@ def test_frequencies_that_disagree_are_refused(tmp_path):
     data = vr.read_rheology(path, tensile=False, columns={"frequency": ("Frequency", "Hz")})
     np.testing.assert_allclose(data.isotherms[0].frequency[0], 0.2 * math.pi)
     three = "f,freq,omega,G',G''\nHz,Hz,rad/s,Pa,Pa\n1,1,6.2832,1,1\n"
-    with pytest.raises(ValueError, match="two columns hold frequency, 'f' and 'omega': say which"):
+    with pytest.raises(ValueError, match="two columns contain frequency, 'f' and 'omega': select one"):
         vr.read_rheology(written(tmp_path, three))
 
 
@@ -200,23 +200,23 @@ def test_nonpositive_moduli_are_dropped_and_counted(tmp_path):
         ("f,G',G''\n1/s,Pa,Pa\n1,2,1\n", r"column 'f' \(frequency\) must have a unit of .*, got unit '1/s'"),
         ("f,G',G'',T\nHz,Pa,Pa,\n1,2,1,20\n", r"column 'T' \(temperature\) must have a unit of .*, got no unit"),
         ("f,G',G''\nHz,mpa,Pa\n1,2,1\n", r"column \"G'\" \(storage\) must have a unit of .*, got unit 'mpa'"),
-        ("omega,G',G''\nHz,Pa,Pa\n1,2,1\n", "column 'omega' must be in 'rad/s' by its name, got 'Hz'"),
+        ("omega,G',G''\nHz,Pa,Pa\n1,2,1\n", "column 'omega' must be in 'rad/s' according to its name, got 'Hz'"),
         (
             "f,Storage modulus,Loss modulus\nHz,Pa,Pa\n1,2,1\n",
-            "does not say whether .* pass tensile=True or tensile=False",
+            "may be a tensile or a shear modulus: pass tensile=True or tensile=False",
         ),
-        ("f,G',x\nHz,Pa,Pa\n1,2,1\n", "needs a column of the loss modulus or of tan δ"),
-        ("f,G',E',G''\nHz,Pa,Pa,Pa\n1,2,1,1\n", 'two columns hold storage, "G\'" and "E\'": say which by columns='),
-        ("a,b,c\n1,2,1\n", "needs a row of names with a frequency and a storage modulus"),
-        ("", "needs a row of names"),
-        ("f,G',G''\nHz,Pa,Pa\n1,-2,1\n", "needs points with moduli > 0, got none in 1"),
+        ("f,G',x\nHz,Pa,Pa\n1,2,1\n", "must have a column of the loss modulus or of tan δ"),
+        ("f,G',E',G''\nHz,Pa,Pa,Pa\n1,2,1,1\n", 'two columns contain storage, "G\'" and "E\'": select one by columns='),
+        ("a,b,c\n1,2,1\n", "must have a header with a frequency and a storage modulus"),
+        ("", "must have a header"),
+        ("f,G',G''\nHz,Pa,Pa\n1,-2,1\n", "must have points with moduli > 0, got none among 1"),
         (
             "f,G',G''\nHz,MPa,MPa\n1,1e307,1\n",
-            r"sweep.csv: column \"G'\" \(storage\) must be at most 1e\+14 MPa in size, got 1e\+307",
+            r"sweep.csv: column \"G'\" \(storage\) must be at most 1e\+14 MPa in magnitude, got 1e\+307",
         ),
-        ("f,G',G''\nkHz,Pa,Pa\n1e306,2,1\n", r"column 'f' \(frequency\) must be at most 1.592e\+96 kHz in size"),
+        ("f,G',G''\nkHz,Pa,Pa\n1e306,2,1\n", r"column 'f' \(frequency\) must be at most 1.592e\+96 kHz in magnitude"),
         ("f (Hz),G' (Pa),G\x1floss\n1,2,1\n", r"in the shell --columns loss=G\\x1floss:unit$"),
-        ("f,G',tan d\nHz,Pa,\n1,2,1e300\n", r"column 'tan d' \(tan_delta\) must be at most 1e\+20 in size"),
+        ("f,G',tan d\nHz,Pa,\n1,2,1e300\n", r"column 'tan d' \(tan_delta\) must be at most 1e\+20 in magnitude"),
     ],
 )
 def test_what_a_file_does_not_say_is_asked_for(tmp_path, text, message):
@@ -233,14 +233,18 @@ def test_case_counts_where_it_makes_a_difference(tmp_path):
 def test_a_file_that_is_no_text(tmp_path):
     path = tmp_path / "sweep.tri"
     path.write_bytes(bytes(range(256)) * 2000)
-    with pytest.raises(ValueError, match="needs a row of names"):
+    with pytest.raises(ValueError, match="must have a header"):
         vr.read_rheology(path)
 
 
 @pytest.mark.parametrize(
     ("options", "error", "message"),
     [
-        ({"columns": {"modulus": "G'"}}, ValueError, "columns must be of frequency, storage, .*, got 'modulus'"),
+        (
+            {"columns": {"modulus": "G'"}},
+            ValueError,
+            "columns must have keys from frequency, storage, .*, got 'modulus'",
+        ),
         ({"columns": {"storage": 3}}, TypeError, r"columns\['storage'\] must be a name, or a name and a unit"),
         ({"poisson_ratio": 0.6}, ValueError, r"poisson_ratio must be in \(-1, 0.5\], got 0.6"),
         ({"tensile": "yes"}, TypeError, "tensile must be True, False or None, got 'yes'"),

@@ -43,7 +43,7 @@ def test_tension_by_tan_delta_and_several_sweeps(tmp_path):
     text = "Set;Strain [%];E' [MPa];tan delta\n1;5,0;9,0;0,2\n1;0,5;18,0;0,1\n1;1;15,0;0,1\n"
     text += "2;1;3;0,1\n2;2;3;0,1\n2;3;3;0,1\n"
     path = written(tmp_path, text, "utf-16")
-    with pytest.raises(ValueError, match=r"sweep must be given for .*, which holds 2: 1 to 2"):
+    with pytest.raises(ValueError, match=r"sweep must be given for .*, which has several: 1 to 2"):
         vr.read_strain_sweep(path, kind="tension")
     found = vr.read_strain_sweep(path, kind="tension", sweep=1)
     np.testing.assert_allclose(found.amplitudes, np.sqrt(3.0) * np.array([0.005, 0.01, 0.05]), rtol=1e-14)
@@ -60,10 +60,10 @@ def test_a_sweep_of_frequency_is_read_as_before_beside_a_strain(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("f [Hz],G' [MPa],G'' [MPa]\n1,2,0.2\n", "needs a row of names with a strain and a storage modulus"),
+        ("f [Hz],G' [MPa],G'' [MPa]\n1,2,0.2\n", "must have a header with a strain and a storage modulus"),
         ("Strain,G' [MPa],G'' [MPa]\n1,2,0.2\n", "column 'Strain' .strain. must have a unit of '%'"),
-        ("Strain [%],G' [MPa]\n1,2\n2,2\n3,2\n", "needs a row of names"),
-        ("Strain [%],G' [MPa],f [Hz]\n1,2,1\n", "needs a column of the loss modulus or of tan δ"),
+        ("Strain [%],G' [MPa]\n1,2\n2,2\n3,2\n", "must have a header"),
+        ("Strain [%],G' [MPa],f [Hz]\n1,2,1\n", "must have a column of the loss modulus or of tan δ"),
     ],
 )
 def test_what_a_file_must_say(tmp_path, text, message):

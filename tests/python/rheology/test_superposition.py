@@ -146,7 +146,7 @@ def test_flat_sweeps_leave_their_shift_open():
     ]
     curve = vr.superpose(_data(sweeps), reference=0.0)
     assert len(curve.undetermined) == 1
-    assert "0 to 20 °C: any shift from" in curve.undetermined[0]
+    assert "0 to 20 °C: all shifts from" in curve.undetermined[0]
 
 
 def test_shift_factors_of_the_user(tmp_path):
@@ -167,8 +167,14 @@ def test_shift_factors_of_the_user(tmp_path):
     ("rows", "message"),
     [
         ("20,0\n20,1\n", "factors.csv: temperature must increase from entry to entry"),
-        ("20,0\n30,inf\n", "factors.csv: needs two finite numbers .*, got \\['30', 'inf'\\]"),
-        ("20,0\n30,1,5\n", "factors.csv: needs two finite numbers .* as many cells as in the row of names"),
+        (
+            "20,0\n30,inf\n",
+            "factors.csv: every row below the units must start with two finite numbers, .*, got \\['30', 'inf'\\]",
+        ),
+        (
+            "20,0\n30,1,5\n",
+            "factors.csv: .* must start with two finite numbers, .* as many cells as the row of names",
+        ),
         ("20,0\n30,400\n", r"factors.csv: log10_factor\[1\] must be in \[-100, 100\], got 400"),
         ("20,0\n1e5,1\n", r"factors.csv: temperature\[1\] must be in \[-273.15, 10000\] °C, got 100000"),
         ("20,0\n30," + 200_000 * "1" + "\n", "factors.csv: field larger than field limit"),
@@ -202,7 +208,7 @@ def test_adhesive_is_fitted_to_1_percent_over_12_decades(master):
 
 def test_coldest_sweep_of_the_adhesive_is_named(adhesive):
     curve = vr.superpose(adhesive, reference=20.0)
-    assert curve.undetermined[0].startswith("-40 to -29.99 °C: any shift from")
+    assert curve.undetermined[0].startswith("-40 to -29.99 °C: all shifts from")
     assert not all(check.passed for check in vr.check_modulus(curve))
 
 
@@ -255,7 +261,7 @@ def test_range_against_the_harmonics_of_rolling(rubber):
     check = vr.check_range(curve, lowest=2.5, highest=1000.0)
     assert not check.passed
     assert check.value == pytest.approx(2.0 / np.log10(400.0))
-    assert "1 decades below and 1 above are extrapolated" in check.message
+    assert "1 decades below and 1 above it are extrapolated" in check.message
 
 
 def test_constants_of_shifts_that_do_not_bend_are_not_told():
@@ -263,5 +269,7 @@ def test_constants_of_shifts_that_do_not_bend_are_not_told():
     temperature = np.arange(-40.0, 61.0, 10.0)
     above = temperature - REFERENCE
     law = fit_wlf(vr.ShiftFactors(temperature=temperature, log10_factor=-0.1 * above - 5e-4 * above**2), REFERENCE)
-    assert str(law).startswith(f"WLF at {REFERENCE:g} °C: no constants, the shifts do not bend as it does; residual 0.")
+    assert str(law).startswith(
+        f"WLF at {REFERENCE:g} °C: constants undetermined, the shifts lack its curvature; residual 0."
+    )
     assert "c1 = " in str(fit_wlf(vr.ShiftFactors(temperature=temperature, log10_factor=wlf(temperature)), REFERENCE))

@@ -275,7 +275,9 @@ def test_full_stick_is_any_friction_with_which_all_of_the_contact_sticks(paper_b
 
 def test_full_stick_that_asks_for_tension_is_said_so(paper_ball):
     # At the edge of this contact, sticking nodes are in tension, and in compression if they are removed.
-    message = "no full stick without tension was found in .* of the load; with a finite friction nodes may slip"
+    message = (
+        "no state of full stick without tension was found in .* of the load; with a finite friction, nodes can slip"
+    )
     with pytest.raises(vr.ConvergenceError, match=message):
         roll(paper_ball, mu=math.inf, drive=vr.Drive(creepage=0.0))
 
@@ -311,7 +313,7 @@ BAD = {
     "more than there is": (
         {"friction": 4.01},
         ValueError,
-        "friction must be at most 4, for no pair of materials has more, or infinite, where all of .* sticks, got 4.01",
+        r"friction must be at most 4 \(no pair of materials has more\), or infinite for full stick, got 4.01",
     ),
     "text": ({"friction": "much"}, TypeError, "friction must be a real number"),
     "drive": ({"friction": 0.3, "drive": 0.0}, TypeError, "drive must be a viscoroll.Drive"),
@@ -325,7 +327,7 @@ BAD = {
     "torque": (
         {"friction": 0.3, "drive": vr.Drive(torque=5.0)},
         ValueError,
-        r"drive.torque must be between -0\.\d+ N m and 0\.\d+ N m, else the ball slides without end, got 5 N m",
+        r"drive.torque must be between -0\.\d+ N m and 0\.\d+ N m, otherwise the ball slides without end, got 5 N m",
     ),
     "towed without grip": (
         {"friction": 0.001, "drive": vr.Drive(torque=0.0)},

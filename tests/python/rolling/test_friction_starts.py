@@ -124,7 +124,8 @@ def test_a_contact_that_fits_with_friction_if_it_fits_without():
 def test_harmonics_beyond_memory_are_refused_by_the_order_that_asks_for_them(paper_ball):
     mesh = vr.Mesh(nodes_per_revolution=400, max_order=200_000)
     with pytest.raises(
-        ValueError, match=r"mesh\.max_order must be small enough for .* values of harmonics and tables, got 200000"
+        ValueError,
+        match=r"mesh\.max_order must be so small that .* at most .* values of harmonics and tables, got 200000",
     ):
         vr.solve(paper_ball, load=10.0, angular_speed=1.0, curvature="EXACT", mesh=mesh)
 

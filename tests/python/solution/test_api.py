@@ -219,7 +219,7 @@ def test_every_field_is_documented():
     names = set(re.findall(r"^(\w[\w, ]*?)(?: : .*)?$", text, flags=re.MULTILINE))
     documented = {name for entry in names for name in entry.split(", ")}
     assert {field.name for field in dataclasses.fields(vr.Result)} <= documented
-    assert "linear_speed : float or None\n    Speed of the center V_s [m/s]. Undetermined" in text
+    assert "linear_speed : float or None\n    Speed of the center V_s [m/s]. None without friction" in text
 
 
 def test_a_model_gives_what_single_solves_give():

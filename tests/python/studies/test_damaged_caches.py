@@ -63,7 +63,7 @@ def test_a_study_of_one_changed_bit_is_not_read(cached):
     content[content.index(before.resisting_torque.values.tobytes())] ^= 1
     path.write_bytes(content)
     with pytest.raises(
-        ValueError, match=r"study.nc is damaged, or another file .*: delete it, and the same call makes"
+        ValueError, match=r"study.nc is damaged, or does not belong .*: delete it, and the same call makes"
     ):
         study(path)
     path.unlink()
@@ -75,12 +75,12 @@ def test_a_study_of_one_changed_bit_is_not_read(cached):
     [
         (
             "ALTER TABLE point DROP COLUMN checksum",
-            r"is damaged, or another file .* \(it has other tables\): delete it",
+            r"is damaged, or is not a file .* \(its tables are different\): delete it",
         ),
-        ("UPDATE made_by SET text = 'a' || char(10) || x'ff'", r"was made by viscoroll a\\n.*: delete it and study.nc"),
-        ("DELETE FROM made_by", "was made by viscoroll None.*: delete it and study.nc"),
+        ("UPDATE made_by SET text = 'a' || char(10) || x'ff'", r".*got a cache made by a\\n.*: delete it and study.nc"),
+        ("DELETE FROM made_by", ".*got a cache made by None.*: delete it and study.nc"),
         ("DROP TABLE made_by", r".*\(SQLITE_ERROR\): delete it and study.nc"),
-        ("PRAGMA application_id = 7", r"is damaged, or another file .*: delete it and study.nc"),
+        ("PRAGMA application_id = 7", r"is damaged, or is not a file .*: delete it and study.nc"),
     ],
 )
 def test_another_database_is_refused(cached, statement, wanted):

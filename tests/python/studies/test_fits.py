@@ -131,13 +131,16 @@ def test_tables_3_and_4_of_the_paper():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: vr.fit_power_law([1.0, 2.0], [1.0, 2.0]), r"more different values than parameters \(2\), got 2"),
+        (
+            lambda: vr.fit_power_law([1.0, 2.0], [1.0, 2.0]),
+            r"more than 2 different values to determine the parameters, got 2",
+        ),
         (lambda: vr.fit_power_law([1.0, 2.0, 3.0], [1.0, 2.0]), r"torque must have the shape of load, \(3,\), got"),
         (lambda: vr.fit_power_law([1.0, -2.0, 3.0], [1.0, 2.0, 3.0]), "load must be > 0 N, got -2"),
         (lambda: vr.fit_power_law([1.0, 2.0, 3.0], [1.0, 0.0, 3.0]), "torque must be > 0 N m, got 0"),
         (lambda: vr.fit_power_law([1.0, 2.0, 3.0], [1.0, np.inf, 3.0]), "torque must be > 0 N m, got inf"),
         (lambda: vr.fit_power_law(LOAD, LOAD, confidence=95), r"confidence must be in \(0, 1\), got 95"),
-        (lambda: vr.fit_friction_law(FRICTION[1:], FRICTION[1:]), "frictionless_torque must be given where no fric"),
+        (lambda: vr.fit_friction_law(FRICTION[1:], FRICTION[1:]), "frictionless_torque must be given if fric"),
         (lambda: vr.fit_friction_law(-FRICTION, FRICTION + 1.0), "friction must be >= 0, got -0.01"),
         (
             lambda: vr.fit_friction_law(FRICTION, FRICTION + 1.0, boundary_layer_width=0.0),

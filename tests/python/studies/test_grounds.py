@@ -64,7 +64,7 @@ def test_what_a_function_refuses_fails_at_its_points_alone():
     ("options", "message"),
     [
         ({"on": belt}, "on, called with no parameter: missing a required argument: 'cover'"),
-        ({"on": belt, "cover": 4e-3, "hight": 1.0}, "a ball has no parameter hight; pass a function of hight"),
+        ({"on": belt, "cover": 4e-3, "hight": 1.0}, "a rolling body has no parameter hight; pass a function of hight"),
         ({"on": lambda cover: cover, "cover": 4e-3}, r"on must return a viscoroll.CoatedPlane or .*, got 0\.004"),
     ],
 )
@@ -77,6 +77,6 @@ def test_a_study_of_grounds_is_written_for_other_programs():
     ball = vr.CoatedSphere(core_radius=20e-3)
     case = {"load": [10.0, 20.0], "angular_speed": [1.0, 2.0], "mesh": vr.Mesh(nodes_per_revolution=200)}
     study = vr.sweep(ball, on=belt, cover=[2e-3, 3e-3], progress=False, **case)
-    with pytest.raises(ValueError, match="study must vary load and angular_speed alone, got cover too"):
+    with pytest.raises(ValueError, match="study must vary only load and angular_speed, got also cover"):
         vr.dem(study, code="lammps")
     assert "a ball on a plane" in vr.dem(study.isel(cover=0), code="lammps").text

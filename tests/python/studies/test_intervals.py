@@ -111,7 +111,9 @@ def test_draws_of_two_materials_go_together(material):
     together = width(inner=material, outer=other)
     alone = np.hypot(width(inner=material, outer=other.middle), width(inner=material.middle, outer=other))
     assert together == pytest.approx(alone, rel=0.4)  # the correlation of 20 draws has a standard deviation of 0.2
-    with pytest.raises(ValueError, match="draws must be as many of each parameter, got 20 of inner, 2 of outer"):
+    with pytest.raises(
+        ValueError, match="draws must be equally many for each parameter, got 20 for inner, 2 for outer"
+    ):
         width(inner=material, outer=vr.Draws(other.middle, other[:2]))
 
 
@@ -132,7 +134,7 @@ def test_a_cache_keeps_draws(tmp_path, material, monkeypatch):
     given = CASE | {"load": [500.0, 1e3], "cache": tmp_path / "study.nc"}
     first = vr.sweep(roller, modulus=material, **given)
     assert first.resisting_torque_lower.attrs["units"] == "N"
-    assert first.resisting_torque_lower.attrs["long_name"].endswith("lower end of 0.95")
+    assert first.resisting_torque_lower.attrs["long_name"].endswith("lower end of the 0.95 interval")
     assert (first.attrs["draws"], first.attrs["confidence"]) == ("20, linear", "0.95")
     monkeypatch.setattr("viscoroll.studies.run.drawn_answers", None)  # no further solves
     xarray.testing.assert_identical(first, vr.sweep(roller, modulus=material, **given))
@@ -144,7 +146,7 @@ def test_a_cache_keeps_draws(tmp_path, material, monkeypatch):
 def test_draws_that_fail_leave_no_interval(material):
     """The result remains, with a warning; an interval without the failed draws would be biased."""
     soft = vr.Draws(material.middle, [material[0], vr.Elastic(modulus=1e3)])
-    with pytest.warns(vr.ResultWarning, match=r"of 1 points: .*1 NO_INTERVAL"):
+    with pytest.warns(vr.ResultWarning, match=r"among 1 points: .*1 NO_INTERVAL"):
         found = vr.sweep(roller, modulus=soft, draws="solve", **CASE)
     assert found.resisting_torque > 0.0
     assert "resisting_torque_lower" not in found
@@ -152,7 +154,7 @@ def test_draws_that_fail_leave_no_interval(material):
     thick = vr.Draws(2e-3, [2e-3, 2.1e-3])
     with pytest.warns(vr.ResultWarning, match="1 NO_INTERVAL"):
         found = vr.sweep(roller, modulus=material.middle, thickness=thick, **CASE)
-    assert "draws must differ in shear moduli alone where they are linear" in found.error.item()
+    assert "draws must differ only in shear moduli for draws='linear'" in found.error.item()
 
 
 def test_draws_far_from_the_middle_are_no_first_order():
@@ -161,7 +163,7 @@ def test_draws_far_from_the_middle_are_no_first_order():
     far = vr.Draws(found_one, [vr.Elastic(modulus=3e5), vr.Elastic(modulus=3e7)])
     with pytest.warns(vr.ResultWarning, match="1 NO_INTERVAL"):
         found = vr.sweep(roller, modulus=far, **CASE)
-    assert "draws must change the penetration by at most 25% where they are linear" in found.error.item()
+    assert "draws must change the penetration by at most 25% for draws='linear'" in found.error.item()
     assert "resisting_torque_lower" not in found
 
 
@@ -199,11 +201,11 @@ def test_bad_questions(material):
         vr.sweep(roller, modulus=material, confidence=95, **CASE)
     with pytest.raises(TypeError, match=r"load must be a real number, got .*2 draws of 20"):
         vr.sweep(roller, modulus=material, **CASE | {"load": vr.Draws(20.0, [19.0, 21.0])})
-    with pytest.raises(TypeError, match="give its middle, or all of them to sweep"):
+    with pytest.raises(TypeError, match="give its middle, or pass all draws to sweep"):
         roller(material)
     network = vr.KrausNetwork(storage=1e6, loss=2e5, critical_strain=0.02)
     filled = material.map(lambda matrix: vr.SofteningModulus(matrix=matrix, network=network))
-    with pytest.raises(ValueError, match="draws must be 'solve' where layers soften with strain, got 'linear'"):
+    with pytest.raises(ValueError, match="draws must be 'solve' if layers soften with strain, got 'linear'"):
         vr.sweep(roller, modulus=filled, **CASE)
 
 
@@ -214,7 +216,7 @@ def test_a_picture_has_bands(material):
     edge = axes.collections[1].get_paths()[0].vertices
     lower = 1e3 * found.resisting_torque_lower.sel(angular_speed=3.0)  # [mN]
     assert edge[:, 1].min() == pytest.approx(lower.min().item())
-    assert axes.get_title().endswith("bands hold the true value with 0.95 of probability")
+    assert axes.get_title().endswith("bands contain the true value with a probability of 0.95")
     assert not plot_study(found, variable="contact_area").axes[0].collections
     texts = vr.sweep(roller, modulus=[material, material.map(lambda m: m)], **CASE)
     assert len(plot_study(texts).axes[0].collections) == 1

@@ -34,7 +34,7 @@ def test_is_odd_and_defined_at_rest(surface):
     np.testing.assert_array_equal(surface(50.0, -speed), -torque)
     assert torque[0] == 0.0
     assert torque[1] == pytest.approx(0.2 * torque[2], rel=1e-14)
-    assert "slower in proportion to the speed, where the fit has its power" in repr(surface)
+    assert "below the lowest speed proportional to the speed (exponent of the fit there" in repr(surface)
 
 
 def test_its_power_at_the_lowest_speed_is_that_of_neighbors(surface):
@@ -44,9 +44,9 @@ def test_its_power_at_the_lowest_speed_is_that_of_neighbors(surface):
 
 
 def test_outside_decides(surface):
-    with pytest.raises(ValueError, match=r"load must be in \[20, 200\] N, where it was fitted, got 0"):
+    with pytest.raises(ValueError, match=r"load must be in \[20, 200\] N, the fitted range, got 0"):
         surface(0.0, 1.0)
-    with pytest.raises(ValueError, match=r"angular_speed must be in \[-8, 8\] rad/s, where it was fitted, got -9"):
+    with pytest.raises(ValueError, match=r"angular_speed must be in \[-8, 8\] rad/s, the fitted range, got -9"):
         surface(50.0, [1.0, -9.0])
     assert surface(50.0, -8.0) == -surface(50.0, 8.0)  # the end of the range in both directions
     with pytest.raises(ValueError, match="outside must be one of error, hold, got 'guess'"):
@@ -66,20 +66,24 @@ def test_a_file_gives_the_same_numbers(surface, tmp_path):
     for key in document.keys() - {"what"}:
         less = {name: value for name, value in document.items() if name != key}
         (tmp_path / "less.json").write_text(json.dumps(less))
-        with pytest.raises(ValueError, match=f"must hold a rolling resistance of viscoroll .*a value of '{key}'"):
+        with pytest.raises(
+            ValueError, match=f"must contain a rolling resistance saved by viscoroll .*'{key}' is missing"
+        ):
             vr.RollingResistance.load_file(tmp_path / "less.json")
     for other, message in (
-        ("[1]", r"an object with names, got \[1\]"),
+        ("[1]", r"a JSON object, got \[1\]"),
         ("{", "Expecting property name"),
         (5000 * "[", "nested too deeply"),
         (json.dumps(document | {"load": None}), "load must be one-dimensional"),
-        (json.dumps(document | {"load": [1.0, 2.0, 3.0]}), "load must hold the two ends of a range"),
+        (json.dumps(document | {"load": [1.0, 2.0, 3.0]}), "load must be the two ends of a range"),
         (json.dumps(document | {"radius": -1.0}), "radius must be > 0 m, got -1"),
         (json.dumps(document | {"radius": True}), "radius must be a real number, got bool True"),
-        (json.dumps(document | {"radius": 10**400}), r"radius must be <= 1.8e\+308 in size"),
+        (json.dumps(document | {"radius": 10**400}), r"radius must be <= 1.8e\+308 in magnitude"),
         (json.dumps(document | {"coefficients": 1.0}), "coefficients must be a list of rows, got 1.0"),
-        (json.dumps(document | {"coefficients": [[1.0, "x"]]}), r"coefficients\[0\] must hold real numbers"),
+        (json.dumps(document | {"coefficients": [[1.0, "x"]]}), r"coefficients\[0\] must contain real numbers"),
     ):
         (tmp_path / "other.json").write_text(other)
-        with pytest.raises(ValueError, match=f"other.json must hold a rolling resistance of viscoroll .*{message}"):
+        with pytest.raises(
+            ValueError, match=f"other.json must contain a rolling resistance saved by viscoroll .*{message}"
+        ):
             vr.RollingResistance.load_file(tmp_path / "other.json")

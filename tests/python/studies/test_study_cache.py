@@ -203,7 +203,9 @@ def test_an_error_of_the_machine_is_not_the_points(tmp_path, monkeypatch, paper_
 
 def test_failed_points_are_nan_with_their_message(tmp_path, solves):
     parameters = {"thickness": [-1.0, 1e-3], "load": [100.0, 1e9], "cache": tmp_path / "study.nc"}
-    with pytest.warns(vr.ResultWarning, match="^of 4 points: 1 COARSE_MESH, 3 FAILED; see status, warnings and error$"):
+    with pytest.warns(
+        vr.ResultWarning, match="^among 4 points: 1 COARSE_MESH, 3 FAILED; see status, warnings and error$"
+    ):
         study = sweep(paper.ball, **parameters, fields=["pressure"])
     assert np.isnan(study.resisting_torque).values.tolist() == [[True, True], [False, True]]
     assert study.status.values.tolist() == [["FAILED", "FAILED"], ["CONVERGED", "FAILED"]]
@@ -223,7 +225,7 @@ def test_points_less_accurate_than_wanted_are_kept_and_counted(tmp_path, solves)
     # The smaller contact is narrower than the spacing of any allowed mesh.
     parameters = {"load": [1e-13, 100.0], "mesh": None, "accuracy": 0.2, "cache": tmp_path / "study.nc"}
     for _ in range(2):
-        with pytest.warns(vr.ResultWarning, match="^of 2 points: 1 ACCURACY_NOT_REACHED; see warnings$"):
+        with pytest.warns(vr.ResultWarning, match="^among 2 points: 1 ACCURACY_NOT_REACHED; see warnings$"):
             study = sweep(paper.ball(density=0.0), **parameters)
         assert study.attrs["statuses"] == "1 ACCURACY_NOT_REACHED, 1 CONVERGED"
         assert study.resisting_torque.notnull().all()
@@ -394,7 +396,7 @@ def test_a_cache_of_another_version_is_refused(tmp_path, monkeypatch, paper_ball
     before = {file: file.read_bytes() for file in tmp_path.iterdir()}
     monkeypatch.setattr("viscoroll.studies.cache.__version__", "0.0.0")
     with pytest.raises(
-        ValueError, match=rf"was made by viscoroll {vr.__version__}, commit .* must be of 0.0.0, commit"
+        ValueError, match=rf"must be made by viscoroll 0.0.0, commit .*, got a cache made by {vr.__version__}, commit"
     ):
         sweep(paper_ball, load=LOADS, cache=tmp_path / "study.nc")
     assert {file: file.read_bytes() for file in tmp_path.iterdir()} == before
@@ -412,14 +414,14 @@ def test_files_that_are_no_cache_are_left_alone(tmp_path, paper_ball):
 
     for content in (b"important", b"important\n" * 1000):
         points.write_bytes(content)
-        refused(points, ValueError, r"study.nc.points is damaged, or another file than viscoroll writes \(.*delete it")
+        refused(points, ValueError, r"study.nc.points is damaged, or is not a file of viscoroll \(.*delete it")
     points.unlink()
     with contextlib.closing(sqlite3.connect(points)) as database:
         database.execute("CREATE TABLE point (key TEXT)")
-    refused(points, ValueError, r"study.nc.points is damaged, or another file than viscoroll writes \(.*delete it")
+    refused(points, ValueError, r"study.nc.points is damaged, or is not a file of viscoroll \(.*delete it")
     points.unlink()
     path.write_bytes(b"important")
-    refused(path, ValueError, "study.nc is damaged, or another file than viscoroll wrote .*: delete it")
+    refused(path, ValueError, "study.nc is damaged, or does not belong .*: delete it")
     assert not points.exists()
     with pytest.raises(OSError, match=r"unable to open database file: .*absent.study\.nc\.points"):
         sweep(paper_ball, load=LOADS, cache=tmp_path / "absent" / "study.nc")

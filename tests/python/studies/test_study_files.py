@@ -101,7 +101,10 @@ def test_sweep_and_plot_from_the_shell(study_file, tmp_path):
         (tmp_path / "study.nc").write_bytes(damaged)
         done = command("plot", tmp_path / "study.nc")
         assert done.returncode == 2
-        assert f"{tmp_path / 'study.nc'} must be a study of viscoroll, got another file or a damaged one" in done.stderr
+        assert (
+            f"{tmp_path / 'study.nc'} must be a study file of viscoroll, got a file without a valid checksum"
+            in done.stderr
+        )
 
 
 def test_ctrl_c_in_the_shell_says_how_to_go_on(study_file, tmp_path):
@@ -117,7 +120,7 @@ def test_ctrl_c_in_the_shell_says_how_to_go_on(study_file, tmp_path):
         process.send_signal(signal.SIGINT)
         _, message = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert message == f"viscoroll: stopped; the same command goes on from {tmp_path / 'study.nc.points'}\n"
+    assert message == f"viscoroll: stopped; run the same command again to resume from {tmp_path / 'study.nc.points'}\n"
 
 
 def test_the_example_is_a_study(tmp_path):
@@ -131,19 +134,19 @@ def test_the_example_is_a_study(tmp_path):
 @pytest.mark.parametrize(
     ("sweep", "message"),
     [
-        ("", 'sweep must be a table of what varies, as "rolling.load"'),
+        ("", 'sweep must be a table of parameters with their values, such as "rolling.load"'),
         ('"rolling.load" = 3.0', "must be a list of numbers or a table with from, to and count, got 3.0"),
         ('"rolling.load" = ["a"]', "must be a list of numbers or a table with from, to and count"),
         ('"rolling.load" = []', "load must have at least one value, got none"),
         ('"rolling load" = [1.0]', 'keys must be places like "ball.layers[0].thickness", got '),
-        ("rolling.load = [1.0]", 'sweep.rolling: write the whole place in quotes, as "rolling.load"'),
+        ("rolling.load = [1.0]", 'sweep.rolling: the whole place must be in quotes, as in "rolling.load"'),
         ('"rolling.laod" = [1.0]', "rolling.laod: extra inputs are not permitted, got 1.0"),
         ('"ball.layers[1].thickness" = [1.0]', 'the file has no place "ball.layers[1].thickness"'),
         ('"rolling.load" = { from = 1, to = 2 }', 'sweep."rolling.load".count: field required'),
         ('"rolling.load" = { from = 1, to = 2, count = 1 }', "count: input should be greater than or equal to 2"),
         (
             '"rolling.load" = { from = 0, to = 2, count = 3, scale = "log" }',
-            "from and to must be > 0 where the scale is",
+            "from and to must be > 0 for a log scale",
         ),
     ],
 )

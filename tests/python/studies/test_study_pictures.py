@@ -127,12 +127,12 @@ def test_what_cannot_be_drawn_is_refused():
     study = study_of(load=[1.0, 2.0])
     with pytest.raises(ValueError, match="variable must be one of resisting_torque, got 'heat'"):
         plot_study(study, variable="heat")
-    with pytest.raises(ValueError, match="must have a dimension to be drawn against, got resisting_torque of a single"):
+    with pytest.raises(ValueError, match="must have a dimension to be drawn against, got resisting_torque at a single"):
         plot_study(study.isel(load=0))
-    with pytest.raises(ValueError, match="must have numbers to be drawn, got resisting_torque, of which no point has"):
+    with pytest.raises(ValueError, match="must have finite values to be drawn, got resisting_torque, which has none"):
         plot_study(study_of(load=[1.0, 2.0], missing=[np.s_[:]]))
     many = {"load": [1.0, 2.0], "friction": list(range(9)), "thickness": list(range(1, 6))}
-    with pytest.raises(ValueError, match="at most 4 combinations of thickness, got 5; select a part of it"):
+    with pytest.raises(ValueError, match="at most 4 combinations of thickness, got 5; select some of them"):
         plot_study(study_of(**many))
-    with pytest.raises(ValueError, match="at most 10 values of drive, got 11; select a part of it"):
+    with pytest.raises(ValueError, match="at most 10 values of drive, got 11; select some of them"):
         plot_study(study_of(load=[1.0, 2.0], drive=[f"force={i}" for i in range(11)]))

@@ -186,15 +186,15 @@ def test_progress_has_an_estimate_of_the_time_left(capsys, paper_ball):
         ({"load": ["heavy"]}, TypeError, "load must be a real number, got str 'heavy'"),
         ({"mesh": [100]}, TypeError, "mesh must be a viscoroll.Mesh, got 100"),
         ({"max_iterations": 1.5}, TypeError, "max_iterations must be a whole number"),
-        ({"accuracy": 0.1}, ValueError, "accuracy must be left out where a mesh is given"),
+        ({"accuracy": 0.1}, ValueError, "accuracy must be left out if a mesh is given"),
         ({"thicknes": 1e-3}, TypeError, "ball, called with thicknes: got an unexpected keyword argument"),
-        ({"penetration": 1e-3}, ValueError, "must have other names than results, got penetration"),
+        ({"penetration": 1e-3}, ValueError, "must not have names of results, got penetration"),
         (
             {"thickness": [-1.0, -2.0]},
             ValueError,
             "every point fails, the first with ValueError: thickness must be > 0",
         ),
-        ({"fields": ["heat"]}, ValueError, "fields must be of x, z, pressure, .*, got 'heat'"),
+        ({"fields": ["heat"]}, ValueError, "fields must be names from x, z, pressure, .*, got 'heat'"),
         ({"executor": 4}, TypeError, "executor must be a concurrent.futures.Executor or None, got 4"),
         ({"cache": "study.json"}, ValueError, "cache must end in .nc, got 'study.json'"),
     ],
@@ -205,11 +205,11 @@ def test_bad_arguments(changes, error, message):
 
 
 def test_bad_balls(paper_ball):
-    with pytest.raises(TypeError, match="a ball has no parameter thickness; pass a function of thickness"):
+    with pytest.raises(TypeError, match="a rolling body has no parameter thickness; pass a function of thickness"):
         sweep(paper_ball, load=LOADS, thickness=[1e-3])
     with pytest.raises(TypeError, match=r"ball must be a viscoroll.CoatedSphere or .* returns one, got 3"):
         sweep(3, load=LOADS)
     with pytest.raises(TypeError, match=r"ball must return a viscoroll.CoatedSphere or .*, got 1.0"):
         sweep(lambda thickness: 1.0, load=LOADS, thickness=[1.0])
-    with pytest.raises(TypeError, match="sweep needs angular_speed and load"):
+    with pytest.raises(TypeError, match="sweep requires angular_speed and load"):
         vr.sweep(paper_ball)

@@ -44,7 +44,10 @@ def test_a_missing_package_is_named_with_its_extra(tmp_path, package, statement,
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=tmp_path)
     last = done.stderr.strip().splitlines()[-1]
-    assert last == f"ImportError: this needs {package}: pip install 'viscoroll[{name}]'"
+    assert (
+        last
+        == f"ImportError: this function requires {package}, which is not installed: pip install 'viscoroll[{name}]'"
+    )
     assert list(tmp_path.iterdir()) == []
 
 
@@ -57,7 +60,10 @@ def test_the_command_line_says_it_in_one_line(tmp_path, package, arguments, name
     command = [sys.executable, "-c", program, *arguments.split()]
     done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
     assert done.returncode == 2
-    assert done.stderr == f"viscoroll: this needs {package}: pip install 'viscoroll[{name}]'\n"
+    assert (
+        done.stderr
+        == f"viscoroll: this function requires {package}, which is not installed: pip install 'viscoroll[{name}]'\n"
+    )
 
 
 def test_the_extras_of_messages_exist():

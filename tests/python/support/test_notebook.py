@@ -59,7 +59,7 @@ def streams(outputs):
     [
         ("ball", ["core radius", "0.02", "StandardLinearSolid", "relaxation time"]),
         ("result", ["P = 50 N", "resisting torque T_r", "N m", "CONVERGED"]),
-        ("history", ["RELAXED start", "at the end", "energy stored in both bodies"]),
+        ("history", ["RELAXED start", "last", "energy stored in both bodies"]),
         ("study", ["resisting_torque"]),
         ("inside", ["von_mises"]),
     ],

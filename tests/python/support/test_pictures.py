@@ -88,7 +88,5 @@ def test_pictures_go_where_the_caller_wants_them(result, plot, label):
 
 @pytest.mark.parametrize("path", ["c.png", Path("c.png")])
 def test_a_file_in_place_of_axes(result, path):
-    with pytest.raises(
-        TypeError, match=r"ax must be .*; without ax there is a figure, whose savefig\('c.png'\) writes"
-    ):
+    with pytest.raises(TypeError, match=r"ax must be .*; to write a file, omit ax and call savefig\('c.png'\) on"):
         result.plot(path)

@@ -205,7 +205,7 @@ def test_friction_too_small_to_push_a_ball_over_its_mat():
     """The mat resists with 2.5 N, of which friction supports 1 N; a torque of 0.63 N m requires all of 30 N."""
     motion = {"time": [0.0, 0.02], "way": [0.0, 1.4e-3], "load": 100.0}
     options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "lattices": 1}
-    slides = r"at angle 0\.\d+ rad, else the ball slides without end, got"
+    slides = r"at angle 0\.\d+ rad, otherwise the ball slides without end, got"
     with pytest.raises(ValueError, match=rf"driving_force must be between 0\.\d+ N and 2\.\d+ N {slides} 0 N"):
         vr.roll(STEEL, **motion, **options, friction=0.01)
     with pytest.raises(ValueError, match=r"driving_torque must be between -0\.62\d N m and 0\.62\d N m .* 0\.64 N m"):

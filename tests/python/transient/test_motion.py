@@ -20,15 +20,18 @@ BAD = [
     ({"load": [100.0]}, r"load must be as long as time \(2\), got 1"),
     ({"load": [100.0, -1.0]}, r"load\[1\] must be >= 0 N, got -1"),
     ({"load": 1e7}, "load must be small enough for the coating"),
-    ({"time": [0.0], "angle": [0.0]}, "time must hold at least two knots, got 1"),
+    ({"time": [0.0], "angle": [0.0]}, "time must have at least two waypoints, got 1"),
     ({"lattices": 0}, r"lattices must be in \[1, 16\], got 0"),
     ({"steps_per_spacing": 0}, r"steps_per_spacing must be in \[1, 64\], got 0"),
     ({"curvature": vr.Curvature.EXACT}, "curvature must be SPHERE or PAPER"),
     ({"friction": -0.3}, "friction must be >= 0, got -0.3"),
-    ({"friction": 5.0}, "friction must be at most 4, .*, got 5"),
+    ({"friction": 5.0}, "friction must be at most 4 .*, got 5"),
     ({"friction": np.inf}, "friction must be finite in transient rolling, .*, got inf"),
     ({"spectrum_tolerance": 0.0}, r"spectrum_tolerance must be in \(0, 1\), got 0"),
-    ({"angle": [0.0, 1e9]}, r"angle must be within 1.57e\+05 rad of the one before, ten million steps, got 1e\+09"),
+    (
+        {"angle": [0.0, 1e9]},
+        r"angle must be within 1.57e\+05 rad of the previous angle \(ten million steps\), got 1e\+09",
+    ),
     ({"checkpoint": "state.txt"}, r"checkpoint must end in .state, got 'state.txt'"),
     ({"checkpoint": "nowhere/ball.state"}, r"checkpoint must be in a folder that exists, got 'nowhere/ball.state'"),
     ({"contact_times": [2.0]}, r"contact_times must be in \[0, 1\] s, got 2"),
@@ -43,10 +46,10 @@ def test_bad_input(change, message):
 
 def test_kelvin_voigt_cannot_jump():
     ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1e5))
-    with pytest.raises(ValueError, match=r"start must be RELAXED for a coating that does not yield at once"):
+    with pytest.raises(ValueError, match=r"start must be RELAXED for a coating without instantaneous compliance"):
         vr.roll(ball, **GOOD, start=vr.Start.FRESH)
     jump = {"time": [0, 0.5, 0.5, 1], "angle": [0, 0.1, 0.1, 0.2], "load": [100, 100, 120, 120]}
-    with pytest.raises(ValueError, match=r"time must be after the instant reached, 0.5 s, for a coating"):
+    with pytest.raises(ValueError, match=r"time must be > the current time, 0.5 s, because a coating"):
         vr.roll(ball, **GOOD | jump)
 
 
@@ -56,11 +59,15 @@ def test_coatings_that_are_not_for_this():
         vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.45)
         for modulus in (slow, vr.Elastic(modulus=2e6))
     ]
-    with pytest.raises(ValueError, match=r"layers\[0\].shear_modulus must be one that yields at once .*, got KelvinV"):
+    with pytest.raises(
+        ValueError, match=r"layers\[0\].shear_modulus must be a material with instantaneous compliance .*, got KelvinV"
+    ):
         vr.roll(vr.CoatedSphere(core_radius=20e-3, layers=layers), **GOOD)
-    with pytest.raises(ValueError, match=r"on.layers\[0\].shear_modulus must be one that yields at once"):
+    with pytest.raises(
+        ValueError, match=r"on.layers\[0\].shear_modulus must be a material with instantaneous compliance"
+    ):
         vr.roll(vr.CoatedSphere(core_radius=20e-3, layers=[]), on=vr.CoatedPlane(layers=layers), **GOOD)
-    with pytest.raises(ValueError, match=r"angle must be turned so slowly that inertia is negligible, at most"):
+    with pytest.raises(ValueError, match=r"angle must be changed so slowly that inertia is negligible, at most"):
         vr.roll(paper.ball(density=1000.0), **GOOD | {"angle": [0.0, 1000.0]})
     like = vr.CoatedSphere(
         core_radius=20e-3,

@@ -405,11 +405,11 @@ def test_an_interrupted_run_leaves_a_checkpoint(tmp_path):
 def test_a_state_of_another_ball_is_refused():
     state = vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=1).state
     other = coated_ball(vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=1.0))
-    with pytest.raises(ValueError, match="start must be a state of the same material"):
+    with pytest.raises(ValueError, match="start must be a state of the same materials"):
         vr.RollingHistory(other, load=100.0, mesh=COARSE, lattices=1, start=state)
-    with pytest.raises(ValueError, match="start must be a state of the same ball and mesh"):
+    with pytest.raises(ValueError, match="start must be a state of the same bodies and mesh"):
         vr.RollingHistory(BALL, load=100.0, mesh=vr.Mesh(nodes_per_revolution=120), lattices=1, start=state)
-    with pytest.raises(ValueError, match="as many lattices"):
+    with pytest.raises(ValueError, match="the same number of lattices"):
         vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=2, start=state)
     with pytest.raises(ValueError, match="start must be a state of a rolling history"):
         vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=1, start=vr.RollingState(state.numbers[:100]))
@@ -455,7 +455,7 @@ def test_a_spoiled_state_is_refused_or_goes_on(wrong, on):
 @pytest.mark.parametrize(
     ("numbers", "error", "message"),
     [
-        ("none", TypeError, "numbers must hold real numbers"),
+        ("none", TypeError, "numbers must contain real numbers"),
         ([[1.0, 2.0]], ValueError, "numbers must be one-dimensional"),
     ],
 )

@@ -282,13 +282,13 @@ def test_a_state_remembers_the_center():
 BAD = [
     ({"mass": -1.0}, "mass must be >= 0 kg, got -1"),
     ({"mass": 1.0, "friction": 0.0}, "mass must be 0 kg without friction"),
-    ({"center_speed": 0.1}, "center_speed must be 0 m/s for a center without mass, got 0.1 m/s"),
+    ({"center_speed": 0.1}, "center_speed must be 0 m/s without a mass, got 0.1 m/s"),
     ({"center_speed": np.nan, "mass": 1.0}, "center_speed must be finite, got nan"),
     ({"center_way": [0.0, np.inf]}, r"center_way\[1\] must be finite, got inf"),
     ({"center_way": [0.0]}, r"center_way must be as long as time \(2\), got 1"),
     ({"center_way": [0.1, 0.2]}, r"center_way\[0\] must be 0 m"),
     ({"center_way": [0.0, 0.1], "friction": 0.0}, "center_way must be left out without friction"),
-    ({"center_way": [0.0, 0.1], "drive": vr.Drive(force=1.0)}, "driving_force must be 0 N where the way"),
+    ({"center_way": [0.0, 0.1], "drive": vr.Drive(force=1.0)}, "driving_force must be 0 N if center_way is given"),
     ({"load": [0.0, 100.0]}, "load must be > 0 N, got 0"),
 ]
 

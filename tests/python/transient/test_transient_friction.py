@@ -118,7 +118,7 @@ def test_a_force_on_the_center():
     assert pushed.creepage[-1] > free.creepage[-1]
     with pytest.raises(ValueError, match=r"driving_force must be smaller than friction \* load = 50 N"):
         start(0.5, 0.3, drive=vr.Drive(force=60.0), **given)
-    with pytest.raises(ValueError, match="drive must be a force or a torque in transient rolling; a given speed is"):
+    with pytest.raises(ValueError, match="drive must be a force or a torque in transient rolling; prescribe a speed"):
         start(0.5, 0.3, drive=vr.Drive(creepage=0.1), **given)
 
 

@@ -215,7 +215,7 @@ def test_a_dish_is_rolled_around_no_faster_than_it_forgets():
     body, on, load, _ = PAIRS["soft ball in dish"]
     options = {"on": on, "load": load, "mesh": vr.Mesh(nodes_per_revolution=60), "lattices": 1}
     with pytest.raises(
-        ValueError, match=r"way must be less than once around what it rolls on, 1\.26 m, while its track"
+        ValueError, match=r"way must be less than the circumference of the counterbody, 1\.26 m, until its"
     ):
         vr.roll(body, time=[0.0, 0.7], way=[0.0, 1.4], **options)
     slowly = vr.roll(body, time=[0.0, 2.8], way=[0.0, 1.4], **options)
@@ -251,11 +251,11 @@ BAD = [
     ({"way": [0.0, 0.01], "drive": vr.Drive(torque=0.0)}, "driving_torque must be left out without friction"),
     (
         {"way": [0.0, 0.01], "drive": vr.Drive(torque=0.0), "friction": 0.3, "mass": 1.0},
-        "mass must be 0 kg where the torque is given",
+        "mass must be 0 kg if driving_torque is given",
     ),
     (
         {"way": [0.0, 0.01], "drive": vr.Drive(torque=0.0), "friction": 0.3, "center_way": [0.0, 0.01]},
-        "driving_torque must be left out where the way of the center is given",
+        "driving_torque must be left out if center_way is given",
     ),
     (
         {
@@ -264,9 +264,12 @@ BAD = [
             "mass": 1.0,
             "on": vr.Groove(radius=0.1, path_radius=0.2, layers=MAT.layers),
         },
-        "mass must be 0 kg on what curves along the path",
+        "mass must be 0 kg on a counterbody that is curved along the path",
     ),
-    ({"way": [0.0, 0.01], "compliance": "VERTICAL"}, "compliance must be RADIAL in transient rolling, but for a ball"),
+    (
+        {"way": [0.0, 0.01], "compliance": "VERTICAL"},
+        "compliance must be RADIAL in transient rolling, except for a ball",
+    ),
     ({"way": [0.0, 0.01], "on": vr.CoatedPlane()}, "two rigid bodies"),
     ({"way": [0.0, 0.01], "on": ROLLER}, "on must be a CoatedPlane or a Groove or a CoatedSphere for a CoatedSphere"),
     ({"way": [0.0, 0.01], "load": 1e6}, "load must be small enough for the coating"),

@@ -165,11 +165,11 @@ def test_a_rising_load_widens_the_tables():
 def test_a_state_of_endless_sides_is_refused():
     options = {"load": 100.0, "mesh": COARSE, "lattices": 1}
     state = vr.RollingHistory(endless(FLAT), **options).state
-    with pytest.raises(ValueError, match=r"start must be a state of .*sides=FREE.*, got one of .*sides=ENDLESS"):
+    with pytest.raises(ValueError, match=r"start must be a state of .*sides=FREE.*, got a state of .*sides=ENDLESS"):
         vr.RollingHistory(FLAT, **options, start=state)
     # the core compares the influence of both treads
     unnamed = vr.RollingState(state.numbers)
-    with pytest.raises(ValueError, match="start must be a state of the same ball and mesh"):
+    with pytest.raises(ValueError, match="start must be a state of the same bodies and mesh"):
         vr.RollingHistory(FLAT, **options, start=unnamed)
 
 

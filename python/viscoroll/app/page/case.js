@@ -90,7 +90,7 @@ export function groundsOf(body) {
   return {
     rigid: "rigid plane",
     plane: "layers on a rigid base",
-    half_space: "one material, without end",
+    half_space: "half-space of one material",
     ...(body === "cylinder" ? {} : { groove: "rigid groove or rail" }),
     ...(body === "ball" ? {} : { drum: "rigid drum or roller" }),
   };

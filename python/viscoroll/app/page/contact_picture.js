@@ -6,12 +6,12 @@ import { PRESSURE_GRADIENT, drawMap } from "./map.js";
 import { handy, handyUnit } from "./units.js";
 
 /** Descriptions of the maps for screen readers. */
-const MAPS = { pressure: "pressure in the contact", stick: "where the contact sticks and slips" };
+const MAPS = { pressure: "pressure in the contact", stick: "areas of stick and slip in the contact" };
 
 /** Charts of the middle plane, by their captions. */
 const PROFILES = {
   "Pressure in the middle plane": pressureChart,
-  "Profile in the middle plane, above what it rolls on": profileChart,
+  "Profile in the middle plane, above the counterbody": profileChart,
 };
 
 /** Half the length of the charts divided by half the length of the contact. */
@@ -39,7 +39,7 @@ export function drawContact(root, { fields, scalars }) {
 }
 
 function caption(what, scalars) {
-  if (what === "stick") return ["Where it ", key("sticks"), " and ", key("slips")];
+  if (what === "stick") return ["Areas of ", key("stick"), " and ", key("slip")];
   const ramp = el("span", { class: "ramp" });
   ramp.style.background = PRESSURE_GRADIENT; // the server's content security policy forbids style attributes
   return ["Pressure: 0 ", ramp, ` ${handy(scalars.max_pressure, "Pa")}`];

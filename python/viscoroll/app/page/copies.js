@@ -27,8 +27,8 @@ async function copy(name, text) {
   shown.querySelector("pre").textContent = text;
   try {
     await navigator.clipboard.writeText(text);
-    said.textContent = `${name}: copied.`;
+    said.textContent = `${name} copied.`;
   } catch {
-    said.textContent = `${name}: mark it and copy it by hand, the browser does not let the page.`;
+    said.textContent = `${name}: the browser does not allow the page to copy; select the text and copy it.`;
   }
 }

@@ -126,10 +126,10 @@ export class CurvePicture {
     const open = this.#points.length - this.#found.length;
     this.#root.querySelector("#curve-said").textContent = [
       open > 0
-        ? `${open} of ${this.#points.length} points to come, on a coarse mesh.`
-        : "On a coarse mesh; the ring is the case above.",
-      OF_FRICTION.includes(this.#name) && this.#state.friction === 0 ? "Without friction there is none." : "",
-      failed ? `${failed} of the points have no answer: too large a load, or too fast.` : "",
+        ? `Coarse mesh; ${open} of ${this.#points.length} points are not solved yet.`
+        : "Coarse mesh; the ring marks the case above.",
+      OF_FRICTION.includes(this.#name) && this.#state.friction === 0 ? "This result exists only with friction." : "",
+      failed ? `${failed} of the points have no result: the load or the speed is too large.` : "",
     ].join(" ");
   }
 }

@@ -34,7 +34,7 @@ const CHANGES = {
     },
   },
   towed: {
-    label: "towed ball, sticking and slipping",
+    label: "towed ball with stick and slip",
     state: { friction: 0.3, drive: "torque", speed: [0.2, "rad/s"] },
   },
   roller: {

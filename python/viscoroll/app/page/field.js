@@ -104,8 +104,8 @@ export function numberField({
       number = Number(found[1]);
       if (named) unit = named;
     } else {
-      const those = units.length ? `, maybe with one of the units ${units.join(", ")}` : "";
-      say(`${label} must be a number, as 1000 or 0.5${those}`, "error");
+      const those = units.length ? `, optionally with a unit (${units.join(", ")})` : "";
+      say(`${label} must be a number such as 1000 or 0.5${those}`, "error");
       misread = true;
       return;
     }

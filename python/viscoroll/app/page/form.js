@@ -11,7 +11,7 @@ const WARNED = { large_strain: "load", contact_at_side: "width", edge_pressure: 
 
 const INSIDES = { rigid: "rigid core", hollow: "hollow", solid: "solid, no core" };
 
-const DRIVES = { force: "a force on the center", torque: "a torque (0: towed)", creepage: "a creepage" };
+const DRIVES = { force: "a force on the center", torque: "a driving torque (0: towed)", creepage: "a given creepage" };
 
 /** Labels and slider ranges of the drives, for total values and per length (`line`), in SI units. */
 const DRIVEN = {
@@ -53,7 +53,7 @@ export class Form {
     const text = message.replace(/^[\w.[\]]+: /, ""); // the field itself shows the place in the case
     field.say(text, "error");
     field.root.closest("details")?.setAttribute("open", "");
-    return `No answer: ${text}`;
+    return `No result: ${text}`;
   }
 
   /** Show warnings at their fields; return the warnings without a field. */
@@ -145,7 +145,7 @@ export class Form {
     const size = [
       this.#choice(
         "given",
-        "size by",
+        "size given by",
         { core_radius: "radius of the core", outer_diameter: "outer diameter" },
         { change: (by) => this.#set(sizedBy(this.#state, by), true) },
       ),
@@ -155,7 +155,7 @@ export class Form {
       }),
     ];
     return group(
-      "What rolls",
+      "Rolling body",
       this.#choice("body", "body", BODIES, { change: choose }),
       body === "ball"
         ? this.#choice("inner_boundary", "inside", INSIDES, { change: (chosen) => this.#setInside(chosen) })
@@ -186,16 +186,16 @@ export class Form {
   }
 
   #wheel() {
-    const hubs = { straight: "straight", crowned: "crowned as the tread" };
+    const hubs = { straight: "straight", crowned: "crowned like the tread" };
     return [
       this.#number("width", "width of the tread", { range: [2e-3, 0.2] }),
       this.#number("crown_radius", "crown radius", {
         range: [2e-3, 2],
         empty: "flat",
-        note: "Of the profile across the path, at least half of the width; empty: flat.",
+        note: "Radius of the profile across the path, at least half of the width; empty: flat.",
       }),
       this.#shownWhile(() => this.#state.crown_radius !== null, this.#choice("hub", "hub", hubs)),
-      this.#choice("sides", "sides", { free: "free faces", endless: "endless, as a sketch" }),
+      this.#choice("sides", "sides", { free: "free faces", endless: "endless tread (no faces)" }),
     ];
   }
 
@@ -214,16 +214,16 @@ export class Form {
       plane: () => layerRows(this.#rowsOf("ground", "on.")),
       half_space: () => [layerRow({ ...this.#rowsOf("ground", "on."), index: 0, endless: true })],
       groove: () => [
-        this.#number("radius", "radius across", {
+        this.#number("radius", "radius across the path", {
           parameter: "on.radius",
           range: [-0.5, 0.5],
           linear: true,
-          note: "Across the path: hollow where it is positive, a rail where it is negative.",
+          note: "Positive for a groove, negative for a rail.",
         }),
       ],
       drum: () => [this.#number("radius", "radius of the drum", { parameter: "on.core_radius", range: [5e-3, 2] })],
     };
-    return group("On what", this.#choice("on", "surface", groundsOf(this.#state.body)), ...fields[this.#state.on]());
+    return group("Counterbody", this.#choice("on", "counterbody", groundsOf(this.#state.body)), ...fields[this.#state.on]());
   }
 
   #rolling() {
@@ -232,7 +232,7 @@ export class Form {
     const rubs = () => this.#state.friction > 0;
     const { label, range, line: lineRange } = DRIVEN[drive];
     return group(
-      "How",
+      "Motion and friction",
       this.#number("load", line ? "load per length" : "load", { range: line ? [10, 1e6] : [0.1, 1e5] }),
       this.#number("speed", "speed", { parameter: "angular_speed", range: [1e-2, 1e3] }),
       this.#number("friction", "friction coefficient", { range: [0, 1], linear: true, step: 0.01 }),
@@ -242,11 +242,11 @@ export class Form {
   }
 
   #model() {
-    const compliances = { radial: "along the radius", vertical: "on undeformed normals" };
+    const compliances = { radial: "radial", vertical: "vertical" };
     const curvatures = {
       sphere: "thin layers",
-      exact: "all: thick layers, solid balls",
-      paper: "as the paper prints it",
+      exact: "exact: thick layers, solid balls",
+      paper: "as printed in the paper",
     };
     const own = this.#state.accuracy; // it may be that of a case file
     const accuracies = { [own]: `${shown(100 * own)} %`, 0.03: "3 %", 0.01: "1 %", 0.003: "0.3 %" };
@@ -254,9 +254,9 @@ export class Form {
       "details",
       { class: "group", open: this.#modelIsOpen, ontoggle: (event) => (this.#modelIsOpen = event.target.open) },
       el("summary", {}, "Model and accuracy"),
-      this.#choice("compliance", "pressure acts", compliances),
+      this.#choice("compliance", "compliance", compliances),
       this.#state.body === "ball" ? this.#choice("curvature", "curvature", curvatures) : "",
-      this.#choice("accuracy", "at rest, to", accuracies, {
+      this.#choice("accuracy", "accuracy", accuracies, {
         change: (value) => this.#set({ accuracy: Number(value) }),
       }),
     );

@@ -18,7 +18,7 @@ export function layerRows(of) {
   const rows = of.layers().map((_, index) => layerRow({ ...of, index }));
   return [
     ...rows,
-    el("button", { type: "button", onclick: more }, rows.length ? "Add a layer outside" : "Add a layer"),
+    el("button", { type: "button", onclick: more }, rows.length ? "Add an outer layer" : "Add a layer"),
   ];
 }
 
@@ -78,7 +78,7 @@ export function layerRow({ layers, prefix, add, change, index, endless = false }
     choice({
       name: "preset",
       label: "material",
-      options: { "": "your own", ...labels(PRESETS) },
+      options: { "": "custom", ...labels(PRESETS) },
       value: () => layer().preset ?? "",
       note: () => PRESETS[layer().preset]?.source ?? "",
       change: (preset) => update({ preset, ...PRESETS[preset]?.layer }, true),

@@ -27,7 +27,7 @@ class Page {
     const { state, left } = linked || !start.case ? { state: linked ?? initialState(), left: [] } : stateOf(start.case);
     this.#state = state;
     this.#form.show(state);
-    if (left.length) at("left").textContent = `The form has nothing for ${left.join(", ")} of the case file: left out.`;
+    if (left.length) at("left").textContent = `The form does not support ${left.join(", ")} of the case file, and ignores it.`;
     this.#connectExamples();
     connectCopies(() => this.#state);
     globalThis.addEventListener("hashchange", () => this.#follow(stateOfFragment(location.hash)));
@@ -39,7 +39,7 @@ class Page {
   async #solveBy(solver) {
     if (!solver) {
       say(
-        "This build of the site has no solver: it was made without WebAssembly. `viscoroll app` has the same page with one.",
+        "This page has no solver, because the site was built without WebAssembly. `viscoroll app` serves it with a solver.",
       );
       return;
     }
@@ -78,7 +78,7 @@ class Page {
   #connectExamples() {
     const select = at("examples");
     const options = Object.entries(EXAMPLES).map(([value, label]) => el("option", { value }, label));
-    select.replaceChildren(el("option", { value: "" }, "an example …"), ...options);
+    select.replaceChildren(el("option", { value: "" }, "choose …"), ...options);
     select.addEventListener("change", () => {
       if (select.value) this.#follow(exampleState(select.value));
       select.value = "";
@@ -87,7 +87,7 @@ class Page {
 
   #tellSolving(stage) {
     document.body.dataset.stage = stage;
-    if (stage === "fine" && at("said").textContent) say(`${at("said").textContent} It is being refined …`);
+    if (stage === "fine" && at("said").textContent) say(`${at("said").textContent} Refining …`);
   }
 
   #tellSolved({ result, error }, { tables, stage, seconds }) {
@@ -101,7 +101,7 @@ class Page {
 
   #tellError(error) {
     at("error").textContent = this.#form.sayError(error);
-    at("brief").textContent = "No answer ↓";
+    at("brief").textContent = "No result ↓";
     say("");
   }
 
@@ -111,7 +111,7 @@ class Page {
     this.#results.show(result, tables, this.#form.sayWarnings(told));
     this.#curve.mark(result);
     at("brief").textContent = `${this.#results.brief(result)} ↓`;
-    say(stage === "coarse" ? `A coarse answer (${meshText(result, seconds)}).` : refinedText(result, seconds));
+    say(stage === "coarse" ? `Result on a coarse mesh (${meshText(result, seconds)}).` : refinedText(result, seconds));
   }
 
   /** Remove the messages about the previous case, while the new one is solved. */
@@ -135,13 +135,13 @@ function say(text) {
 
 function meshText({ scalars }, seconds) {
   const time = seconds < 1 ? `${Math.round(1e3 * seconds)} ms` : `${seconds.toFixed(1)} s`;
-  return `${Math.round(scalars.nodes_per_revolution)} nodes a revolution, ${time}`;
+  return `${Math.round(scalars.nodes_per_revolution)} nodes per revolution, ${time}`;
 }
 
 function refinedText(result, seconds) {
   const state = result.state === "converged" ? "" : ` ${result.state.replaceAll("_", " ")},`;
   const share = (100 * result.scalars.error_estimate).toPrecision(2);
-  return `Refined:${state} ${share} % of the numbers is the mesh’s (${meshText(result, seconds)}).`;
+  return `Refined:${state} estimated error of the mesh ${share} % (${meshText(result, seconds)}).`;
 }
 
 new Page(JSON.parse(at("start").textContent));

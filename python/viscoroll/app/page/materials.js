@@ -13,10 +13,10 @@ export const SHORE_D = [30, 85];
  */
 export const KINDS = {
   standard_linear_solid: {
-    label: "one relaxation time",
+    label: "standard linear solid",
     fields: [
       { name: "instantaneous_modulus", label: "shear modulus, instantaneous", quantity: "modulus", range: [1e4, 1e9] },
-      { name: "share", label: "relaxed share", range: [0.02, 1], linear: true, parameter: "relaxed_modulus" },
+      { name: "share", label: "relaxed / instantaneous modulus", range: [0.02, 1], linear: true, parameter: "relaxed_modulus" },
       { name: "relaxation_time", label: "relaxation time", quantity: "time", range: [1e-6, 10] },
     ],
     initial: { instantaneous_modulus: [6, "MPa"], share: 0.5, relaxation_time: [0.125, "s"] },
@@ -49,7 +49,7 @@ export const KINDS = {
         step: 1,
         empty: "no loss",
       },
-      { name: "reference_frequency", label: "hardness holds at", quantity: "frequency", range: [0.1, 1e4] },
+      { name: "reference_frequency", label: "frequency of the modulus", quantity: "frequency", range: [0.1, 1e4] },
     ],
     // A durometer is read after one second. The loss factor is constant from there to the frequencies of contacts.
     initial: { hardness: 85, scale: "A", rebound: [55, "%"], reference_frequency: [1, "rad/s"], decades: 4.5 },
@@ -78,7 +78,7 @@ export const KINDS = {
     fields: [
       { name: "modulus", label: "storage shear modulus", quantity: "modulus", range: [1e4, 1e9] },
       { name: "loss_factor", label: "loss factor tan δ", range: [0.01, 1], linear: true, step: 0.01 },
-      { name: "reference_frequency", label: "which hold at", quantity: "frequency", range: [1, 1e5] },
+      { name: "reference_frequency", label: "frequency of both values", quantity: "frequency", range: [1, 1e5] },
     ],
     initial: { modulus: [3, "MPa"], loss_factor: 0.2, reference_frequency: [300, "rad/s"], decades: 3 },
     table: (layer) => ({
@@ -96,14 +96,14 @@ export const KINDS = {
     }),
   },
   elastic: {
-    label: "modulus, no loss",
+    label: "elastic (no loss)",
     fields: [{ name: "modulus", label: "shear modulus", quantity: "modulus", range: [1e4, 1e11] }],
     initial: { modulus: [3, "MPa"] },
     table: (layer) => ({ type: "elastic", modulus: toSI(layer.modulus, "modulus") }),
     typed: (table) => ({ modulus: fromSI(table.modulus, "MPa", "modulus") }),
   },
   published: {
-    label: "as measured and published",
+    label: "published measurement",
     fields: [
       {
         name: "name",
@@ -152,8 +152,8 @@ const hard = (hardness, rebound) => ({
   rebound: [rebound, "%"],
 });
 
-const BLOW =
-  "A hardness gives a modulus after a second, to a factor of 1.4 or so; a rebound the loss under a blow of milliseconds.";
+const IMPACT =
+  "Hardness gives the modulus after one second, within a factor of about 1.4; rebound gives the loss in an impact of milliseconds.";
 
 /** Presets by name: label, source, and the part of a layer that they set. */
 export const PRESETS = {
@@ -164,29 +164,29 @@ export const PRESETS = {
   },
   skate: {
     label: "skate wheel, 82 A, rebound 70 %",
-    source: `No measurement: what makers print on good ones; of the row 78, 82, 86 A. ${BLOW}`,
+    source: `Not measured: values that makers print on good wheels, from the series 78, 82, 86 A. ${IMPACT}`,
     layer: { ...hard(82, 70), ...urethane },
   },
   caster: {
     label: "caster polyurethane, 85 A, rebound 55 %",
-    source: `No measurement: round numbers of data sheets. ${BLOW}`,
+    source: `Not measured: typical values of data sheets. ${IMPACT}`,
     layer: { ...hard(85, 55), ...urethane },
   },
   soft_rubber: {
     label: "soft rubber, 60 A, rebound 45 %",
-    source: `No measurement: round numbers of data sheets. ${BLOW}`,
+    source: `Not measured: typical values of data sheets. ${IMPACT}`,
     layer: { ...hard(60, 45), poisson_ratio: 0.499, density: [1150, "kg/m³"] },
   },
   adhesive: {
     label: "pressure-sensitive adhesive",
     source:
-      "468MP, as measured: A. Perego, hermes-rheo (3M), MIT license, github.com/3mcloud/hermes-rheo. Poisson's ratio was not measured.",
+      "468MP, measured: A. Perego, hermes-rheo (3M), MIT license, github.com/3mcloud/hermes-rheo. Poisson's ratio was not measured.",
     layer: { kind: "published", ...KINDS.published.initial, poisson_ratio: 0.499, density: [1000, "kg/m³"] },
   },
   foam: {
     label: "vinyl nitrile foam",
     source:
-      "VN01, as measured at 10 rad/s: A. K. Landauer et al., Materials & Design (2023) 112381; data doi:10.18434/mds2-2989. Its density was not measured.",
+      "VN01, measured at 10 rad/s: A. K. Landauer et al., Materials & Design (2023) 112381; data doi:10.18434/mds2-2989. Its density was not measured.",
     layer: {
       kind: "published",
       name: "vinyl_nitrile_foam",

@@ -103,10 +103,10 @@ export class Results {
   /** Note below a number, for example the force that corresponds to the coefficient. */
   #note(name, scalars, { rolling }) {
     if (name === "rolling_resistance_coefficient" && scalars[name] !== null) {
-      return `a resistance of ${handy(scalars[name] * rolling.load, this.#last.line ? "N/m" : "N")}`;
+      return `resisting force ${handy(scalars[name] * rolling.load, this.#last.line ? "N/m" : "N")}`;
     }
-    if (name === "strain") return "penetration by thickness";
-    if (name === "model_error") return "what linear theory leaves open";
+    if (name === "strain") return "penetration divided by thickness";
+    if (name === "model_error") return "estimated error of linear theory";
     return null;
   }
 

@@ -35,15 +35,15 @@ async function post(name, content, signal) {
     response = await fetch(name, options);
   } catch (error) {
     if (error.name === "AbortError") throw error;
-    throw new Error("viscoroll app does not answer: was it ended?");
+    throw new Error("viscoroll app does not respond; start it again if it has ended.");
   }
-  if (!response.ok) throw new Error(`viscoroll app refuses: ${response.status} ${response.statusText}`);
+  if (!response.ok) throw new Error(`viscoroll app rejects the request: ${response.status} ${response.statusText}`);
   return response.json();
 }
 
 /** Solver in a worker, which answers one request after the other. To abort one, the worker is replaced by a new one. */
 class WorkerSolver {
-  where = "in this browser, by WebAssembly: nothing leaves it";
+  where = "in this browser, by WebAssembly; no data leave it";
   #script;
   #materials;
   #worker = null;
@@ -74,7 +74,7 @@ class WorkerSolver {
     const id = (this.#count += 1);
     return new Promise((resolve, reject) => {
       const aborted = () => {
-        this.#end(new DOMException("a newer request was made", "AbortError"));
+        this.#end(new DOMException("replaced by a newer request", "AbortError"));
       };
       const settled = (settle) => (value) => {
         signal?.removeEventListener("abort", aborted);
@@ -95,7 +95,7 @@ class WorkerSolver {
       else asked?.reject(new Error(failure));
     };
     worker.onerror = (event) =>
-      this.#end(new Error(`the solver does not start: ${event.message ?? "no reason given"}`));
+      this.#end(new Error(`the solver does not start: ${event.message ?? "unknown reason"}`));
     return worker;
   }
 

@@ -41,13 +41,13 @@ function ofDataSheet({ hardness, scale = "A", rebound, ...table }, tables, place
   }
   if (rebound === undefined) return { type: "elastic", modulus };
   const found = tables.rebound.series[percent(rebound)];
-  if (!found) throw new NotTabulated(place, "rebound", "a whole percent in [2, 99]", `${percent(rebound)} %`);
+  if (!found) throw new NotTabulated(place, "rebound", "a whole percentage in [2, 99]", `${percent(rebound)} %`);
   return scaled(found, tables.rebound, { modulus, ...table }, place);
 }
 
 /** Hint for hardnesses above 90 Shore A, which are given in Shore D: about 50 less. */
 function inShoreD(hardness, scale) {
-  return scale === "A" && hardness > 90 && hardness <= 100 ? `; in Shore D it is about ${hardness - 50}` : "";
+  return scale === "A" && hardness > 90 && hardness <= 100 ? `; it is about ${hardness - 50} Shore D` : "";
 }
 
 function ofLossFactor({ loss_factor: lossFactor, ...table }, tables, place) {
