@@ -108,9 +108,10 @@ def compared(
 def viscoroll(nodes: int) -> Run:
     """Solve with viscoroll."""
     import viscoroll as vr
+    from viscoroll import enums
 
     layer = vr.Layer(thickness=RADIUS, shear_modulus=vr.Elastic(modulus=SHEAR_MODULUS), poisson_ratio=POISSON_RATIO)
-    ball = vr.CoatedSphere(core_radius=0.0, layers=[layer], inner_boundary=vr.InnerBoundary.SOLID)
+    ball = vr.CoatedSphere(core_radius=0.0, layers=[layer], inner_boundary=enums.InnerBoundary.SOLID)
     mesh = vr.Mesh(nodes_per_revolution=NODES_PER_REVOLUTION)
     spacing = RADIUS * mesh.spacing
     radius = nodes / 4 * spacing
@@ -118,10 +119,10 @@ def viscoroll(nodes: int) -> Run:
 
     start = time.process_time()
     model = vr.RollingModel(ball, angular_speed=1.0, mesh=mesh, threads=1)
-    model.solve(load=load, compliance=vr.Compliance.RADIAL, threads=1)
+    model.solve(load=load, compliance=enums.Compliance.RADIAL, threads=1)
     both = time.process_time() - start
     start = time.process_time()
-    result = model.solve(load=load, compliance=vr.Compliance.RADIAL, threads=1)
+    result = model.solve(load=load, compliance=enums.Compliance.RADIAL, threads=1)
     seconds = time.process_time() - start
     return compared(seconds, result.operator_applications, result.pressure, spacing**2, radius, both - seconds)
 

@@ -18,7 +18,7 @@ import time
 
 import numpy as np
 import viscoroll as vr
-from viscoroll import paper
+from viscoroll import enums, paper
 from viscoroll.reproduce import plain
 
 NODES_PER_REVOLUTION = 500
@@ -70,8 +70,8 @@ def solve_by_viscoroll() -> float:
         load=LOAD,
         angular_speed=ANGULAR_SPEED,
         mesh=mesh,
-        compliance=vr.Compliance.RADIAL,
-        curvature=vr.Curvature.PAPER,
+        compliance=enums.Compliance.RADIAL,
+        curvature=enums.Curvature.PAPER,
         threads=1,
     )
     return result.resisting_torque

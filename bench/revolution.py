@@ -16,7 +16,7 @@ import time
 
 import numpy as np
 import viscoroll as vr
-from viscoroll import paper
+from viscoroll import enums, paper
 
 ANGULAR_SPEED = 2.5
 LOAD = 100.0
@@ -52,7 +52,7 @@ def main() -> None:
     fresh = vr.RollingHistory(
         paper.ball(),
         load=LOAD,
-        start=vr.Start.FRESH,
+        start=enums.Start.FRESH,
         mesh=vr.Mesh(nodes_per_revolution=options.nodes),
         lattices=1,
         steps_per_spacing=STEPS_PER_SPACING,

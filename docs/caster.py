@@ -38,7 +38,7 @@ def steady_states(thickness: float, speed: float) -> list[tuple[bool, float, flo
         angular_speed=speed / 50e-3,
         convection=15.0,
         ambient=AMBIENT,
-        shift=vr.Arrhenius(activation_energy=80e3, reference_temperature=293.15),
+        shift=vr.materials.Arrhenius(activation_energy=80e3, reference_temperature=293.15),
         mesh=vr.Mesh(nodes_per_revolution=800),
         points=8,
     )

@@ -11,6 +11,7 @@ from unittest.mock import patch
 
 import pytest
 import viscoroll as vr
+from viscoroll import enums
 from viscoroll.__main__ import main
 
 #: Material of the paper's section 14.
@@ -24,7 +25,7 @@ def one_layer(shear_modulus=RUBBER, *, thickness=1e-3, poisson_ratio=0.5, **othe
     return vr.Layer(thickness=thickness, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio, **others)
 
 
-def coated_ball(shear_modulus=RUBBER, *, core_radius=20e-3, inner_boundary=vr.InnerBoundary.RIGID, **layer):
+def coated_ball(shear_modulus=RUBBER, *, core_radius=20e-3, inner_boundary=enums.InnerBoundary.RIGID, **layer):
     """Return a ball with one layer on the paper's core, by default the paper's ball without mass."""
     return vr.CoatedSphere(
         core_radius=core_radius, layers=[one_layer(shear_modulus, **layer)], inner_boundary=inner_boundary

@@ -158,18 +158,18 @@ def by_newmark(
     return as_motion(platform, time, ground, *np.array(rows).T), stepper
 
 
-def fitted_resistance(platform: Platform, accuracy: float) -> vr.RollingResistance:
+def fitted_resistance(platform: Platform, accuracy: float) -> vr.studies.RollingResistance:
     """Fit the steady rolling resistance in a dish over load and speed."""
     loads = platform.mass * GRAVITY / platform.balls * np.array([0.95, 1.0, 1.05])
     speeds = np.geomspace(0.02, 20.0, 13)
     study = vr.sweep(
         platform.ball, on=platform.dish, load=loads, angular_speed=speeds, accuracy=accuracy, progress=False
     )
-    return vr.RollingResistance.from_study(study)
+    return vr.studies.RollingResistance.from_study(study)
 
 
 def by_solve_ivp(
-    platform: Platform, time: np.ndarray, ground: np.ndarray, surface: vr.RollingResistance, slope: float = 0.0
+    platform: Platform, time: np.ndarray, ground: np.ndarray, surface: vr.studies.RollingResistance, slope: float = 0.0
 ) -> Motion:
     """Integrate with the torque of steady rolling, which does not depend on the history, by SciPy's LSODA."""
     # Dissipated power / angular speed is M (1 - R/ρ).
@@ -178,7 +178,7 @@ def by_solve_ivp(
     def moment(slope: float, rate: float, shake: float) -> float:
         platform.way(slope)  # raises an error beyond the rim
         speed = platform.dish_radius * rate / platform.ball_radius
-        return float(surface(platform.load(slope, rate, shake), speed, outside=vr.Extrapolation.HOLD)) / factor
+        return float(surface(platform.load(slope, rate, shake), speed, outside="hold")) / factor
 
     def change(now: float, state: np.ndarray) -> list[float]:
         shake = float(np.interp(now, time, ground))

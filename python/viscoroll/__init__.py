@@ -9,168 +9,79 @@
     11 mN m
 
 All quantities are in SI units; angles are in radians and all moduli are shear moduli.
+
+Bodies, materials and solvers are names of this package. Its modules contain the rest:
+
+- `materials`: strain-dependent networks, shifts with temperature, moduli given by functions or by draws
+- `rheology`: measured moduli and material files; hardness and rebound
+- `rolling`: sensitivities, loss spectra and refinements of results
+- `thermal`: temperature of the layers
+- `coupled`: results of solves in which strain or temperature changes the moduli
+- `studies`: fits to sweeps, and tables of the rolling resistance for other programs
+- `export`: input of discrete-element programs
+- `modal`: response of the layers to single orders, critical speeds and influence tables
+- `analytic`: closed forms for comparison
+- `enums`: enumerations of options and outcomes
+- `paper`: the example of Zéhil and Gavin
 """
 
-from . import analytic, paper
-from ._core import (
-    Compliance,
-    ConvergenceError,
-    Curvature,
-    Extrapolation,
-    Hub,
-    InnerBoundary,
-    PatchLoad,
-    Sides,
-    SlipKinematics,
-    Start,
-    Status,
-    WarningKind,
-    __version__,
-)
+from . import analytic, coupled, enums, export, materials, modal, paper, rheology, rolling, studies, thermal
+from ._core import ConvergenceError, __version__
 from ._support.cautions import ResultWarning
-from ._support.keywords import explain_keywords
 from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Drive, Groove, HalfSpace, Layer, Mesh
-from .bodies.orders import (
-    centrifugal_displacement,
-    critical_speed,
-    degree_compliance,
-    influence_tables,
-    state_matrix,
-    surface_compliance,
-)
-from .export import dem
-from .interior import Core, StrainSoftening, Temperature, plane_cooling, self_heating, strain_softening, temperature
+from .coupled import self_heating, strain_softening
 from .materials import (
-    Arrhenius,
-    Draws,
     Elastic,
     FractionalZener,
     KelvinVoigt,
-    KrausNetwork,
-    MasingNetwork,
+    LossFactor,
     MasterCurve,
     Prony,
-    ShearModulus,
-    SofteningModulus,
     StandardLinearSolid,
-    StrainKind,
-    StrainSweep,
-    WilliamsLandelFerry,
 )
-from .rheology import (
-    LossFactor,
-    ShiftFactors,
-    check_modulus,
-    check_range,
-    example_data,
-    example_material,
-    fit_network,
-    fit_prony,
-    hardness_to_modulus,
-    load_material,
-    read_rheology,
-    read_strain_sweep,
-    rebound_to_loss_factor,
-    rolling_range,
-    save_material,
-    superpose,
-)
-from .rolling import ModulusSensitivity, Result, RollingModel, Sensitivity, solve
-from .solution import LossSpectrum, Refinement, loss_spectrum
-from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
-from .studies.rolling_resistance import RollingResistance
+from .rolling import Result, RollingModel, solve
+from .studies import sweep
 from .transient import History, RollingHistory, RollingState, roll
 
 __all__ = [
-    "Arrhenius",
     "CoatedCylinder",
     "CoatedPlane",
     "CoatedSphere",
     "CoatedWheel",
-    "Compliance",
     "ConvergenceError",
-    "Core",
-    "Curvature",
-    "Draws",
     "Drive",
     "Elastic",
-    "Extrapolation",
-    "Fit",
     "FractionalZener",
     "Groove",
     "HalfSpace",
     "History",
-    "Hub",
-    "InnerBoundary",
     "KelvinVoigt",
-    "KrausNetwork",
     "Layer",
     "LossFactor",
-    "LossSpectrum",
-    "MasingNetwork",
     "MasterCurve",
     "Mesh",
-    "ModulusSensitivity",
-    "Parameter",
-    "PatchLoad",
     "Prony",
-    "Refinement",
     "Result",
     "ResultWarning",
     "RollingHistory",
     "RollingModel",
-    "RollingResistance",
     "RollingState",
-    "Sensitivity",
-    "ShearModulus",
-    "ShiftFactors",
-    "Sides",
-    "SlipKinematics",
-    "SofteningModulus",
     "StandardLinearSolid",
-    "Start",
-    "Status",
-    "StrainKind",
-    "StrainSoftening",
-    "StrainSweep",
-    "Temperature",
-    "WarningKind",
-    "WilliamsLandelFerry",
     "__version__",
     "analytic",
-    "centrifugal_displacement",
-    "check_modulus",
-    "check_range",
-    "critical_speed",
-    "degree_compliance",
-    "dem",
-    "example_data",
-    "example_material",
-    "fit_friction_law",
-    "fit_network",
-    "fit_power_law",
-    "fit_prony",
-    "fit_thickness_law",
-    "hardness_to_modulus",
-    "influence_tables",
-    "load_material",
-    "loss_spectrum",
+    "coupled",
+    "enums",
+    "export",
+    "materials",
+    "modal",
     "paper",
-    "plane_cooling",
-    "read_rheology",
-    "read_strain_sweep",
-    "rebound_to_loss_factor",
+    "rheology",
     "roll",
-    "rolling_range",
-    "save_material",
+    "rolling",
     "self_heating",
     "solve",
-    "state_matrix",
     "strain_softening",
-    "superpose",
-    "surface_compliance",
+    "studies",
     "sweep",
-    "temperature",
+    "thermal",
 ]
-
-explain_keywords(globals())

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import viscoroll as vr
 from numpy.typing import NDArray
+from viscoroll import enums
 
 from .materials import draw_modulus, modulus_at, scaled_modulus
 
@@ -22,7 +23,7 @@ class Geometry:
     radius: float
     core_radius: float
     thicknesses: list[float]
-    inner_boundary: vr.InnerBoundary
+    inner_boundary: enums.InnerBoundary
 
     @property
     def thickness(self) -> float:
@@ -34,8 +35,8 @@ class Geometry:
         """Return a random geometry whose total layer thickness is at least `thinnest` radii."""
         radius = 10.0 ** rng.uniform(-3.0, 0.0)
         boundary = rng.choice([0, 1, 2], p=[0.7, 0.15, 0.15])
-        inner_boundary = (vr.InnerBoundary.RIGID, vr.InnerBoundary.HOLLOW, vr.InnerBoundary.SOLID)[boundary]
-        solid = inner_boundary is vr.InnerBoundary.SOLID
+        inner_boundary = (enums.InnerBoundary.RIGID, enums.InnerBoundary.HOLLOW, enums.InnerBoundary.SOLID)[boundary]
+        solid = inner_boundary is enums.InnerBoundary.SOLID
         thickness = radius if solid else radius * 10.0 ** rng.uniform(math.log10(thinnest), math.log10(0.9))
         count = int(rng.choice([1, 2, 3], p=[0.55, 0.3, 0.15]))
         shares = 0.05 + rng.dirichlet(np.ones(count))
@@ -121,6 +122,6 @@ def load_of(ball: vr.CoatedSphere, geometry: Geometry, depth: float, frequency: 
     softest = min(abs(modulus_at(layer.shear_modulus, frequency)) for layer in ball.layers)
     hertz = 8.0 / 3.0 * softest * math.sqrt(radius * depth**3)
     bonded = math.pi * softest * radius * depth**2 / thickness  # incompressible thin layers support more
-    if geometry.inner_boundary is vr.InnerBoundary.HOLLOW:
+    if geometry.inner_boundary is enums.InnerBoundary.HOLLOW:
         return min(hertz, 4.0 * softest * thickness**2 * depth / radius)  # a shell bends
-    return hertz if geometry.inner_boundary is vr.InnerBoundary.SOLID else hertz + bonded
+    return hertz if geometry.inner_boundary is enums.InnerBoundary.SOLID else hertz + bonded

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import viscoroll as vr
+from viscoroll import enums
 
 __all__ = ["as_roller", "curvature", "deforms", "materials", "on_a_wheel", "with_loads"]
 
@@ -40,7 +41,7 @@ def with_loads(arguments: dict[str, Any], factor: float) -> dict[str, Any]:
 def as_roller(ball: vr.CoatedSphere, contact_radius: float, arguments: dict[str, Any]) -> dict[str, Any]:
     """Return a roller with the layers of a ball on a core, and its arguments: about the same load per length."""
     mesh = arguments.get("mesh")
-    changed: dict[str, Any] = {"curvature": vr.Curvature.SPHERE, "patch_load": vr.PatchLoad.FLAT}
+    changed: dict[str, Any] = {"curvature": enums.Curvature.SPHERE, "patch_load": enums.PatchLoad.FLAT}
     if mesh is not None:
         changed["mesh"] = replace(mesh, theta_nodes_per_revolution=None)
     drive = arguments["drive"]
@@ -64,14 +65,14 @@ def on_a_wheel(
         layers=ball.layers,
         width=width,
         crown_radius=crown_radius,
-        hub=vr.Hub.STRAIGHT if rng.random() < 0.5 else vr.Hub.CROWNED,
-        sides=vr.Sides.FREE if rng.random() < 0.3 else vr.Sides.ENDLESS,
+        hub=enums.Hub.STRAIGHT if rng.random() < 0.5 else enums.Hub.CROWNED,
+        sides=enums.Sides.FREE if rng.random() < 0.3 else enums.Sides.ENDLESS,
     )
     wider = min(math.sqrt(crown_radius / ball.outer_radius), 0.5 * width / contact_radius)
     mesh = arguments.get("mesh")
     changed = {
-        "curvature": vr.Curvature.SPHERE,
-        "patch_load": vr.PatchLoad.FLAT,
+        "curvature": enums.Curvature.SPHERE,
+        "patch_load": enums.PatchLoad.FLAT,
         **({} if mesh is None else {"mesh": replace(mesh, max_order=None)}),
     }
     return {"ball": wheel, "arguments": with_loads(arguments | changed, wider)}

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 import viscoroll as vr
+from viscoroll import enums
 
 from .balls import Geometry, draw_ball, draw_depth, draw_moduli, load_of
 from .bodies import as_roller, materials, on_a_wheel
@@ -104,19 +105,19 @@ def draw(seed: int, number: int) -> Case:
         "angular_speed": speed,
         "friction": friction,
         "drive": _drive(rng, friction, load, geometry.radius, contact_radius),
-        "compliance": vr.Compliance.RADIAL if rng.random() < 0.5 else vr.Compliance.VERTICAL,
-        "patch_load": vr.PatchLoad.SPHERICAL if rng.random() < 0.2 else vr.PatchLoad.FLAT,
+        "compliance": enums.Compliance.RADIAL if rng.random() < 0.5 else enums.Compliance.VERTICAL,
+        "patch_load": enums.PatchLoad.SPHERICAL if rng.random() < 0.2 else enums.PatchLoad.FLAT,
         "threads": 1,
     }
     # separate random numbers keep the rest of the case unchanged
     if hasattr(vr, "Curvature"):
-        members = list(vr.Curvature)
+        members = list(enums.Curvature)
         arguments["curvature"] = members[np.random.default_rng([seed, number, 1]).integers(len(members))]
     arguments |= _resolution(rng, geometry.radius / contact_radius)
     absurd = _make_absurd(rng, arguments)
     drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
     apart = np.random.default_rng([seed, number, 2])  # separate, as above
-    if apart.random() < _WHEELS and geometry.inner_boundary is vr.InnerBoundary.RIGID:
+    if apart.random() < _WHEELS and geometry.inner_boundary is enums.InnerBoundary.RIGID:
         drawn = on_a_wheel(apart, ball, contact_radius, arguments)
     elif (apart := np.random.default_rng([seed, number, 3])).random() < _PAIRS:
         drawn = on_a_ball(apart, ball, time, arguments)
@@ -147,7 +148,7 @@ def _elsewhere(
 ) -> dict[str, Any]:
     """Return a body and its arguments: half of the cored balls become rollers, most get another counterbody."""
     drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
-    is_roller = rng.random() < 0.5 and getattr(ball, "inner_boundary", None) is vr.InnerBoundary.RIGID
+    is_roller = rng.random() < 0.5 and getattr(ball, "inner_boundary", None) is enums.InnerBoundary.RIGID
     if is_roller:
         drawn = as_roller(ball, contact_radius, arguments)
     # A slope under the pressure adds force, so drives that are impossible on the rigid plane may be possible elsewhere.

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import viscoroll as vr
+from viscoroll import enums
 
 from .bodies import deforms
 from .materials import draw_modulus, modulus_at
@@ -64,8 +65,8 @@ def elsewhere(
         return {"ball": body, "arguments": arguments | {"on": on}}
     changed: dict[str, Any] = {
         "on": on,
-        "compliance": vr.Compliance.RADIAL,
-        "patch_load": vr.PatchLoad.FLAT,
+        "compliance": enums.Compliance.RADIAL,
+        "patch_load": enums.PatchLoad.FLAT,
     }
     if mesh is not None:  # a plane has a continuous spectrum
         changed["mesh"] = replace(mesh, max_order=None)
@@ -76,7 +77,7 @@ def _held(material: Any) -> Any:
     """Return a material with held extrapolation: a plane has waves of any low frequency, unlike a revolution."""
     if not isinstance(material.shear_modulus, vr.MasterCurve):
         return material
-    held = replace(material.shear_modulus, extrapolation=vr.Extrapolation.HOLD)
+    held = replace(material.shear_modulus, extrapolation=enums.Extrapolation.HOLD)
     return replace(material, shear_modulus=held)
 
 
@@ -85,7 +86,7 @@ def _rigid(body: Any) -> Any:
 
 
 #: Arguments that are fixed for a rigid body.
-_CORE: dict[type, dict[str, Any]] = {vr.CoatedSphere: {"inner_boundary": vr.InnerBoundary.RIGID}}
+_CORE: dict[type, dict[str, Any]] = {vr.CoatedSphere: {"inner_boundary": enums.InnerBoundary.RIGID}}
 
 
 class _Ground:
@@ -138,13 +139,13 @@ class _Ground:
         # A crowned hub, and a width independent of that of the other wheel.
         width = self._body.width * (1.0 if rng.random() < 0.3 else 10.0 ** rng.uniform(-0.3, 0.5))
         crown_radius = np.inf if rng.random() < 0.5 else max(width, thickness) * float(10.0 ** rng.uniform(0.0, 2.0))
-        sides = vr.Sides.FREE if layers and rng.random() < 0.2 else vr.Sides.ENDLESS
+        sides = enums.Sides.FREE if layers and rng.random() < 0.2 else enums.Sides.ENDLESS
         return vr.CoatedWheel(
             core_radius=core_radius,
             layers=layers,
             width=width,
             crown_radius=crown_radius,
-            hub=vr.Hub.CROWNED,
+            hub=enums.Hub.CROWNED,
             sides=sides,
         )
 

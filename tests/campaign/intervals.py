@@ -33,7 +33,7 @@ _SHAPE = np.exp(-0.5 * ((np.log10(_TIMES) + 5.0) / 1.8) ** 2)
 RUBBER = vr.Prony(
     instantaneous_modulus=1e9, weights=0.9995 * _SHAPE / _SHAPE.sum(), relaxation_times=_TIMES * 10.0**-1.6
 )
-LAW = vr.WilliamsLandelFerry(c1=10.0, c2=110.0, reference_temperature=REFERENCE + 273.15)
+LAW = vr.materials.WilliamsLandelFerry(c1=10.0, c2=110.0, reference_temperature=REFERENCE + 273.15)
 
 #: Measured range of each sweep [rad/s].
 LOWEST, HIGHEST = 0.1, 100.0
@@ -101,14 +101,14 @@ def unmeasured():
     """Return the share of the power dissipated at unmeasured frequencies, for each temperature [-]."""
     shifts = np.array([float(LAW(temperature + 273.15)) for temperature in TEMPERATURES])
     given = {name: value for name, value in CASE.items() if name != "progress"}
-    spectra = [vr.loss_spectrum(vr.solve(of_truth(temperature), **given)) for temperature in TEMPERATURES]
+    spectra = [vr.solve(of_truth(temperature), **given).loss_spectrum() for temperature in TEMPERATURES]
     ends = ((LOWEST * shifts.min() / shift, HIGHEST * shifts.max() / shift) for shift in shifts)
     return [spectrum.share_outside(low, high) for spectrum, (low, high) in zip(spectra, ends, strict=True)]
 
 
 def study(seed, noise, *, draws=100, way="linear"):
     """Return results with intervals from one data set."""
-    curve = vr.superpose(measured(seed, noise), reference=REFERENCE)
+    curve = vr.rheology.superpose(measured(seed, noise), reference=REFERENCE)
     return vr.sweep(of_curve, curve=curve.draws(draws, seed=seed), temperature=TEMPERATURES, draws=way, **CASE)
 
 
@@ -166,7 +166,7 @@ def moduli(sets, draws, noise):
         generator = np.random.default_rng(seed)
         storage = modulus.real * (1.0 + noise.storage * generator.standard_normal(omega.size))
         loss = modulus.imag * (1.0 + noise.loss * generator.standard_normal(omega.size))
-        fit = vr.fit_prony(Isotherm(temperature=REFERENCE, frequency=omega, storage=storage, loss=loss))
+        fit = vr.rheology.fit_prony(Isotherm(temperature=REFERENCE, frequency=omega, storage=storage, loss=loss))
         low, high = fit.confidence_band(probe, count=draws, seed=seed)
         inside.append(
             [(low.real <= true.real) & (true.real <= high.real), (low.imag <= true.imag) & (true.imag <= high.imag)]

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 import viscoroll as vr
 from numpy.typing import NDArray
+from viscoroll import enums
 
 from .bodies import curvature, deforms
 from .cases import Case
@@ -46,7 +47,7 @@ def _areas(result: vr.Result) -> NDArray[np.float64]:
     # the nodes lie between both bodies, on a paraboloid
     if deforms(result.on):
         return np.full(result.z.shape, flat)
-    if result.patch_load is vr.PatchLoad.FLAT and result.curvature is not vr.Curvature.EXACT:
+    if result.patch_load is enums.PatchLoad.FLAT and result.curvature is not enums.Curvature.EXACT:
         return np.full(result.z.shape, flat)
     return flat * np.sqrt(1.0 - (result.z / radius) ** 2)
 
@@ -74,10 +75,10 @@ def _contact(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
 def _status(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     accuracy = case.arguments.get("accuracy")
     consistent = {
-        vr.Status.CONVERGED: accuracy is None or result.error_estimate <= accuracy,
-        vr.Status.ACCURACY_NOT_REACHED: accuracy is not None and result.error_estimate > accuracy,
+        enums.Status.CONVERGED: accuracy is None or result.error_estimate <= accuracy,
+        enums.Status.ACCURACY_NOT_REACHED: accuracy is not None and result.error_estimate > accuracy,
     }
-    yield "iteration limit reached", float(result.status is vr.Status.MAX_ITERATIONS)
+    yield "iteration limit reached", float(result.status is enums.Status.MAX_ITERATIONS)
     yield "status contradicts error estimate", float(not consistent.get(result.status, True))
     yield "residual", result.residual
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import viscoroll as vr
 from numpy.typing import NDArray
+from viscoroll import enums
 
 __all__ = ["Scaled", "Springpot", "draw_modulus", "modulus_at", "scaled_modulus"]
 
@@ -27,7 +28,9 @@ class Springpot:
         return self.modulus + self.stiffness * (1j * omega * self.time) ** self.order
 
 
-def draw_modulus(rng: np.random.Generator, modulus: float, time: float, speed: float) -> vr.ShearModulus | Springpot:
+def draw_modulus(
+    rng: np.random.Generator, modulus: float, time: float, speed: float
+) -> vr.materials.ShearModulus | Springpot:
     """Return a modulus of a random kind.
 
     Parameters
@@ -43,7 +46,7 @@ def draw_modulus(rng: np.random.Generator, modulus: float, time: float, speed: f
     """
     tau = time * 10.0 ** rng.uniform(-2.0, 2.0)
     relaxed = modulus * 10.0 ** -rng.choice([rng.uniform(0.05, 1.0), rng.uniform(1.0, 4.0)], p=[0.8, 0.2])
-    kinds: list[Callable[[], vr.ShearModulus | Springpot]] = [
+    kinds: list[Callable[[], vr.materials.ShearModulus | Springpot]] = [
         lambda: vr.Elastic(modulus=modulus),
         lambda: vr.StandardLinearSolid(instantaneous_modulus=modulus, relaxed_modulus=relaxed, relaxation_time=tau),
         lambda: _prony(rng, modulus, relaxed, tau),
@@ -80,7 +83,7 @@ def _table(rng: np.random.Generator, modulus: float, relaxed: float, tau: float,
     count = int((highest - lowest) * rng.integers(3, 12)) + 1
     frequency = np.concatenate([[0.0], speed * np.logspace(lowest, highest, count)])
     values = solid.complex_modulus(frequency)
-    extrapolation = vr.Extrapolation.HOLD if held else vr.Extrapolation.ERROR
+    extrapolation = enums.Extrapolation.HOLD if held else enums.Extrapolation.ERROR
     return vr.MasterCurve(frequency.tolist(), values.real.tolist(), values.imag.tolist(), extrapolation=extrapolation)
 
 
@@ -101,7 +104,7 @@ class Scaled:
 def modulus_at(modulus: Any, frequency: float) -> complex:
     """Return the complex modulus [Pa] at an angular frequency [rad/s]."""
     omega = np.array([frequency])
-    values = modulus.complex_modulus(omega) if isinstance(modulus, vr.ShearModulus) else modulus(omega)
+    values = modulus.complex_modulus(omega) if isinstance(modulus, vr.materials.ShearModulus) else modulus(omega)
     return complex(values[0])
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import viscoroll as vr
+from viscoroll import enums
 
 from .bodies import with_loads
 from .materials import draw_modulus, modulus_at
@@ -49,8 +50,8 @@ def on_a_ball(
     # relative radius / radius of the first ball
     share = ratio / (1.0 + ratio)
     changed: dict[str, Any] = {
-        "compliance": vr.Compliance.RADIAL,
-        "patch_load": vr.PatchLoad.FLAT,
+        "compliance": enums.Compliance.RADIAL,
+        "patch_load": enums.PatchLoad.FLAT,
     }
     given = with_loads(arguments | changed, share) | {"on": other}
     if kind == "coated under a rigid one":

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import viscoroll as vr
+from viscoroll import enums
 
 RUBBER = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
 STEEP = vr.StandardLinearSolid(instantaneous_modulus=60e6, relaxed_modulus=3e6, relaxation_time=0.01)
@@ -54,7 +55,7 @@ class Outcome:
     @property
     def warned(self):
         """Return whether the result warns of its largest pressure."""
-        return vr.WarningKind.PRESSURE_PEAK in self.result.warnings
+        return enums.WarningKind.PRESSURE_PEAK in self.result.warnings
 
     def failed(self, accuracy):
         """Return whether an error exceeds the accuracy without a warning."""
@@ -152,7 +153,7 @@ def _wheels():
         wheel("wheel, order 1/2", fractional(0.5), crown_radius=60e-3),
         wheel("wheel", RUBBER, 1.0, crown_radius=60e-3),
         wheel("wheel, flat, Prony", SPECTRUM),
-        wheel("wheel, endless, Prony", SPECTRUM, crown_radius=60e-3, sides=vr.Sides.ENDLESS),
+        wheel("wheel, endless, Prony", SPECTRUM, crown_radius=60e-3, sides=enums.Sides.ENDLESS),
     ]
 
 

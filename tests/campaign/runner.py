@@ -17,6 +17,7 @@ from multiprocessing.connection import Connection, wait
 from typing import Any, TypeVar
 
 import viscoroll as vr
+from viscoroll import enums
 
 from .bodies import with_loads
 from .cases import Case, draw
@@ -120,7 +121,7 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
     outcome.nodes = int(result.contact.sum())
     outcome.violations |= violations(case, result)
     # the coating just supports this load
-    warned = case.absurd == "load" and vr.WarningKind.LARGE_STRAIN in result.warnings
+    warned = case.absurd == "load" and enums.WarningKind.LARGE_STRAIN in result.warnings
     if case.absurd and not warned:
         outcome.violations[f"unphysical {case.absurd} accepted"] = math.inf
     for twin in twins(case) if outcome.seconds < SLOW else ():
@@ -172,7 +173,7 @@ def _judge_refusal(case: Case, outcome: Outcome, before_each: Callable[[Outcome]
     The penetration grows with the power 2/3 of the load on a thick layer, and more slowly on a thin one; the contact
     radius grows with the power 1/3. For line contacts, the powers are 1 and 1/2. Shells that bend are left out.
     """
-    shell = getattr(case.ball, "inner_boundary", None) is vr.InnerBoundary.HOLLOW
+    shell = getattr(case.ball, "inner_boundary", None) is enums.InnerBoundary.HOLLOW
     if not outcome.message.startswith("load ") or case.absurd or shell:
         return
     outcome.stage = "smaller load"

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import viscoroll as vr
-from viscoroll.interior.softening_search import SofteningSearch, softening_layers
+from viscoroll.coupled.softening_search import SofteningSearch, softening_layers
 
 #: Largest number of contact solutions in one search, and the allowed difference between both sides: slopes up to 0.62
 #: of the tolerance's last step.
@@ -62,7 +62,7 @@ def draw(seed, number):
         relaxed_modulus=relaxed,
         relaxation_time=spread(1e-3, 1.0),
     )
-    network = vr.KrausNetwork(
+    network = vr.materials.KrausNetwork(
         storage=storage,
         loss=storage * random.uniform(0.1, 0.2),
         critical_strain=spread(1e-3, 0.1),
@@ -72,7 +72,7 @@ def draw(seed, number):
     thickness = radius * spread(0.03, 0.5)
     layer = vr.Layer(
         thickness=thickness,
-        shear_modulus=vr.SofteningModulus(matrix=matrix, network=network),
+        shear_modulus=vr.materials.SofteningModulus(matrix=matrix, network=network),
         poisson_ratio=float(random.choice([0.3, 0.45, 0.5])),
     )
     kind = vr.CoatedSphere if random.random() < 0.5 else vr.CoatedCylinder

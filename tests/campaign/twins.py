@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import viscoroll as vr
 from numpy.typing import NDArray
+from viscoroll import enums
 
 from .cases import Case
 from .invariants import depth_of
@@ -84,8 +85,8 @@ def twins(case: Case) -> Iterator[Twin]:
     yield Twin(kind="scaling", case=_scaled(case), differences=_scaling_differences)
     body = case.ball if case.ball.layers else case.on
     wheel = body if isinstance(body, vr.CoatedWheel) else None
-    if body.layers and not (wheel and wheel.hub is vr.Hub.STRAIGHT):  # on a straight hub, the crown cuts one layer
-        by_elements = wheel is not None and wheel.sides is vr.Sides.FREE
+    if body.layers and not (wheel and wheel.hub is enums.Hub.STRAIGHT):  # on a straight hub, the crown cuts one layer
+        by_elements = wheel is not None and wheel.sides is enums.Sides.FREE
         differences = partial(_differences, allowed=ELEMENT_TOLERANCE, summed=True) if by_elements else _differences
         yield Twin(kind="split layer", case=_split(case), differences=differences)
     if isinstance(case.on, vr.CoatedPlane):

@@ -11,6 +11,7 @@ import math
 from pathlib import Path
 
 import viscoroll as vr
+from viscoroll import enums
 
 #: C₁₁, C₂₂, C₂₃ of a circle by Poisson's ratio: J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact
 #: (1990), table E3.
@@ -88,7 +89,7 @@ class SteelWheel:
             layers=[layer],
             width=1.0,
             crown_radius=CROWN_RADIUS,
-            sides=vr.Sides.ENDLESS,
+            sides=enums.Sides.ENDLESS,
         )
         mesh = vr.Mesh(
             nodes_per_revolution=round(44 * finer * math.pi * WHEEL_RADIUS / a),

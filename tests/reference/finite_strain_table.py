@@ -12,6 +12,7 @@ import argparse
 
 import numpy as np
 import viscoroll as vr
+from viscoroll import enums
 
 from .finite_strain import Coating
 from .finite_strain_obstacle import press_node_by_node
@@ -84,7 +85,7 @@ def compare(geometry, strains, **sizes):
     """Yield a row for each strain: strain, its finite-strain torques, and the library's results at the same load."""
     for coating, state, strain, load in press_to(geometry, strains, **sizes):
         row = {"strain": strain, "load": load} | slow_torques(coating, state, load)
-        for name, compliance in (("RR", vr.Compliance.RADIAL), ("WW", vr.Compliance.VERTICAL)):
+        for name, compliance in (("RR", enums.Compliance.RADIAL), ("WW", enums.Compliance.VERTICAL)):
             case = geometry, load, coating.edge, compliance
             row[f"penetration {name}"] = penetration(*case) / strain - 1.0
             row[f"offset {name}"], row[f"drive {name}"] = low_speed_torques(*case)
@@ -102,7 +103,7 @@ def print_first_order():
         _, load = press_node_by_node(coating, depth)
         offs = [
             penetration(geometry, load, edge, by) / strain - 1.0
-            for by in (vr.Compliance.RADIAL, vr.Compliance.VERTICAL)
+            for by in (enums.Compliance.RADIAL, enums.Compliance.VERTICAL)
         ]
         print(f"| {strain:.0%} | {size:.4f} | " + " | ".join(f"{off:+.2%}" for off in offs), "|", flush=True)
 

@@ -42,6 +42,10 @@ __all__ = [
 ]
 
 
+#: Modules whose classes are not names of `viscoroll` itself.
+_NESTED = frozenset({"enums", "materials", "rheology"})
+
+
 def require_type(name: str, value: object, kind: type | UnionType, *, optional: bool = False) -> None:
     """Raise a TypeError unless `value` is an instance of `kind`, or None if that is allowed (`optional`)."""
     if not (isinstance(value, kind) or (optional and value is None)):
@@ -51,7 +55,12 @@ def require_type(name: str, value: object, kind: type | UnionType, *, optional: 
 
 def kind_names(kind: type | UnionType) -> str:
     """Return the public name of a class of this package, or the names of several classes joined by "or"."""
-    return " or ".join(f"viscoroll.{one.__name__}" for one in get_args(kind) or (kind,))
+    return " or ".join(map(_public_name, get_args(kind) or (kind,)))
+
+
+def _public_name(kind: type) -> str:
+    package = "enums" if issubclass(kind, Enum) else kind.__module__.split(".")[1]
+    return f"viscoroll.{f'{package}.' if package in _NESTED else ''}{kind.__name__}"
 
 
 def as_member(name: str, value: Member | str, kind: type[Member]) -> Member:
@@ -68,7 +77,7 @@ def as_member(name: str, value: Member | str, kind: type[Member]) -> Member:
         return value
     names = [member.name.lower() for member in kind]
     if not isinstance(value, str):
-        raise TypeError(f"{name} must be a viscoroll.{kind.__name__}, or one of {', '.join(names)}, got {shown(value)}")
+        raise TypeError(f"{name} must be a {kind_names(kind)}, or one of {', '.join(names)}, got {shown(value)}")
     if value.lower() not in names:
         raise ValueError(f"{name} must be one of {', '.join(names)}, got {shown(value)}")
     return kind[value.upper()]

@@ -17,7 +17,6 @@ returns the torques that are valid for a body. Loads and speeds may be arrays.
 All quantities are in SI units, and all moduli are shear moduli unless a name says otherwise.
 """
 
-from .._support.keywords import explain_keywords
 from .applicable import ClosedForm, applicable
 from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
 from .ellipse import EllipticContact, hertz_ellipse
@@ -58,5 +57,3 @@ __all__ = [
     "winkler_torque",
     "winkler_torque_line",
 ]
-
-explain_keywords(globals())

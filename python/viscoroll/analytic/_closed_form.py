@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from ..bodies import Layer
-    from ..materials import ShearModulusLike
+    from ..materials.moduli import ShearModulusLike
 
 __all__ = ["ClosedForm", "at_rest", "is_homogeneous", "is_known_throughout", "is_real", "shared_loss_time"]
 

@@ -8,8 +8,7 @@ import numpy as np
 
 from .. import _core
 from .._support.arguments import as_float, as_float_array
-from ..materials import ShearModulusLike
-from ..materials.moduli import to_core
+from ..materials.moduli import ShearModulusLike, to_core
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

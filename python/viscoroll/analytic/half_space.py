@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-    from ..materials import ShearModulusLike
+    from ..materials.moduli import ShearModulusLike
 
 __all__ = ["greenwood_tabor_torque", "persson_torque"]
 

@@ -12,7 +12,7 @@ from ._inputs import Floats, complex_modulus, plain, poisson, positives
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from ..materials import ShearModulusLike
+    from ..materials.moduli import ShearModulusLike
 
 __all__ = ["brilliantov_poschel_time", "loss_time", "low_speed_torque", "sphere_loss_time"]
 

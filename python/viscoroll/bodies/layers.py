@@ -10,8 +10,8 @@ from .. import _core
 from .._support.arguments import as_positive, require_type, store_floats
 from .._support.tables import ParameterTable
 from .._support.text import shown
-from ..materials import ShearModulusLike, SofteningModulus
-from ..materials.moduli import as_modulus, to_core
+from ..materials import SofteningModulus
+from ..materials.moduli import ShearModulusLike, as_modulus, to_core
 
 __all__ = ["HalfSpace", "Layer", "as_layers", "at_rest"]
 

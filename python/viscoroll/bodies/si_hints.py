@@ -10,8 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from .._core import ConvergenceError, complex_modulus
-from ..materials import ShearModulusLike
-from ..materials.moduli import to_core
+from ..materials.moduli import ShearModulusLike, to_core
 from .layers import Layer, at_rest
 
 __all__ = ["si_hint", "si_hints", "unit_doubt"]

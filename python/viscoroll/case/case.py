@@ -29,19 +29,15 @@ from ..bodies import (
     Mesh,
     RollingBody,
 )
-from ..interior import (
-    Core,
-    SelfHeating,
-    StrainSoftening,
-    Temperature,
-    self_heating,
-    softens,
-    strain_softening,
-    temperature,
-)
-from ..materials import Arrhenius, WilliamsLandelFerry
-from ..rheology import LossFactor, example_material, hardness_to_modulus, load_material, rebound_to_loss_factor
+from ..coupled import SelfHeating, StrainSoftening, self_heating, strain_softening
+from ..coupled.softening_search import softens
+from ..materials import Arrhenius, LossFactor, WilliamsLandelFerry
+from ..materials.networks import Network
+from ..materials.strain_sweep import StrainKind
+from ..rheology import example_material, hardness_to_modulus, load_material, rebound_to_loss_factor
 from ..rolling import Result, solve
+from ..thermal import Temperature
+from ..thermal.surroundings import Core
 from .columns import read_columns
 from .tables import (
     ByName,
@@ -155,7 +151,7 @@ def _strain_sweep(
     strain: list[float],
     storage: list[float],
     loss: list[float],
-    kind: str | materials.StrainKind = materials.StrainKind.SHEAR,
+    kind: str | StrainKind = StrainKind.SHEAR,
     frequency: float | None = None,
 ) -> Callable[[Any], materials.StrainSweep]:
     """Return a function of the matrix that makes a strain sweep, which subtracts the matrix if a frequency is given."""
@@ -164,17 +160,15 @@ def _strain_sweep(
         strain=strain,
         storage=storage,
         loss=loss,
-        kind=as_member("kind", kind, materials.StrainKind),
+        kind=as_member("kind", kind, StrainKind),
     )
     if frequency is None:
         return lambda _: table()
     return lambda matrix: table(matrix=matrix, frequency=frequency)
 
 
-def _softening(
-    *, matrix: Any, network: materials.Network | Callable[[Any], materials.StrainSweep]
-) -> materials.SofteningModulus:
-    made = network if isinstance(network, materials.Network) else network(matrix)
+def _softening(*, matrix: Any, network: Network | Callable[[Any], materials.StrainSweep]) -> materials.SofteningModulus:
+    made = network if isinstance(network, Network) else network(matrix)
     return materials.SofteningModulus(matrix=matrix, network=made)
 
 
@@ -296,7 +290,7 @@ class Thermal(StrictTable):
     def temperature(self, result: Result, *, progress: ProgressLike = None) -> Temperature:
         """Return the temperature with unchanged moduli."""
         cooling = {name: value for name, value in self if name not in ("shift", "limit", "softening")}
-        return temperature(result, **cooling, progress=progress)
+        return result.temperature(**cooling, progress=progress)
 
 
 class PairTables(FileTables):

@@ -18,7 +18,7 @@ from .._support.text import parsed_range
 from .._support.units import unit_in_contact
 from ..analytic import ClosedForm, applicable
 from ..bodies import CoatedSphere, Drive
-from ..bodies.orders import critical_speed
+from ..modal import critical_speed
 from ..solution.scalars import scalar_units
 from ..studies.dimensions import require_feasible
 from ..studies.runner import run_all

@@ -12,7 +12,7 @@ from ..solution.inside import Inside, inside_of
 from ..solution.scalars import SCALARS
 
 if TYPE_CHECKING:
-    from ..interior import Temperature
+    from ..thermal import Temperature
     from .case import Case
 
 __all__ = ["LIMITS", "Outcome", "outcome_of"]

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias, TypeVar
 
 from .._support.extras import extra
-from .._support.keywords import meant as meant_by
+from .._support.suggestions import suggestion
 from .._support.text import one_line, shown
 from .._support.toml import read_toml
 
@@ -228,7 +228,7 @@ def _first_line(error: ValidationError, others: Mapping[str, str], tables: Itera
     for number in unknown:
         *above, name = errors[number]["loc"]
         # If a key is misspelled or a synonym, the correct key is among the missing ones. Tables may be optional.
-        if match := meant_by(str(name), missing if above else list(tables)):
+        if match := suggestion(str(name), missing if above else list(tables)):
             parameter, equals, formula = match.partition(" = ")
             meant[number] = parameter + equals + _IN_FILES.get(formula, formula)
     incomplete = [one["loc"][:-1] for one in errors if one["type"] == "missing" and len(one["loc"]) > 1]

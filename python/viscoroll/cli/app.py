@@ -22,11 +22,11 @@ from .._support.tables import handy
 from ..bodies.si_hints import unit_doubt
 from ..case import Case, example_text, load_case
 from ..case.tables import skipped_in
-from ..interior.temperature import QUANTITIES
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
 from ..solution.text import cautions, result_lines, result_title, with_unit
+from ..thermal.temperature import QUANTITIES
 from .commands import design, export, material
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, write_line, write_message
 from .page import serve_page
@@ -39,8 +39,9 @@ with extra("cli"):
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from ..interior import SelfHeating, Temperature
+    from ..coupled import SelfHeating
     from ..reproduce import Verdict
+    from ..thermal import Temperature
 
 __all__ = ["run"]
 
@@ -151,9 +152,7 @@ def solve(
     if plot is not None:
         save_picture(result.plot(), plot)
     if section is not None:
-        from ..interior.picture import plot_section
-
-        save_picture(plot_section(result), section)
+        save_picture(result.plot_section(), section)
     if save is not None:
         result.save(save)
 

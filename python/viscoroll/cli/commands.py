@@ -116,7 +116,7 @@ def export(
     case: Annotated[Path, typer.Argument(help="Case file, optionally with a table \\[sweep] over load and speed.")],
     code: Annotated[Code, typer.Option("--for", help="Discrete-element code that reads the input.")],
     style: Annotated[
-        str | None, typer.Option(help="Rolling model of this code; see the docstring of viscoroll.dem.")
+        str | None, typer.Option(help="Rolling model of this code; see the docstring of viscoroll.export.dem.")
     ] = None,
     output: Annotated[
         Path | None, typer.Option(help="File for the input lines; by default beside the case file.")

@@ -2,6 +2,6 @@
 
 from .balls import Balls
 from .contact import OperatingPoint, Stiffness
-from .dem import CODES, DemInput, dem
+from .dem import DemInput, dem
 
-__all__ = ["CODES", "Balls", "DemInput", "OperatingPoint", "Stiffness", "dem"]
+__all__ = ["Balls", "DemInput", "OperatingPoint", "Stiffness", "dem"]

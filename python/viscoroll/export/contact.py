@@ -11,8 +11,8 @@ import numpy as np
 
 from .._support.arguments import Floats
 from .._support.text import shown
-from ..interior import StrainSoftening
-from ..interior.softening_result import BOUNDS
+from ..coupled import StrainSoftening
+from ..coupled.softening_result import BOUNDS
 from ..rolling import Result
 from .balls import Balls, balls_of, balls_of_study
 

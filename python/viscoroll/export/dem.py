@@ -12,8 +12,8 @@ import numpy as np
 from .._support.arguments import as_float
 from .._support.files import write_csv, write_text
 from .._support.text import shown
-from ..interior import StrainSoftening
-from ..interior.softening_result import BOUNDS
+from ..coupled import StrainSoftening
+from ..coupled.softening_result import BOUNDS
 from ..rolling import Result
 from . import chrono, lammps, lethe, liggghts, mercurydpm, yade
 from .contact import OperatingPoint, Stiffness, Style, Written, operating_points
@@ -187,7 +187,7 @@ def dem(
     >>> import viscoroll as vr
     >>> from viscoroll import paper
     >>> r = vr.solve(paper.ball(), load=100.0, angular_speed=2.5)
-    >>> print(round(vr.dem(r, code="mercurydpm").parameters["rollingFrictionCoefficient"], 4))
+    >>> print(round(vr.export.dem(r, code="mercurydpm").parameters["rollingFrictionCoefficient"], 4))
     0.0027
     """
     if code not in CODES:

@@ -9,13 +9,12 @@ from .moduli import (
     MasterCurve,
     Prony,
     ShearModulus,
-    ShearModulusLike,
     StandardLinearSolid,
 )
-from .networks import KrausNetwork, MasingNetwork, Network
-from .shift import Arrhenius, Shift, WilliamsLandelFerry
+from .networks import KrausNetwork, MasingNetwork
+from .shift import Arrhenius, WilliamsLandelFerry
 from .softening import SoftenedModulus, SofteningModulus
-from .strain_sweep import StrainKind, StrainSweep
+from .strain_sweep import StrainSweep
 
 __all__ = [
     "Arrhenius",
@@ -27,15 +26,11 @@ __all__ = [
     "LossFactor",
     "MasingNetwork",
     "MasterCurve",
-    "Network",
     "Prony",
     "ShearModulus",
-    "ShearModulusLike",
-    "Shift",
     "SoftenedModulus",
     "SofteningModulus",
     "StandardLinearSolid",
-    "StrainKind",
     "StrainSweep",
     "WilliamsLandelFerry",
 ]

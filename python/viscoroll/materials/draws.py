@@ -34,7 +34,8 @@ class Draws(Sequence[T], Generic[T]):
 
     Examples
     --------
-    >>> from viscoroll import Draws, Elastic
+    >>> from viscoroll import Elastic
+    >>> from viscoroll.materials import Draws
     >>> batches = Draws(3.0e6, [2.9e6, 3.2e6, 3.0e6])
     >>> batches.map(lambda modulus: Elastic(modulus=modulus))[1]
     Elastic(modulus=3200000.0)

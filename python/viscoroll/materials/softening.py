@@ -46,7 +46,8 @@ class SofteningModulus(ShearModulus):
 
     Examples
     --------
-    >>> from viscoroll import MasingNetwork, StandardLinearSolid
+    >>> from viscoroll import StandardLinearSolid
+    >>> from viscoroll.materials import MasingNetwork
     >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
     >>> tread = SofteningModulus(matrix=rubber, network=MasingNetwork(storage=6e6, critical_strain=0.01))
     >>> tread.at(0.01, reference_frequency=8.0).complex_modulus([8.0]).round(-4)
@@ -60,7 +61,9 @@ class SofteningModulus(ShearModulus):
         """Check matrix and network."""
         object.__setattr__(self, "matrix", as_modulus(self.matrix))
         if isinstance(self.matrix, SofteningModulus):
-            raise TypeError("matrix must be a modulus that does not depend on strain, got a viscoroll.SofteningModulus")
+            raise TypeError(
+                "matrix must be a modulus that does not depend on strain, got a viscoroll.materials.SofteningModulus"
+            )
         require_type("network", self.network, Network)
         self.at(0.0, reference_frequency=1.0)
 
@@ -91,8 +94,8 @@ class SofteningModulus(ShearModulus):
 
     def _to_core(self) -> _core.CustomModulus:
         raise TypeError(
-            "shear_modulus must not depend on strain here, got a viscoroll.SofteningModulus: pass the body to "
-            "viscoroll.strain_softening, or use the modulus at(amplitude, reference_frequency=...)"
+            "shear_modulus must not depend on strain here, got a viscoroll.materials.SofteningModulus: pass the body "
+            "to viscoroll.strain_softening, or use the modulus at(amplitude, reference_frequency=...)"
         )
 
 

@@ -12,7 +12,7 @@ from .._core import Compliance, Curvature
 from .._support.arguments import Floats
 from .._support.pictures import Picture
 from ..bodies import Mesh
-from ..bodies.orders import critical_speed
+from ..modal import critical_speed
 from ..rolling import solve
 from .item import Runner, Table, Verdict
 

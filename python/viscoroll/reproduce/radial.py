@@ -12,7 +12,7 @@ from .._core import Compliance, Curvature
 from .._support.arguments import Floats
 from .._support.extras import extra
 from .._support.pictures import Picture
-from ..bodies.orders import surface_compliance
+from ..modal import surface_compliance
 from ..rolling import solve
 from . import plain
 from .item import Runner, Table, Verdict

@@ -3,7 +3,6 @@
 from importlib import resources
 from pathlib import Path
 
-from ..materials import LossFactor
 from .checks import Check, check_modulus, check_range, rolling_range
 from .hardness import hardness_to_modulus, rebound_to_loss_factor
 from .material_file import load_material, save_material
@@ -20,7 +19,6 @@ from .superposition import Superposition
 __all__ = [
     "Check",
     "Isotherm",
-    "LossFactor",
     "NetworkFit",
     "PronyFit",
     "PublishedMaterial",

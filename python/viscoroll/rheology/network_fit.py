@@ -112,8 +112,9 @@ def fit_network(
     >>> import numpy as np
     >>> import viscoroll as vr
     >>> strain = np.geomspace(1e-3, 0.3, 12)
-    >>> storage, loss = vr.MasingNetwork(storage=6e6, critical_strain=0.01).at(strain)
-    >>> fit = vr.fit_network(vr.StrainSweep(strain=strain, storage=storage + 3e6, loss=loss + 2e5), law="masing")
+    >>> storage, loss = vr.materials.MasingNetwork(storage=6e6, critical_strain=0.01).at(strain)
+    >>> sweep = vr.materials.StrainSweep(strain=strain, storage=storage + 3e6, loss=loss + 2e5)
+    >>> fit = vr.rheology.fit_network(sweep, law="masing")
     >>> print(f"{fit.network.storage:.3g} Pa, {fit.network.critical_strain:.3g}")
     6e+06 Pa, 0.01
     """

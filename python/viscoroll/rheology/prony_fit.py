@@ -217,7 +217,7 @@ def fit_prony(curve: MeasuredModulus, *, terms_per_decade: float = 2.0, relaxed_
     >>> rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.1)
     >>> omega = np.geomspace(0.1, 1000.0, 41)
     >>> modulus = rubber.complex_modulus(omega)
-    >>> fit = vr.fit_prony(vr.MasterCurve(omega, modulus.real, modulus.imag))
+    >>> fit = vr.rheology.fit_prony(vr.MasterCurve(omega, modulus.real, modulus.imag))
     >>> bool(fit.storage_rms < 0.01)
     True
     """

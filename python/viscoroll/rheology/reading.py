@@ -176,8 +176,8 @@ def read_rheology(
     Examples
     --------
     >>> import viscoroll as vr
-    >>> path = vr.example_data("pressure_sensitive_adhesive.txt")
-    >>> vr.read_rheology(path, tensile=False)  # doctest: +NORMALIZE_WHITESPACE
+    >>> path = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
+    >>> vr.rheology.read_rheology(path, tensile=False)  # doctest: +NORMALIZE_WHITESPACE
     RheologyData of pressure_sensitive_adhesive.txt: 339 points in 20 sweeps at -40 to 150 °C, 0.6283 to 125.7 rad/s,
     moduli of shear; 1 points dropped
     """

@@ -75,7 +75,7 @@ def superpose(
     if (ramp := data.ramp) is not None:
         raise ValueError(
             f"data must have several frequencies to be shifted, got a temperature ramp at {ramp.frequency:.4g} rad/s: "
-            "pass a law of the shift, such as factors=vr.WilliamsLandelFerry(...), or use "
+            "pass a law of the shift, such as factors=vr.materials.WilliamsLandelFerry(...), or use "
             "data.ramp.at(temperature=...), the modulus and loss factor at that frequency"
         )
     anchor = int(np.argmin(np.abs(temperature - degrees)))

@@ -8,7 +8,9 @@ import numpy as np
 
 from .._support.arguments import as_float, as_int, as_member
 from .._support.text import shown
-from ..materials import ShearModulusLike, StrainKind, StrainSweep
+from ..materials import StrainSweep
+from ..materials.moduli import ShearModulusLike
+from ..materials.strain_sweep import StrainKind
 from .reading import Columns, moduli_are_tensile, named_columns
 from .text import Table, find_tables, read_text
 

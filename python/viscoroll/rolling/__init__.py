@@ -1,8 +1,9 @@
 """Steady rolling: `solve`, `RollingModel` and their results."""
 
+from ..solution import LossSpectrum, Refinement
 from .modulus_sensitivity import ModulusSensitivity
 from .result import Result
 from .sensitivity import Sensitivity
 from .steady import RollingModel, solve
 
-__all__ = ["ModulusSensitivity", "Result", "RollingModel", "Sensitivity", "solve"]
+__all__ = ["LossSpectrum", "ModulusSensitivity", "Refinement", "Result", "RollingModel", "Sensitivity", "solve"]

@@ -9,7 +9,6 @@ from .. import _core
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from .._support.arguments import as_float, as_int, as_member, require_type
 from .._support.cautions import warn
-from .._support.keywords import explained
 from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
 from ..bodies import Counterpart, Drive, Mesh, RollingBody, core_counterpart
@@ -228,7 +227,6 @@ class RollingModel:
         given = {name: getattr(self, name) for name in ("on", "angular_speed", "mesh", "curvature")}
         return partial(type(self), **given), (self.ball,)
 
-    @explained
     def solve(
         self,
         *,

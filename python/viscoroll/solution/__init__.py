@@ -1,6 +1,6 @@
 """Solution of a contact: its scalars and fields, and the methods that evaluate them."""
 
-from .loss_spectrum import LossSpectrum, loss_spectrum
+from .loss_spectrum import LossSpectrum
 from .scalars import SCALARS
 from .solution import FIELDS, VECTOR_FIELDS, Refinement, Solution
 
@@ -11,5 +11,4 @@ __all__ = [
     "LossSpectrum",
     "Refinement",
     "Solution",
-    "loss_spectrum",
 ]

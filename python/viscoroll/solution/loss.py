@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
-    from ..materials import ShearModulusLike
+    from ..materials.moduli import ShearModulusLike
 
 __all__ = ["contact_size", "default_max_order", "loss"]
 

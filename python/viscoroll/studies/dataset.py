@@ -18,7 +18,7 @@ from .._support.extras import extra
 from .._support.units import UNITS, unit_in_contact
 from ..bodies import CoatedSphere, RollingBody
 from ..bodies.si_hints import unit_doubt
-from ..interior.softening_result import BOUNDS
+from ..coupled.softening_result import BOUNDS
 from ..solution import FIELDS, VECTOR_FIELDS
 from ..solution.scalars import SCALARS, scalar_units
 from .dimensions import LOAD_CASE, label

@@ -166,8 +166,7 @@ def checked(name: str, value: object) -> object:
     if name in _TYPES:
         if issubclass(_TYPES[name], Enum):
             return as_member(name, value, _TYPES[name])  # type: ignore[arg-type]
-        if not isinstance(value, _TYPES[name]):
-            raise TypeError(f"{name} must be a viscoroll.{_TYPES[name].__name__}, got {value!r}")
+        require_type(name, value, _TYPES[name])
         return value
     if name in LOAD_CASE:
         return as_float(name, value)

@@ -11,7 +11,8 @@ from .._support.arguments import Floats
 from .._support.cautions import kept_in_results
 from .._support.intervals import half_width
 from .._support.text import shown
-from ..interior import softens, strain_softening
+from ..coupled import strain_softening
+from ..coupled.softening_search import softens
 from ..materials import Draws
 from ..rolling import Result, solve
 from ..rolling.propagation import Pair, propagated

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .._support.arguments import kind_names
-from .._support.keywords import meant
+from .._support.suggestions import suggestion
 from .._support.text import shown
 from .dimensions import LOAD_CASE
 
@@ -45,7 +45,7 @@ class Bodies:
         """Reject parameters that the source does not take, and a function that needs other parameters."""
         if isinstance(self.source, self.kind):
             if names:
-                guesses = [guess for name in names if (guess := meant(name, LOAD_CASE))]
+                guesses = [guess for name in names if (guess := suggestion(name, LOAD_CASE))]
                 raise TypeError(
                     f"a rolling body has no parameter {', '.join(names)}; pass a function of {', '.join(names)} that "
                     "returns the rolling body, or as on= the counterbody"

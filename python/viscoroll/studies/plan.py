@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..bodies import Counterpart, RollingBody
-from ..interior import softens
+from ..coupled.softening_search import softens
 from ..materials import Draws
 from ..rolling.propagation import Pair
 from .dimensions import LOAD_CASE, Dimension, label, require_feasible, split

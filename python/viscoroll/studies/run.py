@@ -16,7 +16,8 @@ from .._core import ConvergenceError, core_count
 from .._support.cautions import kept_in_results
 from .._support.progress import Report
 from ..bodies import RollingBody
-from ..interior import StrainSoftening, softens, strain_softening
+from ..coupled import StrainSoftening, strain_softening
+from ..coupled.softening_search import softens
 from ..rolling import Result, RollingModel, solve
 from ..rolling.propagation import Pair
 from .draws import Way, drawn_answers

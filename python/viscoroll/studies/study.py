@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 from .._support.cautions import warn
 from .._support.intervals import as_confidence
-from .._support.keywords import meant
 from .._support.progress import ProgressLike, counted
+from .._support.suggestions import suggestion
 from ..bodies import RollingBody
 from ..solution import FIELDS, VECTOR_FIELDS
 from .cache import DAMAGED, StudyCache, as_cache_path
@@ -222,7 +222,7 @@ def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:
 
 def _check_names(parameters: dict[str, Any]) -> None:
     if missing := sorted({"load", "angular_speed"} - parameters.keys()):
-        guesses = [guess for name in parameters if (guess := meant(name, missing))]
+        guesses = [guess for name in parameters if (guess := suggestion(name, missing))]
         told = f"; did you mean {', '.join(guesses)}?" if guesses else ""
         raise TypeError(f"sweep requires {' and '.join(missing)}{told}")
     if parameters.get("mesh") is not None and parameters.get("accuracy") is not None:

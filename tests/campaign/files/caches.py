@@ -43,7 +43,7 @@ def study(cache: Path | None, *, speeds: tuple[float, ...] = _SPEEDS, retry_fail
 
     return vr.sweep(
         ball,
-        modulus=vr.Draws(rubber, [rubber, softer]),
+        modulus=vr.materials.Draws(rubber, [rubber, softer]),
         load=paper.LOAD,
         angular_speed=speeds,
         mesh=mesh,

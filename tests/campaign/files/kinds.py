@@ -81,7 +81,7 @@ class TextFiles:
         return None
 
 
-def _material(path: Path, random: Random) -> vr.ShearModulus:
+def _material(path: Path, random: Random) -> vr.materials.ShearModulus:
     options = random.choice(
         (
             {},
@@ -92,12 +92,12 @@ def _material(path: Path, random: Random) -> vr.ShearModulus:
             {"temperature": random.choice((20.0, 1e300, float("nan"), -400.0))},
         )
     )
-    return vr.load_material(path, **options)
+    return vr.rheology.load_material(path, **options)
 
 
 def _surface(path: Path, random: Random) -> str | None:
     """Read a surface, and return which number differs from the one in the file."""
-    surface = vr.RollingResistance.load_file(path)
+    surface = vr.studies.RollingResistance.load_file(path)
     told = json.loads(path.read_text(encoding="utf-8"))
     for name in ("load", "angular_speed", "radius", "coefficients", "error", "largest_error"):
         if not np.array_equal(np.asarray(told[name], dtype=object), np.asarray(getattr(surface, name))):
@@ -209,14 +209,14 @@ _TEXTS = {
     "rheology": TextFiles(
         name="sweep.txt",
         originals=contents.RHEOLOGY,
-        read=lambda path, random: vr.read_rheology(path, tensile=random.choice((None, True))),
+        read=lambda path, random: vr.rheology.read_rheology(path, tensile=random.choice((None, True))),
         judge=lambda data: infinite(data, without=("temperature",)),
         commands=(("material", "sweep.txt", "--tensile", "--reference", "20"),),
     ),
     "strain sweep": TextFiles(
         name="sweep.txt",
         originals=contents.STRAIN_SWEEPS,
-        read=lambda path, _: vr.read_strain_sweep(path, kind="shear", tensile=False),
+        read=lambda path, _: vr.rheology.read_strain_sweep(path, kind="shear", tensile=False),
         judge=infinite,
     ),
     "shift factors": TextFiles(

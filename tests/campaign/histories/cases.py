@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 import viscoroll as vr
+from viscoroll import enums
 
 from ..balls import Geometry, draw_ball, draw_depth, draw_moduli, load_of
 from ..bodies import as_roller, curvature, on_a_wheel
@@ -44,7 +45,7 @@ class HistoryCase(Case):
     def is_followed(self) -> bool:
         """Return whether all retardation times are discrete, and no jump meets a missing instantaneous compliance."""
         viscous = any(isinstance(modulus, vr.KelvinVoigt) for modulus in self.moduli)
-        jumps = self.arguments["start"] is vr.Start.FRESH or 0.0 in np.diff(self.arguments["time"])
+        jumps = self.arguments["start"] is enums.Start.FRESH or 0.0 in np.diff(self.arguments["time"])
         fitted = any(not isinstance(modulus, _DISCRETE) for modulus in self.moduli)
         return not fitted and not (viscous and (jumps or len(self.moduli) > 1))
 
@@ -88,7 +89,7 @@ def _draw(rng: np.random.Generator, name: str) -> HistoryCase:
         "time": motion.time,
         "angle": motion.angle,
         "load": motion.load,
-        "start": vr.Start.RELAXED if rng.random() < 0.5 else vr.Start.FRESH,
+        "start": enums.Start.RELAXED if rng.random() < 0.5 else enums.Start.FRESH,
         "mesh": given["mesh"],
         "lattices": int(rng.choice([1, 2, 4], p=[0.5, 0.4, 0.1])),
         "steps_per_spacing": int(rng.choice([2, 4, 8], p=[0.2, 0.6, 0.2])),
@@ -98,7 +99,7 @@ def _draw(rng: np.random.Generator, name: str) -> HistoryCase:
         "threads": 1,
     }
     if isinstance(drawn["ball"], vr.CoatedSphere) and rng.random() < 0.15:
-        changed["curvature"] = vr.Curvature.PAPER
+        changed["curvature"] = enums.Curvature.PAPER
     case = HistoryCase(name=name, ball=drawn["ball"], arguments=changed)
     case.arguments.update(_along(rng, case, motion, depth, time))
     absurd = _make_absurd(rng, case.arguments)
@@ -110,7 +111,7 @@ def _bodies(
 ) -> dict[str, Any]:
     """Return a ball, a roller or a wheel with these layers, and its counterbody."""
     drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
-    has_core = ball.inner_boundary is vr.InnerBoundary.RIGID
+    has_core = ball.inner_boundary is enums.InnerBoundary.RIGID
     shape = rng.choice(["ball", "roller", "wheel"], p=[0.4, 0.35, 0.25]) if has_core else "ball"
     if shape == "roller":
         drawn = as_roller(ball, contact_radius, arguments)
@@ -126,7 +127,7 @@ def _bodies(
 def _along(rng: np.random.Generator, case: HistoryCase, motion: Motion, depth: float, time: float) -> dict[str, Any]:
     """Return a consistent choice of friction, drive of the center and compliance, possibly empty."""
     is_ball_on_plane = isinstance(case.ball, vr.CoatedSphere) and case.on is None
-    compliance = {"compliance": vr.Compliance.VERTICAL} if is_ball_on_plane and rng.random() < 0.3 else {}
+    compliance = {"compliance": enums.Compliance.VERTICAL} if is_ball_on_plane and rng.random() < 0.3 else {}
     if rng.random() < 0.6:
         return compliance
     friction = 10.0 ** rng.uniform(-1.3, 0.3)
@@ -166,7 +167,7 @@ _ABSURD: dict[str, Any] = {
     "steps_per_spacing": lambda _: {"steps_per_spacing": 0},
     "spectrum_tolerance": lambda _: {"spectrum_tolerance": 1.0},
     "mass": lambda _: {"mass": 1.0, "friction": 0.0, "drive": vr.Drive(force=0.0), "center_way": None},
-    "curvature": lambda _: {"curvature": vr.Curvature.EXACT},
+    "curvature": lambda _: {"curvature": enums.Curvature.EXACT},
 }
 
 

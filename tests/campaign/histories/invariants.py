@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 import viscoroll as vr
 from numpy.typing import NDArray
+from viscoroll import enums
 
 from ..bodies import curvature, deforms
 from .cases import HistoryCase
@@ -191,7 +192,7 @@ def _forces(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float
         return
     size = scales(history)["resisting_torque"] * TOLERANCE
     radius = case.ball.outer_radius
-    if history.compliance is vr.Compliance.RADIAL:
+    if history.compliance is enums.Compliance.RADIAL:
         sum_of_both = history.driving_torque + radius * history.driving_force
         yield "torque and force", float(np.abs(sum_of_both - history.resisting_torque).max()) / size
     if not case.ball.layers:

@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from reference.bonded_layer import bonded_layer
 from scipy import integrate, optimize, special
-from viscoroll import analytic, paper
+from viscoroll import analytic, enums, paper
 
 RADIUS = 20e-3
 MODULUS = 3e6
@@ -37,7 +37,7 @@ def roll(ball, *, load, angular_speed=1.0, nodes=800, order=None):
     mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=order or 3 * nodes // 2)
     # PAPER gives a pressure closer to that of a half-space than SPHERE: at a/R = 0.2 its peak is 0.4 % below Hertz's,
     # with SPHERE 1.3 %.
-    return vr.solve(ball, load=load, angular_speed=angular_speed, mesh=mesh, curvature=vr.Curvature.PAPER)
+    return vr.solve(ball, load=load, angular_speed=angular_speed, mesh=mesh, curvature=enums.Curvature.PAPER)
 
 
 def hertz_load(contact_radius, poisson_ratio):
@@ -76,7 +76,7 @@ def test_loss_time(modulus, expected):
         ),
         (vr.MasterCurve([0.0, 1.0, 9.0], [1.0, 1.0, 2.0], [0.0, 0.1, 0.1]), "within the master curve's table"),
         (
-            vr.MasterCurve([1.0, 9.0], [1.0, 2.0], [0.1, 0.1], extrapolation=vr.Extrapolation.HOLD),
+            vr.MasterCurve([1.0, 9.0], [1.0, 2.0], [0.1, 0.1], extrapolation=enums.Extrapolation.HOLD),
             "shear_modulus must have a loss modulus proportional to frequency",
         ),
     ],
@@ -118,7 +118,7 @@ def test_short_waves_on_a_solid_ball_lag_by_the_sphere_loss_time(poisson_ratio, 
     kelvin_voigt = vr.KelvinVoigt(modulus=MODULUS, viscosity=3e4)
     ball = nearly_solid(shear_modulus=kelvin_voigt, bulk_modulus=bulk_modulus(poisson_ratio))
     constants = {"shear_modulus": MODULUS, "poisson_ratio": poisson_ratio, "shear_viscosity": 3e4}
-    compliance = vr.surface_compliance(ball, 1e-8, 10_000, 0)[0, 0]
+    compliance = vr.modal.surface_compliance(ball, 1e-8, 10_000, 0)[0, 0]
     lag = -compliance.imag / compliance.real / (10_000 * 1e-8)
     assert lag == close(analytic.sphere_loss_time(**constants), rel=1e-4)
     assert analytic.brilliantov_poschel_time(**constants) / lag == close(printed_over_right, rel=2e-3)
@@ -157,7 +157,7 @@ def test_layers_of_one_loss_time_lag_by_it():
     ]
     ball = vr.CoatedSphere(core_radius=RADIUS, layers=layers)
     m = np.array([1, 20, 300])
-    compliance = vr.surface_compliance(ball, 1e-6, m, np.array([0, 5, 200]))[:, 0, 0]
+    compliance = vr.modal.surface_compliance(ball, 1e-6, m, np.array([0, 5, 200]))[:, 0, 0]
     np.testing.assert_allclose(-compliance.imag / compliance.real / (m * 1e-6), 2.0 * TAU, rtol=1e-7)
     assert [analytic.loss_time(layer.shear_modulus) for layer in layers] == pytest.approx([2.0 * TAU] * 2)
 

@@ -9,7 +9,7 @@ import viscoroll as vr
 from reference import sphere
 from reference.bonded_layer import bonded_layer
 from scipy import integrate
-from viscoroll import analytic
+from viscoroll import analytic, enums
 
 RADIUS = 20e-3
 MODULUS = 3e6
@@ -32,7 +32,7 @@ def press(ball, *, load, nodes):
     mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=3 * nodes // 2)
     # PAPER gives a pressure closer to that of a half-space than SPHERE: at a/R = 0.2 its peak is 0.4 % below Hertz's,
     # with SPHERE 1.3 %.
-    return vr.solve(ball, load=load, angular_speed=1.0, mesh=mesh, curvature=vr.Curvature.PAPER)
+    return vr.solve(ball, load=load, angular_speed=1.0, mesh=mesh, curvature=enums.Curvature.PAPER)
 
 
 def hertz_load(contact_radius, poisson_ratio):

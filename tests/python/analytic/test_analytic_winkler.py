@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from scipy import integrate, optimize
-from viscoroll import analytic
+from viscoroll import analytic, enums
 
 THICKNESS, MODULUS, TAU = 1e-3, 3e5, 0.01
 RADIUS = 1.0
@@ -108,7 +108,7 @@ def test_solver_on_a_thin_coating(slenderness, poisson_ratio, path, ratio, toler
     layer = vr.Layer(thickness=THICKNESS, shear_modulus=material, poisson_ratio=poisson_ratio)
     ball = vr.CoatedSphere(core_radius=radius - THICKNESS, layers=[layer])
     mesh = vr.Mesh(nodes_per_revolution=2 * round(50 * np.pi * 50))
-    r = vr.solve(ball, load=load, angular_speed=speed, mesh=mesh, compliance=vr.Compliance.RADIAL)
+    r = vr.solve(ball, load=load, angular_speed=speed, mesh=mesh, compliance=enums.Compliance.RADIAL)
     form = analytic.applicable(ball)["winkler"]
     assert r.resisting_torque == close(form(load, speed), rel=tolerance)
     assert form.holds(load, speed) == (slenderness >= 5)
@@ -121,7 +121,7 @@ def test_where_the_form_holds():
     assert form.holds(loads, 1.0).tolist() == [False, True, True, False]
     assert form.holds(loads[1], np.array([60.0, 70.0])).tolist() == [True, False]
     assert form(loads, 1.0).shape == (4,)
-    free = vr.CoatedSphere(core_radius=RADIUS, layers=[layer], inner_boundary=vr.InnerBoundary.HOLLOW)
+    free = vr.CoatedSphere(core_radius=RADIUS, layers=[layer], inner_boundary=enums.InnerBoundary.HOLLOW)
     assert "winkler" not in analytic.applicable(free)
 
 
@@ -135,7 +135,7 @@ VALID = {"load": 1.0, "angular_speed": 1.0, "shear_modulus": solid(2.0), "poisso
         ({"bulk_modulus": 1e6}, ValueError, "poisson_ratio or bulk_modulus must be given, and not both, got both"),
         ({"load": -1.0}, ValueError, "load must be > 0 N, got -1"),
         ({"thickness": 0.0}, ValueError, "thickness must be > 0 m, got 0"),
-        ({"shear_modulus": 3e6}, TypeError, "shear_modulus must be a viscoroll.ShearModulus, got 3000000.0"),
+        ({"shear_modulus": 3e6}, TypeError, "shear_modulus must be a viscoroll.materials.ShearModulus, got 3000000.0"),
         (
             {"shear_modulus": vr.MasterCurve([1.0, 2.0], [1.0, 1.0], [0.1, 0.1])},
             ValueError,

@@ -17,6 +17,7 @@ import runpy
 import shutil
 import subprocess
 import threading
+from operator import attrgetter
 from pathlib import Path
 
 import pytest
@@ -233,7 +234,7 @@ def test_the_page_of_the_site_is_one_script(tmp_path):
 def test_copied_code_knows_every_body_and_material():
     code = (ROOT / "python" / "viscoroll" / "app" / "page" / "code.js").read_text(encoding="utf-8")
     bodies, moduli = (
-        dict(re.findall(r'(\w+): "(\w+)"', code.split(f"const {table} = ")[1].split("};")[0]))
+        dict(re.findall(r'(\w+): "([\w.]+)"', code.split(f"const {table} = ")[1].split("};")[0]))
         for table in ("CLASSES", "MODULI")
     )
     assert set(bodies) == {*BODIES, *COUNTERPARTS}
@@ -241,4 +242,4 @@ def test_copied_code_knows_every_body_and_material():
     message = answer({"case": {"ball": table, "rolling": {"load": 1.0, "angular_speed": 1.0}}})["error"]["message"]
     kinds = set(message.split("must be one of ")[1].split(", got")[0].split(", "))
     assert kinds - {"hardness", "published", "measured"} <= set(moduli)
-    assert all(hasattr(vr, name) for name in {*bodies.values(), *moduli.values()})
+    assert all(attrgetter(name)(vr) for name in {*bodies.values(), *moduli.values()})

@@ -35,7 +35,7 @@ def modulus(table, tmp_path):
 
 @pytest.mark.parametrize(("scale", "shore"), [("A", 20), ("A", 85), ("D", 40)])
 def test_hardness(tables, scale, shore):
-    assert tables["hardness"][scale][str(shore)] == vr.hardness_to_modulus(float(shore), scale=scale).value
+    assert tables["hardness"][scale][str(shore)] == vr.rheology.hardness_to_modulus(float(shore), scale=scale).value
 
 
 @pytest.mark.parametrize(
@@ -43,7 +43,7 @@ def test_hardness(tables, scale, shore):
 )
 def test_series_are_those_of_a_constant_loss_factor(tables, name, percent):
     share = percent / 100
-    loss_factor = vr.rebound_to_loss_factor(share).value if name == "rebound" else share
+    loss_factor = vr.rheology.rebound_to_loss_factor(share).value if name == "rebound" else share
     decades = tables[name]["decades"]
     expected = vr.LossFactor(modulus=1.0, loss_factor=loss_factor, reference_frequency=1.0, decades=decades)
     instantaneous, first, second, ratio, last = tables[name]["series"][str(percent)]
@@ -63,6 +63,6 @@ def test_tables_hold_for_the_decades_that_the_page_asks_for(tables):
 @pytest.mark.parametrize("name", ["pressure_sensitive_adhesive", "vinyl_nitrile_foam"])
 @pytest.mark.parametrize("degrees", [-10, 20, 50])
 def test_published_materials(tables, name, degrees, tmp_path):
-    expected = vr.example_material(name).at(temperature=degrees)
+    expected = vr.rheology.example_material(name).at(temperature=degrees)
     found = modulus(tables["published"][name][str(degrees)], tmp_path)
     assert found.complex_modulus(OMEGA) == pytest.approx(expected.complex_modulus(OMEGA), rel=DIGITS)

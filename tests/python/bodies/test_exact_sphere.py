@@ -8,18 +8,18 @@ import mpmath
 import numpy as np
 import pytest
 import viscoroll as vr
-from viscoroll import paper
+from viscoroll import enums, paper
 
-EXACT = vr.Curvature.EXACT
-RADIAL = vr.Compliance.RADIAL
+EXACT = enums.Curvature.EXACT
+RADIAL = enums.Compliance.RADIAL
 OUTER = 21e-3
 
 
-def elastic_ball(thickness, *, modulus=1.0, poisson_ratio=0.5, radius=1.0, inner_boundary=vr.InnerBoundary.RIGID):
+def elastic_ball(thickness, *, modulus=1.0, poisson_ratio=0.5, radius=1.0, inner_boundary=enums.InnerBoundary.RIGID):
     layer = vr.Layer(
         thickness=thickness, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=poisson_ratio, density=0.0
     )
-    core = 0.0 if inner_boundary is vr.InnerBoundary.SOLID else radius - thickness
+    core = 0.0 if inner_boundary is enums.InnerBoundary.SOLID else radius - thickness
     return vr.CoatedSphere(core_radius=core, layers=[layer], inner_boundary=inner_boundary)
 
 
@@ -77,7 +77,7 @@ def closed_compliance(degree, core):
 @pytest.mark.parametrize("core", [0.001, 0.2, 0.5, 0.95])
 @pytest.mark.parametrize("degree", [1, 2, 3, 10, 77, 400])
 def test_degrees_agree_with_the_closed_solutions(degree, core):
-    c = vr.degree_compliance(elastic_ball(1.0 - core), 1.0, degree, min(degree, 3))
+    c = vr.modal.degree_compliance(elastic_ball(1.0 - core), 1.0, degree, min(degree, 3))
     expected = closed_compliance(degree, core)
     size = np.sqrt(np.outer(np.diag(expected), np.diag(expected)))
     assert np.abs(c - expected).max() <= 1e-9 * size.max()
@@ -88,10 +88,10 @@ def test_material_sees_the_order_and_not_the_degree(rubber):
     layer = vr.Layer(thickness=0.3, shear_modulus=rubber, poisson_ratio=0.4)
     ball = vr.CoatedSphere(core_radius=0.7, layers=[layer])
     order = np.arange(-5, 6)
-    c = vr.degree_compliance(ball, 2.5, 5, order)
+    c = vr.modal.degree_compliance(ball, 2.5, 5, order)
     modulus = rubber.complex_modulus(2.5 * np.abs(order))
     modulus = np.where(order < 0, modulus.conj(), modulus)
-    expected = vr.degree_compliance(elastic_ball(0.3, poisson_ratio=0.4), 2.5, 5, 0) / modulus[:, None, None]
+    expected = vr.modal.degree_compliance(elastic_ball(0.3, poisson_ratio=0.4), 2.5, 5, 0) / modulus[:, None, None]
     np.testing.assert_allclose(c, expected, rtol=1e-12, atol=1e-25)
 
 
@@ -133,21 +133,21 @@ def test_degree_one_of_a_solid_ball_is_the_rest_of_a_slow_shaking(poisson_ratio)
             rigid = -(load[0] + mpmath.sqrt(2) * load[1]) / omega2
             moved = shaken(omega2, load)
             expected[:, column] = float(moved[0] - rigid), float(moved[1] - mpmath.sqrt(2) * rigid)
-    ball = elastic_ball(1.0, poisson_ratio=poisson_ratio, inner_boundary=vr.InnerBoundary.SOLID)
-    c = vr.degree_compliance(ball, 1.0, 1, 0)
+    ball = elastic_ball(1.0, poisson_ratio=poisson_ratio, inner_boundary=enums.InnerBoundary.SOLID)
+    c = vr.modal.degree_compliance(ball, 1.0, 1, 0)
     np.testing.assert_allclose(c[:2, :2], expected, rtol=0.0, atol=1e-8 * np.abs(expected).max())
 
 
-@pytest.mark.parametrize("inner_boundary", vr.InnerBoundary)
+@pytest.mark.parametrize("inner_boundary", enums.InnerBoundary)
 def test_every_degree_is_passive(rubber, inner_boundary):
     degree = np.arange(1, 30)
     for thickness in (1e-3, 0.1, 0.5, 0.9, 0.999):
-        solid = inner_boundary is vr.InnerBoundary.SOLID
+        solid = inner_boundary is enums.InnerBoundary.SOLID
         layer = vr.Layer(thickness=1.0 if solid else thickness, shear_modulus=rubber, poisson_ratio=0.3)
         ball = vr.CoatedSphere(
             core_radius=0.0 if solid else 1.0 - thickness, layers=[layer], inner_boundary=inner_boundary
         )
-        c = vr.degree_compliance(ball, 2.5, degree, np.minimum(degree, 4))
+        c = vr.modal.degree_compliance(ball, 2.5, degree, np.minimum(degree, 4))
         np.testing.assert_allclose(c, c.transpose(0, 2, 1), rtol=1e-9, atol=1e-20)
         stored = np.linalg.eigvalsh(c.real)
         assert (stored >= -1e-9 * stored[:, -1:]).all()
@@ -159,7 +159,7 @@ def test_hertz_on_a_solid_ball(poisson_ratio):
     """The penetration tends to Hertz's linearly in a / R: the ball's center moves less than a point at infinity."""
     radius, modulus = 20e-3, 1e6
     ball = elastic_ball(
-        radius, modulus=modulus, poisson_ratio=poisson_ratio, radius=radius, inner_boundary=vr.InnerBoundary.SOLID
+        radius, modulus=modulus, poisson_ratio=poisson_ratio, radius=radius, inner_boundary=enums.InnerBoundary.SOLID
     )
     shares, penetrations = [0.1, 0.05, 0.025], []
     for share in shares:
@@ -197,14 +197,16 @@ def test_what_the_other_curvatures_leave_out(share):
     ball = paper_ball(share * OUTER)
     mesh = vr.Mesh(nodes_per_revolution=800)
     exact = roll(ball, EXACT, mesh=mesh, compliance=RADIAL)
-    for curvature, (torque, penetration) in zip((vr.Curvature.PAPER, vr.Curvature.SPHERE), ERRORS[share], strict=True):
+    for curvature, (torque, penetration) in zip(
+        (enums.Curvature.PAPER, enums.Curvature.SPHERE), ERRORS[share], strict=True
+    ):
         r = roll(ball, curvature, mesh=mesh, compliance=RADIAL)
         assert 100.0 * (r.resisting_torque / exact.resisting_torque - 1.0) == pytest.approx(torque, abs=0.06)
         assert 100.0 * (r.penetration / exact.penetration - 1.0) == pytest.approx(penetration, abs=0.06)
 
 
-@pytest.mark.parametrize("compliance", vr.Compliance)
-@pytest.mark.parametrize("patch_load", vr.PatchLoad)
+@pytest.mark.parametrize("compliance", enums.Compliance)
+@pytest.mark.parametrize("patch_load", enums.PatchLoad)
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 def test_power_balance(compliance, patch_load, friction):
     """The dissipated power, an independent sum over degrees and orders, converges to the work done."""
@@ -254,21 +256,21 @@ def test_inertia_is_refused_where_it_counts():
 
 def test_orders_are_refused(paper_ball):
     with pytest.raises(ValueError, match="curvature must be SPHERE or PAPER"):
-        vr.surface_compliance(paper_ball, 2.5, 1, 2, curvature=EXACT)
+        vr.modal.surface_compliance(paper_ball, 2.5, 1, 2, curvature=EXACT)
     with pytest.raises(ValueError, match="order must be at most the degree 2 in magnitude, got 3"):
-        vr.degree_compliance(paper_ball, 2.5, 2, 3)
+        vr.modal.degree_compliance(paper_ball, 2.5, 2, 3)
     with pytest.raises(ValueError, match=r"degree must be in \[0, 1e6\], got -1"):
-        vr.degree_compliance(paper_ball, 2.5, -1, 0)
+        vr.modal.degree_compliance(paper_ball, 2.5, -1, 0)
 
 
-@pytest.mark.parametrize("compliance", vr.Compliance)
+@pytest.mark.parametrize("compliance", enums.Compliance)
 @pytest.mark.parametrize("angular_speed", [1.0, 4.0])
 def test_strong_memory_of_a_thin_coating(compliance, angular_speed):
     """Compare with the torus, from which a thin coating differs little, if displacements persist behind the contact."""
     layer = vr.Layer(thickness=1e-3, shear_modulus=vr.KelvinVoigt(modulus=3e6, viscosity=3e4), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     case = {"load": 50.0, "angular_speed": angular_speed, "mesh": vr.Mesh(nodes_per_revolution=800)}
-    exact, torus = (vr.solve(ball, compliance=compliance, curvature=c, **case) for c in (EXACT, vr.Curvature.SPHERE))
+    exact, torus = (vr.solve(ball, compliance=compliance, curvature=c, **case) for c in (EXACT, enums.Curvature.SPHERE))
     assert exact.driving_torque == pytest.approx(torus.driving_torque, rel=1e-3)
     assert exact.penetration == pytest.approx(torus.penetration, rel=1e-3)
     assert exact.power_balance_error < torus.power_balance_error + 1e-3
@@ -283,11 +285,11 @@ def test_shell_that_rests_on_a_rim():
     shell = vr.CoatedSphere(
         core_radius=0.43003391,
         layers=[vr.Layer(thickness=0.02071857, shear_modulus=material, poisson_ratio=-0.66079)],
-        inner_boundary=vr.InnerBoundary.HOLLOW,
+        inner_boundary=enums.InnerBoundary.HOLLOW,
     )
     mesh = vr.Mesh(nodes_per_revolution=502, max_order=345)
     r = vr.solve(shell, load=21.228, angular_speed=9.4e-3, mesh=mesh, curvature=EXACT)
-    assert r.status is vr.Status.CONVERGED
+    assert r.status is enums.Status.CONVERGED
     assert not r.contact[r.contact.shape[0] // 2, r.contact.shape[1] // 2]
     assert (r.pressure * r.ball.outer_radius**2 * (2 * math.pi / 502) ** 2).sum() == pytest.approx(21.228, rel=2e-2)
 
@@ -338,7 +340,7 @@ def test_which_exact_ball_is_called_the_first_does_not_matter():
 
 
 def test_two_solid_balls_are_hertzian():
-    solid = {"inner_boundary": vr.InnerBoundary.SOLID, "poisson_ratio": 0.3}
+    solid = {"inner_boundary": enums.InnerBoundary.SOLID, "poisson_ratio": 0.3}
     first = elastic_ball(20e-3, modulus=5e6, radius=20e-3, **solid)
     other = elastic_ball(50e-3, modulus=2e6, radius=50e-3, **solid)
     radius = 1.0 / (1.0 / 20e-3 + 1.0 / 50e-3)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 import viscoroll as vr
-from viscoroll import paper
+from viscoroll import enums, paper
 
 
 def ball_at(group):
@@ -22,8 +22,8 @@ def roll(ball, mesh=None):
         load=100.0,
         angular_speed=paper.ANGULAR_SPEED,
         mesh=mesh,
-        compliance=vr.Compliance.RADIAL,
-        curvature=vr.Curvature.PAPER,
+        compliance=enums.Compliance.RADIAL,
+        curvature=enums.Curvature.PAPER,
     )
 
 
@@ -77,7 +77,7 @@ def test_small_inertia_is_as_exact_as_large(rubber):
 
     mesh = vr.Mesh(nodes_per_revolution=64, max_order=64)
     for speed in (2.5, 20.0):
-        series, full = (vr.influence_tables(ball(e), speed, mesh, reach=8) for e in (0.0, 1e-12))
+        series, full = (vr.modal.influence_tables(ball(e), speed, mesh, reach=8) for e in (0.0, 1e-12))
         # The moduli differ by 1e-12, and the inertia series is truncated at 1e-12.
         np.testing.assert_allclose(series, full, rtol=0.0, atol=1e-11 * full.max())
 
@@ -117,7 +117,7 @@ def test_centrifugal_displacement_of_one_layer():
         a, b = np.linalg.solve(rows, [inner, traction(outer, 1.0, outer)])
         expected = -outer + a * j1(k * outer) + b * y1(k * outer)
         # At kr = 0.1, j1 loses two digits, and the difference from the radius loses four.
-        assert vr.centrifugal_displacement(ball, speed) == pytest.approx(expected, rel=1e-9, abs=0.0)
+        assert vr.modal.centrifugal_displacement(ball, speed) == pytest.approx(expected, rel=1e-9, abs=0.0)
 
 
 def test_centrifugal_displacement_in_the_limit_of_low_speed():
@@ -132,7 +132,7 @@ def test_centrifugal_displacement_in_the_limit_of_low_speed():
     layer = vr.Layer(
         thickness=outer - inner, shear_modulus=vr.Elastic(modulus=shear), poisson_ratio=nu, density=density
     )
-    displacement = vr.centrifugal_displacement(vr.CoatedSphere(core_radius=inner, layers=[layer]), speed)
+    displacement = vr.modal.centrifugal_displacement(vr.CoatedSphere(core_radius=inner, layers=[layer]), speed)
     # The displacement is of the order of 1e-14 m: the absolute tolerance of pytest.approx, 1e-12, would hide it.
     assert displacement == pytest.approx(a * outer + b / outer**2 - q * outer**3, rel=1e-9, abs=0.0)
 
@@ -142,7 +142,7 @@ def test_centrifugal_displacement_of_equal_layers_is_that_of_one(rubber):
         layer = vr.Layer(thickness=6e-3 / count, shear_modulus=rubber, poisson_ratio=0.3, density=1000.0)
         return vr.CoatedSphere(core_radius=20e-3, layers=[layer] * count)
 
-    one, three = (vr.centrifugal_displacement(ball(count), 500.0) for count in (1, 3))
+    one, three = (vr.modal.centrifugal_displacement(ball(count), 500.0) for count in (1, 3))
     assert three == pytest.approx(one, rel=1e-12, abs=0.0)
 
 
@@ -150,8 +150,8 @@ def test_centrifugal_displacement_enters_the_contact():
     layer = vr.Layer(thickness=5e-3, shear_modulus=vr.Elastic(modulus=2e6), poisson_ratio=0.3, density=1000.0)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     still = roll(ball)
-    fast = vr.solve(ball, load=100.0, angular_speed=200.0, mesh=still.mesh, compliance=vr.Compliance.RADIAL)
-    assert fast.centrifugal_displacement == vr.centrifugal_displacement(ball, 200.0) > 1e-6
+    fast = vr.solve(ball, load=100.0, angular_speed=200.0, mesh=still.mesh, compliance=enums.Compliance.RADIAL)
+    assert fast.centrifugal_displacement == vr.modal.centrifugal_displacement(ball, 200.0) > 1e-6
     # The ball grows, so its center rises, except for the softening by inertia (some percent of the penetration).
     rise = fast.center_height - still.center_height
     assert rise == pytest.approx(fast.centrifugal_displacement, abs=0.03 * still.penetration)
@@ -234,13 +234,13 @@ def test_a_rigid_ball_does_not_swell_with_what_it_rolls_on():
 
 
 def test_incompressible_layers_do_not_swell(paper_ball):
-    assert vr.centrifugal_displacement(paper_ball, 1000.0) == 0.0
+    assert vr.modal.centrifugal_displacement(paper_ball, 1000.0) == 0.0
 
 
 def test_critical_speed_is_that_of_the_rayleigh_wave():
     # 0.955 sqrt(mu_0 / rho) at Poisson's ratio 1/2; for h = 5 mm the group (67) is 0.58: docs/theory/inertia.md.
     ball = paper.ball(thickness=5e-3)
-    critical = vr.critical_speed(ball)
+    critical = vr.modal.critical_speed(ball)
     assert critical * 25e-3 == pytest.approx(0.955 * math.sqrt(6e6 / 1000.0), rel=1e-3)
     assert 1000.0 * critical**2 * 20e-3**2 / 6e6 == pytest.approx(0.58, abs=0.005)
 
@@ -253,26 +253,29 @@ def test_critical_speed_is_that_of_the_rayleigh_wave():
 def test_critical_speed_depends_on_poissons_ratio(poisson_ratio, ratio):
     layer = vr.Layer(thickness=5e-3, shear_modulus=vr.Elastic(modulus=4e6), poisson_ratio=poisson_ratio, density=1000.0)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
-    assert vr.critical_speed(ball) * 25e-3 == pytest.approx(ratio * math.sqrt(4e3), rel=1e-4)
+    assert vr.modal.critical_speed(ball) * 25e-3 == pytest.approx(ratio * math.sqrt(4e3), rel=1e-4)
 
 
 def test_above_the_critical_speed_is_refused():
     ball = ball_at(0.6)
-    critical = vr.critical_speed(ball)
+    critical = vr.modal.critical_speed(ball)
     message = rf"angular_speed must be below the critical speed {critical!r} rad/s, .*, got 2.5 rad/s"
     with pytest.raises(ValueError, match=message):
         roll(ball)
-    for function in (lambda: vr.surface_compliance(ball, 2.5, 1, 2), lambda: vr.centrifugal_displacement(ball, 2.5)):
+    for function in (
+        lambda: vr.modal.surface_compliance(ball, 2.5, 1, 2),
+        lambda: vr.modal.centrifugal_displacement(ball, 2.5),
+    ):
         with pytest.raises(ValueError, match=message):
             function()
     assert vr.solve(ball, load=100.0, angular_speed=0.95 * critical, accuracy=0.2).resisting_torque > 0.0
 
 
 def test_critical_speed_without_a_limit():
-    assert math.isinf(vr.critical_speed(paper.ball(density=0.0)))
+    assert math.isinf(vr.modal.critical_speed(paper.ball(density=0.0)))
     viscous = vr.KelvinVoigt(modulus=3e6, viscosity=1.0)
     layer = vr.Layer(thickness=1e-3, shear_modulus=viscous, poisson_ratio=0.5, density=1000.0)
-    assert math.isinf(vr.critical_speed(vr.CoatedSphere(core_radius=20e-3, layers=[layer])))
+    assert math.isinf(vr.modal.critical_speed(vr.CoatedSphere(core_radius=20e-3, layers=[layer])))
 
 
 def test_critical_speed_of_a_callable_is_that_of_its_modulus(rubber):
@@ -280,7 +283,7 @@ def test_critical_speed_of_a_callable_is_that_of_its_modulus(rubber):
         layer = vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.5, density=1000.0)
         return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
 
-    assert vr.critical_speed(ball(rubber.complex_modulus)) == pytest.approx(vr.critical_speed(ball(rubber)))
+    assert vr.modal.critical_speed(ball(rubber.complex_modulus)) == pytest.approx(vr.modal.critical_speed(ball(rubber)))
 
 
 @pytest.mark.parametrize(
@@ -297,8 +300,8 @@ def test_short_time_stiffness_out_of_reach_hides_no_waves(modulus):
         layer = vr.Layer(thickness=5e-3, shear_modulus=material, poisson_ratio=0.5, density=1000.0)
         return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
 
-    speed = 2.0 * vr.critical_speed(ball(vr.Elastic(modulus=3e6)))
-    assert speed < vr.critical_speed(ball(modulus))
+    speed = 2.0 * vr.modal.critical_speed(ball(vr.Elastic(modulus=3e6)))
+    assert speed < vr.modal.critical_speed(ball(modulus))
     with pytest.raises(ValueError, match=r"angular_speed must be below the speed at which the coating radiates waves"):
         vr.solve(ball(modulus), load=50.0, angular_speed=speed)
 
@@ -322,7 +325,7 @@ def test_growth_scales_the_arcs_between_nodes(thickness, poisson_ratio, load, ex
         return vr.CoatedSphere(core_radius=radius - thickness, layers=[layer])
 
     growing, still = ball(0.1, 1450.0), ball(0.2, 0.0)
-    growth = vr.centrifugal_displacement(growing, 23.5) / 0.1
+    growth = vr.modal.centrifugal_displacement(growing, 23.5) / 0.1
     one = vr.solve(growing, on=still, load=load, angular_speed=23.5, mesh=vr.Mesh(nodes_per_revolution=660))
     other = vr.solve(still, on=growing, load=load, angular_speed=11.75, mesh=vr.Mesh(nodes_per_revolution=1320))
     power = (one.penetration / other.penetration - 1.0) / (2.0 * growth)

@@ -9,6 +9,7 @@ import pytest
 import viscoroll as vr
 from reference import boundary
 from reference import layers as reference
+from viscoroll import enums
 
 SPEED, MESH, HALF = 2.5, vr.Mesh(nodes_per_revolution=48, max_order=40), (2, 3)
 
@@ -19,12 +20,12 @@ def nodes():
 
 
 def order_compliance(ball):
-    return lambda m, n: vr.surface_compliance(ball, SPEED, m.astype(int), n.astype(int))
+    return lambda m, n: vr.modal.surface_compliance(ball, SPEED, m.astype(int), n.astype(int))
 
 
 def table_matrix(ball, **options):
     """Expand the tables over all pairs of nodes; shape (3, 3, nodes, nodes)."""
-    tables = vr.influence_tables(ball, SPEED, MESH, reach=(2 * HALF[0], 2 * HALF[1]), **options)
+    tables = vr.modal.influence_tables(ball, SPEED, MESH, reach=(2 * HALF[0], 2 * HALF[1]), **options)
     j, k = (a.ravel() for a in np.meshgrid(*(np.arange(-h, h + 1) for h in HALF), indexing="ij"))
     return tables[:, :, j[:, None] - j + 2 * HALF[0], k[:, None] - k + 2 * HALF[1]]
 
@@ -52,14 +53,14 @@ def test_tables_agree_with_the_reference_from_the_moduli_on(unlike_ball, nodes):
 
     expected = boundary.compliance_matrix(compliance, MESH.max_order, unlike_ball.outer_radius, MESH.spacing, *nodes)
     # Error of the extrapolation of 20 radial sub-intervals at order 40.
-    tables = table_matrix(unlike_ball, curvature=vr.Curvature.PAPER)
+    tables = table_matrix(unlike_ball, curvature=enums.Curvature.PAPER)
     np.testing.assert_allclose(tables, expected, rtol=0.0, atol=1e-8 * expected[0, 0].max())
 
 
 @pytest.mark.parametrize(("nodes_per_revolution", "max_order"), [(48, 24), (48, 96), (48, 130), (49, 25), (49, 120)])
 def test_folding_for_any_ratio_of_orders_to_nodes(paper_ball, nodes_per_revolution, max_order):
     mesh = vr.Mesh(nodes_per_revolution=nodes_per_revolution, max_order=max_order)
-    tables = vr.influence_tables(paper_ball, SPEED, mesh, reach=1)
+    tables = vr.modal.influence_tables(paper_ball, SPEED, mesh, reach=1)
     nodes = boundary.nodes(mesh.spacing, 1, 1)
     expected = boundary.compliance_matrix(
         order_compliance(paper_ball), max_order, paper_ball.outer_radius, mesh.spacing, *nodes
@@ -69,20 +70,20 @@ def test_folding_for_any_ratio_of_orders_to_nodes(paper_ball, nodes_per_revoluti
 
 
 def test_tables_do_not_depend_on_threads_or_reach(paper_ball):
-    small = vr.influence_tables(paper_ball, SPEED, MESH, reach=(2, 1), threads=1)
-    np.testing.assert_array_equal(small, vr.influence_tables(paper_ball, SPEED, MESH, reach=(2, 1), threads=3))
-    large = vr.influence_tables(paper_ball, SPEED, MESH, reach=(5, 6), threads=3)
+    small = vr.modal.influence_tables(paper_ball, SPEED, MESH, reach=(2, 1), threads=1)
+    np.testing.assert_array_equal(small, vr.modal.influence_tables(paper_ball, SPEED, MESH, reach=(2, 1), threads=3))
+    large = vr.modal.influence_tables(paper_ball, SPEED, MESH, reach=(5, 6), threads=3)
     np.testing.assert_allclose(small, large[:, :, 3:8, 5:8], rtol=0.0, atol=1e-14 * large.max())
 
 
 def test_tables_are_mirror_symmetric_in_theta(unlike_ball):
-    tables = vr.influence_tables(unlike_ball, SPEED, MESH, reach=5)
+    tables = vr.modal.influence_tables(unlike_ball, SPEED, MESH, reach=5)
     odd = np.array([[1, 1, -1], [1, 1, -1], [-1, -1, 1]])[:, :, None, None]
     np.testing.assert_allclose(tables[..., ::-1], odd * tables, rtol=0.0, atol=1e-14 * tables.max())
 
 
 def test_memory_makes_the_tables_unsymmetric_in_phi(paper_ball):
-    radial = vr.influence_tables(paper_ball, SPEED, MESH, reach=6)[0, 0]
+    radial = vr.modal.influence_tables(paper_ball, SPEED, MESH, reach=6)[0, 0]
     # Material leaves the load towards growing phi and has not yet recovered there.
     behind, ahead = radial[7:, 6], radial[5::-1, 6]
     assert (np.abs(behind - ahead) > 1e-3 * radial.max()).any()
@@ -90,21 +91,21 @@ def test_memory_makes_the_tables_unsymmetric_in_phi(paper_ball):
         core_radius=20e-3,
         layers=[vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)],
     )
-    radial = vr.influence_tables(elastic, SPEED, MESH, reach=6)[0, 0]
+    radial = vr.modal.influence_tables(elastic, SPEED, MESH, reach=6)[0, 0]
     np.testing.assert_allclose(radial[::-1], radial, rtol=0.0, atol=1e-14 * radial.max())
 
 
 @pytest.mark.parametrize("reach", [25, (0, 25), -1])
 def test_reach_is_limited_to_half_a_revolution(paper_ball, reach):
     with pytest.raises(ValueError, match=r"reach must be in \[0, 24\] \(at most half of the nodes per revolution\)"):
-        vr.influence_tables(paper_ball, SPEED, MESH, reach=reach)
+        vr.modal.influence_tables(paper_ball, SPEED, MESH, reach=reach)
 
 
 def test_unlike_spacings(unlike_ball):
     """A node has the width in theta that the mesh prescribes: three narrow adjacent patches make one wide patch."""
-    wide = vr.influence_tables(unlike_ball, SPEED, vr.Mesh(nodes_per_revolution=120), reach=4)
+    wide = vr.modal.influence_tables(unlike_ball, SPEED, vr.Mesh(nodes_per_revolution=120), reach=4)
     mesh = vr.Mesh(nodes_per_revolution=120, theta_nodes_per_revolution=360)
-    narrow = vr.influence_tables(unlike_ball, SPEED, mesh, reach=(4, 13))
+    narrow = vr.modal.influence_tables(unlike_ball, SPEED, mesh, reach=(4, 13))
     offsets = 13 + 3 * np.arange(-4, 5)
     together = (narrow[..., offsets - 1] + narrow[..., offsets] + narrow[..., offsets + 1]) / 3.0
     # Both sums contain all orders, to nine digits of their central values.
@@ -113,9 +114,11 @@ def test_unlike_spacings(unlike_ball):
 
 def test_all_orders_are_the_limit_of_many(paper_ball):
     """Sums up to odd multiples of half the nodes, whose errors cancel in pairs, approach the sum of all orders."""
-    every = vr.influence_tables(paper_ball, SPEED, vr.Mesh(nodes_per_revolution=48), reach=3)
+    every = vr.modal.influence_tables(paper_ball, SPEED, vr.Mesh(nodes_per_revolution=48), reach=3)
     errors = [
-        np.abs(vr.influence_tables(paper_ball, SPEED, vr.Mesh(nodes_per_revolution=48, max_order=n), reach=3) - every)
+        np.abs(
+            vr.modal.influence_tables(paper_ball, SPEED, vr.Mesh(nodes_per_revolution=48, max_order=n), reach=3) - every
+        )
         for n in (72, 216, 648, 1944)
     ]
     largest = [error.max() / every.max() for error in errors]
@@ -130,9 +133,9 @@ def test_fine_meshes_see_a_half_space(nodes):
     """On patches much smaller than the coating, compare with Love's square on an incompressible half-space."""
     modulus = 3e6
     layer = vr.Layer(thickness=20e-3, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
-    ball = vr.CoatedSphere(core_radius=0.0, layers=[layer], inner_boundary=vr.InnerBoundary.SOLID)
+    ball = vr.CoatedSphere(core_radius=0.0, layers=[layer], inner_boundary=enums.InnerBoundary.SOLID)
     mesh = vr.Mesh(nodes_per_revolution=nodes)
-    radial = vr.influence_tables(ball, 1.0, mesh, reach=6)[0, 0]
+    radial = vr.modal.influence_tables(ball, 1.0, mesh, reach=6)[0, 0]
     side = 20e-3 * mesh.spacing
     # A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377-420; K. L. Johnson, Contact Mechanics, equation (3.25).
     x, y = (side * offset for offset in np.meshgrid(np.arange(-6, 7), np.arange(-6, 7), indexing="ij"))
@@ -151,7 +154,7 @@ def test_coatings_thinner_than_the_mesh():
     """A thin incompressible coating is most compliant far above the orders of the mesh; the sum includes them all."""
     layer = vr.Layer(thickness=0.25e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])  # a fifth of a spacing
-    every = vr.influence_tables(ball, 1.0, vr.Mesh(nodes_per_revolution=100), reach=2)[0, 0]
-    many = vr.influence_tables(ball, 1.0, vr.Mesh(nodes_per_revolution=100, max_order=8050), reach=2)[0, 0]
+    every = vr.modal.influence_tables(ball, 1.0, vr.Mesh(nodes_per_revolution=100), reach=2)[0, 0]
+    many = vr.modal.influence_tables(ball, 1.0, vr.Mesh(nodes_per_revolution=100, max_order=8050), reach=2)[0, 0]
     # Contribution of orders above 8050: (100 / 8050)^2 of a half-space's compliance at the center.
     np.testing.assert_allclose(every, many, rtol=0.0, atol=1e-3 * many.max())

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference import layers as reference
+from viscoroll import enums
 
 # Balls of the reference package: radii [m], Prony parameters (G0, weights, times), Poisson's ratio, density.
 RUBBER = (6e6, [0.5], [0.125])
@@ -49,7 +50,7 @@ def test_state_matrix_is_equation_26(angular_speed, m, n):
         # Transform dq/dr = A q with stresses sigma to dz/d(ln r) = B z with r sigma.
         d = np.diag([1, 1, 1, r, r, r])
         expected = np.diag([0, 0, 0, 1, 1, 1]) + r * d @ a @ np.linalg.inv(d)
-        b = vr.state_matrix(core_layer, angular_speed, r, m, n, curvature=vr.Curvature.PAPER)
+        b = vr.modal.state_matrix(core_layer, angular_speed, r, m, n, curvature=enums.Curvature.PAPER)
         np.testing.assert_allclose(b, expected, rtol=1e-13, atol=1e-14)
 
 
@@ -57,7 +58,7 @@ def test_state_matrix_is_equation_26(angular_speed, m, n):
 def test_two_layers_with_inertia_agree_with_the_papers_product(angular_speed):
     m, n = np.array([0, 1, 2, 5, -7, 20, 60, 90]), np.array([0, 3, -2, 0, 11, 20, -60, 5])
     expected = reference.extrapolated_compliance([layer for layer, _ in TWO_LAYERS], angular_speed, m, n, (20, 40, 80))
-    compliance = vr.surface_compliance(ball_of(TWO_LAYERS), angular_speed, m, n, curvature=vr.Curvature.PAPER)
+    compliance = vr.modal.surface_compliance(ball_of(TWO_LAYERS), angular_speed, m, n, curvature=enums.Curvature.PAPER)
     size = np.abs(expected).max(axis=(1, 2), keepdims=True)
     # Error of the extrapolation of the sub-intervals at order 90.
     assert (np.abs(compliance - expected) < 1e-9 * size).all()
@@ -67,12 +68,12 @@ def test_the_papers_product_overflows_where_the_recursion_does_not():
     layer = reference_layer(11e-3, 21e-3, RUBBER, 0.5, 0.0)
     with np.errstate(all="ignore"):
         assert not np.isfinite(reference.product_compliance([layer], 2.5, 1500, 0, 50)).all()
-    assert np.isfinite(vr.surface_compliance(ball_of([(layer, RUBBER)]), 2.5, 1500, 0)).all()
+    assert np.isfinite(vr.modal.surface_compliance(ball_of([(layer, RUBBER)]), 2.5, 1500, 0)).all()
 
 
 def membrane_stiffness(k2, curvature):
     """Return the term that replaces k^2 beside the shear modulus in the paper's (26) for a curvature."""
-    if curvature is vr.Curvature.PAPER:
+    if curvature is enums.Curvature.PAPER:
         return k2
     return k2 - 2 if k2 >= 4 else mpmath.mpf(k2) / 2
 
@@ -120,7 +121,7 @@ def exact_compliance(layers, angular_speed, m, n, curvature, *, digits=50, hollo
         return np.array((y * outermost).tolist(), dtype=complex)
 
 
-CURVATURES = [vr.Curvature.SPHERE, vr.Curvature.PAPER]
+CURVATURES = [enums.Curvature.SPHERE, enums.Curvature.PAPER]
 # of 21 mm: from 1e-3 of the radius to a core of 1e-3 of it
 THICKNESSES = [21e-6, 0.2e-3, 1e-3, 5e-3, 20.979e-3]
 ORDERS = [
@@ -139,7 +140,7 @@ ORDERS = [
 ]
 
 
-KINDS = [(1, vr.Curvature.SPHERE), (2, vr.Curvature.SPHERE), (1, vr.Curvature.PAPER)]
+KINDS = [(1, enums.Curvature.SPHERE), (2, enums.Curvature.SPHERE), (1, enums.Curvature.PAPER)]
 
 
 @pytest.mark.parametrize(
@@ -162,7 +163,7 @@ def test_surface_compliance_agrees_with_fifty_digits(thickness, poisson_ratio, c
     ball = ball_of(layers)
     for m, n in ORDERS:
         expected = exact_compliance(layers, 2.5, m, n, curvature)
-        compliance = vr.surface_compliance(ball, 2.5, m, n, curvature=curvature)
+        compliance = vr.modal.surface_compliance(ball, 2.5, m, n, curvature=curvature)
         # C is positive definite, so C_ij is at most of the size (C_ii C_jj)^(1/2); a thickness that is a difference of
         # radii loses a digit or two.
         diagonal = np.abs(np.diag(expected))
@@ -178,7 +179,7 @@ def test_exponents_of_the_paper_are_the_closed_ones(rubber):
     step = k * math.sqrt((5 - 4 * nu) / (1 - nu))
     roots = [math.sqrt(k**2 + 9 / 4 + shift) for shift in (-step, 0.0, step)]
     expected = sorted(-0.5 + sign * root for root in roots for sign in (-1, 1))
-    exponents = np.linalg.eigvals(vr.state_matrix(layer, 2.5, 20e-3, m, n, curvature=vr.Curvature.PAPER))
+    exponents = np.linalg.eigvals(vr.modal.state_matrix(layer, 2.5, 20e-3, m, n, curvature=enums.Curvature.PAPER))
     np.testing.assert_allclose(sorted(exponents.real), expected, rtol=1e-8)
     np.testing.assert_allclose(exponents.imag, 0.0, atol=1e-6)
 
@@ -191,23 +192,23 @@ def test_exponents_on_a_sphere_are_the_classical_ones(rubber, poisson_ratio, m, 
     spheroidal = [degree + 1, degree - 1, -degree, -degree - 2]
     expected = sorted([*spheroidal, degree, -degree - 1])
     layer = vr.Layer(thickness=1e-3, shear_modulus=rubber, poisson_ratio=poisson_ratio)
-    exponents = np.linalg.eigvals(vr.state_matrix(layer, 2.5, 20e-3, m, n))
+    exponents = np.linalg.eigvals(vr.modal.state_matrix(layer, 2.5, 20e-3, m, n))
     np.testing.assert_allclose(sorted(exponents.real), expected, atol=1e-6)
     np.testing.assert_allclose(exponents.imag, 0.0, atol=1e-6)
 
 
-@pytest.mark.parametrize("inner_boundary", vr.InnerBoundary)
+@pytest.mark.parametrize("inner_boundary", enums.InnerBoundary)
 @pytest.mark.parametrize("curvature", CURVATURES)
 def test_every_order_is_passive(rubber, inner_boundary, curvature):
     """Any load does work on the coating and dissipates energy in it: thin, thick and nearly solid balls."""
     m, n = (order.ravel() for order in np.meshgrid(np.arange(6), np.arange(-6, 7)))
     for thickness in (1e-3, 0.1, 0.5, 0.501, 0.9, 0.999):
-        solid = inner_boundary is vr.InnerBoundary.SOLID
+        solid = inner_boundary is enums.InnerBoundary.SOLID
         for compressibility in ({"poisson_ratio": -0.9}, {"poisson_ratio": 0.5}, {"bulk_modulus": 1e5}):
             layer = vr.Layer(thickness=1.0 if solid else thickness, shear_modulus=rubber, **compressibility)
             core = 0.0 if solid else 1.0 - thickness
             ball = vr.CoatedSphere(core_radius=core, layers=[layer], inner_boundary=inner_boundary)
-            c = vr.surface_compliance(ball, 2.5, m, n, curvature=curvature)
+            c = vr.modal.surface_compliance(ball, 2.5, m, n, curvature=curvature)
             stored = np.linalg.eigvalsh(0.5 * (c + c.conj().transpose(0, 2, 1)))
             lost = np.linalg.eigvalsh(0.5j * (c - c.conj().transpose(0, 2, 1)))
             largest = stored[:, -1:]
@@ -217,10 +218,14 @@ def test_every_order_is_passive(rubber, inner_boundary, curvature):
 
 def test_symmetries(unlike_ball):
     m, n = np.array([0, 1, 5, 40]), np.array([2, 3, 0, 17])
-    c = vr.surface_compliance(unlike_ball, 250.0, m, n)
-    np.testing.assert_allclose(vr.surface_compliance(unlike_ball, 250.0, -m, -n), c.conj(), rtol=1e-14, atol=1e-30)
+    c = vr.modal.surface_compliance(unlike_ball, 250.0, m, n)
+    np.testing.assert_allclose(
+        vr.modal.surface_compliance(unlike_ball, 250.0, -m, -n), c.conj(), rtol=1e-14, atol=1e-30
+    )
     odd_in_n = np.array([[1, 1, -1], [1, 1, -1], [-1, -1, 1]])
-    np.testing.assert_allclose(vr.surface_compliance(unlike_ball, 250.0, m, -n), c * odd_in_n, rtol=1e-11, atol=1e-22)
+    np.testing.assert_allclose(
+        vr.modal.surface_compliance(unlike_ball, 250.0, m, -n), c * odd_in_n, rtol=1e-11, atol=1e-22
+    )
     reciprocal = np.array([[1, -1, -1], [-1, 1, 1], [-1, 1, 1]])
     np.testing.assert_allclose(c.transpose(0, 2, 1), c * reciprocal, rtol=1e-11, atol=1e-22)
 
@@ -231,7 +236,7 @@ def test_equal_layers_are_one_layer(rubber):
         return vr.CoatedSphere(core_radius=20e-3, layers=[layer] * count)
 
     m, n = np.meshgrid([0, 1, 7, 80, 400], [0, 3, 50])
-    one, seven = (vr.surface_compliance(ball(count), 25.0, m, n) for count in (1, 7))
+    one, seven = (vr.modal.surface_compliance(ball(count), 25.0, m, n) for count in (1, 7))
     # C_rr; the other entries relative to the geometric mean of their diagonal entries.
     diagonal = np.abs(np.einsum("...ii->...i", one))
     size = np.sqrt(diagonal[..., :, None] * diagonal[..., None, :])
@@ -244,7 +249,7 @@ def test_equal_layers_are_one_layer(rubber):
 def test_constant_bulk_modulus_tends_to_incompressible(rubber):
     def compliance(**compressibility):
         layer = vr.Layer(thickness=1e-3, shear_modulus=rubber, **compressibility)
-        return vr.surface_compliance(vr.CoatedSphere(core_radius=20e-3, layers=[layer]), 2.5, [1, 20], [2, 30])
+        return vr.modal.surface_compliance(vr.CoatedSphere(core_radius=20e-3, layers=[layer]), 2.5, [1, 20], [2, 30])
 
     incompressible = compliance(poisson_ratio=0.5)
     errors = [np.abs(compliance(bulk_modulus=k) / incompressible - 1.0).max() for k in (1e12, 1e13)]
@@ -263,8 +268,8 @@ def test_constant_bulk_modulus_of_an_elastic_layer_is_its_poisson_ratio():
 
     m, n = [0, 3, 50], [0, 5, 40]
     np.testing.assert_allclose(
-        vr.surface_compliance(ball(bulk_modulus=bulk), 9.0, m, n),
-        vr.surface_compliance(ball(poisson_ratio=nu), 9.0, m, n),
+        vr.modal.surface_compliance(ball(bulk_modulus=bulk), 9.0, m, n),
+        vr.modal.surface_compliance(ball(poisson_ratio=nu), 9.0, m, n),
         rtol=1e-11,
         atol=1e-20,
     )
@@ -280,13 +285,13 @@ def test_poisson_ratio_is_complex_with_a_constant_bulk_modulus(rubber):
     a, b = 1.0, -(inner**3)
     expected = (a * outer + b / outer**2) / (3 * bulk * a - 4 * mu * b / outer**3)
     # Compliances are small numbers in m/Pa, which the absolute tolerance of pytest.approx, 1e-12, would hide.
-    assert vr.surface_compliance(ball, 2.5, 0, 0)[0, 0] == pytest.approx(expected, rel=1e-12, abs=0.0)
+    assert vr.modal.surface_compliance(ball, 2.5, 0, 0)[0, 0] == pytest.approx(expected, rel=1e-12, abs=0.0)
 
 
 def test_shapes_broadcast(paper_ball):
-    assert vr.surface_compliance(paper_ball, 2.5, 3, 4).shape == (3, 3)
-    assert vr.surface_compliance(paper_ball, 2.5, np.arange(4)[:, None], np.arange(5)).shape == (4, 5, 3, 3)
-    assert vr.surface_compliance(paper_ball, 2.5, np.zeros(0, int), 1).shape == (0, 3, 3)
+    assert vr.modal.surface_compliance(paper_ball, 2.5, 3, 4).shape == (3, 3)
+    assert vr.modal.surface_compliance(paper_ball, 2.5, np.arange(4)[:, None], np.arange(5)).shape == (4, 5, 3, 3)
+    assert vr.modal.surface_compliance(paper_ball, 2.5, np.zeros(0, int), 1).shape == (0, 3, 3)
 
 
 @pytest.mark.parametrize("thickness", [1e-2, 0.3, 0.9])
@@ -295,21 +300,21 @@ def test_hollow_ball_agrees_with_fifty_digits(thickness, poisson_ratio):
     layers = [(reference_layer(1.0 - thickness, 1.0, RUBBER, poisson_ratio, 0.0), RUBBER)]
     solid_core = ball_of(layers)
     ball = vr.CoatedSphere(
-        core_radius=1.0 - thickness, layers=solid_core.layers, inner_boundary=vr.InnerBoundary.HOLLOW
+        core_radius=1.0 - thickness, layers=solid_core.layers, inner_boundary=enums.InnerBoundary.HOLLOW
     )
     for m, n in [(0, 1), (1, 0), (2, 1), (3, -5), (40, 7), (300, 300)]:
-        expected = exact_compliance(layers, 2.5, m, n, vr.Curvature.SPHERE, hollow=True)
-        compliance = vr.surface_compliance(ball, 2.5, m, n)
+        expected = exact_compliance(layers, 2.5, m, n, enums.Curvature.SPHERE, hollow=True)
+        compliance = vr.modal.surface_compliance(ball, 2.5, m, n)
         # A thin shell bends far more easily than it stretches; the ratio costs digits.
         assert np.abs(compliance - expected).max() < 1e-9 / thickness * np.abs(expected).max()
         if thickness * math.hypot(m, n) > 40.0:  # the inner surface has no influence
-            np.testing.assert_allclose(compliance, vr.surface_compliance(solid_core, 2.5, m, n), rtol=1e-12)
+            np.testing.assert_allclose(compliance, vr.modal.surface_compliance(solid_core, 2.5, m, n), rtol=1e-12)
 
 
 def regular_compliance(poisson_ratio, mu, m, n):
     """Return the compliance of a homogeneous solid ball of radius 1, from the three r^s with the largest exponents."""
     layer = vr.Layer(thickness=1.0, shear_modulus=vr.Elastic(modulus=mu), poisson_ratio=poisson_ratio)
-    exponents, solutions = np.linalg.eig(vr.state_matrix(layer, 1.0, 1.0, m, n))
+    exponents, solutions = np.linalg.eig(vr.modal.state_matrix(layer, 1.0, 1.0, m, n))
     regular = solutions[:, np.argsort(exponents.real)[3:]]
     return regular[:3] @ np.linalg.inv(regular[3:])
 
@@ -318,15 +323,15 @@ def regular_compliance(poisson_ratio, mu, m, n):
 def test_solid_ball_keeps_the_regular_solutions(poisson_ratio):
     mu, radius = 2e6, 0.7
     layer = vr.Layer(thickness=radius, shear_modulus=vr.Elastic(modulus=mu), poisson_ratio=poisson_ratio)
-    ball = vr.CoatedSphere(layers=[layer], inner_boundary=vr.InnerBoundary.SOLID)
+    ball = vr.CoatedSphere(layers=[layer], inner_boundary=enums.InnerBoundary.SOLID)
     for m, n in [(0, 1), (1, 0), (1, 1), (2, 1), (3, -5), (40, 7)]:
         expected = radius * regular_compliance(poisson_ratio, mu, m, n)
-        compliance = vr.surface_compliance(ball, 1.0, m, n)
+        compliance = vr.modal.surface_compliance(ball, 1.0, m, n)
         np.testing.assert_allclose(compliance, expected, rtol=0.0, atol=1e-9 * np.abs(expected).max())
     # Order (0, 0): uniform expansion u_r = r sigma / 3K, and no mean rotation.
     bulk = 2.0 * mu * (1.0 + poisson_ratio) / (3.0 * (1.0 - 2.0 * poisson_ratio)) if poisson_ratio < 0.5 else np.inf
     np.testing.assert_allclose(
-        vr.surface_compliance(ball, 1.0, 0, 0), np.diag([radius / (3.0 * bulk), 0.0, 0.0]), rtol=1e-12, atol=1e-22
+        vr.modal.surface_compliance(ball, 1.0, 0, 0), np.diag([radius / (3.0 * bulk), 0.0, 0.0]), rtol=1e-12, atol=1e-22
     )
 
 
@@ -334,7 +339,7 @@ def test_solid_ball_is_the_limit_of_small_cores():
     rubber = vr.KelvinVoigt(modulus=1e6, viscosity=1e3)
     solid = vr.CoatedSphere(
         layers=[vr.Layer(thickness=20e-3, shear_modulus=rubber, poisson_ratio=0.3, density=1000.0)],
-        inner_boundary=vr.InnerBoundary.SOLID,
+        inner_boundary=enums.InnerBoundary.SOLID,
     )
     core = vr.CoatedSphere(
         core_radius=2e-5,
@@ -342,8 +347,11 @@ def test_solid_ball_is_the_limit_of_small_cores():
     )
     m, n = np.array([5, 10, 0, 3]), np.array([0, 7, 4, 1])
     np.testing.assert_allclose(
-        vr.surface_compliance(solid, 5.0, m, n), vr.surface_compliance(core, 5.0, m, n), rtol=1e-6, atol=1e-15
+        vr.modal.surface_compliance(solid, 5.0, m, n),
+        vr.modal.surface_compliance(core, 5.0, m, n),
+        rtol=1e-6,
+        atol=1e-15,
     )
-    swelling = vr.centrifugal_displacement(core, 5.0)
-    assert vr.centrifugal_displacement(solid, 5.0) == pytest.approx(swelling, rel=1e-6, abs=0.0)
-    assert vr.critical_speed(solid) == vr.critical_speed(core)
+    swelling = vr.modal.centrifugal_displacement(core, 5.0)
+    assert vr.modal.centrifugal_displacement(solid, 5.0) == pytest.approx(swelling, rel=1e-6, abs=0.0)
+    assert vr.modal.critical_speed(solid) == vr.modal.critical_speed(core)

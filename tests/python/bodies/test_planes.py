@@ -12,7 +12,6 @@ from viscoroll import (
     CoatedPlane,
     CoatedSphere,
     CoatedWheel,
-    Compliance,
     Drive,
     Elastic,
     Groove,
@@ -25,6 +24,7 @@ from viscoroll import (
     sweep,
 )
 from viscoroll.case import build_case
+from viscoroll.enums import Compliance
 
 RADIUS = 21e-3
 RUBBER = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)

@@ -7,7 +7,7 @@ import pytest
 import viscoroll as vr
 from reference import roller as reference
 from specimens import RUBBER
-from viscoroll import analytic
+from viscoroll import analytic, enums
 
 SOFT = vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
 ROLLER = vr.CoatedCylinder(core_radius=50e-3, layers=[SOFT])
@@ -409,8 +409,8 @@ def test_bad_cylinders_are_refused_by_name(arguments, message):
         (STEEL, {}, "layers must be a list of at least one layer unless on.layers or on.base"),
         (ROLLER, {"load": -1.0}, "load must be > 0 N/m, got -1"),
         (ROLLER, {"load": 1e9}, "load must be small enough for the coating, got 1e[+]09 N/m .the roller"),
-        (ROLLER, {"curvature": vr.Curvature.EXACT}, "curvature must be left out for a roller"),
-        (ROLLER, {"patch_load": vr.PatchLoad.SPHERICAL}, "patch_load must be FLAT for a roller"),
+        (ROLLER, {"curvature": enums.Curvature.EXACT}, "curvature must be left out for a roller"),
+        (ROLLER, {"patch_load": enums.PatchLoad.SPHERICAL}, "patch_load must be FLAT for a roller"),
         (
             ROLLER,
             {"mesh": vr.Mesh(nodes_per_revolution=1000, theta_nodes_per_revolution=500)},
@@ -418,7 +418,7 @@ def test_bad_cylinders_are_refused_by_name(arguments, message):
         ),
         (
             STEEL,
-            {"on": HALF_PLANE, "compliance": vr.Compliance.VERTICAL},
+            {"on": HALF_PLANE, "compliance": enums.Compliance.VERTICAL},
             "compliance must be RADIAL if the counterbody deforms",
         ),
         (ROLLER, {"on": vr.Groove(radius=0.1, path_radius=0.1)}, "on.radius must be left out under a roller"),
@@ -444,7 +444,7 @@ def test_fast_rollers_with_mass_are_refused():
         core_radius=50e-3,
         layers=[vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.5, density=1000.0)],
     )
-    critical = vr.critical_speed(heavy)
+    critical = vr.modal.critical_speed(heavy)
     # Rayleigh wave of the short-time modulus, 0.9553 of the shear wave's speed (ν = ½).
     assert critical == pytest.approx(0.9553 * np.sqrt(6e6 / 1000.0) / 60e-3, rel=1e-3)
     with pytest.raises(ValueError, match="angular_speed must be below the critical speed"):

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from specimens import RUBBER, command, one_layer
-from viscoroll import analytic
+from viscoroll import analytic, enums
 from viscoroll.case import load_case
 from viscoroll.studies.plan import plan_sweep
 
@@ -28,8 +28,8 @@ MESH = vr.Mesh(nodes_per_revolution=400)
 def test_parameters():
     wheel = vr.CoatedWheel(**WHEEL, crown_radius=0.3, hub="crowned", sides="endless")
     assert (wheel.outer_radius, wheel.thickness) == pytest.approx((50e-3, 10e-3), rel=1e-15)
-    assert (wheel.hub, wheel.sides, wheel.line_contact) == (vr.Hub.CROWNED, vr.Sides.ENDLESS, False)
-    assert (FLAT.crown_radius, FLAT.hub, FLAT.sides) == (math.inf, vr.Hub.STRAIGHT, vr.Sides.FREE)
+    assert (wheel.hub, wheel.sides, wheel.line_contact) == (enums.Hub.CROWNED, enums.Sides.ENDLESS, False)
+    assert (FLAT.crown_radius, FLAT.hub, FLAT.sides) == (math.inf, enums.Hub.STRAIGHT, enums.Sides.FREE)
     assert pickle.loads(pickle.dumps(wheel)) == copy.deepcopy(wheel) == wheel != CROWNED
     assert wheel.layers == (TREAD,)  # frozen
 
@@ -65,11 +65,8 @@ def test_bad_values(changes, message):
     ("keywords", "message"),
     [
         ({"width": "30 mm"}, "width must be a real number, got str '30 mm'"),
-        ({"hub": 1}, "hub must be a viscoroll.Hub, or one of straight, crowned, got 1"),
+        ({"hub": 1}, "hub must be a viscoroll.enums.Hub, or one of straight, crowned, got 1"),
         ({"layers": [3]}, r"layers\[0\] must be a viscoroll.Layer, got 3"),
-        ({"crown": 0.3}, "CoatedWheel.. got an unexpected keyword argument 'crown'; did you mean crown_radius?"),
-        ({"breadth": 0.03}, "did you mean width?"),
-        ({"tread": TREAD}, "did you mean layers?"),
     ],
 )
 def test_bad_types_and_names(keywords, message):
@@ -195,15 +192,15 @@ def test_rigid_bodies_have_no_closed_form():
 def test_frequencies_of_rolling():
     """The highest frequency depends on the contact's length along the path, which is larger for a narrower wheel."""
     crowned, wide = replace(CROWNED, width=0.1), replace(FLAT, width=0.1)
-    _, of_crowned = vr.rolling_range(crowned, load=100.0, angular_speed=1.0)
-    _, of_wide = vr.rolling_range(wide, load=100.0, angular_speed=1.0)
+    _, of_crowned = vr.rheology.rolling_range(crowned, load=100.0, angular_speed=1.0)
+    _, of_wide = vr.rheology.rolling_range(wide, load=100.0, angular_speed=1.0)
     roller = vr.CoatedCylinder(core_radius=40e-3, layers=[TREAD])
-    assert (1.0, of_wide) == vr.rolling_range(roller, load=100.0 / 0.1, angular_speed=1.0)
+    assert (1.0, of_wide) == vr.rheology.rolling_range(roller, load=100.0 / 0.1, angular_speed=1.0)
     assert of_crowned < of_wide
     ball = vr.CoatedSphere(core_radius=40e-3, layers=[TREAD])
     as_round = replace(crowned, crown_radius=50e-3, width=90e-3, hub="crowned")
-    assert vr.rolling_range(as_round, load=100.0, angular_speed=1.0) == pytest.approx(
-        vr.rolling_range(ball, load=100.0, angular_speed=1.0), rel=1e-12
+    assert vr.rheology.rolling_range(as_round, load=100.0, angular_speed=1.0) == pytest.approx(
+        vr.rheology.rolling_range(ball, load=100.0, angular_speed=1.0), rel=1e-12
     )
 
 

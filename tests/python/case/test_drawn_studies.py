@@ -39,8 +39,8 @@ confidence = 0.9
 def folder(tmp_path_factory):
     """Return the folder of a material with ten draws and of a study, and the superposition."""
     folder = tmp_path_factory.mktemp("drawn")
-    curve = vr.superpose(measured(1, Noise()), reference=REFERENCE)
-    vr.save_material(folder / "rubber.toml", curve, fit=curve.fit, draws=curve.draws(10))
+    curve = vr.rheology.superpose(measured(1, Noise()), reference=REFERENCE)
+    vr.rheology.save_material(folder / "rubber.toml", curve, fit=curve.fit, draws=curve.draws(10))
     (folder / "study.toml").write_text(STUDY)
     return folder, curve
 
@@ -79,14 +79,14 @@ def test_draws_of_a_file(folder):
     path, curve = folder[0] / "rubber.toml", folder[1]
     for draw in (0, 9):
         expected = curve.draws(10)[draw].series_at(temperature=40.0)
-        found = vr.load_material(path, temperature=40.0, form="prony", draw=draw)
+        found = vr.rheology.load_material(path, temperature=40.0, form="prony", draw=draw)
         np.testing.assert_allclose(found.complex_modulus(3.0), expected.complex_modulus(3.0), rtol=1e-12)
     with pytest.raises(ValueError, match=r"draw must be in \[0, 9\], got 10"):
-        vr.load_material(path, form="prony", draw=10)
+        vr.rheology.load_material(path, form="prony", draw=10)
     with pytest.raises(ValueError, match="form must be 'prony' if a draw is given, got 'table'"):
-        vr.load_material(path, draw=0)
+        vr.rheology.load_material(path, draw=0)
     with pytest.raises(ValueError, match="fit must be given with draws, which are Prony series"):
-        vr.save_material(folder[0] / "other.toml", curve, draws=curve.draws(2))
+        vr.rheology.save_material(folder[0] / "other.toml", curve, draws=curve.draws(2))
 
 
 def test_the_shell_saves_draws_of_one_curve(folder):
@@ -96,7 +96,7 @@ def test_the_shell_saves_draws_of_one_curve(folder):
     (folder / "data.csv").write_text(f"frequency,storage modulus,loss modulus\nrad/s,Pa,Pa\n{rows}")
     ended = command("material", "data.csv", "--shear", "--draws", 3, "--save", "one.toml", cwd=folder)
     assert ended.returncode == 0, ended.stderr
-    assert isinstance(vr.load_material(folder / "one.toml", form="prony", draw=2), vr.Prony)
+    assert isinstance(vr.rheology.load_material(folder / "one.toml", form="prony", draw=2), vr.Prony)
 
 
 @pytest.mark.parametrize(

@@ -30,13 +30,13 @@ RUBBER = (
 
 @pytest.fixture(scope="module")
 def curve():
-    data = vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
-    return vr.superpose(data.between(15.0, 65.0), reference=20.0)
+    data = vr.rheology.read_rheology(vr.rheology.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
+    return vr.rheology.superpose(data.between(15.0, 65.0), reference=20.0)
 
 
 @pytest.fixture
 def saved(curve, tmp_path):
-    vr.save_material(tmp_path / "a.toml", curve, fit=curve.fit)
+    vr.rheology.save_material(tmp_path / "a.toml", curve, fit=curve.fit)
     return tmp_path / "a.toml"
 
 
@@ -55,7 +55,7 @@ def test_material_at_its_own_and_another_temperature(curve, saved):
         ({"form": "prony"}, curve.fit.series),
         ({"form": "prony", "temperature": 45.0}, curve.series_at(temperature=45.0)),
     ):
-        found = vr.load_material(saved, **options).complex_modulus(omega)
+        found = vr.rheology.load_material(saved, **options).complex_modulus(omega)
         np.testing.assert_allclose(found, expected.complex_modulus(omega), rtol=1e-12)
 
 
@@ -117,23 +117,23 @@ def test_what_is_no_material(saved, content, options, message):
     if content is not None:
         saved.write_text(content, encoding="utf-8")
     with pytest.raises(ValueError, match=message):
-        vr.load_material(saved, **options)
+        vr.rheology.load_material(saved, **options)
 
 
 @pytest.mark.parametrize("option", [{"temperature": "0"}, {"temperature": True}, {"draw": 0.5}, {"draw": "0"}])
 def test_arguments_of_another_type(saved, option):
     with pytest.raises(TypeError, match=f"{next(iter(option))} must be a "):
-        vr.load_material(saved, **option)
+        vr.rheology.load_material(saved, **option)
 
 
 def test_one_sweep_has_no_temperatures(curve, tmp_path):
     sweep = curve.data.isotherms[0]
-    vr.save_material(tmp_path / "one.toml", sweep)
-    table = vr.load_material(tmp_path / "one.toml")
+    vr.rheology.save_material(tmp_path / "one.toml", sweep)
+    table = vr.rheology.load_material(tmp_path / "one.toml")
     middle = sweep.frequency[8]
     assert table.complex_modulus(middle).real == pytest.approx(sweep.storage[8], rel=0.02)
     with pytest.raises(ValueError, match=r"path must end in .toml, got 'one.txt'"):
-        vr.save_material(tmp_path / "one.txt", sweep)
+        vr.rheology.save_material(tmp_path / "one.txt", sweep)
 
 
 @pytest.mark.parametrize(
@@ -146,13 +146,13 @@ def test_one_sweep_has_no_temperatures(curve, tmp_path):
         ),
         (
             '{ type = "hardness", hardness = 40, scale = "D" }',
-            vr.Elastic(modulus=vr.hardness_to_modulus(40, scale="D").value),
+            vr.Elastic(modulus=vr.rheology.hardness_to_modulus(40, scale="D").value),
         ),
         (
             '{ type = "hardness", hardness = 85.0, rebound = 0.55, reference_frequency = 120.0, decades = 2.0 }',
             vr.LossFactor(
-                modulus=vr.hardness_to_modulus(85.0).value,
-                loss_factor=vr.rebound_to_loss_factor(0.55).value,
+                modulus=vr.rheology.hardness_to_modulus(85.0).value,
+                loss_factor=vr.rheology.rebound_to_loss_factor(0.55).value,
                 reference_frequency=120.0,
                 decades=2.0,
             ),
@@ -215,7 +215,7 @@ def test_case_files_with_bad_materials(saved, tmp_path, modulus, message):
 
 
 def test_material_asks_for_what_it_does_not_know(tmp_path):
-    data = vr.example_data("pressure_sensitive_adhesive.txt")
+    data = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
     for words, message in (
         ((data, "--reference", 20), "may be a tensile or a shear modulus"),
         ((data, "--shear"), "--reference must be given for sweeps at several temperatures, from -40 to 150 °C"),

@@ -46,19 +46,19 @@ def write(tmp_path):
 
 
 def test_networks_of_a_case_file(write):
-    sweep = vr.StrainSweep(**TABLE, kind="double_shear", matrix=MATRIX, frequency=60.0)
+    sweep = vr.materials.StrainSweep(**TABLE, kind="double_shear", matrix=MATRIX, frequency=60.0)
     kraus = '{ type = "kraus", storage = 8e6, loss = 8e5, critical_strain = 0.01 }'
     masing = '{ type = "masing", storage = 6e6, critical_strain = 0.01 }'
     for text, network in (
         (SWEEP, sweep),
-        (kraus, vr.KrausNetwork(storage=8e6, loss=8e5, critical_strain=0.01)),
+        (kraus, vr.materials.KrausNetwork(storage=8e6, loss=8e5, critical_strain=0.01)),
         (
             masing,
-            vr.MasingNetwork(storage=6e6, critical_strain=0.01),
+            vr.materials.MasingNetwork(storage=6e6, critical_strain=0.01),
         ),
     ):
         modulus = load_case(write(text)).ball.layers[0].shear_modulus
-        assert modulus == vr.SofteningModulus(matrix=MATRIX, network=network)
+        assert modulus == vr.materials.SofteningModulus(matrix=MATRIX, network=network)
 
 
 def test_the_shell_tells_both_torques(write):
@@ -83,8 +83,10 @@ def test_studies_tell_networks_apart(write):
     arguments = {"load": 1e3, "angular_speed": 2.5}
 
     def key(matrix, **changed):
-        network = vr.KrausNetwork(**{"storage": 8e6, "loss": 8e5, "critical_strain": 0.01} | changed)
-        layer = replace(case.ball.layers[0], shear_modulus=vr.SofteningModulus(matrix=matrix, network=network))
+        network = vr.materials.KrausNetwork(**{"storage": 8e6, "loss": 8e5, "critical_strain": 0.01} | changed)
+        layer = replace(
+            case.ball.layers[0], shear_modulus=vr.materials.SofteningModulus(matrix=matrix, network=network)
+        )
         return PointKeys().key(replace(case.ball, layers=[layer]), arguments, ())
 
     assert key(lambda _: 1e6) == key(lambda _: 1e6)

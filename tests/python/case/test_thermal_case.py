@@ -6,7 +6,7 @@ import json
 
 import pytest
 import viscoroll as vr
-from viscoroll import cli
+from viscoroll import cli, enums
 from viscoroll.case import example_text, load_case
 
 COARSE = example_text().replace("accuracy = 0.01", "nodes_per_revolution = 200")
@@ -39,8 +39,8 @@ def test_the_commented_table_is_valid(case):
     lines.remove(next(line for line in lines if "williams" in line))  # one of two shift laws
     thermal = load_case(case(head + "\n".join(lines))).thermal
     assert thermal.conductivity == 0.2
-    assert thermal.core is vr.Core.INSULATED
-    assert isinstance(thermal.shift, vr.Arrhenius)
+    assert thermal.core is enums.Core.INSULATED
+    assert isinstance(thermal.shift, vr.materials.Arrhenius)
     assert load_case(case(example_text())).thermal is None
 
 

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from specimens import command
+from viscoroll import enums
 from viscoroll.case import example_text, load_case
 
 COARSE = "nodes_per_revolution = 100\nmax_order = 100"
@@ -136,7 +137,7 @@ MATERIALS = {
     "master_curve": (
         'type = "master_curve"\nfrequency = [1.0, 2.0]\nstorage = [1e6, 2e6]\nloss = [0.0, 1e5]\n'
         'extrapolation = "hold"',
-        vr.MasterCurve([1.0, 2.0], [1e6, 2e6], [0.0, 1e5], extrapolation=vr.Extrapolation.HOLD),
+        vr.MasterCurve([1.0, 2.0], [1e6, 2e6], [0.0, 1e5], extrapolation=enums.Extrapolation.HOLD),
     ),
     "master_curve_file": (
         'type = "master_curve"\nfile = "curve.csv"',

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from specimens import RUBBER, coated_ball
-from viscoroll.export import CODES
+from viscoroll.export.dem import CODES
 
 LOADS, SPEEDS = [30.0, 50.0, 80.0, 120.0], [0.5, 1.0, 2.0, 4.0, 8.0]
 
@@ -124,7 +124,7 @@ def test_every_style_has_a_law_here():
 @pytest.mark.parametrize(("code", "style"), LAWS)
 def test_torque_by_the_code_s_law(result, code, style):
     """The torque is that of the dissipated power, with friction, not of the offset of the pressure."""
-    written = vr.dem(result, code=code, style=style)
+    written = vr.export.dem(result, code=code, style=style)
     torque = LAWS[code, style](written.text, 100.0, 2.5, result.ball.outer_radius)
     assert torque == pytest.approx(result.dissipated_power / 2.5, rel=1e-12)
     assert written.text.startswith(("# viscoroll", "// viscoroll"))
@@ -134,7 +134,7 @@ def test_torque_by_the_code_s_law(result, code, style):
 
 @pytest.mark.parametrize(("code", "style"), LAWS)
 def test_error_over_a_study(study, code, style):
-    written = vr.dem(study, code=code, style=style, load=80.0, angular_speed=1.0)
+    written = vr.export.dem(study, code=code, style=style, load=80.0, angular_speed=1.0)
     law, radius = LAWS[code, style], written.point.radius
     torque = (study.dissipated_power / study.angular_speed).values
     assert law(written.text, 80.0, 1.0, radius) == pytest.approx(torque[2, 1], rel=1e-12)
@@ -148,7 +148,7 @@ def test_error_over_a_study(study, code, style):
 
 
 def test_table_beside_the_text(study, tmp_path):
-    written = vr.dem(study, code="lammps")
+    written = vr.export.dem(study, code="lammps")
     table = written.save(tmp_path / "floor.lmp")
     assert (tmp_path / "floor.lmp").read_text() == written.text
     with table.open() as file:
@@ -161,7 +161,7 @@ def test_table_beside_the_text(study, tmp_path):
 
 def test_stiffness_is_fitted(study):
     """P = k √R δ^{3/2} and P = k δ, each a least-squares fit of the relative error."""
-    stiffness = vr.dem(study, code="lammps", angular_speed=2.0).stiffness
+    stiffness = vr.export.dem(study, code="lammps", angular_speed=2.0).stiffness
     depth = study.penetration.sel(angular_speed=2.0).values
     unit = np.sqrt(0.021) * depth**1.5 / LOADS
     assert stiffness.hertz == pytest.approx(np.linalg.lstsq(unit[:, None], np.ones(4), rcond=None)[0][0], rel=1e-12)
@@ -180,11 +180,11 @@ def test_stiffness_is_fitted(study):
 )
 def test_bad_options(study, options, message):
     with pytest.raises(ValueError, match=message):
-        vr.dem(study, **options)
+        vr.export.dem(study, **options)
 
 
 def test_surface_over_load_and_speed(study, paper_ball):
-    surface = vr.RollingResistance.from_study(study)
+    surface = vr.studies.RollingResistance.from_study(study)
     torque = (study.dissipated_power / study.angular_speed).values
     np.testing.assert_allclose(surface(np.array(LOADS)[:, None], SPEEDS), torque, rtol=3.0 * surface.largest_error)
     assert surface.error < 0.01
@@ -196,10 +196,10 @@ def test_surface_over_load_and_speed(study, paper_ball):
 
 
 def test_surface_in_files(study, tmp_path):
-    surface = vr.RollingResistance.from_study(study)
+    surface = vr.studies.RollingResistance.from_study(study)
     for name in ("t.json", "t.nc", "t.csv"):
         surface.save(tmp_path / name)
-    again = vr.RollingResistance.load_file(tmp_path / "t.json")
+    again = vr.studies.RollingResistance.load_file(tmp_path / "t.json")
     assert again(65.0, 1.4) == surface(65.0, 1.4)
     with (tmp_path / "t.csv").open() as file:
         row = list(csv.DictReader(file))[57]
@@ -210,12 +210,12 @@ def test_surface_in_files(study, tmp_path):
         surface.save(tmp_path / "t.txt")
     (tmp_path / "bad.json").write_text("{}")
     with pytest.raises(ValueError, match="must contain a rolling resistance saved by viscoroll"):
-        vr.RollingResistance.load_file(tmp_path / "bad.json")
+        vr.studies.RollingResistance.load_file(tmp_path / "bad.json")
 
 
 def test_surface_needs_a_study_over_both(study):
     with pytest.raises(ValueError, match="at least 3 values of load, got 1"):
-        vr.RollingResistance.from_study(study.isel(load=[0]))
+        vr.studies.RollingResistance.from_study(study.isel(load=[0]))
 
 
 def test_surface_is_of_no_roller():
@@ -223,7 +223,7 @@ def test_surface_is_of_no_roller():
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
     study = vr.sweep(roller, load=[4e3, 5e3, 6e3], angular_speed=[1.0, 2.0, 3.0], accuracy=0.2, progress=False)
     with pytest.raises(ValueError, match="study must be for a ball or a wheel, with loads in N, got loads in N/m"):
-        vr.RollingResistance.from_study(study)
+        vr.studies.RollingResistance.from_study(study)
 
 
 def test_lammps_itself(result, tmp_path):
@@ -235,7 +235,7 @@ def test_lammps_itself(result, tmp_path):
         pytest.skip(str(error))
     radius, mass, speed = result.ball.outer_radius, 0.3, 2.5
     inertia = 0.4 * mass * radius**2
-    written = vr.dem(result, code="lammps")
+    written = vr.export.dem(result, code="lammps")
     fix = written.written.lines[0]
     for name, value in (("gamma_n", 0.0), ("k_t", 0.0), ("gamma_t", 0.0), ("mu_t", 0.0)):
         fix = fix.replace(f"${{{name}}}", repr(value))
@@ -271,7 +271,7 @@ def test_liggghts_itself(result, tmp_path, style):
     if program is None:
         pytest.skip("liggghts is not installed")
     radius, mass, speed = result.ball.outer_radius, 0.3, 2.5
-    written = vr.dem(result, code="liggghts", style=style)
+    written = vr.export.dem(result, code="liggghts", style=style)
     *properties, floor = written.written.lines
     depth = liggghts_overlap(written.text, 100.0, radius)
     density = mass / (4.0 / 3.0 * np.pi * radius**3)
@@ -330,7 +330,7 @@ def test_yade_itself(result, tmp_path):
     program = shutil.which("yade")
     if program is None:
         pytest.skip("yade is not installed")
-    written = vr.dem(result, code="yade")
+    written = vr.export.dem(result, code="yade")
     given = f"RADIUS, LOAD, SPEED = {result.ball.outer_radius!r}, 100.0, 2.5\nfriction_angle, density = 0.0, 2500.0\n"
     (tmp_path / "ball.py").write_text(given + "\n".join(written.written.lines) + YADE)
     done = subprocess.run([program, "-n", "-x", "ball.py"], cwd=tmp_path, capture_output=True, text=True, timeout=120)
@@ -346,22 +346,22 @@ def test_wheels_are_no_balls():
     wheel = vr.CoatedWheel(core_radius=40e-3, layers=[tread], width=30e-3, crown_radius=0.3, sides="endless")
     case = {"load": 100.0, "angular_speed": 1.0, "accuracy": 0.2}
     with pytest.raises(ValueError, match=r"source must be for a ball .*, got a CoatedWheel"):
-        vr.dem(vr.solve(wheel, **case), code="lammps")
+        vr.export.dem(vr.solve(wheel, **case), code="lammps")
     with pytest.raises(ValueError, match=r"source must be for a ball .*, got a study of a coated wheel"):
-        vr.dem(vr.sweep(wheel, **case, progress=False), code="lammps")
+        vr.export.dem(vr.sweep(wheel, **case, progress=False), code="lammps")
 
 
 def test_filled_rubber_is_written_with_both_torques(tmp_path):
     """The exported lines give the network's torque, from one contact and from a study."""
-    network = vr.MasingNetwork(storage=6e6, critical_strain=0.01)
-    ball = coated_ball(vr.SofteningModulus(matrix=RUBBER, network=network))
+    network = vr.materials.MasingNetwork(storage=6e6, critical_strain=0.01)
+    ball = coated_ball(vr.materials.SofteningModulus(matrix=RUBBER, network=network))
     case = {"angular_speed": 2.5, "mesh": vr.Mesh(nodes_per_revolution=300)}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", vr.ResultWarning)
         found = vr.strain_softening(ball, load=50.0, **case)
         study = vr.sweep(ball, load=[50.0, 100.0], **case, progress=False)
     for source in (found, study):
-        written = vr.dem(source, code="yade", load=50.0)
+        written = vr.export.dem(source, code="yade", load=50.0)
         harmonic, matched = written.point.bounds
         assert written.point.torque == pytest.approx(matched, rel=1e-12)  # power per speed, from all dissipation
         assert matched == pytest.approx(found.result.dissipated_power / 2.5, rel=1e-9)
@@ -373,4 +373,4 @@ def test_filled_rubber_is_written_with_both_torques(tmp_path):
     np.testing.assert_allclose(study.network_torque, study.resisting_torque, rtol=1e-12)
     linear = vr.sweep(coated_ball(), load=[50.0, 100.0], **case, progress=False)
     assert "network_torque" not in linear
-    assert "filled rubber" not in vr.dem(linear, code="yade").text
+    assert "filled rubber" not in vr.export.dem(linear, code="yade").text

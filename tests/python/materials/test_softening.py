@@ -7,8 +7,8 @@ import pytest
 import viscoroll as vr
 from specimens import RUBBER, coated_ball
 
-KRAUS = vr.KrausNetwork(storage=8e6, loss=0.8e6, critical_strain=0.01, exponent=0.6)
-MASING = vr.MasingNetwork(storage=6e6, critical_strain=0.01)
+KRAUS = vr.materials.KrausNetwork(storage=8e6, loss=0.8e6, critical_strain=0.01, exponent=0.6)
+MASING = vr.materials.MasingNetwork(storage=6e6, critical_strain=0.01)
 STRAINS = np.array([0.001, 0.003, 0.01, 0.03, 0.1])
 
 
@@ -31,12 +31,12 @@ def test_masing_is_the_first_harmonic_of_its_loop(x):
     # cos(φ) precedes cos(φ - δ): the lag has a positive component along sin.
     loss = 2.0 / np.pi * (weights * stress * np.sin(phase)).sum() / x
     np.testing.assert_allclose(
-        vr.MasingNetwork(storage=1.0, critical_strain=1.0).at(x), (storage, abs(loss)), rtol=1e-9, atol=1e-14
+        vr.materials.MasingNetwork(storage=1.0, critical_strain=1.0).at(x), (storage, abs(loss)), rtol=1e-9, atol=1e-14
     )
 
 
 def test_masing_loses_most_where_carbon_black_does():
-    network = vr.MasingNetwork(storage=1.0, critical_strain=1.0)
+    network = vr.materials.MasingNetwork(storage=1.0, critical_strain=1.0)
     x = np.linspace(1.5, 1.65, 15001)
     loss = network.at(x)[1]
     assert loss.max() == pytest.approx(0.151392, abs=5e-7)
@@ -48,7 +48,7 @@ def test_a_sweep_is_the_network_that_made_it(kind, factor):
     """Double amplitudes are twice as large, and an incompressible bar shears by √3 of its elongation."""
     matrix = RUBBER.complex_modulus(10.0)
     storage, loss = KRAUS.at(STRAINS)
-    sweep = vr.StrainSweep(
+    sweep = vr.materials.StrainSweep(
         strain=factor * STRAINS,
         storage=storage + matrix.real,
         loss=loss + matrix.imag,
@@ -65,13 +65,13 @@ def test_a_sweep_is_the_network_that_made_it(kind, factor):
 
 def test_without_a_matrix_the_last_storage_and_the_least_loss_are_its():
     storage, loss = KRAUS.at(STRAINS)
-    sweep = vr.StrainSweep(strain=STRAINS, storage=storage + 2e6, loss=loss + 2e5)
+    sweep = vr.materials.StrainSweep(strain=STRAINS, storage=storage + 2e6, loss=loss + 2e5)
     np.testing.assert_allclose(sweep.at(STRAINS), (storage - storage[-1], loss - loss.min()), rtol=1e-9, atol=1e-6)
     np.testing.assert_array_equal(sweep.at(10.0), sweep.at(0.1))  # extrapolation holds the last value
 
 
 def test_a_softening_modulus_is_matrix_and_network():
-    tread = vr.SofteningModulus(matrix=RUBBER, network=MASING)
+    tread = vr.materials.SofteningModulus(matrix=RUBBER, network=MASING)
     at = tread.at(0.01, reference_frequency=50.0, loss_scale=0.7)
     storage, loss = MASING.at(0.01)
     # At ω₀, the causal law has exactly this storage, and its loss is within LossFactor's ripple of 0.5 %.
@@ -81,19 +81,19 @@ def test_a_softening_modulus_is_matrix_and_network():
 
 
 def test_an_elastic_network_is_an_elastic_one():
-    network = vr.KrausNetwork(storage=1e6, loss=0.0, critical_strain=0.01)
-    at = vr.SofteningModulus(matrix=RUBBER, network=network).at(0.01, reference_frequency=1.0)
+    network = vr.materials.KrausNetwork(storage=1e6, loss=0.0, critical_strain=0.01)
+    at = vr.materials.SofteningModulus(matrix=RUBBER, network=network).at(0.01, reference_frequency=1.0)
     omega = np.array([0.0, 0.1, 100.0])
     np.testing.assert_allclose(at.complex_modulus(omega), RUBBER.complex_modulus(omega) + 0.5e6, rtol=1e-14)
 
 
 def test_without_a_strain_it_is_refused_by_its_name():
-    ball = coated_ball(vr.SofteningModulus(matrix=RUBBER, network=MASING))
-    refused = r"viscoroll\.SofteningModulus: pass the body to viscoroll\.strain_softening"
+    ball = coated_ball(vr.materials.SofteningModulus(matrix=RUBBER, network=MASING))
+    refused = r"viscoroll\.materials\.SofteningModulus: pass the body to viscoroll\.strain_softening"
     for call in (
         lambda: vr.solve(ball, load=10.0, angular_speed=2.5),
         lambda: vr.RollingModel(ball, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=200)),
-        lambda: vr.critical_speed(ball),
+        lambda: vr.modal.critical_speed(ball),
         lambda: vr.solve(
             vr.CoatedSphere(core_radius=0.02), on=vr.CoatedPlane(layers=ball.layers), load=1.0, angular_speed=1.0
         ),
@@ -104,7 +104,7 @@ def test_without_a_strain_it_is_refused_by_its_name():
 
 
 def test_a_layer_of_it_is_still_checked():
-    tread = vr.SofteningModulus(matrix=RUBBER, network=MASING)
+    tread = vr.materials.SofteningModulus(matrix=RUBBER, network=MASING)
     with pytest.raises(ValueError, match=r"poisson_ratio must be in \(-1, 0\.5\], got 0\.6"):
         vr.Layer(thickness=1e-3, shear_modulus=tread, poisson_ratio=0.6)
     with pytest.raises(ValueError, match="core_radius"):
@@ -112,22 +112,22 @@ def test_a_layer_of_it_is_still_checked():
 
 
 def sweep(strain=(0.1, 0.2, 0.4), storage=(1e6, 1e6, 1e6), loss=(1e5, 1e5, 1e5), **others):
-    return vr.StrainSweep(strain=strain, storage=storage, loss=loss, **others)
+    return vr.materials.StrainSweep(strain=strain, storage=storage, loss=loss, **others)
 
 
 @pytest.mark.parametrize(
     ("make", "message"),
     [
         (
-            lambda: vr.KrausNetwork(storage=0.0, loss=1.0, critical_strain=0.01),
+            lambda: vr.materials.KrausNetwork(storage=0.0, loss=1.0, critical_strain=0.01),
             "storage must be > 0 Pa, got 0",
         ),
-        (lambda: vr.KrausNetwork(storage=1.0, loss=-1.0, critical_strain=0.01), "loss must be >= 0 Pa"),
+        (lambda: vr.materials.KrausNetwork(storage=1.0, loss=-1.0, critical_strain=0.01), "loss must be >= 0 Pa"),
         (
-            lambda: vr.KrausNetwork(storage=1.0, loss=1.0, critical_strain=0.01, exponent=2.0),
+            lambda: vr.materials.KrausNetwork(storage=1.0, loss=1.0, critical_strain=0.01, exponent=2.0),
             r"exponent must be in \(0, 1\]",
         ),
-        (lambda: vr.MasingNetwork(storage=1.0, critical_strain=0.0), "critical_strain must be > 0, got 0"),
+        (lambda: vr.materials.MasingNetwork(storage=1.0, critical_strain=0.0), "critical_strain must be > 0, got 0"),
         (lambda: MASING.at(-0.1), "amplitude must be >= 0, got -0.1"),
         (lambda: sweep(strain=[0.1, 1.0]), "equal lengths of at least 3"),
         (lambda: sweep(strain=[1, 10, 100]), "strain must be a ratio, 0.01 for 1 %"),

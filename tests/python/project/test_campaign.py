@@ -14,6 +14,7 @@ from campaign.invariants import violations
 from campaign.runner import Outcome, run, run_case
 from campaign.summary import summary
 from campaign.twins import twins
+from viscoroll import enums
 
 SEED = 1
 
@@ -44,7 +45,7 @@ def test_cases_are_those_of_their_seed_and_number():
 
 
 def test_source_makes_the_case_again():
-    names = vars(vr) | vars(materials)
+    names = vars(vr) | vars(enums) | vars(materials)
     for number in range(50):
         case = draw(3, number)
         calls: list[tuple[vr.CoatedSphere, dict]] = []
@@ -80,7 +81,7 @@ DOCTORED = {
     "load balance": lambda r: {"pressure": 1.001 * r.pressure},
     "penetration >= thickness": lambda r: {"penetration": r.ball.thickness},
     "residual": lambda r: {"residual": 1e-4},
-    "iteration limit reached": lambda r: {"status": vr.Status.MAX_ITERATIONS},
+    "iteration limit reached": lambda r: {"status": enums.Status.MAX_ITERATIONS},
     "traction > friction": lambda r: {"shear_traction": 1.01 * r.shear_traction},
     "slip below the limit": lambda r: {"slip": r.contact, "stick": ~r.contact & False},
     "slip not opposite to traction": lambda r: {"shear_traction": -r.shear_traction},

@@ -13,6 +13,7 @@ from campaign.histories.invariants import TURNED_BACK, turnover, violations
 from campaign.histories.running import run_case
 from campaign.histories.twins import twins
 from campaign.runner import Outcome, run
+from viscoroll import enums
 
 SEED = 1
 
@@ -39,7 +40,7 @@ def test_histories_are_those_of_their_seed_and_number():
 
 
 def test_source_makes_the_history_again():
-    names = vars(vr) | vars(materials) | {"inf": np.inf}
+    names = vars(vr) | vars(enums) | vars(materials) | {"inf": np.inf}
     for number in range(25):
         case = draw(3, number)
         calls: list[tuple[vr.bodies.RollingBody, dict]] = []

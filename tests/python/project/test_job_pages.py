@@ -109,7 +109,7 @@ def test_particles_have_lines_of_a_wall_and_of_a_pair(tmp_path):
 
 
 def test_table_of_codes_is_whole():
-    from viscoroll.export import CODES
+    from viscoroll.export.dem import CODES
 
     rows = re.findall(r"^\| (?:`(\w+)`)? ?\| ((?:`\w+`(?:, )?)+) \|", text_of("particles"), re.MULTILINE)
     listed, code = set(), ""

@@ -55,11 +55,11 @@ COMMANDED = [page for page in PAGES if steps(page)]
 
 def brought_along(folder: Path) -> None:
     """Write the files that readers provide: measurements in one file of each kind, and a case."""
-    source = vr.example_data("pressure_sensitive_adhesive.txt")
+    source = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
     (folder / "dma.txt").write_bytes(source.read_bytes())
     rows = [
         f"{sweep.temperature},{w},{storage},{loss}"
-        for sweep in vr.read_rheology(source, tensile=False).between(-35.0, 160.0).isotherms
+        for sweep in vr.rheology.read_rheology(source, tensile=False).between(-35.0, 160.0).isotherms
         for w, storage, loss in zip(sweep.frequency, sweep.storage, sweep.loss, strict=True)
     ]
     (folder / "dma.csv").write_text("T,w,G',G''\n°C,rad/s,Pa,Pa\n" + "\n".join(rows), encoding="utf-8")

@@ -14,7 +14,7 @@ import pytest
 import viscoroll as vr
 from reference.one_layer import Table, ball_equations, steady
 from specimens import coated_ball, command
-from viscoroll import paper
+from viscoroll import enums, paper
 from viscoroll.case import example_text, load_case
 from viscoroll.case.compare import compare_torques, parse_speeds
 from viscoroll.reproduce import ITEMS, Runner, Verdict, write_files, write_verdicts
@@ -266,7 +266,7 @@ def test_bad_ranges_of_speed(text):
 
 def test_default_speeds_stay_below_the_critical_one():
     heavy = paper.ball(density=1e9)
-    speed = 0.5 * vr.critical_speed(heavy)
+    speed = 0.5 * vr.modal.critical_speed(heavy)
     case = replace(
         _case(), ball=heavy, angular_speed=speed, mesh=vr.Mesh(nodes_per_revolution=100, max_order=100), accuracy=None
     )
@@ -276,22 +276,22 @@ def test_default_speeds_stay_below_the_critical_one():
 def test_figure_6_starts_from_both_states(compute):
     """Overshoots of docs/theory/transient.md: 0.2, 6.8, 8.9 % fresh and 36.6, 362, 612 % relaxed."""
     figure = compute("figure6")
-    fresh = [figure.overshoot(vr.Start.FRESH, speed) for speed in (0.5, 2.5, 4.0)]
-    relaxed = [figure.overshoot(vr.Start.RELAXED, speed) for speed in (0.5, 2.5, 4.0)]
+    fresh = [figure.overshoot(enums.Start.FRESH, speed) for speed in (0.5, 2.5, 4.0)]
+    relaxed = [figure.overshoot(enums.Start.RELAXED, speed) for speed in (0.5, 2.5, 4.0)]
     # The coarse mesh is accurate to half a percent of the torque. Relaxed: four phase-shifted meshes at pi/350 and
     # pi/500.
     np.testing.assert_allclose(fresh, [0.002, 0.068, 0.089], atol=0.008)
     np.testing.assert_allclose(relaxed, [0.3658, 3.616, 6.125], rtol=0.006)
     assert [verdict.agrees for verdict in figure.verdicts()] == [True, True, False]
     assert figure.verdicts()[-1].unclear
-    assert figure.settling_time(vr.Start.FRESH, 2.5) == pytest.approx(0.13, abs=0.02)
+    assert figure.settling_time(enums.Start.FRESH, 2.5) == pytest.approx(0.13, abs=0.02)
 
 
 def test_figure_8_overshoots_more_with_friction_when_fresh(compute):
     figure = compute("figure8")
-    fresh = figure.overshoots(vr.Start.FRESH)
+    fresh = figure.overshoots(enums.Start.FRESH)
     assert max(fresh[:2]) < 0.005  # without friction and at 0.5: 0.00 and 0.05 % at π/150
     assert 0.01 < fresh[-1] < 0.08  # at 2: 3.4 % at π/150, 5.7 % on the coarse mesh
     # A flat spot overshoots at any friction, by 4.1 to 5.5 % on fine meshes.
-    assert 0.02 < min(figure.overshoots(vr.Start.RELAXED)) < max(figure.overshoots(vr.Start.RELAXED)) < 0.12
+    assert 0.02 < min(figure.overshoots(enums.Start.RELAXED)) < max(figure.overshoots(enums.Start.RELAXED)) < 0.12
     assert figure.verdicts()[0].agrees

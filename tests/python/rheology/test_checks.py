@@ -24,7 +24,7 @@ def test_scatter_of_3_percent_is_no_fall_of_the_storage_modulus(omega):
     refused = np.zeros(3)
     for seed in range(40):
         curve = scattered(omega, modulus.real, modulus.imag, seed)
-        refused += [not check.passed for check in vr.check_modulus(curve)]
+        refused += [not check.passed for check in vr.rheology.check_modulus(curve)]
     assert (refused <= 2).all()
 
 
@@ -33,7 +33,7 @@ def test_a_fall_that_scatter_does_not_explain_is_found():
     omega = np.logspace(-1, 2, 31)
     falling = 1e6 * np.linspace(1.0, 0.8, omega.size)
     for seed in range(40):
-        monotony = vr.check_modulus(scattered(omega, falling, np.full(omega.size, 1e5), seed))[2]
+        monotony = vr.rheology.check_modulus(scattered(omega, falling, np.full(omega.size, 1e5), seed))[2]
         assert not monotony.passed
         assert "scatter of the points" in monotony.message
 
@@ -45,6 +45,6 @@ def test_limits_without_scatter_are_as_they_were():
     for depth, passes in ((0.03, False), (0.01, True)):
         storage = modulus.real.copy()
         storage[-3] *= 1.0 - depth
-        check = vr.check_modulus(SimpleNamespace(frequency=omega, storage=storage, loss=modulus.imag))[2]
+        check = vr.rheology.check_modulus(SimpleNamespace(frequency=omega, storage=storage, loss=modulus.imag))[2]
         assert check.passed is passes
         assert check.limit == pytest.approx(0.02)

@@ -26,23 +26,23 @@ def kept(loss_factor):
 @pytest.mark.parametrize("rebound", [0.05, 0.2, 0.55, 0.9])
 def test_spread_of_a_rebound_holds_both_ends_of_the_blow(rebound):
     """Integrate a blow until the force is zero; data sheets round the rebound to half a percent."""
-    loss = vr.rebound_to_loss_factor(rebound)
+    loss = vr.rheology.rebound_to_loss_factor(rebound)
     assert loss.unit == "1"
     assert loss.lower < loss.value < loss.upper
     assert kept(loss.upper) == pytest.approx(rebound - 0.005, abs=1e-6)
 
 
 def test_spread_of_a_rebound_at_the_ends_of_its_range():
-    assert vr.rebound_to_loss_factor(0.999).lower == 0.0
-    assert vr.rebound_to_loss_factor(0.02).upper < 2.0  # limit of `LossFactor`
+    assert vr.rheology.rebound_to_loss_factor(0.999).lower == 0.0
+    assert vr.rheology.rebound_to_loss_factor(0.02).upper < 2.0  # limit of `LossFactor`
 
 
 def test_hardness_beyond_shore_a_names_shore_d():
     """Qi, Joyce and Boyce let both scales meet at S = S_A = S_D + 50."""
     with pytest.raises(ValueError, match=r"got 95; use scale='D' for harder materials: 95 Shore A is about 45 Shore D"):
-        vr.hardness_to_modulus(95.0)
+        vr.rheology.hardness_to_modulus(95.0)
     with pytest.raises(ValueError, match=r"hardness must be in \[20, 90\] Shore A, got 101$"):
-        vr.hardness_to_modulus(101.0)
-    hard, soft = vr.hardness_to_modulus(45.0, scale="D"), vr.hardness_to_modulus(90.0)
+        vr.rheology.hardness_to_modulus(101.0)
+    hard, soft = vr.rheology.hardness_to_modulus(45.0, scale="D"), vr.rheology.hardness_to_modulus(90.0)
     assert soft.value < hard.value
     assert hard.upper / hard.lower == pytest.approx(4.0)

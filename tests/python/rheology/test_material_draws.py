@@ -35,8 +35,8 @@ def test_draws_scatter_as_fits_to_other_data():
 
     The standard deviations themselves have errors of about 10 % and 20 %.
     """
-    fits = [vr.fit_prony(sampled(0.03, 0.03, seed)) for seed in range(60)]
-    fresh = scatter(vr.Draws(RUBBER, [fit.series for fit in fits]))
+    fits = [vr.rheology.fit_prony(sampled(0.03, 0.03, seed)) for seed in range(60)]
+    fresh = scatter(vr.materials.Draws(RUBBER, [fit.series for fit in fits]))
     drawn = np.mean([scatter(fit.draws(60)) for fit in fits[:4]], axis=0)
     np.testing.assert_allclose(drawn.mean(axis=1), np.mean(fresh, axis=1), rtol=0.35)
 
@@ -55,25 +55,25 @@ def test_copies_keep_errors_but_for_signs_and_leverage():
 
 
 def test_draws_are_those_of_seed_and_data():
-    fit = vr.fit_prony(sampled(0.03, 0.03))
+    fit = vr.rheology.fit_prony(sampled(0.03, 0.03))
     first, again, other = (fit.draws(3, seed=seed) for seed in (0, 0, 1))
     assert first[0] == again[0] != other[0]
     assert first.middle == fit.series
     # Materials measured at the same frequencies have independent draws.
-    of_others = vr.fit_prony(sampled(0.03, 0.03, seed=1)).draws(100)
+    of_others = vr.rheology.fit_prony(sampled(0.03, 0.03, seed=1)).draws(100)
     of_these = fit.draws(100)
     torques = [np.array([m.complex_modulus(10.0).imag for m in draws]) for draws in (of_these, of_others)]
     assert abs(np.corrcoef(*torques)[0, 1]) < 0.35  # the standard deviation is 0.1
 
 
 def test_a_sparse_fit_draws_sparse_series():
-    draws = vr.fit_prony(sampled(0.02, 0.02)).sparse(4).draws(3)
+    draws = vr.rheology.fit_prony(sampled(0.02, 0.02)).sparse(4).draws(3)
     assert all(len(series.weights) <= 4 for series in (draws.middle, *draws))
 
 
 @pytest.fixture(scope="module")
 def curve():
-    return vr.superpose(measured(2, Noise()), reference=REFERENCE)
+    return vr.rheology.superpose(measured(2, Noise()), reference=REFERENCE)
 
 
 def test_shifts_are_found_anew(curve):
@@ -85,20 +85,20 @@ def test_shifts_are_found_anew(curve):
     np.testing.assert_allclose(factors.std(axis=0, ddof=1)[others], expected, rtol=0.5)
     assert (factors[:, curve.anchor] == 0.0).all()
     at_rest = draws.map(lambda c: c.series_at(temperature=40.0))
-    assert isinstance(at_rest, vr.Draws)
+    assert isinstance(at_rest, vr.materials.Draws)
     assert at_rest[3] == draws[3].series_at(temperature=40.0)
 
 
 def test_factors_of_the_user_are_kept():
-    factors = vr.ShiftFactors(temperature=TEMPERATURES, log10_factor=(1.9, 0.9, 0.0, -0.8, -1.5))
-    curve = vr.superpose(measured(2, Noise()), reference=REFERENCE, factors=factors)
+    factors = vr.rheology.ShiftFactors(temperature=TEMPERATURES, log10_factor=(1.9, 0.9, 0.0, -0.8, -1.5))
+    curve = vr.rheology.superpose(measured(2, Noise()), reference=REFERENCE, factors=factors)
     draws = curve.draws(3)
     assert all(draw.factors is curve.factors for draw in draws)
     assert not np.array_equal(draws[0].storage, draws[1].storage)
 
 
 def test_vertical_shifts_are_found_anew():
-    draws = vr.superpose(measured(2, Noise()), reference=REFERENCE, vertical=True).draws(3)
+    draws = vr.rheology.superpose(measured(2, Noise()), reference=REFERENCE, vertical=True).draws(3)
     assert len({draw.vertical for draw in (draws.middle, *draws)}) == 4
 
 
@@ -109,12 +109,12 @@ def test_bias_of_the_shifts_is_small(curve):
 
 
 def test_draws_are_a_sequence(curve):
-    draws = vr.Draws(3.0e6, [2.9e6, 3.2e6, 3.0e6])
+    draws = vr.materials.Draws(3.0e6, [2.9e6, 3.2e6, 3.0e6])
     assert (len(draws), draws[0], list(draws[1:]), 3.2e6 in draws) == (3, 2.9e6, [3.2e6, 3.0e6], True)
     assert repr(draws) == "3 draws of 3000000.0"
     assert list(pickle.loads(pickle.dumps(draws))) == list(draws)
     with pytest.raises(ValueError, match="members must be at least 2 draws, got 1"):
-        vr.Draws(3.0e6, [3.0e6])
+        vr.materials.Draws(3.0e6, [3.0e6])
     with pytest.raises(ValueError, match=r"count must be in \[2, 100000\], got 1"):
         curve.draws(1)
     with pytest.raises(ValueError, match="seed must be >= 0, got -1"):

@@ -36,7 +36,7 @@ OMEGA = np.geomspace(0.1, 1e5, 61)
 
 
 def test_known_series_is_recovered():
-    fit = vr.fit_prony(sampled(KNOWN, OMEGA))
+    fit = vr.rheology.fit_prony(sampled(KNOWN, OMEGA))
     fine = np.geomspace(OMEGA[0], OMEGA[-1], 301)
     true, found = KNOWN.complex_modulus(fine), fit.series.complex_modulus(fine)
     np.testing.assert_allclose(found.real, true.real, rtol=0.01)
@@ -45,7 +45,7 @@ def test_known_series_is_recovered():
 
 
 def test_known_series_from_noise_of_3_percent():
-    found = [torque(vr.fit_prony(sampled(KNOWN, OMEGA, 0.03, seed)).series) for seed in range(5)]
+    found = [torque(vr.rheology.fit_prony(sampled(KNOWN, OMEGA, 0.03, seed)).series) for seed in range(5)]
     np.testing.assert_allclose(found, torque(KNOWN), rtol=0.02)
 
 
@@ -58,7 +58,7 @@ def test_intervals_hold_the_truth():
     true = KNOWN.complex_modulus(probe)
     inside = []
     for seed in range(40):
-        fit = vr.fit_prony(sampled(KNOWN, OMEGA, 0.03, seed))
+        fit = vr.rheology.fit_prony(sampled(KNOWN, OMEGA, 0.03, seed))
         low, high = fit.confidence_band(probe, count=40, seed=seed)
         inside += [
             (low.real <= true.real) & (true.real <= high.real),
@@ -68,7 +68,7 @@ def test_intervals_hold_the_truth():
 
 
 def test_scatter_is_the_noise():
-    fits = [vr.fit_prony(sampled(KNOWN, OMEGA, 0.03, seed)).scatter for seed in range(10)]
+    fits = [vr.rheology.fit_prony(sampled(KNOWN, OMEGA, 0.03, seed)).scatter for seed in range(10)]
     assert np.mean(fits) == pytest.approx(0.03, rel=0.1)
 
 
@@ -76,7 +76,7 @@ def test_sharp_terms_need_more_times():
     """A single term lies between the times of the grid: two per decade leave an error that eight do not."""
     series = vr.Prony(instantaneous_modulus=1e7, weights=[0.3, 0.2, 0.3], relaxation_times=[1.3e-3, 0.9, 57.0])
     omega = np.geomspace(1e-3, 1e4, 71)
-    coarse, fine = (vr.fit_prony(sampled(series, omega), terms_per_decade=n) for n in (2, 8))
+    coarse, fine = (vr.rheology.fit_prony(sampled(series, omega), terms_per_decade=n) for n in (2, 8))
     assert fine.loss_rms < 0.01
     assert coarse.loss_rms > 3.0 * fine.loss_rms
 
@@ -84,9 +84,9 @@ def test_sharp_terms_need_more_times():
 def test_sparse_series_on_request():
     """Three sharp terms are recovered; seven terms for nine fit worse than the full series, to a few percent."""
     sharp = vr.Prony(instantaneous_modulus=1e7, weights=[0.3, 0.2, 0.3], relaxation_times=[1.3e-3, 0.9, 57.0])
-    found = vr.fit_prony(sampled(sharp, np.geomspace(1e-3, 1e4, 71))).sparse(3).series
+    found = vr.rheology.fit_prony(sampled(sharp, np.geomspace(1e-3, 1e4, 71))).sparse(3).series
     np.testing.assert_allclose(sorted(found.relaxation_times), [1.3e-3, 0.9, 57.0], rtol=1e-3)
-    full = vr.fit_prony(sampled(KNOWN, OMEGA))
+    full = vr.rheology.fit_prony(sampled(KNOWN, OMEGA))
     few = full.sparse(7)
     assert len(few.series.weights) <= 7
     assert full.loss_rms < few.loss_rms < 0.05
@@ -100,13 +100,13 @@ def test_relaxed_modulus_has_a_floor():
     x = 1j * omega * 0.01
     fluid = 1e6 * x / (1.0 + x)
     curve = SimpleNamespace(frequency=omega, storage=fluid.real, loss=fluid.imag)
-    fit = vr.fit_prony(curve)
+    fit = vr.rheology.fit_prony(curve)
     assert fit.relaxed_modulus == pytest.approx(1e-2 * fluid.real.min(), rel=1e-6)
-    assert vr.fit_prony(curve, relaxed_floor=5.0).relaxed_modulus == pytest.approx(5.0, rel=1e-3)
+    assert vr.rheology.fit_prony(curve, relaxed_floor=5.0).relaxed_modulus == pytest.approx(5.0, rel=1e-3)
 
 
 def test_picture_and_text():
-    fit = vr.fit_prony(sampled(KNOWN, OMEGA, 0.01))
+    fit = vr.rheology.fit_prony(sampled(KNOWN, OMEGA, 0.01))
     assert "error of storage" in repr(fit)
     above, below = fit.plot().axes
     assert above.get_ylabel() == "shear modulus [Pa]"
@@ -146,7 +146,7 @@ def test_picture_and_text():
 )
 def test_what_cannot_be_fitted(curve, options, error, message):
     with pytest.raises(error, match=message):
-        vr.fit_prony(curve, **options)
+        vr.rheology.fit_prony(curve, **options)
 
 
 @pytest.mark.parametrize(("loss_factor", "error"), [(1e-3, 2e-3), (0.1, 2e-3), (0.5, 2e-3), (1.0, 5e-3), (2.0, 3e-2)])
@@ -165,7 +165,7 @@ def test_loss_factor_is_kjartansson_s_law_and_causal():
     omega = 10.0 * np.logspace(-3, 3, 61)
     alpha = 2.0 / np.pi * np.arctan(0.3)
     np.testing.assert_allclose(pad.complex_modulus(omega).real, 1e6 * (omega / 10.0) ** alpha, rtol=2e-3)
-    assert vr.fit_prony(sampled(pad, omega)).loss_rms < 0.005
+    assert vr.rheology.fit_prony(sampled(pad, omega)).loss_rms < 0.005
 
 
 @pytest.mark.parametrize(
@@ -184,38 +184,40 @@ def test_loss_factor_out_of_range(change, message):
 
 def test_hardness():
     """Compare with Gent's and Qi's relations at Shore A 60, by hand: E = 3.61 and 5.89 MPa."""
-    shear = vr.hardness_to_modulus(60.0)
+    shear = vr.rheology.hardness_to_modulus(60.0)
     assert shear.value == pytest.approx(np.sqrt(3.605e6 * 5.884e6) / 3.0, rel=1e-3)
     assert shear.lower < 3.605e6 / 3.0 < 5.884e6 / 3.0 < shear.upper
     # Qi's S = S_D + 50
-    assert vr.hardness_to_modulus(30.0, scale="D").value == pytest.approx(10 ** (0.0235 * 80 - 0.6403) * 1e6 / 3.0)
+    assert vr.rheology.hardness_to_modulus(30.0, scale="D").value == pytest.approx(
+        10 ** (0.0235 * 80 - 0.6403) * 1e6 / 3.0
+    )
     with pytest.raises(ValueError, match=r"hardness must be in \[20, 90\] Shore A, got 95"):
-        vr.hardness_to_modulus(95.0)
+        vr.rheology.hardness_to_modulus(95.0)
     with pytest.raises(ValueError, match="scale must be 'A' or 'D', got 'B'"):
-        vr.hardness_to_modulus(50.0, scale="B")
+        vr.rheology.hardness_to_modulus(50.0, scale="B")
 
 
 def test_rebound():
     """A weakly damped oscillator retains e^(-2 π ζ / sqrt(1 - ζ²)) of its energy in half a swing, η = 2 ζ."""
     for damping in (1e-3, 0.05):
         kept = np.exp(-np.pi * damping / np.sqrt(1.0 - damping**2)) ** 2  # amplitudes of half a swing, squared
-        assert vr.rebound_to_loss_factor(kept).value == pytest.approx(2.0 * damping, rel=2.0 * damping**2)
+        assert vr.rheology.rebound_to_loss_factor(kept).value == pytest.approx(2.0 * damping, rel=2.0 * damping**2)
     with pytest.raises(
         ValueError, match=r"^rebound must be in \[0.02, 1\), as a fraction of the energy, got 55; 55 % is 0.55$"
     ):
-        vr.rebound_to_loss_factor(55)
+        vr.rheology.rebound_to_loss_factor(55)
     with pytest.raises(ValueError, match=r"got 1$"):
-        vr.rebound_to_loss_factor(1.0)
+        vr.rheology.rebound_to_loss_factor(1.0)
     with pytest.raises(TypeError, match="rebound must be a real number, got str '55 %'"):
-        vr.rebound_to_loss_factor("55 %")
+        vr.rheology.rebound_to_loss_factor("55 %")
 
 
 def test_hardness_as_data_sheets_write_it():
-    assert vr.hardness_to_modulus(60.0, scale="a") == vr.hardness_to_modulus(60.0)
-    assert vr.hardness_to_modulus(40.0, scale="d") == vr.hardness_to_modulus(40.0, scale="D")
+    assert vr.rheology.hardness_to_modulus(60.0, scale="a") == vr.rheology.hardness_to_modulus(60.0)
+    assert vr.rheology.hardness_to_modulus(40.0, scale="d") == vr.rheology.hardness_to_modulus(40.0, scale="D")
     with pytest.raises(TypeError, match=r"^hardness must be a real number, got str '60 A'; pass the scale separately"):
-        vr.hardness_to_modulus("60 A")
+        vr.rheology.hardness_to_modulus("60 A")
     with pytest.raises(ValueError, match=r"^scale must be 'A' or 'D', got 'Shore A'$"):
-        vr.hardness_to_modulus(60.0, scale="Shore A")
+        vr.rheology.hardness_to_modulus(60.0, scale="Shore A")
     with pytest.raises(ValueError, match=r"^scale must be 'A' or 'D', got None$"):
-        vr.hardness_to_modulus(60.0, scale=None)
+        vr.rheology.hardness_to_modulus(60.0, scale=None)

@@ -16,7 +16,7 @@ PAGE = (Path(__file__).parents[3] / "docs" / "published-materials.md").read_text
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_each_says_whose_it_is_and_what_is_not_known(name):
-    material = vr.example_material(name)
+    material = vr.rheology.example_material(name)
     assert max(map(len, repr(material).splitlines())) <= 92
     said = " ".join(repr(material).split())
     for text in (material.citation, material.address, material.license, material.measured, *material.not_measured):
@@ -36,7 +36,7 @@ def test_each_says_whose_it_is_and_what_is_not_known(name):
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_each_rolls(name):
-    material = vr.example_material(name)
+    material = vr.rheology.example_material(name)
     ratio = 0.5 if material.poisson_ratio is None else material.poisson_ratio
     layer = vr.Layer(thickness=2e-3, shear_modulus=material.at(temperature=20.0), poisson_ratio=ratio)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
@@ -45,11 +45,13 @@ def test_each_rolls(name):
 
 def test_the_adhesive_is_what_its_data_give():
     """The adhesive is the result of the steps of the tutorial with the data of the package."""
-    data = vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
-    curve = vr.superpose(data.between(-35.0, 160.0), reference=20.0)
+    data = vr.rheology.read_rheology(vr.rheology.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
+    curve = vr.rheology.superpose(data.between(-35.0, 160.0), reference=20.0)
     omega = np.geomspace(1e-2, 1e4, 13)
     for degrees in (0.0, 20.0, 60.0):
-        stored = vr.example_material("pressure_sensitive_adhesive").at(temperature=degrees).complex_modulus(omega)
+        stored = (
+            vr.rheology.example_material("pressure_sensitive_adhesive").at(temperature=degrees).complex_modulus(omega)
+        )
         # The least-squares fit of the shifts is reproducible within 1e-6 decades, also on other machines.
         np.testing.assert_allclose(stored, curve.at(temperature=degrees).complex_modulus(omega), rtol=1e-3)
 
@@ -59,7 +61,7 @@ def test_the_adhesive_is_what_its_data_give():
 )
 def test_the_foam_is_what_was_measured_at_10_radians_a_second(kelvin, ratio, time):
     """Compare with the authors' summary of the same sheets: tan δ = 1/(ωτ), E' = 24 545.2584 Pa γ ω²τ² / (1 + ω²τ²)."""
-    foam = vr.example_material("vinyl_nitrile_foam")
+    foam = vr.rheology.example_material("vinyl_nitrile_foam")
     assert foam.poisson_ratio == 0.228250439894909
     relaxing = 10.0 * time
     storage = 24545.2584 * ratio * relaxing**2 / (1.0 + relaxing**2)
@@ -72,7 +74,7 @@ def test_another_name():
     with pytest.raises(
         ValueError, match="name must be one of pressure_sensitive_adhesive, vinyl_nitrile_foam, got 'NR'"
     ):
-        vr.example_material("NR")
+        vr.rheology.example_material("NR")
 
 
 def test_in_a_case_file(tmp_path):
@@ -80,7 +82,7 @@ def test_in_a_case_file(tmp_path):
     text += 'shear_modulus = { type = "published", name = "vinyl_nitrile_foam", temperature = 20.0 }\n'
     path = tmp_path / "case.toml"
     path.write_text(text + "[rolling]\nload = 1.0\nangular_speed = 1.0\n", encoding="utf-8")
-    assert load_case(path).ball.layers[0].shear_modulus == vr.example_material("vinyl_nitrile_foam").at(
+    assert load_case(path).ball.layers[0].shear_modulus == vr.rheology.example_material("vinyl_nitrile_foam").at(
         temperature=20.0
     )
     path.write_text(path.read_text(encoding="utf-8").replace("20.0 }", "90.0 }"), encoding="utf-8")

@@ -10,7 +10,7 @@ from viscoroll.rheology import TemperatureRamp
 
 #: Two relaxations eight decades apart and the times between them, with a known law.
 RUBBER = vr.Prony(instantaneous_modulus=1e9, weights=[0.1] * 9 + [0.099], relaxation_times=np.logspace(-7, 2, 10))
-LAW = vr.WilliamsLandelFerry(c1=12.0, c2=90.0, reference_temperature=303.15)
+LAW = vr.materials.WilliamsLandelFerry(c1=12.0, c2=90.0, reference_temperature=303.15)
 FREQUENCY = 2.0 * np.pi
 
 
@@ -34,7 +34,7 @@ def written(path, step, *, noise=0.0, frequencies=(FREQUENCY,), head="Temperatur
 
 @pytest.mark.parametrize("step", [0.2, 0.7, 2.5])  # below and above the gaps that separate sweeps
 def test_a_ramp_is_seen_as_one_and_says_what_it_gives(tmp_path, step):
-    data = vr.read_rheology(written(tmp_path / "ramp.csv", step), tensile=True)
+    data = vr.rheology.read_rheology(written(tmp_path / "ramp.csv", step), tensile=True)
     ramp = data.ramp
     assert isinstance(ramp, TemperatureRamp)
     assert ramp.frequency == pytest.approx(FREQUENCY)
@@ -52,35 +52,35 @@ def modulus_over(temperature):
 
 
 def test_no_shift_is_fitted_to_a_ramp(tmp_path):
-    data = vr.read_rheology(written(tmp_path / "ramp.csv", 2.5), tensile=True)
+    data = vr.rheology.read_rheology(written(tmp_path / "ramp.csv", 2.5), tensile=True)
     with pytest.raises(
         ValueError, match=r"got a temperature ramp at 6.283 rad/s: pass a law of the shift, such as factors="
     ):
-        vr.superpose(data, reference=30.0)
+        vr.rheology.superpose(data, reference=30.0)
 
 
 def test_a_law_makes_a_master_curve_of_a_ramp_and_the_checks_judge_it(tmp_path):
-    data = vr.read_rheology(written(tmp_path / "ramp.csv", 1.0, noise=0.003), tensile=True)
-    curve = vr.superpose(data, reference=30.0, factors=LAW)
+    data = vr.rheology.read_rheology(written(tmp_path / "ramp.csv", 1.0, noise=0.003), tensile=True)
+    curve = vr.rheology.superpose(data, reference=30.0, factors=LAW)
     omega = np.geomspace(1e-2, 1e5, 15)
     true, found = RUBBER.complex_modulus(omega), curve.fit.series.complex_modulus(omega)
     np.testing.assert_allclose(np.abs(found), np.abs(true), rtol=0.03)
-    assert all(check.passed for check in vr.check_modulus(curve))
+    assert all(check.passed for check in vr.rheology.check_modulus(curve))
     # With twice the activation, storage changes half as fast with frequency as its loss requires.
-    wrong = vr.WilliamsLandelFerry(c1=24.0, c2=90.0, reference_temperature=303.15)
-    causal, passive, _ = vr.check_modulus(vr.superpose(data, reference=30.0, factors=wrong))
+    wrong = vr.materials.WilliamsLandelFerry(c1=24.0, c2=90.0, reference_temperature=303.15)
+    causal, passive, _ = vr.rheology.check_modulus(vr.rheology.superpose(data, reference=30.0, factors=wrong))
     assert not causal.passed
     assert not passive.passed
     # A table of the same factors gives the same result.
-    table = vr.ShiftFactors(
+    table = vr.rheology.ShiftFactors(
         temperature=(0.0, 30.0, 80.0), log10_factor=[np.log10(LAW(t + 273.15)) for t in (0, 30, 80)]
     )
-    ends = vr.superpose(data, reference=30.0, factors=table).factors.log10_factor
+    ends = vr.rheology.superpose(data, reference=30.0, factors=table).factors.log10_factor
     assert (ends[0], ends[-1]) == pytest.approx([np.log10(LAW(t + 273.15)) for t in (0, 80)])
 
 
 def test_modulus_and_loss_factor_of_a_ramp_at_a_temperature(tmp_path):
-    ramp = vr.read_rheology(written(tmp_path / "ramp.csv", 0.5), tensile=True).ramp
+    ramp = vr.rheology.read_rheology(written(tmp_path / "ramp.csv", 0.5), tensile=True).ramp
     found, true = ramp.at(temperature=41.25), complex(modulus(41.25))
     assert found.modulus == pytest.approx(true.real, rel=1e-2)
     assert found.loss_factor == pytest.approx(true.imag / true.real, rel=1e-2)
@@ -94,7 +94,7 @@ def test_modulus_and_loss_factor_of_a_ramp_at_a_temperature(tmp_path):
 
 def test_frequencies_that_are_stepped_through_while_it_heats_are_sweeps(tmp_path):
     steps = tuple(FREQUENCY * np.array([1.0, 3.0, 10.0]))
-    data = vr.read_rheology(written(tmp_path / "ramp.csv", 0.2, frequencies=steps), tensile=True)
+    data = vr.rheology.read_rheology(written(tmp_path / "ramp.csv", 0.2, frequencies=steps), tensile=True)
     assert data.ramp is None
     assert {sweep.frequency.size for sweep in data.isotherms[:-1]} == {3}
 
@@ -104,12 +104,12 @@ def test_a_ramp_without_a_column_of_the_frequency(tmp_path):
     with pytest.raises(
         ValueError, match=r"without a frequency column, as in a ramp at one frequency: pass frequency=... in rad/s"
     ):
-        vr.read_rheology(path, tensile=True)
-    assert vr.read_rheology(path, tensile=True, frequency=FREQUENCY).ramp.frequency == pytest.approx(FREQUENCY)
+        vr.rheology.read_rheology(path, tensile=True)
+    assert vr.rheology.read_rheology(path, tensile=True, frequency=FREQUENCY).ramp.frequency == pytest.approx(FREQUENCY)
     with pytest.raises(ValueError, match="frequency must be > 0 rad/s and finite, got -1"):
-        vr.read_rheology(path, tensile=True, frequency=-1)
+        vr.rheology.read_rheology(path, tensile=True, frequency=-1)
     with pytest.raises(ValueError, match="frequency must be left out if the file has a frequency column, got 5 rad/s"):
-        vr.read_rheology(written(tmp_path / "with.csv", 2.0), tensile=True, frequency=5.0)
+        vr.rheology.read_rheology(written(tmp_path / "with.csv", 2.0), tensile=True, frequency=5.0)
 
 
 def test_a_ramp_from_the_shell(tmp_path):
@@ -130,7 +130,7 @@ def test_a_ramp_from_the_shell(tmp_path):
     assert code == 0
     assert "undetermined" not in said
     omega = np.geomspace(1e-1, 1e4, 6)
-    table = vr.load_material(tmp_path / "m.toml", temperature=50.0).complex_modulus(omega)
+    table = vr.rheology.load_material(tmp_path / "m.toml", temperature=50.0).complex_modulus(omega)
     np.testing.assert_allclose(np.abs(table), np.abs(RUBBER.complex_modulus(omega * LAW(323.15))), rtol=0.1)
     assert (
         answered("--wlf", "12,90")[2]
@@ -146,8 +146,8 @@ def test_an_unknown_column_may_be_the_frequency(tmp_path):
     )
     columns = {"temperature": ("Température", "C"), "storage": ("G'", "Pa"), "loss": ("G''", "Pa")}
     with pytest.raises(ValueError, match=r"or columns=\{\"frequency\".* if it is one of 'Fréquence'$"):
-        vr.read_rheology(path, columns=columns)
-    data = vr.read_rheology(path, columns=columns | {"frequency": ("Fréquence", "Hz")})
+        vr.rheology.read_rheology(path, columns=columns)
+    data = vr.rheology.read_rheology(path, columns=columns | {"frequency": ("Fréquence", "Hz")})
     assert [sweep.frequency.size for sweep in data.isotherms] == [2, 2]
     path.write_text("Temperatur [°C];Frequenz [Hz];G' [Pa];G'' [Pa]\n20;1;3;1\n20;10;4;1\n40;1;2;1\n40;10;3;1\n")
-    assert vr.read_rheology(path).ramp is None
+    assert vr.rheology.read_rheology(path).ramp is None

@@ -17,7 +17,7 @@ import pytest
 import viscoroll as vr
 
 DATA = Path(__file__).parent / "data"
-ADHESIVE = vr.example_data("pressure_sensitive_adhesive.txt")
+ADHESIVE = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
 
 
 def written(tmp_path, text, encoding="utf-8"):
@@ -27,7 +27,7 @@ def written(tmp_path, text, encoding="utf-8"):
 
 
 def test_trios_lims():
-    data = vr.read_rheology(ADHESIVE, tensile=False)
+    data = vr.rheology.read_rheology(ADHESIVE, tensile=False)
     assert len(data.isotherms) == 20
     assert data.dropped == 1  # a negative loss modulus at -40 °C
     first = data.isotherms[-1]
@@ -39,7 +39,7 @@ def test_trios_lims():
 
 
 def test_pyvisco():
-    data = vr.read_rheology(DATA / "pyvisco_freq_user_raw.csv")
+    data = vr.rheology.read_rheology(DATA / "pyvisco_freq_user_raw.csv")
     assert data.is_tensile
     assert len(data.isotherms) == 21
     cold = data.isotherms[0]
@@ -59,7 +59,7 @@ def test_trios_plain_text(tmp_path):
     text = "Filename\tC:\\Daten\\Gummi.tri\r\nInstrument name\tDHR\r\nOperator\tMüller\r\n[step]\r\n"
     text += step.format(name="Frequency sweep - 1", t="20.0", g="2.0") + "[step]\r\n"
     text += step.format(name="Frequency sweep - 2", t="40.0", g="1.5")
-    data = vr.read_rheology(written(tmp_path, text, "cp1252"))
+    data = vr.rheology.read_rheology(written(tmp_path, text, "cp1252"))
     assert [isotherm.temperature for isotherm in data.isotherms] == [20.0, 40.0]
     np.testing.assert_array_equal(data.isotherms[0].storage, [2.0e6, 2.5e6])
     np.testing.assert_array_equal(data.isotherms[1].loss, [10e3, 20e3])
@@ -80,7 +80,7 @@ def test_rheocompass(tmp_path):
         "\t2\t25.02\t10\t2,2E6\t2,5E5\t0.02\tTruStrain",
         "\t3\t24.99\t1\t\t2,1E5\t0.01\tME-",
     ]
-    data = vr.read_rheology(written(tmp_path, "\r\n".join(rows), "utf-16"), tensile=False)
+    data = vr.rheology.read_rheology(written(tmp_path, "\r\n".join(rows), "utf-16"), tensile=False)
     (sweep,) = data.isotherms
     np.testing.assert_array_equal(sweep.frequency, [10.0, 100.0])
     np.testing.assert_array_equal(sweep.storage, [2.2e6, 2.5e6])
@@ -96,7 +96,7 @@ def test_proteus(tmp_path):
         "25,0;1,000;10,5;1,05;0,1",
         "25,0;10,000;12,5;1,5;0,12",
     ]
-    data = vr.read_rheology(written(tmp_path, "\n".join(rows)))
+    data = vr.rheology.read_rheology(written(tmp_path, "\n".join(rows)))
     (sweep,) = data.isotherms
     np.testing.assert_allclose(sweep.frequency, [2.0 * math.pi, 20.0 * math.pi], rtol=1e-15)
     np.testing.assert_allclose(sweep.storage, [3.5e6, 12.5e6 / 3.0], rtol=1e-15)
@@ -113,16 +113,16 @@ MPa\tMPa\t\trad/s\tµN.m\ts\t°C\t°\trad\tPa.s\tHz\t%\tN
 
 
 def test_a_frequency_in_radians_and_in_hertz(tmp_path):
-    data = vr.read_rheology(written(tmp_path, TRIOS_ALL.format(low="0.0159")), tensile=False)
+    data = vr.rheology.read_rheology(written(tmp_path, TRIOS_ALL.format(low="0.0159")), tensile=False)
     np.testing.assert_array_equal(data.isotherms[0].frequency, [0.1, 1.0, 10.0])
     assert repr(data).endswith("; frequency from 'Angular frequency', with which 'Frequency' agrees")
 
 
 def test_the_other_way_around_and_without_a_unit(tmp_path):
     rows = "f,G',G'',omega\nHz,MPa,MPa,{unit}\n1,1,0.1,6.2832\n2,1.1,0.1,12.566\n"
-    data = vr.read_rheology(written(tmp_path, rows.format(unit="rad/s")))
+    data = vr.rheology.read_rheology(written(tmp_path, rows.format(unit="rad/s")))
     np.testing.assert_array_equal(data.isotherms[0].frequency, [6.2832, 12.566])
-    data = vr.read_rheology(written(tmp_path, rows.format(unit="")))
+    data = vr.rheology.read_rheology(written(tmp_path, rows.format(unit="")))
     np.testing.assert_allclose(data.isotherms[0].frequency, [2.0 * math.pi, 4.0 * math.pi], rtol=1e-15)
     assert data.remarks == ("frequency from 'f', because 'omega' has no unit",)
 
@@ -130,18 +130,18 @@ def test_the_other_way_around_and_without_a_unit(tmp_path):
 def test_frequencies_that_disagree_are_refused(tmp_path):
     path = written(tmp_path, TRIOS_ALL.format(low="0.1"))
     with pytest.raises(ValueError, match=r"'Angular frequency' and 'Frequency' must agree .* got 0.1 rad/s and 0.1 Hz"):
-        vr.read_rheology(path, tensile=False)
-    data = vr.read_rheology(path, tensile=False, columns={"frequency": ("Frequency", "Hz")})
+        vr.rheology.read_rheology(path, tensile=False)
+    data = vr.rheology.read_rheology(path, tensile=False, columns={"frequency": ("Frequency", "Hz")})
     np.testing.assert_allclose(data.isotherms[0].frequency[0], 0.2 * math.pi)
     three = "f,freq,omega,G',G''\nHz,Hz,rad/s,Pa,Pa\n1,1,6.2832,1,1\n"
     with pytest.raises(ValueError, match="two columns contain frequency, 'f' and 'omega': select one"):
-        vr.read_rheology(written(tmp_path, three))
+        vr.rheology.read_rheology(written(tmp_path, three))
 
 
 def test_a_strain_sweep_with_both_frequencies(tmp_path):
     rows = "Oscillation strain,Storage modulus,Loss modulus,Angular frequency,Frequency\n%,MPa,MPa,rad/s,Hz\n"
     rows += "".join(f"{g},{2.0 - g / 100},0.3,6.2832,1\n" for g in (0.1, 1.0, 10.0))
-    sweep = vr.read_strain_sweep(written(tmp_path, rows), kind="shear", tensile=False)
+    sweep = vr.rheology.read_strain_sweep(written(tmp_path, rows), kind="shear", tensile=False)
     np.testing.assert_allclose(sweep.strain, [1e-3, 1e-2, 1e-1], rtol=1e-12)
 
 
@@ -154,7 +154,7 @@ def test_a_strain_sweep_with_both_frequencies(tmp_path):
     ],
 )
 def test_units_with_the_names_and_tan_delta(tmp_path, header, factor):
-    (sweep,) = vr.read_rheology(written(tmp_path, f"{header}\n1,2,0.5\n3,4,0.25\n")).isotherms
+    (sweep,) = vr.rheology.read_rheology(written(tmp_path, f"{header}\n1,2,0.5\n3,4,0.25\n")).isotherms
     np.testing.assert_allclose(sweep.frequency, np.array([1.0, 3.0]) * factor[0], rtol=1e-15)
     np.testing.assert_allclose(sweep.storage, np.array([2.0, 4.0]) * factor[1], rtol=1e-15)
     np.testing.assert_allclose(sweep.loss, np.array([1.0, 1.0]) * factor[1], rtol=1e-15)
@@ -168,7 +168,7 @@ def test_names_and_units_given_by_the_caller(tmp_path):
         "loss": ("Verlust", "kPa"),
         "temperature": ("Ofen", "K"),
     }
-    (sweep,) = vr.read_rheology(path, columns=columns, tensile=True, poisson_ratio=0.25).isotherms
+    (sweep,) = vr.rheology.read_rheology(path, columns=columns, tensile=True, poisson_ratio=0.25).isotherms
     assert sweep.temperature == pytest.approx(20.0, abs=1e-12)
     np.testing.assert_allclose(sweep.storage, [0.8e6, 1.6e6], rtol=1e-15)  # G = E / 2.5
     np.testing.assert_allclose(sweep.loss, [400.0, 400.0], rtol=1e-15)
@@ -177,13 +177,13 @@ def test_names_and_units_given_by_the_caller(tmp_path):
 def test_sweeps_of_one_table_are_told_apart_by_temperature(tmp_path):
     rows = [f"{f},{1.0 + f},0.1,{t + d}" for d, f in ((0.1, 1), (0.0, 2), (-0.1, 3)) for t in (0, 10, 20)]
     text = "f,G',G'',T\nHz,MPa,MPa,C\n" + "\n".join(rows)
-    data = vr.read_rheology(written(tmp_path, text))
+    data = vr.rheology.read_rheology(written(tmp_path, text))
     assert [round(sweep.temperature, 6) for sweep in data.isotherms] == [0.0, 10.0, 20.0]
     assert [sweep.frequency.size for sweep in data.isotherms] == [3, 3, 3]
 
 
 def test_nonpositive_moduli_are_dropped_and_counted(tmp_path):
-    data = vr.read_rheology(written(tmp_path, "f,G',G''\nHz,Pa,Pa\n1,2,1\n2,-2,1\n3,2,0\n4,2,1\n0,1,1\n"))
+    data = vr.rheology.read_rheology(written(tmp_path, "f,G',G''\nHz,Pa,Pa\n1,2,1\n2,-2,1\n3,2,0\n4,2,1\n0,1,1\n"))
     assert data.dropped == 3
     assert data.isotherms[0].frequency.size == 2
 
@@ -221,11 +221,11 @@ def test_nonpositive_moduli_are_dropped_and_counted(tmp_path):
 )
 def test_what_a_file_does_not_say_is_asked_for(tmp_path, text, message):
     with pytest.raises(ValueError, match=message):
-        vr.read_rheology(written(tmp_path, text))
+        vr.rheology.read_rheology(written(tmp_path, text))
 
 
 def test_case_counts_where_it_makes_a_difference(tmp_path):
-    (sweep,) = vr.read_rheology(written(tmp_path, "f,G',G''\nhz,mPa,KPA\n1,2,1\n")).isotherms
+    (sweep,) = vr.rheology.read_rheology(written(tmp_path, "f,G',G''\nhz,mPa,KPA\n1,2,1\n")).isotherms
     assert sweep.storage[0] == pytest.approx(2e-3)
     assert sweep.loss[0] == 1e3
 
@@ -234,7 +234,7 @@ def test_a_file_that_is_no_text(tmp_path):
     path = tmp_path / "sweep.tri"
     path.write_bytes(bytes(range(256)) * 2000)
     with pytest.raises(ValueError, match="must have a header"):
-        vr.read_rheology(path)
+        vr.rheology.read_rheology(path)
 
 
 @pytest.mark.parametrize(
@@ -252,4 +252,4 @@ def test_a_file_that_is_no_text(tmp_path):
 )
 def test_bad_options(options, error, message):
     with pytest.raises(error, match=message):
-        vr.read_rheology(ADHESIVE, **options)
+        vr.rheology.read_rheology(ADHESIVE, **options)

@@ -12,7 +12,7 @@ import viscoroll as vr
 mpl.use("Agg")
 
 STRAINS = np.geomspace(1e-3, 0.3, 15)
-KRAUS = vr.KrausNetwork(storage=8e6, loss=0.8e6, critical_strain=0.01, exponent=0.55)
+KRAUS = vr.materials.KrausNetwork(storage=8e6, loss=0.8e6, critical_strain=0.01, exponent=0.55)
 
 
 def written(tmp_path, text, encoding="utf-8"):
@@ -28,8 +28,8 @@ def test_trios(tmp_path):
         "%\trad/s\tMPa\tkPa\r\n"
         "0.1\t62.8\t9.5\t600\r\n1.0\t62.8\t7.0\t1200\r\n10.0\t62.8\t4.0\t900\r\n"
     )
-    found = vr.read_strain_sweep(written(tmp_path, text), kind="shear", tensile=False, matrix=1e6)
-    assert found == vr.StrainSweep(
+    found = vr.rheology.read_strain_sweep(written(tmp_path, text), kind="shear", tensile=False, matrix=1e6)
+    assert found == vr.materials.StrainSweep(
         strain=[0.1 * 0.01, 0.01, 10 * 0.01],
         storage=[9.5e6, 7e6, 4e6],
         loss=[6e5, 1.2e6, 9e5],
@@ -44,8 +44,8 @@ def test_tension_by_tan_delta_and_several_sweeps(tmp_path):
     text += "2;1;3;0,1\n2;2;3;0,1\n2;3;3;0,1\n"
     path = written(tmp_path, text, "utf-16")
     with pytest.raises(ValueError, match=r"sweep must be given for .*, which has several: 1 to 2"):
-        vr.read_strain_sweep(path, kind="tension")
-    found = vr.read_strain_sweep(path, kind="tension", sweep=1)
+        vr.rheology.read_strain_sweep(path, kind="tension")
+    found = vr.rheology.read_strain_sweep(path, kind="tension", sweep=1)
     np.testing.assert_allclose(found.amplitudes, np.sqrt(3.0) * np.array([0.005, 0.01, 0.05]), rtol=1e-14)
     np.testing.assert_allclose(found.storage, [6e6, 5e6, 3e6], rtol=1e-14)
     np.testing.assert_allclose(found.loss, [6e5, 5e5, 6e5], rtol=1e-14)
@@ -53,7 +53,7 @@ def test_tension_by_tan_delta_and_several_sweeps(tmp_path):
 
 def test_a_sweep_of_frequency_is_read_as_before_beside_a_strain(tmp_path):
     text = "f [Hz],Strain [%],G' [MPa],G'' [MPa]\n1,0.1,2,0.2\n10,,3,0.3\n100,0.1,4,0.4\n"
-    data = vr.read_rheology(written(tmp_path, text))
+    data = vr.rheology.read_rheology(written(tmp_path, text))
     np.testing.assert_allclose(data.isotherms[0].frequency, 2.0 * math.pi * np.array([1.0, 10.0, 100.0]), rtol=1e-14)
 
 
@@ -68,15 +68,17 @@ def test_a_sweep_of_frequency_is_read_as_before_beside_a_strain(tmp_path):
 )
 def test_what_a_file_must_say(tmp_path, text, message):
     with pytest.raises(ValueError, match=message):
-        vr.read_strain_sweep(written(tmp_path, text), kind="shear")
+        vr.rheology.read_strain_sweep(written(tmp_path, text), kind="shear")
 
 
 @pytest.mark.parametrize("law", ["kraus", "masing"])
 def test_a_fit_finds_what_made_the_sweep(law):
-    network = KRAUS if law == "kraus" else vr.MasingNetwork(storage=6e6, critical_strain=0.02)
+    network = KRAUS if law == "kraus" else vr.materials.MasingNetwork(storage=6e6, critical_strain=0.02)
     storage, loss = network.at(STRAINS)
-    sweep = vr.StrainSweep(strain=2.0 * STRAINS, storage=storage + 2e6, loss=loss + 1.5e5, kind="double_shear")
-    fit = vr.fit_network(sweep, law=law)
+    sweep = vr.materials.StrainSweep(
+        strain=2.0 * STRAINS, storage=storage + 2e6, loss=loss + 1.5e5, kind="double_shear"
+    )
+    fit = vr.rheology.fit_network(sweep, law=law)
     for name in fit.parameters:
         expected = {"matrix_storage": 2e6, "matrix_loss": 1.5e5}.get(name) or getattr(network, name)
         assert fit.parameters[name].value == pytest.approx(expected, rel=1e-6), name
@@ -90,8 +92,10 @@ def test_intervals_hold_what_noise_leaves():
     held = 0
     for _ in range(40):
         noise = 1.0 + 0.02 * random.standard_normal((2, len(STRAINS)))
-        noisy = vr.StrainSweep(strain=STRAINS, storage=(storage + 2e6) * noise[0], loss=(loss + 2e5) * noise[1])
-        fit = vr.fit_network(noisy)
+        noisy = vr.materials.StrainSweep(
+            strain=STRAINS, storage=(storage + 2e6) * noise[0], loss=(loss + 2e5) * noise[1]
+        )
+        fit = vr.rheology.fit_network(noisy)
         critical = fit.parameters["critical_strain"]
         held += critical.lower <= 0.01 <= critical.upper
     assert held >= 34
@@ -99,8 +103,8 @@ def test_intervals_hold_what_noise_leaves():
 
 def test_a_fit_is_drawn_and_told():
     storage, loss = KRAUS.at(STRAINS)
-    fit = vr.fit_network(vr.StrainSweep(strain=STRAINS, storage=storage + 2e6, loss=loss + 2e5))
+    fit = vr.rheology.fit_network(vr.materials.StrainSweep(strain=STRAINS, storage=storage + 2e6, loss=loss + 2e5))
     assert len(fit.plot().axes[0].lines) == 4
     assert "KrausNetwork, error of storage" in repr(fit)
     with pytest.raises(ValueError, match="law must be 'kraus' or 'masing', got 'ulmer'"):
-        vr.fit_network(fit.sweep, law="ulmer")
+        vr.rheology.fit_network(fit.sweep, law="ulmer")

@@ -43,18 +43,18 @@ def measured_isotherms(noise, seed=0, temperatures=tuple(range(0, 81, 10))):
 
 @pytest.fixture(scope="module")
 def adhesive():
-    return vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
+    return vr.rheology.read_rheology(vr.rheology.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
 
 
 @pytest.fixture(scope="module")
 def master(adhesive):
     """Shift the adhesive without its coldest sweep, whose shift the data do not determine."""
-    return vr.superpose(adhesive.between(-35.0, 160.0), reference=20.0)
+    return vr.rheology.superpose(adhesive.between(-35.0, 160.0), reference=20.0)
 
 
 @pytest.fixture(scope="module")
 def noisy():
-    return vr.superpose(measured_isotherms(0.03, seed=1), reference=REFERENCE)
+    return vr.rheology.superpose(measured_isotherms(0.03, seed=1), reference=REFERENCE)
 
 
 def test_known_wlf_constants_lie_in_their_intervals(noisy):
@@ -87,7 +87,7 @@ def test_modulus_at_another_temperature(noisy):
 
 def test_a_fitted_law_shifts_moduli_in_kelvin(noisy):
     shift = noisy.wlf.shift()
-    assert isinstance(shift, vr.WilliamsLandelFerry)
+    assert isinstance(shift, vr.materials.WilliamsLandelFerry)
     assert np.log10(shift(45.0 + 273.15)) == pytest.approx(float(noisy.wlf(45.0)))
 
 
@@ -96,7 +96,7 @@ def test_coverage_of_the_intervals_of_wlf_constants():
     inside = 0
     for seed in range(12):
         data = measured_isotherms(0.03, seed=100 + seed, temperatures=(0, 20, 40, 60))
-        law = vr.superpose(data, reference=REFERENCE - 10.0).wlf
+        law = vr.rheology.superpose(data, reference=REFERENCE - 10.0).wlf
         # The same law with another reference: C₂' = C₂ + T_r' - T_r, C₁' C₂' = C₁ C₂.
         c2 = C2 - 10.0
         c1 = C1 * C2 / c2
@@ -115,7 +115,7 @@ def test_arrhenius_is_recognized():
         sweeps.append(
             Isotherm(temperature=sweep.temperature, frequency=sweep.frequency, storage=modulus.real, loss=modulus.imag)
         )
-    curve = vr.superpose(_data(sweeps), reference=30.0)
+    curve = vr.rheology.superpose(_data(sweeps), reference=30.0)
     assert curve.law.name == "Arrhenius"
     assert curve.law.parameters["activation_energy"].value == pytest.approx(energy, rel=0.01)
 
@@ -131,8 +131,8 @@ def test_vertical_shift_is_found_where_it_is_asked_for():
         Isotherm(temperature=s.temperature, frequency=s.frequency, storage=s.storage * b, loss=s.loss * b)
         for s, b in zip(data.isotherms, lifts, strict=True)
     ]
-    plain = vr.superpose(_data(sweeps), reference=30.0)
-    lifted = vr.superpose(_data(sweeps), reference=30.0, vertical=True)
+    plain = vr.rheology.superpose(_data(sweeps), reference=30.0)
+    lifted = vr.rheology.superpose(_data(sweeps), reference=30.0, vertical=True)
     assert set(plain.vertical) == {0.0}
     assert lifted.scatter < 0.5 * plain.scatter
     found = 10.0 ** np.array(lifted.vertical)
@@ -144,23 +144,25 @@ def test_flat_sweeps_leave_their_shift_open():
     sweeps = [
         Isotherm(temperature=t, frequency=omega, storage=np.full(16, 1e6), loss=np.full(16, 1e3)) for t in (0.0, 20.0)
     ]
-    curve = vr.superpose(_data(sweeps), reference=0.0)
+    curve = vr.rheology.superpose(_data(sweeps), reference=0.0)
     assert len(curve.undetermined) == 1
     assert "0 to 20 °C: all shifts from" in curve.undetermined[0]
 
 
 def test_shift_factors_of_the_user(tmp_path):
-    factors = vr.ShiftFactors.read(DATA / "pyvisco_shift_factors.csv")
+    factors = vr.rheology.ShiftFactors.read(DATA / "pyvisco_shift_factors.csv")
     assert factors(-50.0) == 12.75
     assert factors(-5.0) == 0.0
     factors.save(tmp_path / "again.csv")
-    assert vr.ShiftFactors.read(tmp_path / "again.csv").log10_factor == factors.log10_factor
-    data = vr.read_rheology(DATA / "pyvisco_freq_user_raw.csv")
-    curve = vr.superpose(data, reference=-5.0, factors=factors)
+    assert vr.rheology.ShiftFactors.read(tmp_path / "again.csv").log10_factor == factors.log10_factor
+    data = vr.rheology.read_rheology(DATA / "pyvisco_freq_user_raw.csv")
+    curve = vr.rheology.superpose(data, reference=-5.0, factors=factors)
     coldest = data.isotherms[0]
     assert curve.factors.log10_factor[0] == pytest.approx(factors(coldest.temperature), abs=1e-12)
     with pytest.raises(ValueError, match="temperature must be in"):
-        vr.superpose(data, reference=-5.0, factors=vr.ShiftFactors(temperature=(0.0, 20.0), log10_factor=(0.0, -1.0)))
+        vr.rheology.superpose(
+            data, reference=-5.0, factors=vr.rheology.ShiftFactors(temperature=(0.0, 20.0), log10_factor=(0.0, -1.0))
+        )
 
 
 @pytest.mark.parametrize(
@@ -183,7 +185,7 @@ def test_shift_factors_of_the_user(tmp_path):
 def test_bad_files_of_shift_factors(tmp_path, rows, message):
     (tmp_path / "factors.csv").write_text(f"T,log_aT\nC,-\n{rows}", encoding="utf-8")
     with pytest.raises(ValueError, match=message):
-        vr.ShiftFactors.read(tmp_path / "factors.csv")
+        vr.rheology.ShiftFactors.read(tmp_path / "factors.csv")
 
 
 @pytest.mark.parametrize(
@@ -195,28 +197,31 @@ def test_bad_files_of_shift_factors(tmp_path, rows, message):
 )
 def test_what_cannot_be_shifted(change, message):
     with pytest.raises(ValueError, match=message):
-        vr.superpose(**({"data": measured_isotherms(0.0), "reference": 30.0} | change))
+        vr.rheology.superpose(**({"data": measured_isotherms(0.0), "reference": 30.0} | change))
 
 
 def test_adhesive_is_fitted_to_1_percent_over_12_decades(master):
-    fit = vr.fit_prony(master)
+    fit = vr.rheology.fit_prony(master)
     assert np.log10(fit.frequency[-1] / fit.frequency[0]) > 12.0
     assert fit.storage_rms < 0.01
     assert fit.loss_rms < 0.01
-    assert all(check.passed for check in vr.check_modulus(master))
+    assert all(check.passed for check in vr.rheology.check_modulus(master))
 
 
 def test_coldest_sweep_of_the_adhesive_is_named(adhesive):
-    curve = vr.superpose(adhesive, reference=20.0)
+    curve = vr.rheology.superpose(adhesive, reference=20.0)
     assert curve.undetermined[0].startswith("-40 to -29.99 °C: all shifts from")
-    assert not all(check.passed for check in vr.check_modulus(curve))
+    assert not all(check.passed for check in vr.rheology.check_modulus(curve))
 
 
 def test_pyvisco_data_are_named_as_inconsistent():
-    data = vr.read_rheology(DATA / "pyvisco_freq_user_raw.csv")
-    factors = vr.ShiftFactors.read(DATA / "pyvisco_shift_factors.csv")
-    for curve in (vr.superpose(data, reference=-5.0), vr.superpose(data, reference=-5.0, factors=factors)):
-        causal, passive, _ = vr.check_modulus(curve)
+    data = vr.rheology.read_rheology(DATA / "pyvisco_freq_user_raw.csv")
+    factors = vr.rheology.ShiftFactors.read(DATA / "pyvisco_shift_factors.csv")
+    for curve in (
+        vr.rheology.superpose(data, reference=-5.0),
+        vr.rheology.superpose(data, reference=-5.0, factors=factors),
+    ):
+        causal, passive, _ = vr.rheology.check_modulus(curve)
         for check in (causal, passive):
             assert not check.passed
             assert check.value > 0.05
@@ -239,26 +244,26 @@ def test_torque_of_the_fit_is_that_of_the_table(master, temperature, speed):
 def test_checks_tell_what_is_wrong():
     omega = np.logspace(-2, 4, 61)
     modulus = RUBBER.complex_modulus(omega)
-    good = vr.check_modulus(SimpleNamespace(frequency=omega, storage=modulus.real, loss=modulus.imag))
+    good = vr.rheology.check_modulus(SimpleNamespace(frequency=omega, storage=modulus.real, loss=modulus.imag))
     assert all(check.passed for check in good)
-    causal, passive, monotony = vr.check_modulus(
+    causal, passive, monotony = vr.rheology.check_modulus(
         SimpleNamespace(frequency=omega, storage=modulus.real, loss=2.0 * modulus.imag)
     )
     assert not causal.passed
     assert not passive.passed
     assert monotony.passed
-    falling = vr.check_modulus(SimpleNamespace(frequency=omega, storage=modulus.real[::-1], loss=modulus.imag))
+    falling = vr.rheology.check_modulus(SimpleNamespace(frequency=omega, storage=modulus.real[::-1], loss=modulus.imag))
     assert not falling[2].passed
 
 
 def test_range_against_the_harmonics_of_rolling(rubber):
     layer = vr.Layer(thickness=1e-3, shear_modulus=rubber, poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
-    low, high = vr.rolling_range(ball, load=100.0, angular_speed=2.5)
+    low, high = vr.rheology.rolling_range(ball, load=100.0, angular_speed=2.5)
     assert low == 2.5
     assert 20.0 < high / low < 2000.0
     curve = SimpleNamespace(frequency=[25.0, 50.0, 100.0], storage=[1e6] * 3, loss=[1e5] * 3)
-    check = vr.check_range(curve, lowest=2.5, highest=1000.0)
+    check = vr.rheology.check_range(curve, lowest=2.5, highest=1000.0)
     assert not check.passed
     assert check.value == pytest.approx(2.0 / np.log10(400.0))
     assert "1 decades below and 1 above it are extrapolated" in check.message
@@ -268,8 +273,12 @@ def test_constants_of_shifts_that_do_not_bend_are_not_told():
     """WLF shifts are farther apart at low temperatures; these are closer, and the best fit is a straight line."""
     temperature = np.arange(-40.0, 61.0, 10.0)
     above = temperature - REFERENCE
-    law = fit_wlf(vr.ShiftFactors(temperature=temperature, log10_factor=-0.1 * above - 5e-4 * above**2), REFERENCE)
+    law = fit_wlf(
+        vr.rheology.ShiftFactors(temperature=temperature, log10_factor=-0.1 * above - 5e-4 * above**2), REFERENCE
+    )
     assert str(law).startswith(
         f"WLF at {REFERENCE:g} °C: constants undetermined, the shifts lack its curvature; residual 0."
     )
-    assert "c1 = " in str(fit_wlf(vr.ShiftFactors(temperature=temperature, log10_factor=wlf(temperature)), REFERENCE))
+    assert "c1 = " in str(
+        fit_wlf(vr.rheology.ShiftFactors(temperature=temperature, log10_factor=wlf(temperature)), REFERENCE)
+    )

@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from specimens import coated_ball
-from viscoroll import paper
+from viscoroll import enums, paper
 
-PAPER = vr.Curvature.PAPER
+PAPER = enums.Curvature.PAPER
 
 
 @pytest.mark.parametrize("accuracy", [0.1, 0.03, 0.01])
-@pytest.mark.parametrize("compliance", [vr.Compliance.RADIAL, vr.Compliance.VERTICAL])
+@pytest.mark.parametrize("compliance", [enums.Compliance.RADIAL, enums.Compliance.VERTICAL])
 def test_error_is_within_what_was_asked_for(paper_ball, accuracy, compliance):
     r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=accuracy, compliance=compliance, curvature=PAPER)
-    assert r.status is vr.Status.CONVERGED
+    assert r.status is enums.Status.CONVERGED
     assert r.error_estimate <= accuracy
     # Converged on fine meshes (docs/theory/reference-values.md): 11.38 mN m, with the vertical compliance 11.19 mN m.
-    converged = {vr.Compliance.RADIAL: 11.38e-3, vr.Compliance.VERTICAL: 11.19e-3}[compliance]
+    converged = {enums.Compliance.RADIAL: 11.38e-3, enums.Compliance.VERTICAL: 11.19e-3}[compliance]
     assert r.resisting_torque == pytest.approx(converged, rel=accuracy)
 
 
@@ -34,7 +34,7 @@ def test_default_accuracy_is_one_percent(paper_ball):
 
 def test_a_thousandth(paper_ball):
     """Compare with continuum limits from meshes up to pi/6600: 11.3867 mN m, and 11.1854 mN m with VERTICAL."""
-    for compliance, limit in ((vr.Compliance.RADIAL, 11.3867e-3), (vr.Compliance.VERTICAL, 11.1854e-3)):
+    for compliance, limit in ((enums.Compliance.RADIAL, 11.3867e-3), (enums.Compliance.VERTICAL, 11.1854e-3)):
         r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=1e-3, compliance=compliance, curvature=PAPER)
         assert r.resisting_torque == pytest.approx(limit, rel=1e-4)
         assert r.error_estimate < 1e-3
@@ -45,7 +45,7 @@ def test_torque_is_a_smooth_function_of_load(paper_ball):
     """Nodes that join the contact one by one cause no steps: the exponent of the power law decreases steadily."""
     loads = np.geomspace(50.0, 60.0, 17)  # steps of 1.15 %, as for 200 loads over a decade
     torques = [
-        vr.solve(paper_ball, load=load, angular_speed=2.5, accuracy=1e-3, compliance=vr.Compliance.RADIAL)
+        vr.solve(paper_ball, load=load, angular_speed=2.5, accuracy=1e-3, compliance=enums.Compliance.RADIAL)
         for load in loads
     ]
     exponents = np.diff(np.log([r.resisting_torque for r in torques])) / np.diff(np.log(loads))
@@ -55,7 +55,7 @@ def test_torque_is_a_smooth_function_of_load(paper_ball):
 def test_says_when_the_accuracy_was_not_reached():
     # The contact is narrower than the spacing of any mesh allowed.
     r = vr.solve(paper.ball(density=0.0), load=1e-13, angular_speed=2.5, accuracy=0.02)
-    assert r.status is vr.Status.ACCURACY_NOT_REACHED
+    assert r.status is enums.Status.ACCURACY_NOT_REACHED
     assert r.error_estimate > 0.02
 
 
@@ -65,11 +65,11 @@ def test_any_size_of_contact(load, thickness):
     stiff = vr.StandardLinearSolid(instantaneous_modulus=60e6, relaxed_modulus=30e6, relaxation_time=0.125)
     ball = coated_ball(stiff, thickness=thickness, poisson_ratio=0.45)
     r = vr.solve(ball, load=load, angular_speed=5.0, accuracy=0.1)
-    assert r.status is vr.Status.CONVERGED
+    assert r.status is enums.Status.CONVERGED
     assert r.contact.sum() > 20
 
 
 def test_lossless_coating_converges_in_penetration():
     r = vr.solve(coated_ball(vr.Elastic(modulus=3e6)), load=100.0, angular_speed=2.5)
-    assert r.status is vr.Status.CONVERGED
+    assert r.status is enums.Status.CONVERGED
     assert len(r.refinements) >= 2

@@ -7,15 +7,16 @@ import pytest
 import viscoroll as vr
 from reference import boundary, contact
 from specimens import coated_ball
+from viscoroll import enums
 
-COMPLIANCES = [vr.Compliance.VERTICAL, vr.Compliance.RADIAL]
-PATCHES = [vr.PatchLoad.FLAT, vr.PatchLoad.SPHERICAL]
+COMPLIANCES = [enums.Compliance.VERTICAL, enums.Compliance.RADIAL]
+PATCHES = [enums.PatchLoad.FLAT, enums.PatchLoad.SPHERICAL]
 
 
 def nodal_force(result):
     """Return the vertical force of every node [N] from the pressure on its patch."""
     area = (result.ball.outer_radius * result.mesh.spacing) ** 2
-    if result.patch_load is vr.PatchLoad.SPHERICAL:
+    if result.patch_load is enums.PatchLoad.SPHERICAL:
         area = area * np.sqrt(1.0 - (result.z / result.ball.outer_radius) ** 2)  # sin(theta)
     return result.pressure * area
 
@@ -33,26 +34,26 @@ def test_agrees_with_the_dense_reference(unlike_ball, compliance, patch_load):
     radius = unlike_ball.outer_radius
     half = [count // 2 for count in result.x.shape]
     phi, theta = boundary.nodes(mesh.spacing, *half)
-    patch = boundary.flat_patch if patch_load is vr.PatchLoad.FLAT else boundary.spherical_patch
+    patch = boundary.flat_patch if patch_load is enums.PatchLoad.FLAT else boundary.spherical_patch
 
     def compliance_of_orders(m, n):
-        return vr.surface_compliance(unlike_ball, 2.5, m.astype(int), n.astype(int))
+        return vr.modal.surface_compliance(unlike_ball, 2.5, m.astype(int), n.astype(int))
 
     matrix = boundary.compliance_matrix(compliance_of_orders, mesh.max_order, radius, mesh.spacing, phi, theta, patch)
-    vertical = boundary.to_rectangular(matrix, phi, theta) if compliance is vr.Compliance.VERTICAL else matrix
-    swollen = radius + vr.centrifugal_displacement(unlike_ball, 2.5)
+    vertical = boundary.to_rectangular(matrix, phi, theta) if compliance is enums.Compliance.VERTICAL else matrix
+    swollen = radius + vr.modal.centrifugal_displacement(unlike_ball, 2.5)
     profile = swollen * np.sin(theta) * np.sin(phi)
     force, height = contact.solve_normal_contact(vertical[0, 0], profile, 60.0)
 
     # The core takes 1/sin(theta) over a patch to three Legendre terms; the reference integrates it.
-    tolerance = 1e-9 if patch_load is vr.PatchLoad.FLAT else 1e-6
+    tolerance = 1e-9 if patch_load is enums.PatchLoad.FLAT else 1e-6
     np.testing.assert_allclose(nodal_force(result).ravel(), -force, rtol=0.0, atol=tolerance * force.max() + 1e-7)
     np.testing.assert_array_equal(result.contact.ravel(), force < 0.0)
     assert result.center_height == pytest.approx(height, rel=1e-9)
     assert result.resisting_torque == pytest.approx(contact.resisting_torque(force, radius, phi, theta), rel=1e-5)
 
     components = boundary.rotation(phi, theta)[:, :, 0].T * force
-    if compliance is vr.Compliance.RADIAL:
+    if compliance is enums.Compliance.RADIAL:
         components = np.stack([force, 0 * force, 0 * force])
     power = contact.dissipated_power(
         compliance_of_orders, mesh.max_order, 2.5, radius, mesh.spacing, phi, theta, components, patch
@@ -66,7 +67,7 @@ def test_agrees_with_the_dense_reference(unlike_ball, compliance, patch_load):
 def test_contact_conditions_hold_on_the_fields(paper_ball, compliance, patch_load, load):
     mesh = vr.Mesh(nodes_per_revolution=600, max_order=900)
     r = vr.solve(paper_ball, load=load, angular_speed=2.5, mesh=mesh, compliance=compliance, patch_load=patch_load)
-    assert r.status is vr.Status.CONVERGED
+    assert r.status is enums.Status.CONVERGED
     assert (r.pressure[r.contact] > 0.0).all()
     assert (r.pressure[~r.contact] == 0.0).all()
     tolerance = 1e-10 * r.penetration
@@ -95,7 +96,7 @@ def test_window_grows_until_the_contact_fits():
     edge = np.ones(r.contact.shape, bool)
     edge[1:-1, 1:-1] = False
     assert not r.contact[edge].any()
-    assert r.status is vr.Status.CONVERGED
+    assert r.status is enums.Status.CONVERGED
 
 
 # Rigid paraboloid of radius R on an incompressible layer bonded to a rigid base, exact
@@ -120,7 +121,7 @@ def test_static_contact_of_a_bonded_layer(slenderness, depth, load):
         nodes = 2 * round(np.pi * radius / contact_radius * max(10, 4 * slenderness))
         mesh = vr.Mesh(nodes_per_revolution=nodes)
         force = load * shear * contact_radius**3 / radius
-        r = vr.solve(ball, load=force, angular_speed=1.0, mesh=mesh, compliance=vr.Compliance.RADIAL)
+        r = vr.solve(ball, load=force, angular_speed=1.0, mesh=mesh, compliance=enums.Compliance.RADIAL)
         errors.append(r.penetration * radius / contact_radius**2 / depth - 1.0)
         # The contact ends between two rows of nodes.
         assert r.semi_axis_x == pytest.approx(contact_radius, rel=0.04)
@@ -136,7 +137,7 @@ def test_nearly_solid_ball_is_hertz():
     force = 16 * shear * contact_radius**3 / (3 * radius)
     ball = coated_ball(vr.Elastic(modulus=shear), thickness=0.999 * radius, core_radius=1e-3 * radius)
     mesh = vr.Mesh(nodes_per_revolution=2 * round(np.pi * radius / contact_radius * 12))
-    r = vr.solve(ball, load=force, angular_speed=1.0, mesh=mesh, compliance=vr.Compliance.RADIAL)
+    r = vr.solve(ball, load=force, angular_speed=1.0, mesh=mesh, compliance=enums.Compliance.RADIAL)
     assert r.penetration == pytest.approx(contact_radius**2 / radius, rel=0.02)
     assert r.max_pressure == pytest.approx(1.5 * force / (np.pi * contact_radius**2), rel=0.01)
     assert r.contact_area == pytest.approx(np.pi * contact_radius**2, rel=0.05)
@@ -150,7 +151,7 @@ def test_patch_loads_differ_little(paper_ball):
             load=100.0,
             angular_speed=2.5,
             mesh=vr.Mesh(nodes_per_revolution=800, max_order=1000),
-            compliance=vr.Compliance.RADIAL,
+            compliance=enums.Compliance.RADIAL,
             patch_load=patch_load,
         )
         for patch_load in PATCHES
@@ -171,7 +172,7 @@ def test_large_contacts_without_a_matrix(paper_ball, compliance, patch_load):
         angular_speed=2.5,
         mesh=mesh,
         compliance=compliance,
-        curvature=vr.Curvature.PAPER,
+        curvature=enums.Curvature.PAPER,
         patch_load=patch_load,
     )
     assert r.contact.sum() > 1500
@@ -182,8 +183,8 @@ def test_large_contacts_without_a_matrix(paper_ball, compliance, patch_load):
     assert nodal_force(r).sum() == pytest.approx(100.0, rel=1e-12)
     assert r.operator_applications > 0
     # Torques on meshes of 4000 nodes per revolution, which agree with those of 1600 within 0.06 %.
-    if patch_load is vr.PatchLoad.FLAT:
-        limit = 11.387e-3 if compliance is vr.Compliance.RADIAL else 11.185e-3
+    if patch_load is enums.PatchLoad.FLAT:
+        limit = 11.387e-3 if compliance is enums.Compliance.RADIAL else 11.185e-3
         assert r.resisting_torque == pytest.approx(limit, rel=3e-3)
 
 
@@ -195,8 +196,8 @@ def test_unlike_spacings_agree(paper_ball):
             load=100.0,
             angular_speed=2.5,
             mesh=vr.Mesh(nodes_per_revolution=phi, theta_nodes_per_revolution=theta),
-            compliance=vr.Compliance.VERTICAL,
-            curvature=vr.Curvature.PAPER,
+            compliance=enums.Compliance.VERTICAL,
+            curvature=enums.Curvature.PAPER,
         )
         for phi, theta in ((2000, 2000), (2000, 1300), (1300, 2000))
     ]
@@ -214,9 +215,9 @@ def test_contacts_are_found_whatever_they_are_started_from(paper_ball):
     mesh = vr.Mesh(nodes_per_revolution=600)
     model = vr.RollingModel(paper_ball, angular_speed=2.5, mesh=mesh)
     for load in (0.3, 3.0, 30.0, 100.0):
-        r = model.solve(load=load, compliance=vr.Compliance.RADIAL)
+        r = model.solve(load=load, compliance=enums.Compliance.RADIAL)
         rows, columns = r.x.shape
-        table = vr.influence_tables(paper_ball, 2.5, mesh, reach=(rows - 1, columns - 1))[0, 0]
+        table = vr.modal.influence_tables(paper_ball, 2.5, mesh, reach=(rows - 1, columns - 1))[0, 0]
         i, k = (index.ravel() for index in np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij"))
         matrix = table[i[:, None] - i + rows - 1, k[:, None] - k + columns - 1]
         depth = np.sqrt(paper_ball.outer_radius**2 - r.x**2 - r.z**2).ravel()
@@ -232,7 +233,7 @@ def test_hertz_on_the_finest_meshes(nodes):
     a = 0.5 * across * 2.0 * np.pi / nodes * radius
     load = 16.0 / 3.0 * modulus * a**3 / radius
     mesh = vr.Mesh(nodes_per_revolution=nodes)
-    r = vr.solve(ball, load=load, angular_speed=1.0, mesh=mesh, compliance=vr.Compliance.RADIAL)
+    r = vr.solve(ball, load=load, angular_speed=1.0, mesh=mesh, compliance=enums.Compliance.RADIAL)
     assert r.max_pressure == pytest.approx(1.5 * load / (np.pi * a**2), rel=(a / radius) ** 2 + 1e-4)
     assert r.penetration == pytest.approx(a**2 / radius, rel=2.0 * a / radius + 1e-3)
     assert np.sqrt(r.contact_area / np.pi) == pytest.approx(a, rel=5e-3)  # half a spacing
@@ -242,13 +243,13 @@ def test_hertz_on_the_finest_meshes(nodes):
 def test_products_agree_with_a_dense_solution(paper_ball):
     """About 500 nodes, solved iteratively from the contact of a coarser mesh; NumPy uses the same influence tables."""
     mesh = vr.Mesh(nodes_per_revolution=600, theta_nodes_per_revolution=540)
-    r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=mesh, compliance=vr.Compliance.RADIAL)
+    r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=mesh, compliance=enums.Compliance.RADIAL)
     assert r.operator_applications > 0
     rows, columns = r.x.shape
-    table = vr.influence_tables(paper_ball, 2.5, mesh, reach=(rows - 1, columns - 1))[0, 0]
+    table = vr.modal.influence_tables(paper_ball, 2.5, mesh, reach=(rows - 1, columns - 1))[0, 0]
     i, k = (index.ravel() for index in np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij"))
     matrix = table[i[:, None] - i + rows - 1, k[:, None] - k + columns - 1]
-    swelling = 1.0 + vr.centrifugal_displacement(paper_ball, 2.5) / paper_ball.outer_radius
+    swelling = 1.0 + vr.modal.centrifugal_displacement(paper_ball, 2.5) / paper_ball.outer_radius
     depth = np.sqrt(paper_ball.outer_radius**2 - r.x**2 - r.z**2).ravel()
     force, height = contact.solve_normal_contact(matrix, swelling * depth, 100.0)
     patch = paper_ball.outer_radius**2 * mesh.spacing * mesh.theta_spacing
@@ -270,7 +271,7 @@ def test_pressure_does_not_alternate_where_memory_is_strong(compliance, viscosit
             mesh=vr.Mesh(nodes_per_revolution=nodes),
             compliance=compliance,
         )
-        assert r.status is vr.Status.CONVERGED
+        assert r.status is enums.Status.CONVERGED
         assert (r.gap > -1e-9 * r.penetration).all()
         torques.append(r.driving_torque)
     assert torques[0] == pytest.approx(torques[1], rel=1e-2)  # discrete contact of 30 nodes across

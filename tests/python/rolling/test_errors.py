@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import viscoroll as vr
-from viscoroll import paper
+from viscoroll import enums, paper
 
 SLS = {"instantaneous_modulus": 6e6, "relaxed_modulus": 3e6, "relaxation_time": 0.125}
 PRONY = {"instantaneous_modulus": 6e6, "weights": [0.3, 0.2], "relaxation_times": [0.1, 1.0]}
@@ -124,7 +124,7 @@ def test_numbers_beyond_floats_in_arrays(paper_ball):
     with pytest.raises(ValueError, match=r"^load must be <= .*, got Fraction\(1000.*\.\.\.$"):
         solve(load=Fraction(10**400))
     with pytest.raises(ValueError, match=r"^m\[0\] must fit into 32 bits, got about 1e400$"):
-        vr.surface_compliance(paper_ball, 2.5, [10**400], 1)
+        vr.modal.surface_compliance(paper_ball, 2.5, [10**400], 1)
     with pytest.raises(ValueError, match=r"^max_order must fit into 32 bits, got about 1e5000$"):
         vr.Mesh(**MESH | {"max_order": 10**5000})
 
@@ -167,7 +167,7 @@ def test_numpy_scalars_are_numbers():
         (
             vr.CoatedSphere,
             BALL,
-            {"layers": [], "core_radius": 0.0, "inner_boundary": vr.InnerBoundary.SOLID},
+            {"layers": [], "core_radius": 0.0, "inner_boundary": enums.InnerBoundary.SOLID},
             "layers must be a list of at least one layer if the ball has no rigid core, got none",
         ),
         (vr.Mesh, MESH, {"nodes_per_revolution": 15}, r"mesh.nodes_per_revolution must be in \[16, 1000000\], got 15"),
@@ -203,7 +203,7 @@ def test_values_out_of_range(make, valid, changes, message):
         (vr.Mesh, MESH, {"nodes_per_revolution": "many"}, "nodes_per_revolution must be a whole number, got str"),
         (solve, CASE, {"mesh": 500}, "mesh must be a viscoroll.Mesh or None, got 500"),
         (solve, CASE, {"compliance": "full"}, "compliance must be one of radial, vertical, got 'full'"),
-        (solve, CASE, {"patch_load": None}, "patch_load must be a viscoroll.PatchLoad, or one of flat, spherical, got None"),
+        (solve, CASE, {"patch_load": None}, "patch_load must be a viscoroll.enums.PatchLoad, or one of flat, spherical, got None"),
         (solve, CASE, {"progress": 3, "mesh": vr.Mesh(**MESH)}, "progress must be True, False, callable or None, got 3"),
     ],
 )  # fmt: skip
@@ -216,14 +216,14 @@ def test_a_text_serves_where_a_member_does():
     layer = vr.Layer(**LAYER)
     hollow = {"core_radius": 20e-3, "layers": [layer]}
     assert vr.CoatedSphere(**hollow, inner_boundary="Hollow") == vr.CoatedSphere(
-        **hollow, inner_boundary=vr.InnerBoundary.HOLLOW
+        **hollow, inner_boundary=enums.InnerBoundary.HOLLOW
     )
-    assert vr.MasterCurve(**CURVE, extrapolation="hold").extrapolation is vr.Extrapolation.HOLD
+    assert vr.MasterCurve(**CURVE, extrapolation="hold").extrapolation is enums.Extrapolation.HOLD
     options = {"compliance": "vertical", "curvature": "paper", "patch_load": "spherical", "slip_kinematics": "flat"}
     result = vr.solve(paper.ball(), **CASE, mesh=vr.Mesh(**MESH), friction=0.3, **options)
-    assert result.compliance is vr.Compliance.VERTICAL
-    assert result.curvature is vr.Curvature.PAPER
-    assert result.patch_load is vr.PatchLoad.SPHERICAL
+    assert result.compliance is enums.Compliance.VERTICAL
+    assert result.curvature is enums.Curvature.PAPER
+    assert result.patch_load is enums.PatchLoad.SPHERICAL
 
 
 def test_something_else_than_a_ball():
@@ -235,19 +235,19 @@ def test_something_else_than_a_ball():
 
 def tables(ball=None, mesh=None, **options):
     ball = paper.ball() if ball is None else ball
-    return vr.influence_tables(ball, 2.5, vr.Mesh(**MESH) if mesh is None else mesh, **{"reach": 3} | options)
+    return vr.modal.influence_tables(ball, 2.5, vr.Mesh(**MESH) if mesh is None else mesh, **{"reach": 3} | options)
 
 
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: vr.critical_speed(3), "ball must be a viscoroll.CoatedSphere or .*CoatedWheel, got 3"),
+        (lambda: vr.modal.critical_speed(3), "ball must be a viscoroll.CoatedSphere or .*CoatedWheel, got 3"),
         (
-            lambda: vr.surface_compliance(3, 2.5, 1, 1),
+            lambda: vr.modal.surface_compliance(3, 2.5, 1, 1),
             "ball must be a viscoroll.CoatedSphere or viscoroll.CoatedWheel, got 3",
         ),
-        (lambda: vr.centrifugal_displacement(3, 1.0), "ball must be a viscoroll.CoatedSphere, got 3"),
-        (lambda: vr.state_matrix(3, 2.5, 1.0, 1, 1), "layer must be a viscoroll.Layer, got 3"),
+        (lambda: vr.modal.centrifugal_displacement(3, 1.0), "ball must be a viscoroll.CoatedSphere, got 3"),
+        (lambda: vr.modal.state_matrix(3, 2.5, 1.0, 1, 1), "layer must be a viscoroll.Layer, got 3"),
         (lambda: tables(ball=3), "ball must be a viscoroll.CoatedSphere, got 3"),
         (lambda: tables(mesh=3), "mesh must be a viscoroll.Mesh, got 3"),
         (lambda: tables(progress=3), "progress must be True, False, callable or None, got 3"),
@@ -256,7 +256,7 @@ def tables(ball=None, mesh=None, **options):
         (lambda: solve(drive=0.1), "drive must be a viscoroll.Drive, got 0.1"),
         (
             lambda: solve(slip_kinematics=1),
-            "slip_kinematics must be a viscoroll.SlipKinematics, or one of exact, flat, got 1",
+            "slip_kinematics must be a viscoroll.enums.SlipKinematics, or one of exact, flat, got 1",
         ),
         (lambda: vr.CoatedSphere(core_radius=1.0, layers=3), "layers must be a sequence of viscoroll.Layer, got 3"),
     ],
@@ -329,21 +329,21 @@ def test_master_curve_must_reach_all_harmonics():
 @pytest.mark.parametrize("orders", [1.5, [1.0], "a", [1 + 2j]])
 def test_orders_must_be_whole(paper_ball, orders):
     with pytest.raises(TypeError, match="m must contain whole numbers"):
-        vr.surface_compliance(paper_ball, 2.5, orders, 1)
+        vr.modal.surface_compliance(paper_ball, 2.5, orders, 1)
 
 
 def test_orders_must_broadcast(paper_ball):
     with pytest.raises(ValueError, match=r"^m and n must have shapes that broadcast, got \(2,\) and \(3,\)$"):
-        vr.surface_compliance(paper_ball, 2.5, [1, 2], [1, 2, 3])
+        vr.modal.surface_compliance(paper_ball, 2.5, [1, 2], [1, 2, 3])
     with pytest.raises(ValueError, match=r"^n must be an array, got rows of different lengths$"):
-        vr.surface_compliance(paper_ball, 2.5, 1, [[1], [1, 2]])
+        vr.modal.surface_compliance(paper_ball, 2.5, 1, [[1], [1, 2]])
     with pytest.raises(ValueError, match=r"n must be in \[-1e6, 1e6\]"):
-        vr.surface_compliance(paper_ball, 2.5, 1, 10**7)
+        vr.modal.surface_compliance(paper_ball, 2.5, 1, 10**7)
 
 
 def test_max_iterations_is_a_status(paper_ball):
     r = vr.solve(paper_ball, **CASE, mesh=vr.Mesh(**MESH), max_iterations=1)
-    assert r.status is vr.Status.MAX_ITERATIONS
+    assert r.status is enums.Status.MAX_ITERATIONS
     assert r.iterations == 1
 
 

@@ -9,16 +9,16 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-import viscoroll as vr
 from reference import finite_strain_table as table
 from reference.bonded_layer import bonded_layer
 from reference.finite_strain import Coating
 from reference.finite_strain_obstacle import press_node_by_node
 from reference.finite_strain_torque import VISCOSITIES, slow_torques
+from viscoroll import enums
 
 PAPER = (20.0, 21.0, 0.5)  # core and outer radius [mm], Poisson's ratio
 COARSE = {"finest": 0.02, "coarsest": 0.2, "growth": 1.4}
-RADIAL, VERTICAL = vr.Compliance.RADIAL, vr.Compliance.VERTICAL
+RADIAL, VERTICAL = enums.Compliance.RADIAL, enums.Compliance.VERTICAL
 
 
 @pytest.fixture(scope="module")

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference import boundary, friction
+from viscoroll import enums
 
 SLOW = 0.2  # angular speed of the paper's section 14.3 [rad/s]
 MESH = vr.Mesh(nodes_per_revolution=200, max_order=500)  # pi/100
@@ -33,7 +34,7 @@ def assert_conditions_hold(r):
     """Assert the conditions of contact, stick, slip and balance on the fields of the result."""
     stress = 1e-8 * r.max_pressure
     length = 1e-8 * r.penetration
-    assert r.status is vr.Status.CONVERGED
+    assert r.status is enums.Status.CONVERGED
     assert r.residual < 1e-8
     assert (r.pressure >= -stress).all()
     assert (r.pressure[~r.contact] == 0.0).all()
@@ -72,8 +73,8 @@ def test_every_friction_from_a_cold_start(rubber, thickness, poisson_ratio, mu):
             assert_conditions_hold(roll(ball, mu=mu, angular_speed=angular_speed, mesh=mesh))
 
 
-@pytest.mark.parametrize("compliance", vr.Compliance)
-@pytest.mark.parametrize("kinematics", vr.SlipKinematics)
+@pytest.mark.parametrize("compliance", enums.Compliance)
+@pytest.mark.parametrize("kinematics", enums.SlipKinematics)
 @pytest.mark.parametrize("drive", DRIVES.values(), ids=DRIVES)
 def test_every_drive(paper_ball, drive, compliance, kinematics):
     r = roll(paper_ball, drive=drive, compliance=compliance, slip_kinematics=kinematics)
@@ -87,7 +88,7 @@ def test_every_drive(paper_ball, drive, compliance, kinematics):
 
 
 def test_curved_patches(paper_ball):
-    curved, flat = (roll(paper_ball, patch_load=patch_load) for patch_load in vr.PatchLoad)
+    curved, flat = (roll(paper_ball, patch_load=patch_load) for patch_load in enums.PatchLoad)
     assert max(curved.residual, flat.residual) < 1e-8
     assert 0.0 < abs(curved.resisting_torque / flat.resisting_torque - 1.0) < 5e-3
 
@@ -109,7 +110,7 @@ def test_curved_patches(paper_ball):
     ],
 )
 def test_ratios_of_an_independent_program(paper_ball, mu, ratio):
-    model = {"compliance": vr.Compliance.VERTICAL, "curvature": vr.Curvature.PAPER}
+    model = {"compliance": enums.Compliance.VERTICAL, "curvature": enums.Curvature.PAPER}
     without = roll(paper_ball, mu=0.0, **model).resisting_torque
     assert roll(paper_ball, mu=mu, **model).resisting_torque / without == pytest.approx(ratio, rel=5e-3)
 
@@ -129,21 +130,21 @@ def test_drives_agree_with_the_dense_reference(unlike_ball, drive):
 @pytest.mark.parametrize("drive", [DRIVES["pulled"], DRIVES["oblique"]], ids=str)
 def test_the_radial_compliance_agrees_with_the_dense_reference(unlike_ball, drive):
     mesh = vr.Mesh(nodes_per_revolution=90, max_order=60)
-    assert_agreement(unlike_ball, mesh, 0.4, drive, compliance=vr.Compliance.RADIAL)
+    assert_agreement(unlike_ball, mesh, 0.4, drive, compliance=enums.Compliance.RADIAL)
 
 
-def assert_agreement(ball, mesh, mu, drive, compliance=vr.Compliance.VERTICAL):
+def assert_agreement(ball, mesh, mu, drive, compliance=enums.Compliance.VERTICAL):
     r = roll(ball, mesh=mesh, load=60.0, angular_speed=2.5, mu=mu, drive=drive, compliance=compliance)
     phi, theta = boundary.nodes(mesh.spacing, *(count // 2 for count in r.x.shape))
 
     def compliance_of_orders(m, n):
-        return vr.surface_compliance(ball, 2.5, m.astype(int), n.astype(int))
+        return vr.modal.surface_compliance(ball, 2.5, m.astype(int), n.astype(int))
 
     matrix = boundary.compliance_matrix(
         compliance_of_orders, mesh.max_order, ball.outer_radius, mesh.spacing, phi, theta
     )
-    swollen = ball.outer_radius + vr.centrifugal_displacement(ball, 2.5)
-    along_axes = boundary.to_rectangular if compliance is vr.Compliance.VERTICAL else boundary.to_turned
+    swollen = ball.outer_radius + vr.modal.centrifugal_displacement(ball, 2.5)
+    along_axes = boundary.to_rectangular if compliance is enums.Compliance.VERTICAL else boundary.to_turned
     forces, height, speed_ratio = friction.solve_frictional_contact(
         along_axes(matrix, phi, theta),
         swollen * np.sin(theta) * np.sin(phi),
@@ -254,7 +255,7 @@ def kalker_coefficients(nodes_across, lateral=False):
 
 @pytest.mark.parametrize("drive", [DRIVES["driven"], DRIVES["towed"], DRIVES["rolling"]], ids=str)
 def test_full_stick_is_what_much_friction_leads_to(paper_ball, drive):
-    given = {"drive": drive, "compliance": vr.Compliance.VERTICAL, "mesh": vr.Mesh(nodes_per_revolution=500)}
+    given = {"drive": drive, "compliance": enums.Compliance.VERTICAL, "mesh": vr.Mesh(nodes_per_revolution=500)}
     stuck, *rough = (roll(paper_ball, mu=mu, **given) for mu in (math.inf, 4.0, 1.0))
     assert_conditions_hold(stuck)
     np.testing.assert_array_equal(stuck.stick, stuck.contact)
@@ -361,7 +362,7 @@ def test_bad_drives_are_named(parameters, error, message):
 
 def test_accuracy_is_reached_with_friction(paper_ball):
     r = vr.solve(paper_ball, load=100.0, angular_speed=SLOW, friction=0.3, accuracy=0.03)
-    assert r.status is vr.Status.CONVERGED
+    assert r.status is enums.Status.CONVERGED
     assert r.error_estimate < 0.03
     fine = roll(paper_ball, mesh=vr.Mesh(nodes_per_revolution=800, max_order=1200))
     assert r.driving_torque == pytest.approx(fine.driving_torque, rel=0.03)
@@ -387,7 +388,7 @@ def test_the_summary_tells_the_speed_of_the_center(paper_ball):
 def test_large_contacts_without_a_matrix(paper_ball, mu, name):
     """About 3000 nodes, solved iteratively: all conditions hold, and the power balance closes."""
     mesh = vr.Mesh(nodes_per_revolution=1400)
-    r = roll(paper_ball, mu=mu, drive=DRIVES[name], mesh=mesh, compliance=vr.Compliance.VERTICAL)
+    r = roll(paper_ball, mu=mu, drive=DRIVES[name], mesh=mesh, compliance=enums.Compliance.VERTICAL)
     assert r.operator_applications > 0
     assert r.contact.sum() > 2500
     assert r.residual < 1e-8
@@ -440,7 +441,7 @@ HARD = {
             "angular_speed": 4.44567347,
             "mu": 0.003726635,
             "drive": vr.Drive(torque=-0.00011845147),
-            "compliance": vr.Compliance.VERTICAL,
+            "compliance": enums.Compliance.VERTICAL,
         },
     ),
 }
@@ -468,8 +469,8 @@ def test_towed_by_way_of_less_friction():
         angular_speed=0.01755485,
         friction=3.7270738,
         drive=vr.Drive(torque=0.0),
-        compliance=vr.Compliance.VERTICAL,
-        curvature=vr.Curvature.PAPER,
+        compliance=enums.Compliance.VERTICAL,
+        curvature=enums.Curvature.PAPER,
         mesh=vr.Mesh(nodes_per_revolution=1397),
     )
     assert_conditions_hold(r)

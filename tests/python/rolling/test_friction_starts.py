@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from specimens import coated_ball
+from viscoroll import enums
 
 FOUND = tomllib.loads((Path(__file__).parent / "friction_states.toml").read_text(encoding="utf-8"))
 
@@ -54,7 +55,7 @@ def measured(r):
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # loads that indent a coating by a tenth
 def test_hard_states_are_found(row):
     r = solve(row)
-    assert r.status is vr.Status[row.get("status", "CONVERGED")]
+    assert r.status is enums.Status[row.get("status", "CONVERGED")]
     assert r.slip_power >= 0.0
     assert (np.hypot(*r.shear_traction) <= r.friction * r.pressure + 1e-8 * r.max_pressure).all()
     assert r.driving_force == row["solve"].get("drive", {}).get("force", r.driving_force)
@@ -107,7 +108,7 @@ def test_a_drive_between_the_states_of_two_creepages():
     assert r.driving_torque == pytest.approx(torque, rel=1e-9)
     assert -0.034 < r.creepage < -0.025
     given = vr.solve(ball, drive=vr.Drive(creepage=-0.032143), **options)
-    assert given.status is vr.Status.CONVERGED
+    assert given.status is enums.Status.CONVERGED
     assert (np.hypot(*given.shear_traction) <= 4.0 * given.pressure + 1e-8 * given.max_pressure).all()
 
 

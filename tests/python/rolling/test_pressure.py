@@ -7,7 +7,7 @@ import pytest
 import viscoroll as vr
 from campaign.pressure import STEEP, cases, judge, zigzag
 from specimens import RUBBER
-from viscoroll import analytic
+from viscoroll import analytic, enums
 
 CASES = {case.name: case for case in cases()}
 
@@ -22,7 +22,7 @@ def test_an_idler_on_a_fractional_cover(accuracy):
     r, _ = CASES["idler, order 1/2"].solve(accuracy=accuracy)
     assert r.max_pressure == pytest.approx(IDLERS, rel=accuracy)
     assert abs(r.max_pressure / IDLERS - 1.0) <= r.max_pressure_error <= accuracy
-    assert vr.WarningKind.PRESSURE_PEAK not in r.warnings
+    assert enums.WarningKind.PRESSURE_PEAK not in r.warnings
     assert zigzag(r) < 0.005  # 0.2 remain next to a front that is almost a jump
 
 
@@ -91,12 +91,12 @@ def test_a_pressure_without_a_bound_is_told():
     case = CASES["Kelvin-Voigt, strong"]
     with pytest.warns(vr.ResultWarning, match="error estimate of the largest pressure is"):
         r, _ = case.solve(accuracy=0.02)
-    assert r.status is vr.Status.CONVERGED  # torque and penetration do not depend on it
+    assert r.status is enums.Status.CONVERGED  # torque and penetration do not depend on it
     assert r.max_pressure_error > 0.1
     finer, _ = case.solve(mesh=vr.Mesh(nodes_per_revolution=2 * r.mesh.nodes_per_revolution))
     assert finer.max_pressure > 1.1 * r.max_pressure
     assert finer.resisting_torque == pytest.approx(r.resisting_torque, rel=0.02)
-    assert vr.WarningKind.PRESSURE_PEAK in finer.warnings
+    assert enums.WarningKind.PRESSURE_PEAK in finer.warnings
 
 
 def test_error_on_a_given_mesh_is_that_of_a_smooth_maximum():

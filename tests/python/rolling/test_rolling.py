@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from reference.one_layer import Table, ball_equations, steady
 from specimens import coated_ball
-from viscoroll import paper
+from viscoroll import enums, paper
 
 
 def roll(ball, *, load=paper.LOAD, angular_speed=paper.ANGULAR_SPEED, nodes=500, order=500, radial=True):
@@ -18,8 +18,8 @@ def roll(ball, *, load=paper.LOAD, angular_speed=paper.ANGULAR_SPEED, nodes=500,
         load=load,
         angular_speed=angular_speed,
         mesh=vr.Mesh(nodes_per_revolution=nodes, max_order=order),
-        compliance=vr.Compliance.RADIAL if radial else vr.Compliance.VERTICAL,
-        curvature=vr.Curvature.PAPER,
+        compliance=enums.Compliance.RADIAL if radial else enums.Compliance.VERTICAL,
+        curvature=enums.Curvature.PAPER,
     )
 
 
@@ -123,7 +123,7 @@ def test_pressure_leans_to_the_leading_edge(thickness, angular_speed):
     # Compare with a program in plain NumPy on the same mesh, whose sums are truncated at 2e-7 of the torque.
     ball = coated_ball(thickness=thickness)
     mesh = vr.Mesh(nodes_per_revolution=200)
-    r = vr.solve(ball, load=100.0, angular_speed=angular_speed, mesh=mesh, curvature=vr.Curvature.PAPER)
+    r = vr.solve(ball, load=100.0, angular_speed=angular_speed, mesh=mesh, curvature=enums.Curvature.PAPER)
     torque, depth = steady(Table(ball_equations, 20e-3, ball.outer_radius, 200, 19), angular_speed, 100.0, 11, 9)
     assert torque > 0.0
     assert r.resisting_torque == pytest.approx(torque, rel=1e-6)
@@ -195,7 +195,7 @@ def test_rolling_always_dissipates_what_drives_it(load, speed, thickness, poisso
     material = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=order)
     ball = coated_ball(material, thickness=thickness, poisson_ratio=poisson_ratio, density=1000.0)
     r = roll(ball, load=load, angular_speed=speed, nodes=300, order=300, radial=False)
-    assert r.status is vr.Status.CONVERGED
+    assert r.status is enums.Status.CONVERGED
     assert min(r.resisting_torque, r.dissipated_power) > 0.0
     # The work at the surface is the loss in the layer, except for the rows of nodes at the edge: in 127 random cases
     # the largest difference was 0.73 / sqrt(nodes) for 80 to 350 nodes; with fewer nodes, the result warns.

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import viscoroll as vr
+from viscoroll import enums
 from viscoroll.rolling.sensitivity_picture import measured_range
 
 RUBBER = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.05)
@@ -17,13 +18,13 @@ HARD = vr.Layer(thickness=0.5e-3, shear_modulus=STIFF, poisson_ratio=0.45)
 BALL = vr.CoatedSphere(core_radius=20e-3, layers=[SOFT])
 MESH = vr.Mesh(nodes_per_revolution=400)
 LINE = vr.Mesh(nodes_per_revolution=2000)
-WHEEL = vr.CoatedWheel(core_radius=20e-3, layers=[SOFT], width=3e-3, sides=vr.Sides.FREE)
+WHEEL = vr.CoatedWheel(core_radius=20e-3, layers=[SOFT], width=3e-3, sides=enums.Sides.FREE)
 
 CASES = {
     "ball": (BALL, {"load": 50.0}),
     "two layers": (replace(BALL, layers=[HARD, SOFT]), {"load": 50.0}),
-    "vertical": (BALL, {"load": 50.0, "compliance": vr.Compliance.VERTICAL}),
-    "exact": (BALL, {"load": 50.0, "curvature": vr.Curvature.EXACT}),
+    "vertical": (BALL, {"load": 50.0, "compliance": enums.Compliance.VERTICAL}),
+    "exact": (BALL, {"load": 50.0, "curvature": enums.Curvature.EXACT}),
     "friction": (BALL, {"load": 50.0, "friction": 0.3}),
     "creepage": (BALL, {"load": 50.0, "friction": 0.3, "drive": vr.Drive(creepage=2e-3, lateral_creepage=1e-3)}),
     "full stick": (BALL, {"load": 50.0, "friction": math.inf}),
@@ -157,7 +158,7 @@ def test_what_tables_hold_was_measured():
 
 def test_only_solutions_have_derivatives():
     given = {"load": 50.0, "angular_speed": 5.0, "mesh": MESH, "friction": 0.3, "drive": vr.Drive(creepage=1e-3)}
-    flat = vr.solve(BALL, **given, slip_kinematics=vr.SlipKinematics.FLAT)
+    flat = vr.solve(BALL, **given, slip_kinematics=enums.SlipKinematics.FLAT)
     with pytest.raises(vr.ConvergenceError, match=r"max_pressure changes by .* when the same contact is solved again"):
         flat.sensitivity()
 

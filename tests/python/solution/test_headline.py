@@ -7,6 +7,7 @@ import warnings
 import numpy as np
 import pytest
 import viscoroll as vr
+from viscoroll import enums
 
 EXAMPLE = {"load": 100.0, "angular_speed": 0.2, "friction": 0.3, "mesh": vr.Mesh(nodes_per_revolution=200)}
 
@@ -64,7 +65,7 @@ def test_creepage_of_free_elastic_rolling(core_radius, thickness, load, friction
     ball = elastic_ball(core_radius, thickness)
     case = {"load": load, "angular_speed": 1.0, "friction": friction, "mesh": vr.Mesh(nodes_per_revolution=900)}
     radial = vr.solve(ball, **case)
-    full = vr.solve(ball, compliance=vr.Compliance.VERTICAL, **case)
+    full = vr.solve(ball, compliance=enums.Compliance.VERTICAL, **case)
     share = (radial.semi_axis_x / ball.outer_radius) ** 2
     assert radial.creepage == pytest.approx(full.creepage, abs=0.02 * share)
 
@@ -75,7 +76,7 @@ def test_a_coarse_mesh_is_a_warning(paper_ball):
     ) as caught:
         r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=60))
     assert caught[0].filename == __file__  # the warning points at the call, not into the package
-    assert list(r.warnings) == [vr.WarningKind.COARSE_MESH]
+    assert list(r.warnings) == [enums.WarningKind.COARSE_MESH]
     assert "warning" in repr(r)
     assert r.scalars()["warnings"] == "COARSE_MESH"
 
@@ -86,7 +87,7 @@ def test_an_open_balance_is_a_warning():
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     with pytest.warns(vr.ResultWarning, match=r"power balance is 0\.\d+ \(recommended: at most 0.05\), for a rolling"):
         r = vr.solve(ball, load=50.0, angular_speed=2.5, friction=0.3, mesh=vr.Mesh(nodes_per_revolution=400))
-    assert list(r.warnings) == [vr.WarningKind.POWER_BALANCE]
+    assert list(r.warnings) == [enums.WarningKind.POWER_BALANCE]
     assert r.power_balance_error > 0.05
 
 
@@ -114,7 +115,7 @@ def test_a_good_result_is_no_warning(paper_ball):
 def test_the_same_mesh_is_not_solved_twice():
     """A large contact on a solid ball needs fewer nodes than the minimum; twice the minimum may still be too few."""
     layer = vr.Layer(thickness=20e-3, shear_modulus=vr.KelvinVoigt(modulus=1e6, viscosity=1e5), poisson_ratio=0.5)
-    ball = vr.CoatedSphere(layers=[layer], inner_boundary=vr.InnerBoundary.SOLID)
+    ball = vr.CoatedSphere(layers=[layer], inner_boundary=enums.InnerBoundary.SOLID)
     r = vr.solve(ball, load=600.0, angular_speed=1.0, accuracy=0.4)
     nodes = [step.mesh.nodes_per_revolution for step in r.refinements]
     assert len(set(nodes)) == len(nodes) >= 2
@@ -150,7 +151,7 @@ def test_contacts_of_slow_materials_are_sized_by_what_rolls():
     r = vr.solve(slow_ball(6e4, 1e5), load=10.0, angular_speed=2.5, accuracy=0.05)
     across = np.count_nonzero(r.contact.any(axis=1))
     assert 20 <= across <= 100
-    assert r.status is vr.Status.CONVERGED
+    assert r.status is enums.Status.CONVERGED
 
 
 def test_a_study_counts_warnings(paper_ball):

@@ -20,7 +20,7 @@ def summed(result):
     forces = (tractions * (result.ball.outer_radius * result.mesh.spacing) ** 2).reshape(3, -1)
 
     def compliance(m, n):
-        return vr.surface_compliance(result.ball, result.angular_speed, m, n, curvature=result.curvature)
+        return vr.modal.surface_compliance(result.ball, result.angular_speed, m, n, curvature=result.curvature)
 
     orders = np.arange(1, result.mesh.nodes_per_revolution + 1)
     return power_of_orders(
@@ -32,7 +32,7 @@ def summed(result):
 def test_harmonics_are_those_of_all_orders(paper_ball, friction):
     """Orders up to 32 are summed singly, and samples represent the rest, for pressure alone and for three tractions."""
     result = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=COARSE, friction=friction)
-    spectrum, power = vr.loss_spectrum(result), summed(result)
+    spectrum, power = result.loss_spectrum(), summed(result)
     np.testing.assert_allclose(spectrum.power[:31], power[:31], rtol=2e-3)
     assert spectrum.power.sum() == pytest.approx(power.sum(), rel=1e-3)
 
@@ -40,7 +40,7 @@ def test_harmonics_are_those_of_all_orders(paper_ball, friction):
 def test_harmonics_add_up_to_the_power_of_the_core(paper_ball):
     """The core sums all orders on the mesh; the spectrum uses about a hundred, with an error of at most 0.1 %."""
     result = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=MESH)
-    spectrum = vr.loss_spectrum(result)
+    spectrum = result.loss_spectrum()
     assert spectrum.power.sum() == pytest.approx(result.bulk_power, rel=1e-3)
     assert spectrum.frequency[0] == 2.5
     assert (spectrum.power > 0.0).mean() > 0.95
@@ -49,7 +49,7 @@ def test_harmonics_add_up_to_the_power_of_the_core(paper_ball):
 def test_harmonics_with_friction(paper_ball):
     """Tractions along the surface contribute; the sum on the torus neglects the curvature in their directions."""
     result = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=MESH, friction=0.3)
-    assert vr.loss_spectrum(result).power.sum() == pytest.approx(result.bulk_power, rel=0.03)
+    assert result.loss_spectrum().power.sum() == pytest.approx(result.bulk_power, rel=0.03)
 
 
 def test_share_outside_a_table(rubber):

@@ -7,7 +7,7 @@ import pickle
 import numpy as np
 import pytest
 import viscoroll as vr
-from viscoroll import paper
+from viscoroll import enums, paper
 
 LOAD = np.linspace(10.0, 100.0, 10)
 THICKNESS = np.linspace(0.5e-3, 10e-3, 12)
@@ -32,9 +32,15 @@ def matched(x):
 
 
 LAWS = {
-    "power": (vr.fit_power_law, power, LOAD, {"a": 5e-5, "b": 1.42}, 2e-5),
-    "thickness": (vr.fit_thickness_law, saturating, THICKNESS, {"a": 0.06, "b": 61.0, "c": 0.835}, 1e-4),
-    "friction": (vr.fit_friction_law, matched, FRICTION, {"a_o": 11e-3, "b_o": 0.15, "c_o": 0.6, "c_i": 0.25}, 2e-5),
+    "power": (vr.studies.fit_power_law, power, LOAD, {"a": 5e-5, "b": 1.42}, 2e-5),
+    "thickness": (vr.studies.fit_thickness_law, saturating, THICKNESS, {"a": 0.06, "b": 61.0, "c": 0.835}, 1e-4),
+    "friction": (
+        vr.studies.fit_friction_law,
+        matched,
+        FRICTION,
+        {"a_o": 11e-3, "b_o": 0.15, "c_o": 0.6, "c_i": 0.25},
+        2e-5,
+    ),
 }
 
 
@@ -67,45 +73,45 @@ def test_intervals_hold_the_truth_as_often_as_they_say(fit, law, x, true, noise)
 
 def test_intervals_widen_with_confidence_and_print():
     torque = power(LOAD) * (1.0 + 1e-3 * np.cos(LOAD))
-    narrow, wide = (vr.fit_power_law(LOAD, torque, confidence=c).parameters["b"] for c in (0.5, 0.99))
+    narrow, wide = (vr.studies.fit_power_law(LOAD, torque, confidence=c).parameters["b"] for c in (0.5, 0.99))
     assert wide.lower < narrow.lower < narrow.value < narrow.upper < wide.upper
-    text = repr(vr.fit_power_law(LOAD, torque))
+    text = repr(vr.studies.fit_power_law(LOAD, torque))
     assert "T = a P^b (95% confidence" in text
     assert "N^(1-b) m" in text
 
 
 def test_fits_can_be_copied():
-    found = vr.fit_friction_law(FRICTION, matched(FRICTION))
+    found = vr.studies.fit_friction_law(FRICTION, matched(FRICTION))
     np.testing.assert_array_equal(pickle.loads(pickle.dumps(found)).predict(FRICTION), found.predict(FRICTION))
 
 
 def test_failed_points_are_left_out():
     torque = power(LOAD)
     torque[3] = np.nan
-    assert vr.fit_power_law(LOAD, torque).degrees_of_freedom == len(LOAD) - 3
-    assert vr.fit_power_law(LOAD, torque).parameters["b"].value == pytest.approx(1.42)
+    assert vr.studies.fit_power_law(LOAD, torque).degrees_of_freedom == len(LOAD) - 3
+    assert vr.studies.fit_power_law(LOAD, torque).parameters["b"].value == pytest.approx(1.42)
 
 
 def test_frictionless_torque_counts_as_exact():
     # Points at μ = 0 carry no information on the four parameters, and add no degrees of freedom.
-    found = vr.fit_friction_law(FRICTION, matched(FRICTION))
-    given = vr.fit_friction_law(FRICTION[1:], matched(FRICTION[1:]), frictionless_torque=matched(0.0))
+    found = vr.studies.fit_friction_law(FRICTION, matched(FRICTION))
+    given = vr.studies.fit_friction_law(FRICTION[1:], matched(FRICTION[1:]), frictionless_torque=matched(0.0))
     assert found.degrees_of_freedom == given.degrees_of_freedom == len(FRICTION) - 5
     assert found.predict(0.0) == pytest.approx(matched(0.0), rel=1e-12)
-    wider = vr.fit_friction_law(FRICTION, matched(FRICTION), boundary_layer_width=0.2)
+    wider = vr.studies.fit_friction_law(FRICTION, matched(FRICTION), boundary_layer_width=0.2)
     assert wider.parameters["c_i"].value == pytest.approx(0.5 * found.parameters["c_i"].value, rel=1e-6)
 
 
 def test_tables_3_and_4_of_the_paper():
     case = {
         "angular_speed": paper.ANGULAR_SPEED,
-        "compliance": vr.Compliance.RADIAL,
-        "curvature": vr.Curvature.PAPER,
+        "compliance": enums.Compliance.RADIAL,
+        "curvature": enums.Curvature.PAPER,
         "mesh": vr.Mesh(nodes_per_revolution=500, max_order=750),
         "progress": False,
     }
     study = vr.sweep(paper.ball, thickness=[1e-3, 5e-3], load=LOAD, **case)
-    thin, thick = (vr.fit_power_law(LOAD, torque) for torque in study.resisting_torque)
+    thin, thick = (vr.studies.fit_power_law(LOAD, torque) for torque in study.resisting_torque)
     # The columns of table 3 are swapped (docs/theory/misprints.md). Nodes at the edge of small contacts scatter our
     # torques, so our intervals are wider than the printed ones, with which they must overlap.
     assert thin.parameters["a"].lower < 2.321e-5
@@ -120,7 +126,7 @@ def test_tables_3_and_4_of_the_paper():
         return paper.ball(thickness=thickness, core_radius=21e-3 - thickness)
 
     study = vr.sweep(same_radius, thickness=np.linspace(1e-3, 10e-3, 10), load=[100.0], **case)
-    found = vr.fit_thickness_law(study.thickness, study.resisting_torque.sel(load=100.0))
+    found = vr.studies.fit_thickness_law(study.thickness, study.resisting_torque.sel(load=100.0))
     # Errors of b and c compensate each other, so the laws are compared and not the parameters: with table 4 at the
     # middle of its intervals, within the 1.5 % that these allow.
     printed = 0.0593 * np.tanh(61.3 * study.thickness**0.835)
@@ -132,26 +138,35 @@ def test_tables_3_and_4_of_the_paper():
     ("call", "message"),
     [
         (
-            lambda: vr.fit_power_law([1.0, 2.0], [1.0, 2.0]),
+            lambda: vr.studies.fit_power_law([1.0, 2.0], [1.0, 2.0]),
             r"more than 2 different values to determine the parameters, got 2",
         ),
-        (lambda: vr.fit_power_law([1.0, 2.0, 3.0], [1.0, 2.0]), r"torque must have the shape of load, \(3,\), got"),
-        (lambda: vr.fit_power_law([1.0, -2.0, 3.0], [1.0, 2.0, 3.0]), "load must be > 0 N, got -2"),
-        (lambda: vr.fit_power_law([1.0, 2.0, 3.0], [1.0, 0.0, 3.0]), "torque must be > 0 N m, got 0"),
-        (lambda: vr.fit_power_law([1.0, 2.0, 3.0], [1.0, np.inf, 3.0]), "torque must be > 0 N m, got inf"),
-        (lambda: vr.fit_power_law(LOAD, LOAD, confidence=95), r"confidence must be in \(0, 1\), got 95"),
-        (lambda: vr.fit_friction_law(FRICTION[1:], FRICTION[1:]), "frictionless_torque must be given if fric"),
-        (lambda: vr.fit_friction_law(-FRICTION, FRICTION + 1.0), "friction must be >= 0, got -0.01"),
         (
-            lambda: vr.fit_friction_law(FRICTION, FRICTION + 1.0, boundary_layer_width=0.0),
+            lambda: vr.studies.fit_power_law([1.0, 2.0, 3.0], [1.0, 2.0]),
+            r"torque must have the shape of load, \(3,\), got",
+        ),
+        (lambda: vr.studies.fit_power_law([1.0, -2.0, 3.0], [1.0, 2.0, 3.0]), "load must be > 0 N, got -2"),
+        (lambda: vr.studies.fit_power_law([1.0, 2.0, 3.0], [1.0, 0.0, 3.0]), "torque must be > 0 N m, got 0"),
+        (lambda: vr.studies.fit_power_law([1.0, 2.0, 3.0], [1.0, np.inf, 3.0]), "torque must be > 0 N m, got inf"),
+        (lambda: vr.studies.fit_power_law(LOAD, LOAD, confidence=95), r"confidence must be in \(0, 1\), got 95"),
+        (lambda: vr.studies.fit_friction_law(FRICTION[1:], FRICTION[1:]), "frictionless_torque must be given if fric"),
+        (lambda: vr.studies.fit_friction_law(-FRICTION, FRICTION + 1.0), "friction must be >= 0, got -0.01"),
+        (
+            lambda: vr.studies.fit_friction_law(FRICTION, FRICTION + 1.0, boundary_layer_width=0.0),
             "boundary_layer_width must be > 0, got 0.0",
         ),
         (
-            lambda: vr.fit_friction_law(FRICTION, FRICTION + 1.0, frictionless_torque=-1.0),
+            lambda: vr.studies.fit_friction_law(FRICTION, FRICTION + 1.0, frictionless_torque=-1.0),
             "frictionless_torque must be > 0 N m, got -1.0",
         ),
-        (lambda: vr.fit_friction_law(FRICTION, 0.0 * FRICTION + 1.0), "must determine all parameters of matched"),
-        (lambda: vr.fit_thickness_law(THICKNESS, 0.0 * THICKNESS + 1.0), "must determine all parameters of T = a tanh"),
+        (
+            lambda: vr.studies.fit_friction_law(FRICTION, 0.0 * FRICTION + 1.0),
+            "must determine all parameters of matched",
+        ),
+        (
+            lambda: vr.studies.fit_thickness_law(THICKNESS, 0.0 * THICKNESS + 1.0),
+            "must determine all parameters of T = a tanh",
+        ),
     ],
 )
 def test_bad_data(call, message):

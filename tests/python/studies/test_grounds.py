@@ -78,5 +78,5 @@ def test_a_study_of_grounds_is_written_for_other_programs():
     case = {"load": [10.0, 20.0], "angular_speed": [1.0, 2.0], "mesh": vr.Mesh(nodes_per_revolution=200)}
     study = vr.sweep(ball, on=belt, cover=[2e-3, 3e-3], progress=False, **case)
     with pytest.raises(ValueError, match="study must vary only load and angular_speed, got also cover"):
-        vr.dem(study, code="lammps")
-    assert "a ball on a plane" in vr.dem(study.isel(cover=0), code="lammps").text
+        vr.export.dem(study, code="lammps")
+    assert "a ball on a plane" in vr.export.dem(study.isel(cover=0), code="lammps").text

@@ -18,7 +18,7 @@ DRAWS = 20
 
 def drawn_material(seed, temperature):
     """Return draws of a rubber, from data with 3 % noise."""
-    curves = vr.superpose(measured(seed, Noise()), reference=REFERENCE).draws(DRAWS)
+    curves = vr.rheology.superpose(measured(seed, Noise()), reference=REFERENCE).draws(DRAWS)
     return curves.map(lambda curve: curve.series_at(temperature=temperature))
 
 
@@ -114,7 +114,7 @@ def test_draws_of_two_materials_go_together(material):
     with pytest.raises(
         ValueError, match="draws must be equally many for each parameter, got 20 for inner, 2 for outer"
     ):
-        width(inner=material, outer=vr.Draws(other.middle, other[:2]))
+        width(inner=material, outer=vr.materials.Draws(other.middle, other[:2]))
 
 
 def test_draws_of_a_mat(material):
@@ -145,13 +145,13 @@ def test_a_cache_keeps_draws(tmp_path, material, monkeypatch):
 
 def test_draws_that_fail_leave_no_interval(material):
     """The result remains, with a warning; an interval without the failed draws would be biased."""
-    soft = vr.Draws(material.middle, [material[0], vr.Elastic(modulus=1e3)])
+    soft = vr.materials.Draws(material.middle, [material[0], vr.Elastic(modulus=1e3)])
     with pytest.warns(vr.ResultWarning, match=r"among 1 points: .*1 NO_INTERVAL"):
         found = vr.sweep(roller, modulus=soft, draws="solve", **CASE)
     assert found.resisting_torque > 0.0
     assert "resisting_torque_lower" not in found
     assert found.error.item().startswith("draws: ValueError: load must be")
-    thick = vr.Draws(2e-3, [2e-3, 2.1e-3])
+    thick = vr.materials.Draws(2e-3, [2e-3, 2.1e-3])
     with pytest.warns(vr.ResultWarning, match="1 NO_INTERVAL"):
         found = vr.sweep(roller, modulus=material.middle, thickness=thick, **CASE)
     assert "draws must differ only in shear moduli for draws='linear'" in found.error.item()
@@ -160,7 +160,7 @@ def test_draws_that_fail_leave_no_interval(material):
 def test_draws_far_from_the_middle_are_no_first_order():
     """With draws ten times as soft and as stiff, the interval would include negative torques."""
     found_one = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.1)
-    far = vr.Draws(found_one, [vr.Elastic(modulus=3e5), vr.Elastic(modulus=3e7)])
+    far = vr.materials.Draws(found_one, [vr.Elastic(modulus=3e5), vr.Elastic(modulus=3e7)])
     with pytest.warns(vr.ResultWarning, match="1 NO_INTERVAL"):
         found = vr.sweep(roller, modulus=far, **CASE)
     assert "draws must change the penetration by at most 25% for draws='linear'" in found.error.item()
@@ -169,7 +169,7 @@ def test_draws_far_from_the_middle_are_no_first_order():
 
 def test_a_largest_pressure_at_the_edge_has_no_linear_interval():
     """If the material enters stiff, the first nodes have the largest pressure: at 50 °C, but not at 70 °C."""
-    draws = vr.superpose(measured(3, Noise()), reference=REFERENCE).draws(3)
+    draws = vr.rheology.superpose(measured(3, Noise()), reference=REFERENCE).draws(3)
     given = {"load": 30.0, "angular_speed": 3.0, "mesh": vr.Mesh(nodes_per_revolution=1500), "progress": False}
     found = vr.sweep(of_curve, curve=draws, temperature=[50.0, 70.0], **given)
     assert np.isnan(found.max_pressure_lower).values.tolist() == [True, False]
@@ -178,15 +178,15 @@ def test_a_largest_pressure_at_the_edge_has_no_linear_interval():
 
 def test_draws_of_anything_can_be_solved(material):
     """The thickness may vary as well if each draw is solved."""
-    thick = vr.Draws(2e-3, [1.9e-3, 2.1e-3])
+    thick = vr.materials.Draws(2e-3, [1.9e-3, 2.1e-3])
     found = vr.sweep(roller, modulus=material.middle, thickness=thick, draws="solve", **CASE)
     assert found.resisting_torque_lower < found.resisting_torque < found.resisting_torque_upper
 
 
 def test_draws_of_what_softens_are_solved(material):
-    network = vr.KrausNetwork(storage=1e6, loss=2e5, critical_strain=0.02)
-    filled = vr.Draws(material.middle, material[:2]).map(
-        lambda matrix: vr.SofteningModulus(matrix=matrix, network=network)
+    network = vr.materials.KrausNetwork(storage=1e6, loss=2e5, critical_strain=0.02)
+    filled = vr.materials.Draws(material.middle, material[:2]).map(
+        lambda matrix: vr.materials.SofteningModulus(matrix=matrix, network=network)
     )
     found = vr.sweep(roller, modulus=filled, draws="solve", **CASE)
     given = {name: value for name, value in CASE.items() if name != "progress"}
@@ -200,11 +200,11 @@ def test_bad_questions(material):
     with pytest.raises(ValueError, match=r"confidence must be in \(0, 1\), got 95"):
         vr.sweep(roller, modulus=material, confidence=95, **CASE)
     with pytest.raises(TypeError, match=r"load must be a real number, got .*2 draws of 20"):
-        vr.sweep(roller, modulus=material, **CASE | {"load": vr.Draws(20.0, [19.0, 21.0])})
+        vr.sweep(roller, modulus=material, **CASE | {"load": vr.materials.Draws(20.0, [19.0, 21.0])})
     with pytest.raises(TypeError, match="give its middle, or pass all draws to sweep"):
         roller(material)
-    network = vr.KrausNetwork(storage=1e6, loss=2e5, critical_strain=0.02)
-    filled = material.map(lambda matrix: vr.SofteningModulus(matrix=matrix, network=network))
+    network = vr.materials.KrausNetwork(storage=1e6, loss=2e5, critical_strain=0.02)
+    filled = material.map(lambda matrix: vr.materials.SofteningModulus(matrix=matrix, network=network))
     with pytest.raises(ValueError, match="draws must be 'solve' if layers soften with strain, got 'linear'"):
         vr.sweep(roller, modulus=filled, **CASE)
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from numpy.polynomial.chebyshev import chebval2d
+from viscoroll import enums
 
 LOAD, SPEED = (20.0, 200.0), (0.5, 8.0)
 
@@ -15,7 +16,7 @@ LOAD, SPEED = (20.0, 200.0), (0.5, 8.0)
 @pytest.fixture
 def surface():
     coefficients = np.random.default_rng(3).normal(size=(4, 3)) * 0.1 + [[-4.0, 0.5, 0.0]] + [[0.0]] * 4
-    return vr.RollingResistance(
+    return vr.studies.RollingResistance(
         load=LOAD, angular_speed=SPEED, radius=0.021, coefficients=coefficients, error=1e-3, largest_error=2e-3
     )
 
@@ -54,12 +55,12 @@ def test_outside_decides(surface):
     held = surface([0.0, 10.0, 400.0], 100.0, outside="hold")
     np.testing.assert_allclose(held, [0.0, *(surface([20.0, 200.0], 8.0) * [0.5, 2.0])], rtol=1e-14)
     with pytest.raises(ValueError, match="load must be >= 0 N, got -1"):
-        surface(-1.0, 1.0, outside=vr.Extrapolation.HOLD)
+        surface(-1.0, 1.0, outside=enums.Extrapolation.HOLD)
 
 
 def test_a_file_gives_the_same_numbers(surface, tmp_path):
     surface.save(tmp_path / "torque.json")
-    again = vr.RollingResistance.load_file(tmp_path / "torque.json")
+    again = vr.studies.RollingResistance.load_file(tmp_path / "torque.json")
     np.testing.assert_array_equal(again.coefficients, surface.coefficients)
     assert repr(again) == repr(surface)
     document = json.loads((tmp_path / "torque.json").read_text())
@@ -69,7 +70,7 @@ def test_a_file_gives_the_same_numbers(surface, tmp_path):
         with pytest.raises(
             ValueError, match=f"must contain a rolling resistance saved by viscoroll .*'{key}' is missing"
         ):
-            vr.RollingResistance.load_file(tmp_path / "less.json")
+            vr.studies.RollingResistance.load_file(tmp_path / "less.json")
     for other, message in (
         ("[1]", r"a JSON object, got \[1\]"),
         ("{", "Expecting property name"),
@@ -86,4 +87,4 @@ def test_a_file_gives_the_same_numbers(surface, tmp_path):
         with pytest.raises(
             ValueError, match=f"other.json must contain a rolling resistance saved by viscoroll .*{message}"
         ):
-            vr.RollingResistance.load_file(tmp_path / "other.json")
+            vr.studies.RollingResistance.load_file(tmp_path / "other.json")

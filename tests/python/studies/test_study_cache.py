@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 import xarray
-from viscoroll import paper
+from viscoroll import enums, paper
 from viscoroll.studies import run as running
 from viscoroll.studies.cache import point_store_path
 from viscoroll.studies.plan import plan_sweep
@@ -96,7 +96,7 @@ def test_points_are_known_by_all_their_inputs(tmp_path, rubber, solves):
 
     def count(ball, **changes):
         solves.clear()
-        case = {"load": [20.0], "compliance": vr.Compliance.VERTICAL, "cache": tmp_path / "study.nc"}
+        case = {"load": [20.0], "compliance": enums.Compliance.VERTICAL, "cache": tmp_path / "study.nc"}
         sweep(ball, **case | changes)
         return len(solves)
 
@@ -105,13 +105,13 @@ def test_points_are_known_by_all_their_inputs(tmp_path, rubber, solves):
     for changes in (
         {"friction": 0.1},
         {"friction": 0.1, "drive": vr.Drive(creepage=0.01)},
-        {"compliance": vr.Compliance.RADIAL},
+        {"compliance": enums.Compliance.RADIAL},
         {"mesh": vr.Mesh(nodes_per_revolution=102, max_order=51)},
         {"mesh": None, "accuracy": 0.1},
         {"mesh": None, "accuracy": 0.2},
         {"angular_speed": 2.4},
         {"max_iterations": 499},
-        {"patch_load": vr.PatchLoad.SPHERICAL},
+        {"patch_load": enums.PatchLoad.SPHERICAL},
     ):
         assert [count(paper.ball(), **changes) for _ in range(2)] == [1, 0]
     for ball in (paper.ball(density=900.0), paper.ball(thickness=1.1e-3), coated(rubber.complex_modulus)):

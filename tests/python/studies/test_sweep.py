@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 import xarray
-from viscoroll import paper
+from viscoroll import enums, paper
 from viscoroll.studies import run as running
 from viscoroll.studies.plan import plan_sweep
 
@@ -68,7 +68,7 @@ def test_every_point_equals_a_direct_solve():
 
 
 def test_units_and_provenance(tmp_path):
-    study = sweep(paper.ball, thickness=np.array([1e-3, 2e-3]), load=range(20, 60, 20), patch_load=vr.PatchLoad.FLAT)
+    study = sweep(paper.ball, thickness=np.array([1e-3, 2e-3]), load=range(20, 60, 20), patch_load=enums.PatchLoad.FLAT)
     units = {name: study[name].attrs.get("units") for name in ("thickness", "load", "angular_speed", "max_pressure")}
     assert units == {"thickness": "m", "load": "N", "angular_speed": "rad/s", "max_pressure": "Pa"}
     assert study.angular_speed == 2.5
@@ -92,7 +92,7 @@ def test_objects_can_be_dimensions(rubber):
         stuff=[0.02],
         shear_moduli=[(rubber,), (rubber, lambda w: rubber.complex_modulus(w))],
         mesh=[MESH, vr.Mesh(nodes_per_revolution=120, max_order=60)],
-        compliance=list(vr.Compliance),
+        compliance=list(enums.Compliance),
         drive=[vr.Drive(force=0.0), vr.Drive(torque=0.0)],
         friction=0.2,
         load=50.0,

@@ -23,7 +23,7 @@ RESULT = BALL + "result = vr.solve(ball, load=50.0, **case); result."
         ("tqdm", BALL + "vr.solve(ball, load=50.0, **case, progress=True)", "studies"),
         ("tqdm", BALL + "vr.sweep(ball, load=[50.0, 60.0], **case)", "studies"),
         ("netCDF4", SWEEP.format("study.nc"), "studies"),
-        ("scipy", "vr.fit_power_law([1.0, 2.0, 3.0], [1.0, 2.0, 3.1])", "studies"),
+        ("scipy", "vr.studies.fit_power_law([1.0, 2.0, 3.0], [1.0, 2.0, 3.1])", "studies"),
         ("scipy", FIGURE_4, "studies"),
         ("scipy", HEATING, "studies"),
         ("xarray", RESULT + "to_xarray()", "files"),

@@ -17,9 +17,9 @@ from specimens import command
 from viscoroll import paper
 from viscoroll._support.files import draft_of, save_picture
 from viscoroll.case import example_text
-from viscoroll.interior.files import save_interior
 from viscoroll.rheology import ShiftFactors
 from viscoroll.solution.files import FORMATS
+from viscoroll.solution.interior_files import save_interior
 
 resource = pytest.importorskip("resource")
 
@@ -49,7 +49,7 @@ def interior(result):
 
 
 def surface():
-    return vr.RollingResistance(
+    return vr.studies.RollingResistance(
         load=(1.0, 2.0),
         angular_speed=(1.0, 2.0),
         radius=0.02,
@@ -68,7 +68,7 @@ WRITERS = {
     "a.state": lambda result, path: vr.RollingState(np.zeros(1000)).save(path),
     "b.STATE": lambda result, path: vr.RollingState(np.zeros(1000)).save(path),
     "shift.csv": lambda result, path: FACTORS.save(path),
-    "input.lammps": lambda result, path: vr.dem(result, code="lammps").save(path),
+    "input.lammps": lambda result, path: vr.export.dem(result, code="lammps").save(path),
 }
 
 

@@ -8,10 +8,9 @@ from pathlib import Path
 import matplotlib.figure
 import pytest
 import viscoroll as vr
-from viscoroll import paper
+from viscoroll import enums, paper
 from viscoroll._support.pictures import Picture
 from viscoroll.case.compare import compare_torques
-from viscoroll.interior.picture import plot_loss, plot_temperature
 from viscoroll.studies.picture import plot_study
 
 MESH = vr.Mesh(nodes_per_revolution=64, max_order=96)
@@ -28,7 +27,7 @@ def result():
 
 @cache
 def heated(result):
-    return vr.temperature(result, conductivity=0.2, convection=10.0, ambient=293.0)
+    return result.temperature(conductivity=0.2, convection=10.0, ambient=293.0)
 
 
 @cache
@@ -47,22 +46,22 @@ def comparison(result):
 
     names = ("ball", "load", "angular_speed", "friction", "drive", "mesh", "compliance", "curvature", "patch_load")
     given = {name: getattr(result, name) for name in names}
-    case = Case(**given, accuracy=None, slip_kinematics=vr.SlipKinematics.EXACT)
+    case = Case(**given, accuracy=None, slip_kinematics=enums.SlipKinematics.EXACT)
     return compare_torques(case, points=2)
 
 
 @cache
 def superposed():
-    data = vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
-    return vr.superpose(data.between(15.0, 65.0), reference=20.0)
+    data = vr.rheology.read_rheology(vr.rheology.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
+    return vr.rheology.superpose(data.between(15.0, 65.0), reference=20.0)
 
 
 @pytest.mark.parametrize(
     ("plot", "label"),
     [
         (lambda r, **o: r.plot(**o), "x [mm], rolling to the right"),
-        (lambda r, **o: plot_loss(r, **o), "across the track [mm]"),
-        (lambda r, **o: plot_temperature(heated(r), **o), "along the axis [mm]"),
+        (lambda r, **o: r.plot_loss(**o), "across the track [mm]"),
+        (lambda r, **o: heated(r).plot(**o), "along the axis [mm]"),
         (lambda r, **o: history(r).plot(**o), "time [s]"),
         (lambda r, **o: plot_study(study(r), **o), "load $P$ [N]"),
         (lambda r, **o: comparison(r).plot(**o), "rolling speed $Ω$ [rad/s]"),

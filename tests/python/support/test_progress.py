@@ -12,14 +12,14 @@ from viscoroll._support.progress import counted, reporting
 from viscoroll.case import example_text
 from viscoroll.case.compare import compare_torques
 from viscoroll.case.design import design_case
-from viscoroll.interior import SelfHeating
+from viscoroll.coupled import SelfHeating
 from viscoroll.reproduce import Runner
 
 MESH = vr.Mesh(nodes_per_revolution=400)
 CASE = {"load": 50.0, "angular_speed": 2.5, "mesh": MESH}
 SMALL = CASE | {"mesh": vr.Mesh(nodes_per_revolution=150, max_order=225)}
 COOLING = {"conductivity": 0.2, "convection": 10.0, "ambient": 293.15}
-SHIFT = vr.Arrhenius(activation_energy=60e3, reference_temperature=293.15)
+SHIFT = vr.materials.Arrhenius(activation_energy=60e3, reference_temperature=293.15)
 #: Long enough for a report every 20 ms.
 MOTION = {"time": [0.0, 0.8], "angle": [0.0, 2.0], "load": 50.0, "mesh": vr.Mesh(nodes_per_revolution=300)}
 
@@ -42,14 +42,14 @@ def result(ball):
     [
         lambda ball, _, **p: vr.solve(ball, **CASE, **p),
         lambda ball, _, **p: vr.RollingModel(ball, angular_speed=2.5, mesh=MESH, **p),
-        lambda ball, _, **p: vr.influence_tables(ball, angular_speed=2.5, mesh=MESH, reach=20, **p),
+        lambda ball, _, **p: vr.modal.influence_tables(ball, angular_speed=2.5, mesh=MESH, reach=20, **p),
         lambda *_, **p: vr.roll(paper.ball(), **MOTION, **p),
         lambda ball, _, **p: vr.sweep(ball, **CASE | {"load": [50.0, 60.0]}, **p),
         lambda *_, **p: vr.self_heating(paper.ball(), **SMALL, **COOLING, shift=SHIFT, points=4, **p),
         lambda _, result, **p: result.interior(depth=np.linspace(1e-5, 1e-3, 40), **p),
         lambda _, result, **p: result.loss(**p),
         lambda _, result, **p: result.bonds(**p),
-        lambda _, result, **p: vr.temperature(result, **COOLING, **p),
+        lambda _, result, **p: result.temperature(**COOLING, **p),
         lambda *_, **p: Runner(**p).map(abs, [1, 2]),
     ],
     ids=["solve", "model", "tables", "roll", "sweep", "heating", "interior", "loss", "bonds", "temperature", "runner"],

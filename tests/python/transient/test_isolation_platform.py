@@ -105,7 +105,7 @@ def test_small_swings_without_loss_are_a_pendulum_s():
 
 def test_by_steady_torque_energy_balances_too():
     page, platform = made()
-    surface = vr.RollingResistance(
+    surface = vr.studies.RollingResistance(
         load=(90.0, 110.0), angular_speed=(0.02, 20.0), radius=21e-3, coefficients=np.array([[-4.5, 0.2], [0.1, 0.0]]),
         error=0.0, largest_error=0.0,
     )  # fmt: skip

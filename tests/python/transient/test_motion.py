@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from specimens import coated_ball
-from viscoroll import paper
+from viscoroll import enums, paper
 
 BALL = paper.ball(density=0.0)
 COARSE = vr.Mesh(nodes_per_revolution=100)
@@ -23,7 +23,7 @@ BAD = [
     ({"time": [0.0], "angle": [0.0]}, "time must have at least two waypoints, got 1"),
     ({"lattices": 0}, r"lattices must be in \[1, 16\], got 0"),
     ({"steps_per_spacing": 0}, r"steps_per_spacing must be in \[1, 64\], got 0"),
-    ({"curvature": vr.Curvature.EXACT}, "curvature must be SPHERE or PAPER"),
+    ({"curvature": enums.Curvature.EXACT}, "curvature must be SPHERE or PAPER"),
     ({"friction": -0.3}, "friction must be >= 0, got -0.3"),
     ({"friction": 5.0}, "friction must be at most 4 .*, got 5"),
     ({"friction": np.inf}, "friction must be finite in transient rolling, .*, got inf"),
@@ -47,7 +47,7 @@ def test_bad_input(change, message):
 def test_kelvin_voigt_cannot_jump():
     ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1e5))
     with pytest.raises(ValueError, match=r"start must be RELAXED for a coating without instantaneous compliance"):
-        vr.roll(ball, **GOOD, start=vr.Start.FRESH)
+        vr.roll(ball, **GOOD, start=enums.Start.FRESH)
     jump = {"time": [0, 0.5, 0.5, 1], "angle": [0, 0.1, 0.1, 0.2], "load": [100, 100, 120, 120]}
     with pytest.raises(ValueError, match=r"time must be > the current time, 0.5 s, because a coating"):
         vr.roll(ball, **GOOD | jump)

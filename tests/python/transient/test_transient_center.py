@@ -11,7 +11,7 @@ import viscoroll as vr
 from scipy.integrate import trapezoid
 from scipy.optimize import root_scalar
 from specimens import coated_ball
-from viscoroll import paper
+from viscoroll import enums, paper
 
 BALL = paper.ball(density=0.0)
 RADIUS = 21e-3
@@ -29,7 +29,7 @@ def follow(time: np.ndarray, angle: np.ndarray, *, ball: vr.CoatedSphere = BALL,
 # --- mass -----------------------------------------------------------------------------------------------------------
 
 
-def pushed_stiffness(start: vr.Start, **given: object) -> float:
+def pushed_stiffness(start: enums.Start, **given: object) -> float:
     """Return the force per displacement of the center for a tiny push in a time too short for creep [N/m]."""
     h = follow(np.array([0.0, 1e-6]), np.zeros(2), start=start, center_way=[0.0, 1e-8], **given)
     return h.driving_force[-1] / 1e-8
@@ -48,7 +48,7 @@ def test_a_locked_ball_slides_to_a_halt(ball, retardation_time):
     """Sliding decelerates at μP/M for V₀M/(μP); then the ball sticks and swings by the energy stored in shear."""
     time = np.linspace(0.0, 0.15, 301)
     speed, mass, friction = 0.3, 10.0, 0.3
-    force, stiffness = friction * LOAD, pushed_stiffness(vr.Start.RELAXED, ball=ball, friction=friction)
+    force, stiffness = friction * LOAD, pushed_stiffness(enums.Start.RELAXED, ball=ball, friction=friction)
     h = follow(time, np.zeros_like(time), ball=ball, mass=mass, center_speed=speed, friction=friction)
     slows_down = force / mass
     sliding = (time > 0.02) & (time < 0.095)
@@ -76,7 +76,7 @@ def test_a_spinning_ball_catches_up():
     """Started at once, the ball slips and accelerates its mass by μP until the center reaches the speed of rolling."""
     omega, mass, friction = 0.5, 1000.0, 0.3
     time = np.linspace(0.0, 0.8, 161)
-    h = follow(time, omega * time, mass=mass, friction=friction, start=vr.Start.FRESH)
+    h = follow(time, omega * time, mass=mass, friction=friction, start=enums.Start.FRESH)
     grows = friction * LOAD / mass
     slipping = (time > 0.1) & (time < 0.3)
     np.testing.assert_array_equal(h.stick_share[slipping], 0.0)
@@ -96,7 +96,7 @@ def test_a_spinning_ball_catches_up():
     # Hertz's pressure on Mindlin's half-space, and 0.9 for (1 - r²/a²)² on a foundation of springs; the thin
     # incompressible coating is between them.
     delay = 0.3 - np.interp(0.3, time, h.center_speed) / grows
-    shear = friction * LOAD / pushed_stiffness(vr.Start.FRESH, friction=friction)
+    shear = friction * LOAD / pushed_stiffness(enums.Start.FRESH, friction=friction)
     assert 0.6 < delay / (shear / (omega * RADIUS)) < 0.9
     assert h.center_speed[-1] == pytest.approx(omega * RADIUS, rel=0.05)
     # The momentum is the impulse of all forces, by the trapezoidal rule.
@@ -106,8 +106,8 @@ def test_a_spinning_ball_catches_up():
 
 def test_a_light_center_rolls_freely():
     time = np.linspace(0.0, 0.3, 31)
-    light = follow(time, time, mass=1e-9, start=vr.Start.FRESH)
-    none = follow(time, time, start=vr.Start.FRESH)
+    light = follow(time, time, mass=1e-9, start=enums.Start.FRESH)
+    none = follow(time, time, start=enums.Start.FRESH)
     np.testing.assert_allclose(light.center_way, none.center_way, rtol=0, atol=1e-9 * none.center_way[-1])
     np.testing.assert_allclose(light.driving_torque, none.driving_torque, rtol=0, atol=1e-7 * none.driving_torque.max())
     # The speed follows to second order from the displacements of the last steps; a mean over one step is of first
@@ -169,7 +169,7 @@ def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
     mass, speed = 1e4, 1.0 * RADIUS
     mesh = vr.Mesh(nodes_per_revolution=150)
     stepper = vr.RollingHistory(
-        BALL, load=LOAD, start=vr.Start.FRESH, mesh=mesh, friction=0.3, mass=mass, center_speed=speed,
+        BALL, load=LOAD, start=enums.Start.FRESH, mesh=mesh, friction=0.3, mass=mass, center_speed=speed,
         lattices=4, steps_per_spacing=None, threads=1,
     )  # fmt: skip
     step = 0.5 * mesh.spacing * RADIUS / speed
@@ -209,7 +209,7 @@ def test_a_given_way_ends_in_the_steady_state_of_that_creepage(creepage):
         BALL, load=LOAD, angular_speed=0.2, friction=0.3, mesh=mesh, drive=vr.Drive(creepage=creepage), threads=1
     )
     angle = np.arange(31) * mesh.spacing
-    h = follow(angle / 0.2, angle, mesh=mesh, center_way=(1.0 + creepage) * RADIUS * angle, start=vr.Start.FRESH)
+    h = follow(angle / 0.2, angle, mesh=mesh, center_way=(1.0 + creepage) * RADIUS * angle, start=enums.Start.FRESH)
     assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=0.01)
     assert h.driving_force[-1] == pytest.approx(steady.driving_force, rel=0.01)
     np.testing.assert_allclose(h.creepage[1:], creepage, atol=1e-12)
@@ -219,7 +219,7 @@ def test_a_given_way_ends_in_the_steady_state_of_that_creepage(creepage):
 # --- lift-off --------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("compliance", list(vr.Compliance))
+@pytest.mark.parametrize("compliance", list(enums.Compliance))
 def test_a_lifted_ball_forgets(compliance):
     """Off the plane, no work is done, so the ball dissipates its stored energy; pressed again, it is fresh."""
     given = {"friction": 0.0, "compliance": compliance, "lattices": 2}
@@ -233,7 +233,7 @@ def test_a_lifted_ball_forgets(compliance):
     assert stored[0] > 1e-4  # J
     assert stored[-1] < 1e-30
     fresh = vr.RollingHistory(
-        BALL, load=LOAD, start=vr.Start.FRESH, mesh=COARSE, compliance=compliance, lattices=2, angle=0.1
+        BALL, load=LOAD, start=enums.Start.FRESH, mesh=COARSE, compliance=compliance, lattices=2, angle=0.1
     )
     assert h.penetration[-1] == pytest.approx(fresh.now.penetration, rel=1e-9)
     assert h.penetration[4] == pytest.approx(0.0, abs=1.1e-5)  # the lowest node is at most half a spacing aside

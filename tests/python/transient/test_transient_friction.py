@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from specimens import one_layer
-from viscoroll import paper
+from viscoroll import enums, paper
 
 MILLI = 1e3
 BALL = paper.ball(density=0.0)
@@ -24,7 +24,7 @@ THEIR_BARS = [0.2, 0.2, 0.15, 0.1]
 
 def starting_torques(nodes: int, steps_per_spacing: int) -> np.ndarray:
     h = start(
-        0.2, 0.4, start=vr.Start.FRESH, compliance=vr.Compliance.VERTICAL, curvature=vr.Curvature.PAPER, friction=0.3,
+        0.2, 0.4, start="fresh", compliance="vertical", curvature="paper", friction=0.3,
         mesh=vr.Mesh(nodes_per_revolution=nodes), steps_per_spacing=steps_per_spacing,
     )  # fmt: skip
     return np.interp([0.05, 0.1, 0.2, 0.4], h.angle, h.resisting_torque * MILLI)
@@ -44,24 +44,26 @@ def test_friction_starts_as_it_should_on_a_fine_mesh():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("compliance", list(vr.Compliance))
+@pytest.mark.parametrize("compliance", list(enums.Compliance))
 @pytest.mark.parametrize("friction", [0.1, 0.3, 1.0])
 def test_friction_ends_in_the_steady_state(friction, compliance):
     mesh = vr.Mesh(nodes_per_revolution=500)
     given = {"load": 100.0, "compliance": compliance, "friction": friction, "mesh": mesh}
     steady = vr.solve(BALL, angular_speed=0.2, **given)
     angle = np.arange(41) * mesh.spacing
-    h = vr.roll(BALL, time=angle / 0.2, angle=angle, lattices=1, steps_per_spacing=None, start=vr.Start.FRESH, **given)
+    h = vr.roll(
+        BALL, time=angle / 0.2, angle=angle, lattices=1, steps_per_spacing=None, start=enums.Start.FRESH, **given
+    )
     # Whole nodes on the same mesh: slip and memory move from node to node, unlike in the steady solver.
     assert h.resisting_torque[-1] == pytest.approx(steady.resisting_torque, rel=3e-3)
     assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=3e-3)
     assert h.creepage[-1] == pytest.approx(steady.creepage, abs=3e-4)
 
 
-@pytest.mark.parametrize("compliance", list(vr.Compliance))
+@pytest.mark.parametrize("compliance", list(enums.Compliance))
 def test_energy_balance_with_friction(compliance):
     h = vr.roll(
-        BALL, time=[0.0, 1.0, 1.5, 2.0], angle=[0.0, 0.3, 0.3, 0.2], load=100.0, start=vr.Start.FRESH, friction=0.3,
+        BALL, time=[0.0, 1.0, 1.5, 2.0], angle=[0.0, 0.3, 0.3, 0.2], load=100.0, start=enums.Start.FRESH, friction=0.3,
         compliance=compliance, mesh=vr.Mesh(nodes_per_revolution=200), lattices=1,
     )  # fmt: skip
     assert h.slip_energy[-1] > 0.0
@@ -93,7 +95,7 @@ def test_a_roller_is_pressed_with_little_friction(load, nodes, lattices):
     assert abs(pressed.now.driving_force) < 1e-9 * load
 
 
-@pytest.mark.parametrize("start", vr.Start)
+@pytest.mark.parametrize("start", enums.Start)
 def test_a_center_stays_where_a_symmetric_contact_slips(start):
     """All nodes slip outwards, with the same forces for any displacement of the center below their slip."""
     rubber = one_layer(thickness=10e-3)
@@ -127,12 +129,12 @@ def test_a_force_on_the_center():
 UNSETTLED = {
     "the load changes at standstill": {
         "time": [0.0, 0.3, 0.8, 0.812], "angle": [0.0, 0.14, 0.14, 0.14], "load": [100.0, 196.0, 128.0, 175.0],
-        "friction": 0.01, "mesh": vr.Mesh(nodes_per_revolution=108), "start": vr.Start.RELAXED,
+        "friction": 0.01, "mesh": vr.Mesh(nodes_per_revolution=108), "start": enums.Start.RELAXED,
     },
     "fresh and fast": {
         "time": [0.0, 0.0173, 0.2234, 0.2778], "angle": [0.0, 0.06472, 0.09477, 0.09477],
         "load": [33.97, 18.83, 11.354, 34.25], "friction": 0.024, "mesh": vr.Mesh(nodes_per_revolution=124),
-        "start": vr.Start.FRESH,
+        "start": enums.Start.FRESH,
     },
 }  # fmt: skip
 
@@ -155,7 +157,7 @@ def test_random_motions_of_little_friction_settle(seed):
     time = np.cumsum([0.0, *10.0 ** draw.uniform(-2.0, 0.0, pieces)])
     angle = np.cumsum([0.0, *draw.uniform(-0.03, 0.1, pieces) * (draw.random(pieces) < 0.8)])
     load, friction = 10.0 ** draw.uniform(1.0, 2.3, pieces + 1), 10.0 ** draw.uniform(-2.5, 0.3)
-    mesh, start = vr.Mesh(nodes_per_revolution=int(draw.integers(100, 260))), list(vr.Start)[draw.integers(2)]
+    mesh, start = vr.Mesh(nodes_per_revolution=int(draw.integers(100, 260))), list(enums.Start)[draw.integers(2)]
     h = vr.roll(BALL, time=time, angle=angle, load=load, friction=friction, mesh=mesh, start=start, lattices=1)
     assert np.abs(h.driving_force).max() < 1e-9 * load.max(), "nothing pushes the center, to the tolerance"
 

@@ -11,13 +11,13 @@ import pytest
 import viscoroll as vr
 from scipy.integrate import trapezoid
 from specimens import RUBBER, one_layer
-from viscoroll import paper
+from viscoroll import enums, paper
 
 SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
 STEEL, BALL = vr.CoatedSphere(core_radius=21e-3), paper.ball(density=0.0)
 MAT, SOFT_MAT = (vr.CoatedPlane(layers=[one_layer(rubber)]) for rubber in (RUBBER, SOFTER))
 ROLLER = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)])
-TYRE = {"core_radius": 50e-3, "layers": ROLLER.layers, "width": 30e-3, "sides": vr.Sides.ENDLESS}
+TYRE = {"core_radius": 50e-3, "layers": ROLLER.layers, "width": 30e-3, "sides": enums.Sides.ENDLESS}
 WHEEL = vr.CoatedWheel(**TYRE, crown_radius=0.1)
 THICK_MAT = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=5e-3)])
 UNLIKE = [one_layer(SOFTER, thickness=0.5e-3), one_layer(thickness=0.5e-3)]
@@ -142,7 +142,9 @@ def test_a_term_split_in_two_is_the_same():
 def test_standing_follows_lee_and_radok():
     """While the contact grows, the approach is that of an elastic mat under the load ∫J dP, in units of G₀."""
     mesh = vr.Mesh(nodes_per_revolution=100)
-    h = vr.roll(STEEL, on=MAT, time=[0.0, 0.5], way=[0.0, 0.0], load=100.0, start=vr.Start.FRESH, mesh=mesh, lattices=1)
+    h = vr.roll(
+        STEEL, on=MAT, time=[0.0, 0.5], way=[0.0, 0.0], load=100.0, start=enums.Start.FRESH, mesh=mesh, lattices=1
+    )
     stiff = vr.CoatedPlane(layers=[one_layer(vr.Elastic(modulus=6e6))])
     for i in (0, len(h.time) // 2, -1):
         load = 100.0 * (2.0 - np.exp(-h.time[i] / 0.25))

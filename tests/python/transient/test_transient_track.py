@@ -12,7 +12,7 @@ import pytest
 import viscoroll as vr
 from scipy.integrate import trapezoid
 from specimens import RUBBER, one_layer
-from viscoroll import paper
+from viscoroll import enums, paper
 
 MILLI = 1e3
 STEEL = vr.CoatedSphere(core_radius=21e-3)
@@ -150,7 +150,7 @@ def test_a_lifted_ball_leaves_a_dent():
     """At load 0 there is no pressure, and the dent recovers; elsewhere, the plane is undeformed."""
     h = ride([0.0, 0.1, 0.1, 0.2, 0.2, 0.2], [0.0, 5e-3, 5e-3, 45e-3, 45e-3, 45e-3], load=[100, 100, 0, 0, 0, 100],
              lattices=1)  # fmt: skip
-    fresh = vr.RollingHistory(STEEL, on=MAT, load=100.0, start=vr.Start.FRESH, way=45e-3, mesh=MESH, lattices=1)
+    fresh = vr.RollingHistory(STEEL, on=MAT, load=100.0, start=enums.Start.FRESH, way=45e-3, mesh=MESH, lattices=1)
     assert h.resisting_torque[-2] == 0.0
     # A layer of 1 mm has no effect at a distance of 40 mm.
     assert h.penetration[-1] == pytest.approx(fresh.now.penetration, rel=1e-9)

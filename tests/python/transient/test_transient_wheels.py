@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from specimens import RUBBER, one_layer
-from viscoroll import analytic
+from viscoroll import analytic, enums
 from viscoroll.case.motion import load_motion
 
 SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
@@ -31,7 +31,7 @@ WHEELS = {
     "flat, of two like layers": (replace(FLAT, layers=TWO_LIKE), None, 300.0, 0.1),
     "flat, of two unlike layers": (replace(FLAT, layers=TWO_UNLIKE), None, 200.0, 0.1),
     "crowned, on a straight hub": (CROWNED, None, 300.0, 0.02),
-    "crowned, on a crowned hub": (replace(CROWNED, hub=vr.Hub.CROWNED), None, 300.0, 0.02),
+    "crowned, on a crowned hub": (replace(CROWNED, hub=enums.Hub.CROWNED), None, 300.0, 0.02),
     "crowned, of two unlike layers": (replace(CROWNED, layers=TWO_UNLIKE), None, 200.0, 0.02),
     "narrower than thick": (NARROW, None, 100.0, 0.3),
     "crowned on a mat": (CROWNED, MAT, 300.0, 0.01),
@@ -49,7 +49,7 @@ COARSE = vr.Mesh(nodes_per_revolution=100)
 
 
 def endless(body):
-    return replace(body, sides=vr.Sides.ENDLESS) if isinstance(body, vr.CoatedWheel) else body
+    return replace(body, sides=enums.Sides.ENDLESS) if isinstance(body, vr.CoatedWheel) else body
 
 
 def solved(body, on, **case):

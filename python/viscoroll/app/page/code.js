@@ -19,10 +19,10 @@ const MODULI = {
   fractional_zener: "FractionalZener",
   master_curve: "MasterCurve",
   loss_factor: "LossFactor",
-  softening: "SofteningModulus",
-  kraus: "KrausNetwork",
-  masing: "MasingNetwork",
-  strain_sweep: "StrainSweep",
+  softening: "materials.SofteningModulus",
+  kraus: "materials.KrausNetwork",
+  masing: "materials.MasingNetwork",
+  strain_sweep: "materials.StrainSweep",
 };
 
 const ROLLING_BODIES = ["ball", "cylinder", "wheel"];
@@ -76,14 +76,14 @@ function python(name, value) {
 /** A modulus from its table; data of data sheets and publications become calls of the functions that convert them. */
 function modulus({ type, ...table }) {
   if (type === "published") {
-    return `vr.example_material(${literal("", table.name)}).at(temperature=${literal("", table.temperature)})`;
+    return `vr.rheology.example_material(${literal("", table.name)}).at(temperature=${literal("", table.temperature)})`;
   }
   if (type !== "hardness") return call(MODULI[type], table);
   const scale = table.scale ? `, scale=${literal("", table.scale)}` : "";
-  const static_modulus = { raw: `vr.hardness_to_modulus(${literal("", table.hardness)}${scale}).value` };
+  const static_modulus = { raw: `vr.rheology.hardness_to_modulus(${literal("", table.hardness)}${scale}).value` };
   if (table.rebound === undefined) return call("Elastic", { modulus: static_modulus });
   const { reference_frequency, decades } = table;
-  const loss_factor = { raw: `vr.rebound_to_loss_factor(${literal("", table.rebound)}).value` };
+  const loss_factor = { raw: `vr.rheology.rebound_to_loss_factor(${literal("", table.rebound)}).value` };
   return call("LossFactor", {
     modulus: static_modulus,
     loss_factor,

@@ -1,0 +1,331 @@
+"""Self-heating: steady states in which moduli and temperature depend on each other.
+
+The moduli of layer j are those at its temperature T_j, μ*(a_T(T_j) ω). The unknown is the mean temperature T̄, weighted
+by the loss. A given T̄ determines the moduli, and with them torque, loss and the rise ΔT. A steady state is a root of
+excess(T̄) = ambient + ΔT - T̄. The excess is a single-valued function of T̄, also near folds, so a sweep of T̄ finds
+every state. At a given T̄ the heat increases with speed and with load; there is thus one speed for a given load, and
+one load for a given speed. The cold state ends at the first maximum of either over T̄.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._support.arguments import as_float, as_int, as_kelvin, require_type
+from .._support.cautions import kept_in_results, warn
+from .._support.extras import extra
+from .._support.progress import ProgressLike, counted, reporting
+from .._support.tables import html_table, number_text
+from ..bodies import RollingBody
+from ..materials.shift import Shift
+from ..thermal.temperature import QUANTITIES, Core
+from .softening_result import Matching, as_matching
+from .steady_states import Fold, StateSearch, SteadyState
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+
+__all__ = ["SelfHeating", "self_heating"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class SelfHeating:
+    """All steady states of a load case, and the speeds and loads of others.
+
+    Attributes
+    ----------
+    states : tuple of SteadyState
+        States from cold to hot. If there are several, the initial state determines which one is reached; a cold start
+        leads to the coldest.
+    angular_speed : float
+        Angular speed Ω [rad/s].
+    limit : float
+        Highest mean temperature of the search [K].
+    """
+
+    states: tuple[SteadyState, ...]
+    angular_speed: float
+    limit: float
+    _search: StateSearch
+
+    def __repr__(self) -> str:
+        """Return the states, one per line."""
+        return "\n".join([f"SelfHeating at Ω = {self.angular_speed:g} rad/s:", *(f"  {s}" for s in self.states)])
+
+    def _repr_html_(self) -> str:
+        """Return the states with units, one per column, as a table for notebooks."""
+        rows = [
+            ("steady state", *("stable" if state.stable else "unstable" for state in self.states), ""),
+            ("mean temperature of the layers", *(number_text(state.mean_temperature) for state in self.states), "K"),
+            ("resisting torque T_r", *(number_text(state.result.resisting_torque) for state in self.states), "N m"),
+            *(
+                (text, *(number_text(getattr(state.temperature, name)) for state in self.states), unit)
+                for name, (unit, text) in QUANTITIES.items()
+            ),
+        ]
+        return html_table(f"Self-heating at Ω = {self.angular_speed:g} rad/s", rows)
+
+    def speeds(self, temperatures: Sequence[float], *, progress: ProgressLike = None) -> NDArray[np.float64]:
+        """Return the speeds at which given mean temperatures are steady states.
+
+        Parameters
+        ----------
+        temperatures : sequence of float
+            Mean temperatures [K], above that of the surroundings.
+        progress : bool or callable, optional
+            True shows a progress bar; a callable is called as progress(stage, fraction) after every temperature.
+
+        Returns
+        -------
+        ndarray
+            Angular speeds Ω [rad/s]. No speed above the largest of them has a state within these temperatures.
+        """
+        return self._at_all(temperatures, self._search.speed_at, progress)
+
+    def loads(self, temperatures: Sequence[float], *, progress: ProgressLike = None) -> NDArray[np.float64]:
+        """Return the loads at which given mean temperatures are steady states, at this speed.
+
+        Parameters
+        ----------
+        temperatures, progress
+            Same as in `speeds`.
+
+        Returns
+        -------
+        ndarray
+            Loads [N], for rollers [N/m].
+
+        Raises
+        ------
+        ValueError
+            If no load that the layers support gives a temperature.
+        """
+        return self._at_all(temperatures, self._search.load_at, progress)
+
+    def largest_load(self) -> Fold | None:
+        """Return the load at which the cold state ends, at this speed; above it the temperature runs away.
+
+        Returns
+        -------
+        Fold or None
+            None if the cold state does not end below the `limit`, or before the load exceeds what the layers support.
+        """
+        return self._search.fold("load")
+
+    def largest_speed(self) -> Fold | None:
+        """Return the speed at which the cold state ends, at this load; otherwise same as `largest_load`."""
+        return self._search.fold("speed")
+
+    def plot(self, *, points: int = 10) -> Figure:
+        """Draw the mean temperatures of the steady states over load and over speed, with the states of the given case.
+
+        The cold state ends at the first maximum of load or speed.
+
+        Parameters
+        ----------
+        points : int, default 10
+            Number of points of each curve; each point takes several contact solutions.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            New figure without a window.
+
+        Raises
+        ------
+        ImportError
+            If the extra `viscoroll[plot]` is missing.
+        """
+        from .folds_picture import plot_folds
+
+        return plot_folds(
+            self.states, self.limit, as_int("points", points), self._search.load_at, self._search.speed_at
+        )
+
+    @staticmethod
+    def _at_all(
+        temperatures: Sequence[float], found_at: Callable[[float], float], progress: ProgressLike
+    ) -> NDArray[np.float64]:
+        found = []
+        with counted(progress, total=len(temperatures), unit="temperature") as one_more:
+            for value in temperatures:
+                found.append(found_at(as_float("temperatures", value)))
+                one_more()
+        return np.array(found)
+
+
+def self_heating(
+    ball: RollingBody,
+    *,
+    load: float,
+    angular_speed: float,
+    convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]],
+    ambient: float,
+    shift: Shift | Sequence[Shift],
+    vertical_shift: Shift | None = None,
+    conductivity: float | Sequence[float] | None = None,
+    core: Core | str | float = Core.INSULATED,
+    core_temperature: float | None = None,
+    width: float | None = None,
+    side_convection: float | None = None,
+    hub_conductance: float | None = None,
+    limit: float | None = None,
+    softening: Matching = "network",
+    sublayers: int = 1,
+    points: int = 24,
+    progress: ProgressLike = None,
+    **options: Any,
+) -> SelfHeating:
+    """Find all steady states of temperature and torque.
+
+    Parameters
+    ----------
+    ball : CoatedSphere or CoatedCylinder or CoatedWheel
+        Rolling body, with moduli at the reference temperature of `shift`.
+    load, angular_speed : float
+        Load and angular speed, same as in `solve`.
+    convection, ambient, conductivity, core, core_temperature, width, side_convection, hub_conductance
+        Same as in `temperature`.
+    shift : callable or sequence of callable
+        Shift factor a_T as a function of temperature [K], for all layers or for each layer: `WilliamsLandelFerry`,
+        `Arrhenius` or any other.
+    vertical_shift : callable, optional
+        Factor b_T on all moduli as a function of temperature [K]; by default 1.
+    limit : float, optional
+        Highest mean temperature of the search [K], such as the highest that the material withstands; by default 150 K
+        above the surroundings.
+    softening : {"network", "harmonic"}, default "network"
+        Loss of the filler network in layers with a `SofteningModulus`, same as `loss` in `strain_softening`. `shift`
+        applies only to the matrix of such a modulus.
+    sublayers : int, default 1
+        Number of parts into which every layer is divided, in [1, 20]. Each part has its own temperature and strain
+        amplitude.
+    points : int, default 24
+        Number of mean temperatures in the sweep from the surroundings to the limit, in [4, 1000]. Between them, states
+        are found to 1e-3 of the rise. The sweep may miss two states that lie between two neighboring temperatures.
+    progress : bool or callable, optional
+        True shows a progress bar; a callable is called as progress(stage, fraction) after every temperature.
+    **options
+        Options of `solve`: friction, drive, accuracy, mesh, compliance, and so on.
+
+    Returns
+    -------
+    SelfHeating
+        All steady states, stable and unstable.
+
+    Raises
+    ------
+    ValueError
+        If an argument is invalid, or there is no steady state below the limit; the message contains the largest speed
+        that has one.
+    TypeError
+        If an argument has the wrong type.
+    ImportError
+        If the extra `viscoroll[studies]` is missing.
+
+    Warns
+    -----
+    ResultWarning
+        If there are several states.
+
+    Notes
+    -----
+    A state is stable if R dP/dT < 1: with temperature, the dissipated power increases more slowly than the heat that
+    leaves.
+
+    Examples
+    --------
+    >>> import viscoroll as vr
+    >>> from viscoroll import paper
+    >>> hot = vr.self_heating(
+    ...     paper.ball(), load=100.0, angular_speed=25.0, conductivity=0.2, convection=10.0, ambient=293.15,
+    ...     shift=vr.materials.Arrhenius(activation_energy=60e3, reference_temperature=293.15),
+    ...     mesh=vr.Mesh(nodes_per_revolution=400), points=6,
+    ... )
+    >>> [state.stable for state in hot.states]
+    [True]
+    """
+    with extra("studies"):  # before the first solve
+        from scipy.optimize import brentq
+
+    require_type("ball", ball, RollingBody)
+    shifts = _shifts(ball, shift)
+    parts = as_int("sublayers", sublayers)
+    count = as_int("points", points)
+    if not 1 <= parts <= 20:
+        raise ValueError(f"sublayers must be in [1, 20], got {parts}")
+    if not 4 <= count <= 1000:
+        raise ValueError(f"points must be in [4, 1000], got {count}")
+    surroundings = as_kelvin("ambient", ambient)
+    highest = surroundings + 150.0 if limit is None else as_float("limit", limit)
+    if not highest > surroundings:
+        raise ValueError(f"limit must be > ambient = {surroundings:g} K, got {highest:g} K")
+    search = StateSearch(
+        ball=_cut(ball, parts),
+        shifts=[each for each in shifts for _ in range(parts)],
+        vertical=vertical_shift,
+        load=as_float("load", load),
+        angular_speed=as_float("angular_speed", angular_speed),
+        softening=as_matching("softening", softening),
+        thermal={
+            "conductivity": _repeated(conductivity, parts),
+            "convection": convection,
+            "ambient": surroundings,
+            "core": core,
+            "core_temperature": core_temperature,
+            "width": width,
+            "side_convection": side_convection,
+            "hub_conductance": hub_conductance,
+        },
+        options=options,
+        ambient=surroundings,
+        limit=highest,
+        find_root=brentq,
+        known={},
+    )
+    with kept_in_results(), reporting(progress) as report:
+        brackets, exact = search.sweep(count, report)
+        states = tuple(search.state(*bracket) for bracket in brackets) + tuple(search.state(t, t) for t in exact)
+        if not states:
+            raise ValueError(search.refusal())
+    found = SelfHeating(states=states, angular_speed=search.angular_speed, limit=highest, _search=search)
+    if len(states) > 1:
+        temperatures = ", ".join(f"{s.mean_temperature:.1f} K ({'' if s.stable else 'un'}stable)" for s in states)
+        warn([f"{len(states)} steady states: {temperatures}; a cold start reaches the coldest"])
+    return found
+
+
+def _shifts(ball: RollingBody, shift: Shift | Sequence[Shift]) -> list[Shift]:
+    if callable(shift):
+        return [shift] * len(ball.layers)
+    try:
+        several = list(shift)
+    except TypeError:
+        raise TypeError("shift must be a function of temperature [K], or one for each layer") from None
+    if len(several) != len(ball.layers):
+        raise ValueError(f"shift must have one function for each of {len(ball.layers)} layers, got {len(several)}")
+    for each in several:
+        if not callable(each):
+            raise TypeError("shift must be a function of temperature [K], or one for each layer")
+    return several
+
+
+def _cut(ball: RollingBody, parts: int) -> RollingBody:
+    if parts == 1:
+        return ball
+    layers = [replace(layer, thickness=layer.thickness / parts) for layer in ball.layers for _ in range(parts)]
+    return replace(ball, layers=layers)
+
+
+def _repeated(conductivity: float | Sequence[float] | None, parts: int) -> float | list[float] | None:
+    if conductivity is None or np.ndim(conductivity) == 0:
+        return conductivity  # type: ignore[return-value]
+    return [value for value in conductivity for _ in range(parts)]  # type: ignore[union-attr]

@@ -1,0 +1,71 @@
+"""Pictures of strain softening: operating points on the curves of the network, and strain over the section."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._support.pictures import Picture, drawn
+from ..materials.networks import Network
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+
+__all__ = ["Work", "plot_softening"]
+
+_MM = 1e3
+_MPA = 1e-6
+_PERCENT = 100.0
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """Operating point of a network: its law, the amplitude of its moduli, and the largest amplitude [-]."""
+
+    network: Network
+    amplitude: float
+    largest: float
+
+
+def plot_softening(work: Sequence[Work], section: xarray.Dataset, ax: Axes | None = None) -> Picture | Axes:
+    """Draw the networks over strain, and the amplitude over the section; into given axes only the networks."""
+
+    def compose(picture: Picture) -> None:
+        left, right = picture.subplots(1, 2)
+        _draw_networks(left, work)
+        _draw_section(right, section)
+
+    return drawn(lambda axes: _draw_networks(axes, work), ax, figsize=(11.0, 4.5), compose=compose)
+
+
+def _draw_networks(axes: Axes, work: Sequence[Work]) -> None:
+    """Draw a pair of curves for each law, with dots for the layers and a line to their largest strain."""
+    strain = np.geomspace(0.1 * min(one.amplitude for one in work), 3.0 * max(one.largest for one in work), 200)
+    for number, network in enumerate(dict.fromkeys(one.network for one in work)):
+        for moduli, color, name in zip(network.at(strain), ("tab:blue", "tab:orange"), ("N'", "N''"), strict=True):
+            label = name if number == 0 else None
+            axes.plot(strain * _PERCENT, moduli * _MPA, color=color, label=label)
+    for one in work:
+        stored, lost = (float(part) * _MPA for part in one.network.at(one.amplitude))
+        axes.plot([one.amplitude * _PERCENT] * 2, [stored, lost], "ko")
+        axes.plot([one.amplitude * _PERCENT, one.largest * _PERCENT], [stored] * 2, color="k", linewidth=1.0)
+    axes.set(xscale="log", xlabel="amplitude of shear strain [%]", ylabel="modulus of the network [MPa]")
+    axes.set_ylim(bottom=0.0)
+    axes.legend()
+
+
+def _draw_section(axes: Axes, section: xarray.Dataset) -> None:
+    depth, values = section.depth * _MM, section.amplitude * _PERCENT
+    if section.sizes["theta"] == 1:
+        axes.plot(values[:, 0], depth, "o-", color="tab:red")
+        axes.set_xlabel("amplitude of shear strain [%]")
+    else:
+        image = axes.contourf(section.z * _MM, depth, values, levels=24, cmap="inferno")
+        axes.figure.colorbar(image, ax=axes, label="amplitude of shear strain [%]")
+        axes.set_xlabel("across the track [mm]")
+    axes.set_ylabel("depth [mm]")
+    axes.invert_yaxis()

@@ -1,0 +1,293 @@
+"""Steady states of self-heating, and the search for them and for their folds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from .._core import ConvergenceError
+from .._support.cautions import kept_in_results
+from .._support.progress import Report
+from ..bodies import RollingBody
+from ..materials.shift import Shift, scaled, shift_factor, shifted
+from ..rolling import solve
+from ..solution.loss import default_max_order
+from ..thermal.temperature import Temperature, temperature
+from .softening import strain_softening
+from .softening_result import Matching, StrainSoftening
+from .softening_search import softens
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from ..rolling import Result
+
+__all__ = ["Fold", "StateSearch", "SteadyState"]
+
+#: Orders divided by r_o/a that contain 0.999 of the loss, for the temperatures during the search.
+_ORDERS_PER_CONTACT = 12.0
+_PROFILE_STEPS = 4  # iterations of the differences between layer temperatures and their mean
+
+#: Smallest and largest rise, divided by that of the limit, and number of rises in the search for a maximum.
+_FOLD_RISES = (3e-3, 1.0, 16)
+_FOLD_REACH = 12  # largest number of steps by a factor of 2 from the given load or speed: a factor of 4000
+
+#: Largest number of such steps in the search for the load or speed of a steady state.
+_REACH = 60
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class SteadyState:
+    """Steady state of rolling and heating.
+
+    Attributes
+    ----------
+    mean_temperature : float
+        Temperature of the layers, weighted by the loss [K].
+    layer_temperatures : tuple of float
+        Temperature of each layer at which its modulus is taken [K]; with `sublayers`, of each part.
+    result : Result
+        Contact with these moduli.
+    temperature : Temperature
+        Temperature rise over the surroundings.
+    stable : bool
+        Whether a small increase in temperature decays.
+    softening : StrainSoftening or None
+        Strain and moduli of the layers that soften, if there are any.
+    """
+
+    mean_temperature: float
+    layer_temperatures: tuple[float, ...]
+    result: Result
+    temperature: Temperature
+    stable: bool
+    softening: StrainSoftening | None = None
+
+    def __repr__(self) -> str:
+        """Return a summary in one line."""
+        kind = "stable" if self.stable else "unstable"
+        torque = self.result.resisting_torque
+        shown = f"{torque:.4g} N" if self.result.ball.line_contact else f"{torque * 1e3:.4g} mN m"
+        return (
+            f"SteadyState({kind}, mean {self.mean_temperature:.2f} K, at most "
+            f"{self.temperature.ambient + self.temperature.maximum:.2f} K, T_r = {shown})"
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fold:
+    """Load or speed at which the cold state merges with an unstable one and ends.
+
+    Attributes
+    ----------
+    load : float
+        Load [N], for rollers [N/m].
+    angular_speed : float
+        Angular speed Ω [rad/s].
+    mean_temperature : float
+        Mean temperature of the layers, weighted by the loss [K].
+    maximum : float
+        Largest temperature in the layers [K].
+    strain : float
+        Penetration divided by thickness [-]; above 0.2 linear theory is rough.
+    """
+
+    load: float
+    angular_speed: float
+    mean_temperature: float
+    maximum: float
+    strain: float
+
+
+@dataclass(frozen=True, slots=True)
+class _Point:
+    """Solution with the moduli at a given mean temperature."""
+
+    excess: float
+    layer_temperatures: tuple[float, ...]
+    result: Result
+    temperature: Temperature
+    softening: StrainSoftening | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class StateSearch:
+    """Search for steady states; stores the solution at each mean temperature, speed and load."""
+
+    ball: RollingBody
+    shifts: list[Shift]
+    vertical: Shift | None
+    load: float
+    angular_speed: float
+    softening: Matching
+    thermal: dict[str, Any]
+    options: dict[str, Any]
+    ambient: float
+    limit: float
+    find_root: Callable[..., float]
+    known: dict[tuple[float, float, float], _Point]
+
+    def at(self, mean: float, *, angular_speed: float | None = None, load: float | None = None) -> _Point:
+        """Return contact and temperature with the moduli at a mean temperature; iterate the layer temperatures."""
+        speed = self.angular_speed if angular_speed is None else angular_speed
+        force = self.load if load is None else load
+        key = (mean, speed, force)
+        if key in self.known:
+            return self.known[key]
+        profile = np.zeros(len(self.ball.layers))
+        for _ in range(_PROFILE_STEPS if len(self.ball.layers) > 1 else 1):
+            temperatures = mean + profile
+            result, soft = self._solved(self._heated(temperatures), force, speed)
+            found = temperature(
+                result, of="ball", **self.thermal, max_order=default_max_order(result, _ORDERS_PER_CONTACT)
+            )
+            after = np.array(found.layer_means) - found.mean
+            settled = np.abs(after - profile).max() < 1e-3 * max(found.maximum, 1e-9)
+            profile = after
+            if settled:
+                break
+        point = _Point(self.ambient + found.mean - mean, tuple(temperatures.tolist()), result, found, soft)
+        self.known[key] = point
+        return point
+
+    def _solved(self, ball: RollingBody, load: float, speed: float) -> tuple[Result, StrainSoftening | None]:
+        """Return the contact with given moduli; for layers that soften, with those of its own strain."""
+        if not softens(ball, self.options.get("on")):
+            return solve(ball, load=load, angular_speed=speed, **self.options), None
+        soft = strain_softening(ball, load=load, angular_speed=speed, loss=self.softening, **self.options)
+        return soft.result, soft
+
+    def _heated(self, temperatures: NDArray[np.float64]) -> RollingBody:
+        layers = []
+        for layer, shift, there in zip(self.ball.layers, self.shifts, temperatures.tolist(), strict=True):
+            modulus = shifted(layer.shear_modulus, shift_factor(shift, there))
+            if self.vertical is not None:
+                modulus = scaled(modulus, shift_factor(self.vertical, there, "vertical_shift"))
+            layers.append(replace(layer, shear_modulus=modulus))
+        return replace(self.ball, layers=layers)
+
+    def sweep(self, count: int, report: Report | None) -> tuple[list[tuple[float, float]], list[float]]:
+        """Return pairs of mean temperatures between which the excess changes sign, and those at which it is 0."""
+        # Small rises are resolved relatively: the grid begins at a thousandth of the range.
+        rises = (self.limit - self.ambient) * np.geomspace(1e-3, 1.0, count)
+        grid = [self.ambient, *(self.ambient + rises).tolist()]
+        excess = []
+        for number, mean in enumerate(grid):
+            excess.append(self.at(mean).excess)
+            if report is not None:
+                report("temperatures", (number + 1) / len(grid))
+        grid, excess = self._with_turning_points(grid, excess)
+        pairs = zip(grid[:-1], grid[1:], excess[:-1], excess[1:], strict=True)
+        return (
+            [(low, high) for low, high, a, b in pairs if a * b < 0.0],
+            [mean for mean, value in zip(grid, excess, strict=True) if value == 0.0],
+        )
+
+    def _with_turning_points(self, grid: list[float], excess: list[float]) -> tuple[list[float], list[float]]:
+        """Add extrema of the excess near 0 between points of equal sign, where two states may lie."""
+        more: dict[float, float] = dict(zip(grid, excess, strict=True))
+        for i in range(1, len(grid) - 1):
+            before, here, after = excess[i - 1 : i + 2]
+            toward_zero = (here - before) * here < 0.0 and (after - here) * here > 0.0
+            if not toward_zero or before * here <= 0.0 or here * after <= 0.0:
+                continue
+            curve = np.polynomial.Polynomial.fit(grid[i - 1 : i + 2], [before, here, after], 2)
+            turn = float(curve.deriv().roots().real[0])
+            if abs(curve(turn)) < 0.3 * abs(here) or curve(turn) * here < 0.0:
+                more[turn] = self.at(turn).excess
+        ordered = sorted(more.items())
+        return [mean for mean, _ in ordered], [value for _, value in ordered]
+
+    def state(self, low: float, high: float) -> SteadyState:
+        """Return the steady state between two mean temperatures, to 1e-4 of the rise."""
+        ends = (low - self.ambient, high - self.ambient)
+        rise = self.find_root(lambda rise: self.at(self.ambient + rise).excess, *ends, xtol=1e-6, rtol=1e-4)
+        mean = self.ambient + rise
+        point = self.at(mean)
+        return SteadyState(
+            mean_temperature=mean,
+            layer_temperatures=point.layer_temperatures,
+            result=point.result,
+            temperature=point.temperature,
+            softening=point.softening,
+            stable=self.at(high).excess <= self.at(low).excess,
+        )
+
+    def speed_at(self, mean: float, *, near: float | None = None, reach: int = _REACH) -> float:
+        """Return the speed at which a mean temperature is steady; at a given temperature heat increases with speed."""
+        first = self.angular_speed if near is None else near
+        return self._where(mean, first, lambda speed: self.at(mean, angular_speed=speed), "speed", reach)
+
+    def load_at(self, mean: float, *, near: float | None = None, reach: int = _REACH) -> float:
+        """Return the load at which a mean temperature is steady; at a given temperature heat increases with load."""
+        first = self.load if near is None else near
+        return self._where(mean, first, lambda load: self.at(mean, load=load), "load", reach)
+
+    def _where(self, mean: float, first: float, at: Callable[[float], _Point], name: str, reach: int) -> float:
+        if not mean > self.ambient:
+            raise ValueError(f"temperatures must be > {self.ambient:g} K, got {mean:g} K")
+
+        def excess(logarithm: float) -> float:
+            return at(float(np.exp(logarithm))).excess
+
+        low = high = float(np.log(first))
+        warming = excess(low) > 0.0
+        for _ in range(reach):
+            low, high = (low - 0.7, low) if warming else (high, high + 0.7)
+            if (excess(low if warming else high) > 0.0) != warming:
+                return float(np.exp(self.find_root(excess, low, high, xtol=1e-4)))
+        raise ConvergenceError(f"no {name} has a steady state at {mean:g} K")
+
+    def fold(self, name: Literal["load", "speed"]) -> Fold | None:
+        """Return the first maximum, over mean temperatures, of the load or the speed at which they are steady."""
+        from scipy.optimize import minimize_scalar
+
+        rises: list[float] = []
+        values: list[float] = []
+
+        def found_at(mean: float) -> float:
+            near = values[-1] if values else None
+            return (self.load_at if name == "load" else self.speed_at)(mean, near=near, reach=_FOLD_REACH)
+
+        with kept_in_results():
+            for rise in (self.limit - self.ambient) * np.geomspace(*_FOLD_RISES):
+                try:
+                    values.append(found_at(self.ambient + rise))
+                except (ValueError, ConvergenceError):  # more than the layers support, or no speed gives this rise
+                    return None
+                rises.append(float(rise))
+                if len(values) > 2 and values[-2] >= max(values[-3], values[-1]):
+                    break
+            else:
+                return None
+            ends = (np.log(rises[-3]), np.log(rises[-1]))
+            best = minimize_scalar(
+                lambda x: -found_at(self.ambient + float(np.exp(x))),
+                bounds=ends,
+                method="bounded",
+                options={"xatol": 3e-3},
+            )
+            mean = self.ambient + float(np.exp(best.x))
+            load, speed = (-float(best.fun), self.angular_speed) if name == "load" else (self.load, -float(best.fun))
+            point = self.at(mean, load=load, angular_speed=speed)
+        return Fold(
+            load=load,
+            angular_speed=speed,
+            mean_temperature=mean,
+            maximum=self.ambient + point.temperature.maximum,
+            strain=point.result.strain or 0.0,
+        )
+
+    def refusal(self) -> str:
+        """Return the message that no state was found, with the largest speed that has one."""
+        rises = (self.limit - self.ambient) * np.geomspace(0.03, 1.0, 8)
+        speeds = [self.speed_at(self.ambient + rise) for rise in rises]
+        best = int(np.argmax(speeds))
+        return (
+            f"angular_speed must be at most about {speeds[best]:.3g} rad/s for a steady temperature below "
+            f"{self.limit:g} K ({self.ambient + rises[best]:.4g} K at that speed), got {self.angular_speed:g} rad/s: "
+            "rolling dissipates more heat than the surfaces remove"
+        )

@@ -1,0 +1,340 @@
+"""Thermal model of a ball, a roller, a wheel or a slab: conduction, heat transfer at the surfaces, and source."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, assert_never
+
+import numpy as np
+
+from .._core import InnerBoundary
+from .._support.arguments import as_not_negative, as_positive
+from .._support.text import shown
+from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
+from ..solution.inside import Inside, boundaries_of
+from ..solution.loss import contact_size
+from .conduction import Conduction
+from .heat_modes import (
+    HeatModes,
+    film_across,
+    film_matrix,
+    modes_of_ball,
+    modes_of_roller,
+    modes_of_slab,
+    modes_of_wheel,
+)
+from .surroundings import (
+    Core,
+    Surroundings,
+    conductivities_of,
+    even_film,
+    held_rise,
+    inner_coefficients,
+    refuse,
+    require_sink,
+)
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
+__all__ = ["HeatedBody", "heated_body"]
+
+#: Modes divided by r_o/a, with the contact's semi-axis a, along a ball or across a wheel: 1e-5 of the temperature.
+_DEGREES_PER_CONTACT = 15.0
+_MOST_DEGREES = 400
+
+#: Number of modes between side faces: those left out contain 1e-6 of the heat.
+_SIDE_MODES = 40
+_PLACES_ACROSS = 41
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class HeatedBody:
+    """Thermal model of a body, with the places along its surface at which temperatures are returned.
+
+    Attributes
+    ----------
+    inside : Inside
+        Body of the result.
+    conduction : Conduction
+        Heat conduction in its layers.
+    inner_rise : float
+        Rise of an inner surface at a given temperature [K].
+    along : str
+        Name of the coordinate along the surface, theta [rad] or z [m].
+    unit : str
+        Unit of heat: W, W/m for a roller without a width and for a track on a plane, W/m² for a belt.
+    power : float
+        Power dissipated in the body, in that unit.
+    project : callable
+        Function that converts the loss density [W/m³] along the surface to sources of the modes.
+    places : ndarray, optional
+        Places along the surface at which temperatures are returned; by default those of the loss.
+    """
+
+    inside: Inside
+    conduction: Conduction
+    inner_rise: float
+    along: str
+    unit: str
+    power: float
+    project: Callable[[xarray.Dataset], NDArray[np.float64]]
+    places: NDArray[np.float64] | None = None
+
+    def places_along(self, loss: xarray.Dataset) -> NDArray[np.float64]:
+        """Return the places along the surface, in the coordinate `along`."""
+        return loss[self.along].to_numpy() if self.places is None else self.places
+
+    def values(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the modes at places along the surface."""
+        return self.conduction.modes.values(np.cos(places) if self.along == "theta" else places)
+
+    def source(self, loss: xarray.Dataset) -> NDArray[np.float64]:
+        """Return q_j at the points of the layers, interpolated from the Gauss points of the loss in √depth."""
+        by_mode = self.project(loss)
+        source = np.empty((by_mode.shape[0], self.conduction.place.size))
+        bounds = boundaries_of(self.inside.body)
+        depths = loss.depth.to_numpy()
+        for number in range(len(bounds) - 1):
+            nodes = loss.place_layer.to_numpy() == number
+            points = self.conduction.layer == number
+            thickness = bounds[number + 1] - bounds[number]
+            top = float(self.inside.depth(bounds[number + 1]))
+            root = np.sqrt(np.clip((depths[nodes] - top) / thickness, 0.0, None))
+            wanted = np.sqrt(np.clip((bounds[number + 1] - self.conduction.place[points]) / thickness, 0.0, None))
+            source[:, points] = by_mode[:, nodes] @ _interpolation(root, wanted).T
+        heat = self.conduction.heat_of(source)
+        return source * (self.power / heat) if heat > 0.0 else source  # scaled to the power of all orders
+
+    def means(self, source: NDArray[np.float64], rises: NDArray[np.float64]) -> list[float]:
+        """Return the rise weighted by the loss, of all layers together and of each layer [K]."""
+        modes = self.conduction.modes
+        weights = self.conduction.volume_weights()
+        heated = weights * (modes.square @ (rises * source))
+        heat = weights * (modes.area @ source)
+        layers = self.conduction.layer
+        groups = [np.ones(layers.size, bool), *(layers == number for number in range(layers.max() + 1))]
+        return [float(heated[group].sum() / heat[group].sum()) if heat[group].sum() > 0.0 else 0.0 for group in groups]
+
+
+def heated_body(inside: Inside, given: Surroundings, conductivity: float | Sequence[float] | None) -> HeatedBody:
+    """Return the thermal model of a body of a result.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is invalid or does not apply to the body, or if no surface takes the heat.
+    """
+    if not np.isfinite(inside.thickness):
+        raise ValueError(
+            "result.on must have a finite thickness for a steady temperature, got a half-space: give a thick layer"
+        )
+    conductivities = conductivities_of(inside, conductivity)
+    match body := inside.body:
+        case CoatedSphere():
+            return _ball(inside, given, conductivities)
+        case CoatedCylinder():
+            return _roller(inside, given, conductivities)
+        case CoatedWheel():
+            return _wheel(inside, given, conductivities)
+        case CoatedPlane():
+            return _slab(inside, given, conductivities)
+        case _:
+            assert_never(body)
+
+
+def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+    refuse(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
+    ball = inside.body
+    assert isinstance(ball, CoatedSphere)
+    degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MOST_DEGREES)
+    if ball.inner_boundary is not InnerBoundary.RIGID and given.core is not Core.INSULATED:
+        raise ValueError(f"core must be INSULATED in a ball without a rigid core, got {shown(given.core)}")
+    rise = held_rise(given)
+    inner: NDArray[np.float64] | None
+    if isinstance(given.core, Core):
+        inner = None if given.core is Core.ISOTHERMAL else np.zeros(degrees)
+    else:
+        inner = (
+            as_positive("core", given.core, "W/(m K), or a viscoroll.enums.Core")
+            * np.arange(degrees, dtype=np.float64)
+            / ball.core_radius
+        )
+    film = film_matrix(given.convection, degrees) if callable(given.convection) else even_film(given)
+    require_sink(inside, film, inner is None)
+    modes = modes_of_ball(degrees)
+
+    def project(loss: xarray.Dataset) -> NDArray[np.float64]:
+        theta = loss.theta.to_numpy()
+        waves = modes.values(np.cos(theta)) * (theta[1] - theta[0])
+        degree = np.arange(degrees)[:, None] + 0.5
+        return np.asarray(degree * (waves @ loss.power_density.to_numpy().T))
+
+    return HeatedBody(
+        inside=inside,
+        conduction=Conduction(boundaries_of(ball).tolist(), conductivities, modes, film=film, inner=inner),
+        inner_rise=rise,
+        along="theta",
+        unit="W",
+        power=inside.bulk_power,
+        project=project,
+    )
+
+
+def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+    refuse(given, ("base_convection", "period"), "a roller")
+    width = None if given.width is None else as_positive("width", given.width, "m")
+    for name in ("side_convection", "hub_conductance"):
+        if width is None and getattr(given, name) is not None:
+            raise ValueError(f"width must be given with {name}, got none")
+    side = _side(given, conductivities)
+    modes = modes_of_roller(width, side / conductivities[0], _SIDE_MODES)
+    bounds = boundaries_of(inside.body)
+    inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
+    film = even_film(given)
+    require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    return HeatedBody(
+        inside=inside,
+        conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
+        inner_rise=held_rise(given),
+        along="z",
+        unit="W/m" if width is None else "W",
+        power=inside.bulk_power * (width or 1.0),
+        project=lambda loss: modes.unity[:, None] * loss.power_density.to_numpy()[:, 0],
+        places=np.zeros(1) if width is None else _across(width, modes),
+    )
+
+
+def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+    """Return the thermal model of a wheel, or of a roller under a wheel: the source varies across the section."""
+    assert isinstance(inside.body, CoatedWheel)
+    result = inside.result
+    if isinstance(result.on if inside.of == "counterpart" else result.ball, CoatedCylinder):
+        refuse(given, ("base_convection", "period"), "a roller")
+        if given.width is None:
+            raise ValueError("width must be given for a roller under a wheel: the width of the roller [m]")
+        width = as_positive("width", given.width, "m")
+    else:
+        refuse(given, ("width", "base_convection", "period"), "a wheel")
+        width = inside.body.width
+    side = _side(given, conductivities)
+    narrowest = 0.5 * result.contact_width if result.contact_width else contact_size(result)
+    wanted = int(_DEGREES_PER_CONTACT * width / (np.pi * narrowest))
+    modes = modes_of_wheel(width, side / conductivities[0], min(max(wanted, 2 * _SIDE_MODES), _MOST_DEGREES))
+    bounds = boundaries_of(inside.body)
+    inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * width)
+    film = (
+        film_across(given.convection, modes, width, inside.radius) if callable(given.convection) else even_film(given)
+    )
+    require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    points, weights = np.polynomial.legendre.leggauss(2 * modes.count)
+    z = 0.5 * width * points
+    # `square` contains the factor 2π of the circumference.
+    waves = np.pi * width * weights * modes.values(z) / modes.square[:, None]
+
+    def project(loss: xarray.Dataset) -> NDArray[np.float64]:
+        density = loss.power_density.to_numpy().T
+        return np.asarray(waves @ _between_nodes(loss.z.to_numpy()[::-1], density[::-1], z))
+
+    return HeatedBody(
+        inside=inside,
+        conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
+        inner_rise=held_rise(given),
+        along="z",
+        unit="W",
+        power=inside.bulk_power,
+        project=project,
+        places=_across(width, modes),
+    )
+
+
+def _across(width: float, modes: HeatModes) -> NDArray[np.float64]:
+    """Return places between the faces, dense enough to distinguish all modes."""
+    return np.linspace(-0.5 * width, 0.5 * width, max(_PLACES_ACROSS, 2 * modes.count + 1))
+
+
+def _side(given: Surroundings, conductivities: list[float]) -> float:
+    """Return the coefficient of convection at the side faces [W/(m² K)]."""
+    side = as_not_negative("side_convection", given.side_convection or 0.0, "W/(m^2 K)")
+    if side > 0.0 and len(set(conductivities)) > 1:
+        raise ValueError(f"conductivity must be the same in all layers if side faces are cooled, got {conductivities}")
+    return side
+
+
+def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+    refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
+    if given.period is None:
+        raise ValueError("period must be given for a plane: the time from one pass to the next [s]")
+    period = as_positive("period", given.period, "s")
+    result = inside.result
+    track = None if inside.line_contact else _between_tracks(inside)
+    degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(result)) + 2, _MOST_DEGREES)
+    modes = modes_of_slab(track, degrees)
+    base = (
+        None
+        if given.base_convection is None
+        else as_not_negative("base_convection", given.base_convection, "W/(m^2 K)")
+    )
+    if base is not None and given.core is not Core.INSULATED:
+        raise ValueError(f"core must be INSULATED with base_convection, got {shown(given.core)}")
+    inner = inner_coefficients(given, modes, lambda: 1.0) if base is None else np.full(modes.count, base)
+    film = even_film(given)
+    require_sink(inside, film, inner is None or bool(inner[0] > 0.0))
+
+    def project(loss: xarray.Dataset) -> NDArray[np.float64]:
+        density = loss.loss_density.to_numpy() / period
+        if track is None:
+            return np.asarray(density[:, 0][None, :])
+        z = loss.z.to_numpy()
+        waves = modes.values(z) * abs(z[1] - z[0])
+        return np.asarray((waves @ density.T) / modes.square[:, None])
+
+    return HeatedBody(
+        inside=inside,
+        conduction=Conduction(boundaries_of(inside.body).tolist(), conductivities, modes, film=film, inner=inner),
+        inner_rise=held_rise(given),
+        along="z",
+        unit="W/m²" if inside.line_contact else "W/m",
+        power=inside.bulk_power / (inside.passes * inside.radius * period),
+        project=project,
+    )
+
+
+def _between_tracks(inside: Inside) -> float:
+    """Return the distance between parallel tracks on a plane [m], a number of circumferences as in the loss."""
+    result = inside.result
+    width = result.ball.width if isinstance(result.ball, CoatedWheel) else 0.0
+    return 2.0 * np.pi * inside.radius * max(1, int(np.ceil(width / (np.pi * inside.radius))))
+
+
+def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the matrix of polynomial interpolation from nodes to points, by the barycentric formula."""
+    gaps = nodes[:, None] - nodes[None, :] + np.eye(nodes.size)
+    weights = 1.0 / np.prod(4.0 * gaps, axis=1)
+    offsets = points[:, None] - nodes[None, :]
+    hits = offsets == 0.0
+    terms = weights / np.where(hits, 1.0, offsets)
+    matrix: NDArray[np.float64] = terms / terms.sum(axis=1, keepdims=True)
+    matrix[hits.any(axis=1)] = hits[hits.any(axis=1)]
+    return matrix
+
+
+def _between_nodes(
+    nodes: NDArray[np.float64], values: NDArray[np.float64], places: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return values between equally spaced nodes, by cubic interpolation of four nodes; 0 beyond the nodes."""
+    offsets = (places - nodes[0]) / (nodes[1] - nodes[0])
+    first = np.clip(np.floor(offsets).astype(np.int_) - 1, 0, nodes.size - 4)
+    t = offsets - first
+    weights = np.stack(
+        [
+            -(t - 1) * (t - 2) * (t - 3) / 6,
+            t * (t - 2) * (t - 3) / 2,
+            -t * (t - 1) * (t - 3) / 2,
+            t * (t - 1) * (t - 2) / 6,
+        ]
+    )
+    there = (offsets >= 0.0) & (offsets <= nodes.size - 1.0)
+    return np.asarray(np.einsum("ip,ipd->pd", weights * there, values[first + np.arange(4)[:, None]]))
