@@ -38,7 +38,7 @@ void paper_example(benchmark::State& state, int nodes, int order, Compliance com
   Result result;
   for (auto _ : state) result = solve(sphere, cases::kRolling, options);
   state.counters["error"] = relative_error(result.resisting_torque, reference);
-  state.counters["power_balance_error"] = result.power_balance_error;
+  state.counters["energy_balance_error"] = result.energy_balance_error;
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
 }
 
@@ -62,7 +62,7 @@ void order_by_order(benchmark::State& state, const CoatedSphere& sphere, std::op
   const Options options{.mesh = Mesh{500, max_order}, .compliance = Compliance::vertical};
   Result result;
   for (auto _ : state) result = solve(sphere, cases::kRolling, options);
-  state.counters["error"] = result.power_balance_error;
+  state.counters["error"] = result.energy_balance_error;
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
 }
 
@@ -71,7 +71,7 @@ void order_by_order_to_accuracy(benchmark::State& state, const CoatedSphere& sph
                                 double accuracy) {
   Result result;
   for (auto _ : state) result = solve(sphere, {.load = 100.0, .angular_speed = angular_speed}, {.accuracy = accuracy});
-  state.counters["error"] = result.power_balance_error;
+  state.counters["error"] = result.energy_balance_error;
   count(result, state);
 }
 
@@ -92,7 +92,7 @@ void fine_friction(benchmark::State& state, int nodes) {
   const Options options{.mesh = Mesh{.nodes_per_revolution = nodes}};
   Result result;
   for (auto _ : state) result = solve(sphere, {.load = 100.0, .angular_speed = 0.2, .friction = 0.3}, options);
-  state.counters["error"] = result.power_balance_error;
+  state.counters["error"] = result.energy_balance_error;
   count(result, state);
 }
 
@@ -105,7 +105,7 @@ void to_accuracy(benchmark::State& state, double accuracy, Compliance compliance
         solve(sphere, cases::kRolling, {.accuracy = accuracy, .compliance = compliance, .curvature = Curvature::paper});
   }
   state.counters["error"] = relative_error(result.resisting_torque, reference);
-  state.counters["power_balance_error"] = result.power_balance_error;
+  state.counters["energy_balance_error"] = result.energy_balance_error;
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
 }
 
@@ -114,7 +114,7 @@ void kelvin_voigt(benchmark::State& state, double viscosity, const LoadCase& rol
   const CoatedSphere sphere = cases::kelvin_voigt(viscosity);
   Result result;
   for (auto _ : state) result = solve(sphere, rolling, {.accuracy = 1e-3, .compliance = compliance});
-  state.counters["error"] = result.power_balance_error;
+  state.counters["error"] = result.energy_balance_error;
   count(result, state);
 }
 
@@ -127,7 +127,7 @@ void friction(benchmark::State& state, double coefficient, int nodes) {
   for (auto _ : state) {
     result = solve(sphere, {.load = 100.0, .angular_speed = 0.2, .friction = coefficient}, options);
   }
-  state.counters["error"] = result.power_balance_error;
+  state.counters["error"] = result.energy_balance_error;
   count(result, state);
 }
 
@@ -142,7 +142,7 @@ void thick_coating(benchmark::State& state, Curvature curvature, int nodes, doub
     result = solve(sphere, {.load = 100.0, .angular_speed = 2.5, .friction = coefficient}, options);
   }
   state.counters["error"] = relative_error(result.driving_torque, reference);
-  state.counters["power_balance_error"] = result.power_balance_error;
+  state.counters["energy_balance_error"] = result.energy_balance_error;
   count(result, state);
 }
 
@@ -154,7 +154,7 @@ void friction_sweep(benchmark::State& state) {
     for (int i = 0; i < 16; ++i) {
       const double coefficient = 0.01 * std::pow(200.0, i / 15.0);
       const Result result = model.solve({.load = 100.0, .angular_speed = 0.2, .friction = coefficient});
-      error = std::max(error, result.power_balance_error);
+      error = std::max(error, result.energy_balance_error);
     }
   }
   state.counters["error"] = error;
@@ -204,8 +204,8 @@ void wheel(benchmark::State& state, Sides sides, std::optional<double> reference
     result = solve(cases::crowned_wheel(sides, number++), cases::kWheelRolling, {.accuracy = 0.01});
   }
   state.counters["error"] =
-      reference ? relative_error(result.resisting_torque, *reference) : result.power_balance_error;
-  state.counters["power_balance_error"] = result.power_balance_error;
+      reference ? relative_error(result.resisting_torque, *reference) : result.energy_balance_error;
+  state.counters["energy_balance_error"] = result.energy_balance_error;
   count(result, state);
 }
 
@@ -220,7 +220,7 @@ void wheel_next_load(benchmark::State& state, Sides sides) {
     rolling.load = 400.0 + 200.0 * std::fmod(0.618 * ++number, 1.0);
     result = solve(tread, rolling, {.accuracy = 0.01});
   }
-  state.counters["error"] = result.power_balance_error;
+  state.counters["error"] = result.energy_balance_error;
   count(result, state);
 }
 
@@ -232,7 +232,7 @@ void wheel_speeds(benchmark::State& state, Sides sides) {
     const CoatedWheel tread = cases::crowned_wheel(sides, number++);
     for (int i = 0; i < 20; ++i) {
       const LoadCase rolling{.load = 500.0, .angular_speed = 0.25 * std::pow(100.0, i / 19.0)};
-      error = std::max(error, solve(tread, rolling, {.accuracy = 0.01}).power_balance_error);
+      error = std::max(error, solve(tread, rolling, {.accuracy = 0.01}).energy_balance_error);
     }
   }
   state.counters["error"] = error;
@@ -285,7 +285,7 @@ void fields_inside_mat(benchmark::State& state) {
   const Options options{.mesh = Mesh{.nodes_per_revolution = 1600}};
   const Result result = solve(ball, mat, cases::kRolling, options);
   Tractions tractions = tractions_of(ball, result, cases::kRolling, options);
-  tractions.counterpart = true;
+  tractions.counterbody = true;
   fields_at_depths(state, mat, tractions, 0.0, -1e-3, 2.5, -7.40e6);
 }
 
@@ -309,12 +309,13 @@ void loss_inside(benchmark::State& state) {
 /// A revolution at 2.5 rad/s from a fresh start, without the time of the tables. The error is that of the steady
 /// torque, `kRadialTorque`, averaged over the last spacing; with friction, it is relative to the limit of meshes of
 /// 1600 and 3200 nodes per revolution.
-void revolution(benchmark::State& state, int nodes, int lattices, int threads, double friction = 0.0,
+void revolution(benchmark::State& state, int nodes, int averaged_meshes, int threads, double friction = 0.0,
                 double steady_torque = 11.3867e-3) {
   constexpr double kSpeed = 2.5;
   constexpr double kTurn = 6.283185307179586;
-  const RollingHistory fresh(cases::paper_sphere(), 100.0, Start::fresh,
-                             {.mesh = Mesh{nodes}, .friction = friction, .lattices = lattices, .threads = threads});
+  const RollingHistory fresh(
+      cases::paper_sphere(), 100.0, Start::fresh,
+      {.mesh = Mesh{nodes}, .friction = friction, .averaged_meshes = averaged_meshes, .threads = threads});
   double torque = 0.0;
   double steps = 0.0;
   for (auto _ : state) {
@@ -332,10 +333,10 @@ void revolution(benchmark::State& state, int nodes, int lattices, int threads, d
 /// The first `turn` [rad] of a body that has supported its load permanently, on one mesh and one thread, without the
 /// time of the tables. The error is that of the moment over the last spacing, relative to the steady moment of an
 /// independent program.
-void start_rolling(benchmark::State& state, const RollingBody& body, const Counterpart& on, const LoadCase& rolling,
+void start_rolling(benchmark::State& state, const RollingBody& body, const Counterbody& on, const LoadCase& rolling,
                    int nodes, double turn, double steady_moment) {
   const RollingHistory still(body, on, rolling.load, Start::relaxed,
-                             {.mesh = Mesh{nodes}, .friction = rolling.friction, .lattices = 1, .threads = 1});
+                             {.mesh = Mesh{nodes}, .friction = rolling.friction, .averaged_meshes = 1, .threads = 1});
   const Motion motion{
       .time = {0.0, turn / rolling.angular_speed}, .angle = {0.0, turn}, .load = {rolling.load, rolling.load}};
   double steps = 0.0;

@@ -1,6 +1,6 @@
 """One revolution of transient rolling from Python: python bench/revolution.py roll|advance NODES [--runs N].
 
-The history uses a single mesh (`lattices=1`) and one thread, and the time excludes its tables, as in the cases
+The history uses a single mesh (`averaged_meshes=1`) and one thread, and the time excludes its tables, as in the cases
 `revolution/..._one_lattice` of bench_solve. `roll` follows the motion in one call; `advance` calls
 `RollingHistory.advance` for each step, as an equation of motion does. The script prints CPU seconds, the error of the
 torque averaged over the last spacing, and milliseconds per step as JSON.
@@ -28,8 +28,13 @@ TORQUE = 11.3867e-3
 
 def by_roll(stepper: vr.RollingHistory, turn: float) -> list[float]:
     """Return the torques of the last steps of a motion that is followed in one call."""
-    knots = {"time": [0.0, turn / ANGULAR_SPEED], "angle": [0.0, turn], "load": [LOAD, LOAD], "center_way": []}
-    instants = stepper._history.roll(**knots, progress=None)
+    waypoints = {
+        "time": [0.0, turn / ANGULAR_SPEED],
+        "angle": [0.0, turn],
+        "load": [LOAD, LOAD],
+        "center_displacement": [],
+    }
+    instants = stepper._history.roll(**waypoints, progress=None)
     return instants.resisting_torque[-STEPS_PER_SPACING:].tolist()
 
 
@@ -54,7 +59,7 @@ def main() -> None:
         load=LOAD,
         start=enums.Start.FRESH,
         mesh=vr.Mesh(nodes_per_revolution=options.nodes),
-        lattices=1,
+        averaged_meshes=1,
         steps_per_spacing=STEPS_PER_SPACING,
         threads=1,
     )

@@ -45,7 +45,7 @@ def steady_states(thickness: float, speed: float) -> list[tuple[bool, float, flo
     rows = []
     for state in hot.states:
         r = state.result
-        spacing = r.ball.outer_radius * r.mesh.spacing
+        spacing = r.body.outer_radius * r.mesh.spacing
         inside = r.interior(depth=np.linspace(0.5 * spacing, thickness, 12))
         shear = float(inside.shear_traction.isel(depth=-1).max()) / 1e6
         tension = float(inside.principal_stress.sel(principal=1).max()) / 1e6

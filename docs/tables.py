@@ -39,7 +39,7 @@ def validation_table(path: Path) -> str:
     )
 
 
-def outside_tables(path: Path) -> dict[str, str]:
+def published_tables(path: Path) -> dict[str, str]:
     """Return a table for each published benchmark: published number, number of viscoroll, difference, test."""
 
     def difference(row: dict[str, str]) -> str:
@@ -110,7 +110,7 @@ def parts() -> dict[str, str]:
         "covered": of_the_readme("covered"),
         "signs": of_the_readme("signs"),
         "verdicts": (DOCS / "recorded" / "verdicts.md").read_text(encoding="utf-8"),
-        **{f"outside_{name}": text for name, text in outside_tables(DOCS / "judged-from-outside.toml").items()},
+        **{f"published_{name}": text for name, text in published_tables(DOCS / "published-results.toml").items()},
     }
 
 

@@ -35,7 +35,7 @@ elseif(viscoroll_FFT STREQUAL "PocketFFT")
     if(NOT PocketFFT_FOUND)
         message(
             FATAL_ERROR
-            "viscoroll was told to use PocketFFT and does not find its header, pocketfft_hdronly.h. Install one of\n"
+            "viscoroll is configured with PocketFFT and does not find its header, pocketfft_hdronly.h. Install one of\n"
             "  dnf install pocketfft-devel      (Fedora)\n"
             "  vcpkg install pocketfft          (Windows, and others)\n"
             "  python3 -m pip install --no-deps --target DIR pythran     (anywhere: a Python package that carries it)\n"

@@ -19,7 +19,7 @@ void Watch::poll(std::string_view stage, double fraction) {
   if (now - last_ < period) return;
   last_ = now;
   if (observer_.progress) observer_.progress({.stage = stage, .fraction = fraction});
-  if (observer_.cancelled && observer_.cancelled()) throw Cancelled();
+  if (observer_.cancelled && observer_.cancelled()) throw Canceled();
 }
 
 std::unique_lock<std::timed_mutex> lock_watched(std::timed_mutex& mutex, Watch& watch, std::string_view stage) {
@@ -63,7 +63,7 @@ void parallel_for(std::size_t count, int threads, Watch& watch, std::string_view
   const auto run = [&](std::size_t number) {
     const Worker worker{.number = number, .checkpoint = [&, number] {
                           if (number == 0) poll();
-                          if (stop) throw Cancelled();
+                          if (stop) throw Canceled();
                         }};
     guarded([&] {
       for (std::size_t index = next++; index < count && !stop; index = next++) {

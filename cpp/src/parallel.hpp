@@ -18,7 +18,7 @@ class Watch {
   explicit Watch(const Observer& observer) : observer_(observer) {}
 
   /// @brief Report the progress and check for cancellation, if 20 ms have passed since the last call.
-  /// @throws Cancelled if the observer canceled the computation
+  /// @throws Canceled if the observer canceled the computation
   void poll(std::string_view stage, double fraction);
 
  private:
@@ -28,7 +28,7 @@ class Watch {
 };
 
 /// @brief Lock a mutex that another thread may hold for a long time.
-/// @throws Cancelled if the observer cancels the computation meanwhile
+/// @throws Canceled if the observer cancels the computation meanwhile
 [[nodiscard]] std::unique_lock<std::timed_mutex> lock_watched(std::timed_mutex& mutex, Watch& watch,
                                                               std::string_view stage);
 

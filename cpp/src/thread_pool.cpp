@@ -39,7 +39,7 @@ class ThreadPool {
 
  private:
   /// Work that a caller offers to helpers. It lives on the caller's stack.
-  struct Offer {
+  struct SharedWork {
     const Work& work;
     std::size_t seats;        // number of helpers that may still join
     std::size_t number = 1;   // number of the next helper
@@ -53,7 +53,7 @@ class ThreadPool {
   std::mutex mutex_;  // protects all members and all offers
   std::condition_variable offered_;
   std::condition_variable left_;
-  std::deque<Offer*> offers_;  // offers with a free seat, the oldest first
+  std::deque<SharedWork*> offers_;  // offers with a free seat, the oldest first
   std::list<std::thread> threads_;
   std::list<std::thread> gone_;
   std::size_t idle_ = 0;  // threads that wait for offers
@@ -61,7 +61,7 @@ class ThreadPool {
 };
 
 void ThreadPool::run(std::size_t helpers, const Work& work, const std::function<void()>& waiting) {
-  Offer offer{.work = work, .seats = helpers};
+  SharedWork offer{.work = work, .seats = helpers};
   {
     const std::scoped_lock lock(mutex_);
     offers_.push_back(&offer);
@@ -84,7 +84,7 @@ void ThreadPool::run(std::size_t helpers, const Work& work, const std::function<
 /// the caller's, or `helpers` threads if that is more.
 void ThreadPool::grow(std::size_t helpers) {
   std::size_t seats = 0;
-  for (const Offer* offer : offers_) seats += offer->seats;
+  for (const SharedWork* offer : offers_) seats += offer->seats;
   const std::size_t most = std::max(helpers, static_cast<std::size_t>(core_count() - 1));
   while (!retiring_ && idle_ < seats && threads_.size() < most) {
     const auto self = threads_.emplace(threads_.end());
@@ -104,7 +104,7 @@ void ThreadPool::help(std::list<std::thread>::iterator self) {
     offered_.wait(lock, [&] { return retiring_ || !offers_.empty(); });
     --idle_;
     if (retiring_) break;
-    Offer& offer = *offers_.front();
+    SharedWork& offer = *offers_.front();
     const std::size_t number = offer.number++;
     if (--offer.seats == 0) offers_.pop_front();
     ++offer.working;
@@ -148,18 +148,18 @@ void ThreadPool::after_fork_in_child() {
 }
 
 /// Handlers that end all idle threads before the process forks and when the library is unloaded.
-struct Precautions {
-  Precautions() noexcept {
+struct ExitHandlers {
+  ExitHandlers() noexcept {
     the_pool();
     pthread_atfork([] { the_pool().before_fork(); }, [] { the_pool().after_fork_in_parent(); },
                    [] { the_pool().after_fork_in_child(); });
   }
-  ~Precautions() { the_pool().retire(); }
+  ~ExitHandlers() { the_pool().retire(); }
 };
 
 /// The handlers are installed when the library is loaded. If another thread installed them later while the process
 /// forks, the child would inherit an unfinished installation and wait for its end permanently.
-const Precautions kPrecautions;
+const ExitHandlers kPrecautions;
 #endif
 
 }  // namespace

@@ -65,7 +65,7 @@ class Platform:
         """Period of small oscillations without loss [s]."""
         return float(2.0 * np.pi * np.sqrt(self.length / GRAVITY))
 
-    def way(self, slope: float) -> float:
+    def distance(self, slope: float) -> float:
         """Travel of the contacts along their dishes at a slope [m].
 
         Raises
@@ -73,12 +73,12 @@ class Platform:
         ValueError
             If a contact would be beyond the rim.
         """
-        way = self.dish_radius * slope
-        if abs(way) > self.rim:
+        distance = self.dish_radius * slope
+        if abs(distance) > self.rim:
             raise ValueError(
-                f"way must be in [-{self.rim:g}, {self.rim:g}] m, within the rim of the dish, got {way:g} m"
+                f"distance must be in [-{self.rim:g}, {self.rim:g}] m, within the rim of the dish, got {distance:g} m"
             )
-        return way
+        return distance
 
     def load(self, slope: float, rate: float, shake: float) -> float:
         """Load on each contact [N], under the ground acceleration `shake` [m/s²]; 0 if the platform lifts off."""
@@ -139,8 +139,10 @@ def by_newmark(
     moment depends so weakly on θ'' that each iteration reduces the error of θ'' at least a hundredfold.
     """
     load = platform.load(slope, 0.0, ground[0])
-    start = platform.way(slope)
-    stepper = vr.RollingHistory(platform.ball, on=platform.dish, load=load, way=start, mesh=mesh, lattices=2)
+    start = platform.distance(slope)
+    stepper = vr.RollingHistory(
+        platform.ball, on=platform.dish, load=load, distance=start, mesh=mesh, averaged_meshes=2
+    )
     rate, acceleration = 0.0, platform.angular_acceleration(slope, ground[0], stepper.now.resisting_torque)
     rows = [(slope, rate, acceleration, stepper.now.resisting_torque, load)]
     for before, now, shake in zip(time[:-1], time[1:], ground[1:], strict=True):
@@ -150,7 +152,7 @@ def by_newmark(
             new_rate = rate + 0.5 * step * (acceleration + found)
             load = platform.load(new_slope, new_rate, shake)
             trial = copy.copy(stepper)
-            moment = trial.advance(time=now, way=platform.way(new_slope), load=load).resisting_torque
+            moment = trial.advance(time=now, distance=platform.distance(new_slope), load=load).resisting_torque
             change = platform.angular_acceleration(new_slope, shake, moment) - found
             found += change
         stepper, slope, rate, acceleration = trial, new_slope, new_rate, found
@@ -176,7 +178,7 @@ def by_solve_ivp(
     factor = 1.0 - platform.ball_radius / platform.dish_radius
 
     def moment(slope: float, rate: float, shake: float) -> float:
-        platform.way(slope)  # raises an error beyond the rim
+        platform.distance(slope)  # raises an error beyond the rim
         speed = platform.dish_radius * rate / platform.ball_radius
         return float(surface(platform.load(slope, rate, shake), speed, outside="hold")) / factor
 
@@ -206,9 +208,9 @@ def as_motion(
 
 def break_away(platform: Platform, dwell: float, mesh: vr.Mesh) -> float:
     """Largest force that moves the platform 10 mm away from the center after a rest of `dwell` seconds [N]."""
-    time, way = np.cumsum([0.0, 0.4, dwell, 0.2]), [-20e-3, 0.0, 0.0, 10e-3]
+    time, distance = np.cumsum([0.0, 0.4, dwell, 0.2]), [-20e-3, 0.0, 0.0, 10e-3]
     load = platform.mass * GRAVITY / platform.balls
-    h = vr.roll(platform.ball, on=platform.dish, time=time, way=way, load=load, mesh=mesh, lattices=2)
+    h = vr.roll(platform.ball, on=platform.dish, time=time, distance=distance, load=load, mesh=mesh, averaged_meshes=2)
     return float(platform.balls * h.resisting_torque[h.time > time[2]].max() / platform.ball_radius)
 
 

@@ -16,8 +16,8 @@ using cplx = std::complex<double>;
 Tractions make_tractions(const Mesh& mesh, double radius, std::optional<double> theta_spacing,
                          std::optional<double> crown_radius, bool line, const InputArray<double>& pressure,
                          const InputArray<double>& shear_traction, bool friction, Compliance compliance,
-                         Curvature curvature, PatchLoad patch_load, bool counterpart,
-                         std::array<double, 2> counterpart_curvature) {
+                         Curvature curvature, PatchLoad patch_load, bool counterbody,
+                         std::array<double, 2> counterbody_curvature) {
   if (pressure.ndim() != 2) throw py::value_error("pressure must have the dimensions phi and theta");
   const auto normal = view(pressure);
   const auto shear = view(shear_traction);
@@ -34,8 +34,8 @@ Tractions make_tractions(const Mesh& mesh, double radius, std::optional<double> 
           .compliance = compliance,
           .curvature = curvature,
           .patch_load = patch_load,
-          .counterpart = counterpart,
-          .counterpart_curvature = counterpart_curvature};
+          .counterbody = counterbody,
+          .counterbody_curvature = counterbody_curvature};
 }
 
 /// Return places from two arrays, the positions and the indices of the layers.
@@ -124,8 +124,8 @@ void bind_interior(py::module_& m) {
       .def(py::init(&make_tractions), py::kw_only(), py::arg("mesh"), py::arg("radius"),
            py::arg("theta_spacing").none(true), py::arg("crown_radius").none(true), py::arg("line"),
            py::arg("pressure").noconvert(), py::arg("shear_traction").noconvert(), py::arg("friction"),
-           py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"), py::arg("counterpart"),
-           py::arg("counterpart_curvature"));
+           py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"), py::arg("counterbody"),
+           py::arg("counterbody_curvature"));
 
   py::classh<LossDensity>(m, "LossDensity")
       .def_property_readonly("places", [](const LossDensity& loss) { return to_arrays(loss.places); })

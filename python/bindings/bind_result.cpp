@@ -88,7 +88,7 @@ void bind_result(py::module_& m) {
       .value("ACCURACY_NOT_REACHED", WarningKind::accuracy_not_reached,
              "the error estimate exceeds the requested accuracy")
       .value("COARSE_MESH", WarningKind::coarse_mesh, "a given mesh has few nodes across the contact")
-      .value("POWER_BALANCE", WarningKind::power_balance, "on a given mesh the power-balance error is large")
+      .value("POWER_BALANCE", WarningKind::power_balance, "on a given mesh the energy-balance error is large")
       .value("PRESSURE_PEAK", WarningKind::pressure_peak,
              "the error estimate of the largest pressure exceeds the accuracy, or 0.1 on a given mesh")
       .value("LARGE_STRAIN", WarningKind::large_strain, "the strain exceeds the range of linear theory")
@@ -106,7 +106,7 @@ void bind_result(py::module_& m) {
       .def_readonly("contact_nodes", &Refinement::contact_nodes)
       .def_readonly("resisting_torque", &Refinement::resisting_torque)
       .def_readonly("penetration", &Refinement::penetration)
-      .def_readonly("power_balance_error", &Refinement::power_balance_error)
+      .def_readonly("energy_balance_error", &Refinement::energy_balance_error)
       .def_readonly("error_estimate", &Refinement::error_estimate);
 
   bind_scalars(m);

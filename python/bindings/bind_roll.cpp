@@ -55,14 +55,14 @@ void bind_scalars(py::module_& m) {
 #undef VISCOROLL_HISTORY_SCALAR
 }
 
-RollingHistory make_history(const RollingBody& body, const Counterpart& on, double load, Start start,
+RollingHistory make_history(const RollingBody& body, const Counterbody& on, double load, Start start,
                             const HistoryOptions& options, double time, double angle, const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
   return {body, on, load, start, options, time, angle, observer};
 }
 
-RollingHistory restored_history(const RollingBody& body, const Counterpart& on, double load,
+RollingHistory restored_history(const RollingBody& body, const Counterbody& on, double load,
                                 const InputArray<double>& state, const HistoryOptions& options,
                                 const py::object& progress) {
   const auto values = view(state);
@@ -73,19 +73,22 @@ RollingHistory restored_history(const RollingBody& body, const Counterpart& on, 
 }
 
 InstantSeries roll_released(RollingHistory& history, std::vector<double> time, std::vector<double> angle,
-                            std::vector<double> load, std::vector<double> center_way, const py::object& progress) {
+                            std::vector<double> load, std::vector<double> center_displacement,
+                            const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
-  const Motion motion{
-      .time = std::move(time), .angle = std::move(angle), .load = std::move(load), .center_way = std::move(center_way)};
+  const Motion motion{.time = std::move(time),
+                      .angle = std::move(angle),
+                      .load = std::move(load),
+                      .center_displacement = std::move(center_displacement)};
   return {roll(history, motion, observer)};
 }
 
 void advance_released(RollingHistory& history, double time, double angle, double load,
-                      std::optional<double> center_way) {
+                      std::optional<double> center_displacement) {
   const Observer observer = python_observer(py::none());
   const py::gil_scoped_release release;
-  history.advance(time, angle, load, center_way, observer);
+  history.advance(time, angle, load, center_displacement, observer);
 }
 
 template <class T>
@@ -114,7 +117,7 @@ void bind_roll(py::module_& m) {
       .def_readwrite("driving_torque", &HistoryOptions::driving_torque)
       .def_readwrite("mass", &HistoryOptions::mass)
       .def_readwrite("center_speed", &HistoryOptions::center_speed)
-      .def_readwrite("lattices", &HistoryOptions::lattices)
+      .def_readwrite("averaged_meshes", &HistoryOptions::averaged_meshes)
       .def_readwrite("steps_per_spacing", &HistoryOptions::steps_per_spacing)
       .def_readwrite("shortest_time", &HistoryOptions::shortest_time)
       .def_readwrite("longest_time", &HistoryOptions::longest_time)
@@ -136,9 +139,9 @@ void bind_roll(py::module_& m) {
            py::arg("state").noconvert(), py::arg("options"), py::arg("progress").none(true))
       .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
       .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
-           py::arg("center_way").none(true))
+           py::arg("center_displacement").none(true))
       .def("roll", &roll_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
-           py::arg("center_way"), py::arg("progress").none(true))
+           py::arg("center_displacement"), py::arg("progress").none(true))
       .def("state",
            [](const RollingHistory& self) {
              const RollingState state = self.state();
@@ -153,11 +156,11 @@ void bind_roll(py::module_& m) {
   m.def(
       "check_motion",
       [](std::vector<double> time, std::vector<double> angle, std::vector<double> load,
-         std::vector<double> center_way) {
+         std::vector<double> center_displacement) {
         validate({.time = std::move(time),
                   .angle = std::move(angle),
                   .load = std::move(load),
-                  .center_way = std::move(center_way)});
+                  .center_displacement = std::move(center_displacement)});
       },
-      py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"), py::arg("center_way"));
+      py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"), py::arg("center_displacement"));
 }

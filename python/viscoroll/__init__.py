@@ -27,7 +27,7 @@ Bodies, materials and solvers are names of this package. Its modules contain the
 
 from . import analytic, coupled, enums, export, materials, modal, paper, rheology, rolling, studies, thermal
 from ._core import ConvergenceError, __version__
-from ._support.cautions import ResultWarning
+from ._support.result_warnings import ResultWarning
 from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Drive, Groove, HalfSpace, Layer, Mesh
 from .coupled import self_heating, strain_softening
 from .materials import (

@@ -191,13 +191,13 @@ class Refinement:
     @property
     def contact_nodes(self) -> int: ...
     @property
+    def energy_balance_error(self) -> float: ...
+    @property
     def error_estimate(self) -> float: ...
     @property
     def mesh(self) -> Mesh: ...
     @property
     def penetration(self) -> float | None: ...
-    @property
-    def power_balance_error(self) -> float: ...
     @property
     def resisting_torque(self) -> float: ...
 
@@ -240,7 +240,7 @@ class ResultScalars:
         contact width, across the path [m]. Distance between the outermost nodes in contact, including their patches. None in line contact.
         """
     @property
-    def counterpart_bulk_power(self) -> float:
+    def counterbody_bulk_power(self) -> float:
         """
         power dissipated in the counterbody [W]. Part of bulk_power.
         """
@@ -265,9 +265,14 @@ class ResultScalars:
         driving torque T [N m]. Moment of the contact forces about the center of the rolling body. Its power enters the power balance. On a rigid straight plane, the radial compliance gives T = T_r - Q H = Σ x p + Σ (y + u_y) t_x. The vertical compliance gives Σ (x + u_x) p + Σ (y + u_y) t_x, because its pressure also does work along the plane; the relative difference is of the order of the strain.
         """
     @property
+    def energy_balance_error(self) -> float:
+        """
+        relative energy-balance error [1]. |T Ω + Q V_s - dissipated_power|, relative to the larger of the two powers. The supplied power includes that of a lateral creepage and of a spin.
+        """
+    @property
     def error_estimate(self) -> float:
         """
-        relative error estimate [1]. On a given mesh, the power-balance error. Otherwise, the largest of this error and of the changes of penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
+        relative error estimate [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
         """
     @property
     def face_distance(self) -> float | None:
@@ -313,11 +318,6 @@ class ResultScalars:
     def penetration(self) -> float | None:
         """
         penetration r_o - H [m]. None in line contact if a body rests on a half-space: the penetration is then undetermined.
-        """
-    @property
-    def power_balance_error(self) -> float:
-        """
-        relative power-balance error [1]. |T Ω + Q V_s - dissipated_power|, relative to the larger of the two powers. The supplied power includes that of a lateral creepage and of a spin.
         """
     @property
     def residual(self) -> float:
@@ -487,8 +487,8 @@ class Tractions:
         compliance: Compliance,
         curvature: Curvature,
         patch_load: PatchLoad,
-        counterpart: bool,
-        counterpart_curvature: typing.Annotated[
+        counterbody: bool,
+        counterbody_curvature: typing.Annotated[
             collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(2)"
         ],
     ) -> None: ...
@@ -523,6 +523,10 @@ class HistoryOptions:
     mesh: Mesh | None
     def __init__(self) -> None: ...
     @property
+    def averaged_meshes(self) -> int: ...
+    @averaged_meshes.setter
+    def averaged_meshes(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None: ...
+    @property
     def center_speed(self) -> float: ...
     @center_speed.setter
     def center_speed(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
@@ -538,10 +542,6 @@ class HistoryOptions:
     def friction(self) -> float: ...
     @friction.setter
     def friction(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
-    @property
-    def lattices(self) -> int: ...
-    @lattices.setter
-    def lattices(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None: ...
     @property
     def longest_time(self) -> float: ...
     @longest_time.setter
@@ -574,14 +574,14 @@ class RollingInstant:
         angle turned ψ, positive forward [rad]. The contact moves r_o ψ along the track if nothing slips.
         """
     @property
+    def center_displacement(self) -> float:
+        """
+        displacement of the center since the start [m]. 0 without friction, where it is undetermined.
+        """
+    @property
     def center_speed(self) -> float:
         """
         speed of the center [m/s]. Without mass it is the mean over the previous step.
-        """
-    @property
-    def center_way(self) -> float:
-        """
-        displacement of the center since the start [m]. 0 without friction, where it is undetermined.
         """
     @property
     def contact_area(self) -> float:
@@ -589,12 +589,12 @@ class RollingInstant:
         contact area [m^2].
         """
     @property
-    def counterpart_dissipated_energy(self) -> float:
+    def counterbody_dissipated_energy(self) -> float:
         """
         energy dissipated in the counterbody since the start [J]. Part of `dissipated_energy`; includes the energy still stored where the track is no longer followed.
         """
     @property
-    def counterpart_stored_energy(self) -> float:
+    def counterbody_stored_energy(self) -> float:
         """
         energy stored in the counterbody [J]. Part of `stored_energy`.
         """
@@ -614,7 +614,7 @@ class RollingInstant:
         driving torque T [N m]. Moment of the contact forces about the center of the rolling body. On a rigid plane it does the work, and it equals T_r with the radial compliance. It is 0 for a rigid body on a deformable counterbody; if both deform, it is the share of the rolling body.
         """
     @property
-    def energy_imbalance(self) -> float:
+    def energy_balance_residual(self) -> float:
         """
         work minus stored and dissipated energy [J].
         """
@@ -686,14 +686,14 @@ class InstantSeries:
         angle turned ψ, positive forward [rad]. The contact moves r_o ψ along the track if nothing slips.
         """
     @property
+    def center_displacement(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        displacement of the center since the start [m]. 0 without friction, where it is undetermined.
+        """
+    @property
     def center_speed(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         speed of the center [m/s]. Without mass it is the mean over the previous step.
-        """
-    @property
-    def center_way(self) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        displacement of the center since the start [m]. 0 without friction, where it is undetermined.
         """
     @property
     def contact_area(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -701,12 +701,12 @@ class InstantSeries:
         contact area [m^2].
         """
     @property
-    def counterpart_dissipated_energy(self) -> numpy.typing.NDArray[numpy.float64]:
+    def counterbody_dissipated_energy(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         energy dissipated in the counterbody since the start [J]. Part of `dissipated_energy`; includes the energy still stored where the track is no longer followed.
         """
     @property
-    def counterpart_stored_energy(self) -> numpy.typing.NDArray[numpy.float64]:
+    def counterbody_stored_energy(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         energy stored in the counterbody [J]. Part of `stored_energy`.
         """
@@ -726,7 +726,7 @@ class InstantSeries:
         driving torque T [N m]. Moment of the contact forces about the center of the rolling body. On a rigid plane it does the work, and it equals T_r with the radial compliance. It is 0 for a rigid body on a deformable counterbody; if both deform, it is the share of the rolling body.
         """
     @property
-    def energy_imbalance(self) -> numpy.typing.NDArray[numpy.float64]:
+    def energy_balance_residual(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         work minus stored and dissipated energy [J].
         """
@@ -832,7 +832,7 @@ class RollingHistory:
         time: typing.SupportsFloat | typing.SupportsIndex,
         angle: typing.SupportsFloat | typing.SupportsIndex,
         load: typing.SupportsFloat | typing.SupportsIndex,
-        center_way: typing.SupportsFloat | typing.SupportsIndex | None,
+        center_displacement: typing.SupportsFloat | typing.SupportsIndex | None,
     ) -> None: ...
     def contact(self) -> ContactField: ...
     def copy(self) -> RollingHistory: ...
@@ -843,7 +843,7 @@ class RollingHistory:
         time: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-        center_way: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        center_displacement: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         progress: typing.Any,
     ) -> InstantSeries: ...
     def state(self) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -894,7 +894,7 @@ def check_motion(
     time: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-    center_way: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    center_displacement: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
 ) -> None: ...
 def complex_modulus(
     modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
@@ -999,7 +999,7 @@ def solve(
     threads: typing.SupportsInt | typing.SupportsIndex,
     progress: typing.Any,
 ) -> Result: ...
-def solve_kept(
+def solve_frozen(
     body: CoatedSphere | CoatedCylinder | CoatedWheel,
     on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
     *,

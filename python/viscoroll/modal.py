@@ -34,7 +34,7 @@ __all__ = [
 
 
 def surface_compliance(
-    ball: CoatedSphere | CoatedWheel,
+    body: CoatedSphere | CoatedWheel,
     angular_speed: float,
     m: ArrayLike,
     n: ArrayLike,
@@ -45,7 +45,7 @@ def surface_compliance(
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedWheel
+    body : CoatedSphere or CoatedWheel
         Ball with a rigid core and layers, or a wheel, whose tread is taken without side faces, with the curvature of
         its crown.
     angular_speed : float
@@ -82,16 +82,16 @@ def surface_compliance(
     >>> surface_compliance(ball, 1.0, [10, 20], 0).shape
     (2, 3, 3)
     """
-    require_type("ball", ball, CoatedSphere | CoatedWheel)
+    require_type("body", body, CoatedSphere | CoatedWheel)
     curvature = as_member("curvature", curvature, Curvature)
     speed, orders = as_float("angular_speed", angular_speed), as_orders("m", m)
-    if isinstance(ball, CoatedWheel):
+    if isinstance(body, CoatedWheel):
         orders, waves = _broadcast("m and n", orders, as_float_array("n", n))
-        compliance = _core.surface_compliance(ball._to_core(), _flat(orders), _flat(waves), angular_speed=speed)
+        compliance = _core.surface_compliance(body._to_core(), _flat(orders), _flat(waves), angular_speed=speed)
     else:
         orders, others = _broadcast("m and n", orders, as_orders("n", n))
         given = (_flat(orders), _flat(others))
-        compliance = _core.surface_compliance(ball._to_core(), *given, angular_speed=speed, curvature=curvature)
+        compliance = _core.surface_compliance(body._to_core(), *given, angular_speed=speed, curvature=curvature)
     return compliance.reshape(*orders.shape, 3, 3)
 
 
@@ -218,7 +218,7 @@ def centrifugal_displacement(ball: CoatedSphere, angular_speed: float) -> float:
 
 
 def critical_speed(
-    ball: RollingBody, *, highest_frequency: float = 1e9, curvature: Curvature | str = Curvature.SPHERE
+    body: RollingBody, *, highest_frequency: float = 1e9, curvature: Curvature | str = Curvature.SPHERE
 ) -> float:
     """Lowest rolling speed at which the coating radiates waves, above which the steady problem is no longer valid.
 
@@ -228,7 +228,7 @@ def critical_speed(
 
     Parameters
     ----------
-    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+    body : CoatedSphere, CoatedCylinder or CoatedWheel
         Rigid core and layers.
     highest_frequency : float, default 1e9
         Angular frequency [rad/s] at which a modulus that is given as a function is taken as its short-time limit.
@@ -247,16 +247,16 @@ def critical_speed(
     ValueError
         If an argument is out of range.
     """
-    require_type("ball", ball, RollingBody)
+    require_type("body", body, RollingBody)
     curvature = as_member("curvature", curvature, Curvature)
     frequency = as_float("highest_frequency", highest_frequency)
-    match ball:
+    match body:
         case CoatedSphere():
-            return _core.critical_speed(ball._to_core(), highest_frequency=frequency, curvature=curvature)
+            return _core.critical_speed(body._to_core(), highest_frequency=frequency, curvature=curvature)
         case CoatedCylinder() | CoatedWheel():
-            return _core.critical_speed(ball._to_core(), highest_frequency=frequency)
+            return _core.critical_speed(body._to_core(), highest_frequency=frequency)
         case _:
-            assert_never(ball)
+            assert_never(body)
 
 
 def influence_tables(

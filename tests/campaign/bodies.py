@@ -13,7 +13,7 @@ from viscoroll import enums
 __all__ = ["as_roller", "curvature", "deforms", "materials", "on_a_wheel", "with_loads"]
 
 
-def deforms(on: vr.bodies.Counterpart | None) -> bool:
+def deforms(on: vr.bodies.Counterbody | None) -> bool:
     """Return whether the counterbody deforms."""
     return on is not None and bool(materials(on))
 
@@ -24,7 +24,7 @@ def materials(body: Any) -> tuple[Any, ...]:
     return (*body.layers, *(() if base is None else (base,)))
 
 
-def curvature(on: vr.bodies.Counterpart | None) -> float:
+def curvature(on: vr.bodies.Counterbody | None) -> float:
     """Return the curvature of the counterbody along the path, negative if concave [1/m]."""
     if isinstance(on, vr.Groove):
         return 0.0 if on.path_radius is None else -1.0 / on.path_radius
@@ -48,7 +48,7 @@ def as_roller(ball: vr.CoatedSphere, contact_radius: float, arguments: dict[str,
     if drive.lateral_creepage:  # a line contact has no lateral creepage
         changed["drive"] = replace(drive, lateral_creepage=0.0)
     roller = vr.CoatedCylinder(core_radius=ball.core_radius, layers=ball.layers)
-    return {"ball": roller, "arguments": with_loads(arguments | changed, 0.5 / contact_radius)}
+    return {"body": roller, "arguments": with_loads(arguments | changed, 0.5 / contact_radius)}
 
 
 def on_a_wheel(
@@ -75,4 +75,4 @@ def on_a_wheel(
         "patch_load": enums.PatchLoad.FLAT,
         **({} if mesh is None else {"mesh": replace(mesh, max_order=None)}),
     }
-    return {"ball": wheel, "arguments": with_loads(arguments | changed, wider)}
+    return {"body": wheel, "arguments": with_loads(arguments | changed, wider)}

@@ -13,7 +13,7 @@ from viscoroll import enums
 
 from .balls import Geometry, draw_ball, draw_depth, draw_moduli, load_of
 from .bodies import as_roller, materials, on_a_wheel
-from .counterparts import elsewhere
+from .counterbodies import elsewhere
 from .pairs import on_a_ball
 
 __all__ = ["Case", "draw", "source"]
@@ -29,7 +29,7 @@ class Case:
         Name of the function of `viscoroll`.
     name : str
         "SEED:NUMBER".
-    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+    body : CoatedSphere, CoatedCylinder or CoatedWheel
         The rolling body.
     arguments : dict
         The other arguments.
@@ -39,19 +39,19 @@ class Case:
 
     call: ClassVar[str] = "solve"
     name: str
-    ball: vr.bodies.RollingBody
+    body: vr.bodies.RollingBody
     arguments: dict[str, Any] = field(default_factory=dict)
     absurd: str = ""
 
     @property
-    def on(self) -> vr.bodies.Counterpart | None:
+    def on(self) -> vr.bodies.Counterbody | None:
         """Return the counterbody, or None for the rigid plane."""
         return self.arguments.get("on")
 
     @property
     def materials(self) -> list[vr.Layer | vr.HalfSpace]:
         """Return the layers of both bodies, and a half-space below them."""
-        return [*materials(self.ball), *(materials(self.on) if self.on else ())]
+        return [*materials(self.body), *(materials(self.on) if self.on else ())]
 
     @property
     def thickness(self) -> float:
@@ -67,7 +67,7 @@ class Case:
         """Return the call as Python text, after ``from viscoroll import *``."""
         arguments = {name: value for name, value in self.arguments.items() if name != "threads"}
         given = ", ".join(f"{name}={source(value)}" for name, value in arguments.items())
-        return f"{self.call}({source(self.ball)}, {given})"
+        return f"{self.call}({source(self.body)}, {given})"
 
 
 def source(value: Any) -> str:
@@ -115,7 +115,7 @@ def draw(seed: int, number: int) -> Case:
         arguments["curvature"] = members[np.random.default_rng([seed, number, 1]).integers(len(members))]
     arguments |= _resolution(rng, geometry.radius / contact_radius)
     absurd = _make_absurd(rng, arguments)
-    drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
+    drawn: dict[str, Any] = {"body": ball, "arguments": arguments}
     apart = np.random.default_rng([seed, number, 2])  # separate, as above
     if apart.random() < _WHEELS and geometry.inner_boundary is enums.InnerBoundary.RIGID:
         drawn = on_a_wheel(apart, ball, contact_radius, arguments)
@@ -143,20 +143,20 @@ def _elsewhere(
     contact_radius: float,
     time: float,
     absurd: str,
-    ball: vr.CoatedSphere | vr.CoatedWheel,
+    body: vr.CoatedSphere | vr.CoatedWheel,
     arguments: dict[str, Any],
 ) -> dict[str, Any]:
     """Return a body and its arguments: half of the cored balls become rollers, most get another counterbody."""
-    drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
-    is_roller = rng.random() < 0.5 and getattr(ball, "inner_boundary", None) is enums.InnerBoundary.RIGID
+    drawn: dict[str, Any] = {"body": body, "arguments": arguments}
+    is_roller = rng.random() < 0.5 and getattr(body, "inner_boundary", None) is enums.InnerBoundary.RIGID
     if is_roller:
-        drawn = as_roller(ball, contact_radius, arguments)
+        drawn = as_roller(body, contact_radius, arguments)
     # A slope under the pressure adds force, so drives that are impossible on the rigid plane may be possible elsewhere.
     if absurd not in ("drive.force", "drive.torque") and not (is_roller and rng.random() < 0.3):
-        drawn = elsewhere(rng, drawn["ball"], contact_radius, time, drawn["arguments"])
+        drawn = elsewhere(rng, drawn["body"], contact_radius, time, drawn["arguments"])
     drive = drawn["arguments"]["drive"]
     if not is_roller and arguments["friction"] > 0.0 and drive.creepage is not None and rng.random() < 0.5:
-        spin = 10.0 ** rng.uniform(-3.0, 0.3) / ball.outer_radius * rng.choice([-1.0, 1.0])
+        spin = 10.0 ** rng.uniform(-3.0, 0.3) / body.outer_radius * rng.choice([-1.0, 1.0])
         drawn["arguments"] = drawn["arguments"] | {"drive": replace(drive, spin=float(spin))}
     return drawn
 

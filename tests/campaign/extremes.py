@@ -39,7 +39,7 @@ class Extreme:
     base : Case
         The case before the change.
     path : tuple of str or int
-        Names and indices that lead to the number, the first of them "ball" or the name of an argument.
+        Names and indices that lead to the number, the first of them "body" or the name of an argument.
     factor : float
         Factor by which the number is multiplied.
     """
@@ -66,14 +66,14 @@ class Extreme:
         ValueError
             If a body or a material refuses the number.
         """
-        return _changed({"ball": self.base.ball, **self.base.arguments}, self.path, self.factor)
+        return _changed({"body": self.base.body, **self.base.arguments}, self.path, self.factor)
 
 
 def draw(seed: int, number: int) -> Extreme:
     """Return a random case."""
     base = draw_case(seed, number)
     rng = np.random.default_rng([seed, number, 7])
-    given = {"ball": base.ball, **base.arguments}
+    given = {"body": base.body, **base.arguments}
     paths = list(_numbers(given))
     path = paths[rng.integers(len(paths))]
     return Extreme(base=base, path=path, factor=float(10.0 ** rng.uniform(-_DECADES, _DECADES)))
@@ -116,7 +116,7 @@ def run_case(case: Extreme, before_each: Callable[[Outcome], object] = lambda _:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             arguments = case.arguments()
-            result = vr.solve(arguments.pop("ball"), **arguments)
+            result = vr.solve(arguments.pop("body"), **arguments)
     except vr.ConvergenceError as error:
         outcome.kind, outcome.message = "no convergence", str(error)
     except (ValueError, MemoryError) as error:

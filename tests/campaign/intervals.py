@@ -24,8 +24,9 @@ LEAST = 0.9
 
 ANSWERS = ("resisting_torque", "dissipated_power", "penetration", "max_pressure")
 
-TEMPERATURES = (30.0, 40.0, 50.0, 60.0, 70.0)
-REFERENCE = 50.0
+#: Temperatures of the sweeps and of their master curve [K].
+TEMPERATURES = (303.15, 313.15, 323.15, 333.15, 343.15)
+REFERENCE = 323.15
 
 #: A rubber of 25 terms over twelve decades, at times that are not round numbers, and its law.
 _TIMES = 0.7 * np.logspace(-9, 3, 25)
@@ -33,7 +34,7 @@ _SHAPE = np.exp(-0.5 * ((np.log10(_TIMES) + 5.0) / 1.8) ** 2)
 RUBBER = vr.Prony(
     instantaneous_modulus=1e9, weights=0.9995 * _SHAPE / _SHAPE.sum(), relaxation_times=_TIMES * 10.0**-1.6
 )
-LAW = vr.materials.WilliamsLandelFerry(c1=10.0, c2=110.0, reference_temperature=REFERENCE + 273.15)
+LAW = vr.materials.WilliamsLandelFerry(c1=10.0, c2=110.0, reference_temperature=REFERENCE)
 
 #: Measured range of each sweep [rad/s].
 LOWEST, HIGHEST = 0.1, 100.0
@@ -53,8 +54,8 @@ class Noise:
 
 
 def true_modulus(temperature):
-    """Return the rubber at a temperature [°C]."""
-    shift = float(LAW(temperature + 273.15))
+    """Return the rubber at a temperature [K]."""
+    shift = float(LAW(temperature))
     return vr.Prony(
         instantaneous_modulus=RUBBER.instantaneous_modulus,
         weights=RUBBER.weights,
@@ -83,7 +84,7 @@ def coated(modulus):
 
 
 def of_curve(curve, temperature):
-    """Return the ball of a superposition at a temperature [°C]."""
+    """Return the ball of a superposition at a temperature [K]."""
     return coated(curve.series_at(temperature=temperature))
 
 
@@ -99,17 +100,17 @@ def true_study():
 
 def unmeasured():
     """Return the share of the power dissipated at unmeasured frequencies, for each temperature [-]."""
-    shifts = np.array([float(LAW(temperature + 273.15)) for temperature in TEMPERATURES])
+    shifts = np.array([float(LAW(temperature)) for temperature in TEMPERATURES])
     given = {name: value for name, value in CASE.items() if name != "progress"}
     spectra = [vr.solve(of_truth(temperature), **given).loss_spectrum() for temperature in TEMPERATURES]
     ends = ((LOWEST * shifts.min() / shift, HIGHEST * shifts.max() / shift) for shift in shifts)
     return [spectrum.share_outside(low, high) for spectrum, (low, high) in zip(spectra, ends, strict=True)]
 
 
-def study(seed, noise, *, draws=100, way="linear"):
+def study(seed, noise, *, draws=100, method="linear"):
     """Return results with intervals from one data set."""
     curve = vr.rheology.superpose(measured(seed, noise), reference=REFERENCE)
-    return vr.sweep(of_curve, curve=curve.draws(draws, seed=seed), temperature=TEMPERATURES, draws=way, **CASE)
+    return vr.sweep(of_curve, curve=curve.draws(draws, seed=seed), temperature=TEMPERATURES, draws=method, **CASE)
 
 
 def held(found, truth):
@@ -125,13 +126,13 @@ def held(found, truth):
     return holds, (middle - true) / (0.5 * (upper - lower))
 
 
-def torques(sets, draws, noise, way):
+def torques(sets, draws, noise, method):
     """Print how often intervals of results contain the truth; return the share for the torque."""
     truth = true_study()
     inside, errors, widths, times = [], [], [], []
     for seed in range(sets):
         start = time.process_time()
-        found = study(seed, noise, draws=draws, way=way)
+        found = study(seed, noise, draws=draws, method=method)
         times.append(time.process_time() - start)
         holds, error = held(found, truth)
         inside.append(holds)
@@ -141,8 +142,8 @@ def torques(sets, draws, noise, way):
     print(file=sys.stderr)
     share, bias, width = np.nanmean(inside, axis=0), np.nanmean(errors, axis=0), np.nanmean(widths, axis=(0, 2))
     print(
-        f"{sets} data sets with noise {noise.storage:.0%} and {noise.loss:.0%} (storage, loss), {draws} draws, {way}: "
-        f"95 % intervals at {', '.join(f'{t:g}' for t in TEMPERATURES)} °C"
+        f"{sets} data sets with noise {noise.storage:.0%} and {noise.loss:.0%} (storage, loss), {draws} draws, "
+        f"{method}: 95 % intervals at {', '.join(f'{t:g}' for t in TEMPERATURES)} K"
     )
     for answer, row, off, half in zip(ANSWERS, share, bias, width, strict=True):
         by_temperature = ", ".join(f"{value:.1%}" for value in row)

@@ -37,11 +37,11 @@ def _is_finite(result: vr.Result) -> bool:
 
 def _areas(result: vr.Result) -> NDArray[np.float64]:
     """Return the areas on which tractions act [m²], for a roller per length [m]."""
-    radius = result.ball.outer_radius
-    if isinstance(result.ball, vr.CoatedCylinder):
+    radius = result.body.outer_radius
+    if isinstance(result.body, vr.CoatedCylinder):
         return np.full(result.z.shape, radius * result.mesh.spacing)
     # the columns of a wheel end at its faces
-    if isinstance(result.ball, vr.CoatedWheel):
+    if isinstance(result.body, vr.CoatedWheel):
         return np.full(result.z.shape, radius * result.mesh.spacing * abs(result.z[0, 1] - result.z[0, 0]))
     flat = radius**2 * result.mesh.spacing * result.mesh.theta_spacing
     # the nodes lie between both bodies, on a paraboloid
@@ -55,7 +55,7 @@ def _areas(result: vr.Result) -> NDArray[np.float64]:
 def depth_of(result: vr.Result) -> float:
     """Return the approach of the bodies [m]; on a half-plane, which has no datum, the depth of the contact's arc."""
     if result.penetration is None:
-        return _arm(result) ** 2 / (2.0 * result.ball.outer_radius)
+        return _arm(result) ** 2 / (2.0 * result.body.outer_radius)
     return result.penetration + result.centrifugal_displacement
 
 
@@ -105,13 +105,13 @@ def _friction(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
 
 def _slip_of_the_shape(result: vr.Result) -> float:
     """Return the slip [m/s] due to the ball's curvature alone, as the scale of small slips."""
-    arm = _arm(result) / result.ball.outer_radius
-    return result.angular_speed * result.ball.outer_radius * arm**2
+    arm = _arm(result) / result.body.outer_radius
+    return result.angular_speed * result.body.outer_radius * arm**2
 
 
 def _arm(result: vr.Result) -> float:
     """Return the half length of the contact [m], for a single node the spacing."""
-    return max(result.semi_axis_x, result.mesh.spacing * result.ball.outer_radius)
+    return max(result.semi_axis_x, result.mesh.spacing * result.body.outer_radius)
 
 
 def _drive(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
@@ -127,7 +127,7 @@ def _drive(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     if drive.force is not None:
         yield "force balance", abs(result.driving_force - drive.force) / bound
     if drive.torque is not None:
-        yield "torque balance", abs(result.driving_torque - drive.torque) / (bound * result.ball.outer_radius)
+        yield "torque balance", abs(result.driving_torque - drive.torque) / (bound * result.body.outer_radius)
     if drive.creepage is not None:
         assert result.creepage is not None
         yield "creepage", abs(result.creepage - drive.creepage) / max(abs(drive.creepage), 1e-6)
@@ -149,7 +149,7 @@ def _pair(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     """
     if case.on is None:
         return
-    radius, bend = result.ball.outer_radius, curvature(case.on)
+    radius, bend = result.body.outer_radius, curvature(case.on)
     spacing = result.mesh.spacing * radius
     rolling = result.angular_speed * radius
     speed = rolling if result.linear_speed is None else result.linear_speed
@@ -158,7 +158,7 @@ def _pair(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     is_soft_track = isinstance(case.on, vr.CoatedPlane | vr.Groove) and deforms(case.on)
     turning = abs(speed) * max(abs(bend), 1.0 / radius if is_soft_track else 0.0)
     levers = result.load * spacing * np.array([result.angular_speed, turning])
-    losses = np.array([result.rolling_bulk_power, result.counterpart_bulk_power])
+    losses = np.array([result.rolling_bulk_power, result.counterbody_bulk_power])
     share = min(spacing / _arm(result), 1.0)
     height = radius if result.center_height is None else result.center_height
     own = result.driving_torque * result.angular_speed

@@ -56,7 +56,7 @@ def on_a_ball(
     given = with_loads(arguments | changed, share) | {"on": other}
     if kind == "coated under a rigid one":
         ball, given = swapped(ball, given)
-    return {"ball": ball, "arguments": given}
+    return {"body": ball, "arguments": given}
 
 
 def _other(
@@ -77,11 +77,11 @@ def _other(
     return vr.CoatedSphere(core_radius=radius - thickness, layers=[layer])
 
 
-def swapped(ball: Any, arguments: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
+def swapped(body: Any, arguments: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
     """Return the same pair with exchanged bodies, at the same nodes."""
     other = arguments["on"]
-    ratio = other.outer_radius / ball.outer_radius
-    changed = {"on": ball, "angular_speed": arguments["angular_speed"] / ratio}
+    ratio = other.outer_radius / body.outer_radius
+    changed = {"on": body, "angular_speed": arguments["angular_speed"] / ratio}
     if mesh := arguments.get("mesh"):
         numbers = {
             name: None if (n := getattr(mesh, name)) is None else max(16, round(n * ratio))

@@ -32,13 +32,13 @@ class Case:
     """The rolling body, and the arguments of `viscoroll.solve`."""
 
     name: str
-    ball: vr.CoatedSphere | vr.CoatedCylinder | vr.CoatedWheel
+    body: vr.CoatedSphere | vr.CoatedCylinder | vr.CoatedWheel
     arguments: dict[str, object]
 
     def solve(self, **others):
         """Return the result, and the processor time [s]."""
         start = time.process_time()
-        result = vr.solve(self.ball, **self.arguments, **others, threads=1)
+        result = vr.solve(self.body, **self.arguments, **others, threads=1)
         return result, time.process_time() - start
 
 

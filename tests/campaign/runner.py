@@ -141,7 +141,7 @@ def attempt(solve: Callable[..., Solution], case: Any, outcome: Outcome) -> Solu
     try:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            result = solve(case.ball, **case.arguments)
+            result = solve(case.body, **case.arguments)
     except vr.ConvergenceError as error:
         outcome.message = str(error)
         is_full_stick = math.isinf(case.arguments.get("friction", 0.0))
@@ -173,18 +173,18 @@ def _judge_refusal(case: Case, outcome: Outcome, before_each: Callable[[Outcome]
     The penetration grows with the power 2/3 of the load on a thick layer, and more slowly on a thin one; the contact
     radius grows with the power 1/3. For line contacts, the powers are 1 and 1/2. Shells that bend are left out.
     """
-    shell = getattr(case.ball, "inner_boundary", None) is enums.InnerBoundary.HOLLOW
+    shell = getattr(case.body, "inner_boundary", None) is enums.InnerBoundary.HOLLOW
     if not outcome.message.startswith("load ") or case.absurd or shell:
         return
     outcome.stage = "smaller load"
-    depth_power, radius_power = (1.0, 1.0 / 2.0) if case.ball.line_contact else (2.0 / 3.0, 1.0 / 3.0)
+    depth_power, radius_power = (1.0, 1.0 / 2.0) if case.body.line_contact else (2.0 / 3.0, 1.0 / 3.0)
     for factor in (10.0, 100.0, 1000.0):
         smaller = with_loads(case.arguments, 1.0 / factor)
         before_each(outcome)
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                result = vr.solve(case.ball, **smaller)
+                result = vr.solve(case.body, **smaller)
         except (ValueError, vr.ConvergenceError):
             continue
         depth = factor**depth_power * (result.penetration or 0.0) / case.thickness
@@ -199,7 +199,7 @@ def _smallest_radius(case: Case) -> float:
     """Return the smaller convex radius of the bodies [m]; a contact beyond 60° of it supports no load."""
     names = ("outer_radius", "radius", "path_radius")
     others = [abs(radius) for name in names if (radius := getattr(case.on, name, None)) is not None]
-    return min([case.ball.outer_radius, *others])
+    return min([case.body.outer_radius, *others])
 
 
 def run(

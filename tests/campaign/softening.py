@@ -28,7 +28,7 @@ AGREEMENT = 4e-3
 class Case:
     """Rolling body, counterbody, load [N] or [N/m], speed [rad/s] and mesh."""
 
-    ball: vr.CoatedSphere | vr.CoatedCylinder
+    body: vr.CoatedSphere | vr.CoatedCylinder
     on: vr.CoatedPlane | None
     load: float
     angular_speed: float
@@ -37,9 +37,9 @@ class Case:
     def search(self):
         """Return a new search."""
         return SofteningSearch(
-            ball=self.ball,
+            body=self.body,
             on=self.on,
-            layers=softening_layers(self.ball, self.on),
+            layers=softening_layers(self.body, self.on),
             load=self.load,
             angular_speed=self.angular_speed,
             options={"mesh": self.mesh},
@@ -84,7 +84,7 @@ def draw(seed, number):
     on_plane = random.random() < 0.4
     inner = radius if on_plane else radius - thickness
     return Case(
-        ball=kind(core_radius=inner, layers=() if on_plane else [layer]),
+        body=kind(core_radius=inner, layers=() if on_plane else [layer]),
         on=vr.CoatedPlane(layers=[layer]) if on_plane else None,
         load=load,
         angular_speed=spread(0.1, 100.0),
@@ -96,7 +96,7 @@ def run(case):
     """Return failures, contact solutions from either side, time relative to that of `solve`, and errors."""
     given = {"on": case.on, "load": case.load, "angular_speed": case.angular_speed, "mesh": case.mesh}
     start = time.process_time()
-    found = vr.strain_softening(case.ball, **given)
+    found = vr.strain_softening(case.body, **given)
     taken = time.process_time() - start
     amplitude, torque = found.layer_amplitudes[0], found.torque_bounds[1]
 
@@ -111,7 +111,7 @@ def run(case):
     state = search.converged(search.at(np.ones(1), np.ones(1)), matched=True, tolerance=TOLERANCE)
     contacts = max(found.iterations, search.contacts - 1)
 
-    fine = vr.strain_softening(case.ball, **given, depths=8, tolerance=1e-3 * TOLERANCE)
+    fine = vr.strain_softening(case.body, **given, depths=8, tolerance=1e-3 * TOLERANCE)
     errors = (amplitude / fine.layer_amplitudes[0] - 1.0, torque / fine.torque_bounds[1] - 1.0)
     wrong = []
     if contacts > MOST_CONTACTS:

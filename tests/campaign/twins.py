@@ -83,7 +83,7 @@ class Twin:
 def twins(case: Case) -> Iterator[Twin]:
     """Yield all twins of the case."""
     yield Twin(kind="scaling", case=_scaled(case), differences=_scaling_differences)
-    body = case.ball if case.ball.layers else case.on
+    body = case.body if case.body.layers else case.on
     wheel = body if isinstance(body, vr.CoatedWheel) else None
     if body.layers and not (wheel and wheel.hub is enums.Hub.STRAIGHT):  # on a straight hub, the crown cuts one layer
         by_elements = wheel is not None and wheel.sides is enums.Sides.FREE
@@ -93,7 +93,7 @@ def twins(case: Case) -> Iterator[Twin]:
         yield from _planes(case, case.on)
     elif _tells_both_alike(case):
         yield Twin(kind="swap", case=_swapped(case), differences=_swap_differences)
-        if case.on == case.ball:
+        if case.on == case.body:
             mirror = replace(case, arguments=on_its_mirror(case.arguments))
             yield Twin(kind="mirror plane", case=mirror, differences=_mirror_differences)
     drive = case.arguments["drive"]
@@ -108,8 +108,8 @@ def twins(case: Case) -> Iterator[Twin]:
 
 def _planes(case: Case, plane: vr.CoatedPlane) -> Iterator[Twin]:
     """Yield the same plane as a very wide groove, and with part of its half-space as a layer."""
-    radius = WIDE * case.ball.outer_radius
-    across = {} if isinstance(case.ball, vr.CoatedCylinder) else {"radius": -radius}
+    radius = WIDE * case.body.outer_radius
+    across = {} if isinstance(case.body, vr.CoatedCylinder) else {"radius": -radius}
     groove = vr.Groove(layers=plane.layers, base=plane.base, path_radius=radius, **across)
     yield Twin(
         kind="wide groove", case=replace(case, arguments=case.arguments | {"on": groove}), differences=_differences
@@ -118,7 +118,7 @@ def _planes(case: Case, plane: vr.CoatedPlane) -> Iterator[Twin]:
     if plane.base is None or "mesh" not in case.arguments:
         return
     base = {name: getattr(plane.base, name) for name in ("shear_modulus", "poisson_ratio", "bulk_modulus", "density")}
-    thickness = sum(layer.thickness for layer in plane.layers) or 0.01 * case.ball.outer_radius
+    thickness = sum(layer.thickness for layer in plane.layers) or 0.01 * case.body.outer_radius
     thicker = replace(plane, layers=[vr.Layer(thickness=thickness, **base), *plane.layers])
     yield Twin(
         kind="layer of the base",
@@ -130,26 +130,26 @@ def _planes(case: Case, plane: vr.CoatedPlane) -> Iterator[Twin]:
 
 def _tells_both_alike(case: Case) -> bool:
     """Return whether the bodies may be exchanged with the same nodes and speeds."""
-    if type(case.on) is not type(case.ball) or isinstance(case.ball, vr.CoatedWheel):
+    if type(case.on) is not type(case.body) or isinstance(case.body, vr.CoatedWheel):
         return False
     # The nodes of balls lie on a paraboloid if the counterbody deforms; those of rollers are always at the same arcs.
-    if not isinstance(case.ball, vr.CoatedCylinder) and not (case.ball.layers and case.on.layers):
+    if not isinstance(case.body, vr.CoatedCylinder) and not (case.body.layers and case.on.layers):
         return False
     return not case.has_friction and case.arguments["drive"].creepage is None and "mesh" in case.arguments
 
 
 def _swapped(case: Case) -> Case:
-    ball, arguments = swapped(case.ball, case.arguments)
-    return replace(case, ball=ball, arguments=arguments)
+    body, arguments = swapped(case.body, case.arguments)
+    return replace(case, body=body, arguments=arguments)
 
 
 def _swap_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
     """Return differences of the quantities of the pair, and of each body's dissipated power."""
     pairs = {name: (getattr(one, name), getattr(other, name)) for name in ("penetration", "resisting_torque")}
-    pairs["bulk_power"] = one.rolling_bulk_power, other.counterpart_bulk_power
-    radius = min(one.ball.outer_radius, other.ball.outer_radius)
+    pairs["bulk_power"] = one.rolling_bulk_power, other.counterbody_bulk_power
+    radius = min(one.body.outer_radius, other.body.outer_radius)
     # identical bodies have equal growth
-    is_alike = one.on == one.ball
+    is_alike = one.on == one.body
     return _pair_differences(one, pairs, growth=0.0 if is_alike else one.centrifugal_displacement / radius)
 
 
@@ -174,7 +174,7 @@ def _scaled(case: Case) -> Case:
     on = {} if case.on is None else {"on": scaled_body(case.on)}
     given = case.arguments
     drive = given["drive"]
-    per_length = LENGTH if case.ball.line_contact else 1.0
+    per_length = LENGTH if case.body.line_contact else 1.0
     if drive.force is not None:
         drive = vr.Drive(force=STRESS * LENGTH**2 / per_length * drive.force)
     elif drive.torque is not None:
@@ -186,7 +186,7 @@ def _scaled(case: Case) -> Case:
         "angular_speed": given["angular_speed"] / TIME,
         "drive": drive,
     }
-    return replace(case, ball=scaled_body(case.ball), arguments=given | changed | on)
+    return replace(case, body=scaled_body(case.body), arguments=given | changed | on)
 
 
 def scaled_body(body: Any) -> Any:
@@ -213,15 +213,15 @@ def _scaled_material(material: Any) -> Any:
 
 def _split(case: Case) -> Case:
     """Divide the thickest layer of the rolling body in two, or of the counterbody if the rolling body is rigid."""
-    body = case.ball if case.ball.layers else case.on
+    body = case.body if case.body.layers else case.on
     layers = list(body.layers)
     thickest = max(range(len(layers)), key=lambda j: layers[j].thickness)
     half = replace(layers[thickest], thickness=0.5 * layers[thickest].thickness)
     layers[thickest : thickest + 1] = [half, half]
     split = replace(body, layers=layers)
-    if not case.ball.layers:
+    if not case.body.layers:
         return replace(case, arguments=case.arguments | {"on": split})
-    return replace(case, ball=split)
+    return replace(case, body=split)
 
 
 def _scaling_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
@@ -245,7 +245,7 @@ def _differences(
     for name, powers in (SCALARS | fields).items():
         if getattr(one, name) is None:  # approach on a half-plane
             continue
-        per_length = LENGTH if one.ball.line_contact and name not in NEVER_PER_LENGTH else 1.0
+        per_length = LENGTH if one.body.line_contact and name not in NEVER_PER_LENGTH else 1.0
         unit = _unit(powers) / per_length if scaled else 1.0
         values = np.asarray(getattr(other, name)) / unit
         if mirrored:
@@ -272,7 +272,7 @@ def _unit(powers: tuple[int, int, int]) -> float:
 
 def _scales(result: vr.Result) -> dict[str, float]:
     """Return the size of each result where no terms cancel."""
-    radius = result.ball.outer_radius
+    radius = result.body.outer_radius
     torque = result.load * max(result.semi_axis_x, result.mesh.spacing * radius)
     force = max(min(result.friction, 1.0) * result.load, 1e-3 * result.load)
     pressure = float(result.pressure.max())

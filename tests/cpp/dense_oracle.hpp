@@ -52,7 +52,7 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
   const Index stride = problem.surface->shape().theta_nodes;
   const Index penetration = 3 * nodes;
   const Index creepage = penetration + 1;
-  const detail::VectorField& passed = state.counterpart_displacement;
+  const detail::VectorField& passed = state.counterbody_displacement;
   Eigen::MatrixXd matrix =
       // Rows that are not set below mean zero force.
       Eigen::MatrixXd::Identity(creepage + 1, creepage + 1);
@@ -65,12 +65,12 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
     const double pace = passed.rows() > 0 ? 1.0 + *state.creepage : 1.0;
     matrix.row(row).head(penetration) +=
         factor * pace * (compliance.row(force(node, axis)) - compliance.row(force(node - stride, axis)));
-    matrix(row, creepage) += factor * friction.counterpart_way(node, column);
+    matrix(row, creepage) += factor * friction.counterbody_rigid_displacement(node, column);
     right[row] -= factor * friction.rigid_slip(node, column);
     if (passed.rows() > 0) {
-      const double way = passed(node, axis) - passed(node - stride, axis);
-      matrix(row, creepage) += factor * way;
-      right[row] += factor * *state.creepage * way;
+      const double increment = passed(node, axis) - passed(node - stride, axis);
+      matrix(row, creepage) += factor * increment;
+      right[row] += factor * *state.creepage * increment;
     }
   };
   for (std::size_t i = 0; i < sets.contact.size(); ++i) {

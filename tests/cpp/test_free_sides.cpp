@@ -72,8 +72,8 @@ class SideInfluence : public testing::Test {
         sections_.sampled(HarmonicBody(layers_, kSpeed, orders_of_samples()), 1, watch_));
   }
   [[nodiscard]] SideSum sum(std::vector<OrderBand> bands) {
-    const Eigen::VectorXcd softness = outer_softness(HarmonicBody(layers_, kSpeed, all_orders(bands)));
-    return {sampled(), std::move(bands), softness, mesh_};
+    const Eigen::VectorXcd smallest = outer_softness(HarmonicBody(layers_, kSpeed, all_orders(bands)));
+    return {sampled(), std::move(bands), smallest, mesh_};
   }
 };
 
@@ -201,7 +201,7 @@ TEST(TreadStore, TellsCrownedTreadsFromFlatOnes) {
   };
   const auto kept = [&](double crown) {
     return of_tread(crown, [&](const CoatedWheel& wheel, const HarmonicBody& body) {
-      return kept_difference(wheel, body, false, 1, watch)->parts[kEvenPart];
+      return cached_difference(wheel, body, false, 1, watch)->parts[kEvenPart];
     });
   };
   const Eigen::MatrixXcd flat = kept(INFINITY);
@@ -342,19 +342,19 @@ TEST(FreeSides, AreNotFeltInTheSlipOfSmallContacts) {
   const Result free = result(Sides::free);
   const Result endless = result(Sides::endless);
   ASSERT_EQ(free.pressure.size(), endless.pressure.size());
-  // Both curvatures together change the part of the crown by h / R_c = 1/30 of itself, and the stretch due to rolling
-  // as well.
+  // Both curvatures together change the part of the crown by h / R_c = 1/30 of itself, and the elongation due to
+  // rolling as well.
   EXPECT_LT(sideways_difference(free, endless), 1e-2);
   EXPECT_NEAR(*free.creepage / *endless.creepage, 1.0, 3e-2);
   EXPECT_NEAR(free.slip_power / endless.slip_power, 1.0, 1e-2);
   EXPECT_NEAR(free.resisting_torque / endless.resisting_torque, 1.0, 1e-3);
   // 14 nodes leave 2e-2 in both
-  EXPECT_NEAR(free.power_balance_error, endless.power_balance_error, 1e-3);
+  EXPECT_NEAR(free.energy_balance_error, endless.energy_balance_error, 1e-3);
 }
 
 TEST(FreeSides, PowerIsBalancedWithFrictionToo) {
   for (const double friction : {0.0, 0.3}) {
-    EXPECT_LT(rolled(thick_wheel(30e-3, INFINITY), 500.0, 2.5, friction).power_balance_error, 3e-3);
+    EXPECT_LT(rolled(thick_wheel(30e-3, INFINITY), 500.0, 2.5, friction).energy_balance_error, 3e-3);
   }
 }
 
@@ -366,7 +366,7 @@ TEST(FreeSides, UnlikeLayersLoseWhatTheTorquePays) {
              {.thickness = 4e-3, .shear_modulus = standard_linear_solid(4e6, 1e6, 0.02), .poisson_ratio = 0.45}},
             300e-3);
   const Result result = rolled(wheel, 300.0, 2.5);
-  EXPECT_LT(result.power_balance_error, 3e-3);
+  EXPECT_LT(result.energy_balance_error, 3e-3);
   // Endless sides: 451.6 mN m. Faces 0.3 mm from the contact add more than the thinner sides subtract.
   EXPECT_GT(result.resisting_torque, 451.6e-3);
 }

@@ -112,7 +112,7 @@ TEST(Interior, ColumnsOfAWheelAreItsOwn) {
 TEST(Interior, CanBeStopped) {
   const Rolling rolling(cases::paper_sphere());
   const Observer stop{.cancelled = [] { return true; }, .progress = {}};
-  EXPECT_THROW((void)loss_density(rolling.sphere, 2.5, rolling.tractions, {}, 2000, 1, stop), Cancelled);
+  EXPECT_THROW((void)loss_density(rolling.sphere, 2.5, rolling.tractions, {}, 2000, 1, stop), Canceled);
 }
 
 TEST(Interior, BadTractionsAreRefused) {

@@ -132,15 +132,15 @@ Modes modes_of(const std::vector<Material>& materials, double k) {
   for (std::size_t i = 0; i < columns.size(); ++i) internal.col(static_cast<Eigen::Index>(i)) = columns[i];
   const Eigen::VectorXd slowness =
       Eigen::Map<const Eigen::VectorXd>(times.data(), internal.cols()).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd yielding = dense_inverse(at_once);
-  const Eigen::MatrixXd moved = yielding * internal;
+  const Eigen::MatrixXd short_time = dense_inverse(at_once);
+  const Eigen::MatrixXd moved = short_time * internal;
   const Eigen::MatrixXd stiff =
       Eigen::MatrixXd::Identity(internal.cols(), internal.cols()) - internal.transpose() * moved;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> roots(slowness.asDiagonal() * stiff * slowness.asDiagonal());
   const Eigen::VectorXd amplitudes =
       roots.eigenvectors().transpose() * (slowness.asDiagonal() * moved.row(size - 2).transpose());
   Modes modes{
-      .instantaneous = yielding(size - 2, size - 2), .times = roots.eigenvalues().cwiseInverse(), .weights = {}};
+      .instantaneous = short_time(size - 2, size - 2), .times = roots.eigenvalues().cwiseInverse(), .weights = {}};
   modes.weights = modes.times.cwiseProduct(amplitudes.cwiseAbs2());
   return modes;
 }
@@ -179,7 +179,7 @@ TEST(LayerSpectrum, WeighsTheModesOfEachOrder) {
 TEST(RetardationIntervals, HoldEveryModeOfEveryOrder) {
   constexpr double kRoundOff = 1e-6;  // accuracy of the eigenproblem's times
   for (const auto& materials : {two_solids(), three_solids(), two_broad()}) {
-    const auto moduli = creeping_moduli(mat(materials).layers, kRange);
+    const auto moduli = creep_functions(mat(materials).layers, kRange);
     const auto intervals = retardation_intervals(moduli, false);
     for (const double kh : kWaveNumbersByThickness) {
       for (const double time : modes_of(materials, kh / 1e-3).times) {
@@ -195,7 +195,7 @@ TEST(RetardationIntervals, HoldEveryModeOfEveryOrder) {
 }
 
 TEST(RetardationIntervals, LieBetweenTheTimesOfEachMaterial) {
-  const auto moduli = creeping_moduli(mat(two_solids()).layers, kRange);
+  const auto moduli = creep_functions(mat(two_solids()).layers, kRange);
   const auto intervals = retardation_intervals(moduli, false);
   ASSERT_EQ(intervals.size(), 2U);  // from tau to tau G_0 / G_inf
   EXPECT_NEAR(intervals[0].shortest, 0.02, 1e-14);

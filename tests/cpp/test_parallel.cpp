@@ -154,7 +154,7 @@ TEST(ParallelFor, IsCancelledWhileItWaitsForAHelper) {
       worker.checkpoint();
     }
   };
-  EXPECT_THROW(parallel_for(2, 2, watch, "", body), Cancelled);
+  EXPECT_THROW(parallel_for(2, 2, watch, "", body), Canceled);
 }
 
 TEST(LockWatched, IsCancelledWhileAnotherThreadHoldsTheMutex) {
@@ -164,7 +164,7 @@ TEST(LockWatched, IsCancelledWhileAnotherThreadHoldsTheMutex) {
   const Observer observer{.cancelled = [&] { return ++polls == 2; }};
   std::thread([&] {
     Watch watch(observer);
-    EXPECT_THROW((void)lock_watched(mutex, watch, ""), Cancelled);
+    EXPECT_THROW((void)lock_watched(mutex, watch, ""), Canceled);
     EXPECT_EQ(polls, 2);
   }).join();
   held.unlock();
@@ -191,7 +191,7 @@ TEST(Watch, StopsOnRequestAndReportsFromTheCallingThread) {
                               }};
   Watch watch(observer);
   const auto wait = [](std::size_t, const Worker&) { std::this_thread::sleep_for(2ms); };
-  EXPECT_THROW(parallel_for(100'000, 2, watch, "waiting", wait), Cancelled);
+  EXPECT_THROW(parallel_for(100'000, 2, watch, "waiting", wait), Canceled);
   ASSERT_EQ(fractions.size(), 3U);
   EXPECT_LT(fractions[0], fractions[2]);
 }

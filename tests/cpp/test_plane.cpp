@@ -50,7 +50,7 @@ struct FlatCompliance {
 
 FlatCompliance flat_compliance(std::span<const FlatLayer> layers, double k, double cosine) {
   constexpr double kRadius = 0.3;  // arbitrary
-  LayerStack<cplx> stack{.metric = {.radius = kRadius, .along = Way::line, .across = Way::line}, .media = {}};
+  LayerStack<cplx> stack{.metric = {.radius = kRadius, .along = AxisKind::line, .across = AxisKind::line}, .media = {}};
   double top = 0.0;
   for (const FlatLayer& layer : layers | std::views::reverse) {
     const double bottom = top - layer.thickness;
@@ -363,12 +363,12 @@ TEST_F(PlaneTable, UnlikeLayersAreSummedLikeOneByOne) {
 class PlaneContact : public testing::Test {
  protected:
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> surface(const CoatedPlane& plane, double angular_speed,
-                                                               bool is_counterpart = true) {
+                                                               bool is_counterbody = true) {
     const CoatingSum orders(layered_body(plane, grid_.radius), angular_speed, mesh_, 1, watch_);
     const Formulation formulation{.compliance = Compliance::radial,
                                   .patch_load = PatchLoad::flat,
                                   .tangential = true,
-                                  .is_counterpart = is_counterpart};
+                                  .is_counterbody = is_counterbody};
     const auto tables = [&](const std::vector<TableRequest>& requests) {
       const WindowShape shape = window_.shape();
       return std::make_shared<const std::vector<Table>>(

@@ -49,7 +49,7 @@ Eigen::Matrix3cd reference_compliance(const HarmonicBody& coating, std::size_t i
       Wide6 inertia = Wide6::Zero();
       inertia.bottomLeftCorner<3, 3>() = inertia_matrix(m).cast<Wide>() * (medium.inertia * radius * radius / unit);
       Eigen::Matrix<Wide, 6, 3> sum = Eigen::Matrix<Wide, 6, 3>::Zero();
-      const bool free = !started && layers.within == InnerBoundary::hollow && inner == medium.inner;
+      const bool free = !started && layers.inner_boundary == InnerBoundary::hollow && inner == medium.inner;
       sum.topRows<3>() = free ? Wide3::Identity().eval() : y;
       sum.bottomRows<3>() = free ? Wide3::Zero().eval() : Wide3::Identity().eval();
       started = true;

@@ -35,7 +35,7 @@ struct LineCompliance {
 /// Compliance of layers on a rigid core.
 template <class Scalar>
 LayerStack<Scalar> stack_of(std::vector<Medium<Scalar>> media) {
-  return {.metric = {.radius = media.back().outer, .across = Way::nothing}, .media = std::move(media)};
+  return {.metric = {.radius = media.back().outer, .across = AxisKind::nothing}, .media = std::move(media)};
 }
 
 template <class Scalar>
@@ -196,7 +196,7 @@ TEST(Roller, RollsAsComputedIndependently) {
     const Result result = solve(rubber_roller(), {.load = 5e3, .angular_speed = speed}, {.accuracy = 1e-3});
     EXPECT_EQ(result.status, Status::converged);
     EXPECT_NEAR(result.resisting_torque / moment, 1.0, 0.003);
-    EXPECT_LT(result.power_balance_error, 1e-3);
+    EXPECT_LT(result.energy_balance_error, 1e-3);
     EXPECT_EQ(result.theta_nodes, 1);
   }
 }
@@ -224,7 +224,7 @@ TEST(Roller, LosesNothingItselfWhereItIsRigid) {
   const Result result = solve(rigid, floor, {.load = 5e3, .angular_speed = 1.0}, {.accuracy = 1e-3});
   EXPECT_NEAR(result.driving_force * 0.05 / result.resisting_torque, 1.0, 1e-3);  // Q = M / R
   EXPECT_NEAR(result.driving_torque, 0.0, 1e-3 * result.resisting_torque);
-  EXPECT_LT(result.power_balance_error, 1e-3);
+  EXPECT_LT(result.energy_balance_error, 1e-3);
   // Hunter's closed form, which the Python tests compare with an independent computation: 4.26712 N.
   EXPECT_NEAR(result.resisting_torque / 4.26712, 1.0, 1e-3);
 }
@@ -239,7 +239,7 @@ TEST(Roller, OnItsLikeTurnsAsOnARigidPlane) {
   EXPECT_NEAR(pair.driving_torque / plane.driving_torque, 1.0, 1e-3);
   EXPECT_NEAR(*pair.penetration / *plane.penetration, 2.0, 1e-9);
   EXPECT_NEAR(pair.bulk_power / plane.bulk_power, 2.0, 1e-9);
-  EXPECT_LT(pair.power_balance_error, 2e-3);
+  EXPECT_LT(pair.energy_balance_error, 2e-3);
 }
 
 TEST(Roller, FollowsCartersCurve) {

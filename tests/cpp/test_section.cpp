@@ -81,7 +81,7 @@ TEST(Section, MiddleOfAWideTreadIsARoller) {
   const std::array<cplx, 2> moduli{cplx(1.0, 0.3), cplx(0.5, 0.05)};
   const std::vector<SectionMedium<cplx>> media{{.shear = moduli[0], .lame = 9.0 * moduli[0]},
                                                {.shear = moduli[1], .lame = kIncompressible * moduli[1]}};
-  const LayerStack<cplx> stack{.metric = {.radius = 4.0, .across = Way::nothing},
+  const LayerStack<cplx> stack{.metric = {.radius = 4.0, .across = AxisKind::nothing},
                                .media = {{.inner = 3.0, .outer = 3.6, .mu = moduli[0], .b = 1.0 / 11.0, .inertia = 0.0},
                                          {.inner = 3.6, .outer = 4.0, .mu = moduli[1], .b = 0.0, .inertia = 0.0}}};
   for (const double m : {0.0, 1.0, 15.5}) {

@@ -46,7 +46,7 @@ TEST(SemismoothNewton, ComparesStepsWithStatesOfTheCorrectedEquationsAlone) {
   // solution of the equations before the correction
   start.force.row(0) << 0.1, -1.0, 0.0;
   start.creepage = 0.0;
-  SemismoothNewton newton(system, {.tolerance = 1e-12, .round_off = 1e-10, .free_steps = 1});
+  SemismoothNewton newton(system, {.tolerance = 1e-12, .round_off = 1e-10, .full_steps = 1});
   newton.start_from(start);
   ASSERT_TRUE(newton.iterate(0.3));
   EXPECT_NEAR(newton.state().force(0, kForward), LateCorrection::kTraction, 1e-12);

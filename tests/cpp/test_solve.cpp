@@ -23,7 +23,7 @@ TEST(Solve, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(one.resisting_torque, three.resisting_torque);
 }
 
-KeptContact kept_of(const Result& result) {
+FrozenContact kept_of(const Result& result) {
   return {.phi_nodes = result.phi_nodes,
           .theta_nodes = result.theta_nodes,
           .contact = result.contact,
@@ -38,7 +38,7 @@ TEST(SolveKept, ComesBackToTheSameState) {
   for (const double friction : {0.0, 0.3}) {
     const LoadCase load_case{.load = 100.0, .angular_speed = 2.5, .friction = friction};
     const Result result = solve(cases::paper_sphere(), load_case, kCoarse);
-    const Result again = solve_kept(cases::paper_sphere(), CoatedPlane{}, load_case, kept_of(result), kCoarse);
+    const Result again = solve_frozen(cases::paper_sphere(), CoatedPlane{}, load_case, kept_of(result), kCoarse);
     EXPECT_NEAR(again.resisting_torque / result.resisting_torque, 1.0, 1e-9) << friction;
     EXPECT_EQ(again.contact, result.contact);
     EXPECT_EQ(again.stick, result.stick);
@@ -47,18 +47,18 @@ TEST(SolveKept, ComesBackToTheSameState) {
 
 TEST(SolveKept, RefusesAStateOfAnotherMesh) {
   const LoadCase load_case{.load = 100.0, .angular_speed = 2.5};
-  const KeptContact kept = kept_of(solve(cases::paper_sphere(), load_case, kCoarse));
+  const FrozenContact kept = kept_of(solve(cases::paper_sphere(), load_case, kCoarse));
   const auto refused = [&](auto change, const Options& options = kCoarse) {
-    KeptContact other = kept;
+    FrozenContact other = kept;
     change(other);
-    EXPECT_THROW(std::ignore = solve_kept(cases::paper_sphere(), CoatedPlane{}, load_case, other, options),
+    EXPECT_THROW(std::ignore = solve_frozen(cases::paper_sphere(), CoatedPlane{}, load_case, other, options),
                  std::invalid_argument);
   };
-  refused([](KeptContact& other) { other.phi_nodes = 4; });
-  refused([](KeptContact& other) { other.theta_nodes = 1001; });
-  refused([](KeptContact& other) { other.pressure.pop_back(); });
-  refused([](KeptContact& other) { other.contact.assign(other.contact.size(), 0); });
-  refused([](KeptContact&) {}, Options{});
+  refused([](FrozenContact& other) { other.phi_nodes = 4; });
+  refused([](FrozenContact& other) { other.theta_nodes = 1001; });
+  refused([](FrozenContact& other) { other.pressure.pop_back(); });
+  refused([](FrozenContact& other) { other.contact.assign(other.contact.size(), 0); });
+  refused([](FrozenContact&) {}, Options{});
 }
 
 TEST(Solve, ManyThreadsSolveAtOnce) {
@@ -115,7 +115,7 @@ TEST(Solve, StopsOnRequest) {
   Options options;
   options.mesh = Mesh{.nodes_per_revolution = 2000, .max_order = 3000};
   options.observer.cancelled = [] { return true; };
-  EXPECT_THROW(std::ignore = solve(cases::paper_sphere(), {.load = 100.0, .angular_speed = 2.5}, options), Cancelled);
+  EXPECT_THROW(std::ignore = solve(cases::paper_sphere(), {.load = 100.0, .angular_speed = 2.5}, options), Canceled);
 }
 
 TEST(Solve, NamesWhatIsWrong) {

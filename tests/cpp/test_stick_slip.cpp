@@ -61,15 +61,15 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
     Eigen::ArrayX2d rigid_slip = Eigen::ArrayX2d::Constant(nodes_.shape().size(), 2, 0.0);
     rigid_slip.col(0).setConstant(-0.01 * step);
     if (std::get<DriveKind>(GetParam()) == DriveKind::oblique) rigid_slip.col(1).setConstant(0.02 * step);
-    Eigen::ArrayX2d counterpart_way = Eigen::ArrayX2d::Zero(nodes_.shape().size(), 2);
-    counterpart_way.col(0) = step * (1.0 - 10.0 * nodes_.z().abs());
+    Eigen::ArrayX2d counterbody_rigid_displacement = Eigen::ArrayX2d::Zero(nodes_.shape().size(), 2);
+    counterbody_rigid_displacement.col(0) = step * (1.0 - 10.0 * nodes_.z().abs());
     return {.surface = surface_,
             .initial_gap = nodes_.height(),
             .normal_force = 100.0,
             .friction =
                 Friction{.coefficient = 0.3,
                          .rigid_slip = std::move(rigid_slip),
-                         .counterpart_way = std::move(counterpart_way),
+                         .counterbody_rigid_displacement = std::move(counterbody_rigid_displacement),
                          .step = step,
                          .arms = {.x = nodes_.x(), .y = nodes_.points().y().values(), .radius = nodes_.grid().radius},
                          .drive = drive()}};
@@ -78,7 +78,7 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
   Formulation formulation_{.compliance = std::get<Compliance>(GetParam()),
                            .patch_load = std::get<PatchLoad>(GetParam()),
                            .tangential = true,
-                           .is_counterpart = std::get<Deforming>(GetParam()) == Deforming::counterpart};
+                           .is_counterbody = std::get<Deforming>(GetParam()) == Deforming::counterbody};
   Mesh mesh_{.nodes_per_revolution = 300};
   SurfaceWindow nodes_{{21e-3, phi_spacing(mesh_), theta_spacing(mesh_)}, {{-8, 8}, {-8, 8}}};
   std::shared_ptr<const SurfaceOperator> surface_;
@@ -123,8 +123,8 @@ TEST(SurfaceWindow, FallsBehindByTheIntegralOfItsHeight) {
           return is_paraboloid ? phi * phi * phi / 6.0L + 0.5L * theta * theta * phi
                                : phi - std::cos(theta) * std::sin(phi);
         };
-        const long double way = kRadius * (to_here(row * spacing) - to_here((row - 1.0L) * spacing));
-        EXPECT_NEAR(lag[node], static_cast<double>(way), 1e-15 * kRadius * spacing) << node;
+        const long double expected = kRadius * (to_here(row * spacing) - to_here((row - 1.0L) * spacing));
+        EXPECT_NEAR(lag[node], static_cast<double>(expected), 1e-15 * kRadius * spacing) << node;
       }
     }
   }
@@ -137,11 +137,11 @@ INSTANTIATE_TEST_SUITE_P(Formulations, StickSlipTest,
                                                           DriveKind::oblique),
                                           testing::Values(Deforming::rolling)));
 
-INSTANTIATE_TEST_SUITE_P(Counterparts, StickSlipTest,
+INSTANTIATE_TEST_SUITE_P(Counterbodies, StickSlipTest,
                          testing::Combine(testing::Values(Compliance::radial), testing::Values(PatchLoad::flat),
                                           testing::Values(DriveKind::force, DriveKind::torque, DriveKind::creepage,
                                                           DriveKind::oblique),
-                                          testing::Values(Deforming::counterpart)));
+                                          testing::Values(Deforming::counterbody)));
 
 }  // namespace
 }  // namespace viscoroll::detail

@@ -11,10 +11,10 @@
 #include "modal/layered_body.hpp"
 #include "transient/contact_inverse.hpp"
 #include "transient/creep_spectrum.hpp"
-#include "transient/creeping_body.hpp"
 #include "transient/nnls.hpp"
 #include "transient/step_choice.hpp"
 #include "transient/time_step.hpp"
+#include "transient/viscoelastic_body.hpp"
 #include "viscoroll/errors.hpp"
 #include "viscoroll/rolling_history.hpp"
 
@@ -231,7 +231,7 @@ TEST(RollingHistory, AFailedStepLeavesItAsItWas) {
   EXPECT_EQ(history.now().time, before.time);
   EXPECT_EQ(history.now().load, before.load);
   const Observer stopping{.cancelled = [] { return true; }, .progress = {}};
-  EXPECT_THROW(history.advance(1000.0, 3000.0, 100.0, std::nullopt, stopping), Cancelled);
+  EXPECT_THROW(history.advance(1000.0, 3000.0, 100.0, std::nullopt, stopping), Canceled);
   EXPECT_EQ(history.now().time, before.time);
 }
 

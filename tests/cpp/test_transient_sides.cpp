@@ -97,8 +97,8 @@ class SideInfluenceOfRows : public testing::TestWithParam<Index> {
         SideDifference(wheel, rows_.components > 1, kCoarse).sampled(sampled, 1, watch_));
     const Mesh mesh{.nodes_per_revolution = 400};
     std::vector<OrderBand> bands = phi_bands(layers, kSpeed, mesh);
-    const Eigen::VectorXcd softness = outer_softness(HarmonicBody(layers, kSpeed, all_orders(bands)));
-    return {std::move(difference), std::move(bands), softness, mesh};
+    const Eigen::VectorXcd smallest = outer_softness(HarmonicBody(layers, kSpeed, all_orders(bands)));
+    return {std::move(difference), std::move(bands), smallest, mesh};
   }
 
   /// Forces on all nodes; those in the middle have no theta component.

@@ -33,14 +33,14 @@ double ratio_of(double nu) { return (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)); }
 
 /// Compliance of layers that end at a radius of 1 m, where the direction across is straight or nothing varies along it.
 template <class Scalar>
-Matrix3<Scalar> compliance_of(std::vector<Medium<Scalar>> media, Way across, double m, double n) {
+Matrix3<Scalar> compliance_of(std::vector<Medium<Scalar>> media, AxisKind across, double m, double n) {
   const LayerStack<Scalar> layers{.metric = {.radius = 1.0, .across = across}, .media = std::move(media)};
   return surface_compliance(layers, m, n);
 }
 
 /// One layer on a rigid base, per length of 1 m.
 Matrix3<double> plane_compliance(double thickness, double nu, double m, double n) {
-  const LayerStack<double> layers{.metric = {.radius = 1.0, .along = Way::line, .across = Way::line},
+  const LayerStack<double> layers{.metric = {.radius = 1.0, .along = AxisKind::line, .across = AxisKind::line},
                                   .media = {{-thickness, 0.0, 1.0, ratio_of(nu), 0.0}}};
   return surface_compliance(layers, m, n);
 }
@@ -49,8 +49,8 @@ TEST(WheelOrders, AreThoseOfARollerWhereNothingVariesAcross) {
   const std::vector<Medium<cplx>> media{{0.7, 0.85, cplx(3.0, 1.0), ratio_of(0.5), 1e-3},
                                         {0.85, 1.0, cplx(1.0, 0.2), cplx(ratio_of(0.4), 0.01), 2e-3}};
   for (const double m : {0.0, 1.0, 2.0, 7.0, 60.0, 900.0}) {
-    const Matrix3<cplx> wheel = compliance_of(media, Way::line, m, 0.0);
-    const Matrix3<cplx> roller = compliance_of(media, Way::nothing, m, 0.0);
+    const Matrix3<cplx> wheel = compliance_of(media, AxisKind::line, m, 0.0);
+    const Matrix3<cplx> roller = compliance_of(media, AxisKind::nothing, m, 0.0);
     EXPECT_LT((wheel - roller).norm(), 1e-12 * roller.norm()) << m;
   }
 }
@@ -62,7 +62,7 @@ TEST(WheelOrders, TendToAPlaneLayersLinearlyInTheThickness) {
       const double n = 0.8 / thickness;
       const Matrix3<double> plane = plane_compliance(thickness, nu, m, n);
       const Medium<double> layer{1.0 - thickness, 1.0, 1.0, ratio_of(nu), 0.0};
-      return Matrix3<double>((compliance_of<double>({layer}, Way::line, m, n) - plane) / plane(0, 0));
+      return Matrix3<double>((compliance_of<double>({layer}, AxisKind::line, m, n) - plane) / plane(0, 0));
     };
     const Matrix3<double> thin = deviation(1e-4);
     EXPECT_LT(thin.norm(), 1e-3);
@@ -75,16 +75,18 @@ TEST(WheelOrders, TendToAHalfSpace) {
   const Medium<double> layer{0.5, 1.0, 2.0, ratio_of(nu), 0.0};
   for (const double angle : {0.0, 0.5, 1.5}) {
     const double k = 1e4;
-    const double normal = compliance_of<double>({layer}, Way::line, k * std::cos(angle), k * std::sin(angle))(0, 0);
+    const double normal =
+        compliance_of<double>({layer}, AxisKind::line, k * std::cos(angle), k * std::sin(angle))(0, 0);
     EXPECT_NEAR(normal, (1.0 - nu) / (2.0 * k), 3.0 / k * normal);
   }
 }
 
 TEST(WheelOrders, OrderZeroOfAnIncompressibleTreadIsHeld) {
   const Medium<double> layer{0.8, 1.0, 1.0, 0.0, 0.0};
-  EXPECT_EQ(compliance_of<double>({layer}, Way::line, 0.0, 0.0)(0, 0), 0.0);
-  const double tenth = compliance_of<double>({layer}, Way::line, 0.0, 0.1)(0, 0);
-  EXPECT_NEAR(compliance_of<double>({layer}, Way::line, 0.0, 0.01)(0, 0) / tenth, 0.01, 1e-3);  // proportional to k^2
+  EXPECT_EQ(compliance_of<double>({layer}, AxisKind::line, 0.0, 0.0)(0, 0), 0.0);
+  const double tenth = compliance_of<double>({layer}, AxisKind::line, 0.0, 0.1)(0, 0);
+  EXPECT_NEAR(compliance_of<double>({layer}, AxisKind::line, 0.0, 0.01)(0, 0) / tenth, 0.01,
+              1e-3);  // proportional to k^2
 }
 
 CoatedWheel crowned(double crown_radius, double width = 0.08) {
@@ -204,8 +206,12 @@ class WheelWithFlatEquations final : public RoundBody {
         flat_(make_body(flat)) {}
 
   [[nodiscard]] std::string_view name() const override { return wheel_->name(); }
-  [[nodiscard]] BodySurface surface(const Crossing& crossing) const override { return flat_->surface(crossing); }
-  [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override { return flat_->layered(crossing); }
+  [[nodiscard]] BodySurface surface(const ContactKinematics& kinematics) const override {
+    return flat_->surface(kinematics);
+  }
+  [[nodiscard]] LayeredBody layered(const ContactKinematics& kinematics) const override {
+    return flat_->layered(kinematics);
+  }
   [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return wheel_->profile(points); }
   [[nodiscard]] Nodes nodes(const Mesh& mesh, const Body& on) const override { return wheel_->nodes(mesh, on); }
   [[nodiscard]] double further_error(const ContactReach& contact) const override {
@@ -316,14 +322,14 @@ TEST(WheelRolling, CirclesBesideTheMiddleAreSmaller) {
   const RollingPair pair = rolling_pair(wheel, CoatedPlane{});
   const Nodes nodes = pair.body->nodes({.nodes_per_revolution = 2000}, *pair.on);
   const SurfaceWindow window(nodes.grid, {{-1, 1}, {-60, 60}});
-  const RigidWays ways = rigid_slip(window, {}, SlipKinematics::exact, pair, {});
+  const RigidDisplacements rigid = rigid_slip(window, {}, SlipKinematics::exact, pair, {});
   const double step = window.grid().radius * window.grid().phi_spacing;
   const Window& range = window.window();
   for (const int k : {-60, -7, 0, 31}) {
     const Eigen::Index node = range.number_of(1, k);
     const double z = window.z()[node];
     const double drop = z * z / 0.6;  // Heathcote's z^2 / 2 R_c, of a parabola
-    const double more = ways.slip(node, 0) - ways.slip(range.number_of(1, 0), 0);
+    const double more = rigid.slip(node, 0) - rigid.slip(range.number_of(1, 0), 0);
     EXPECT_NEAR(more, step / window.grid().radius * drop, 4e-3 * step / window.grid().radius * drop + 1e-18) << k;
   }
   EXPECT_NEAR(-window.z()[range.number_of(0, 60)], 60.0 * nodes.grid.radius * nodes.grid.theta_spacing, 1e-12);
@@ -337,9 +343,9 @@ TEST(WheelRolling, PowersBalanceWithFriction) {
   options.mesh = Mesh{.nodes_per_revolution = 1600, .theta_nodes_per_revolution = 800};
   LoadCase load_case{.load = 500.0, .angular_speed = 2.5, .friction = 0.5};
   const CoatedWheel crown = crowned(0.3);
-  const auto error = [&](const CoatedWheel& wheel, const Counterpart& on, const Drive& drive) {
+  const auto error = [&](const CoatedWheel& wheel, const Counterbody& on, const Drive& drive) {
     load_case.drive = drive;
-    return solve(wheel, on, load_case, options).power_balance_error;
+    return solve(wheel, on, load_case, options).energy_balance_error;
   };
   const CoatedPlane soft{.layers = crown.layers};
   EXPECT_LT(error(crown, CoatedPlane{}, DriveForce{0.0}), 3e-3);
@@ -403,7 +409,7 @@ TEST(WheelRolling, TwoAlikeAreOneOnItsMirrorPlane) {
   const Result one = solve(wheel, CoatedPlane{}, load_case, options);
   EXPECT_NEAR(both.resisting_torque, one.resisting_torque, 1e-9 * one.resisting_torque);
   EXPECT_NEAR(*both.penetration, 2.0 * *one.penetration, 1e-9 * *both.penetration);
-  EXPECT_NEAR(both.counterpart_bulk_power, both.rolling_bulk_power, 1e-9 * both.rolling_bulk_power);
+  EXPECT_NEAR(both.counterbody_bulk_power, both.rolling_bulk_power, 1e-9 * both.rolling_bulk_power);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ const tables = {
   hardness: { A: { 82: 4e6 }, D: { 40: 3e7 } },
   rebound: { decades: 4.5, ...times, series: { 70: series } },
   loss_factor: { decades: 3, ...times, series: { 7: series } },
-  published: { foam: { 20: { type: "elastic", modulus: 1e4 } } },
+  published: { foam: { 293.15: { type: "elastic", modulus: 1e4 } } },
 };
 const known = (table) =>
   withMaterials({ case: { ball: { layers: [{ shear_modulus: table }] } }, fields: true }, tables);
@@ -36,7 +36,7 @@ test("a hardness without a rebound gives an elastic material", () => {
 });
 
 test("a published material becomes its table", () => {
-  assert.deepEqual(modulus({ type: "published", name: "foam", temperature: 20 }), { type: "elastic", modulus: 1e4 });
+  assert.deepEqual(modulus({ type: "published", name: "foam", temperature: 293.15 }), { type: "elastic", modulus: 1e4 });
 });
 
 test("materials of the library and the rest of a request do not change", () => {

@@ -17,6 +17,8 @@ test("conversions do not add round-off to decimals", () => {
   assert.equal(toSI([0.1, "MPa"], "modulus"), 1e5);
   assert.equal(toSI([55, "%"], "percent"), 0.55);
   assert.deepEqual(fromSI(0.003, "mm", "length"), [3, "mm"]);
+  assert.equal(toSI([20, "°C"], "temperature"), 293.15);
+  assert.deepEqual(fromSI(263.15, "°C", "temperature"), [-10, "°C"]);
 });
 
 test("units agree with their definitions", () => {

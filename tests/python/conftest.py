@@ -12,7 +12,7 @@ os.environ["COLUMNS"] = "80"  # width of tables on the terminal, whatever that o
 
 import pytest
 import viscoroll as vr
-from specimens import RUBBER
+from shared_cases import RUBBER
 from viscoroll import paper
 
 # A shell that starts the tests in the background makes them, and all programs that they start, ignore SIGINT.
@@ -40,7 +40,7 @@ def paper_ball() -> vr.CoatedSphere:
 
 
 @pytest.fixture(scope="session")
-def unlike_ball(rubber: vr.StandardLinearSolid) -> vr.CoatedSphere:
+def two_layer_ball(rubber: vr.StandardLinearSolid) -> vr.CoatedSphere:
     """Return a ball with two layers of different relaxation functions, with densities."""
     inner = vr.Layer(thickness=2e-3, shear_modulus=rubber, poisson_ratio=0.45, density=1000.0)
     outer = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=2e6), poisson_ratio=0.3, density=1500.0)

@@ -74,14 +74,14 @@ def volumes(basis):
 def graded(start, end, focus, finest, coarsest, growth):
     """Return nodes on [start, end] with one at `focus`, from which spacings grow by `growth` up to `coarsest`."""
 
-    def one_way(length):
+    def one_side(length):
         steps, spacing = [0.0], finest
         while steps[-1] < length:
             steps.append(steps[-1] + spacing)
             spacing = min(spacing * growth, coarsest)
         return np.array(steps) * (length / steps[-1] if length > 0.0 else 1.0)
 
-    return np.concatenate([focus - one_way(focus - start)[:0:-1], focus + one_way(end - focus)])
+    return np.concatenate([focus - one_side(focus - start)[:0:-1], focus + one_side(end - focus)])
 
 
 class Coating:

@@ -1,7 +1,7 @@
-"""Fields of one order inside flat layers and inside a roller to many digits, directly from Hooke's law.
+"""Fields of one order inside flat layers and inside a roller, in extended precision.
 
-The method multiplies matrix exponentials with extra digits; shells are those of `interior`. Flat layers lie in 0 > y >=
--thickness, the outermost up to y = 0.
+The fields follow from Hooke's law and equilibrium, by products of matrix exponentials with extra digits. The layers are
+given as `interior.Shell`. Flat layers lie below the surface y = 0: the outermost has `outer` = 0, and y is negative.
 """
 
 from __future__ import annotations
@@ -13,45 +13,54 @@ import mpmath
 import numpy as np
 
 
-class _Flat:
-    """Waves e^{i(k x + l z)}: z' = A z along y, z = (u_n, u_x, u_z, sigma_nn, sigma_nx, sigma_nz)."""
+class _FlatWaves:
+    """Waves e^{i(k x + l z)} in flat layers.
+
+    The state s = (u_n, u_x, u_z, sigma_nn, sigma_nx, sigma_nz) satisfies ds/dy = A s.
+    """
 
     def __init__(self, k, l):  # noqa: E741
-        self.waves = (mpmath.mpc(0, k), mpmath.mpc(0, l))
+        self.derivatives = (mpmath.mpc(0, k), mpmath.mpc(0, l))  # factors i k of d/dx and i l of d/dz
         self.rate = math.hypot(k, l)
 
     def coordinate(self, place):
+        """Return the independent variable of the equations at a place."""
         return mpmath.mpf(place)
 
     def length(self, _place):
+        """Return the factor on stresses in the state."""
         return mpmath.mpf(1)
 
     def in_plane(self, place, state, mu, nu):
         """Return the strains xx, zz, xz from the displacements."""
-        x, z = self.waves
-        return x * state[1], z * state[2], (x * state[2] + z * state[1]) / 2
+        dx, dz = self.derivatives
+        return dx * state[1], dz * state[2], (dx * state[2] + dz * state[1]) / 2
 
     def rates(self, state, mu, nu, inertia):
+        """Return A s; `inertia` is rho V^2 [Pa]."""
         a, b = nu / (1 - nu), (1 - 2 * nu) / (2 * (1 - nu))
-        x, z = self.waves
+        dx, dz = self.derivatives
         un, ux, uz, snn, snx, snz = state
         exx, ezz, exz = self.in_plane(None, state, mu, nu)
         sxx = a * snn + 4 * mu * (1 - b) * exx + 2 * mu * a * ezz
         szz = a * snn + 4 * mu * (1 - b) * ezz + 2 * mu * a * exx
         sxz = 2 * mu * exz
-        load = inertia * x * x  # rho V^2 d^2/dx^2
+        load = inertia * dx * dx  # rho V^2 d^2/dx^2
         return [
             b / mu * snn - a * (exx + ezz),
-            snx / mu - x * un,
-            snz / mu - z * un,
-            -x * snx - z * snz + load * un,
-            -x * sxx - z * sxz + load * ux,
-            -x * sxz - z * szz + load * uz,
+            snx / mu - dx * un,
+            snz / mu - dz * un,
+            -dx * snx - dz * snz + load * un,
+            -dx * sxx - dz * sxz + load * ux,
+            -dx * sxz - dz * szz + load * uz,
         ]
 
 
-class _Round:
-    """Waves e^{i m phi} around the axis, constant along it: in ln r, with stresses times r."""
+class _RollerWaves:
+    """Waves e^{i m phi} in a roller, constant along its axis.
+
+    The methods are those of `_FlatWaves`. The independent variable is ln r, and the state contains stresses times r.
+    """
 
     def __init__(self, m):
         self.m = mpmath.mpc(0, m)
@@ -85,22 +94,25 @@ class _Round:
 def flat_fields(shells, speed, k, l, places, *, digits=50):  # noqa: E741
     """Return displacement, stress and strain per unit surface stress of waves (k, l) [1/m] at places (y, shell number).
 
-    `speed` is that of the material past the contact, so the frequency is k speed. The base is rigid.
+    `speed` [m/s] is the speed of the material past the contact; the frequency is k * speed. The base is rigid.
     """
-    return _fields(_Flat(k, l), shells, k * speed, speed**2, places, digits)
+    return _fields(_FlatWaves(k, l), shells, k * speed, speed**2, places, digits)
 
 
 def roller_fields(shells, angular_speed, m, places, *, digits=50):
-    """Return the same fields of order m of a roller with a rigid core, at places (r, shell number), without inertia."""
-    return _fields(_Round(m), shells, m * angular_speed, 0.0, places, digits)
+    """Return the fields of `flat_fields` for order m of a roller with a rigid core, at places (r, shell number).
+
+    Inertia is not included.
+    """
+    return _fields(_RollerWaves(m), shells, m * angular_speed, 0.0, places, digits)
 
 
 def _fields(waves, shells, omega, square_of_speed, places, digits):
     extent = float(abs(waves.coordinate(shells[-1].outer) - waves.coordinate(shells[0].inner)))
     with mpmath.workdps(int(digits + waves.rate * extent + 30)):
-        z = mpmath.zeros(6, 3)
+        states = mpmath.zeros(6, 3)  # state of each unit stress at the rigid base
         for i in range(3):
-            z[3 + i, i] = 1
+            states[3 + i, i] = 1
         found = {}
         for number, shell in enumerate(shells):
             mu = shell.shear_modulus(mpmath.mpf(omega))
@@ -114,17 +126,18 @@ def _fields(waves, shells, omega, square_of_speed, places, digits):
                 for i in range(6):
                     matrix[i, j] = column[i]
             stops = sorted({shell.inner, shell.outer, *(p for p, s in places if s == number)})
-            found[stops[0], number] = (z, mu, nu)
+            found[stops[0], number] = (states, mu, nu)
             for start, end in itertools.pairwise(stops):
-                way = waves.coordinate(end) - waves.coordinate(start)
-                z = mpmath.expm(matrix * way, method="taylor") * z
-                found[end, number] = (z, mu, nu)
-        unit = mpmath.inverse(z[3:, :]) * waves.length(shells[-1].outer)
-        return [_components(waves, p, *found[p, s], unit) for p, s in places]
+                interval = waves.coordinate(end) - waves.coordinate(start)
+                states = mpmath.expm(matrix * interval, method="taylor") * states
+                found[end, number] = (states, mu, nu)
+        to_unit_load = mpmath.inverse(states[3:, :]) * waves.length(shells[-1].outer)
+        return [_components(waves, p, *found[p, s], to_unit_load) for p, s in places]
 
 
-def _components(waves, place, z, mu, nu, unit):
-    state = z * unit
+def _components(waves, place, states, mu, nu, to_unit_load):
+    """Return displacement, stress and strain at a place for a unit stress in each direction on the surface."""
+    state = states * to_unit_load
     displacement, stress, strain = (np.zeros((rows, 3), dtype=complex) for rows in (3, 6, 6))
     for load in range(3):
         u = [state[row, load] for row in range(3)]

@@ -22,7 +22,7 @@ def half_plane_moment(speed, *, load, radius, nodes):
     retarded = speed * 0.125 * stiff / soft
     width = 2.6 * np.sqrt(load * radius / (np.pi * soft)) / nodes
     # position of the material, backward
-    way = (np.arange(nodes) - nodes / 2 + 0.5) * width
+    place = (np.arange(nodes) - nodes / 2 + 0.5) * width
     offset = np.arange(-nodes + 1, nodes) * width
 
     def elastic(s):
@@ -42,9 +42,9 @@ def half_plane_moment(speed, *, load, radius, nodes):
     kernel = 0.5 * (elastic(offset) / stiff + (1.0 / soft - 1.0 / stiff) * faded)
     index = np.arange(nodes)
     compliance = kernel[index[:, None] - index[None, :] + nodes - 1]
-    gap = way**2 / (2.0 * radius)
+    gap = place**2 / (2.0 * radius)
     force, _ = press(compliance, gap, load)
-    return float(-(way * force).sum())
+    return float(-(place * force).sum())
 
 
 def coating(nodes):

@@ -57,7 +57,7 @@ def kernel(solid: Solid, speed, spacing, xi, zeta):
     half = 0.5 * spacing
     at_once = _love(xi, zeta, half, half) / solid.instantaneous
     crept = (1.0 / solid.relaxed - 1.0 / solid.instantaneous) * sum(
-        share * _love(xi - way, zeta, half, half) for way, share in zip(back, shares, strict=True)
+        share * _love(xi - shift, zeta, half, half) for shift, share in zip(back, shares, strict=True)
     )
     return (1.0 - solid.nu) / (2.0 * np.pi) * (at_once + crept) / spacing**2
 

@@ -38,8 +38,8 @@ async function beWorker(folder) {
   parentPort.on("message", (data) => globalThis.onmessage({ data }));
 }
 
-async function answerAll(folder, way = "module") {
-  const viscoroll = await { module: byModule, script: byScript, worker: byWorker }[way](folder);
+async function answerAll(folder, entry = "module") {
+  const viscoroll = await { module: byModule, script: byScript, worker: byWorker }[entry](folder);
   const answers = [];
   for (const request of JSON.parse(fs.readFileSync(0, "utf8"))) answers.push(await viscoroll.solve(request));
   console.log(JSON.stringify({ answers, scalars: await viscoroll.scalars() }));

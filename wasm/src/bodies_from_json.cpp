@@ -116,12 +116,12 @@ constexpr auto kBodies = std::to_array<Name<RollingBody (*)(Table&)>>({
     {"cylinder", made<RollingBody, cylinder_from_json>},
     {"wheel", made<RollingBody, wheel_from_json>},
 });
-constexpr auto kCounterparts = std::to_array<Name<Counterpart (*)(Table&)>>({
-    {"plane", made<Counterpart, plane_from_json>},
-    {"groove", made<Counterpart, groove_from_json>},
-    {"other_ball", made<Counterpart, ball_from_json>},
-    {"other_cylinder", made<Counterpart, cylinder_from_json>},
-    {"other_wheel", made<Counterpart, wheel_from_json>},
+constexpr auto kCounterbodies = std::to_array<Name<Counterbody (*)(Table&)>>({
+    {"plane", made<Counterbody, plane_from_json>},
+    {"groove", made<Counterbody, groove_from_json>},
+    {"other_ball", made<Counterbody, ball_from_json>},
+    {"other_cylinder", made<Counterbody, cylinder_from_json>},
+    {"other_wheel", made<Counterbody, wheel_from_json>},
 });
 
 template <class Kind, std::size_t kCount>
@@ -140,17 +140,17 @@ std::vector<Name<Kind>> take_given(Table& file, const std::array<Name<Kind (*)(T
 
 Pair pair_from_json(Table& file) {
   auto bodies = take_given(file, kBodies);
-  auto counterparts = take_given(file, kCounterparts);
+  auto counterbodies = take_given(file, kCounterbodies);
   if (bodies.size() != 1) {
     throw std::invalid_argument("exactly one of " + names_of(kBodies) + " must be given, got " +
                                 (bodies.empty() ? "none" : names_of(bodies, " and ")));
   }
-  if (counterparts.size() > 1) {
-    throw std::invalid_argument("at most one of " + names_of(kCounterparts) + " may be given, got " +
-                                names_of(counterparts, " and "));
+  if (counterbodies.size() > 1) {
+    throw std::invalid_argument("at most one of " + names_of(kCounterbodies) + " may be given, got " +
+                                names_of(counterbodies, " and "));
   }
   Pair pair{.body = std::move(bodies.front().value), .on = CoatedPlane{}};
-  if (!counterparts.empty()) pair.on = std::move(counterparts.front().value);
+  if (!counterbodies.empty()) pair.on = std::move(counterbodies.front().value);
   return pair;
 }
 

@@ -10,7 +10,7 @@ namespace viscoroll::wasm {
 /// @brief Rolling body and counterbody.
 struct Pair {
   RollingBody body;
-  Counterpart on;  ///< rigid plane by default
+  Counterbody on;  ///< rigid plane by default
 };
 
 /// @brief Take the tables of the bodies from a case.

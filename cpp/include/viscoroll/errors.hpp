@@ -27,9 +27,9 @@ class ConvergenceError : public std::runtime_error {
 };
 
 /// @brief The observer canceled a running computation.
-class Cancelled : public std::runtime_error {
+class Canceled : public std::runtime_error {
  public:
-  Cancelled() : std::runtime_error("the observer canceled the solve") {}
+  Canceled() : std::runtime_error("the observer canceled the solve") {}
 };
 
 }  // namespace viscoroll

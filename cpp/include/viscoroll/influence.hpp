@@ -37,7 +37,7 @@ struct InfluenceTables {
 /// @param[in] observer progress and cancellation
 /// @return the tables of all nine pairs of directions
 /// @throws std::invalid_argument for invalid input
-/// @throws Cancelled if the observer canceled the computation
+/// @throws Canceled if the observer canceled the computation
 [[nodiscard]] InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
                                                int phi_reach, int theta_reach, int threads = 0,
                                                Curvature curvature = Curvature::sphere, const Observer& observer = {});

@@ -65,7 +65,7 @@ inline constexpr std::size_t kFieldComponents = 15;
 /// @param[in] observer progress and cancellation
 /// @return row-major [order][place][component][surface stress along r, phi, theta]
 /// @throws std::invalid_argument for invalid input
-/// @throws Cancelled if the observer canceled the computation
+/// @throws Canceled if the observer canceled the computation
 [[nodiscard]] std::vector<std::complex<double>> order_fields(const LayeredShape& shape, double angular_speed,
                                                              std::span<const int> m, std::span<const int> n,
                                                              std::span<const Place> places, double radius,
@@ -89,9 +89,9 @@ struct Tractions {
   Compliance compliance = Compliance::radial;  ///< normals along which the pressure acts
   Curvature curvature = Curvature::sphere;     ///< `sphere` or `paper`
   PatchLoad patch_load = PatchLoad::flat;      ///< distribution of the traction on a patch
-  bool counterpart = false;                    ///< whether the tractions act on the counterbody instead
+  bool counterbody = false;                    ///< whether the tractions act on the counterbody instead
   /// Curvature of the counterbody along the path and across it, > 0 for a convex surface [1/m].
-  std::array<double, 2> counterpart_curvature{};
+  std::array<double, 2> counterbody_curvature{};
 };
 
 /// @brief Tractions of a solution on the rolling body.
@@ -129,7 +129,7 @@ struct InteriorFields {
 /// @param[in] observer progress and cancellation
 /// @return the fields on all surfaces
 /// @throws std::invalid_argument for invalid input
-/// @throws Cancelled if the observer canceled the computation
+/// @throws Canceled if the observer canceled the computation
 [[nodiscard]] InteriorFields interior_fields(const LayeredShape& shape, double angular_speed,
                                              const Tractions& tractions, std::span<const Place> places,
                                              std::span<const double> phi, std::span<const double> theta,
@@ -162,7 +162,7 @@ struct LossDensity {
 /// @param[in] observer progress and cancellation
 /// @return density and powers
 /// @throws std::invalid_argument for invalid input
-/// @throws Cancelled if the observer canceled the computation
+/// @throws Canceled if the observer canceled the computation
 [[nodiscard]] LossDensity loss_density(const LayeredShape& shape, double angular_speed, const Tractions& tractions,
                                        std::span<const Place> places, int max_order, int threads = 0,
                                        const Observer& observer = {});

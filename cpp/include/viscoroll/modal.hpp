@@ -38,7 +38,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] observer progress and cancellation
 /// @return one matrix for each pair (m, n) [m/Pa]
 /// @throws std::invalid_argument for invalid input
-/// @throws Cancelled if the observer canceled the computation
+/// @throws Canceled if the observer canceled the computation
 [[nodiscard]] std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, double angular_speed,
                                                              std::span<const int> m, std::span<const int> n,
                                                              Curvature curvature = Curvature::sphere,
@@ -56,7 +56,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] observer progress and cancellation
 /// @return one matrix for each pair (l, m) [m/Pa], in the order (Y, Psi, Phi)
 /// @throws std::invalid_argument for invalid input
-/// @throws Cancelled if the observer canceled the computation
+/// @throws Canceled if the observer canceled the computation
 [[nodiscard]] std::vector<ComplexMatrix3> degree_compliance(const CoatedSphere& sphere, double angular_speed,
                                                             std::span<const int> degree, std::span<const int> order,
                                                             const Observer& observer = {});

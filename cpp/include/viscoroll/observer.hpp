@@ -15,7 +15,7 @@ struct Progress {
 
 /// @brief Callbacks of a long computation. Both are called on the thread that called the library, about every 20 ms.
 struct Observer {
-  std::function<bool()> cancelled;                ///< return true to stop the computation with `Cancelled`
+  std::function<bool()> cancelled;                ///< return true to stop the computation with `Canceled`
   std::function<void(const Progress&)> progress;  ///< receives the progress
 };
 

@@ -49,8 +49,8 @@ struct Refinement {
   int contact_nodes = 0;              ///< nodes in contact
   double resisting_torque = 0.0;      ///< [N m]
   std::optional<double> penetration;  ///< [m]; none if it is undetermined
-  double power_balance_error = 0.0;   ///< [-]
-  double error_estimate = 0.0;        ///< largest of the power-balance error and the changes from the previous mesh [-]
+  double energy_balance_error = 0.0;  ///< [-]
+  double error_estimate = 0.0;  ///< largest of the energy-balance error and the changes from the previous mesh [-]
 };
 
 /// @brief Scalar results in SI units. The members have the names in `result_scalars.def`.
@@ -84,8 +84,8 @@ struct Result : ResultScalars {
   std::vector<Warning> warnings;        ///< warnings about this result
 };
 
-/// @brief Frozen contact of a result, for `solve_kept`: nodes in contact and sticking, and their tractions.
-struct KeptContact {
+/// @brief Frozen contact of a result, for `solve_frozen`: nodes in contact and sticking, and their tractions.
+struct FrozenContact {
   int phi_nodes = 0;                   ///< rows of the fields, odd; the middle one is at the lowest point
   int theta_nodes = 0;                 ///< columns of the fields, odd; the middle one is at the lowest point
   std::vector<unsigned char> contact;  ///< 1 if the node is in contact, else 0, [phi][theta]

@@ -20,6 +20,6 @@ using RollingBody = std::variant<CoatedSphere, CoatedCylinder, CoatedWheel>;
 /// Every body can roll on a plane, a groove, or a body of its own kind; a wheel can also roll on a roller. A plane or
 /// groove without layers and base is rigid. A ball, roller or wheel as counterbody turns about an axis of its own in
 /// the opposite sense, with the same surface speed.
-using Counterpart = std::variant<CoatedPlane, CoatedCylinder, Groove, CoatedSphere, CoatedWheel>;
+using Counterbody = std::variant<CoatedPlane, CoatedCylinder, Groove, CoatedSphere, CoatedWheel>;
 
 }  // namespace viscoroll

@@ -1,8 +1,9 @@
 /// @file
-/// @brief Transient rolling of a body on a counterbody: it starts, stops, stands, reverses, or changes its load.
+/// @brief Transient rolling of a body on a counterbody with prescribed histories of angle and load: start, stop, rest,
+/// reversal, change of load.
 ///
 /// The frame is that of result.hpp: the body rolls forward while its angle increases, and without friction the contact
-/// moves r_o times the angle along the track. Inertia of the layers is neglected. In line contact loads, forces,
+/// moves r_o times the angle along the track. Inertia of the layers is neglected. In line contact, loads, forces,
 /// torques and energies are per unit length.
 #pragma once
 
@@ -33,16 +34,17 @@ struct HistoryOptions {
   double friction = 0.0;                       ///< Coulomb's coefficient between the two bodies [-], in [0, 4]
   /// Force on the center, positive forward [N]; |driving_force| < friction * load if the center has no mass.
   double driving_force = 0.0;
-  /// Given moment about the center in place of a force on it, with friction [N m]; 0: the body is towed.
+  /// Driving moment about the center [N m], in place of `driving_force`; requires friction. At 0 the body is towed.
   std::optional<double> driving_torque = std::nullopt;
-  double mass = 0.0;          ///< mass that moves with the center, with friction [kg], >= 0
-  double center_speed = 0.0;  ///< initial speed of a center with mass, positive forward [m/s]
-  int lattices = 4;           ///< number of phase-shifted meshes over which results are averaged, 1 to 16
-  /// Time steps per turn by one spacing, 1 to 64; none: one step from each waypoint to the next.
+  double mass = 0.0;          ///< mass that moves with the center [kg], >= 0; a mass > 0 requires friction
+  double center_speed = 0.0;  ///< initial speed of the center, positive forward [m/s]; requires a mass
+  int averaged_meshes = 4;    ///< number of phase-shifted meshes over which results are averaged, 1 to 16
+  /// Number of time steps while the body turns by one mesh spacing, 1 to 64; none: one step from each waypoint to the
+  /// next.
   std::optional<int> steps_per_spacing = 4;
   double shortest_time = 1e-4;       ///< shortest time to which continuous spectra are resolved [s], > 0
   double longest_time = 1e4;         ///< longest time to which continuous spectra are resolved [s], > shortest_time
-  double spectrum_tolerance = 0.01;  ///< largest relative error of a compliance with discrete times [-], in (0, 1)
+  double spectrum_tolerance = 0.01;  ///< largest allowed `RollingHistory::spectrum_error` [-], in (0, 1)
   int threads = 0;                   ///< number of threads, 0 for all cores
 };
 
@@ -71,9 +73,9 @@ struct Motion {
   std::vector<double> time;   ///< times of the waypoints [s], at least one, not decreasing
   std::vector<double> angle;  ///< angle psi at each waypoint [rad]
   std::vector<double> load;   ///< load P at each waypoint [N], >= 0; at 0 the body has lifted off
-  /// Distance traveled by the center at each waypoint since the first one [m], with friction; empty: the forces on the
-  /// center determine it.
-  std::vector<double> center_way = {};
+  /// Distance traveled by the center from the first waypoint to each waypoint [m]; requires friction. Empty: the forces
+  /// on the center determine it.
+  std::vector<double> center_displacement = {};
 };
 
 /// @brief Check a motion.
@@ -87,7 +89,8 @@ struct RollingState {
 
 /// @brief A rolling body whose motion advances step by step.
 ///
-/// Copies are independent of one another and share their tables, so that a step can be tried and undone.
+/// Copies advance independently of each other: to try a step and discard it, advance a copy. Copies share the influence
+/// tables.
 class RollingHistory {
  public:
   /// @brief Start a history on the rigid plane. The parameters are those of the next constructor.
@@ -102,8 +105,8 @@ class RollingHistory {
   /// @param[in] options options of the computation
   /// @param[in] time,angle time [s] and angle [rad] of the first instant
   /// @param[in] observer progress and cancellation
-  /// @throws std::invalid_argument for invalid input, and for layers to which this method does not apply
-  RollingHistory(const RollingBody& body, const Counterpart& on, double load, Start start = Start::relaxed,
+  /// @throws std::invalid_argument for invalid input, and for layers to which the transient method does not apply
+  RollingHistory(const RollingBody& body, const Counterbody& on, double load, Start start = Start::relaxed,
                  const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
                  const Observer& observer = {});
   /// @brief Continue from a stored state.
@@ -111,7 +114,7 @@ class RollingHistory {
   /// @param[in] state state of a history of the same bodies and options
   /// @param[in] body,on,options,observer same as in the constructor above
   /// @throws std::invalid_argument for invalid input, and for a state of other bodies or of other options
-  RollingHistory(const RollingBody& body, const Counterpart& on, double load, const RollingState& state,
+  RollingHistory(const RollingBody& body, const Counterbody& on, double load, const RollingState& state,
                  const HistoryOptions& options = {}, const Observer& observer = {});
   RollingHistory(const RollingHistory& other);
   RollingHistory(RollingHistory&& other) noexcept;
@@ -125,15 +128,15 @@ class RollingHistory {
   /// @param[in] time time at the end [s], not before `now()`; equal to it for a jump
   /// @param[in] angle angle at the end [rad]
   /// @param[in] load load at the end [N], >= 0; at 0 the body has lifted off
-  /// @param[in] center_way distance traveled by the center since the first instant [m], with friction; none: the forces
-  /// on the center determine it
+  /// @param[in] center_displacement distance traveled by the center since the first instant [m]; requires friction;
+  /// none: the forces on the center determine it
   /// @param[in] observer progress and cancellation
   /// @return scalars at the end
   /// @throws std::invalid_argument for invalid input, and for a drive that friction cannot balance
-  /// @throws ConvergenceError if the solver finds no usable state
-  /// @throws Cancelled if the observer canceled the computation
-  RollingInstant advance(double time, double angle, double load, std::optional<double> center_way = std::nullopt,
-                         const Observer& observer = {});
+  /// @throws ConvergenceError if the contact iteration does not converge
+  /// @throws Canceled if the observer canceled the computation
+  RollingInstant advance(double time, double angle, double load,
+                         std::optional<double> center_displacement = std::nullopt, const Observer& observer = {});
 
   /// @return scalars at the current instant
   [[nodiscard]] const RollingInstant& now() const;
@@ -161,14 +164,14 @@ class RollingHistory {
 };
 
 /// @brief Follow a prescribed motion.
-/// @param[in,out] history history at the first waypoint, or at a later time, from which it then follows the motion;
-/// after an exception it is at the last instant that was reached
+/// @param[in,out] history history whose current instant is the first waypoint or a later time within the motion; the
+/// computation follows the motion from this instant. After an exception, the history is at the last completed instant.
 /// @param[in] motion waypoints
 /// @param[in] observer progress and cancellation
 /// @return scalars at all instants, beginning with the current one
 /// @throws std::invalid_argument for invalid input, and for a drive that friction cannot balance
-/// @throws ConvergenceError if the solver finds no usable state
-/// @throws Cancelled if the observer canceled the computation
+/// @throws ConvergenceError if the contact iteration does not converge
+/// @throws Canceled if the observer canceled the computation
 [[nodiscard]] std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion,
                                                const Observer& observer = {});
 

@@ -22,7 +22,7 @@ namespace viscoroll {
 /// @throws std::invalid_argument for invalid input, for a load that presses the body as deep as its layers are thick,
 /// for a speed at or above `critical_speed`, and for a drive with which the body never stops sliding
 /// @throws ConvergenceError if the solver finds no usable state
-/// @throws Cancelled if the observer canceled the computation
+/// @throws Canceled if the observer canceled the computation
 [[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
 
 /// @brief Solve steady rolling of a body on a counterbody that deforms or is curved: a coated plane, a half-space, a
@@ -37,8 +37,8 @@ namespace viscoroll {
 /// @return the solution with its status
 /// @throws std::invalid_argument for the same reasons as on a rigid plane, and if both bodies are rigid
 /// @throws ConvergenceError if the solver finds no usable state
-/// @throws Cancelled if the observer canceled the computation
-[[nodiscard]] Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case,
+/// @throws Canceled if the observer canceled the computation
+[[nodiscard]] Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
                            const Options& options = {});
 
 /// @brief Solve again with a frozen contact: the nodes in contact, sticking and slipping stay those of a state.
@@ -51,9 +51,9 @@ namespace viscoroll {
 /// @return the solution with its status
 /// @throws std::invalid_argument for invalid input, and for a state of another mesh
 /// @throws ConvergenceError if there is no solution near the state
-/// @throws Cancelled if the observer canceled the computation
-[[nodiscard]] Result solve_kept(const RollingBody& body, const Counterpart& on, const LoadCase& load_case,
-                                const KeptContact& state, const Options& options);
+/// @throws Canceled if the observer canceled the computation
+[[nodiscard]] Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
+                                  const FrozenContact& state, const Options& options);
 
 /// @brief A body at one speed on one mesh, for many load cases. Its spectrum and its influence tables are computed
 /// once.
@@ -69,12 +69,12 @@ class RollingModel {
   /// @param[in] curvature curvature terms in the layer equations of a sphere
   /// @param[in] observer progress and cancellation
   /// @throws std::invalid_argument for invalid input, and for a speed at or above `critical_speed`
-  /// @throws Cancelled if the observer canceled the computation
+  /// @throws Canceled if the observer canceled the computation
   RollingModel(const RollingBody& body, double angular_speed, const Mesh& mesh, int threads = 0,
                Curvature curvature = Curvature::sphere, const Observer& observer = {});
 
   /// @brief Prepare a body on a counterbody that deforms or is curved. The other parameters are those above.
-  RollingModel(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh, int threads = 0,
+  RollingModel(const RollingBody& body, const Counterbody& on, double angular_speed, const Mesh& mesh, int threads = 0,
                Curvature curvature = Curvature::sphere, const Observer& observer = {});
   ~RollingModel();
   RollingModel(RollingModel&&) noexcept;

@@ -23,12 +23,12 @@ ContactProblem with_nodes(const ContactProblem& problem, std::shared_ptr<const S
   if (result.friction) {
     Friction& friction = *result.friction;
     friction.shared.reset();
-    const LeverArms& arms = problem.friction->arms;
+    const MomentArms& arms = problem.friction->arms;
     friction.arms = {.x = picked(arms.x, nodes), .y = picked(arms.y, nodes), .radius = arms.radius};
     if (arms.slope.size() > 0) friction.arms.slope = picked(arms.slope, nodes);
-    for (const auto way : {&Friction::rigid_slip, &Friction::counterpart_way}) {
-      (friction.*way) = picked((*problem.friction).*way, nodes);
-      (friction.*way).topRows(result.surface->shape().theta_nodes).setZero();
+    for (const auto member : {&Friction::rigid_slip, &Friction::counterbody_rigid_displacement}) {
+      (friction.*member) = picked((*problem.friction).*member, nodes);
+      (friction.*member).topRows(result.surface->shape().theta_nodes).setZero();
     }
   }
   return result;
@@ -52,13 +52,13 @@ ContactProblem coarsened(const ContactProblem& problem) {
   }
   if (result.friction) {
     const Index stride = fine.theta.count();
-    for (const auto way : {&Friction::rigid_slip, &Friction::counterpart_way}) {
-      const Eigen::ArrayX2d& fine_way = (*problem.friction).*way;
-      Eigen::ArrayX2d& coarse_way = (*result.friction).*way;
+    for (const auto member : {&Friction::rigid_slip, &Friction::counterbody_rigid_displacement}) {
+      const Eigen::ArrayX2d& fine_displacement = (*problem.friction).*member;
+      Eigen::ArrayX2d& coarse_displacement = (*result.friction).*member;
       for (Index node = coarse.theta.count(); node < coarse.shape().size(); ++node) {  // two fine steps per coarse one
         const Index fine_node = nodes[static_cast<std::size_t>(node)];
-        coarse_way.row(node) += (1.0 - share) * fine_way.row(fine_node - stride);
-        if (share > 0.0) coarse_way.row(node) += share * fine_way.row(fine_node + stride);
+        coarse_displacement.row(node) += (1.0 - share) * fine_displacement.row(fine_node - stride);
+        if (share > 0.0) coarse_displacement.row(node) += share * fine_displacement.row(fine_node + stride);
       }
     }
     result.friction->step *= 2.0;
@@ -91,18 +91,18 @@ bool is_mirror_symmetric(const ContactProblem& problem) {
 
 Eigen::ArrayX2d increments(const VectorField& displacement, Index stride) {
   const Index rest = displacement.rows() - stride;
-  Eigen::ArrayX2d way = Eigen::ArrayX2d::Zero(displacement.rows(), 2);
+  Eigen::ArrayX2d increment = Eigen::ArrayX2d::Zero(displacement.rows(), 2);
   for (const auto& [column, axis] : {std::pair{0, kForward}, std::pair{1, kSideways}}) {
-    way.col(column).tail(rest) = displacement.col(axis).tail(rest) - displacement.col(axis).head(rest);
+    increment.col(column).tail(rest) = displacement.col(axis).tail(rest) - displacement.col(axis).head(rest);
   }
-  return way;
+  return increment;
 }
 
 Eigen::ArrayX2d slip(const Friction& friction, Index stride, const ContactSolution& state) {
-  Eigen::ArrayX2d slip =
-      friction.rigid_slip + *state.creepage * friction.counterpart_way + increments(state.displacement, stride);
-  if (state.counterpart_displacement.rows() > 0) {
-    slip += *state.creepage * increments(state.counterpart_displacement, stride);
+  Eigen::ArrayX2d slip = friction.rigid_slip + *state.creepage * friction.counterbody_rigid_displacement +
+                         increments(state.displacement, stride);
+  if (state.counterbody_displacement.rows() > 0) {
+    slip += *state.creepage * increments(state.counterbody_displacement, stride);
   }
   return slip;
 }

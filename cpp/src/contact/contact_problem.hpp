@@ -14,18 +14,18 @@
 namespace viscoroll::detail {
 
 /// @brief Coulomb friction in rolling.
-/// The slip of a node in contact relative to its upstream neighbor is S = rigid_slip + [u] + creepage (counterpart_way
-/// + [u_2]), along x and z. [.] is the value at the node minus the value at its upstream neighbor, and u_2 the part of
-/// the counterbody in u, whose material passes 1 + creepage times as fast as that of the rolling body. The node sticks,
-/// S = 0 and |t| <= mu p, or slips, t = -mu p S / |S|.
+/// The slip of a node in contact relative to its upstream neighbor is S = rigid_slip + [u] + creepage
+/// (counterbody_rigid_displacement + [u_2]), along x and z. [.] is the value at the node minus the value at its
+/// upstream neighbor, and u_2 the part of the counterbody in u, whose material passes 1 + creepage times as fast as
+/// that of the rolling body. The node sticks, S = 0 and |t| <= mu p, or slips, t = -mu p S / |S|.
 struct Friction {
   double coefficient;  ///< coefficient of friction mu [-], positive
   /// Slip of the undeformed bodies at zero creepage, per row, along x and z [m]; 0 in row 0.
   Eigen::ArrayX2d rigid_slip;
   /// Displacement of the undeformed counterbody's surface at zero creepage, per row, along x and z [m]; 0 in row 0.
-  Eigen::ArrayX2d counterpart_way;
+  Eigen::ArrayX2d counterbody_rigid_displacement;
   double step;  ///< distance between rows [m]
-  LeverArms arms;
+  MomentArms arms;
   std::shared_ptr<const DriveCondition> drive;
   /// States shared with problems that differ only in the coefficient, on this window; null if there are none.
   std::shared_ptr<SharedStart> shared = {};

@@ -21,7 +21,7 @@ struct SmoothFields {
 struct ContactSolution {
   VectorField force;         ///< force on the surface at every node [N]; the pressing component, along y, is <= 0
   VectorField displacement;  ///< displacement of every node [m]; empty until it is computed
-  VectorField counterpart_displacement;  ///< part of the counterbody in it; no rows if the counterbody is rigid
+  VectorField counterbody_displacement;  ///< part of the counterbody in it; no rows if the counterbody is rigid
   Eigen::ArrayXd gap;                    ///< gap between every node and the counterbody [m]
   std::vector<Eigen::Index> contact;     ///< nodes in contact
   double penetration = 0.0;  ///< penetration of the lowest undeformed node, including its centrifugal growth [m]
@@ -40,14 +40,14 @@ struct ContactSolution {
 /// @brief Compute the displacements caused by the forces of a state.
 inline void find_displacements(const SurfaceOperator& surface, ContactSolution& state) {
   Displacements moved = surface.displacements(state.force);
-  state.counterpart_displacement = moved.counterpart;
+  state.counterbody_displacement = moved.counterbody;
   state.displacement = std::move(moved).relative();
 }
 
 /// @return displacement of every node of the rolling body alone [m]
 [[nodiscard]] inline VectorField own_displacement(const ContactSolution& state) {
-  if (state.counterpart_displacement.rows() == 0) return state.displacement;
-  return state.displacement - state.counterpart_displacement;
+  if (state.counterbody_displacement.rows() == 0) return state.displacement;
+  return state.displacement - state.counterbody_displacement;
 }
 
 /// @return pressing force at each node [N], >= 0

@@ -4,10 +4,10 @@
 
 namespace viscoroll::detail {
 
-Pushback pushback(const ContactState& state) {
+SlopeForce slope_force(const ContactState& state) {
   const auto& [surface, arms, force, displacement] = state;
-  const bool is_rigid = surface.deforming() == Deforming::counterpart;
-  Pushback result{.force = is_rigid ? 0.0 : surface.pushback(force), .on_force = {}};
+  const bool is_rigid = surface.deforming() == Deforming::counterbody;
+  SlopeForce result{.force = is_rigid ? 0.0 : surface.slope_force(force), .on_force = {}};
   if (!is_rigid && arms.slope.size() == 0) return result;
   result.on_force = VectorField::Zero(force.rows(), 3);
   result.on_force.col(kDown) = is_rigid ? Eigen::ArrayXd(-arms.x / arms.radius) : Eigen::ArrayXd(-arms.slope);
@@ -17,7 +17,7 @@ Pushback pushback(const ContactState& state) {
 
 double moment_about_center(const ContactState& state, double pressure_share) {
   const auto& [surface, arms, force, displacement] = state;
-  return moment(displaced(arms, displacement, pressure_share), force) - arms.radius * pushback(state).force;
+  return moment(displaced(arms, displacement, pressure_share), force) - arms.radius * slope_force(state).force;
 }
 
 double DriveRow::of(const VectorField& force, const VectorField& displacement, double creepage) const {
@@ -28,9 +28,9 @@ double DriveRow::of(const VectorField& force, const VectorField& displacement, d
 
 namespace {
 
-/// Add `factor` times the pushback to the forces that balance those of a row.
+/// Add `factor` times the slope_force to the forces that balance those of a row.
 DriveRow with_pushback(DriveRow row, const ContactState& state, double factor) {
-  const auto [pushed_back, on_force] = pushback(state);
+  const auto [pushed_back, on_force] = slope_force(state);
   row.value += factor * pushed_back;
   if (on_force.rows() > 0) {
     row.on_force -= factor * on_force;
@@ -54,7 +54,7 @@ DriveRow GivenMoment::row(const ContactState& state, double) const {
   const auto& [surface, arms, force, displacement] = state;
   const double arm = arms.y.maxCoeff();  // any length turns the condition into one on a force
   if (surface.deforming() != Deforming::rolling) return row_of_pair(state, arm);
-  const LeverArms at = displaced(arms, displacement, pressure_share_);
+  const MomentArms at = displaced(arms, displacement, pressure_share_);
   DriveRow row{.on_force = moment_per_force(at) / arm,
                .on_displacement = VectorField::Zero(force.rows(), 3),
                .on_creepage = 0.0,

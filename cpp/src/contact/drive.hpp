@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "contact/lever_arms.hpp"
+#include "contact/moment_arms.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {
@@ -15,29 +15,29 @@ namespace viscoroll::detail {
 /// @brief Contact forces between two bodies, and the geometry that their resultants depend on.
 struct ContactState {
   const SurfaceOperator& surface;
-  const LeverArms& arms;
+  const MomentArms& arms;
   const VectorField& force;  ///< [N]
   VectorField displacement;  ///< displacement of the rolling body alone [m]
 };
 
 /// @brief Force with which pressure pushes the rolling body back along the deformed surface of the counterbody,
 /// linearized.
-struct Pushback {
+struct SlopeForce {
   double force;  ///< [N]
   VectorField
-      /// Derivative of the force [-], without the part of `SurfaceOperator::pushback`, which is kept constant; may have
-      /// no rows.
+      /// Derivative of the force [-], without the part of `SurfaceOperator::slope_force`, which is kept constant; may
+      /// have no rows.
       on_force;
 };
 
-/// @brief Sum of `SurfaceOperator::pushback` and the force due to the slope of the undeformed surface.
+/// @brief Sum of `SurfaceOperator::slope_force` and the force due to the slope of the undeformed surface.
 /// Under a rigid body it is the moment of the pressure divided by the radius: the pressure on a sphere has no moment
 /// about its center.
-[[nodiscard]] Pushback pushback(const ContactState& state);
+[[nodiscard]] SlopeForce slope_force(const ContactState& state);
 
 /// @brief Moment of the contact forces about the center of the rolling body, at displaced points.
 /// It is the sum of (y + u_y) F_x - (x + pressure_share u_x) F_y, where u is the displacement of the rolling body
-/// alone, minus the radius times the pushback.
+/// alone, minus the radius times the slope_force.
 /// @param[in] state state of the contact
 /// @param[in] pressure_share 0 if pressure does no work along the plane, else 1
 /// @return moment [N m]
@@ -69,7 +69,7 @@ class DriveCondition {
   [[nodiscard]] virtual std::optional<double> given_creepage() const { return std::nullopt; }
 };
 
-/// @brief Given force on the center, positive forward, balanced by the contact forces and the pushback.
+/// @brief Given force on the center, positive forward, balanced by the contact forces and the slope_force.
 class GivenForce : public DriveCondition {
  public:
   explicit GivenForce(double force) : force_(force) {}

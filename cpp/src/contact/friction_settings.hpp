@@ -51,11 +51,12 @@ struct FrictionSettings {
 
   // Newton steps
 
-  /// First steps of an iteration, which may raise the residual while the sets settle. Tried: with half of them the
+  /// First steps of an iteration. The solver does not shorten them if they increase the residual, because the sets
+  /// still change. Tried: with half of them the
   /// longest path took 38 steps instead of 20, with twice 22; operator applications agree to 1 %.
-  int free_steps = 8;
+  int full_steps = 8;
   /// Same from a coarser mesh, whose sets are nearly correct.
-  int free_steps_nearby = 3;
+  int full_steps_nearby = 3;
   /// Multiple of the least residual above which the search returns to the state with the least residual after the free
   /// steps. Without this, 79 cases of the friction grid, all at friction of at most 0.01, took 72 steps on average
   /// instead of 23.
@@ -67,7 +68,7 @@ struct FrictionSettings {
   /// below it.
   double most_creepage = 1.0;
   /// Relative residual of a step with an iterative linear solver. Greater accuracy does not pay while the sets change;
-  /// steps after the free ones use a tenth of it. Tried: 1e-3 to 0.1 agree within 6 % of the operator applications.
+  /// steps after the full ones use a tenth of it. Tried: 1e-3 to 0.1 agree within 6 % of the operator applications.
   /// With accurate steps only, contacts of up to 300 nodes took a fifth fewer steps but a fifth to a third more
   /// operator applications (657 randomized tests and 972 cases of the grid, each with a state).
   double rough_step = 1e-2;

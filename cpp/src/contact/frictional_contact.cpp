@@ -20,7 +20,7 @@ namespace {
 constexpr const FrictionSettings& kSettings = kFrictionSettings;
 
 /// A state at a given creepage, and the force by which it misses the condition of the drive [N].
-struct Passed {
+struct CreepageTrial {
   ContactSolution state;
   double excess;
 };
@@ -32,7 +32,7 @@ SearchLimits limits_of(const ContactProblem& problem, const ContactSolution& sta
   const double most = std::max(affordable, std::min(kSettings.products, kSettings.costly * affordable));
   return {.tolerance = std::max(kSettings.tolerance * share, options.tolerance),
           .round_off = kSettings.round_off * share,
-          .free_steps = start.creepage ? kSettings.free_steps_nearby : kSettings.free_steps,
+          .full_steps = start.creepage ? kSettings.full_steps_nearby : kSettings.full_steps,
           .most_systems = options.max_iterations - start.iterations,
           .most_products = most - start.operator_applications};
 }
@@ -157,17 +157,17 @@ class StateSearch {
   /// Force and moment fall as the creepage rises, from those of a body that spins in place to those of one that skids.
   /// Halve the interval of creepages that contains the drive, and start steps with the drive itself from within it.
   bool find_by_creepage() {
-    std::optional<Passed> near = find_at(0.0, start_);
+    std::optional<CreepageTrial> near = find_at(0.0, start_);
     if (!near) return false;
     const bool is_above = near->excess > 0.0;
     double here = 0.0;
     double there = (is_above ? 1.0 : -1.0) * std::asinh(kSettings.most_creepage / kSettings.small_creepage);
-    std::optional<Passed> far = find_at(there, start_);
+    std::optional<CreepageTrial> far = find_at(there, start_);
     if (!far || (far->excess > 0.0) == is_above) return false;
     for (int halving = 0; halving < kSettings.halvings && !newton_.is_exhausted(); ++halving) {
       if (arrive_between(*near, *far)) return true;
       const double middle = 0.5 * (here + there);
-      std::optional<Passed> next = find_at(middle, near->state);
+      std::optional<CreepageTrial> next = find_at(middle, near->state);
       if (!next) return false;
       const bool is_near = (next->excess > 0.0) == is_above;
       (is_near ? here : there) = middle;
@@ -179,17 +179,17 @@ class StateSearch {
   /// Find the state at a given creepage.
   /// @param[in] place asinh(creepage / small_creepage)
   /// @param[in] from start
-  std::optional<Passed> find_at(double place, const ContactSolution& from) {
+  std::optional<CreepageTrial> find_at(double place, const ContactSolution& from) {
     problem_.friction->drive = std::make_shared<GivenCreepage>(kSettings.small_creepage * std::sinh(place));
     start_from(from);
     const bool is_found = (from.creepage && iterate()) || find_at_once() || find_by_friction();
     problem_.friction->drive = wanted_.drive;
     if (!is_found) return std::nullopt;
-    return Passed{newton_.state(), system_.drive_excess(newton_.state())};
+    return CreepageTrial{newton_.state(), system_.drive_excess(newton_.state())};
   }
 
   /// Start from the linear interpolation between two states at the point where it satisfies the drive.
-  bool arrive_between(const Passed& one, const Passed& other) {
+  bool arrive_between(const CreepageTrial& one, const CreepageTrial& other) {
     const double share = one.excess / (one.excess - other.excess);
     ContactSolution between = one.state;
     between.force += share * (other.state.force - one.state.force);

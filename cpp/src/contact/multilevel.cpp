@@ -126,8 +126,8 @@ LocatedContact refine(const LocatedContact& coarse, const ContactProblem& proble
 
 LocatedContact solve_multilevel(const ContactProblem& problem, double likely_depth, const ContactOptions& options) {
   if (!problem.friction) return press_multilevel(problem, likely_depth, options);
-  const auto by_way_of_full_stick = [&] { return add_friction(pressed(problem, likely_depth, options), options); };
-  if (problem.initial_gap.size() <= kSmallFrictionalWindow) return by_way_of_full_stick();
+  const auto from_full_stick = [&] { return add_friction(pressed(problem, likely_depth, options), options); };
+  if (problem.initial_gap.size() <= kSmallFrictionalWindow) return from_full_stick();
   const ContactProblem coarse = coarsened(problem);
   const auto from_coarse = [&] {
     ContactOptions settled = rough(options);
@@ -139,7 +139,7 @@ LocatedContact solve_multilevel(const ContactProblem& problem, double likely_dep
   try {
     return from_coarse();
   } catch (const ConvergenceError&) {
-    return by_way_of_full_stick();
+    return from_full_stick();
   }
 }
 

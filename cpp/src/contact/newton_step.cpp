@@ -22,9 +22,9 @@ constexpr double kMostRigidity = 0.9;
 struct StickRuns {
   /// @param[in] problem contact problem
   /// @param[in] sets nodes in contact and their states
-  /// @param[in] rigid_slip slip per row at zero creepage [m]
+  /// @param[in] rigid slip per row at zero creepage [m]
   /// @param[in] per_creepage slip per row and creepage [m]
-  StickRuns(const ContactProblem& problem, const ContactSets& sets, const Eigen::ArrayX2d& rigid_slip,
+  StickRuns(const ContactProblem& problem, const ContactSets& sets, const Eigen::ArrayX2d& rigid,
             const Eigen::ArrayX2d& per_creepage) {
     const WindowShape shape = problem.surface->shape();
     const Index stride = shape.theta_nodes;
@@ -36,34 +36,34 @@ struct StickRuns {
       place[static_cast<std::size_t>(node)] = static_cast<Index>(nodes.size());
       nodes.push_back(node);
       heads.push_back(before < 0 ? node - stride : heads[static_cast<std::size_t>(before)]);
-      rigid_ways.push_back(since_head(rigid_slip, node, before, rigid_ways));
-      ways_per_creepage.push_back(since_head(per_creepage, node, before, ways_per_creepage));
+      rigid_slips.push_back(since_head(rigid, node, before, rigid_slips));
+      slips_per_creepage.push_back(since_head(per_creepage, node, before, slips_per_creepage));
     }
   }
 
   [[nodiscard]] Index count() const { return static_cast<Index>(nodes.size()); }
-  [[nodiscard]] ArrayXd rigid_way(Index column) const { return column_of(rigid_ways, column); }
-  [[nodiscard]] ArrayXd way_per_creepage(Index column) const { return column_of(ways_per_creepage, column); }
+  [[nodiscard]] ArrayXd rigid_slip(Index column) const { return column_of(rigid_slips, column); }
+  [[nodiscard]] ArrayXd slip_per_creepage(Index column) const { return column_of(slips_per_creepage, column); }
 
   std::vector<Index> nodes;
-  std::vector<Index> heads;                // node upstream of the first node of the run
-  std::vector<Eigen::Array2d> rigid_ways;  // from the head to the node
-  std::vector<Eigen::Array2d> ways_per_creepage;
+  std::vector<Index> heads;                 // node upstream of the first node of the run
+  std::vector<Eigen::Array2d> rigid_slips;  // from the head to the node
+  std::vector<Eigen::Array2d> slips_per_creepage;
 
  private:
   /// Slip of a node relative to the head of its run.
   /// @param[in] from_upstream slip per row [m]
   /// @param[in] node number of the node
-  /// @param[in] before index of its upstream neighbor in `ways`; < 0 if that is the head
-  /// @param[in] ways slip of the previous nodes of the run, relative to the head [m]
+  /// @param[in] before index of its upstream neighbor in `slips`; < 0 if that is the head
+  /// @param[in] slips slip of the previous nodes of the run, relative to the head [m]
   static Eigen::Array2d since_head(const Eigen::ArrayX2d& from_upstream, Index node, Index before,
-                                   const std::vector<Eigen::Array2d>& ways) {
-    const Eigen::Array2d way = from_upstream.row(node).transpose();
-    return before < 0 ? way : Eigen::Array2d(way + ways[static_cast<std::size_t>(before)]);
+                                   const std::vector<Eigen::Array2d>& slips) {
+    const Eigen::Array2d slip = from_upstream.row(node).transpose();
+    return before < 0 ? slip : Eigen::Array2d(slip + slips[static_cast<std::size_t>(before)]);
   }
 
-  [[nodiscard]] ArrayXd column_of(const std::vector<Eigen::Array2d>& ways, Index column) const {
-    return ArrayXd::NullaryExpr(count(), [&](Index i) { return ways[static_cast<std::size_t>(i)][column]; });
+  [[nodiscard]] ArrayXd column_of(const std::vector<Eigen::Array2d>& slips, Index column) const {
+    return ArrayXd::NullaryExpr(count(), [&](Index i) { return slips[static_cast<std::size_t>(i)][column]; });
   }
 };
 
@@ -107,7 +107,7 @@ class Equations {
         scales_(scales),
         state_(state),
         contact_(sets.contact),
-        per_creepage_(way_per_creepage()),
+        per_creepage_(slip_per_creepage()),
         rigid_slip_(linearized_rigid_slip()),
         stick_(problem, sets, rigid_slip_, per_creepage_),
         slip_(problem, sets),
@@ -126,8 +126,8 @@ class Equations {
   [[nodiscard]] VectorXd right_side() const {
     VectorXd right(forces_ + 2);
     right.head(contacts_) = -scales_.normal * problem_.initial_gap(contact_).matrix();
-    forward(right) = -scales_.normal * stick_.rigid_way(0).matrix();
-    sideways(right) = -scales_.normal * stick_.rigid_way(1).matrix();
+    forward(right) = -scales_.normal * stick_.rigid_slip(0).matrix();
+    sideways(right) = -scales_.normal * stick_.rigid_slip(1).matrix();
     across(right) = (-scales_.tangential * slip_.rigidity * across_direction(rigid_slip_)).matrix();
     right[forces_] = problem_.normal_force;
     right[forces_ + 1] = drive_.value;
@@ -170,8 +170,8 @@ class Equations {
     const auto since_head = [&](Axis axis) {
       return carried.col(axis)(stick_.nodes) - carried.col(axis)(stick_.heads);
     };
-    forward(result) = (scales_.normal * (since_head(kForward) + creepage * stick_.way_per_creepage(0))).matrix();
-    sideways(result) = (scales_.normal * (since_head(kSideways) + creepage * stick_.way_per_creepage(1))).matrix();
+    forward(result) = (scales_.normal * (since_head(kForward) + creepage * stick_.slip_per_creepage(0))).matrix();
+    sideways(result) = (scales_.normal * (since_head(kSideways) + creepage * stick_.slip_per_creepage(1))).matrix();
     const auto slipped = [&](Axis axis) { return carried.col(axis)(slip_.nodes) - carried.col(axis)(slip_.upstream); };
     const auto& e = slip_.direction;
     const ArrayXd turned =
@@ -209,32 +209,32 @@ class Equations {
   }
 
   /// Displacement of the counterbody's material per creepage, at the current state.
-  [[nodiscard]] Eigen::ArrayX2d way_per_creepage() const {
-    return friction_.counterpart_way + counterpart_increments();
+  [[nodiscard]] Eigen::ArrayX2d slip_per_creepage() const {
+    return friction_.counterbody_rigid_displacement + counterbody_increments();
   }
 
   /// The product of creepage and increments is linearized: the sum of the changes due to each, minus the current
   /// product.
   [[nodiscard]] Eigen::ArrayX2d linearized_rigid_slip() const {
-    return friction_.rigid_slip - *state_.creepage * counterpart_increments();
+    return friction_.rigid_slip - *state_.creepage * counterbody_increments();
   }
 
-  [[nodiscard]] Eigen::ArrayX2d counterpart_increments() const {
-    if (state_.counterpart_displacement.rows() == 0) return Eigen::ArrayX2d::Zero(state_.force.rows(), 2);
-    return increments(state_.counterpart_displacement, problem_.surface->shape().theta_nodes);
+  [[nodiscard]] Eigen::ArrayX2d counterbody_increments() const {
+    if (state_.counterbody_displacement.rows() == 0) return Eigen::ArrayX2d::Zero(state_.force.rows(), 2);
+    return increments(state_.counterbody_displacement, problem_.surface->shape().theta_nodes);
   }
 
   /// Displacements that enter the slip at the creepage of the state: the counterbody's material passes 1 + creepage
   /// times as fast.
   [[nodiscard]] VectorField at_paces(const Displacements& of_each, const VectorField& relative) const {
-    if (of_each.counterpart.rows() == 0) return relative;
-    return relative + *state_.creepage * of_each.counterpart;
+    if (of_each.counterbody.rows() == 0) return relative;
+    return relative + *state_.creepage * of_each.counterbody;
   }
 
   /// Components across the directions of the slipping nodes.
-  [[nodiscard]] ArrayXd across_direction(const Eigen::ArrayX2d& ways) const {
-    const Eigen::ArrayX2d way = ways(slip_.nodes, Eigen::all);
-    return slip_.direction.col(0) * way.col(1) - slip_.direction.col(1) * way.col(0);
+  [[nodiscard]] ArrayXd across_direction(const Eigen::ArrayX2d& slips) const {
+    const Eigen::ArrayX2d slip = slips(slip_.nodes, Eigen::all);
+    return slip_.direction.col(0) * slip.col(1) - slip_.direction.col(1) * slip.col(0);
   }
 
   /// Force that represents a creepage of 1 [N].
@@ -251,8 +251,8 @@ class Equations {
     VectorXd penetration = VectorXd::Zero(forces_ + 2);
     penetration.head(contacts_).setConstant(-1.0);
     VectorXd creepage = VectorXd::Zero(forces_ + 2);
-    forward(creepage) = (scales_.normal / creepage_force() * stick_.way_per_creepage(0)).matrix();
-    sideways(creepage) = (scales_.normal / creepage_force() * stick_.way_per_creepage(1)).matrix();
+    forward(creepage) = (scales_.normal / creepage_force() * stick_.slip_per_creepage(0)).matrix();
+    sideways(creepage) = (scales_.normal / creepage_force() * stick_.slip_per_creepage(1)).matrix();
     across(creepage) =
         (scales_.tangential / creepage_force() * slip_.rigidity * across_direction(per_creepage_)).matrix();
     border_response_.resize(forces_, 2);

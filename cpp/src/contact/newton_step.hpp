@@ -9,7 +9,7 @@
 /// - Stick: S = 0, summed along phi over every run of neighboring sticking nodes. The symbol of a difference vanishes
 ///   for loads that are uniform along phi. The sum is the displacement itself, minus that of the node upstream of the
 ///   run, so the inverse symbol of the compliance preconditions it as well as the gaps.
-/// - Slip: t . e = mu p, and along e', normal to e, (1 - kappa) t . e' + kappa c S . e' = 0, which turns e towards
+/// - Slip: t . e = mu p, and along e', normal to e, (1 - kappa) t . e' + kappa k_t S . e' = 0, which turns e towards
 ///   -S.
 #pragma once
 

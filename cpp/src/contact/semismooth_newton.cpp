@@ -27,8 +27,8 @@ void interpolate(const ContactSolution& from, const ContactSolution& to, double 
   mix(from.penetration, to.penetration, between.penetration);
   mix(*from.creepage, *to.creepage, *between.creepage);
   if (to.displacement.rows() > 0) mix(from.displacement, to.displacement, between.displacement);
-  if (to.counterpart_displacement.rows() > 0) {
-    mix(from.counterpart_displacement, to.counterpart_displacement, between.counterpart_displacement);
+  if (to.counterbody_displacement.rows() > 0) {
+    mix(from.counterbody_displacement, to.counterbody_displacement, between.counterbody_displacement);
   }
 }
 
@@ -59,12 +59,12 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
       best_sets = sets_;
     }
     if (is_in_vain(residuals, limits)) return false;
-    const bool is_free = step < limits_.free_steps;
-    if (is_free && state_.residual < best.residual) {
+    const bool is_full = step < limits_.full_steps;
+    if (is_full && state_.residual < best.residual) {
       best = state_;
       best_sets = sets_;
     }
-    if (step == limits_.free_steps && state_.residual > kSettings.astray * best.residual) {
+    if (step == limits_.full_steps && state_.residual > kSettings.astray * best.residual) {
       state_ = best;
       sets_ = best_sets;
       residuals.back() = best.residual;
@@ -73,8 +73,8 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
     const bool freed = breaker.free_undecided(sets_, residuals.size() > 2 && is_halved(residuals, 2));
     breaker.rest_turned(sets_);
     const double tolerance = limits.exact ? kSettings.exact_step : kSettings.rough_step;
-    if (is_free || freed) {
-      take_step(friction, sets_, is_free ? tolerance : 0.1 * tolerance);
+    if (is_full || freed) {
+      take_step(friction, sets_, is_full ? tolerance : 0.1 * tolerance);
     } else {
       const ContactSolution before = state_;
       take_step(friction, sets_, 0.1 * tolerance);

@@ -16,7 +16,7 @@ namespace viscoroll::detail {
 struct SearchLimits {
   double tolerance;  ///< residual of a state
   double round_off;  ///< residual of a state if steps no longer halve it
-  int free_steps;    ///< first steps, which may raise the residual while the sets settle
+  int full_steps;    ///< number of first steps, which are not shortened if they increase the residual
   int most_systems = std::numeric_limits<int>::max();
   double most_products = std::numeric_limits<double>::infinity();
 };

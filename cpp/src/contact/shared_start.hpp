@@ -15,16 +15,16 @@ namespace viscoroll::detail {
 class SharedStart {
  public:
   /// @brief A state, with the linear systems and operator applications that it took.
-  struct Stuck {
+  struct StickingState {
     ContactSolution state;
     int systems;
     int products;
   };
 
   [[nodiscard]] std::shared_ptr<const ContactSolution> pressed() const { return found(pressed_); }
-  [[nodiscard]] std::shared_ptr<const Stuck> stuck() const { return found(stuck_); }
+  [[nodiscard]] std::shared_ptr<const StickingState> stuck() const { return found(stuck_); }
   void keep(ContactSolution pressed) { keep(std::move(pressed), pressed_); }
-  void keep(Stuck stuck) { keep(std::move(stuck), stuck_); }
+  void keep(StickingState stuck) { keep(std::move(stuck), stuck_); }
 
  private:
   template <class Found>
@@ -42,7 +42,7 @@ class SharedStart {
 
   mutable std::mutex mutex_;
   std::shared_ptr<const ContactSolution> pressed_;
-  std::shared_ptr<const Stuck> stuck_;
+  std::shared_ptr<const StickingState> stuck_;
 };
 
 }  // namespace viscoroll::detail

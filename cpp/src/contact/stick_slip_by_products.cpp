@@ -49,11 +49,11 @@ double StickSlipByProducts::creep(const ContactSolution& state, const ContactSet
   std::vector<Index> from(sets.contact.size());
   std::ranges::transform(sets.contact, from.begin(), upstream);
   const auto& moved = state.displacement;
-  Eigen::ArrayX2d ways(static_cast<Index>(from.size()), 2);
-  ways.col(0) = moved.col(kForward)(sets.contact) - moved.col(kForward)(from);
-  ways.col(1) = moved.col(kSideways)(sets.contact) - moved.col(kSideways)(from);
-  const double spread =
-      std::hypot(ways.col(0).maxCoeff() - ways.col(0).minCoeff(), ways.col(1).maxCoeff() - ways.col(1).minCoeff());
+  Eigen::ArrayX2d increment(static_cast<Index>(from.size()), 2);
+  increment.col(0) = moved.col(kForward)(sets.contact) - moved.col(kForward)(from);
+  increment.col(1) = moved.col(kSideways)(sets.contact) - moved.col(kSideways)(from);
+  const double spread = std::hypot(increment.col(0).maxCoeff() - increment.col(0).minCoeff(),
+                                   increment.col(1).maxCoeff() - increment.col(1).minCoeff());
   double slip = 0.0;
   for (std::size_t i = 0; i < sets.contact.size(); ++i) {
     if (sets.states[i].stick) slip = std::max(slip, state.slip.row(sets.contact[i]).matrix().norm());

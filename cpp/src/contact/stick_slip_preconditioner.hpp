@@ -20,10 +20,10 @@ class StickSlipPreconditioner {
   /// @return approximate forces that cause it [N]
   [[nodiscard]] VectorField force(const VectorField& displacement) const;
 
-  /// @brief Return the symbol of the inverse of (1 - kappa) + kappa c D C, for the direction of slipping nodes. D is
+  /// @brief Return the symbol of the inverse of (1 - kappa) + kappa k_t D C, for the direction of slipping nodes. D is
   /// the difference from the upstream neighbor and C the mean compliance along the plane.
   /// @param[in] rigidity kappa, in (0, 1)
-  /// @param[in] scale c [N/m]
+  /// @param[in] scale stiffness k_t [N/m]
   [[nodiscard]] ComplexBuffer turning_symbol(double rigidity, double scale) const;
 
   /// @return field multiplied by a symbol

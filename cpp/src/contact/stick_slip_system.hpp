@@ -14,7 +14,7 @@ namespace viscoroll::detail {
 struct TangentialState {
   bool stick;
   Eigen::Array2d direction;  ///< unit vector along the traction of a slipping node
-  double rigidity;           ///< kappa = mu p / |t - c S| in [0, 1) of a slipping node, by which its direction may turn
+  double rigidity;           ///< kappa = mu p / |t - k_t S| in [0, 1] of a slipping node; 1 without slip
 };
 
 /// @brief Nodes in contact in a step, and the state of each.
@@ -25,8 +25,8 @@ struct ContactSets {
 
 /// @brief Stiffnesses that convert gaps and slips to forces [N/m].
 struct ConditionScales {
-  double normal;
-  double tangential;
+  double normal;      ///< k_n
+  double tangential;  ///< k_t
 };
 
 /// @brief Equations of contact, stick and slip on a surface, linear for given sets.
@@ -46,7 +46,7 @@ class StickSlipSystem {
   virtual void find_displacements(ContactSolution& state) = 0;
 
   /// @brief Solve the conditions of given sets: stick, S = 0; slip, along e' normal to the direction e of a node, (1 -
-  /// kappa) t . e' + kappa c S . e' = 0, which turns e towards -S.
+  /// kappa) t . e' + kappa k_t S . e' = 0, which turns e towards -S.
   /// @param[in] friction coefficient of friction, which may be infinite
   /// @param[in] sets nodes in contact and their states
   /// @param[in] tolerance residual relative to that of `state`; direct solutions are exact

@@ -261,7 +261,7 @@ std::vector<OrderBand> phi_bands(const LayeredBody& body, double angular_speed, 
 std::vector<OrderBand> theta_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh, double rough_orders,
                                    double widest) {
   const int nodes = theta_nodes_per_revolution(mesh);
-  if (body.metric.across == Way::line) {
+  if (body.metric.across == AxisKind::line) {
     require_all_orders(body.metric, mesh);
     std::vector<OrderBand> bands = unbounded_octaves(nodes, finest_order(body, angular_speed), 1.0, widest);
     if (body.metric.is_wheel()) count_longest(bands.front());

@@ -24,10 +24,10 @@ int sampled_angles(double half_angle, double highest_order) {
 ChebyshevNodes::ChebyshevNodes(int count)
     : angle(std::numbers::pi * (Eigen::ArrayXd::LinSpaced(count, 0.0, count - 1.0) + 0.5) / count) {}
 
-MatrixXd ChebyshevNodes::interpolation(const Eigen::ArrayXd& places) const {
+MatrixXd ChebyshevNodes::interpolation(const Eigen::ArrayXd& targets) const {
   const auto count = static_cast<double>(angle.size());
   const Eigen::RowVectorXd degrees = Eigen::RowVectorXd::LinSpaced(angle.size(), 0.0, count - 1.0);
-  const MatrixXd terms = (places.max(-1.0).min(1.0).acos().matrix() * degrees).array().cos();
+  const MatrixXd terms = (targets.max(-1.0).min(1.0).acos().matrix() * degrees).array().cos();
   const MatrixXd transform = chebyshev_transform(static_cast<int>(angle.size()));
   return product(terms, transform.transpose());
 }
@@ -42,9 +42,9 @@ SampledOffsets::SampledOffsets(int reach, double spacing, double highest_order)
       odd(even) {
   const int half = count(reach, spacing, highest_order);
   if (half > reach) return;
-  const ChebyshevNodes places(2 * half);  // the first half is positive, the second half is its mirror image
-  sampled = places.places().head(half) * (reach * spacing);
-  const MatrixXd basis = places.interpolation(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, 1.0));
+  const ChebyshevNodes nodes(2 * half);  // the first half is positive, the second half is its mirror image
+  sampled = nodes.points().head(half) * (reach * spacing);
+  const MatrixXd basis = nodes.interpolation(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, 1.0));
   even = basis.leftCols(half) + basis.rightCols(half).rowwise().reverse();
   odd = basis.leftCols(half) - basis.rightCols(half).rowwise().reverse();
   odd.row(0).setZero();  // exactly

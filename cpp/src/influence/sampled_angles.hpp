@@ -1,28 +1,30 @@
 /// @file
-/// @brief Few angles at which waves are summed, and interpolation from these to the nodes of a mesh.
+/// @brief Chebyshev points at which waves are summed instead of at all nodes of a mesh, and interpolation to the nodes.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace viscoroll::detail {
 
-/// @brief Chebyshev points between -1 and 1, and polynomial interpolation from values at these points.
+/// @brief Chebyshev points x = cos(angle) between -1 and 1, and polynomial interpolation from values at these points.
 struct ChebyshevNodes {
-  Eigen::ArrayXd angle;
+  Eigen::ArrayXd angle;  ///< angles [rad], ascending
 
   explicit ChebyshevNodes(int count);
 
-  [[nodiscard]] Eigen::ArrayXd places() const { return angle.cos(); }
-  /// @return matrix [place, node]
-  [[nodiscard]] Eigen::MatrixXd interpolation(const Eigen::ArrayXd& places) const;
+  [[nodiscard]] Eigen::ArrayXd points() const { return angle.cos(); }
+  /// @param[in] targets points between -1 and 1 to which values are interpolated
+  /// @return interpolation matrix [target, Chebyshev point]
+  [[nodiscard]] Eigen::MatrixXd interpolation(const Eigen::ArrayXd& targets) const;
 };
 
-/// @brief Nonnegative offsets at which waves are summed, and matrices [offset, sampled] that give even and odd sums at
-/// the offsets of a mesh. The sampled offsets are those of the mesh, or fewer if polynomials suffice.
+/// @brief Nonnegative angular offsets between load and displacement at which waves are summed, and interpolation to the
+/// offsets 0, ..., `reach` of a mesh. If polynomials through fewer Chebyshev points represent the waves, the sampled
+/// offsets are these points; otherwise they are the offsets of the mesh.
 struct SampledOffsets {
   Eigen::ArrayXd sampled;  ///< sampled offsets [rad]
-  Eigen::MatrixXd even;
-  Eigen::MatrixXd odd;
+  Eigen::MatrixXd even;    ///< interpolation of even sums [offset, sampled offset]
+  Eigen::MatrixXd odd;     ///< interpolation of odd sums [offset, sampled offset]
 
   /// @param[in] reach largest offset of the mesh [spacings]
   /// @param[in] spacing spacing of the mesh [rad]

@@ -78,18 +78,18 @@ MatrixXd shares_of_samples(const Eigen::ArrayXd& sampled, const Eigen::ArrayXd& 
 }
 
 Eigen::VectorXcd outer_softness(const HarmonicBody& body) {
-  Eigen::VectorXcd softness(static_cast<Index>(body.orders().size()));
-  for (Index i = 0; i < softness.size(); ++i) softness[i] = 1.0 / body.outer_modulus(static_cast<std::size_t>(i));
-  return softness;
+  Eigen::VectorXcd smallest(static_cast<Index>(body.orders().size()));
+  for (Index i = 0; i < smallest.size(); ++i) smallest[i] = 1.0 / body.outer_modulus(static_cast<std::size_t>(i));
+  return smallest;
 }
 
 SideSum::SideSum(std::shared_ptr<const SampledDifference> difference, std::vector<OrderBand> bands,
-                 const Eigen::VectorXcd& softness, const MeshOnBody& mesh)
+                 const Eigen::VectorXcd& smallest, const MeshOnBody& mesh)
     : difference_(std::move(difference)), bands_(std::move(bands)), mesh_(mesh) {
   Index first = 0;
   for (const OrderBand& band : bands_) {
     const Eigen::VectorXcd factors =
-        softness.segment(first, band.orders.size()).array() * (band.weights / (2.0 * std::numbers::pi));
+        smallest.segment(first, band.orders.size()).array() * (band.weights / (2.0 * std::numbers::pi));
     shares_.emplace_back(factors.asDiagonal() * shares_of_samples(difference_->orders, band.orders).cast<cplx>());
     first += band.orders.size();
   }

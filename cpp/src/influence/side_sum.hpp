@@ -46,10 +46,10 @@ class SideSum {
  public:
   /// @param[in] difference sampled difference, times a modulus
   /// @param[in] bands bands along phi
-  /// @param[in] softness inverse of that modulus at the orders of all bands [1/Pa]
+  /// @param[in] smallest inverse of that modulus at the orders of all bands [1/Pa]
   /// @param[in] mesh mesh on the body
   SideSum(std::shared_ptr<const SampledDifference> difference, std::vector<OrderBand> bands,
-          const Eigen::VectorXcd& softness, const MeshOnBody& mesh);
+          const Eigen::VectorXcd& smallest, const MeshOnBody& mesh);
 
   [[nodiscard]] const std::shared_ptr<const SampledDifference>& difference() const { return difference_; }
   [[nodiscard]] SideFactors factors(const SideRequest& request) const;

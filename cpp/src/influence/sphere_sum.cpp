@@ -42,7 +42,7 @@ Eigen::ArrayXd sampled_metrics(double lowest) {
   constexpr double kTolerance = 1e-5;  // a tenth of the error of the local metric
   const double width = 0.25 * (1.0 - lowest);
   const int count = width < kTolerance ? 1 : static_cast<int>(std::ceil(std::log(kTolerance) / std::log(width)));
-  return 0.5 * (1.0 + lowest) + 0.5 * (1.0 - lowest) * ChebyshevNodes(std::clamp(count, 1, 12)).places();
+  return 0.5 * (1.0 + lowest) + 0.5 * (1.0 - lowest) * ChebyshevNodes(std::clamp(count, 1, 12)).points();
 }
 
 /// Tables, on a surface that is flat on the scale of a wave, from which those of the sphere are made.

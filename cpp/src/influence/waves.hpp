@@ -16,8 +16,8 @@ struct Waves {
 
 /// @param[in] orders orders, not necessarily whole
 /// @param[in] spacing spacing of the offsets, which start at 0 [rad]
-/// @param[in] reach largest offset [spacings]
-[[nodiscard]] Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int reach);
+/// @param[in] last_offset number of spacings to the largest offset
+[[nodiscard]] Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int last_offset);
 
 /// @param[in] orders orders, not necessarily whole
 /// @param[in] offsets any offsets [rad]

@@ -148,7 +148,7 @@ class DepthTransfers {
 
  private:
   [[nodiscard]] bool can_share(double negligible_inertia) const;
-  [[nodiscard]] bool is_line() const { return body_.metric().across == Way::nothing; }
+  [[nodiscard]] bool is_line() const { return body_.metric().across == AxisKind::nothing; }
 
   const HarmonicBody& body_;
   const LayerCuts& cuts_;

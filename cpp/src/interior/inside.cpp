@@ -27,7 +27,7 @@ LayeredBody body_under(const CoatedWheel& wheel, double /*radius*/, bool line, C
 
 LayeredBody body_under(const CoatedPlane& plane, double radius, bool line, Curvature /*curvature*/) {
   LayeredBody body = layered_body(plane, radius);
-  if (line) body.metric.across = Way::nothing;
+  if (line) body.metric.across = AxisKind::nothing;
   return body;
 }
 

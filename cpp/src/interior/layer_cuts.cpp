@@ -78,7 +78,8 @@ LayerCuts::LayerCuts(const LayeredBody& body, std::span<const Place> places) {
 }
 
 LayerStack<std::complex<double>> LayerCuts::pieces(const LayerStack<std::complex<double>>& layers) const {
-  LayerStack<std::complex<double>> pieces{.metric = layers.metric, .within = layers.within, .media = {}};
+  LayerStack<std::complex<double>> pieces{
+      .metric = layers.metric, .inner_boundary = layers.inner_boundary, .media = {}};
   pieces.media.reserve(layer_.size());
   for (std::size_t piece = 0; piece < layer_.size(); ++piece) {
     pieces.media.push_back(layers.media[layer_[piece]]);

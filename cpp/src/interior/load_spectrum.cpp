@@ -133,8 +133,8 @@ void validate(const Tractions& tractions) {
     reject("tractions.theta_nodes", "1 in line contact", std::to_string(tractions.theta_nodes));
   }
   require_positive("tractions.radius", tractions.radius, "m");
-  for (const double curvature : tractions.counterpart_curvature) {
-    require_finite("tractions.counterpart_curvature", curvature);
+  for (const double curvature : tractions.counterbody_curvature) {
+    require_finite("tractions.counterbody_curvature", curvature);
   }
   const auto count = static_cast<std::size_t>(tractions.phi_nodes) * static_cast<std::size_t>(tractions.theta_nodes);
   const auto require_values = [](const char* name, const std::vector<double>& values, std::size_t wanted) {
@@ -153,9 +153,9 @@ LoadSpectrum::LoadSpectrum(const Tractions& tractions, const Metric& metric, con
   const Formulation formulation{.compliance = tractions.compliance,
                                 .patch_load = tractions.patch_load,
                                 .tangential = tractions.friction,
-                                .is_counterpart = tractions.counterpart,
-                                .counterpart_curvatures = {.along = tractions.counterpart_curvature[0],
-                                                           .across = tractions.counterpart_curvature[1]}};
+                                .is_counterbody = tractions.counterbody,
+                                .counterbody_curvatures = {.along = tractions.counterbody_curvature[0],
+                                                           .across = tractions.counterbody_curvature[1]}};
   const VectorField force = nodal_forces(tractions, window);
   const auto directions = load_directions(formulation, window.points());
   const auto weights = patch_weights(formulation, window.points());

@@ -125,8 +125,8 @@ struct OrdersAcross {
   /// @param[in] width width of the tractions [rad]
   /// @param[in] highest highest order
   OrdersAcross(const Metric& metric, double width, int highest)
-      : circumferences(metric.across == Way::line ? std::max(1, static_cast<int>(std::ceil(width / pi))) : 1) {
-    if (metric.across == Way::nothing) highest = 0;
+      : circumferences(metric.across == AxisKind::line ? std::max(1, static_cast<int>(std::ceil(width / pi))) : 1) {
+    if (metric.across == AxisKind::nothing) highest = 0;
     orders = whole_numbers(highest * circumferences) / circumferences;
   }
 };

@@ -86,18 +86,18 @@ struct Extent {
   double largest;    // [rad]
   const char* name;  // in messages
 
-  static Extent along(Way way) {
+  static Extent along(AxisKind kind) {
     using std::numbers::pi;
-    if (way == Way::ring) return {pi, "within half a revolution of pi/2 rad"};
+    if (kind == AxisKind::ring) return {pi, "within half a revolution of pi/2 rad"};
     return {2.0 * pi / 3.0, "within a third of a revolution of pi/2 rad"};  // beyond, the low orders are inaccurate
   }
 
-  static Extent across(Way way) {
+  static Extent across(AxisKind kind) {
     using std::numbers::pi;
-    switch (way) {
-      case Way::ring:
-        return along(way);
-      case Way::line:  // a wheel twelve times as wide as its radius
+    switch (kind) {
+      case AxisKind::ring:
+        return along(kind);
+      case AxisKind::line:  // a wheel twelve times as wide as its radius
         return {2.0 * pi, "within a revolution of pi/2 rad"};
       default:
         return {1e-12, "pi/2 rad in line contact"};
@@ -116,11 +116,11 @@ std::vector<double> from_lowest_point(const char* name, std::span<const double> 
 }
 
 /// Largest offset of points from loads; in a periodic direction at most half a revolution.
-double largest_offset(std::span<const double> offsets, int nodes, double spacing, Way way) {
+double largest_offset(std::span<const double> offsets, int nodes, double spacing, AxisKind kind) {
   double largest = 0.0;
   for (const double offset : offsets) largest = std::max(largest, std::abs(offset));
   largest += 0.5 * (nodes + 1) * spacing;
-  return way == Way::ring ? std::min(largest, std::numbers::pi) : largest;
+  return kind == AxisKind::ring ? std::min(largest, std::numbers::pi) : largest;
 }
 
 class WindowSum {
@@ -181,7 +181,7 @@ class WindowSum {
       // octave. This also holds for a line contact on a rigid base. The displacement of a half-plane has no longest
       // wave.
       const bool is_endless = !std::isfinite(inside.body.boundaries.front());
-      const LowestOrder lowest = inside.body.metric.across == Way::nothing && is_endless
+      const LowestOrder lowest = inside.body.metric.across == AxisKind::nothing && is_endless
                                      ? LowestOrder{}
                                      : LowestOrder{.share = 1e-6, .stands_for_longer = true};
       return unbounded_octaves_within(spacing, highest_order(), largest, lowest, refinement_of(inside.body.layers));
@@ -193,9 +193,9 @@ class WindowSum {
   [[nodiscard]] std::vector<OrderBand> theta_bands(const LayeredBody& body, const Tractions& tractions) const {
     const Metric& metric = body.metric;
     const double spacing = grid_of(tractions, metric.radius).theta_spacing;
-    if (metric.across == Way::nothing) return whole_orders(0, 1);
+    if (metric.across == AxisKind::nothing) return whole_orders(0, 1);
     const double largest = largest_offset(theta_, tractions.theta_nodes, spacing, metric.across);
-    if (metric.across == Way::line) {
+    if (metric.across == AxisKind::line) {
       // The material has no memory across the path. On a rigid base the lowest order therefore differs from longer
       // waves only by its square.
       const bool is_held = std::isfinite(body.boundaries.front());
@@ -256,7 +256,7 @@ class WindowSum {
     RowMajor sines;
   };
 
-  [[nodiscard]] bool is_line() const { return body_.metric().across == Way::nothing; }
+  [[nodiscard]] bool is_line() const { return body_.metric().across == AxisKind::nothing; }
 
   /// Number of orders n up to k = `limit`.
   [[nodiscard]] Index reach(double m, double limit) const { return n_.count_up_to(std::sqrt(limit * limit - m * m)); }

@@ -50,7 +50,7 @@ Eigen::Matrix2d elastic_matrix(const Metric& metric, double mu, double b) {
 
 std::vector<Eigen::Vector2d> centrifugal_states(const LayerStack<std::complex<double>>& layers) {
   const auto& media = layers.media;
-  const bool is_free = inner_surface(layers.within).is_free;
+  const bool is_free = inner_surface(layers.inner_boundary).is_free;
   const double stress_unit = media.back().mu.real();
 
   // The recursion carries u_r = compliance * (r sigma_rr) + offset outwards from the rigid core to the free surface.

@@ -73,7 +73,7 @@ class Batch {
   bool carry(const Visit& visit) {
     for (std::size_t layer = 0; layer < media(0).size(); ++layer) {
       const int steps = enter(layer);
-      if (media(0)[layer].is_endless() && !visit(*this)) return false;
+      if (media(0)[layer].is_half_space() && !visit(*this)) return false;
       for (int step = 0; step < steps; ++step) {
         advance(step_, start(), compliance_);
         leave_step();
@@ -157,7 +157,7 @@ class Batch {
     if (step_.is_wheel || k == 0.0) return {1.0, 0.0};
     return {at(l).m / k, at(l).n / k};
   }
-  [[nodiscard]] InnerSurface inner_surface() const { return detail::inner_surface(at(0).layers.within); }
+  [[nodiscard]] InnerSurface inner_surface() const { return detail::inner_surface(at(0).layers.inner_boundary); }
 
   [[nodiscard]] Matrix3<Scalar> matrix(std::size_t l) const {
     const auto& y = compliance_;
@@ -172,7 +172,7 @@ class Batch {
     int steps = 0;
     for (std::size_t l = 0; l < kLanes; ++l) {
       const Medium<Scalar>& medium = media(l)[layer];
-      inner_[l] = medium.is_endless() ? medium.outer : std::clamp(deepest_[l], medium.inner, medium.outer);
+      inner_[l] = medium.is_half_space() ? medium.outer : std::clamp(deepest_[l], medium.inner, medium.outer);
       extent_[l] = metric().depth(medium.outer, inner_[l]);
       const double longest = std::min(metric().is_curved() ? std::log1p(kStepRatio) : extent_[l],
                                       kStepExponent / (order_at(l, medium.outer) + step_.along));
@@ -182,7 +182,7 @@ class Batch {
     for (std::size_t l = 0; l < kLanes; ++l) {
       const Medium<Scalar>& medium = media(l)[layer];
       if (layer > 0) scale(l, medium.mu / media(l)[layer - 1].mu);
-      if (medium.is_endless()) start_from_half_space(l, medium);
+      if (medium.is_half_space()) start_from_half_space(l, medium);
       step_.b.set(l, medium.b);
       const double length = metric().length(inner_[l]);
       step_.q.set(l, medium.inertia * length * length / medium.mu);
@@ -271,7 +271,7 @@ struct KeptOrder {
 /// States of one order in the directions r, k and across k, from the surface down.
 std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrder& kept) {
   const auto& media = order.layers.media;
-  const auto [held, free_inside] = inner_surface(order.layers.within);
+  const auto [held, free_inside] = inner_surface(order.layers.inner_boundary);
   const bool uniform = order.m == 0.0 && order.n == 0.0;
   std::vector<DepthState> states(media.size() + 1, DepthState::Zero());
   Matrix3<cplx> stress = Matrix3<cplx>::Identity();

@@ -28,7 +28,7 @@ LayerStack<double> short_time_stack(const LayeredBody& body, double highest_freq
   const auto rigid = std::ranges::find_if(moduli.rbegin(), moduli.rend(), [](double mu) { return std::isinf(mu); });
   if (rigid == moduli.rend()) return stack;
   stack.media.erase(stack.media.begin(), stack.media.begin() + (moduli.rend() - rigid));
-  stack.within = InnerBoundary::rigid;
+  stack.inner_boundary = InnerBoundary::rigid;
   return stack;
 }
 
@@ -57,7 +57,7 @@ double slowest_shear_wave(const LayerStack<double>& stack) {
 /// half-space, which long waves have.
 double rayleigh_limit(const LayerStack<double>& stack) {
   const double outer = rayleigh_wave(stack, stack.media.back());
-  return stack.media.front().is_endless() ? std::min(outer, rayleigh_wave(stack, stack.media.front())) : outer;
+  return stack.media.front().is_half_space() ? std::min(outer, rayleigh_wave(stack, stack.media.front())) : outer;
 }
 
 /// Upper bound of the critical speed. On a plane, waves of any length can escape into a layer with a lower shear wave
@@ -79,7 +79,7 @@ std::vector<double> orders_to_look_at(const LayerStack<double>& stack) {
   double thinnest = kInfinity;
   double thickness = 0.0;
   for (const Medium<double>& medium : stack.media) {
-    if (medium.is_endless()) continue;
+    if (medium.is_half_space()) continue;
     thinnest = std::min(thinnest, medium.outer - medium.inner);
     thickness += medium.outer - medium.inner;
   }

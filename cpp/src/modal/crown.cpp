@@ -10,7 +10,7 @@ namespace {
 /// @param[in] surface position of the surface in that metric
 template <class Scalar>
 LayerStack<Scalar> moved(const LayerStack<Scalar>& layers, const Metric& metric, double surface) {
-  LayerStack<Scalar> moved{.metric = metric, .within = layers.within, .media = layers.media};
+  LayerStack<Scalar> moved{.metric = metric, .inner_boundary = layers.inner_boundary, .media = layers.media};
   const double shift = surface - layers.media.back().outer;
   for (Medium<Scalar>& medium : moved.media) {
     medium.inner += shift;
@@ -56,9 +56,9 @@ void add_crown(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown
                std::span<Matrix3<Scalar>> compliances) {
   if (orders.empty()) return;
   const LayerStack<Scalar>& layers = orders.front().layers;
-  const auto crowned = MovedOrders<Scalar>(orders, {.radius = crown.radius, .across = Way::line}).compliances();
+  const auto crowned = MovedOrders<Scalar>(orders, {.radius = crown.radius, .across = AxisKind::line}).compliances();
   const auto plane =
-      MovedOrders<Scalar>(orders, {.radius = layers.metric.radius, .along = Way::line, .across = Way::line})
+      MovedOrders<Scalar>(orders, {.radius = layers.metric.radius, .along = AxisKind::line, .across = AxisKind::line})
           .compliances();
   const Eigen::PermutationMatrix<3> turned(Eigen::Vector3i(0, 2, 1));
   for (std::size_t i = 0; i < orders.size(); ++i) {

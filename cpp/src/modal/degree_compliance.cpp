@@ -91,7 +91,7 @@ DegreeCompliance degree_compliance(const LayerStack<cplx>& layers, int degree) {
     radial.metric.curvature = Curvature::sphere;
     return {.radial = surface_compliance(radial, 0.0, 0.0)(0, 0), .mixed = 0.0, .along = 0.0, .across = 0.0};
   }
-  if (degree == 1 && !inner_surface(layers.within).is_core) return free_degree_one(layers);
+  if (degree == 1 && !inner_surface(layers.inner_boundary).is_core) return free_degree_one(layers);
   if (degree == 1) {
     // m = n = 1 gives k^2 = 2 without round-off. On a small core, any stiffness against rotation has a large effect.
     const Matrix3<cplx> y = surface_compliance(layers, 1.0, 1.0);

@@ -17,12 +17,12 @@ double shear_decay(std::complex<double> mach2) {
 namespace {
 
 /// Decay of an order with depth.
-class Fall {
+class DepthDecay {
  public:
   /// @param[in] metric metric of the body
   /// @param[in] m,n order along and across
   /// @param[in] least smallest decay rate of all orders, relative to that of an order 1
-  Fall(const Metric& metric, double m, double n, double least)
+  DepthDecay(const Metric& metric, double m, double n, double least)
       : metric_(metric),
         around_(std::max(metric.fall(metric.is_wheel() ? m : std::hypot(m, n)), least)),
         across_(metric.is_wheel() ? n : 0.0) {}
@@ -66,8 +66,8 @@ template <class Scalar>
 double deepest_place(const LayerStack<Scalar>& layers, double m, double n, double exponent) {
   // At order 0 a rigid core affects the surface from any depth. Without a core only the uniform expansion does, whose
   // two solutions differ by the third power of the radius.
-  const bool held = inner_surface(layers.within).is_core;
-  const Fall fall(layers.metric, m, n, held ? 1e-300 : 0.5);
+  const bool held = inner_surface(layers.inner_boundary).is_core;
+  const DepthDecay fall(layers.metric, m, n, held ? 1e-300 : 0.5);
   const double k = std::hypot(m, n);
   const double cosine = k > 0.0 ? m / k : 0.0;
   double left = exponent;

@@ -36,7 +36,7 @@ void require_resolved_waves(const HarmonicBody& body) {
     const double m = body.orders()[i];
     const LayerStack<cplx> stack = body.layers_at(i);
     for (const Medium<cplx>& medium : stack.media) {
-      if (medium.inertia == 0.0 || medium.is_endless()) continue;
+      if (medium.inertia == 0.0 || medium.is_half_space()) continue;
       const double mach = std::sqrt(std::abs(stack.mach2(medium)));
       const double step = std::min(longest, body.metric().depth(medium.outer, medium.inner));
       if (mach * std::min(m * step, kStepExponent) <= kWaveExponent) continue;

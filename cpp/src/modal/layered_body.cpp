@@ -64,20 +64,20 @@ LayeredBody layered_body(const CoatedSphere& sphere, Curvature curvature) {
   validate(sphere);
   return {.metric = {.radius = outer_radius(sphere), .curvature = curvature},
           .layers = sphere.layers,
-          .within = sphere.inner_boundary,
+          .inner_boundary = sphere.inner_boundary,
           .boundaries = radii(sphere.core_radius, sphere.layers)};
 }
 
 LayeredBody layered_body(const CoatedCylinder& cylinder) {
   validate(cylinder);
-  return {.metric = {.radius = outer_radius(cylinder), .across = Way::nothing},
+  return {.metric = {.radius = outer_radius(cylinder), .across = AxisKind::nothing},
           .layers = cylinder.layers,
           .boundaries = radii(cylinder.core_radius, cylinder.layers)};
 }
 
 LayeredBody layered_body(const CoatedWheel& wheel) {
   validate(wheel);
-  return {.metric = {.radius = outer_radius(wheel), .across = Way::line},
+  return {.metric = {.radius = outer_radius(wheel), .across = AxisKind::line},
           .layers = wheel.layers,
           .boundaries = radii(wheel.core_radius, wheel.layers),
           .crown = crown_of(wheel)};
@@ -88,7 +88,7 @@ LayeredBody layered_body(const CoatedPlane& plane, double radius) {
   require_positive("radius", radius, "m");
   std::vector<Layer> layers = layers_from_base(plane);
   std::vector<double> boundaries = heights(layers);
-  return {.metric = {.radius = radius, .along = Way::line, .across = Way::line},
+  return {.metric = {.radius = radius, .along = AxisKind::line, .across = AxisKind::line},
           .layers = std::move(layers),
           .boundaries = std::move(boundaries)};
 }

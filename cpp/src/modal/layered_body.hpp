@@ -28,8 +28,8 @@ struct Crown {
 /// @brief Bonded layers with their surface and inner boundary. Later stages use only these members.
 struct LayeredBody {
   Metric metric;
-  std::vector<Layer> layers;                    ///< from inside outwards; a half-space has an infinite thickness
-  InnerBoundary within = InnerBoundary::rigid;  ///< inner boundary of the innermost layer
+  std::vector<Layer> layers;  ///< from inside outwards; a half-space has an infinite thickness
+  InnerBoundary inner_boundary = InnerBoundary::rigid;  ///< inner boundary of the innermost layer
   /// Boundaries of the layers, from inside outwards: places along the normal, see `Metric` [m].
   std::vector<double> boundaries;
   Crown crown;  ///< crown of a wheel
@@ -39,7 +39,7 @@ struct LayeredBody {
   /// @param[in] angular_speed Omega [rad/s]
   template <class Scalar>
   [[nodiscard]] LayerStack<Scalar> stack(const std::vector<Scalar>& moduli, double angular_speed) const {
-    LayerStack<Scalar> stack{.metric = metric, .within = within, .media = {}};
+    LayerStack<Scalar> stack{.metric = metric, .inner_boundary = inner_boundary, .media = {}};
     stack.media.reserve(layers.size());
     for (std::size_t j = 0; j < layers.size(); ++j) {
       stack.media.push_back({.inner = boundaries[j],

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Layers at the frequency of one order.
+/// @brief Material layers at the frequency of one Fourier order.
 #pragma once
 
 #include <cmath>
@@ -13,23 +13,23 @@ namespace viscoroll::detail {
 /// @brief A layer at one frequency. `Scalar` is double if all moduli are real, else std::complex<double>.
 template <class Scalar>
 struct Medium {
-  double inner;    ///< inner boundary, a place along the normal, see `Metric` [m]; -infinity for a half-space
-  double outer;    ///< outer boundary [m]
+  double inner;    ///< radius or height of the inner boundary, see `Metric` [m]; -infinity for a half-space
+  double outer;    ///< radius or height of the outer boundary [m]
   Scalar mu;       ///< shear modulus [Pa]
   Scalar b;        ///< mu / (lambda + 2 mu), see `shear_ratio`
   double inertia;  ///< rho Omega^2 [Pa/m^2]
 
-  [[nodiscard]] bool is_endless() const { return std::isinf(inner); }
+  [[nodiscard]] bool is_half_space() const { return std::isinf(inner); }
 };
 
 /// @brief The layers of a body at one frequency.
 template <class Scalar>
 struct LayerStack {
   Metric metric;
-  InnerBoundary within = InnerBoundary::rigid;  ///< inner boundary of the innermost layer; rigid on a rigid base
-  std::vector<Medium<Scalar>> media;            ///< layers from inside outwards, a half-space first
+  InnerBoundary inner_boundary = InnerBoundary::rigid;  ///< condition below the innermost layer
+  std::vector<Medium<Scalar>> media;                    ///< layers from the inside out; a half-space is the first
 
-  /// @return rho (Omega length)^2 / modulus, the square of the ratio of the material's speed to its shear wave speed
+  /// @return rho (Omega length)^2 / modulus, square of the ratio of the speed of the material to its shear wave speed
   [[nodiscard]] Scalar mach2(const Medium<Scalar>& medium) const {
     const double length = metric.length(medium.outer);
     return medium.inertia * length * length / medium.mu;

@@ -10,7 +10,7 @@
 namespace viscoroll::detail {
 
 /// @brief Kind of one of the two tangential axes of a surface.
-enum class Way {
+enum class AxisKind {
   ring,     ///< a circle around the center: orders are per radian
   line,     ///< a straight line: orders are per radius of the metric
   nothing,  ///< a straight line along which nothing varies: forces and powers are per unit length
@@ -24,15 +24,15 @@ constexpr double kLowOrders = 4.0;
 /// are radii if an axis is a ring, else heights above the surface.
 struct Metric {
   double radius;                            ///< r [m]; order k has the wave number k / r at the surface
-  Way along = Way::ring;                    ///< axis phi, in which material crosses the contact
-  Way across = Way::ring;                   ///< axis theta
+  AxisKind along = AxisKind::ring;          ///< axis phi, in which material crosses the contact
+  AxisKind across = AxisKind::ring;         ///< axis theta
   Curvature curvature = Curvature::sphere;  ///< curvature terms in the layer equations of a sphere
 
-  [[nodiscard]] constexpr bool is_curved() const { return along == Way::ring; }
-  [[nodiscard]] constexpr bool is_sphere() const { return is_curved() && across == Way::ring; }
-  [[nodiscard]] constexpr bool is_wheel() const { return is_curved() && across == Way::line; }
+  [[nodiscard]] constexpr bool is_curved() const { return along == AxisKind::ring; }
+  [[nodiscard]] constexpr bool is_sphere() const { return is_curved() && across == AxisKind::ring; }
+  [[nodiscard]] constexpr bool is_wheel() const { return is_curved() && across == AxisKind::line; }
   /// @return 1 if the surface is curved along an axis, else 0
-  static constexpr double bend(Way way) { return way == Way::ring ? 1.0 : 0.0; }
+  static constexpr double bend(AxisKind kind) { return kind == AxisKind::ring ? 1.0 : 0.0; }
   /// @return number of curved axes; multiplied by u_r / r, the relative change of area due to an outward displacement
   [[nodiscard]] constexpr double bends() const { return bend(along) + bend(across); }
 
@@ -53,8 +53,8 @@ struct Metric {
   [[nodiscard]] constexpr double shrinkage(double place) const { return is_wheel() ? place / radius : 1.0; }
 
   /// @return length of a radian of an axis at a place [m]; 1 if nothing varies along the axis
-  [[nodiscard]] constexpr double length(Way way, double place) const {
-    return way == Way::ring ? place : way == Way::line ? radius : 1.0;
+  [[nodiscard]] constexpr double length(AxisKind kind, double place) const {
+    return kind == AxisKind::ring ? place : kind == AxisKind::line ? radius : 1.0;
   }
   /// @return length of a radian of phi [m]: a wave number is an order divided by it, and the stresses of a state are
   /// multiplied by it
@@ -66,7 +66,7 @@ struct Metric {
   /// in plane strain
   [[nodiscard]] constexpr double area_of_waves() const {
     constexpr double kTurn = 2.0 * std::numbers::pi;
-    return measure(surface()) * kTurn * (across == Way::nothing ? 1.0 : kTurn);
+    return measure(surface()) * kTurn * (across == AxisKind::nothing ? 1.0 : kTurn);
   }
 
   /// @return decay exponent with depth of the slowest solution of an order. On cylinders and wheels it is k - 1,

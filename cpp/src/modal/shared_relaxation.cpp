@@ -32,7 +32,7 @@ bool has_constant_poisson_ratio(const HarmonicBody& body, std::size_t layer) {
 std::optional<LayerStack<double>> layers_per_modulus(const HarmonicBody& body, std::size_t reference,
                                                      double highest_density) {
   const auto at_rest = body.layers_at(0);
-  LayerStack<double> layers{.metric = at_rest.metric, .within = at_rest.within, .media = {}};
+  LayerStack<double> layers{.metric = at_rest.metric, .inner_boundary = at_rest.inner_boundary, .media = {}};
   for (std::size_t l = 0; l < at_rest.media.size(); ++l) {
     const std::optional<double> ratio = common_ratio(body, l, reference);
     if (!ratio || !has_constant_poisson_ratio(body, l)) return std::nullopt;

@@ -48,7 +48,7 @@ struct ContactReach {
 };
 
 /// @brief Motion of the material of both surfaces through the contact.
-struct Crossing {
+struct ContactKinematics {
   double angular_speed;      ///< Omega of the rolling body [rad/s]
   double radius;             ///< of the rolling body; angles of the mesh are arcs at this radius [m]
   Mesh mesh;                 ///< of the rolling body
@@ -103,9 +103,9 @@ class Body {
   /// @return influence tables, compliance and centrifugal displacement
   /// @throws std::invalid_argument for meshes and curvatures that the type of body does not support, and for critical
   /// speeds
-  [[nodiscard]] virtual BodySurface surface(const Crossing& crossing) const = 0;
+  [[nodiscard]] virtual BodySurface surface(const ContactKinematics& kinematics) const = 0;
   /// @return the layers in the contact, without free faces; not defined for a rigid body
-  [[nodiscard]] virtual LayeredBody layered(const Crossing& crossing) const = 0;
+  [[nodiscard]] virtual LayeredBody layered(const ContactKinematics& kinematics) const = 0;
   [[nodiscard]] virtual Profile profile(const SurfaceWindow& points) const = 0;
   /// @return the tread if it ends at free faces, where influence depends on more than offsets; null for other bodies
   [[nodiscard]] virtual const CoatedWheel* free_tread() const { return nullptr; }

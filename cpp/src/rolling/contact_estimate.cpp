@@ -14,7 +14,7 @@ namespace viscoroll::detail {
 namespace {
 
 /// Smallest moduli of a group of layers.
-struct Softness {
+struct SmallestModuli {
   double shear;     ///< shear modulus [Pa]
   double confined;  ///< modulus of a material that cannot expand sideways [Pa]
 };
@@ -22,13 +22,14 @@ struct Softness {
 /// Layers between two rigid bodies, or a half-space.
 struct Part {
   double thickness;  ///< [m]
-  Softness moduli;
+  SmallestModuli moduli;
 };
 
 /// Total thickness and smallest moduli of some layers. `frequency` is that at which material passes the contact.
 Part part_of(std::span<const NamedLayer> layers, double frequency) {
   double thickness = 0.0;
-  Softness least{.shear = std::numeric_limits<double>::infinity(), .confined = std::numeric_limits<double>::infinity()};
+  SmallestModuli least{.shear = std::numeric_limits<double>::infinity(),
+                       .confined = std::numeric_limits<double>::infinity()};
   for (const auto& [name, layer] : layers) {
     thickness += layer.thickness;
     const auto moduli = complex_modulus(layer.shear_modulus, std::array{0.0, frequency});
@@ -47,10 +48,10 @@ std::vector<Part> parts_of(const RollingPair& pair, double frequency) {
     if (!layers.empty()) parts.push_back(part_of(layers, frequency));
   };
   append(pair.body->layers());
-  const std::span<const NamedLayer> counterpart = pair.on->layers();
-  const std::size_t base = !counterpart.empty() && std::isinf(counterpart.front().layer.thickness) ? 1 : 0;
-  append(counterpart.first(base));
-  append(counterpart.subspan(base));
+  const std::span<const NamedLayer> counterbody = pair.on->layers();
+  const std::size_t base = !counterbody.empty() && std::isinf(counterbody.front().layer.thickness) ? 1 : 0;
+  append(counterbody.first(base));
+  append(counterbody.subspan(base));
   return parts;
 }
 
@@ -67,8 +68,8 @@ double load_at(double a, double radius, const Part& part, const ContactForm& for
 /// Radius of a circle, or of a line contact, with the mean of the curvatures.
 double mean_radius(const RollingPair& pair) {
   const Curvatures& own = pair.body->curvatures();
-  const Curvatures& counterpart = pair.on->curvatures();
-  return pair.body->form().dimensions / (own.along + counterpart.along + own.across + counterpart.across);
+  const Curvatures& counterbody = pair.on->curvatures();
+  return pair.body->form().dimensions / (own.along + counterbody.along + own.across + counterbody.across);
 }
 
 /// Load as a sum over strips across the contact. Each strip is a roller with the gap that the crown leaves.
@@ -92,7 +93,7 @@ double contact_radius(const RollingPair& pair, const std::vector<Part>& parts, d
   const auto load_of = [&](const Part& part, double a) {
     return std::isfinite(width(pair)) ? load_of_strips(a, pair, part) : load_at(a, radius, part, pair.body->form());
   };
-  const auto bears = [&](double a) {
+  const auto supports_load = [&](double a) {
     if (parts.size() == 1) return load_of(parts.front(), a) >= load;
     double compliance = 0.0;  // compliances of the parts add up
     for (const Part& part : parts) compliance += 1.0 / load_of(part, a);
@@ -100,11 +101,11 @@ double contact_radius(const RollingPair& pair, const std::vector<Part>& parts, d
   };
   double low = 0.0;
   double high = radius;
-  while (!bears(high) && std::isfinite(high)) high *= 2.0;
+  while (!supports_load(high) && std::isfinite(high)) high *= 2.0;
   // Bisect to the last digits: meshes depend on this size, and results should be smooth functions of the load.
   while (high - low > 1e-14 * high) {
     const double middle = 0.5 * (low + high);
-    (bears(middle) ? high : low) = middle;
+    (supports_load(middle) ? high : low) = middle;
   }
   return high;
 }
@@ -131,7 +132,7 @@ ContactReach estimate_contact(const RollingPair& pair, double angular_speed, dou
   return {.along = radius, .across = reach_across(pair, radius)};
 }
 
-double unbearable_load(const RollingPair& pair, double stiffest_modulus) {
+double load_upper_bound(const RollingPair& pair, double stiffest_modulus) {
   const double radius = pair.body->radius();
   const double hertz = 16.0 / 3.0 * stiffest_modulus * radius * radius;
   const double bonded =

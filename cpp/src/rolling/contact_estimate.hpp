@@ -31,6 +31,6 @@ namespace viscoroll::detail {
 /// @param[in] pair rolling body and counterbody
 /// @param[in] stiffest_modulus largest shear modulus of a layer at the highest harmonic [Pa]
 /// @return load [N], for a roller per length
-[[nodiscard]] double unbearable_load(const RollingPair& pair, double stiffest_modulus);
+[[nodiscard]] double load_upper_bound(const RollingPair& pair, double stiffest_modulus);
 
 }  // namespace viscoroll::detail

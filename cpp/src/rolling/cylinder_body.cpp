@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "rolling/body.hpp"
-#include "rolling/line_surface.hpp"
-#include "rolling/spot_surface.hpp"
+#include "rolling/line_contact_surface.hpp"
+#include "rolling/point_contact_surface.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -28,24 +28,24 @@ void require_curvature_of_cylinder(Curvature curvature) {
          curvature == Curvature::exact ? "EXACT" : "PAPER");
 }
 
-void require_crossing(const Crossing& crossing) {
-  if (crossing.form.is_line()) require_line_mesh(crossing.mesh);
-  require_curvature_of_cylinder(crossing.curvature);
+void require_kinematics(const ContactKinematics& kinematics) {
+  if (kinematics.form.is_line()) require_line_mesh(kinematics.mesh);
+  require_curvature_of_cylinder(kinematics.curvature);
 }
 
 /// Layers of the roller; under a wheel they are a tread without side faces.
-LayeredBody layers_of(const CoatedCylinder& cylinder, const Crossing& crossing) {
-  require_crossing(crossing);
+LayeredBody layers_of(const CoatedCylinder& cylinder, const ContactKinematics& kinematics) {
+  require_kinematics(kinematics);
   LayeredBody layers = layered_body(cylinder);
-  if (!crossing.form.is_line()) layers.metric.across = Way::line;
+  if (!kinematics.form.is_line()) layers.metric.across = AxisKind::line;
   return layers;
 }
 
-BodySurface surface_of(const CoatedCylinder& cylinder, const Crossing& crossing) {
-  require_crossing(crossing);
+BodySurface surface_of(const CoatedCylinder& cylinder, const ContactKinematics& kinematics) {
+  require_kinematics(kinematics);
   if (cylinder.layers.empty()) return {};
-  const LayeredBody layers = layers_of(cylinder, crossing);
-  return crossing.form.is_line() ? surface_under_line(layers, crossing) : surface_under_spot(layers, crossing);
+  const LayeredBody layers = layers_of(cylinder, kinematics);
+  return kinematics.form.is_line() ? surface_under_line(layers, kinematics) : surface_under_spot(layers, kinematics);
 }
 
 /// Profile at the same arc lengths as the nodes of the rolling body.
@@ -76,8 +76,12 @@ class CylinderBody final : public RoundBody {
 
   [[nodiscard]] std::string_view name() const override { return "roller"; }
   [[nodiscard]] const ContactForm& form() const override { return kLineContact; }
-  [[nodiscard]] BodySurface surface(const Crossing& crossing) const override { return surface_of(cylinder_, crossing); }
-  [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override { return layers_of(cylinder_, crossing); }
+  [[nodiscard]] BodySurface surface(const ContactKinematics& kinematics) const override {
+    return surface_of(cylinder_, kinematics);
+  }
+  [[nodiscard]] LayeredBody layered(const ContactKinematics& kinematics) const override {
+    return layers_of(cylinder_, kinematics);
+  }
   [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return profile_of(radius(), points); }
   [[nodiscard]] Nodes nodes(const Mesh& mesh, const Body& /*on*/) const override { return nodes_of(radius(), mesh); }
   void require(const Options& options) const override { require_flat_patches(options); }

@@ -25,7 +25,7 @@ void validate(const DriveForce& drive, const LoadCase& load_case, const RoundBod
   const string unit = " " + string(body.form().load_unit);
   reject("drive.force",
          "smaller than friction * load = " + text(largest) + unit + " in magnitude, otherwise the " +
-             string(body.name()) + " slides without end",
+             string(body.name()) + " slides permanently",
          text(drive.force) + unit);
 }
 

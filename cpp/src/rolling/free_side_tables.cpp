@@ -9,12 +9,12 @@
 namespace viscoroll::detail {
 
 FreeSideTables::FreeSideTables(std::unique_ptr<const SurfaceTables> endless, CoatedWheel wheel, LayeredBody layers,
-                               const Crossing& crossing)
+                               const ContactKinematics& kinematics)
     : endless_(std::move(endless)),
       wheel_(std::move(wheel)),
       layers_(std::move(layers)),
-      rolling_{.mesh = crossing.mesh_at(layers_.metric.radius),
-               .angular_speed = crossing.angular_speed_at(layers_.metric.radius)} {}
+      rolling_{.mesh = kinematics.mesh_at(layers_.metric.radius),
+               .angular_speed = kinematics.angular_speed_at(layers_.metric.radius)} {}
 
 std::shared_ptr<const SurfaceOperator> FreeSideTables::operator_on(const SurfaceWindow& nodes,
                                                                    const Formulation& formulation,
@@ -44,7 +44,7 @@ SideSum sum_of_sides(const CoatedWheel& wheel, const LayeredBody& layers, const 
   const Eigen::ArrayXd samples = sampled_orders(wheel);
   const double limit = measured_order(mesh.rounded());
   const HarmonicBody sampled(layers, angular_speed, {samples.begin(), samples.end()}, limit);
-  auto difference = kept_difference(wheel, sampled, tangential, execution.threads, execution.watch);
+  auto difference = cached_difference(wheel, sampled, tangential, execution.threads, execution.watch);
   std::vector<OrderBand> bands = phi_bands(layers, angular_speed, mesh.rounded());
   const HarmonicBody harmonics(layers, angular_speed, all_orders(bands), limit);
   return {std::move(difference), std::move(bands), outer_softness(harmonics), mesh};

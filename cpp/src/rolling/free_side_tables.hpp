@@ -34,9 +34,9 @@ class FreeSideTables final : public SurfaceTables {
   /// @param[in] endless tables of the same layers without faces
   /// @param[in] wheel at least one layer
   /// @param[in] layers layers of the wheel
-  /// @param[in] crossing motion of the material through the contact
+  /// @param[in] kinematics motion of the material through the contact
   FreeSideTables(std::unique_ptr<const SurfaceTables> endless, CoatedWheel wheel, LayeredBody layers,
-                 const Crossing& crossing);
+                 const ContactKinematics& kinematics);
 
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_on(const SurfaceWindow& nodes,
                                                                    const Formulation& formulation,

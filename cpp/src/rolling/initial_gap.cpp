@@ -21,34 +21,35 @@ ArrayXd lever_at(const SurfaceWindow& points, const RollingPair& pair, const Nod
 }
 
 template <class Nodes>
-ArrayXd slope_at(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair, const Nodes& nodes) {
-  return -swelling.met() * pair.on->curvatures().along * lever_at(points, pair, nodes);
+ArrayXd slope_at(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair,
+                 const Nodes& nodes) {
+  return -growth.met() * pair.on->curvatures().along * lever_at(points, pair, nodes);
 }
 
 /// Gap for centrifugal growth in all directions.
-ArrayXd swollen_gap(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
-  ArrayXd gap = swelling.own * points.height();
+ArrayXd swollen_gap(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair) {
+  ArrayXd gap = growth.own * points.height();
   const ArrayXd drop = pair.on->profile(points).drop;
-  if (drop.size() > 0) gap += swelling.met() * drop;
+  if (drop.size() > 0) gap += growth.met() * drop;
   return gap;
 }
 
 }  // namespace
 
-ArrayXd initial_gap(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
-  ArrayXd gap = swollen_gap(points, swelling, pair);
-  if (swelling == Swelling{} || !std::isfinite(width(pair))) return gap;
+ArrayXd initial_gap(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair) {
+  ArrayXd gap = swollen_gap(points, growth, pair);
+  if (growth == CentrifugalGrowth{} || !std::isfinite(width(pair))) return gap;
   // A tread does not grow along its axis, so that its crown does not change.
   const SurfaceWindow across(points.grid(), {{0, 0}, points.window().theta});
-  const ArrayXd grown = swollen_gap(across, swelling, pair) - swollen_gap(across, {}, pair);
+  const ArrayXd grown = swollen_gap(across, growth, pair) - swollen_gap(across, {}, pair);
   gap -= grown.replicate(points.shape().phi_nodes, 1);
   return gap;
 }
 
-ArrayXd counterpart_delay(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
+ArrayXd counterbody_delay(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair) {
   const ArrayXd drop = pair.on->profile(points).drop;
   if (drop.size() == 0) return ArrayXd::Zero(points.shape().size());
-  return swelling.met() * pair.on->curvatures().along * drop;
+  return growth.met() * pair.on->curvatures().along * drop;
 }
 
 ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair) {
@@ -59,13 +60,13 @@ ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair, con
   return lever_at(points, pair, nodes);
 }
 
-ArrayXd counterpart_slope(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
-  return slope_at(points, swelling, pair, all_of(points));
+ArrayXd counterbody_slope(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair) {
+  return slope_at(points, growth, pair, all_of(points));
 }
 
-ArrayXd counterpart_slope(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair,
+ArrayXd counterbody_slope(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair,
                           const std::vector<Index>& nodes) {
-  return slope_at(points, swelling, pair, nodes);
+  return slope_at(points, growth, pair, nodes);
 }
 
 }  // namespace viscoroll::detail

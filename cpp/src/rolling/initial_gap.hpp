@@ -14,16 +14,16 @@ namespace viscoroll::detail {
 
 /// @brief Gap between the undeformed bodies.
 /// @param[in] points nodes of the rolling body
-/// @param[in] swelling centrifugal growth of the free surfaces
+/// @param[in] growth centrifugal growth of the free surfaces
 /// @param[in] pair both bodies
 /// @return gap of every node, 0 at the lowest one [m]
-[[nodiscard]] Eigen::ArrayXd initial_gap(const SurfaceWindow& points, const Swelling& swelling,
+[[nodiscard]] Eigen::ArrayXd initial_gap(const SurfaceWindow& points, const CentrifugalGrowth& growth,
                                          const RollingPair& pair);
 
 /// @brief Fraction of the speed by which the surface of the counterbody lags if the counterbody turns: a node nearer to
 /// the axis of the counterbody is slower. The lag is 0 for a straight counterbody.
 /// @return lag of every node [-]
-[[nodiscard]] Eigen::ArrayXd counterpart_delay(const SurfaceWindow& points, const Swelling& swelling,
+[[nodiscard]] Eigen::ArrayXd counterbody_delay(const SurfaceWindow& points, const CentrifugalGrowth& growth,
                                                const RollingPair& pair);
 
 /// @brief Moment arm of the pressure: the relative radius times the slope of the undeformed gap along the nodes.
@@ -37,10 +37,10 @@ namespace viscoroll::detail {
 
 /// @return slope of the counterbody's surface where a node of the rolling body meets it, with centrifugal growth but
 /// without deformation, downwards in the direction in which material passes, at every node [-]
-[[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const Swelling& swelling,
+[[nodiscard]] Eigen::ArrayXd counterbody_slope(const SurfaceWindow& points, const CentrifugalGrowth& growth,
                                                const RollingPair& pair);
 /// @return the same for some nodes [-]
-[[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const Swelling& swelling,
+[[nodiscard]] Eigen::ArrayXd counterbody_slope(const SurfaceWindow& points, const CentrifugalGrowth& growth,
                                                const RollingPair& pair, const std::vector<Eigen::Index>& nodes);
 
 }  // namespace viscoroll::detail

@@ -28,39 +28,40 @@ double stable_collocation(std::complex<double> normal, std::complex<double> alon
 }
 
 /// @throws std::invalid_argument if the rolling body would grow to fill the counterbody in which it rolls
-void require_room_to_swell(const RollingPair& pair, const Swelling& swelling, double angular_speed) {
+void require_room_to_swell(const RollingPair& pair, const CentrifugalGrowth& growth, double angular_speed) {
   const Curvatures& own = pair.body->curvatures();
   const Curvatures& on = pair.on->curvatures();
   const bool is_tread = std::isfinite(width(pair));
-  const double along = swelling.own * own.along + swelling.met() * on.along;
-  const double across = is_tread ? 1.0 : swelling.own * own.across + swelling.met() * on.across;
+  const double along = growth.own * own.along + growth.met() * on.along;
+  const double across = is_tread ? 1.0 : growth.own * own.across + growth.met() * on.across;
   if (along > 0.0 && (pair.body->form().is_line() || across > 0.0)) return;
   reject("angular_speed",
          "so low that the " + std::string(pair.body->name()) + " does not grow to fill the counterbody",
          text(angular_speed) + " rad/s (centrifugal growth of the radius by a fraction of " +
-             rounded(swelling.own - 1.0) + ")");
+             rounded(growth.own - 1.0) + ")");
 }
 
 }  // namespace
 
 MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
                      const Execution& execution, double inertia_tolerance) {
-  const Crossing crossing = crossing_of(pair, angular_speed, mesh, curvature, execution, inertia_tolerance);
-  BodySurface own = pair.body->surface(crossing);
-  BodySurface counterpart = pair.on->surface(crossing);
-  const Swelling swelling{.own = 1.0 + own.centrifugal * pair.body->curvatures().along,
-                          .counterpart = 1.0 + counterpart.centrifugal * pair.on->curvatures().along};
-  require_room_to_swell(pair, swelling, angular_speed);
+  const ContactKinematics kinematics =
+      kinematics_of(pair, angular_speed, mesh, curvature, execution, inertia_tolerance);
+  BodySurface own = pair.body->surface(kinematics);
+  BodySurface counterbody = pair.on->surface(kinematics);
+  const CentrifugalGrowth growth{.own = 1.0 + own.centrifugal * pair.body->curvatures().along,
+                                 .counterbody = 1.0 + counterbody.centrifugal * pair.on->curvatures().along};
+  require_room_to_swell(pair, growth, angular_speed);
   return {.pair = pair,
           .angular_speed = angular_speed,
           .mesh = mesh,
           .curvature = curvature,
           .own = std::move(own.tables),
-          .counterpart = std::move(counterpart.tables),
-          .stiffest_modulus = std::max(own.stiffest_modulus, counterpart.stiffest_modulus),
-          .centrifugal = own.centrifugal + counterpart.centrifugal,
-          .swelling = swelling,
-          .collocation = stable_collocation(own.normal + counterpart.normal, own.along + counterpart.along)};
+          .counterbody = std::move(counterbody.tables),
+          .stiffest_modulus = std::max(own.stiffest_modulus, counterbody.stiffest_modulus),
+          .centrifugal = own.centrifugal + counterbody.centrifugal,
+          .growth = growth,
+          .collocation = stable_collocation(own.normal + counterbody.normal, own.along + counterbody.along)};
 }
 
 }  // namespace viscoroll::detail

@@ -12,14 +12,14 @@
 namespace viscoroll::detail {
 
 /// @brief Centrifugal growth: ratio of the spinning to the resting surface radius of each body.
-struct Swelling {
+struct CentrifugalGrowth {
   double own = 1.0;  ///< of the rolling body
-  double counterpart = 1.0;
+  double counterbody = 1.0;
 
   /// @return drop and slope of the counterbody where a node of the rolling body meets it, relative to those at rest:
   /// the node has moved outwards along a surface that is less curved (docs/theory/inertia.md)
-  [[nodiscard]] double met() const { return own * own / counterpart; }
-  friend bool operator==(const Swelling&, const Swelling&) = default;
+  [[nodiscard]] double met() const { return own * own / counterbody; }
+  friend bool operator==(const CentrifugalGrowth&, const CentrifugalGrowth&) = default;
 };
 
 /// @brief Two bodies at a speed on a mesh. Threads may share it.
@@ -29,10 +29,10 @@ struct MeshModel {
   Mesh mesh;
   Curvature curvature;                               ///< curvature terms retained in the layer equations
   std::unique_ptr<const SurfaceTables> own;          ///< of the rolling body; null if it is rigid
-  std::unique_ptr<const SurfaceTables> counterpart;  ///< of the counterbody; null if it is rigid
+  std::unique_ptr<const SurfaceTables> counterbody;  ///< of the counterbody; null if it is rigid
   double stiffest_modulus;                           ///< largest shear modulus of a layer at the highest harmonic [Pa]
   double centrifugal;                                ///< d_R^(c), sum of both bodies [m]
-  Swelling swelling;                                 ///< centrifugal growth of both bodies
+  CentrifugalGrowth growth;                          ///< centrifugal growth of both bodies
   double collocation;  ///< where displacements are evaluated, see `SurfaceOperator::collocation` [spacings]
   std::shared_ptr<SharedStarts> starts = std::make_shared<SharedStarts>();  ///< of load cases with friction
 };

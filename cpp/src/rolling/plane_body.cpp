@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rolling/body.hpp"
-#include "rolling/line_surface.hpp"
-#include "rolling/spot_surface.hpp"
+#include "rolling/line_contact_surface.hpp"
+#include "rolling/point_contact_surface.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -17,10 +17,10 @@ namespace {
 /// shallow.
 constexpr double kClosestFit = 1.0 / 1.02;
 
-BodySurface surface_of(const CoatedPlane& plane, const Crossing& crossing) {
+BodySurface surface_of(const CoatedPlane& plane, const ContactKinematics& kinematics) {
   if (is_rigid(plane)) return {};
-  const LayeredBody layers = layered_body(plane, crossing.radius);
-  return crossing.form.is_line() ? surface_under_line(layers, crossing) : surface_under_spot(layers, crossing);
+  const LayeredBody layers = layered_body(plane, kinematics.radius);
+  return kinematics.form.is_line() ? surface_under_line(layers, kinematics) : surface_under_spot(layers, kinematics);
 }
 
 /// @param[in] hollow_radius radius of a hollow surface [m], > 0; none for a straight surface
@@ -52,9 +52,11 @@ class PlaneBody : public Body {
   explicit PlaneBody(const CoatedPlane& plane, const Curvatures& curvatures = {})
       : Body({.layers = layers_with_base(plane), .curvatures = curvatures}), plane_(plane) {}
 
-  [[nodiscard]] BodySurface surface(const Crossing& crossing) const override { return surface_of(plane_, crossing); }
-  [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override {
-    return layered_body(plane_, crossing.radius);
+  [[nodiscard]] BodySurface surface(const ContactKinematics& kinematics) const override {
+    return surface_of(plane_, kinematics);
+  }
+  [[nodiscard]] LayeredBody layered(const ContactKinematics& kinematics) const override {
+    return layered_body(plane_, kinematics.radius);
   }
   [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return circles(curvatures(), points); }
 

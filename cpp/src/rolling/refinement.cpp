@@ -214,7 +214,7 @@ class Refiner {
     Refinement& step = result.refinements.back();
     std::vector<Answer> found = answers(result, load_case_, pair_.body->radius());
     // The first mesh has no previous mesh to compare with.
-    step.error_estimate = best_ ? std::max(step.power_balance_error, largest_change(found, answers_)) : 1.0;
+    step.error_estimate = best_ ? std::max(step.energy_balance_error, largest_change(found, answers_)) : 1.0;
     result.error_estimate = step.error_estimate;
     has_ended_ = result.status != Status::converged;
     // Keep the earlier result: this mesh was meant to improve the pressure only.

@@ -10,9 +10,9 @@
 
 namespace viscoroll::detail {
 
-/// @brief Solve on finer and finer meshes until the larger of the power-balance error and the changes from the previous
-/// mesh is below `options.accuracy`, or the finest mesh allowed is reached. If a finer mesh cannot be solved, return
-/// the result of the finest mesh that was solved.
+/// @brief Solve on finer and finer meshes until the larger of the energy-balance error and the changes from the
+/// previous mesh is below `options.accuracy`, or the finest mesh allowed is reached. If a finer mesh cannot be solved,
+/// return the result of the finest mesh that was solved.
 [[nodiscard]] Result solve_to_accuracy(const RollingPair& pair, const LoadCase& load_case, const Options& options,
                                        Watch& watch);
 

@@ -37,13 +37,13 @@ std::vector<double> columns(Index rows, const Function& function) {
 }
 
 /// Moment arms of the nodes in contact, displaced by the rolling body's own displacement.
-LeverArms displaced_arms(const Assembly& given, const HeldContact& held) {
+MomentArms displaced_arms(const ContactSetup& given, const WindowContact& held) {
   const double share = given.pressure_share();
   const std::vector<Index>& contact = held.contact.contact;
-  const LeverArms arms =
-      displaced(given.lever_arms(held.nodes, contact), held.contact.displacement(contact, Eigen::all), share);
-  const VectorField& counterpart = held.contact.counterpart_displacement;
-  return counterpart.rows() == 0 ? arms : displaced(arms, -counterpart(contact, Eigen::all), share);
+  const MomentArms arms =
+      displaced(given.moment_arms(held.nodes, contact), held.contact.displacement(contact, Eigen::all), share);
+  const VectorField& counterbody = held.contact.counterbody_displacement;
+  return counterbody.rows() == 0 ? arms : displaced(arms, -counterbody(contact, Eigen::all), share);
 }
 
 std::vector<unsigned char> mask(const std::vector<Index>& nodes, Index size) {
@@ -63,24 +63,24 @@ double settled(double sum, double largest_summand, std::optional<double> given =
 
 /// D_2 = sum of p dw_2/dxi: force of the pressure along the counterbody's deformed surface. Under a rigid ball it
 /// follows from the surface of the ball.
-double deformed_pushback(const Assembly& given, const HeldContact& held) {
+double deformed_pushback(const ContactSetup& given, const WindowContact& held) {
   switch (held.problem.surface->deforming()) {
     case Deforming::rolling:
       return 0.0;
-    case Deforming::counterpart: {
+    case Deforming::counterbody: {
       const std::vector<Index>& contact = held.contact.contact;
-      const ArrayXd slope = counterpart_slope(held.nodes, given.model.swelling, given.pair(), contact);
+      const ArrayXd slope = counterbody_slope(held.nodes, given.model.growth, given.pair(), contact);
       return -(held.contact.force.col(kDown)(contact) * (held.nodes.x()(contact) / held.nodes.grid().radius - slope))
                   .sum();
     }
     default:
-      return held.problem.surface->pushback(held.contact.force);
+      return held.problem.surface->slope_force(held.contact.force);
   }
 }
 
 class Summary {
  public:
-  Summary(const Assembly& given, const HeldContact& held)
+  Summary(const ContactSetup& given, const WindowContact& held)
       : given_(given),
         window_(held.nodes),
         contact_(held.contact),
@@ -88,7 +88,7 @@ class Summary {
         size_(window_.shape().size()),
         force_(contact_.force(contact_.contact, Eigen::all)),
         arms_(displaced_arms(given, held)),
-        curvature_(given.model.swelling.met() * given.pair().on->curvatures().along),
+        curvature_(given.model.growth.met() * given.pair().on->curvatures().along),
         pushback_(deformed_pushback(given, held)),
         flat_area_(std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing),
         area_(window_.patch_area(contact_.contact)) {}
@@ -122,14 +122,14 @@ class Summary {
     r.resisting_torque = -(pressure_lever(window_, given_.pair(), contact) * force_.col(kDown)).sum();
     const double load = given_.load_case.load;
     const GivenMotion motion = given_motion(given_.load_case.drive);
-    r.driving_force = settled(-forward.sum() + counterpart_force(r), load, motion.force);
+    r.driving_force = settled(-forward.sum() + counterbody_force(r), load, motion.force);
     const auto sideways = force_.col(kSideways);
     r.lateral_force = settled(sideways.sum(), load);
     r.spin_moment =
         settled((window_.z()(contact) * forward - window_.x()(contact) * sideways).sum(), load * r.semi_axis_x);
 
     // The slope of the counterbody reduces the moment of the pressure about the center.
-    r.driving_torque = settled(moment(arms_, force_) - radius() * counterpart_force(r), load * radius(), motion.torque);
+    r.driving_torque = settled(moment(arms_, force_) - radius() * counterbody_force(r), load * radius(), motion.torque);
   }
 
   void add_powers(Result& r) const {
@@ -139,8 +139,8 @@ class Summary {
     if (r.creepage) r.linear_speed = (1.0 + *r.creepage) * load_case.angular_speed * radius();
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
     r.rolling_bulk_power = load_case.angular_speed * losses_.rolling;
-    r.counterpart_bulk_power = std::abs(speed) / radius() * losses_.counterpart;
-    r.bulk_power = r.rolling_bulk_power + r.counterpart_bulk_power;
+    r.counterbody_bulk_power = std::abs(speed) / radius() * losses_.counterbody;
+    r.bulk_power = r.rolling_bulk_power + r.counterbody_bulk_power;
     if (contact_.slip.rows() > 0) {
       r.slip_power = slip_power();
     }
@@ -148,13 +148,13 @@ class Summary {
     r.rolling_resistance_coefficient =
         r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (load_case.load * std::abs(speed));
     double work =
-        r.driving_torque * load_case.angular_speed + (r.driving_force + force_of_turning_counterpart(r)) * speed;
+        r.driving_torque * load_case.angular_speed + (r.driving_force + force_of_turning_counterbody(r)) * speed;
     const double guided = r.lateral_force * motion.lateral_creepage + r.spin_moment * motion.spin;
     work -= guided * load_case.angular_speed * radius();
     // Smaller powers, relative to the largest torque that the load could cause, are round-off of a lossless coating.
     const double negligible =
         std::max(1e-10 * load_case.load * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());
-    r.power_balance_error =
+    r.energy_balance_error =
         std::abs(work - r.dissipated_power) / std::max({std::abs(work), std::abs(r.dissipated_power), negligible});
   }
 
@@ -227,11 +227,11 @@ class Summary {
   }
 
   /// Backward force of the pressure on the body, due to the deformed and curved surface of the counterbody.
-  [[nodiscard]] double counterpart_force(const Result& r) const { return pushback_ - r.resisting_torque * curvature_; }
+  [[nodiscard]] double counterbody_force(const Result& r) const { return pushback_ - r.resisting_torque * curvature_; }
 
   /// Force whose work supplements that of the force on the center if the counterbody turns: the moment about the axis
   /// of the counterbody, divided by its radius.
-  [[nodiscard]] double force_of_turning_counterpart(const Result& r) const {
+  [[nodiscard]] double force_of_turning_counterbody(const Result& r) const {
     if (curvature_ == 0.0) return 0.0;
     double moment = r.resisting_torque;
     if (r.center_height) moment += ((arms_.y - *r.center_height) * force_.col(kForward)).sum();
@@ -260,13 +260,13 @@ class Summary {
     return given_.load_case.angular_speed / window_.grid().phi_spacing * taken.sum();
   }
 
-  const Assembly& given_;
+  const ContactSetup& given_;
   const SurfaceWindow& window_;
   const ContactSolution& contact_;
   const Losses& losses_;
   Index size_;
   VectorField force_;  // on the nodes in contact
-  LeverArms arms_;     // of the nodes in contact, displaced
+  MomentArms arms_;    // of the nodes in contact, displaced
   double curvature_;   // of the counterbody along the path, with centrifugal growth [1/m]
   double pushback_;    // D_2, force of the pressure along the deformed surface of the counterbody [N]
   double flat_area_;   // of a patch on the equator [m^2]
@@ -285,7 +285,7 @@ ContactReach contact_reach(const Result& result) {
   return reach;
 }
 
-Result make_result(const Assembly& given, const HeldContact& held) {
+Result make_result(const ContactSetup& given, const WindowContact& held) {
   const Summary summary(given, held);
   Result r;
   summary.add_status(r);
@@ -294,12 +294,12 @@ Result make_result(const Assembly& given, const HeldContact& held) {
   summary.add_powers(r);
   summary.add_fields(r);
   summary.add_limits(r);
-  r.error_estimate = r.power_balance_error;
+  r.error_estimate = r.energy_balance_error;
   r.refinements = {{.mesh = given.model.mesh,
                     .contact_nodes = static_cast<int>(held.contact.contact.size()),
                     .resisting_torque = r.resisting_torque,
                     .penetration = r.penetration,
-                    .power_balance_error = r.power_balance_error,
+                    .energy_balance_error = r.energy_balance_error,
                     .error_estimate = r.error_estimate}};
   return r;
 }

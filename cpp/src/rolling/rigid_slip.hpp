@@ -13,20 +13,21 @@
 namespace viscoroll::detail {
 
 /// @brief Displacements from row to row along x and z [m]; 0 in the first row.
-struct RigidWays {
+struct RigidDisplacements {
   /// Slip of the rolling body over the counterbody at zero creepage of the drive: radii are smaller away from the
   /// middle (Heathcote slip), and a guide adds lateral creepage and spin about the vertical axis
   Eigen::ArrayX2d slip;
-  Eigen::ArrayX2d counterpart_way;  ///< displacement of the counterbody's surface at zero creepage
+  Eigen::ArrayX2d counterbody;  ///< displacement of the counterbody's surface at zero creepage
 };
 
 /// @brief Slip and displacement of undeformed bodies from row to row.
 /// @param[in] points positions at which displacements are evaluated
-/// @param[in] swelling centrifugal growth of the free surfaces
+/// @param[in] growth centrifugal growth of the free surfaces
 /// @param[in] kinematics with or without Heathcote slip
 /// @param[in] pair both bodies
 /// @param[in] given lateral creepage and spin
-[[nodiscard]] RigidWays rigid_slip(const SurfaceWindow& points, const Swelling& swelling, SlipKinematics kinematics,
-                                   const RollingPair& pair, const GivenMotion& given);
+[[nodiscard]] RigidDisplacements rigid_slip(const SurfaceWindow& points, const CentrifugalGrowth& growth,
+                                            SlipKinematics kinematics, const RollingPair& pair,
+                                            const GivenMotion& given);
 
 }  // namespace viscoroll::detail

@@ -71,7 +71,7 @@ NodeRange within_60_degrees(const NodeRange& range, double curvature, double dis
 
 }  // namespace
 
-RollingPair rolling_pair(const RollingBody& body, const Counterpart& on) {
+RollingPair rolling_pair(const RollingBody& body, const Counterbody& on) {
   RollingPair pair{
       .body = std::visit([](const auto& shape) { return checked_body(shape); }, body),
       .on = std::visit([](const auto& shape) { return std::unique_ptr<const Body>(checked_body(shape)); }, on)};
@@ -94,15 +94,15 @@ RollingPair rolling_pair(const RollingBody& body, const Counterpart& on) {
 Nodes nodes_of(const RollingPair& pair, const Mesh& mesh) {
   Nodes nodes = pair.body->nodes(mesh, *pair.on);
   const SurfaceGrid& grid = nodes.grid;
-  const Curvatures& counterpart = pair.on->curvatures();
+  const Curvatures& counterbody = pair.on->curvatures();
   auto& [phi, theta] = nodes.widest;
-  phi = within_60_degrees(phi, counterpart.along, grid.radius * grid.phi_spacing);
-  theta = within_60_degrees(theta, counterpart.across, grid.radius * grid.theta_spacing);
+  phi = within_60_degrees(phi, counterbody.along, grid.radius * grid.phi_spacing);
+  theta = within_60_degrees(theta, counterbody.across, grid.radius * grid.theta_spacing);
   return nodes;
 }
 
-Crossing crossing_of(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
-                     const Execution& execution, double inertia_tolerance) {
+ContactKinematics kinematics_of(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
+                                const Execution& execution, double inertia_tolerance) {
   const Nodes nodes = pair.body->nodes(mesh, *pair.on);
   const double theta_spacing = nodes.grid.theta_spacing;
   return {.angular_speed = angular_speed,

@@ -18,7 +18,7 @@ struct RollingPair {
 /// @brief Check and combine both bodies.
 /// @throws std::invalid_argument with parameter, value, unit and range, if a body is invalid or the two cannot roll on
 /// one another
-[[nodiscard]] RollingPair rolling_pair(const RollingBody& body, const Counterpart& on);
+[[nodiscard]] RollingPair rolling_pair(const RollingBody& body, const Counterbody& on);
 
 /// @return nodes of a mesh on the rolling body at which neither surface has turned by more than 60 degrees
 [[nodiscard]] Nodes nodes_of(const RollingPair& pair, const Mesh& mesh);
@@ -30,8 +30,9 @@ struct RollingPair {
 /// @param[in] curvature curvature terms retained in the layer equations
 /// @param[in] execution threads, progress and cancellation
 /// @param[in] inertia_tolerance largest relative error of the compliance due to the truncated expansion in inertia
-[[nodiscard]] Crossing crossing_of(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
-                                   const Execution& execution, double inertia_tolerance);
+[[nodiscard]] ContactKinematics kinematics_of(const RollingPair& pair, double angular_speed, const Mesh& mesh,
+                                              Curvature curvature, const Execution& execution,
+                                              double inertia_tolerance);
 
 /// @return relative radius R along the path, 1/R = 1/R_1 + 1/R_2 [m]
 [[nodiscard]] double relative_radius(const RollingPair& pair);

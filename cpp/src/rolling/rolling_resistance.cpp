@@ -13,10 +13,11 @@ namespace {
 using detail::reject;
 using detail::text;
 
-/// Loads and speeds at an end of the range are those of the study except for round-off.
-constexpr double kSlack = 1e-12;
+/// Relative tolerance of the range check: loads and speeds at the ends of the fitted range may contain round-off.
+constexpr double kRangeTolerance = 1e-12;
 
-double mapped(double value, const std::array<double, 2>& range) {
+/// Coordinate in [-1, 1] in which the polynomials are evaluated, linear in the logarithm of the value.
+double chebyshev_coordinate(double value, const std::array<double, 2>& range) {
   return 2.0 * std::log(value / range[0]) / std::log(range[1] / range[0]) - 1.0;
 }
 
@@ -24,17 +25,17 @@ double mapped(double value, const std::array<double, 2>& range) {
 template <class Coefficient>
 double chebyshev_sum(std::size_t count, const Coefficient& coefficient, double x) {
   double next = 0.0;
-  double after = 0.0;
+  double after_next = 0.0;
   for (std::size_t i = count; i-- > 1;) {
-    const double here = coefficient(i) + 2.0 * x * next - after;
-    after = next;
+    const double here = coefficient(i) + 2.0 * x * next - after_next;
+    after_next = next;
     next = here;
   }
-  return coefficient(0) + x * next - after;
+  return coefficient(0) + x * next - after_next;
 }
 
-void require_fitted(std::string_view name, double value, double from, double to, std::string_view unit) {
-  if (value >= from - kSlack * std::abs(from) && value <= to + kSlack * std::abs(to)) return;
+void require_fitted_range(std::string_view name, double value, double from, double to, std::string_view unit) {
+  if (value >= from - kRangeTolerance * std::abs(from) && value <= to + kRangeTolerance * std::abs(to)) return;
   reject(name, "in [" + text(from) + ", " + text(to) + "] " + std::string(unit) + ", the fitted range", value);
 }
 
@@ -70,19 +71,21 @@ double resisting_torque(const RollingResistance& surface, double load, double an
   detail::require_finite("angular_speed", angular_speed);
   const double speed = std::abs(angular_speed);
   if (outside == Extrapolation::error) {
-    require_fitted("load", load, surface.load[0], surface.load[1], "N");
-    require_fitted("angular_speed", angular_speed, -surface.angular_speed[1], surface.angular_speed[1], "rad/s");
+    require_fitted_range("load", load, surface.load[0], surface.load[1], "N");
+    require_fitted_range("angular_speed", angular_speed, -surface.angular_speed[1], surface.angular_speed[1], "rad/s");
   }
   const double fitted_load = std::clamp(load, surface.load[0], surface.load[1]);
   const double fitted_speed = std::clamp(speed, surface.angular_speed[0], surface.angular_speed[1]);
-  const double x = mapped(fitted_load, surface.load);
-  const double y = mapped(fitted_speed, surface.angular_speed);
+  const double x = chebyshev_coordinate(fitted_load, surface.load);
+  const double y = chebyshev_coordinate(fitted_speed, surface.angular_speed);
   const auto& rows = surface.coefficients;
-  const auto of_row = [&](std::size_t i) {
+  const auto row_sum = [&](std::size_t i) {
     return chebyshev_sum(rows[i].size(), [&](std::size_t j) { return rows[i][j]; }, y);
   };
-  const double towards_rest = std::min(speed / surface.angular_speed[0], 1.0);
-  const double torque = load / fitted_load * towards_rest * std::exp(chebyshev_sum(rows.size(), of_row, x));
+  // Outside of the fitted loads, the torque is proportional to the load; below the fitted speeds, to the speed.
+  const double load_ratio = load / fitted_load;
+  const double speed_ratio = std::min(speed / surface.angular_speed[0], 1.0);
+  const double torque = load_ratio * speed_ratio * std::exp(chebyshev_sum(rows.size(), row_sum, x));
   return std::copysign(torque, angular_speed);
 }
 

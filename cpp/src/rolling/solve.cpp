@@ -45,7 +45,7 @@ Result solve(const RollingBody& body, const LoadCase& load_case, const Options& 
   return solve(body, CoatedPlane{}, load_case, options);
 }
 
-Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case, const Options& options) {
+Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& load_case, const Options& options) {
   const detail::RollingPair pair = detail::rolling_pair(body, on);
   validate(load_case, *pair.body);
   validate(options);
@@ -58,8 +58,8 @@ Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& loa
   return with_warnings(detail::solve_load_case(model, load_case, options, watch), options, true);
 }
 
-Result solve_kept(const RollingBody& body, const Counterpart& on, const LoadCase& load_case, const KeptContact& state,
-                  const Options& options) {
+Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
+                    const FrozenContact& state, const Options& options) {
   const detail::RollingPair pair = detail::rolling_pair(body, on);
   validate(load_case, *pair.body);
   validate(options);
@@ -78,7 +78,7 @@ RollingModel::RollingModel(const RollingBody& body, double angular_speed, const 
                            Curvature curvature, const Observer& observer)
     : RollingModel(body, CoatedPlane{}, angular_speed, mesh, threads, curvature, observer) {}
 
-RollingModel::RollingModel(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh,
+RollingModel::RollingModel(const RollingBody& body, const Counterbody& on, double angular_speed, const Mesh& mesh,
                            int threads, Curvature curvature, const Observer& observer) {
   const detail::RollingPair pair = detail::rolling_pair(body, on);
   viscoroll::validate(mesh);

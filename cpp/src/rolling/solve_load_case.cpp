@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "contact/kept_contact.hpp"
-#include "rolling/refusals.hpp"
+#include "contact/frozen_contact.hpp"
+#include "rolling/input_checks.hpp"
 #include "rolling/result.hpp"
 #include "validate.hpp"
 
@@ -14,7 +14,7 @@ namespace viscoroll::detail {
 namespace {
 
 /// Window around the lowest node with as many rows and columns as the state.
-Window window_of(const KeptContact& state, const Window& widest) {
+Window window_of(const FrozenContact& state, const Window& widest) {
   const auto range = [](const std::string& name, int nodes, const NodeRange& most) {
     const int to_edge = nodes / 2;
     if (nodes % 2 == 1 && nodes > 0 && to_edge <= most.last) return NodeRange{-to_edge, to_edge};
@@ -31,7 +31,7 @@ std::vector<Eigen::Index> marked(const std::vector<unsigned char>& mask) {
   return nodes;
 }
 
-ContactSolution start_of(const KeptContact& state, const SurfaceWindow& nodes, double centrifugal) {
+ContactSolution start_of(const FrozenContact& state, const SurfaceWindow& nodes, double centrifugal) {
   const Eigen::Index size = nodes.shape().size();
   const auto count = static_cast<std::size_t>(size);
   if (state.contact.size() != count || state.stick.size() != count || state.pressure.size() != count ||
@@ -57,24 +57,24 @@ ContactSolution start_of(const KeptContact& state, const SurfaceWindow& nodes, d
 }  // namespace
 
 Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
-                       const std::optional<ContactReach>& seen) {
+                       const std::optional<ContactReach>& coarse_contact) {
   require_formulation(model, options);
-  require_bearable_load(model, load_case.load);
-  const Assembly assembly = assemble(model, load_case, options, watch);
-  require_lasting_stiffness(assembly);
-  return make_result(assembly, find_held_contact(assembly, seen));
+  require_supported_load(model, load_case.load);
+  const ContactSetup setup = assemble(model, load_case, options, watch);
+  require_relaxed_stiffness(setup);
+  return make_result(setup, find_contact_in_window(setup, coarse_contact));
 }
 
 Result solve_kept_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
-                       const KeptContact& state) {
+                       const FrozenContact& state) {
   require_formulation(model, options);
-  const Assembly assembly = assemble(model, load_case, options, watch);
-  const SurfaceWindow nodes(assembly.nodes.grid, window_of(state, assembly.nodes.widest));
-  const ContactProblem problem = assembly.problem(nodes);
-  ContactSolution contact = solve_kept_contact(problem, start_of(state, nodes, model.centrifugal), assembly.limits);
+  const ContactSetup setup = assemble(model, load_case, options, watch);
+  const SurfaceWindow nodes(setup.nodes.grid, window_of(state, setup.nodes.widest));
+  const ContactProblem problem = setup.problem(nodes);
+  ContactSolution contact = solve_frozen_contact(problem, start_of(state, nodes, model.centrifugal), setup.limits);
   find_displacements(*problem.surface, contact);
   const Losses losses = problem.surface->dissipation(contact.force);
-  return make_result(assembly, {.nodes = nodes, .problem = problem, .contact = std::move(contact), .losses = losses});
+  return make_result(setup, {.nodes = nodes, .problem = problem, .contact = std::move(contact), .losses = losses});
 }
 
 }  // namespace viscoroll::detail

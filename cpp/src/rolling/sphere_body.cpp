@@ -7,8 +7,8 @@
 #include "modal/centrifugal.hpp"
 #include "modal/harmonic_body.hpp"
 #include "rolling/body.hpp"
+#include "rolling/point_contact_surface.hpp"
 #include "rolling/sphere_tables.hpp"
-#include "rolling/spot_surface.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -34,21 +34,21 @@ CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
 }
 
 /// Surface of the exact sphere, with inertia in the centrifugal displacement only.
-BodySurface surface_of_exact_sphere(const CoatedSphere& sphere, const Crossing& crossing) {
+BodySurface surface_of_exact_sphere(const CoatedSphere& sphere, const ContactKinematics& kinematics) {
   const double radius = outer_radius(sphere);
-  const double speed = crossing.angular_speed_at(radius);
-  const MeshOnBody mesh = crossing.mesh_at(radius);
+  const double speed = kinematics.angular_speed_at(radius);
+  const MeshOnBody mesh = kinematics.mesh_at(radius);
   const LayeredBody layers = layered_body(without_inertia(sphere, speed));
   BodySurface surface = surface_under_spot(
-      layers, crossing, std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), mesh.rounded()));
+      layers, kinematics, std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), mesh.rounded()));
   surface.centrifugal = centrifugal_displacement(layered_body(sphere, layers.metric.curvature), speed);
   return surface;
 }
 
-BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
+BodySurface surface_of(const CoatedSphere& sphere, const ContactKinematics& kinematics) {
   if (sphere.layers.empty()) return {};
-  if (crossing.curvature == Curvature::exact) return surface_of_exact_sphere(sphere, crossing);
-  return surface_under_spot(layered_body(sphere, crossing.curvature), crossing);
+  if (kinematics.curvature == Curvature::exact) return surface_of_exact_sphere(sphere, kinematics);
+  return surface_under_spot(layered_body(sphere, kinematics.curvature), kinematics);
 }
 
 /// Height of the rolling body's nodes times the ratio of the radii: the slope of the gap along the nodes is then x
@@ -57,13 +57,13 @@ Profile profile_of(double radius, const SurfaceWindow& points) {
   return {.drop = points.grid().radius / radius * points.height(), .slope = points.x() / radius};
 }
 
-Nodes nodes_of(double radius, const Mesh& mesh, bool counterpart_deforms) {
+Nodes nodes_of(double radius, const Mesh& mesh, bool counterbody_deforms) {
   const int phi = nodes_to_60_degrees(mesh.nodes_per_revolution);
   const int theta = nodes_to_60_degrees(theta_nodes_per_revolution(mesh));
   return {.grid = {.radius = radius,
                    .phi_spacing = phi_spacing(mesh),
                    .theta_spacing = theta_spacing(mesh),
-                   .is_paraboloid = counterpart_deforms},
+                   .is_paraboloid = counterbody_deforms},
           .widest = {{-phi, phi}, {-theta, theta}}};
 }
 
@@ -78,9 +78,11 @@ class SphereBody final : public RoundBody {
   explicit SphereBody(const CoatedSphere& sphere) : RoundBody(shape_of(sphere)), sphere_(sphere) {}
 
   [[nodiscard]] std::string_view name() const override { return "ball"; }
-  [[nodiscard]] BodySurface surface(const Crossing& crossing) const override { return surface_of(sphere_, crossing); }
-  [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override {
-    return layered_body(sphere_, crossing.curvature);
+  [[nodiscard]] BodySurface surface(const ContactKinematics& kinematics) const override {
+    return surface_of(sphere_, kinematics);
+  }
+  [[nodiscard]] LayeredBody layered(const ContactKinematics& kinematics) const override {
+    return layered_body(sphere_, kinematics.curvature);
   }
   [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return profile_of(radius(), points); }
   [[nodiscard]] Nodes nodes(const Mesh& mesh, const Body& on) const override {

@@ -37,7 +37,7 @@ std::string coarse_mesh_text(int across, double estimate) {
 }
 
 std::string power_balance_text(const Result& result) {
-  return "the relative error of the power balance is " + rounded(result.power_balance_error) +
+  return "the relative error of the power balance is " + rounded(result.energy_balance_error) +
          " (recommended: at most " + rounded(kLargestEstimate) + "), for a rolling resistance coefficient of " +
          rounded(result.rolling_resistance_coefficient) + "; refine the mesh or leave it out";
 }
@@ -66,7 +66,7 @@ std::vector<Warning> warnings_of(const Result& result, const Options& options, b
   const int across = nodes_across(result);
   if (mesh_given && across < kFewestNodesAcross) {
     warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, result.error_estimate)});
-  } else if (mesh_given && !(result.power_balance_error <= kLargestEstimate)) {
+  } else if (mesh_given && !(result.energy_balance_error <= kLargestEstimate)) {
     warnings.push_back({WarningKind::power_balance, power_balance_text(result)});
   }
   const double good = mesh_given ? kLargestDoubt : options.accuracy;

@@ -8,7 +8,7 @@
 
 #include "rolling/body.hpp"
 #include "rolling/free_side_tables.hpp"
-#include "rolling/spot_surface.hpp"
+#include "rolling/point_contact_surface.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -29,19 +29,19 @@ void require_curvature_of_wheel(Curvature curvature) {
 bool has_free_sides(const CoatedWheel& wheel) { return wheel.sides == Sides::free && !wheel.layers.empty(); }
 
 /// Surface of the endless tread, with the effect of the faces if these are free.
-BodySurface surface_of(const CoatedWheel& wheel, const Crossing& crossing) {
-  require_curvature_of_wheel(crossing.curvature);
+BodySurface surface_of(const CoatedWheel& wheel, const ContactKinematics& kinematics) {
+  require_curvature_of_wheel(kinematics.curvature);
   if (wheel.layers.empty()) return {};
   const LayeredBody layers = layered_body(wheel);
-  BodySurface surface = surface_under_spot(layers, crossing);
+  BodySurface surface = surface_under_spot(layers, kinematics);
   if (has_free_sides(wheel)) {
-    surface.tables = std::make_unique<const FreeSideTables>(std::move(surface.tables), wheel, layers, crossing);
+    surface.tables = std::make_unique<const FreeSideTables>(std::move(surface.tables), wheel, layers, kinematics);
   }
   return surface;
 }
 
-LayeredBody layers_of(const CoatedWheel& wheel, const Crossing& crossing) {
-  require_curvature_of_wheel(crossing.curvature);
+LayeredBody layers_of(const CoatedWheel& wheel, const ContactKinematics& kinematics) {
+  require_curvature_of_wheel(kinematics.curvature);
   return layered_body(wheel);
 }
 
@@ -159,8 +159,12 @@ class WheelBody final : public RoundBody {
   explicit WheelBody(const CoatedWheel& wheel) : RoundBody(shape_of(wheel)), wheel_(wheel) {}
 
   [[nodiscard]] std::string_view name() const override { return "wheel"; }
-  [[nodiscard]] BodySurface surface(const Crossing& crossing) const override { return surface_of(wheel_, crossing); }
-  [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override { return layers_of(wheel_, crossing); }
+  [[nodiscard]] BodySurface surface(const ContactKinematics& kinematics) const override {
+    return surface_of(wheel_, kinematics);
+  }
+  [[nodiscard]] LayeredBody layered(const ContactKinematics& kinematics) const override {
+    return layers_of(wheel_, kinematics);
+  }
   [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return profile_of(wheel_, points); }
   [[nodiscard]] const CoatedWheel* free_tread() const override { return has_free_sides(wheel_) ? &wheel_ : nullptr; }
   [[nodiscard]] double further_error(const ContactReach& contact) const override { return error_of(wheel_, contact); }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "contact/multilevel.hpp"
-#include "rolling/refusals.hpp"
+#include "rolling/input_checks.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
@@ -56,10 +56,10 @@ double least_gap_outside(const Window& box, const Eigen::ArrayXd& gap, const Win
 
 /// Solve the contact without friction within a window, which may cut it off.
 /// @param[in] most_nodes the mesh is coarsened to at most this number of nodes
-LocatedContact press(const Assembly& assembly, ContactProblem problem, Eigen::Index most_nodes) {
+LocatedContact press(const ContactSetup& setup, ContactProblem problem, Eigen::Index most_nodes) {
   problem.friction.reset();
   while (problem.initial_gap.size() > most_nodes) problem = coarsened(problem);
-  LocatedContact pressed = solve_multilevel(problem, assembly.likely_depth(), assembly.limits);
+  LocatedContact pressed = solve_multilevel(problem, setup.likely_depth(), setup.limits);
   pressed.contact = extended(pressed, problem);
   pressed.problem = std::move(problem);
   return pressed;
@@ -83,23 +83,23 @@ bool is_cut_off(const LocatedContact& pressed) {
 
 /// Whether a window contains the contact without friction, which is tested before stick and slip are computed. Loads
 /// that press through to the core are rejected.
-bool holds_pressed_contact(const Assembly& assembly, const ContactProblem& problem, bool is_widest) {
+bool holds_pressed_contact(const ContactSetup& setup, const ContactProblem& problem, bool is_widest) {
   const auto holds = [&](const LocatedContact& pressed) {
     if (touches_edge(pressed, pressed.window())) return false;
-    require_contact(assembly, 0.0, pressed.contact.penetration);
+    require_contact(setup, 0.0, pressed.contact.penetration);
     return true;
   };
   const Eigen::Index nodes = problem.initial_gap.size();
-  if (holds(press(assembly, problem, kFewNodes))) return true;
-  if (!is_widest || (nodes > kManyNodes && is_cut_off(press(assembly, problem, kManyNodes)))) return false;
-  return nodes > kFewNodes && holds(press(assembly, problem, nodes));
+  if (holds(press(setup, problem, kFewNodes))) return true;
+  if (!is_widest || (nodes > kManyNodes && is_cut_off(press(setup, problem, kManyNodes)))) return false;
+  return nodes > kFewNodes && holds(press(setup, problem, nodes));
 }
 
-LocatedContact solve_contact(const Assembly& assembly, const ContactProblem& problem) {
+LocatedContact solve_contact(const ContactSetup& setup, const ContactProblem& problem) {
   try {
-    return solve_multilevel(problem, assembly.likely_depth(), assembly.limits);
+    return solve_multilevel(problem, setup.likely_depth(), setup.limits);
   } catch (const ConvergenceError&) {
-    require_reachable_drive(assembly, problem);
+    require_reachable_drive(setup, problem);
     throw;
   }
 }
@@ -107,14 +107,14 @@ LocatedContact solve_contact(const Assembly& assembly, const ContactProblem& pro
 /// @param[in] is_widest whether there is no wider window
 /// @param[in] is_seen whether a coarser mesh has shown that the window contains the contact without friction
 /// @return nothing if the contact reaches the edge of the window
-std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Window& window, bool is_widest,
-                                           bool is_seen) {
-  require_few_nodes(window, assembly.model.mesh);
-  const SurfaceWindow nodes(assembly.nodes.grid, window);
-  ContactProblem problem = assembly.problem(nodes);
+std::optional<WindowContact> solve_in_window(const ContactSetup& setup, const Window& window, bool is_widest,
+                                             bool is_seen) {
+  require_node_limit(window, setup.model.mesh);
+  const SurfaceWindow nodes(setup.nodes.grid, window);
+  ContactProblem problem = setup.problem(nodes);
   const bool is_known = is_seen || (problem.friction && problem.friction->shared->pressed());
-  if (!is_known && problem.friction && !holds_pressed_contact(assembly, problem, is_widest)) return std::nullopt;
-  LocatedContact located = solve_contact(assembly, problem);
+  if (!is_known && problem.friction && !holds_pressed_contact(setup, problem, is_widest)) return std::nullopt;
+  LocatedContact located = solve_contact(setup, problem);
   for (;;) {
     if (touches_edge(located, window)) return std::nullopt;
     const bool boxed = located.window() != window;
@@ -123,58 +123,59 @@ std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Windo
     const bool overclosed = least_gap_outside(located.window(), whole.gap, window) < -kOverclosure * whole.penetration;
     if (!boxed || !(at_edge || overclosed)) {
       const Losses losses = located.problem.surface->dissipation(located.contact.force);
-      require_contact(assembly, assembly.load_case.friction, whole.penetration);
-      return HeldContact{.nodes = nodes, .problem = std::move(problem), .contact = std::move(whole), .losses = losses};
+      require_contact(setup, setup.load_case.friction, whole.penetration);
+      return WindowContact{
+          .nodes = nodes, .problem = std::move(problem), .contact = std::move(whole), .losses = losses};
     }
     // The box that was expected to contain the contact does not.
-    located = solve_on_window(problem, whole, assembly.limits);
+    located = solve_on_window(problem, whole, setup.limits);
   }
 }
 
 /// Whether a window contains the contact without friction, on a mesh with kRoughNodes nodes to each side of the window.
 /// @param[in] simplified whether to use the radial compliance, flat patches, and the torus in place of the exact sphere
-bool holds_contact_roughly(const Assembly& assembly, const HalfWidths& half, bool simplified) {
+bool holds_contact_roughly(const ContactSetup& setup, const HalfWidths& half, bool simplified) {
   const double coarsening = static_cast<double>(half.phi) / kRoughNodes;
   const auto coarsened = [coarsening](int nodes) { return static_cast<int>(nodes / coarsening); };
-  const Mesh& fine = assembly.model.mesh;
+  const Mesh& fine = setup.model.mesh;
   const Mesh mesh{.nodes_per_revolution = coarsened(fine.nodes_per_revolution),
                   .theta_nodes_per_revolution = coarsened(theta_nodes_per_revolution(fine))};
-  const LoadCase& load_case = assembly.load_case;
-  Options options = assembly.options;
-  Curvature curvature = assembly.model.curvature;
+  const LoadCase& load_case = setup.load_case;
+  Options options = setup.options;
+  Curvature curvature = setup.model.curvature;
   if (simplified) {
     options.compliance = Compliance::radial;
     options.patch_load = PatchLoad::flat;
     if (curvature == Curvature::exact) curvature = Curvature::sphere;
   }
-  const MeshModel rough = make_model(assembly.pair(), load_case.angular_speed, mesh, curvature, assembly.execution);
+  const MeshModel rough = make_model(setup.pair(), load_case.angular_speed, mesh, curvature, setup.execution);
   const LoadCase pressed{.load = load_case.load, .angular_speed = load_case.angular_speed};
-  const Assembly roughly = assemble(rough, pressed, options, assembly.execution.watch);
-  const int to_side = assembly.has_sides() ? roughly.nodes.widest.theta.last : std::numeric_limits<int>::max();
+  const ContactSetup roughly = assemble(rough, pressed, options, setup.execution.watch);
+  const int to_side = setup.has_sides() ? roughly.nodes.widest.theta.last : std::numeric_limits<int>::max();
   const HalfWidths width{.phi = coarsened(half.phi) + 1, .theta = std::min(coarsened(half.theta) + 1, to_side)};
   return solve_in_window(roughly, width.window(), false, true).has_value();
 }
 
 /// Whether a window contains the contact according to a much coarser mesh. For absurd loads, or loads far beyond the
 /// estimate, fine meshes on one window after another would take long.
-bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool is_widest) {
+bool holds_rough_contact(const ContactSetup& setup, const HalfWidths& half, bool is_widest) {
   if (half.phi < 3 * kRoughNodes) return true;
-  const SurfaceGrid& grid = assembly.nodes.grid;
-  const bool to_sides = assembly.has_sides() && half.theta == assembly.nodes.widest.theta.last;
+  const SurfaceGrid& grid = setup.nodes.grid;
+  const bool to_sides = setup.has_sides() && half.theta == setup.nodes.widest.theta.last;
   const double along = half.phi * grid.phi_spacing;
   const double angle = to_sides ? along : std::min(along, half.theta * grid.theta_spacing);
   const double depth_at_edge = grid.radius * (1.0 - std::cos(angle));
-  const double bearable_depth = kPressedThrough * thickness(assembly.pair());
+  const double bearable_depth = kPressedThrough * thickness(setup.pair());
   const auto reject_if_beyond = [&](double depth) {
-    if (depth > bearable_depth) reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
+    if (depth > bearable_depth) reject_load(setup.pair(), setup.load_case.load, "would be pressed through it");
   };
   // The simplified equations may require a larger window than the given ones, which costs little. In the widest window
   // they might reject a load that the given equations support, so that the given ones decide.
   const bool is_decisive = is_widest && depth_at_edge <= bearable_depth;
   try {
-    if (holds_contact_roughly(assembly, half, !is_decisive)) return true;
+    if (holds_contact_roughly(setup, half, !is_decisive)) return true;
   } catch (const ConvergenceError&) {
-    reject_if_beyond(assembly.estimated_depth);  // estimates are too large, but not by such a factor
+    reject_if_beyond(setup.estimated_depth);  // estimates are too large, but not by such a factor
     throw;
   }
   reject_if_beyond(depth_at_edge);
@@ -183,31 +184,31 @@ bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool 
 
 }  // namespace
 
-HeldContact find_held_contact(const Assembly& assembly, const std::optional<ContactReach>& seen) {
-  const SurfaceGrid& grid = assembly.nodes.grid;
-  const ContactReach likely = seen.value_or(assembly.contact);
-  const double margin = seen ? kMarginOfSeen : kMarginOfEstimate;
+WindowContact find_contact_in_window(const ContactSetup& setup, const std::optional<ContactReach>& coarse_contact) {
+  const SurfaceGrid& grid = setup.nodes.grid;
+  const ContactReach likely = coarse_contact.value_or(setup.contact);
+  const double margin = coarse_contact ? kMarginOfSeen : kMarginOfEstimate;
   const auto half_width = [&](double reach, double spacing) {
     return static_cast<int>(std::ceil(margin * reach / (grid.radius * spacing) - kRoundOff)) + 2;
   };
-  const Window& widest = assembly.nodes.widest;
+  const Window& widest = setup.nodes.widest;
   const auto at_most_widest = [&widest](int phi, int theta) {
     return HalfWidths{.phi = std::min(phi, widest.phi.last), .theta = std::min(theta, widest.theta.last)};
   };
   HalfWidths half =
       at_most_widest(half_width(likely.along, grid.phi_spacing), half_width(likely.across, grid.theta_spacing));
-  const bool is_shallow = assembly.estimated_depth < 0.5 * thickness(assembly.pair());
+  const bool is_shallow = setup.estimated_depth < 0.5 * thickness(setup.pair());
   const bool is_cheap = widest.is_line();
-  bool is_seen = seen.has_value();
+  bool is_seen = coarse_contact.has_value();
   for (bool is_likely = is_cheap || is_shallow || is_seen;; is_likely = is_cheap) {
     const Window window = half.window();
     const bool is_widest = window == widest;
-    if (is_likely || holds_rough_contact(assembly, half, is_widest)) {
-      if (auto held = solve_in_window(assembly, window, is_widest, is_seen)) return *std::move(held);
+    if (is_likely || holds_rough_contact(setup, half, is_widest)) {
+      if (auto held = solve_in_window(setup, window, is_widest, is_seen)) return *std::move(held);
     }
     is_seen = false;
     if (is_widest) {
-      reject_contact_over_60_degrees(assembly.pair(), assembly.load_case.load);
+      reject_contact_over_60_degrees(setup.pair(), setup.load_case.load);
     }
     half = at_most_widest(half.phi + half.phi / 2 + 1, half.theta + half.theta / 2 + 1);
   }

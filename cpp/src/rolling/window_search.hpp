@@ -1,28 +1,31 @@
 /// @file
-/// @brief Solution of the contact in a window that contains it; the search starts with a likely window and widens it.
+/// @brief Search for a window that contains the whole contact, and solution of the contact in this window.
 #pragma once
 
 #include <optional>
 
 #include "contact/contact_solution.hpp"
-#include "rolling/assembly.hpp"
+#include "rolling/contact_setup.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief A contact in a window that contains it.
-struct HeldContact {
-  SurfaceWindow nodes;
-  ContactProblem problem;
-  ContactSolution contact;
-  Losses losses;
+/// @brief Solved contact in a window of nodes that contains the whole contact.
+struct WindowContact {
+  SurfaceWindow nodes;      ///< nodes of the window
+  ContactProblem problem;   ///< contact problem on these nodes
+  ContactSolution contact;  ///< its solution
+  Losses losses;            ///< dissipation of the solution
 };
 
-/// @brief Solve in windows, each half as wide again as the one before, until one contains the contact.
-/// @param[in] assembly the load case
-/// @param[in] seen extent of the contact on a coarser mesh, if there was one
-/// @throws std::invalid_argument for loads whose contact no window contains
-/// @throws ConvergenceError if no contact was found
-/// @throws MeshTooFine if the mesh needs too many nodes
-[[nodiscard]] HeldContact find_held_contact(const Assembly& assembly, const std::optional<ContactReach>& seen);
+/// @brief Solve the contact in a window around its expected extent. While the contact reaches the edge of the window,
+/// widen the window by half and solve again.
+/// @param[in] setup the load case
+/// @param[in] coarse_contact extent of the contact on a coarser mesh, if there is a result on one; otherwise the extent
+/// is estimated
+/// @throws std::invalid_argument if the load is so large that the contact exceeds the widest window
+/// @throws ConvergenceError if the contact iteration does not converge
+/// @throws MeshTooFine if a window has too many nodes
+[[nodiscard]] WindowContact find_contact_in_window(const ContactSetup& setup,
+                                                   const std::optional<ContactReach>& coarse_contact);
 
 }  // namespace viscoroll::detail

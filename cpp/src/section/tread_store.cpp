@@ -12,12 +12,12 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Number of cached treads, enough for those among which a study alternates. Each takes some megabytes, or about ten
-/// times as many for layers with different relaxation functions.
-constexpr std::size_t kKept = 8;
-constexpr Eigen::Index kMostNumbers = 16777216;  // largest number of complex numbers in the cache, 256 MB
+/// Largest number of cached treads. A study that alternates among a few treads then finds all of them in the cache. A
+/// tread takes a few megabytes, or about ten times as much if its layers have different relaxation functions.
+constexpr std::size_t kMaxTreads = 8;
+constexpr Eigen::Index kMaxNumbers = 16777216;  // largest number of complex numbers in the cache, 256 MB
 
-/// All numbers on which a difference depends.
+/// All numbers that determine the difference between a tread with faces and an endless one.
 using Key = std::vector<double>;
 
 Key key_of(const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers) {
@@ -28,9 +28,9 @@ Key key_of(const CoatedWheel& wheel, bool tangential, const std::vector<double>&
   return key;
 }
 
-/// Whether two keys are equal except for the round-off of ratios of moduli. Infinite numbers, such as the radius of a
-/// missing crown, are equal to themselves only.
-bool are_alike(const Key& first, const Key& second) {
+/// Whether two keys are equal to within the round-off of ratios of moduli. An infinite number, such as the crown radius
+/// of a flat tread, only equals another infinite number of the same sign.
+bool are_equal(const Key& first, const Key& second) {
   constexpr double kRoundOff = 1e-12;
   return std::ranges::equal(first, second, [](double a, double b) {
     return a == b || std::abs(a - b) <= kRoundOff * std::max(std::min(std::abs(a), std::abs(b)), 1.0);
@@ -43,19 +43,20 @@ class TreadStore {
  public:
   [[nodiscard]] Differences find(const Key& key) {
     const std::scoped_lock lock(mutex_);
-    const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) { return are_alike(entry.first, key); });
+    const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) { return are_equal(entry.first, key); });
     return found == entries_.end() ? nullptr : found->second;
   }
 
   void add(Key key, Differences differences) {
     const std::scoped_lock lock(mutex_);
     entries_.emplace_front(std::move(key), std::move(differences));
-    while (entries_.size() > 1 && (entries_.size() > kKept || numbers() > kMostNumbers)) entries_.pop_back();
+    while (entries_.size() > 1 && (entries_.size() > kMaxTreads || numbers() > kMaxNumbers)) entries_.pop_back();
   }
 
  private:
   using Entry = std::pair<Key, Differences>;
 
+  /// Number of complex numbers in the cache.
   [[nodiscard]] Eigen::Index numbers() const {
     Eigen::Index sum = 0;
     for (const auto& [key, differences] : entries_) {
@@ -67,7 +68,7 @@ class TreadStore {
   }
 
   std::mutex mutex_;
-  std::deque<Entry> entries_;  // the most recent first
+  std::deque<Entry> entries_;  // the most recently added first
 };
 
 TreadStore& treads() {
@@ -77,28 +78,28 @@ TreadStore& treads() {
 
 }  // namespace
 
-Differences kept_differences(const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers,
-                             const std::function<std::vector<SampledDifference>()>& find) {
+Differences cached_differences(const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers,
+                               const std::function<std::vector<SampledDifference>()>& compute) {
   Key key = key_of(wheel, tangential, numbers);
-  if (auto kept = treads().find(key)) return kept;
-  // Without the lock, because other threads may need another tread meanwhile.
-  auto differences = std::make_shared<const std::vector<SampledDifference>>(find());
+  if (auto cached = treads().find(key)) return cached;
+  // The computation does not hold the lock, so that other threads can use the cache meanwhile.
+  auto differences = std::make_shared<const std::vector<SampledDifference>>(compute());
   treads().add(std::move(key), differences);
   return differences;
 }
 
-std::shared_ptr<const SampledDifference> kept_difference(const CoatedWheel& wheel, const HarmonicBody& body,
-                                                         bool tangential, int threads, Watch& watch) {
+std::shared_ptr<const SampledDifference> cached_difference(const CoatedWheel& wheel, const HarmonicBody& body,
+                                                           bool tangential, int threads, Watch& watch) {
   std::vector<double> numbers;
   for (std::size_t order = 0; order < body.orders().size(); ++order) {
     for (const auto& [shear, lame] : section_media(body, order)) {
       numbers.insert(numbers.end(), {shear.real(), shear.imag(), lame.real(), lame.imag()});
     }
   }
-  const auto kept = kept_differences(wheel, tangential, numbers, [&] {
+  const auto differences = cached_differences(wheel, tangential, numbers, [&] {
     return std::vector{SideDifference(wheel, tangential).sampled(body, threads, watch)};
   });
-  return {kept, &kept->front()};
+  return {differences, &differences->front()};
 }
 
 }  // namespace viscoroll::detail

@@ -1,5 +1,6 @@
 /// @file
-/// @brief Cache of the differences of treads' sections, for further speeds, loads and meshes.
+/// @brief Cache of the differences between treads with faces and endless treads, which further speeds, loads and meshes
+/// use.
 #pragma once
 
 #include <functional>
@@ -17,11 +18,11 @@ namespace viscoroll::detail {
 /// @param[in] wheel wheel with at least one layer
 /// @param[in] tangential whether there are tangential loads besides normal ones
 /// @param[in] numbers all other numbers on which the differences depend
-/// @param[in] find computes the differences if the cache does not contain them
+/// @param[in] compute function that computes the differences if the cache does not contain them
 /// @return the differences
-[[nodiscard]] std::shared_ptr<const std::vector<SampledDifference>> kept_differences(
+[[nodiscard]] std::shared_ptr<const std::vector<SampledDifference>> cached_differences(
     const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers,
-    const std::function<std::vector<SampledDifference>()>& find);
+    const std::function<std::vector<SampledDifference>()>& compute);
 
 /// @brief Difference between a rolling tread with faces and an endless one.
 ///
@@ -33,8 +34,8 @@ namespace viscoroll::detail {
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] watch progress and cancellation
 /// @return the difference
-[[nodiscard]] std::shared_ptr<const SampledDifference> kept_difference(const CoatedWheel& wheel,
-                                                                       const HarmonicBody& body, bool tangential,
-                                                                       int threads, Watch& watch);
+[[nodiscard]] std::shared_ptr<const SampledDifference> cached_difference(const CoatedWheel& wheel,
+                                                                         const HarmonicBody& body, bool tangential,
+                                                                         int threads, Watch& watch);
 
 }  // namespace viscoroll::detail

@@ -27,9 +27,9 @@ double sign_of(std::size_t entry) {
 }  // namespace
 
 SumOperator::SumOperator(std::shared_ptr<const SurfaceOperator> rolling,
-                         std::shared_ptr<const SurfaceOperator> counterpart)
-    : rolling_(std::move(rolling)), counterpart_(std::move(counterpart)), local_(rolling_->local()) {
-  const auto& others = counterpart_->local().tables;
+                         std::shared_ptr<const SurfaceOperator> counterbody)
+    : rolling_(std::move(rolling)), counterbody_(std::move(counterbody)), local_(rolling_->local()) {
+  const auto& others = counterbody_->local().tables;
   for (std::size_t entry = 0; entry < others.size(); ++entry) {
     auto& table = local_.tables[entry];
     if (table) table = sum_of(*table, *others[entry], sign_of(entry));
@@ -39,7 +39,7 @@ SumOperator::SumOperator(std::shared_ptr<const SurfaceOperator> rolling,
 std::optional<Eigen::MatrixXd> SumOperator::normal_compliance(const std::vector<Eigen::Index>& displaced,
                                                               const std::vector<Eigen::Index>& loaded) const {
   auto sum = rolling_->normal_compliance(displaced, loaded);
-  const auto other = counterpart_->normal_compliance(displaced, loaded);
+  const auto other = counterbody_->normal_compliance(displaced, loaded);
   if (!sum || !other) return std::nullopt;
   *sum += *other;
   return sum;

@@ -7,19 +7,19 @@
 namespace viscoroll::detail {
 
 Displacements SurfaceOperator::displacements(const VectorField& force) const {
-  return deforming() == Deforming::counterpart ? Displacements{.rolling = {}, .counterpart = displacement(force)}
-                                               : Displacements{.rolling = displacement(force), .counterpart = {}};
+  return deforming() == Deforming::counterbody ? Displacements{.rolling = {}, .counterbody = displacement(force)}
+                                               : Displacements{.rolling = displacement(force), .counterbody = {}};
 }
 
-double SurfaceOperator::pushback(const VectorField& force) const {
-  if (deforming() != Deforming::counterpart) return 0.0;
+double SurfaceOperator::slope_force(const VectorField& force) const {
+  if (deforming() != Deforming::counterbody) return 0.0;
   const Eigen::Index row = shape().theta_nodes;
   const Eigen::ArrayXd depth = at_nodes(-displacement(force).col(kDown), row, collocation());
   return -(force.col(kDown) * patch_slope(depth, row, row_distance())).sum();
 }
 
 Losses SurfaceOperator::losses(double lost) const {
-  return deforming() == Deforming::counterpart ? Losses{.counterpart = lost} : Losses{.rolling = lost};
+  return deforming() == Deforming::counterbody ? Losses{.counterbody = lost} : Losses{.rolling = lost};
 }
 
 namespace {

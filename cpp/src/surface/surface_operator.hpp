@@ -26,19 +26,19 @@ using VectorField = Eigen::ArrayX3d;
 enum Axis : Eigen::Index { kForward = 0, kDown = 1, kSideways = 2 };
 
 /// @brief Which of the two bodies deform.
-enum class Deforming { rolling, counterpart, both };
+enum class Deforming { rolling, counterbody, both };
 
 /// @brief Displacements of the surfaces of two bodies due to the same forces, each as it adds to the relative
 /// displacement [m].
 struct Displacements {
   VectorField rolling;      ///< no rows if the rolling body is rigid
-  VectorField counterpart;  ///< no rows if the counterbody is rigid
+  VectorField counterbody;  ///< no rows if the counterbody is rigid
 
   [[nodiscard]] VectorField relative() const& { return Displacements(*this).relative(); }
   [[nodiscard]] VectorField relative() && {
-    if (counterpart.rows() == 0) return std::move(rolling);
-    if (rolling.rows() == 0) return std::move(counterpart);
-    rolling += counterpart;
+    if (counterbody.rows() == 0) return std::move(rolling);
+    if (rolling.rows() == 0) return std::move(counterbody);
+    rolling += counterbody;
     return std::move(rolling);
   }
 };
@@ -46,9 +46,9 @@ struct Displacements {
 /// @brief Work dissipated in each of two bodies, per radian of rotation of the rolling body [N m].
 struct Losses {
   double rolling = 0.0;
-  double counterpart = 0.0;
+  double counterbody = 0.0;
 
-  [[nodiscard]] double sum() const { return rolling + counterpart; }
+  [[nodiscard]] double sum() const { return rolling + counterbody; }
 };
 
 /// @brief Threads that perform a computation, and its progress and cancellation.
@@ -131,7 +131,7 @@ class SurfaceOperator {
   /// the path of the material (docs/theory/planes-and-pairs.md). The slope is computed from differences between nodes.
   /// @param[in] force force on every node [N]
   /// @return force [N]
-  [[nodiscard]] virtual double pushback(const VectorField& force) const;
+  [[nodiscard]] virtual double slope_force(const VectorField& force) const;
 
   /// @return the same surface with every other node, whose patches are twice as wide and long
   [[nodiscard]] virtual std::shared_ptr<const SurfaceOperator> coarsened() const = 0;

@@ -158,15 +158,15 @@ std::vector<std::array<WindowField, 3>> load_directions(const Formulation& formu
     const std::array<std::size_t, 3> axis_of{kDown, kForward, kSideways};
     for (std::size_t p = 0; p < directions.size(); ++p) {
       directions[p].fill(constant(0.0));
-      directions[p][axis_of[p]] = constant(p == 0 || formulation.is_counterpart ? 1.0 : -1.0);
+      directions[p][axis_of[p]] = constant(p == 0 || formulation.is_counterbody ? 1.0 : -1.0);
     }
     if (formulation.tangential) {
-      const Curvatures& curvatures = formulation.counterpart_curvatures;
-      const bool of_counterpart = formulation.is_counterpart;
+      const Curvatures& curvatures = formulation.counterbody_curvatures;
+      const bool of_counterbody = formulation.is_counterbody;
       directions[0][kForward] = points.x();
-      directions[0][kForward].rows *= of_counterpart ? -curvatures.along : 1.0 / points.grid.radius;
+      directions[0][kForward].rows *= of_counterbody ? -curvatures.along : 1.0 / points.grid.radius;
       directions[0][kSideways] = points.z();
-      directions[0][kSideways].rows *= of_counterpart ? -curvatures.across : 1.0 / points.grid.radius_across();
+      directions[0][kSideways].rows *= of_counterbody ? -curvatures.across : 1.0 / points.grid.radius_across();
     }
     return directions;
   }

@@ -28,8 +28,8 @@ struct Formulation {
   /// Whether the surface is that of the counterbody. Its frame is the mirror image of the rolling body's, so that
   /// forces and displacements along it keep their signs; its normals turn only by its curvatures. It has radial
   /// compliance and flat patches.
-  bool is_counterpart = false;
-  Curvatures counterpart_curvatures = {};
+  bool is_counterbody = false;
+  Curvatures counterbody_curvatures = {};
 
   friend bool operator==(const Formulation&, const Formulation&) = default;
 };
@@ -69,7 +69,7 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] const Execution& execution() const override { return execution_; }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override;
   [[nodiscard]] Deforming deforming() const override {
-    return formulation_.is_counterpart ? Deforming::counterpart : Deforming::rolling;
+    return formulation_.is_counterbody ? Deforming::counterbody : Deforming::rolling;
   }
   [[nodiscard]] double row_distance() const override { return grid_.radius * grid_.phi_spacing; }
   using SurfaceOperator::normal_displacement;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rolling/free_side_tables.hpp"
-#include "rolling/line_surface.hpp"
-#include "rolling/spot_surface.hpp"
+#include "rolling/line_contact_surface.hpp"
+#include "rolling/point_contact_surface.hpp"
 #include "transient/side_influence.hpp"
 #include "transient/side_weights.hpp"
 #include "transient/weight_sums.hpp"
@@ -17,52 +17,52 @@ namespace {
 
 /// Add the effect of free faces as far as the tables of the endless tread reach; beyond is only the round-off of
 /// elements and splines.
-void add_sides(std::span<const SampledDifference> differences, const SideSum& sum, const Crossing& crossing,
+void add_sides(std::span<const SampledDifference> differences, const SideSum& sum, const ContactKinematics& kinematics,
                const RowShape& shape, std::vector<MirroredTables>& tables) {
   const SideFactors factors = sum.factors({.phi_reach = static_cast<int>(tables.front().reach())});
   for (std::size_t t = 0; t < tables.size(); ++t) {
-    tables[t].superpose(side_influence(differences[t], factors, shape, crossing.radius * crossing.theta_spacing));
+    tables[t].superpose(side_influence(differences[t], factors, shape, kinematics.radius * kinematics.theta_spacing));
   }
 }
 
-CreepingTables tables_alike(const Body& at_rest, const Crossing& crossing, const RowShape& shape) {
-  const auto& [threads, watch] = crossing.execution;
-  const LayeredBody layers = at_rest.layered(crossing);
-  const auto sum = crossing.form.is_line() ? sum_under_line(layers, crossing) : sum_under_spot(layers, crossing);
+CreepTables tables_alike(const Body& at_rest, const ContactKinematics& kinematics, const RowShape& shape) {
+  const auto& [threads, watch] = kinematics.execution;
+  const LayeredBody layers = at_rest.layered(kinematics);
+  const auto sum = kinematics.form.is_line() ? sum_under_line(layers, kinematics) : sum_under_spot(layers, kinematics);
   std::vector<MirroredTables> tables;
   tables.emplace_back(*sum, shape, threads, watch);  // an initializer list would copy
   if (at_rest.free_tread() != nullptr) {
     const double radius = layers.metric.radius;
     const SideSum sides =
         sum_of_sides(*at_rest.free_tread(), layers,
-                     {.mesh = crossing.mesh_at(radius), .angular_speed = crossing.angular_speed_at(radius)},
-                     shape.components > 1, crossing.execution);
-    add_sides({sides.difference().get(), 1}, sides, crossing, shape, tables);
+                     {.mesh = kinematics.mesh_at(radius), .angular_speed = kinematics.angular_speed_at(radius)},
+                     shape.components > 1, kinematics.execution);
+    add_sides({sides.difference().get(), 1}, sides, kinematics, shape, tables);
   }
-  return CreepingTables(std::move(tables));
+  return CreepTables(std::move(tables));
 }
 
-CreepingTables tables_unlike(const Body& at_rest, const LayerSpectrum& layers, const Crossing& crossing,
-                             const RowShape& shape) {
-  const auto& [threads, watch] = crossing.execution;
-  const MeshOnBody mesh = crossing.mesh_at(layers.metric().radius);
-  const auto sums = crossing.form.is_line() ? weights_under_line(layers, mesh, threads, watch)
-                                            : weights_under_spot(layers, mesh, threads, watch);
+CreepTables tables_unlike(const Body& at_rest, const LayerSpectrum& layers, const ContactKinematics& kinematics,
+                          const RowShape& shape) {
+  const auto& [threads, watch] = kinematics.execution;
+  const MeshOnBody mesh = kinematics.mesh_at(layers.metric().radius);
+  const auto sums = kinematics.form.is_line() ? weights_under_line(layers, mesh, threads, watch)
+                                              : weights_under_spot(layers, mesh, threads, watch);
   std::vector<MirroredTables> tables = MirroredTables::of_all(sums, shape, threads, watch);
   if (at_rest.free_tread() != nullptr) {
     const auto weights = side_weights(layers, *at_rest.free_tread(), shape.components > 1, threads, watch);
-    add_sides(*weights, sum_of_side_weights(weights, layers, mesh), crossing, shape, tables);
+    add_sides(*weights, sum_of_side_weights(weights, layers, mesh), kinematics, shape, tables);
   }
-  return CreepingTables(std::move(tables));
+  return CreepTables(std::move(tables));
 }
 
 }  // namespace
 
-CreepingTables tables_of(const Body& at_rest, const LayerSpectrum* unlike, const Crossing& crossing,
-                         const RowShape& shape) {
-  if (unlike == nullptr) return tables_alike(at_rest, crossing, shape);
-  const double radius = at_rest.layered(crossing).metric.radius;
-  return tables_unlike(at_rest, unlike->with_orders_of(radius), crossing, shape);
+CreepTables tables_of(const Body& at_rest, const LayerSpectrum* unlike, const ContactKinematics& kinematics,
+                      const RowShape& shape) {
+  if (unlike == nullptr) return tables_alike(at_rest, kinematics, shape);
+  const double radius = at_rest.layered(kinematics).metric.radius;
+  return tables_unlike(at_rest, unlike->with_orders_of(radius), kinematics, shape);
 }
 
 }  // namespace viscoroll::detail

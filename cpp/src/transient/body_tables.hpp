@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rolling/body.hpp"
-#include "transient/creeping_tables.hpp"
+#include "transient/creep_tables.hpp"
 #include "transient/layer_spectrum.hpp"
 
 namespace viscoroll::detail {
@@ -12,9 +12,9 @@ namespace viscoroll::detail {
 /// each of their retardation times, including the effect of free side faces.
 /// @param[in] at_rest body with relaxed moduli, without inertia; not rigid
 /// @param[in] unlike its layers if they have different relaxation functions, else null
-/// @param[in] crossing motion of the material at any speed
+/// @param[in] kinematics motion of the material at any speed
 /// @param[in] shape of the rows
-[[nodiscard]] CreepingTables tables_of(const Body& at_rest, const LayerSpectrum* unlike, const Crossing& crossing,
-                                       const RowShape& shape);
+[[nodiscard]] CreepTables tables_of(const Body& at_rest, const LayerSpectrum* unlike,
+                                    const ContactKinematics& kinematics, const RowShape& shape);
 
 }  // namespace viscoroll::detail

@@ -32,7 +32,8 @@ VectorField carried(Index half_nodes, const ContactPlace& place, const LastForce
 
 }  // namespace
 
-VectorField carried_forces(const CreepingPair& pair, const ContactPlace& place, const LastForces& last, double load) {
+VectorField carried_forces(const ViscoelasticPair& pair, const ContactPlace& place, const LastForces& last,
+                           double load) {
   VectorField guess = carried(pair.half_nodes(), place, last);
   if (!(guess.col(kDown) < 0.0).any()) {
     guess.col(kDown) = -(kContactShare * kContactShare * place.gap[0] - place.gap).max(0.0);

@@ -20,7 +20,7 @@ struct LastForces {
 /// @param[in] place window
 /// @param[in] last last forces; empty for a first contact
 /// @param[in] load sum of the forces
-[[nodiscard]] VectorField carried_forces(const CreepingPair& pair, const ContactPlace& place, const LastForces& last,
-                                         double load);
+[[nodiscard]] VectorField carried_forces(const ViscoelasticPair& pair, const ContactPlace& place,
+                                         const LastForces& last, double load);
 
 }  // namespace viscoroll::detail

@@ -1,6 +1,6 @@
 #include "transient/center_forces.hpp"
 
-#include "contact/lever_arms.hpp"
+#include "contact/moment_arms.hpp"
 #include "surface/patch_slope.hpp"
 
 namespace viscoroll::detail {
@@ -51,9 +51,9 @@ VectorField force_on_center(const ActingPlaces& at) {
 
 VectorField moment_about_center(const ActingPlaces& at) {
   const double radius = at.pair.nodes.grid.radius;
-  LeverArms arms{.x = radius * (at.place.lever / relative_radius(at.pair.pair) - pushing_slope(at)),
-                 .y = ArrayXd::Zero(at.place.lever.size()),
-                 .radius = radius};
+  MomentArms arms{.x = radius * (at.place.lever / relative_radius(at.pair.pair) - pushing_slope(at)),
+                  .y = ArrayXd::Zero(at.place.lever.size()),
+                  .radius = radius};
   if (at.pair.coating().components() > 1) {
     arms.y = depth_below_center(at);
     if (at.pair.compliance == Compliance::vertical) arms.x -= displaced(at, 0, kForward);
@@ -71,7 +71,7 @@ VectorField force_along_track(const ActingPlaces& at, double penetration) {
   return row;
 }
 
-VectorField counterpart_slopes(const ActingPlaces& at) {
+VectorField counterbody_slopes(const ActingPlaces& at) {
   const auto& bodies = at.pair.bodies;
   if (bodies.back().rolls) return {};
   VectorField slopes(at.place.lever.size(), 3);
@@ -82,15 +82,16 @@ VectorField counterpart_slopes(const ActingPlaces& at) {
 }
 
 CenterRow center_row(const ActingPlaces& at, const CenterCondition& condition) {
-  CenterRow row{
-      .on_force = VectorField::Zero(at.place.lever.size(), 3), .way = condition.way, .value = condition.value};
+  CenterRow row{.on_force = VectorField::Zero(at.place.lever.size(), 3),
+                .displacement = condition.displacement,
+                .value = condition.value};
   if (condition.force != 0.0) row.on_force -= condition.force * force_on_center(at);
   if (condition.torque != 0.0) row.on_force += condition.torque / at.pair.nodes.grid.radius * moment_about_center(at);
   row.on_force.colwise() *= node_weights(at);
   return row;
 }
 
-bool depends_on_displacements(const CreepingPair& pair, const CenterCondition& condition) {
+bool depends_on_displacements(const ViscoelasticPair& pair, const CenterCondition& condition) {
   return (condition.torque != 0.0 && pair.bodies.front().rolls) || (condition.force != 0.0 && pair.bodies.size() > 1);
 }
 

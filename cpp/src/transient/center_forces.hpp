@@ -13,7 +13,7 @@ namespace viscoroll::detail {
 
 /// @brief Positions at which forces act at an instant.
 struct ActingPlaces {
-  const CreepingPair& pair;
+  const ViscoelasticPair& pair;
   const ContactPlace& place;
   /// Displacements of each body in the window, by its components, as in `RowMemory`
   std::span<const HalfField> deformed;
@@ -33,12 +33,12 @@ struct ActingPlaces {
 
 /// @return slopes of the counterbody's own displacement in the direction in which material passes, forward, down and
 /// sideways, at every node [-]; no rows if the counterbody is rigid
-[[nodiscard]] VectorField counterpart_slopes(const ActingPlaces& at);
+[[nodiscard]] VectorField counterbody_slopes(const ActingPlaces& at);
 
 /// @return the condition on the center for forces on half of the nodes, at displaced nodes
 [[nodiscard]] CenterRow center_row(const ActingPlaces& at, const CenterCondition& condition);
 
 /// @return whether the condition on the center depends on displacements
-[[nodiscard]] bool depends_on_displacements(const CreepingPair& pair, const CenterCondition& condition);
+[[nodiscard]] bool depends_on_displacements(const ViscoelasticPair& pair, const CenterCondition& condition);
 
 }  // namespace viscoroll::detail

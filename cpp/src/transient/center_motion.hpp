@@ -3,28 +3,29 @@
 #pragma once
 
 #include "surface/surface_operator.hpp"
-#include "transient/creeping_pair.hpp"
 #include "transient/step_end.hpp"
+#include "transient/viscoelastic_pair.hpp"
 
 namespace viscoroll::detail {
 
 /// @brief Condition for the displacement of the center in a step: force * (forward force on the center that balances
-/// given forces) + torque * (moment about the center, divided by the radius) + way * (displacement of the center -
-/// coasted) = value.
+/// given forces) + torque * (moment about the center, divided by the radius) + displacement * (displacement of the
+/// center - coasted) = value.
 struct CenterCondition {
   double force = 1.0;
   double torque = 0.0;
-  double way = 0.0;
+  double displacement = 0.0;
   double value = 0.0;
   /// Displacement of the center without forces [m]. In a short step, the forces of a heavy center change it by less
   /// than its round-off, so that it must not enter the balance of forces.
   double coasted = 0.0;
 };
 
-/// @brief Same condition for nodal forces: sum of on_force F + way * (displacement of the center - coasted) = value.
+/// @brief Same condition for nodal forces: sum of on_force F + displacement * (displacement of the center - coasted)
+/// = value.
 struct CenterRow {
   VectorField on_force;
-  double way;
+  double displacement;
   double value;
 };
 
@@ -36,15 +37,15 @@ struct CenterRow {
 /// @param[in] now position and speed of the center
 /// @param[in] duration of the step [s], 0 for a jump
 /// @param[in] end end of the step
-[[nodiscard]] CenterCondition center_condition(const CreepingPair& pair, const RollingInstant& now, double duration,
+[[nodiscard]] CenterCondition center_condition(const ViscoelasticPair& pair, const RollingInstant& now, double duration,
                                                const StepEnd& end);
 
 /// @brief Move the center by a step.
 /// @param[in] mass mass that moves with the center [kg]
 /// @param[in] duration of the step [s]
-/// @param[in] way displacement of the center in the step [m]
+/// @param[in] displacement displacement of the center in the step [m]
 /// @param[in,out] acceleration of the center in the time integration [m/s^2]
 /// @param[in,out] now displacement and speed of the center
-void move_center(double mass, double duration, double way, double& acceleration, RollingInstant& now);
+void move_center(double mass, double duration, double displacement, double& acceleration, RollingInstant& now);
 
 }  // namespace viscoroll::detail

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "contact/contact_extent.hpp"
-#include "rolling/refusals.hpp"
+#include "rolling/input_checks.hpp"
 #include "transient/center_forces.hpp"
 
 namespace viscoroll::detail {
@@ -13,13 +13,13 @@ using Eigen::ArrayXd;
 
 double flat_patch(const SurfaceGrid& grid) { return std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing; }
 
-void tell_extent(const CreepingPair& pair, const Touch& touch, RollingInstant& now) {
-  const SurfaceWindow& nodes = touch.place.nodes;
-  const ArrayXd weights = half_weights(pair.half_nodes()).replicate(touch.place.count, 1);
-  const ArrayXd forces = -touch.contact.force.col(kDown) / touch.yielding.sum;
-  now.penetration = touch.contact.penetration;
+void set_extent(const ViscoelasticPair& pair, const InstantContact& instant, RollingInstant& now) {
+  const SurfaceWindow& nodes = instant.place.nodes;
+  const ArrayXd weights = half_weights(pair.half_nodes()).replicate(instant.place.count, 1);
+  const ArrayXd forces = -instant.contact.force.col(kDown) / instant.instantaneous.sum;
+  now.penetration = instant.contact.penetration;
   if (!std::isnan(now.penetration)) require_depth(pair.pair, now.load, now.penetration);
-  const std::vector<Eigen::Index>& contact = touch.contact.nodes;
+  const std::vector<Eigen::Index>& contact = instant.contact.nodes;
   const ArrayXd touching = weights(contact).square() * nodes.patch_area(contact);
   const ContactExtent extent = contact_extent(nodes, contact, touching, 0.0);
   now.contact_area = extent.area;
@@ -28,17 +28,17 @@ void tell_extent(const CreepingPair& pair, const Touch& touch, RollingInstant& n
   now.max_pressure = (forces / weights).maxCoeff() / flat_patch(nodes.grid());
 }
 
-CenterPower tell_moments(const CreepingPair& pair, const Touch& touch, RollingInstant& now) {
-  const ArrayXd weights = half_weights(pair.half_nodes()).replicate(touch.place.count, 1);
-  const VectorField force = touch.contact.force.colwise() * weights / touch.yielding.sum;
-  const std::vector<HalfField> deformed = detail::deformed(pair, touch);
-  const ActingPlaces at{pair, touch.place, deformed};
-  now.resisting_torque = -(touch.place.lever * force.col(kDown)).sum();
+CenterPower set_moments(const ViscoelasticPair& pair, const InstantContact& instant, RollingInstant& now) {
+  const ArrayXd weights = half_weights(pair.half_nodes()).replicate(instant.place.count, 1);
+  const VectorField force = instant.contact.force.colwise() * weights / instant.instantaneous.sum;
+  const std::vector<HalfField> deformed = detail::deformed(pair, instant);
+  const ActingPlaces at{pair, instant.place, deformed};
+  now.resisting_torque = -(instant.place.lever * force.col(kDown)).sum();
   now.driving_force = (force_on_center(at) * force).sum();
   now.driving_torque = (moment_about_center(at) * force).sum();
-  CenterPower power{.along_track = (force_along_track(at, touch.contact.penetration) * force).sum()};
+  CenterPower power{.along_track = (force_along_track(at, instant.contact.penetration) * force).sum()};
   if (!pair.has_friction()) return power;
-  const VectorField slopes = counterpart_slopes(at);
+  const VectorField slopes = counterbody_slopes(at);
   if (slopes.rows() > 0) power.creeping = (slopes * force).sum();
   return power;
 }

@@ -2,7 +2,7 @@
 /// @brief Scalar results of a contact at an instant: its size, and the forces and moments about the center.
 #pragma once
 
-#include "transient/touch.hpp"
+#include "transient/instant_contact.hpp"
 
 namespace viscoroll::detail {
 
@@ -11,10 +11,10 @@ namespace viscoroll::detail {
 
 /// @brief Set approach, size and pressure of a contact.
 /// @param[in] pair both bodies
-/// @param[in] touch contact
+/// @param[in] instant contact
 /// @param[in,out] now instant whose load is set
 /// @throws std::invalid_argument if a coating is compressed by its whole thickness
-void tell_extent(const CreepingPair& pair, const Touch& touch, RollingInstant& now);
+void set_extent(const ViscoelasticPair& pair, const InstantContact& instant, RollingInstant& now);
 
 /// @brief Forces that do work besides the torque [N].
 struct CenterPower {
@@ -27,9 +27,9 @@ struct CenterPower {
 /// @brief Set the moments about the center and the force on it. With the vertical compliance, the pressure also does
 /// work along the plane, because it displaces the surface in this direction.
 /// @param[in] pair both bodies
-/// @param[in] touch contact
+/// @param[in] instant contact
 /// @param[in,out] now instant
 /// @return forces that do work besides the torque
-[[nodiscard]] CenterPower tell_moments(const CreepingPair& pair, const Touch& touch, RollingInstant& now);
+[[nodiscard]] CenterPower set_moments(const ViscoelasticPair& pair, const InstantContact& instant, RollingInstant& now);
 
 }  // namespace viscoroll::detail

@@ -21,7 +21,7 @@ Axes level_axes(const Eigen::ArrayXd& forward_share, const Eigen::ArrayXd& sidew
   return {{{forward, sense * one, none}, {one, none, none}, {as_field(sideways_share, half_nodes), none, sense * one}}};
 }
 
-Axes axes_of_rolling(const CreepingPair& pair, const SurfaceWindow& nodes) {
+Axes axes_of_rolling(const ViscoelasticPair& pair, const SurfaceWindow& nodes) {
   const auto exact = nodes.points().axes();
   if (pair.compliance == Compliance::radial) {
     return level_axes(exact[kForward][0].values(), exact[kSideways][0].values(), -1.0, pair.half_nodes());
@@ -37,23 +37,23 @@ Axes axes_of_rolling(const CreepingPair& pair, const SurfaceWindow& nodes) {
 
 /// Directions at the counterbody. Its frame is the mirror image of that of the rolling body, and its normals turn with
 /// its curvatures.
-Axes axes_of_counterpart(const CreepingPair& pair, const SurfaceWindow& nodes) {
+Axes axes_of_counterbody(const ViscoelasticPair& pair, const SurfaceWindow& nodes) {
   const Curvatures& curvatures = pair.pair.on->curvatures();
   return level_axes(-curvatures.along * nodes.x(), -curvatures.across * nodes.z(), 1.0, pair.half_nodes());
 }
 
 }  // namespace
 
-std::vector<Axes> axes_at(const CreepingPair& pair, const SurfaceWindow& nodes) {
+std::vector<Axes> axes_at(const ViscoelasticPair& pair, const SurfaceWindow& nodes) {
   std::vector<Axes> axes(pair.bodies.size());
   if (pair.coating().components() == 1) return axes;
   for (std::size_t b = 0; b < axes.size(); ++b) {
-    axes[b] = pair.bodies[b].rolls ? axes_of_rolling(pair, nodes) : axes_of_counterpart(pair, nodes);
+    axes[b] = pair.bodies[b].rolls ? axes_of_rolling(pair, nodes) : axes_of_counterbody(pair, nodes);
   }
   return axes;
 }
 
-ContactPlace place_at(const CreepingPair& pair, double shift, Index half_rows, double angle) {
+ContactPlace place_at(const ViscoelasticPair& pair, double shift, Index half_rows, double angle) {
   const double lowest = -angle / pair.nodes.grid.phi_spacing - shift;  // row below the center, not an integer
   const double middle = std::round(lowest);
   const auto aside = static_cast<int>(half_rows);
@@ -62,7 +62,7 @@ ContactPlace place_at(const CreepingPair& pair, double shift, Index half_rows, d
   return place_of(pair, static_cast<Index>(middle) - half_rows, std::move(nodes));
 }
 
-ContactPlace place_of(const CreepingPair& pair, Index first, SurfaceWindow nodes) {
+ContactPlace place_of(const ViscoelasticPair& pair, Index first, SurfaceWindow nodes) {
   Eigen::ArrayXd gap = initial_gap(nodes, {}, pair.pair);
   Eigen::ArrayXd lever = pressure_lever(nodes, pair.pair);
   std::vector<Axes> axes = axes_at(pair, nodes);

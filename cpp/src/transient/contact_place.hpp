@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "surface/surface_window.hpp"
-#include "transient/creeping_pair.hpp"
 #include "transient/plane_frame.hpp"
+#include "transient/viscoelastic_pair.hpp"
 
 namespace viscoroll::detail {
 
@@ -23,19 +23,19 @@ struct ContactPlace {
 };
 
 /// @return directions of the plane at the nodes of every body, same as in `ContactPlace`
-[[nodiscard]] std::vector<Axes> axes_at(const CreepingPair& pair, const SurfaceWindow& nodes);
+[[nodiscard]] std::vector<Axes> axes_at(const ViscoelasticPair& pair, const SurfaceWindow& nodes);
 
 /// @brief Rows around the lowest point at an angle.
 /// @param[in] pair both bodies
 /// @param[in] shift of the nodes at angle 0 [spacings]
 /// @param[in] half_rows rows on either side of the lowest one
 /// @param[in] angle turned [rad]
-[[nodiscard]] ContactPlace place_at(const CreepingPair& pair, double shift, Eigen::Index half_rows, double angle);
+[[nodiscard]] ContactPlace place_at(const ViscoelasticPair& pair, double shift, Eigen::Index half_rows, double angle);
 
 /// @brief Rows with given numbers and nodes.
 /// @param[in] pair both bodies
 /// @param[in] first number of the first row
 /// @param[in] nodes nodes of the first row and those after it
-[[nodiscard]] ContactPlace place_of(const CreepingPair& pair, Eigen::Index first, SurfaceWindow nodes);
+[[nodiscard]] ContactPlace place_of(const ViscoelasticPair& pair, Eigen::Index first, SurfaceWindow nodes);
 
 }  // namespace viscoroll::detail

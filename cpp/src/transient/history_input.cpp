@@ -30,8 +30,9 @@ Mesh chosen_mesh(double outer_radius, double contact_radius, bool is_line) {
 void validate(const HistoryOptions& options) {
   if (options.mesh) viscoroll::validate(*options.mesh);
   require_orders(options.curvature);
-  if (options.lattices < 1 || options.lattices > kMostLattices) {
-    reject("lattices", "in [1, " + std::to_string(kMostLattices) + "]", std::to_string(options.lattices));
+  if (options.averaged_meshes < 1 || options.averaged_meshes > kMostAveragedMeshes) {
+    reject("averaged_meshes", "in [1, " + std::to_string(kMostAveragedMeshes) + "]",
+           std::to_string(options.averaged_meshes));
   }
   if (options.steps_per_spacing &&
       (*options.steps_per_spacing < 1 || *options.steps_per_spacing > kMostStepsPerSpacing)) {
@@ -85,22 +86,23 @@ void validate(const Motion& motion) {
   if (motion.time.empty()) detail::reject("time", "a list of at least one waypoint", "none");
   require_length("angle", motion.angle.size());
   require_length("load", motion.load.size());
-  if (!motion.center_way.empty()) require_length("center_way", motion.center_way.size());
+  if (!motion.center_displacement.empty()) require_length("center_displacement", motion.center_displacement.size());
   for (std::size_t k = 0; k < motion.time.size(); ++k) {
     const std::string index = "[" + std::to_string(k) + "]";
     detail::require_finite("time" + index, motion.time[k]);
     detail::require_finite("angle" + index, motion.angle[k]);
     detail::require_nonnegative("load" + index, motion.load[k], "N");
-    if (!motion.center_way.empty()) detail::require_finite("center_way" + index, motion.center_way[k]);
+    if (!motion.center_displacement.empty())
+      detail::require_finite("center_displacement" + index, motion.center_displacement[k]);
     if (k > 0 && motion.time[k] < motion.time[k - 1]) {
       detail::reject("time" + index,
                      ">= time[" + std::to_string(k - 1) + "] = " + detail::text(motion.time[k - 1]) + " s",
                      detail::text(motion.time[k]) + " s");
     }
   }
-  if (!motion.center_way.empty() && motion.center_way.front() != 0.0) {
-    detail::reject("center_way[0]", "0 m, because the displacement is measured from the first instant",
-                   detail::text(motion.center_way.front()) + " m");
+  if (!motion.center_displacement.empty() && motion.center_displacement.front() != 0.0) {
+    detail::reject("center_displacement[0]", "0 m, because the displacement is measured from the first instant",
+                   detail::text(motion.center_displacement.front()) + " m");
   }
 }
 

@@ -14,11 +14,11 @@ using cplx = std::complex<double>;
 using Eigen::Index;
 
 /// Whether a viscoelastic layer has an elastic bulk modulus.
-bool has_elastic_bulk(const Layer& layer, const CreepingModulus& modulus) {
+bool has_elastic_bulk(const Layer& layer, const CreepFunction& modulus) {
   return layer.bulk_modulus.has_value() && modulus.creep.size() > 0;
 }
 
-std::vector<TimeRange> intervals_of(const LayeredBody& body, const std::vector<CreepingModulus>& moduli) {
+std::vector<TimeRange> intervals_of(const LayeredBody& body, const std::vector<CreepFunction>& moduli) {
   bool has_elastic_part = false;
   for (std::size_t l = 0; l < moduli.size(); ++l) {
     has_elastic_part = has_elastic_part || has_elastic_bulk(body.layers[l], moduli[l]);
@@ -27,11 +27,10 @@ std::vector<TimeRange> intervals_of(const LayeredBody& body, const std::vector<C
 }
 
 template <class Scalar, class Modulus>
-LayerStack<Scalar> stack_at(const LayeredBody& body, const std::vector<CreepingModulus>& moduli,
-                            const Modulus& modulus) {
+LayerStack<Scalar> stack_at(const LayeredBody& body, const std::vector<CreepFunction>& moduli, const Modulus& modulus) {
   std::vector<Scalar> values;
   values.reserve(moduli.size());
-  for (const CreepingModulus& layer : moduli) values.push_back(modulus(layer));
+  for (const CreepFunction& layer : moduli) values.push_back(modulus(layer));
   constexpr double kStill = 0.0;  // without inertia
   return body.stack(values, kStill);
 }
@@ -44,7 +43,7 @@ std::vector<Matrix3<Scalar>> solved(std::span<const OrderInLayers<Scalar>> order
   return compliances;
 }
 
-LayeredBody relaxed(LayeredBody body, const std::vector<CreepingModulus>& moduli) {
+LayeredBody relaxed(LayeredBody body, const std::vector<CreepFunction>& moduli) {
   for (std::size_t l = 0; l < moduli.size(); ++l) {
     body.layers[l].shear_modulus = Elastic{moduli[l].relaxed};
     body.layers[l].density = 0.0;
@@ -55,7 +54,7 @@ LayeredBody relaxed(LayeredBody body, const std::vector<CreepingModulus>& moduli
 }  // namespace
 
 LayerSpectrum::LayerSpectrum(LayeredBody body, const TimeRange& range, double tolerance)
-    : body_(std::move(body)), moduli_(creeping_moduli(body_.layers, range)) {
+    : body_(std::move(body)), moduli_(creep_functions(body_.layers, range)) {
   at_rest_ = relaxed(body_, moduli_);
   const std::vector<TimeRange> intervals = intervals_of(body_, moduli_);
   // Orders that do not reach below the outermost layer creep as this layer does, and their kernels are singular. With
@@ -78,11 +77,11 @@ LayerSpectrum::WeighedContour LayerSpectrum::contour(double left) const {
 }
 
 LayerStack<cplx> LayerSpectrum::layers_at(const cplx& time) const {
-  return stack_at<cplx>(body_, moduli_, [&](const CreepingModulus& layer) { return layer.at(time); });
+  return stack_at<cplx>(body_, moduli_, [&](const CreepFunction& layer) { return layer.at(time); });
 }
 
 LayerStack<double> LayerSpectrum::layers_at_once() const {
-  return stack_at<double>(body_, moduli_, [](const CreepingModulus& layer) { return layer.instantaneous(); });
+  return stack_at<double>(body_, moduli_, [](const CreepFunction& layer) { return layer.instantaneous(); });
 }
 
 LayerSpectrum LayerSpectrum::with_orders_of(double radius) const {
@@ -94,13 +93,13 @@ LayerSpectrum LayerSpectrum::with_orders_of(double radius) const {
 
 std::vector<std::vector<Eigen::Matrix3d>> LayerSpectrum::weights_of(std::span<const SurfaceOrder> orders) const {
   const auto at_once = layers_at_once();
-  std::vector<OrderInLayers<double>> yielding;
+  std::vector<OrderInLayers<double>> at_instant;
   std::vector<OrderInLayers<cplx>> creeping;
-  for (const SurfaceOrder& order : orders) yielding.push_back({.layers = at_once, .m = order.m, .n = order.n});
+  for (const SurfaceOrder& order : orders) at_instant.push_back({.layers = at_once, .m = order.m, .n = order.n});
   for (const auto& stack : on_contour_) {
     for (const SurfaceOrder& order : orders) creeping.push_back({.layers = stack, .m = order.m, .n = order.n});
   }
-  const auto instantaneous = solved<double>(yielding, body_.crown);
+  const auto instantaneous = solved<double>(at_instant, body_.crown);
   const auto compliances = solved<cplx>(creeping, body_.crown);
 
   std::vector<std::vector<Eigen::Matrix3d>> weights(orders.size());

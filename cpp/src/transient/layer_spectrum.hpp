@@ -15,7 +15,7 @@
 #include "modal/compliance_recursion.hpp"
 #include "modal/layered_body.hpp"
 #include "transient/common_times.hpp"
-#include "transient/creeping_modulus.hpp"
+#include "transient/creep_function.hpp"
 #include "transient/layer_frequencies.hpp"
 
 namespace viscoroll::detail {
@@ -39,7 +39,7 @@ class LayerSpectrum {
   /// own radius
   [[nodiscard]] LayerSpectrum with_orders_of(double radius) const;
   /// @return moduli of the layers, from the innermost outwards
-  [[nodiscard]] const std::vector<CreepingModulus>& moduli() const { return moduli_; }
+  [[nodiscard]] const std::vector<CreepFunction>& moduli() const { return moduli_; }
   /// @return the relaxed body, for the choice of orders
   [[nodiscard]] const LayeredBody& body_at_rest() const { return at_rest_; }
 
@@ -71,7 +71,7 @@ class LayerSpectrum {
  private:
   LayeredBody body_;
   LayeredBody at_rest_;
-  std::vector<CreepingModulus> moduli_;
+  std::vector<CreepFunction> moduli_;
   std::vector<double> times_;
   std::vector<LayerStack<std::complex<double>>> on_contour_;  // layers at every point of the contour
   Eigen::MatrixXcd sums_;                                     // weights of the compliances there in the sums

@@ -11,9 +11,9 @@ namespace {
 constexpr double kSame = 1e-9;
 
 /// Times at which a modulus changes its sign.
-std::vector<double> changes(std::span<const CreepingModulus> moduli) {
+std::vector<double> changes(std::span<const CreepFunction> moduli) {
   std::vector<double> times;
-  for (const CreepingModulus& modulus : moduli) {
+  for (const CreepFunction& modulus : moduli) {
     const auto& own = modulus.creep.retardation_times;
     times.insert(times.end(), own.begin(), own.end());
     const auto poles = relaxation_times(modulus.creep);
@@ -23,8 +23,8 @@ std::vector<double> changes(std::span<const CreepingModulus> moduli) {
   return times;
 }
 
-bool is_mixed(std::span<const CreepingModulus> moduli, bool has_elastic_part, double time) {
-  const auto is_negative = [time](const CreepingModulus& modulus) { return modulus.at(time) < 0.0; };
+bool is_mixed(std::span<const CreepFunction> moduli, bool has_elastic_part, double time) {
+  const auto is_negative = [time](const CreepFunction& modulus) { return modulus.at(time) < 0.0; };
   const bool all = !has_elastic_part && std::ranges::all_of(moduli, is_negative);
   return !all && std::ranges::any_of(moduli, is_negative);
 }
@@ -45,7 +45,7 @@ std::vector<TimeRange> joined(std::vector<TimeRange> intervals) {
 
 }  // namespace
 
-std::vector<TimeRange> retardation_intervals(std::span<const CreepingModulus> moduli, bool has_elastic_part) {
+std::vector<TimeRange> retardation_intervals(std::span<const CreepFunction> moduli, bool has_elastic_part) {
   std::vector<TimeRange> intervals;
   const std::vector<double> times = changes(moduli);
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
@@ -54,7 +54,7 @@ std::vector<TimeRange> retardation_intervals(std::span<const CreepingModulus> mo
       intervals.push_back({.shortest = times[i], .longest = times[i + 1]});
     }
   }
-  for (const CreepingModulus& modulus : moduli) {
+  for (const CreepFunction& modulus : moduli) {
     for (const double time : modulus.creep.retardation_times) intervals.push_back({.shortest = time, .longest = time});
   }
   return joined(std::move(intervals));

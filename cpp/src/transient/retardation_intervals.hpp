@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "transient/creeping_modulus.hpp"
+#include "transient/creep_function.hpp"
 
 namespace viscoroll::detail {
 
@@ -17,7 +17,7 @@ namespace viscoroll::detail {
 /// @param[in] moduli moduli of the layers
 /// @param[in] has_elastic_part whether part of the energy is positive at all times, as with bulk moduli
 /// @return disjoint intervals, ascending; an interval has zero length if all moduli vanish together at a single time
-[[nodiscard]] std::vector<TimeRange> retardation_intervals(std::span<const CreepingModulus> moduli,
+[[nodiscard]] std::vector<TimeRange> retardation_intervals(std::span<const CreepFunction> moduli,
                                                            bool has_elastic_part);
 
 }  // namespace viscoroll::detail

@@ -11,23 +11,23 @@
 
 #include "parallel.hpp"
 #include "rolling/contact_estimate.hpp"
-#include "transient/creeping_pair.hpp"
 #include "transient/history_input.hpp"
-#include "transient/lattice.hpp"
+#include "transient/shifted_mesh.hpp"
 #include "transient/spectrum_numbers.hpp"
+#include "transient/started_segment.hpp"
 #include "transient/step_choice.hpp"
-#include "transient/stretch.hpp"
+#include "transient/viscoelastic_pair.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll {
 namespace {
 
-using detail::CreepingPair;
-using detail::Lattice;
 using detail::reject;
+using detail::ShiftedMesh;
 using detail::StepEnd;
 using detail::text;
+using detail::ViscoelasticPair;
 using Eigen::Index;
 
 /// Fraction of a motion that is computed.
@@ -38,7 +38,7 @@ struct Share {
 
 /// Meshes on which a step is tried. Their memory is reused for the next step; copies start without it.
 struct Trial {
-  std::vector<Lattice> lattices = {};
+  std::vector<ShiftedMesh> meshes = {};
 
   Trial() = default;
   Trial(const Trial&) noexcept : Trial() {}
@@ -55,26 +55,27 @@ struct RollingHistory::Impl {
   std::vector<detail::BodySpectrum> spectra;
   double inertia = 0.0;  // largest rho r_o^2 / (instantaneous modulus) [s^2]
   HistoryOptions options;
-  std::shared_ptr<const CreepingPair> pair;
-  std::vector<Lattice> lattices;
+  std::shared_ptr<const ViscoelasticPair> pair;
+  std::vector<ShiftedMesh> meshes;
   Trial trial;
   RollingInstant now;
-  double last_step = 0.0;                  // [s]
-  std::optional<detail::Stretch> stretch;  // has begun and not ended
+  double last_step = 0.0;                         // [s]
+  std::optional<detail::StartedSegment> started;  // has begun and not ended
   std::int64_t steps = 0;
 
-  [[nodiscard]] std::shared_ptr<const CreepingPair> with(const detail::TableSize& size, detail::Watch& watch) const {
-    return std::make_shared<const CreepingPair>(detail::creeping_pair(at_rest, spectra, options, size, watch));
+  [[nodiscard]] std::shared_ptr<const ViscoelasticPair> with(const detail::TableSize& size,
+                                                             detail::Watch& watch) const {
+    return std::make_shared<const ViscoelasticPair>(detail::viscoelastic_pair(at_rest, spectra, options, size, watch));
   }
 
   void enlarge(const detail::TableSize& size, detail::Watch& watch) {
     const auto larger = with(size, watch);
-    std::vector<Lattice> next = lattices;
+    std::vector<ShiftedMesh> next = meshes;
     detail::parallel_for(
         next.size(), options.threads, watch, "rolling",
         [&](std::size_t l, const detail::Worker& worker) { next[l].widen(larger, worker.checkpoint); });
     pair = larger;
-    std::swap(lattices, next);
+    std::swap(meshes, next);
   }
 
   void widen(detail::Watch& watch) {
@@ -94,15 +95,15 @@ struct RollingHistory::Impl {
   /// Run on all meshes. If a contact is too wide or a track too long for the tables, start over on larger tables.
   /// @param[in] fraction completed fraction, same as in `parallel_for`
   template <class Body>
-  void on_lattices(detail::Watch& watch, const Body& body, const std::function<double()>& fraction = {}) {
+  void on_meshes(detail::Watch& watch, const Body& body, const std::function<double()>& fraction = {}) {
     for (;;) {
-      std::vector<Lattice>& next = trial.lattices;
-      next = lattices;
+      std::vector<ShiftedMesh>& next = trial.meshes;
+      next = meshes;
       try {
         detail::parallel_for(
             next.size(), options.threads, watch, "rolling",
             [&](std::size_t l, const detail::Worker& worker) { body(l, next[l], worker); }, fraction);
-        std::swap(lattices, next);
+        std::swap(meshes, next);
         return;
       } catch (const detail::ContactTooWide&) {
         widen(watch);
@@ -119,11 +120,11 @@ struct RollingHistory::Impl {
     return sum;
   }
 
-  [[nodiscard]] RollingInstant mean(std::span<const RollingInstant> of_lattices, double time) const;
+  [[nodiscard]] RollingInstant mean(std::span<const RollingInstant> of_meshes, double time) const;
   [[nodiscard]] std::vector<RollingInstant> follow(std::span<const StepEnd> path, detail::Watch& watch,
                                                    const Share& of_motion = {});
   [[nodiscard]] RollingState state() const;
-  detail::ContactReach know(const RollingBody& body, const Counterpart& on, double load, detail::Watch& watch);
+  detail::ContactReach know(const RollingBody& body, const Counterbody& on, double load, detail::Watch& watch);
   void lay(const detail::ContactReach& contact, detail::Watch& watch);
   void restore(const RollingState& state, detail::Watch& watch);
   void require_step(const StepEnd& to) const;
@@ -135,7 +136,7 @@ struct RollingHistory::Impl {
 };
 
 /// Check the input; set the creep of both bodies and the mesh. @return estimated extent of the contact at rest
-detail::ContactReach RollingHistory::Impl::know(const RollingBody& body, const Counterpart& on, double load,
+detail::ContactReach RollingHistory::Impl::know(const RollingBody& body, const Counterbody& on, double load,
                                                 detail::Watch& watch) {
   const detail::RollingPair given = detail::rolling_pair(body, on);
   detail::validate(options);
@@ -156,24 +157,24 @@ void RollingHistory::Impl::lay(const detail::ContactReach& contact, detail::Watc
   pair = with(detail::first_size(at_rest, *options.mesh, contact), watch);
   const double rows = std::ceil(1.1 * contact.along / (nodes.grid.radius * nodes.grid.phi_spacing)) + 2.0;
   const Index half_rows = std::min(static_cast<Index>(rows), static_cast<Index>(nodes.widest.phi.last));
-  for (int l = 0; l < options.lattices; ++l) {
-    lattices.emplace_back(pair, static_cast<double>(l) / options.lattices, half_rows);
+  for (int l = 0; l < options.averaged_meshes; ++l) {
+    meshes.emplace_back(pair, static_cast<double>(l) / options.averaged_meshes, half_rows);
   }
 }
 
-RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lattices, double time) const {
+RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_meshes, double time) const {
   RollingInstant mean;
-  const auto count = static_cast<double>(of_lattices.size());
-  for (const auto member : detail::kLatticeScalars) {
-    for (const RollingInstant& one : of_lattices) mean.*member += one.*member / count;
+  const auto count = static_cast<double>(of_meshes.size());
+  for (const auto member : detail::kShiftedMeshScalars) {
+    for (const RollingInstant& one : of_meshes) mean.*member += one.*member / count;
   }
   double variance = 0.0;
-  for (const RollingInstant& one : of_lattices) {
+  for (const RollingInstant& one : of_meshes) {
     variance += std::pow(one.resisting_torque - mean.resisting_torque, 2) / std::max(count - 1.0, 1.0);
   }
   // Meshes shifted by equal fractions of the spacing cancel harmonics of the staircase, which the estimate does not
   // include: the spread divided by the number of meshes is an empirical bound.
-  mean.error_estimate = of_lattices.size() > 1 ? std::sqrt(variance) / count : std::numeric_limits<double>::quiet_NaN();
+  mean.error_estimate = of_meshes.size() > 1 ? std::sqrt(variance) / count : std::numeric_limits<double>::quiet_NaN();
   mean.time = time;
   if (!detail::approach_exists(pair->pair)) mean.penetration = std::numeric_limits<double>::quiet_NaN();
   return mean;
@@ -181,16 +182,17 @@ RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lat
 
 /// Check that the quantities that move the center are complete and consistent.
 void RollingHistory::Impl::require_forces(const StepEnd& to) const {
-  if (to.center_way) {
-    detail::require_finite("center_way", *to.center_way);
+  if (to.center_displacement) {
+    detail::require_finite("center_displacement", *to.center_displacement);
     if (options.friction == 0.0) {
-      reject("center_way", "left out without friction, where it has no effect", text(*to.center_way) + " m");
+      reject("center_displacement", "left out without friction, where it has no effect",
+             text(*to.center_displacement) + " m");
     }
     if (options.driving_force != 0.0) {
-      reject("driving_force", "0 N if center_way is given", text(options.driving_force) + " N");
+      reject("driving_force", "0 N if center_displacement is given", text(options.driving_force) + " N");
     }
     if (options.driving_torque) {
-      reject("driving_torque", "left out if center_way is given", text(*options.driving_torque) + " N m");
+      reject("driving_torque", "left out if center_displacement is given", text(*options.driving_torque) + " N m");
     }
     return;
   }
@@ -200,7 +202,7 @@ void RollingHistory::Impl::require_forces(const StepEnd& to) const {
     const std::string unit = " " + std::string(body.form().load_unit);
     reject("driving_force",
            "smaller than friction * load = " + text(options.friction * to.load) + unit +
-               " in magnitude, otherwise the " + std::string(body.name()) + " slides without end",
+               " in magnitude, otherwise the " + std::string(body.name()) + " slides permanently",
            text(options.driving_force) + unit);
   }
 }
@@ -221,8 +223,8 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   }
   const double duration = to.time - now.time;
   if (duration == 0.0) {
-    const bool moves =
-        to.angle != now.angle || to.load != now.load || to.center_way.value_or(now.center_way) != now.center_way;
+    const bool moves = to.angle != now.angle || to.load != now.load ||
+                       to.center_displacement.value_or(now.center_displacement) != now.center_displacement;
     if (moves && instantaneous() == 0.0) {
       reject("time",
              "> the current time, " + text(now.time) +
@@ -243,14 +245,16 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
 
 /// Steps to the end of a segment; for a segment that has begun, the remaining steps.
 std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
-  if (!stretch || stretch->taken == 0 || stretch->end != end) {
-    stretch =
-        detail::Stretch{.begin = {.time = now.time, .angle = now.angle, .load = now.load, .center_way = now.center_way},
-                        .end = end,
-                        .last_step = last_step,
-                        .taken = 0};
+  if (!started || started->taken == 0 || started->end != end) {
+    started = detail::StartedSegment{.begin = {.time = now.time,
+                                               .angle = now.angle,
+                                               .load = now.load,
+                                               .center_displacement = now.center_displacement},
+                                     .end = end,
+                                     .last_step = last_step,
+                                     .taken = 0};
   }
-  const StepEnd& begin = stretch->begin;
+  const StepEnd& begin = started->begin;
   double shortest = std::numeric_limits<double>::infinity();
   for (const detail::BodySpectrum& body : spectra) {
     for (const double time : body.spectrum.retardation_times) shortest = std::min(shortest, time);
@@ -260,25 +264,27 @@ std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
   const auto shares = choice.shares({.duration = duration,
                                      .turn = end.angle - begin.angle,
                                      .relative_load = detail::relative_change(begin.load, end.load)},
-                                    stretch->last_step);
+                                    started->last_step);
   std::vector<StepEnd> path;
   path.reserve(shares.size());
   for (const double share : shares) {
     path.push_back({.time = begin.time + share * duration,
                     .angle = begin.angle + share * (end.angle - begin.angle),
                     .load = begin.load + share * (end.load - begin.load),
-                    .center_way = {}});
-    if (end.center_way) path.back().center_way = *begin.center_way + share * (*end.center_way - *begin.center_way);
+                    .center_displacement = {}});
+    if (end.center_displacement)
+      path.back().center_displacement =
+          *begin.center_displacement + share * (*end.center_displacement - *begin.center_displacement);
   }
   path.back() = end;
-  const std::size_t taken = std::min(stretch->taken, path.size() - 1);
+  const std::size_t taken = std::min(started->taken, path.size() - 1);
   path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(taken));
   return path;
 }
 
 std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd> path, detail::Watch& watch,
                                                          const Share& of_motion) {
-  const std::size_t count = lattices.size();
+  const std::size_t count = meshes.size();
   std::vector<RollingInstant> instants(path.size() * count);
   std::vector<detail::PairStep> steps_ahead;
   double before = now.time;
@@ -293,12 +299,12 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
     const double of_path = static_cast<double>(done) / static_cast<double>(path.size() * count);
     return std::lerp(of_motion.from, of_motion.to, std::min(of_path, 1.0));  // repeated steps count again
   };
-  on_lattices(
+  on_meshes(
       watch,
-      [&](std::size_t l, Lattice& lattice, const detail::Worker& worker) {
+      [&](std::size_t l, ShiftedMesh& mesh, const detail::Worker& worker) {
         for (std::size_t i = 0; i < path.size(); ++i) {
-          lattice.advance(steps_ahead[i], path[i], worker.checkpoint);
-          instants[i * count + l] = lattice.now();
+          mesh.advance(steps_ahead[i], path[i], worker.checkpoint);
+          instants[i * count + l] = mesh.now();
           ++done;
           worker.checkpoint();
         }
@@ -312,8 +318,8 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
   last_step = path.back().time - (path.size() > 1 ? path[path.size() - 2].time : now.time);
   steps += static_cast<std::int64_t>(path.size());
   now = means.back();
-  stretch->taken += path.size();
-  if (path.back() == stretch->end) stretch.reset();
+  started->taken += path.size();
+  if (path.back() == started->end) started.reset();
   return means;
 }
 
@@ -322,14 +328,14 @@ RollingState RollingHistory::Impl::state() const {
   detail::NumberWriter numbers(state.numbers);
   numbers.put(static_cast<double>(pair->half_nodes()));
   numbers.put(static_cast<double>(pair->track_reach));
-  numbers.put(static_cast<double>(lattices.size()));
-  for (const detail::CreepingBody& body : pair->bodies) {
+  numbers.put(static_cast<double>(meshes.size()));
+  for (const detail::ViscoelasticBody& body : pair->bodies) {
     numbers.put(body.tables.own_compliance());
     detail::write(body.spectrum, numbers);
   }
   for (const double number : {now.time, last_step, static_cast<double>(steps)}) numbers.put(number);
-  detail::write(stretch, numbers);
-  for (const Lattice& lattice : lattices) lattice.write(numbers);
+  detail::write(started, numbers);
+  for (const ShiftedMesh& mesh : meshes) mesh.write(numbers);
   return state;
 }
 
@@ -338,8 +344,8 @@ void RollingHistory::Impl::restore(const RollingState& state, detail::Watch& wat
   detail::NumberReader numbers(state.numbers);
   const Index half_nodes = numbers.count(options.mesh->nodes_per_revolution);
   const Index track_reach = numbers.count(static_cast<double>(pair->most_track_reach()));
-  if (numbers.count(detail::kMostLattices) != static_cast<Index>(lattices.size())) {
-    reject("start", "a state with the same number of lattices (" + std::to_string(lattices.size()) + ")",
+  if (numbers.count(detail::kMostAveragedMeshes) != static_cast<Index>(meshes.size())) {
+    reject("start", "a state with the same number of averaged meshes (" + std::to_string(meshes.size()) + ")",
            "a state with another number");
   }
   Impl next(*this);
@@ -358,17 +364,17 @@ void RollingHistory::Impl::restore(const RollingState& state, detail::Watch& wat
   next.now.time = numbers.get();
   next.last_step = numbers.get();
   next.steps = numbers.count(1e15);
-  next.stretch = detail::read_stretch(numbers);
-  if (next.stretch) {
-    const auto& [begin, end, last_step_before, taken] = *next.stretch;
+  next.started = detail::read_started_segment(numbers);
+  if (next.started) {
+    const auto& [begin, end, last_step_before, taken] = *next.started;
     detail::NumberReader::require(begin.time <= next.now.time && next.now.time <= end.time &&
                                   std::abs(end.angle - begin.angle) <= most_turn());
   }
   std::vector<RollingInstant> instants;
-  for (std::size_t l = 0; l < lattices.size(); ++l) {
-    next.lattices[l] = Lattice(next.pair, static_cast<double>(l) / static_cast<double>(lattices.size()), 1);
-    next.lattices[l].read(numbers, [&watch] { watch.poll("restoring", 0.0); });
-    instants.push_back(next.lattices[l].now());
+  for (std::size_t l = 0; l < meshes.size(); ++l) {
+    next.meshes[l] = ShiftedMesh(next.pair, static_cast<double>(l) / static_cast<double>(meshes.size()), 1);
+    next.meshes[l].read(numbers, [&watch] { watch.poll("restoring", 0.0); });
+    instants.push_back(next.meshes[l].now());
   }
   numbers.finish();
   next.now = next.mean(instants, next.now.time);
@@ -379,7 +385,7 @@ RollingHistory::RollingHistory(const RollingBody& body, double load, Start start
                                double time, double angle, const Observer& observer)
     : RollingHistory(body, CoatedPlane{}, load, start, options, time, angle, observer) {}
 
-RollingHistory::RollingHistory(const RollingBody& body, const Counterpart& on, double load, Start start,
+RollingHistory::RollingHistory(const RollingBody& body, const Counterbody& on, double load, Start start,
                                const HistoryOptions& options, double time, double angle, const Observer& observer)
     : impl_(std::make_unique<Impl>()) {
   detail::require_finite("time", time);
@@ -392,17 +398,17 @@ RollingHistory::RollingHistory(const RollingBody& body, const Counterpart& on, d
     reject("start", "RELAXED for a coating without instantaneous compliance (KelvinVoigt)", "FRESH");
   }
   impl.lay(contact, watch);
-  const StepEnd first{.time = time, .angle = angle, .load = load, .center_way = {}};
-  impl.on_lattices(watch, [&](std::size_t, Lattice& lattice, const detail::Worker& worker) {
-    lattice.start(start, first, options.center_speed, worker.checkpoint);
+  const StepEnd first{.time = time, .angle = angle, .load = load, .center_displacement = {}};
+  impl.on_meshes(watch, [&](std::size_t, ShiftedMesh& shifted, const detail::Worker& worker) {
+    shifted.start(start, first, options.center_speed, worker.checkpoint);
   });
   std::vector<RollingInstant> instants;
-  instants.reserve(impl.lattices.size());
-  for (const Lattice& lattice : impl.lattices) instants.push_back(lattice.now());
+  instants.reserve(impl.meshes.size());
+  for (const ShiftedMesh& shifted : impl.meshes) instants.push_back(shifted.now());
   impl.now = impl.mean(instants, time);
 }
 
-RollingHistory::RollingHistory(const RollingBody& body, const Counterpart& on, double load, const RollingState& state,
+RollingHistory::RollingHistory(const RollingBody& body, const Counterbody& on, double load, const RollingState& state,
                                const HistoryOptions& options, const Observer& observer)
     : impl_(std::make_unique<Impl>()) {
   detail::Watch watch(observer);
@@ -420,17 +426,17 @@ RollingHistory& RollingHistory::operator=(const RollingHistory& other) {
 RollingHistory& RollingHistory::operator=(RollingHistory&& other) noexcept = default;
 RollingHistory::~RollingHistory() = default;
 
-RollingInstant RollingHistory::advance(double time, double angle, double load, std::optional<double> center_way,
-                                       const Observer& observer) {
+RollingInstant RollingHistory::advance(double time, double angle, double load,
+                                       std::optional<double> center_displacement, const Observer& observer) {
   detail::Watch watch(observer);
-  const StepEnd end{.time = time, .angle = angle, .load = load, .center_way = center_way};
+  const StepEnd end{.time = time, .angle = angle, .load = load, .center_displacement = center_displacement};
   impl_->require_step(end);
   return impl_->follow(impl_->path_to(end), watch).back();
 }
 
 const RollingInstant& RollingHistory::now() const { return impl_->now; }
 ContactField RollingHistory::contact() const {
-  ContactField field = impl_->lattices.front().field();
+  ContactField field = impl_->meshes.front().field();
   field.time = impl_->now.time;
   return field;
 }
@@ -451,9 +457,9 @@ void RollingHistory::restore(const RollingState& state, const Observer& observer
 namespace {
 
 StepEnd knot_of(const Motion& motion, std::size_t k) {
-  StepEnd knot{.time = motion.time[k], .angle = motion.angle[k], .load = motion.load[k], .center_way = {}};
-  if (!motion.center_way.empty()) knot.center_way = motion.center_way[k];
-  return knot;
+  StepEnd waypoint{.time = motion.time[k], .angle = motion.angle[k], .load = motion.load[k], .center_displacement = {}};
+  if (!motion.center_displacement.empty()) waypoint.center_displacement = motion.center_displacement[k];
+  return waypoint;
 }
 
 /// Next waypoint. Of several waypoints at the present time, it is the one after the waypoint that has been reached.
@@ -461,9 +467,9 @@ std::size_t next_knot(const Motion& motion, const RollingInstant& now) {
   std::size_t next = 0;
   while (motion.time[next] < now.time) ++next;
   for (std::size_t k = next; k < motion.time.size() && motion.time[k] == now.time; ++k) {
-    const StepEnd knot = knot_of(motion, k);
-    const bool reached = knot.center_way.value_or(now.center_way) == now.center_way;
-    if (knot.angle == now.angle && knot.load == now.load && reached) next = k + 1;
+    const StepEnd waypoint = knot_of(motion, k);
+    const bool reached = waypoint.center_displacement.value_or(now.center_displacement) == now.center_displacement;
+    if (waypoint.angle == now.angle && waypoint.load == now.load && reached) next = k + 1;
   }
   return next;
 }

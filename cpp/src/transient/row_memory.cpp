@@ -16,7 +16,7 @@ constexpr double kNever = std::numeric_limits<double>::max();
 double inner(const HalfField& a, const HalfField& b) { return a.cwiseProduct(b).sum(); }
 
 /// Relaxed displacement of each retardation time of a body at the place of a unit force.
-std::vector<double> sizes_of(const CreepingBody& body) {
+std::vector<double> sizes_of(const ViscoelasticBody& body) {
   std::vector<double> sizes;
   sizes.reserve(body.spectrum.size());
   for (std::size_t j = 0; j < body.spectrum.size(); ++j) {
@@ -27,7 +27,7 @@ std::vector<double> sizes_of(const CreepingBody& body) {
 
 /// Time in which all but a millionth of the retarded displacement recovers. Tables that fall to this fraction count as
 /// decayed.
-double fading_time(const CreepingBody& body) {
+double fading_time(const ViscoelasticBody& body) {
   constexpr double kForgotten = 1e-6;
   const CreepSpectrum& spectrum = body.spectrum;
   if (spectrum.size() == 0) return 0.0;
@@ -56,7 +56,7 @@ double fading_time(const CreepingBody& body) {
 
 }  // namespace
 
-RowMemory::RowMemory(const CreepingBody& body)
+RowMemory::RowMemory(const ViscoelasticBody& body)
     : ring_(body.ring),
       instantaneous_(body.spectrum.instantaneous),
       weights_(body.spectrum.weights),
@@ -150,10 +150,11 @@ HalfField RowMemory::spread(Index first, const HalfField& field) const {
   return all;
 }
 
-RowMemory::Borne RowMemory::spread(const Load& load) const {
-  Borne borne{.force = spread(load.first, load.force), .displacements = {}};
-  for (const HalfField& field : load.displacements) borne.displacements.push_back(spread(load.first, field));
-  return borne;
+RowMemory::LoadedDisplacements RowMemory::spread(const Load& load) const {
+  LoadedDisplacements loaded_displacements{.force = spread(load.first, load.force), .displacements = {}};
+  for (const HalfField& field : load.displacements)
+    loaded_displacements.displacements.push_back(spread(load.first, field));
+  return loaded_displacements;
 }
 
 void RowMemory::relax(const Load& load) {
@@ -175,7 +176,7 @@ void RowMemory::press(const Load& load) {
 
 double RowMemory::advance(const TimeStep& step, double duration, const Load& load) {
   cover(load.first, load.force.cols());
-  Borne next = spread(load);
+  LoadedDisplacements next = spread(load);
   const HalfField change = next.force - now_.force;
   std::vector<double> changed;
   changed.reserve(next.displacements.size());
@@ -247,7 +248,7 @@ HalfField RowMemory::displaced(const HalfField& force, const MirroredTables& tab
   return spread(first_ - tables.reach(), tables.displacement_in_reach(force, 0, rows() - 1, checkpoint));
 }
 
-void RowMemory::displace(const CreepingTables& tables, const std::function<void()>& checkpoint) {
+void RowMemory::displace(const CreepTables& tables, const std::function<void()>& checkpoint) {
   for (std::size_t t = 0; t < tables.count(); ++t) {
     now_.displacements[t] = displaced(now_.force, tables.all()[t], checkpoint);
   }
@@ -269,7 +270,7 @@ void RowMemory::write(NumberWriter& numbers) const {
   numbers.put(stored_);
 }
 
-void RowMemory::read(NumberReader& numbers, const CreepingTables& tables) {
+void RowMemory::read(NumberReader& numbers, const CreepTables& tables) {
   first_ = numbers.row();
   idle_ = numbers.matrix().reshaped();
   const Index expected = ring_ ? *ring_ : idle_.size();
@@ -289,7 +290,7 @@ void RowMemory::read(NumberReader& numbers, const CreepingTables& tables) {
   stored_ = numbers.get();
 }
 
-RowMemory RowMemory::widened(const CreepingTables& tables, const std::function<void()>& checkpoint) const {
+RowMemory RowMemory::widened(const CreepTables& tables, const std::function<void()>& checkpoint) const {
   RowMemory wide(*this);
   wide.reach_ = tables.reach();
   // Rows that only the larger tables reach have not been stored before.

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "transient/creeping_body.hpp"
 #include "transient/numbers.hpp"
 #include "transient/time_step.hpp"
+#include "transient/viscoelastic_body.hpp"
 
 namespace viscoroll::detail {
 
@@ -23,7 +23,7 @@ namespace viscoroll::detail {
 class RowMemory {
  public:
   /// @param[in] body provides tables, spectrum and ring
-  explicit RowMemory(const CreepingBody& body);
+  explicit RowMemory(const ViscoelasticBody& body);
 
   /// @brief Forces and their displacements by each of the body's tables, on consecutive rows.
   struct Load {
@@ -67,15 +67,15 @@ class RowMemory {
 
   void write(NumberWriter& numbers) const;
   /// @brief Restore the state that another memory of the same shape has written.
-  void read(NumberReader& numbers, const CreepingTables& tables);
+  void read(NumberReader& numbers, const CreepTables& tables);
 
   /// @brief Transfer the memory to wider tables.
   /// @param[in] tables tables with more nodes across
   /// @param[in] checkpoint called every few milliseconds
-  [[nodiscard]] RowMemory widened(const CreepingTables& tables, const std::function<void()>& checkpoint) const;
+  [[nodiscard]] RowMemory widened(const CreepTables& tables, const std::function<void()>& checkpoint) const;
 
  private:
-  struct Borne {
+  struct LoadedDisplacements {
     HalfField force;
     std::vector<HalfField> displacements;  // by each of the tables
   };
@@ -101,12 +101,12 @@ class RowMemory {
   [[nodiscard]] double stored_in(Eigen::Index column) const;
   /// @return field on the rows of a load, extended to all rows
   [[nodiscard]] HalfField spread(Eigen::Index first, const HalfField& field) const;
-  [[nodiscard]] Borne spread(const Load& load) const;
+  [[nodiscard]] LoadedDisplacements spread(const Load& load) const;
   /// @return displacement of all rows under forces on all rows
   [[nodiscard]] HalfField displaced(const HalfField& force, const MirroredTables& tables,
                                     const std::function<void()>& checkpoint) const;
   /// Compute all displacements from the forces.
-  void displace(const CreepingTables& tables, const std::function<void()>& checkpoint);
+  void displace(const CreepTables& tables, const std::function<void()>& checkpoint);
   void find_stored_energy();
 
   std::optional<Eigen::Index> ring_;
@@ -115,7 +115,7 @@ class RowMemory {
   double fading_;                   // time in which all but a millionth of the retarded displacement recovers [s]
   Eigen::Index reach_;              // reach of the tables [rows]
   Eigen::Index first_ = 0;          // row of the first column
-  Borne now_;                       // F and K_j F
+  LoadedDisplacements now_;         // F and K_j F
   std::vector<Retarded> retarded_;  // for every retardation time
   Eigen::ArrayXd idle_;             // time since each row of a track was loaded [s]
   double stored_ = 0.0;

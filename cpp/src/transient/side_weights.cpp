@@ -95,7 +95,7 @@ std::shared_ptr<const std::vector<SampledDifference>> side_weights(const LayerSp
                                                                    const CoatedWheel& tread, bool tangential,
                                                                    int threads, Watch& watch) {
   const WeighedContour contour = layers.contour(kLeft);
-  return kept_differences(tread, tangential, numbers_of(layers, contour), [&] {
+  return cached_differences(tread, tangential, numbers_of(layers, contour), [&] {
     return found(layers, contour, SideDifference(tread, tangential), sampled_orders(tread), threads, watch);
   });
 }

@@ -24,18 +24,18 @@ double relative_change(double before, double after) {
   return larger > 0.0 ? (after - before) / larger : 0.0;
 }
 
-std::vector<double> StepChoice::shares(const Leg& leg, double last) const {
-  if (!steps_per_spacing_ || leg.duration == 0.0) return {1.0};
+std::vector<double> StepChoice::shares(const Segment& segment, double last) const {
+  if (!steps_per_spacing_ || segment.duration == 0.0) return {1.0};
   constexpr double kRoundOff = 1e-9;
-  const double by_turn = std::ceil(std::abs(leg.turn) * *steps_per_spacing_ / spacing_ - kRoundOff);
-  const double by_load = std::ceil(std::abs(leg.relative_load) / kLargestLoadChange - kRoundOff);
-  const double longest = leg.duration / std::max({by_turn, by_load, 1.0});
-  const double first = std::max(kFirstTime * shortest_time_, kFirstShare * leg.duration);
+  const double by_turn = std::ceil(std::abs(segment.turn) * *steps_per_spacing_ / spacing_ - kRoundOff);
+  const double by_load = std::ceil(std::abs(segment.relative_load) / kLargestLoadChange - kRoundOff);
+  const double longest = segment.duration / std::max({by_turn, by_load, 1.0});
+  const double first = std::max(kFirstTime * shortest_time_, kFirstShare * segment.duration);
 
   std::vector<double> ends;
   double end = 0.0;
   double step = std::min(std::max(kGrowth * last, first), longest);
-  while (end < leg.duration * (1.0 - kRoundOff)) {
+  while (end < segment.duration * (1.0 - kRoundOff)) {
     end += step;
     ends.push_back(end);
     step = std::min(kGrowth * step, longest);

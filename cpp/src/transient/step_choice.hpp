@@ -8,7 +8,7 @@
 namespace viscoroll::detail {
 
 /// @brief A segment of a motion between two waypoints.
-struct Leg {
+struct Segment {
   double duration;       ///< [s], >= 0
   double turn;           ///< [rad]
   double relative_load;  ///< change of the load relative to the larger load [-]
@@ -31,10 +31,10 @@ class StepChoice {
   StepChoice(double spacing, std::optional<int> steps_per_spacing, double shortest_time)
       : spacing_(spacing), steps_per_spacing_(steps_per_spacing), shortest_time_(shortest_time) {}
 
-  /// @param[in] leg next segment
+  /// @param[in] segment next segment
   /// @param[in] last previous step [s], 0 after a jump and at the start
   /// @return ends of the steps as fractions of the segment, ascending to 1
-  [[nodiscard]] std::vector<double> shares(const Leg& leg, double last) const;
+  [[nodiscard]] std::vector<double> shares(const Segment& segment, double last) const;
 
  private:
   double spacing_;

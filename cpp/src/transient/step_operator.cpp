@@ -51,11 +51,11 @@ struct LoadedRows {
 };
 
 LoadedRows loaded_rows(const VectorField& force, Index half_nodes) {
-  const auto bears = [&](Index node) { return (force.row(node) != 0.0).any(); };
+  const auto is_loaded = [&](Index node) { return (force.row(node) != 0.0).any(); };
   Index first = 0;
   Index last = force.rows() - 1;
-  while (first < last && !bears(first)) ++first;
-  while (first < last && !bears(last)) --last;
+  while (first < last && !is_loaded(first)) ++first;
+  while (first < last && !is_loaded(last)) --last;
   return {.first = first / half_nodes, .last = last / half_nodes};
 }
 

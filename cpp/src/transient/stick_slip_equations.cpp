@@ -22,7 +22,11 @@ constexpr Index kColumns = 100;  // of the largest systems between two checkpoin
 
 StickSlipEquations::StickSlipEquations(const StickSlipProblem& problem, double own_compliance,
                                        ContactStiffness& stiffness)
-    : problem_(problem), stiffness_(stiffness), own_compliance_(own_compliance), gap_(problem.gap), way_(problem.way) {}
+    : problem_(problem),
+      stiffness_(stiffness),
+      own_compliance_(own_compliance),
+      gap_(problem.gap),
+      known_slip_(problem.known_slip) {}
 
 /// Compute quantities that depend on the nodes only: the forces if all of them touched and stuck, as functions of the
 /// penetration and the displacement of the center.
@@ -40,12 +44,12 @@ void StickSlipEquations::correct(const std::vector<Index>& nodes, const Eigen::A
                                  const Eigen::ArrayX2d& slip) {
   for (const Index node : nodes) {
     gap_[node] += gap[node];
-    way_.row(node) += slip.row(node);
+    known_slip_.row(node) += slip.row(node);
   }
   if (to_frame_.empty()) return;
   Index place = 0;
   for (const Index node : covered()) {
-    closed_.col(0).segment<3>(3 * place++) << -way_(node, 0), gap_[node], -way_(node, 1);
+    closed_.col(0).segment<3>(3 * place++) << -known_slip_(node, 0), gap_[node], -known_slip_(node, 1);
   }
   by_closed_.col(0) = forces_by(closed_.col(0));
 }
@@ -56,9 +60,9 @@ void StickSlipEquations::close() {
   for (const Index node : covered()) {
     const auto& by_center = problem_.by_center;
     Eigen::Matrix3d closed;
-    closed << -way_(node, 0), 0.0, -by_center(node, 0),  //
-        gap_[node], -problem_.weights[node], 0.0,        //
-        -way_(node, 1), 0.0, -by_center(node, 1);
+    closed << -known_slip_(node, 0), 0.0, -by_center(node, 0),  //
+        gap_[node], -problem_.weights[node], 0.0,               //
+        -known_slip_(node, 1), 0.0, -by_center(node, 1);
     closed_.middleRows<3>(3 * place++) = closed;
   }
   by_closed_ = forces_by(closed_);
@@ -93,7 +97,7 @@ MatrixXd StickSlipEquations::forces_by(MatrixXd displacements) const {
 StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditions) {
   const auto free = static_cast<Index>(conditions.size());
   const Index depth = free;
-  const Index way = free + 1;
+  const Index center = free + 1;
   MatrixXd matrix(free + 2, free + 2);
   VectorXd right(free + 2);
   // In the frame of the stiffness.
@@ -123,7 +127,7 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
     right[row] = -given[0];
     matrix.row(row).tail<2>() = given.tail<2>();
     matrix(depth, row) = by_closed_(3 * condition.place + condition.axis, 1);
-    matrix(way, row) = by_center_[3 * condition.place + condition.axis];
+    matrix(center, row) = by_center_[3 * condition.place + condition.axis];
   }
   // Rows of load and center: sums of forces, with the weights that `closed_` and the row of the center give
   // displacements.
@@ -133,23 +137,26 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
   matrix.row(depth) *= own_compliance_;
   right[depth] *= own_compliance_;
   const Eigen::RowVector3d of_center = by_center_.transpose() * closed_;
-  matrix.row(way).tail<2>() = of_center.tail<2>();
-  matrix(way, way) += center_.way;
-  right[way] = center_.value - of_center[0];
+  matrix.row(center).tail<2>() = of_center.tail<2>();
+  matrix(center, center) += center_.displacement;
+  right[center] = center_.value - of_center[0];
   // Scale forces and displacements equally: a heavy center must be the pivot of its own displacement only.
   const double largest = center_.on_force.abs().maxCoeff();
-  const double share = own_compliance_ / std::max(largest, std::abs(center_.way) * own_compliance_);
-  matrix.row(way) *= share;
-  right[way] *= share;
+  const double share = own_compliance_ / std::max(largest, std::abs(center_.displacement) * own_compliance_);
+  matrix.row(center) *= share;
+  right[center] *= share;
 
   const VectorXd unknowns = solved(conditions, matrix, right);
-  StickSlipForces result{
-      .forces = {}, .moves = VectorXd::Zero(closed_.rows()), .penetration = unknowns[depth], .way = unknowns[way]};
+  StickSlipForces result{.forces = {},
+                         .moves = VectorXd::Zero(closed_.rows()),
+                         .penetration = unknowns[depth],
+                         .center_displacement = unknowns[center]};
   for (Index i = 0; i < free; ++i) {
     const Condition& condition = conditions[static_cast<std::size_t>(i)];
     result.moves[3 * condition.place + condition.axis] = unknowns[i];
   }
-  result.forces = forces_by(closed_ * Eigen::Vector3d(1.0, result.penetration, result.way) + result.moves);
+  result.forces =
+      forces_by(closed_ * Eigen::Vector3d(1.0, result.penetration, result.center_displacement) + result.moves);
   return result;
 }
 

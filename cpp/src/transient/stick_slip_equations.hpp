@@ -29,7 +29,7 @@ struct StickSlipForces {
   Eigen::VectorXd forces;
   Eigen::VectorXd moves;  ///< free displacements
   double penetration;
-  double way;  ///< displacement of the center
+  double center_displacement;
 };
 
 /// @brief Equations at an instant, for any sets of sticking, slipping and separated nodes.
@@ -67,7 +67,7 @@ class StickSlipEquations {
   double own_compliance_;
   CenterRow center_;
   Eigen::ArrayXd gap_;                     // gap of the problem, corrected
-  Eigen::ArrayX2d way_;                    // displacements of the problem, corrected
+  Eigen::ArrayX2d known_slip_;             // slip of the problem, corrected
   std::vector<Eigen::Matrix3d> to_frame_;  // from the axes to the frame of the surface, for each covered node
   Eigen::MatrixX3d closed_;     // close all gaps and undo all slips: columns for given values, penetration, center
   Eigen::MatrixX3d by_closed_;  // forces of these displacements

@@ -15,8 +15,9 @@ namespace viscoroll::detail {
 /// contain the nodes row by row.
 struct StickSlipProblem {
   const StepOperator& surface;
-  Eigen::ArrayXd gap;   ///< without the new forces, up to a constant
-  Eigen::ArrayX2d way;  ///< slip of the nodes along x and z, without the new forces and the displacement of the center
+  Eigen::ArrayXd gap;  ///< without the new forces, up to a constant
+  /// Slip of the nodes along x and z, without the new forces and the displacement of the center.
+  Eigen::ArrayX2d known_slip;
   Eigen::ArrayX2d by_center;  ///< contribution to the slip per unit displacement of the center
   Eigen::ArrayXd weights;     ///< same as in `half_weights`
   double load;                ///< sum of the normal forces

@@ -7,9 +7,9 @@
 
 #include "contact/semismooth_newton.hpp"
 #include "contact/stick_slip_conditions.hpp"
+#include "transient/direct_stick_slip.hpp"
 #include "transient/elastic_contact.hpp"
-#include "transient/matched_by_factors.hpp"
-#include "transient/matched_by_products.hpp"
+#include "transient/iterative_stick_slip.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -25,8 +25,8 @@ constexpr Index kMostDense = 500;
 
 std::unique_ptr<StickSlipSystem> system_of(const StickSlipProblem& problem, const VectorField& guess,
                                            ContactStiffness& stiffness) {
-  if ((guess.col(kDown) < 0.0).count() > kMostDense) return std::make_unique<MatchedByProducts>(problem, guess);
-  return std::make_unique<MatchedByFactors>(problem, guess, stiffness);
+  if ((guess.col(kDown) < 0.0).count() > kMostDense) return std::make_unique<IterativeStickSlip>(problem, guess);
+  return std::make_unique<DirectStickSlip>(problem, guess, stiffness);
 }
 
 /// Normal forces of the same contact without friction, whose search converges from any guess. Steps of stick and slip
@@ -127,7 +127,7 @@ class OneSticks : public StickSlipSystem {
 /// @param[in,out] state,sets of a state that was found
 void let_center_rest(const StickSlipProblem& problem, const StickSlipSystem& system, ContactSolution& state,
                      ContactSets& sets) {
-  if (std::ranges::count_if(sets.states, &TangentialState::stick) > 1 || problem.center({}).way != 0.0) return;
+  if (std::ranges::count_if(sets.states, &TangentialState::stick) > 1 || problem.center({}).displacement != 0.0) return;
   ContactSolution resting = state;
   resting.slip -= *state.creepage * problem.by_center;
   resting.creepage = 0.0;
@@ -144,7 +144,7 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
   constexpr const FrictionSettings& kSettings = kFrictionSettings;
   constexpr SearchLimits kLimits{.tolerance = kSettings.instant_tolerance,
                                  .round_off = kSettings.instant_round_off,
-                                 .free_steps = kSettings.free_steps};
+                                 .full_steps = kSettings.full_steps};
   const std::unique_ptr<StickSlipSystem> system = system_of(problem, guess, stiffness);
   OneSticks one_sticks(*system);
   SemismoothNewton plain(*system, kLimits);
@@ -164,7 +164,10 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
   ContactSolution state = newton.state();
   ContactSets sets = newton.sets();
   let_center_rest(problem, *system, state, sets);
-  StickSlip result{.force = state.force, .penetration = state.penetration, .way = *state.creepage, .slip = state.slip};
+  StickSlip result{.force = state.force,
+                   .penetration = state.penetration,
+                   .center_displacement = *state.creepage,
+                   .slip = state.slip};
   for (std::size_t i = 0; i < sets.contact.size(); ++i) {
     if (!(result.force(sets.contact[i], kDown) < 0.0)) continue;
     result.nodes.push_back(sets.contact[i]);

@@ -14,10 +14,10 @@ namespace viscoroll::detail {
 struct StickSlip {
   VectorField force;  ///< of the plane on the coating, row by row
   double penetration = 0.0;
-  double way = 0.0;                 ///< displacement of the center in the step [m]
-  Eigen::ArrayX2d slip;             ///< of the nodes over the plane in this step, along x and z
-  std::vector<Eigen::Index> nodes;  ///< in contact, ascending
-  Eigen::Index sticking = 0;        ///< number of sticking nodes among them
+  double center_displacement = 0.0;  ///< displacement of the center in the step [m]
+  Eigen::ArrayX2d slip;              ///< of the nodes over the plane in this step, along x and z
+  std::vector<Eigen::Index> nodes;   ///< in contact, ascending
+  Eigen::Index sticking = 0;         ///< number of sticking nodes among them
 };
 
 /// @brief Solve by the semismooth Newton method for forces, penetration and displacement of the center together.

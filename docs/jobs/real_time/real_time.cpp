@@ -46,9 +46,11 @@ int main(int argc, char** argv) try {
               torque * 1e3);
 
   // A transient motion in steps of a millisecond, which includes the whole history.
-  vr::RollingHistory history(
-      ball, kLoad, vr::Start::relaxed,
-      {.mesh = vr::Mesh{.nodes_per_revolution = 200}, .lattices = 1, .steps_per_spacing = std::nullopt, .threads = 1});
+  vr::RollingHistory history(ball, kLoad, vr::Start::relaxed,
+                             {.mesh = vr::Mesh{.nodes_per_revolution = 200},
+                              .averaged_meshes = 1,
+                              .steps_per_spacing = std::nullopt,
+                              .threads = 1});
   const double steps = rate([&](int i) {
     const double time = 1e-3 * (i + 1);
     torque = history.advance(time, kSpeed * time, kLoad + i % 10).resisting_torque;

@@ -67,12 +67,12 @@ def drawn(
             compose(picture)
         return picture
     if not isinstance(ax, Axes):
-        raise TypeError(f"ax must be a matplotlib.axes.Axes or None, got {shown(ax)}{_way_to_a_file(ax)}")
+        raise TypeError(f"ax must be a matplotlib.axes.Axes or None, got {shown(ax)}{_hint_for_a_file(ax)}")
     draw(ax)
     return ax
 
 
-def _way_to_a_file(target: object) -> str:
+def _hint_for_a_file(target: object) -> str:
     """Return a hint how to save a figure if a file was given instead of axes, else an empty text."""
     if not isinstance(target, str | PathLike):
         return ""

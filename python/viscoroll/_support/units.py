@@ -47,7 +47,7 @@ UNITS = {
     "critical_strain": "1",
     "exponent": "1",
     "strain": "1",
-    "temperature": "°C",
+    "temperature": "K",
 }
 
 

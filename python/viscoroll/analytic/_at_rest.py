@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Protocol, TypeAlias
 import numpy as np
 
 from .._support.arguments import as_positive
-from ._closed_form import at_rest
-from ._inputs import Floats, plain, positives
+from ._closed_form import relaxed_constants
+from ._inputs import Floats, float_if_scalar, positives
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -66,7 +66,7 @@ class PressureBell:
         0.0
         """
         inside = np.clip(1.0 - (np.asarray(distance, dtype=np.float64) / self.reach) ** 2, 0.0, None)
-        return plain(self.max_pressure * inside**self.exponent)
+        return float_if_scalar(self.max_pressure * inside**self.exponent)
 
 
 #: Function that returns a contact at rest on a thick or a thin layer, with keyword arguments.
@@ -88,7 +88,7 @@ def reach_at_rest(
     both ways at once.
     """
     h = body.thickness
-    mixed = [(layer.thickness / h, *at_rest(layer)) for layer in body.layers]
+    mixed = [(layer.thickness / h, *relaxed_constants(layer)) for layer in body.layers]
     layer = {"radius": body.outer_radius, "shear_modulus": 1.0 / sum(share / g for share, g, _ in mixed)}
     nu = min(sum(share * ratio for share, _, ratio in mixed), 0.5)
     thin = squeezed(load=load, thickness=h, **layer).reach

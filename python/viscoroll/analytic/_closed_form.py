@@ -1,4 +1,4 @@
-"""Closed form of the resisting torque, and conditions that it imposes on the layers."""
+"""Closed form of the resisting torque, and properties of layers on which the applicable forms depend."""
 
 from __future__ import annotations
 
@@ -18,7 +18,14 @@ if TYPE_CHECKING:
     from ..bodies import Layer
     from ..materials.moduli import ShearModulusLike
 
-__all__ = ["ClosedForm", "at_rest", "is_homogeneous", "is_known_throughout", "is_real", "shared_loss_time"]
+__all__ = [
+    "ClosedForm",
+    "have_real_poisson_ratios",
+    "is_defined_at_all_frequencies",
+    "is_homogeneous",
+    "relaxed_constants",
+    "shared_loss_time",
+]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,13 +35,15 @@ class ClosedForm:
     Attributes
     ----------
     torque : callable
-        torque(load, angular_speed) → T [N m], for loads P [N] and angular speeds Ω [rad/s], which may be arrays. For
-        rollers T and P are per unit length [N, N/m]. Calling the object is equivalent.
+        Function torque(load, angular_speed) that returns the resisting torque T [N m] for loads P [N] and angular
+        speeds Ω [rad/s], which may be arrays. For rollers, T [N] and P [N/m] are per unit length. Calling the
+        `ClosedForm` itself is equivalent.
     holds : callable
-        holds(load, angular_speed) → array of bool: whether contact and speed are small enough for the form, so that
-        they add at most about 10 % to its other errors.
+        Function holds(load, angular_speed) that returns an array of bool: whether the contact and the speed are within
+        the range of validity. Within this range, their finite size adds at most about 10 % to the other errors of the
+        form.
     validity : str
-        Condition of `holds` in words.
+        Description of the condition that `holds` evaluates.
     """
 
     torque: Callable[[ArrayLike, ArrayLike], Floats]
@@ -46,18 +55,18 @@ class ClosedForm:
         return self.torque(load, angular_speed)
 
 
-def is_real(layers: Sequence[Layer]) -> bool:
+def have_real_poisson_ratios(layers: Sequence[Layer]) -> bool:
     """Return whether Poisson's ratio of every layer is real."""
     return all(layer.poisson_ratio is not None for layer in layers)
 
 
 def is_homogeneous(layers: Sequence[Layer]) -> bool:
-    """Return whether all layers have the same material."""
+    """Return whether all layers consist of the same material."""
     materials = [(layer.shear_modulus, layer.poisson_ratio, layer.bulk_modulus) for layer in layers]
     return all(material == materials[0] for material in materials)
 
 
-def is_known_throughout(modulus: ShearModulusLike) -> bool:
+def is_defined_at_all_frequencies(modulus: ShearModulusLike) -> bool:
     """Return whether a modulus is defined at all frequencies."""
     try:
         complex_modulus(modulus, [1e-12, 1e12])
@@ -67,7 +76,7 @@ def is_known_throughout(modulus: ShearModulusLike) -> bool:
 
 
 def shared_loss_time(layers: Sequence[Layer]) -> float | None:
-    """Return the loss time [s] if the shear moduli of all layers have the same one, otherwise None."""
+    """Return the common loss time [s] of all layers, or None if a layer has another loss time or none."""
     try:
         times = [loss_time(layer.shear_modulus) for layer in layers]
     except ValueError:
@@ -75,8 +84,8 @@ def shared_loss_time(layers: Sequence[Layer]) -> float | None:
     return times[0] if np.allclose(times, times[0], rtol=1e-9, atol=0.0) else None
 
 
-def at_rest(layer: Layer) -> tuple[float, float]:
-    """Return shear modulus [Pa] and Poisson's ratio of a layer at rest."""
+def relaxed_constants(layer: Layer) -> tuple[float, float]:
+    """Return the relaxed shear modulus [Pa] and Poisson's ratio of a layer, at zero frequency."""
     modulus = float(complex_modulus(layer.shear_modulus, 0.0).real)
     if layer.poisson_ratio is not None:
         return modulus, layer.poisson_ratio

@@ -1,4 +1,4 @@
-"""Input checks of the closed forms: shape, type and range, with the messages of the core."""
+"""Input checks of the closed-form solutions. The messages are worded like those of the C++ core."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ if TYPE_CHECKING:
 __all__ = [
     "Floats",
     "complex_modulus",
+    "float_if_scalar",
     "fraction",
-    "one_volume",
-    "plain",
     "poisson",
     "positives",
+    "require_one_volumetric_constant",
 ]
 
-#: Float if all arguments are numbers, otherwise an array of their common shape.
+#: Return type: a float if all arguments are numbers, otherwise an array of their broadcast shape.
 Floats: TypeAlias = "float | NDArray[np.float64]"
 
 
 def positives(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
-    """Return positive numbers as an array of any shape; otherwise raise a TypeError or ValueError."""
+    """Convert numbers to an array of the same shape; raise a ValueError unless all are positive and finite."""
     array = as_float_array(name, values)
     bad = array[~(np.isfinite(array) & (array > 0.0))]
     if bad.size:
@@ -37,7 +37,7 @@ def positives(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
 
 
 def fraction(name: str, value: object) -> float:
-    """Return a number in [0, 1]."""
+    """Convert a number to a float; raise a ValueError unless it is in [0, 1]."""
     number = as_float(name, value)
     if not 0.0 <= number <= 1.0:
         raise ValueError(f"{name} must be in [0, 1], got {number:g}")
@@ -45,14 +45,14 @@ def fraction(name: str, value: object) -> float:
 
 
 def poisson(value: object, *, compressible: bool = False) -> float:
-    """Return a Poisson's ratio in (-1, 0.5], or in (-1, 0.5) for a `compressible` material."""
+    """Convert Poisson's ratio to a float in (-1, 0.5]; if the material must be `compressible`, in (-1, 0.5)."""
     number = as_float("poisson_ratio", value)
     if not (-1.0 < number < 0.5 or (number == 0.5 and not compressible)):
         raise ValueError(f"poisson_ratio must be in (-1, 0.5{')' if compressible else ']'}, got {number:g}")
     return number
 
 
-def one_volume(poisson_ratio: float | None, bulk_modulus: float | None) -> None:
+def require_one_volumetric_constant(poisson_ratio: float | None, bulk_modulus: float | None) -> None:
     """Raise a ValueError unless exactly one of Poisson's ratio and bulk modulus is given."""
     if (poisson_ratio is None) == (bulk_modulus is None):
         given = "none" if poisson_ratio is None else "both"
@@ -60,12 +60,12 @@ def one_volume(poisson_ratio: float | None, bulk_modulus: float | None) -> None:
 
 
 def complex_modulus(modulus: ShearModulusLike, angular_frequency: ArrayLike) -> NDArray[np.complex128]:
-    """Return any accepted modulus [Pa] at frequencies ω [rad/s] of any shape, with the checks of the core."""
+    """Evaluate a shear modulus [Pa] of any accepted type at frequencies ω [rad/s]; the C++ core checks both."""
     omega = as_float_array("angular_frequency", angular_frequency)
     return _core.complex_modulus(to_core(modulus), omega.ravel()).reshape(omega.shape)
 
 
-def plain(values: ArrayLike) -> Floats:
-    """Return a single value as a float, and any other array unchanged."""
+def float_if_scalar(values: ArrayLike) -> Floats:
+    """Return an array of dimension 0 as a float, and any other array unchanged."""
     array = np.asarray(values, dtype=np.float64)
     return float(array) if array.ndim == 0 else array

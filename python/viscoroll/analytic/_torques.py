@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from ._closed_form import ClosedForm, at_rest, is_real
+from ._closed_form import ClosedForm, have_real_poisson_ratios, relaxed_constants
 from ._inputs import Floats, positives
 from .low_speed import low_speed_torque
 from .winkler import KNOWN_IN_TIME, longest_time
@@ -32,7 +32,9 @@ def slow_form(body: Coating, loss_time: float, reach: Reach, reach_name: str) ->
     def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
         a = reach(load)
         path = positives("angular_speed", angular_speed, "rad/s") * body.outer_radius * loss_time
-        met: NDArray[np.bool_] = (path <= 0.05 * a) & (is_real(body.layers) | (a <= 0.2 * body.thickness))
+        met: NDArray[np.bool_] = (path <= 0.05 * a) & (
+            have_real_poisson_ratios(body.layers) | (a <= 0.2 * body.thickness)
+        )
         return met
 
     moves = f"the surface travels at most 5 % of the {reach_name} within the loss time; no inertia"
@@ -45,7 +47,7 @@ def thin_form(body: Coating, winkler: Callable[..., Floats], reach: Reach, reach
     The result is None if the coating is incompressible or its relaxation function is not a sum of exponentials.
     """
     layer, h = body.layers[0], body.thickness
-    material, (_, nu) = layer.shear_modulus, at_rest(layer)
+    material, (_, nu) = layer.shear_modulus, relaxed_constants(layer)
     if not isinstance(material, KNOWN_IN_TIME) or nu == 0.5:
         return None
 

@@ -15,8 +15,15 @@ from .._support.arguments import as_float_array, require_type
 from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, Layer, RollingBody
 from ..materials import StandardLinearSolid
 from ._at_rest import Coating, reach_at_rest
-from ._closed_form import ClosedForm, at_rest, is_homogeneous, is_known_throughout, is_real, shared_loss_time
-from ._inputs import Floats, plain, positives
+from ._closed_form import (
+    ClosedForm,
+    have_real_poisson_ratios,
+    is_defined_at_all_frequencies,
+    is_homogeneous,
+    relaxed_constants,
+    shared_loss_time,
+)
+from ._inputs import Floats, float_if_scalar, positives
 from ._torques import Reach, slow_form, thin_form
 from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
 from .ellipse import hertz_ellipse
@@ -46,12 +53,12 @@ class _BallCoating:
     inner_boundary: InnerBoundary
 
 
-def applicable(ball: RollingBody, *, on: CoatedSphere | None = None) -> dict[str, ClosedForm]:
+def applicable(body: RollingBody, *, on: CoatedSphere | None = None) -> dict[str, ClosedForm]:
     """Return the closed forms of the resisting torque that are valid for the materials and layers of a body.
 
     Parameters
     ----------
-    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+    body : CoatedSphere, CoatedCylinder or CoatedWheel
         Rolling body.
     on : CoatedSphere, optional
         Ball on which a ball rolls; by default the counterbody is a rigid plane.
@@ -64,7 +71,7 @@ def applicable(ball: RollingBody, *, on: CoatedSphere | None = None) -> dict[str
     Raises
     ------
     TypeError
-        If `ball` is not a rolling body, or if a roller or wheel is combined with `on`.
+        If `body` is not a rolling body, or if a roller or wheel is combined with `on`.
     ValueError
         If a material is not defined at rest.
 
@@ -96,11 +103,11 @@ def applicable(ball: RollingBody, *, on: CoatedSphere | None = None) -> dict[str
     """
     require_type("on", on, CoatedSphere, optional=True)
     if on is None:
-        require_type("ball", ball, RollingBody)
-        return _forms(ball) if ball.layers else {}
-    require_type("ball", ball, CoatedSphere)
-    assert isinstance(ball, CoatedSphere)
-    return _forms_of_two(ball, on)
+        require_type("body", body, RollingBody)
+        return _forms(body) if body.layers else {}
+    require_type("body", body, CoatedSphere)
+    assert isinstance(body, CoatedSphere)
+    return _forms_of_two(body, on)
 
 
 def _forms(body: RollingBody) -> dict[str, ClosedForm]:
@@ -169,13 +176,13 @@ def _half_space(
 ) -> dict[str, ClosedForm | None]:
     """Return the half-space forms, valid for contacts up to a fifth of the size `room` of the layer [m]."""
     layer, radius = body.layers[0], body.outer_radius
-    modulus, nu = at_rest(layer)
+    modulus, nu = relaxed_constants(layer)
 
     def greenwood_tabor(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
         torque = greenwood_tabor_torque(
             load=load, radius=radius, shear_modulus=modulus, poisson_ratio=nu, crown_radius=crown_radius
         )
-        return plain(torque * np.ones_like(positives("angular_speed", angular_speed, "rad/s")))
+        return float_if_scalar(torque * np.ones_like(positives("angular_speed", angular_speed, "rad/s")))
 
     def persson(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
         return persson_torque(
@@ -203,24 +210,24 @@ def _half_space(
         "greenwood_tabor": ClosedForm(
             torque=greenwood_tabor, holds=holds, validity=f"all deformation work dissipated; {small}"
         ),
-        "persson": lagging if is_known_throughout(layer.shear_modulus) else None,
+        "persson": lagging if is_defined_at_all_frequencies(layer.shear_modulus) else None,
     }
 
 
 def _loss_time(ball: _BallCoating) -> float | None:
     """Return t of a surface compliance C(0) (1 - iωt) of the ball, or None if it does not have this form."""
     time = shared_loss_time(ball.layers)
-    if time is None or is_real(ball.layers):
+    if time is None or have_real_poisson_ratios(ball.layers):
         return time
     if not is_homogeneous(ball.layers):
         return None
-    modulus, nu = at_rest(ball.layers[0])
+    modulus, nu = relaxed_constants(ball.layers[0])
     return sphere_loss_time(shear_modulus=modulus, poisson_ratio=nu, shear_viscosity=time * modulus)
 
 
 def _of_roller(roller: CoatedCylinder) -> dict[str, ClosedForm | None]:
     half_width = partial(_half_width, roller)
-    time = shared_loss_time(roller.layers) if is_real(roller.layers) else None
+    time = shared_loss_time(roller.layers) if have_real_poisson_ratios(roller.layers) else None
     one_material = is_homogeneous(roller.layers)
     return {
         "low_speed": None if time is None else slow_form(roller, time, half_width, "contact half-width"),
@@ -268,7 +275,7 @@ def _hunter(roller: CoatedCylinder, half_width: Reach) -> ClosedForm | None:
 
 def _of_wheel(wheel: CoatedWheel) -> dict[str, ClosedForm | None]:
     roller = CoatedCylinder(core_radius=wheel.core_radius, layers=wheel.layers)
-    time = shared_loss_time(wheel.layers) if is_real(wheel.layers) else None
+    time = shared_loss_time(wheel.layers) if have_real_poisson_ratios(wheel.layers) else None
     reach = partial(_along_path, wheel, roller)
     slow = None if time is None else slow_form(wheel, time, reach, "contact half-length")
     if math.isinf(wheel.crown_radius):
@@ -316,7 +323,7 @@ def _along_path(wheel: CoatedWheel, roller: CoatedCylinder, load: ArrayLike) -> 
 
 
 def _longer_axis(wheel: CoatedWheel, load: ArrayLike) -> NDArray[np.float64]:
-    modulus, nu = at_rest(wheel.layers[0])
+    modulus, nu = relaxed_constants(wheel.layers[0])
     radii = {"radius": wheel.outer_radius, "crown_radius": wheel.crown_radius}
     contact = hertz_ellipse(load=load, **radii, shear_modulus=modulus, poisson_ratio=nu)
     return np.asarray(np.maximum(contact.semi_axis_x, contact.semi_axis_z))

@@ -9,7 +9,7 @@ import numpy as np
 
 from .._support.arguments import as_positive
 from ._at_rest import PressureBell, load_and_sizes
-from ._inputs import Floats, plain, poisson, positives
+from ._inputs import Floats, float_if_scalar, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -202,8 +202,8 @@ def _on_disk(
 ) -> PointContact:
     """Return a contact whose pressure p₀ (1 - r²/a²)ᵏ, with the integral π a² p₀ / (k+1), balances the load."""
     return PointContact(
-        radius=plain(a),
-        approach=plain(approach),
-        max_pressure=plain((exponent + 1.0) * load / (np.pi * a**2)),
+        radius=float_if_scalar(a),
+        approach=float_if_scalar(approach),
+        max_pressure=float_if_scalar((exponent + 1.0) * load / (np.pi * a**2)),
         exponent=exponent,
     )

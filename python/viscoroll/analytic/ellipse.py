@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_positive
-from ._inputs import Floats, plain, poisson, positives
+from ._inputs import Floats, float_if_scalar, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -61,7 +61,7 @@ class EllipticContact:
         along, across = (
             np.asarray(place, dtype=np.float64) / axis for place, axis in ((x, self.semi_axis_x), (z, self.semi_axis_z))
         )
-        return plain(self.max_pressure * np.sqrt(np.clip(1.0 - along**2 - across**2, 0.0, None)))
+        return float_if_scalar(self.max_pressure * np.sqrt(np.clip(1.0 - along**2 - across**2, 0.0, None)))
 
 
 def hertz_ellipse(
@@ -117,10 +117,10 @@ def hertz_ellipse(
     pressure = 1.5 * force / (math.pi * long * short)
     along, across = (short, long) if radius <= crown_radius else (long, short)
     return EllipticContact(
-        semi_axis_x=plain(along),
-        semi_axis_z=plain(across),
-        approach=plain(pressure * short * k / modulus),
-        max_pressure=plain(pressure),
+        semi_axis_x=float_if_scalar(along),
+        semi_axis_z=float_if_scalar(across),
+        approach=float_if_scalar(pressure * short * k / modulus),
+        max_pressure=float_if_scalar(pressure),
     )
 
 

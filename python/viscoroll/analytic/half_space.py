@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_not_negative, as_positive
-from ._inputs import Floats, complex_modulus, fraction, one_volume, plain, poisson, positives
+from ._inputs import (
+    Floats,
+    complex_modulus,
+    float_if_scalar,
+    fraction,
+    poisson,
+    positives,
+    require_one_volumetric_constant,
+)
 from .ellipse import hertz_ellipse
 
 if TYPE_CHECKING:
@@ -81,7 +89,7 @@ def greenwood_tabor_torque(
         shear_modulus=shear_modulus,
         poisson_ratio=poisson_ratio,
     )
-    return plain(3.0 / 16.0 * alpha * np.asarray(load, dtype=np.float64) * contact.semi_axis_x)
+    return float_if_scalar(3.0 / 16.0 * alpha * np.asarray(load, dtype=np.float64) * contact.semi_axis_x)
 
 
 def persson_torque(
@@ -176,14 +184,14 @@ def persson_torque(
         return float(size * slender * (force / (np.pi * a)) ** 2 * (weights @ loss))
 
     forces, speeds = positives("load", load, "N"), positives("angular_speed", angular_speed, "rad/s")
-    return plain(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
+    return float_if_scalar(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
 
 
 def _half_space_compliance(
     shear_modulus: ShearModulusLike, poisson_ratio: float | None, bulk_modulus: float | None
 ) -> Callable[[ArrayLike], NDArray[np.complex128]]:
     """Return (1-ν*)/G* [1/Pa] as a function of ω. A pressure wave p causes the displacement (1-ν*)/G* p/|q|."""
-    one_volume(poisson_ratio, bulk_modulus)
+    require_one_volumetric_constant(poisson_ratio, bulk_modulus)
     if bulk_modulus is None:
         nu = poisson(poisson_ratio)
         return lambda omega: (1.0 - nu) / complex_modulus(shear_modulus, omega)

@@ -10,7 +10,7 @@ import numpy as np
 from .._support.arguments import as_float_array, as_positive, require_type
 from .._support.extras import extra
 from ..materials import StandardLinearSolid
-from ._inputs import Floats, plain, poisson, positives
+from ._inputs import Floats, float_if_scalar, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -71,7 +71,7 @@ class HunterContact:
         c0, c1, c2 = (np.asarray(c) for c in self.chebyshev)
         traction = c0 + c1 * earlier + c2 * np.cos(2.0 * angles)
         kept = traction * np.exp(per_length * (earlier - inside))
-        return plain(0.5 * per_length * (last - first) * np.tensordot(weights, kept, axes=1) * (abs(t) < 1.0))
+        return float_if_scalar(0.5 * per_length * (last - first) * np.tensordot(weights, kept, axes=1) * (abs(t) < 1.0))
 
 
 #: Length of the integral in relaxation lengths, and number of Gauss points that integrate the exponential over it to
@@ -160,12 +160,12 @@ def hunter(
     moment = 0.5 * solid.stiffness * a**2 * shift - (length + center) * force
     pressures = (force / (np.pi * a), -solid.stiffness / np.pi * shift, -0.5 * solid.stiffness / np.pi * a)
     return HunterContact(
-        half_width=plain(a),
-        center=plain(-center),
-        moment=plain(moment),
-        load=plain(force),
-        relaxation_length=plain(length),
-        chebyshev=(plain(pressures[0]), plain(pressures[1]), plain(pressures[2])),
+        half_width=float_if_scalar(a),
+        center=float_if_scalar(-center),
+        moment=float_if_scalar(moment),
+        load=float_if_scalar(force),
+        relaxation_length=float_if_scalar(length),
+        chebyshev=(float_if_scalar(pressures[0]), float_if_scalar(pressures[1]), float_if_scalar(pressures[2])),
     )
 
 

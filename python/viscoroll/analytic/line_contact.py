@@ -13,7 +13,7 @@ import numpy as np
 
 from .._support.arguments import as_float_array, as_positive
 from ._at_rest import PressureBell, load_and_sizes
-from ._inputs import Floats, plain, poisson, positives
+from ._inputs import Floats, float_if_scalar, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -93,7 +93,12 @@ def hertz_line(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_
     force, size = positives("load", load, "N/m"), as_positive("radius", radius, "m")
     stiffness = as_positive("shear_modulus", shear_modulus, "Pa")
     a = np.sqrt(2.0 * (1.0 - poisson(poisson_ratio)) * force * size / (np.pi * stiffness))
-    return LineContact(half_width=plain(a), approach=None, max_pressure=plain(2.0 * force / (np.pi * a)), exponent=0.5)
+    return LineContact(
+        half_width=float_if_scalar(a),
+        approach=None,
+        max_pressure=float_if_scalar(2.0 * force / (np.pi * a)),
+        exponent=0.5,
+    )
 
 
 def thin_compressible_layer_line(
@@ -143,7 +148,10 @@ def thin_compressible_layer_line(
     confined = as_positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
     a = np.cbrt(1.5 * force * size * h / confined)
     return LineContact(
-        half_width=plain(a), approach=plain(a**2 / (2.0 * size)), max_pressure=plain(0.75 * force / a), exponent=1.0
+        half_width=float_if_scalar(a),
+        approach=float_if_scalar(a**2 / (2.0 * size)),
+        max_pressure=float_if_scalar(0.75 * force / a),
+        exponent=1.0,
     )
 
 
@@ -190,9 +198,9 @@ def thin_incompressible_layer_line(
     stiffness = as_positive("shear_modulus", shear_modulus, "Pa")
     a = (7.5 * force * size * h**3 / stiffness) ** 0.2
     return LineContact(
-        half_width=plain(a),
-        approach=plain(a**2 / (6.0 * size)),
-        max_pressure=plain(stiffness * a**4 / (8.0 * size * h**3)),
+        half_width=float_if_scalar(a),
+        approach=float_if_scalar(a**2 / (6.0 * size)),
+        max_pressure=float_if_scalar(stiffness * a**4 / (8.0 * size * h**3)),
         exponent=2.0,
     )
 
@@ -251,4 +259,4 @@ def carter_force(
         raise ValueError(f"creepage must be finite, got {creep[~np.isfinite(creep)][0]:g}")
     sliding = np.minimum(np.abs(creep) * radius / (coefficient * np.asarray(contact.half_width)), 1.0)
     force = coefficient * positives("load", load, "N/m") * (1.0 - (1.0 - sliding) ** 2)
-    return plain(np.copysign(force, creep))
+    return float_if_scalar(np.copysign(force, creep))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_not_negative, as_positive
-from ._inputs import Floats, complex_modulus, plain, poisson, positives
+from ._inputs import Floats, complex_modulus, float_if_scalar, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -64,7 +64,9 @@ def low_speed_torque(*, load: ArrayLike, angular_speed: ArrayLike, radius: float
     array([0.0002625, 0.000525 ])
     """
     force, speed = positives("load", load, "N"), positives("angular_speed", angular_speed, "rad/s")
-    return plain(force * speed * as_positive("radius", radius, "m") * as_not_negative("loss_time", loss_time, "s"))
+    return float_if_scalar(
+        force * speed * as_positive("radius", radius, "m") * as_not_negative("loss_time", loss_time, "s")
+    )
 
 
 def loss_time(shear_modulus: ShearModulusLike) -> float:

@@ -10,7 +10,7 @@ import numpy as np
 from .._support.arguments import as_positive, require_type
 from .._support.text import shown
 from ..materials import Elastic, KelvinVoigt, Prony, ShearModulus, StandardLinearSolid
-from ._inputs import Floats, one_volume, plain, poisson, positives
+from ._inputs import Floats, float_if_scalar, poisson, positives, require_one_volumetric_constant
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -105,7 +105,7 @@ def winkler_torque(
             a0 *= (force * size * h / borne) ** 0.25
         return float(moment * force / borne)
 
-    return plain(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
+    return float_if_scalar(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
 
 
 def winkler_torque_line(
@@ -163,7 +163,7 @@ def winkler_torque_line(
             a *= float(np.cbrt(force * size * h / borne))
         return moment * force / borne
 
-    return plain(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
+    return float_if_scalar(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
 
 
 @dataclass(frozen=True, slots=True)
@@ -233,7 +233,7 @@ def _repeated_integrals(u: NDArray[np.float64], rate: NDArray[np.float64]) -> li
 
 def _springs(shear_modulus: ShearModulus, poisson_ratio: float | None, bulk_modulus: float | None) -> _Springs:
     """Return M(t) = 2 (1-ν)/(1-2ν) G(t), or K + 4/3 G(t)."""
-    one_volume(poisson_ratio, bulk_modulus)
+    require_one_volumetric_constant(poisson_ratio, bulk_modulus)
     shear = _shear_springs(shear_modulus)
     factor, bulk = 4.0 / 3.0, 0.0
     if poisson_ratio is not None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import _core
 from .._core import ConvergenceError
-from .._support.cautions import kept_in_results
+from .._support.result_warnings import silenced
 from .._support.text import one_line
 from ..bodies.si_hints import unit_doubt
 from ..case import build_case
@@ -58,7 +58,7 @@ def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
         if not isinstance(request, dict) or "case" not in request or set(request) - _KEYS:
             raise ValueError("request must be an object with the key case and optionally the key fields")
         case = readable_case(request["case"])
-        with kept_in_results():
+        with silenced():
             result = case.solve(progress=progress)
     except (ValueError, TypeError, ConvergenceError, RecursionError) as error:
         message = one_line(str(error))
@@ -107,7 +107,7 @@ def _finite(value: float | int | str | None) -> float | int | str | None:
 
 def _warnings(result: Result) -> list[dict[str, str]]:
     told = [{"kind": kind.name.lower(), "message": message} for kind, message in result.warnings.items()]
-    doubt = unit_doubt(result.ball, result.on)
+    doubt = unit_doubt(result.body, result.on)
     return [*told, *([{"kind": "units", "message": doubt}] if doubt else [])]
 
 

@@ -4,10 +4,10 @@ from .bodies import (
     CoatedCylinder,
     CoatedPlane,
     CoatedSphere,
-    Counterpart,
+    Counterbody,
     Groove,
     RollingBody,
-    core_counterpart,
+    core_counterbody,
     require_body,
 )
 from .drive import Drive
@@ -20,13 +20,13 @@ __all__ = [
     "CoatedPlane",
     "CoatedSphere",
     "CoatedWheel",
-    "Counterpart",
+    "Counterbody",
     "Drive",
     "Groove",
     "HalfSpace",
     "Layer",
     "Mesh",
     "RollingBody",
-    "core_counterpart",
+    "core_counterbody",
     "require_body",
 ]

@@ -19,10 +19,10 @@ __all__ = [
     "CoatedCylinder",
     "CoatedPlane",
     "CoatedSphere",
-    "Counterpart",
+    "Counterbody",
     "Groove",
     "RollingBody",
-    "core_counterpart",
+    "core_counterbody",
     "require_body",
 ]
 
@@ -153,7 +153,7 @@ class Groove(_Ground):
     Parameters
     ----------
     radius : float, optional
-        Radius of curvature across the path [m]: positive if concave, then at least 1.02 times the radius of the ball;
+        Radius of curvature across the path [m]: positive if concave, then at least 1.02 times the radius of the body;
         negative if convex. By default straight across, as rollers require.
     path_radius : float, optional
         Radius of curvature along the path [m], with the same signs and limits, for a dish or the race of a bearing.
@@ -184,14 +184,14 @@ class Groove(_Ground):
 RollingBody: TypeAlias = CoatedSphere | CoatedCylinder | CoatedWheel
 
 #: Counterbody: a plane, a groove, or another ball, roller or wheel.
-Counterpart: TypeAlias = CoatedPlane | Groove | CoatedSphere | CoatedCylinder | CoatedWheel
+Counterbody: TypeAlias = CoatedPlane | Groove | CoatedSphere | CoatedCylinder | CoatedWheel
 
 
-def core_counterpart(
-    on: Counterpart | None,
+def core_counterbody(
+    on: Counterbody | None,
 ) -> _core.CoatedPlane | _core.Groove | _core.CoatedSphere | _core.CoatedCylinder | _core.CoatedWheel:
     """Return the counterbody as an object of the core; None means the rigid plane."""
-    require_type("on", on, Counterpart, optional=True)
+    require_type("on", on, Counterbody, optional=True)
     return CoatedPlane()._to_core() if on is None else on._to_core()
 
 

@@ -21,7 +21,7 @@ from ..bodies import (
     CoatedPlane,
     CoatedSphere,
     CoatedWheel,
-    Counterpart,
+    Counterbody,
     Drive,
     Groove,
     HalfSpace,
@@ -55,7 +55,7 @@ with extra("cli"):
 
 __all__ = [
     "BODIES",
-    "COUNTERPARTS",
+    "COUNTERBODIES",
     "Case",
     "MeshTable",
     "PairTables",
@@ -81,7 +81,7 @@ def _measured(
 
 
 def _published(*, name: str, temperature: float) -> materials.ShearModulus:
-    """Return a published material at a temperature [°C]."""
+    """Return a published material at a temperature [K]."""
     return example_material(name).at(temperature=temperature)
 
 
@@ -229,7 +229,7 @@ _Wheel: TypeAlias = Annotated[CoatedWheel, Table(layers=_Layers)]
 BODIES = ("ball", "cylinder", "wheel")
 
 #: Tables of counterbodies; a file has at most one of them.
-COUNTERPARTS = ("plane", "groove", "other_ball", "other_cylinder", "other_wheel")
+COUNTERBODIES = ("plane", "groove", "other_ball", "other_cylinder", "other_wheel")
 
 
 class _Rolling(StrictTable):
@@ -283,7 +283,7 @@ class Thermal(StrictTable):
     shift: _Shift | None = None
     limit: float | None = None
     softening: Literal["network", "harmonic"] = "network"
-    of: Literal["ball", "counterpart"] | None = None
+    of: Literal["body", "counterbody"] | None = None
     base_convection: float | None = None
     period: float | None = None
 
@@ -294,7 +294,7 @@ class Thermal(StrictTable):
 
 
 class PairTables(FileTables):
-    """Base of a file with one rolling body of `BODIES`, and at most one counterbody of `COUNTERPARTS`."""
+    """Base of a file with one rolling body of `BODIES`, and at most one counterbody of `COUNTERBODIES`."""
 
     ball: _Ball | None = None
     cylinder: _Cylinder | None = None
@@ -306,16 +306,18 @@ class PairTables(FileTables):
     other_wheel: _Wheel | None = None
 
     def pair(self) -> dict[str, Any]:
-        """Return the arguments `ball` and `on` of `viscoroll.solve` and `viscoroll.roll`."""
-        bodies, counterparts = (
+        """Return the arguments `body` and `on` of `viscoroll.solve` and `viscoroll.roll`."""
+        bodies, counterbodies = (
             {name: getattr(self, name) for name in names if getattr(self, name) is not None}
-            for names in (BODIES, COUNTERPARTS)
+            for names in (BODIES, COUNTERBODIES)
         )
         if len(bodies) != 1:
             raise ValueError(f"exactly one of {', '.join(BODIES)} must be given, got {' and '.join(bodies) or 'none'}")
-        if len(counterparts) > 1:
-            raise ValueError(f"at most one of {', '.join(COUNTERPARTS)} may be given, got {' and '.join(counterparts)}")
-        return {"ball": next(iter(bodies.values())), "on": next(iter(counterparts.values()), None)}
+        if len(counterbodies) > 1:
+            raise ValueError(
+                f"at most one of {', '.join(COUNTERBODIES)} may be given, got {' and '.join(counterbodies)}"
+            )
+        return {"body": next(iter(bodies.values())), "on": next(iter(counterbodies.values()), None)}
 
 
 class _File(PairTables):
@@ -328,8 +330,8 @@ class _File(PairTables):
 class Case:
     """One load case, as a file describes it. Parameters as in `viscoroll.solve`."""
 
-    ball: RollingBody
-    on: Counterpart | None = None
+    body: RollingBody
+    on: Counterbody | None = None
     load: float
     angular_speed: float
     friction: float
@@ -353,7 +355,7 @@ class Case:
     @property
     def softens(self) -> bool:
         """Whether a layer has a modulus that decreases with strain."""
-        return softens(self.ball, self.on)
+        return softens(self.body, self.on)
 
     def strain_softening(self, **options: Any) -> StrainSoftening:
         """Solve the case with the strain at which the layers soften. `options` go to `viscoroll.strain_softening`."""

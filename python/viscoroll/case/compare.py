@@ -76,7 +76,7 @@ class Comparison:
 
     def _unit(self) -> str:
         """Return the unit of the torques."""
-        return scalar_units(line_contact=self.case.ball.line_contact)["resisting_torque"]
+        return scalar_units(line_contact=self.case.body.line_contact)["resisting_torque"]
 
     @plots("the torques")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
@@ -109,7 +109,7 @@ class Comparison:
         resisting = self.torques[self.torques > 0.0]  # on too coarse a mesh a torque can be negative
         if resisting.size:
             axes.set_ylim(0.3 * resisting.min(), 5.0 * resisting.max())
-        axes.set_title(f"$P$ = {self.case.load:g} {unit_in_contact('N', line_contact=self.case.ball.line_contact)}")
+        axes.set_title(f"$P$ = {self.case.load:g} {unit_in_contact('N', line_contact=self.case.body.line_contact)}")
         axes.legend(fontsize="small")
 
     def write_csv(self, path: Path) -> None:
@@ -129,8 +129,8 @@ class Comparison:
 def _forms(case: Case) -> dict[str, ClosedForm]:
     """Return the closed forms for a body on a rigid plane, or for two balls."""
     if case.on is None:
-        return applicable(case.ball)
-    return applicable(case.ball, on=case.on) if isinstance(case.on, CoatedSphere) else {}
+        return applicable(case.body)
+    return applicable(case.body, on=case.on) if isinstance(case.on, CoatedSphere) else {}
 
 
 def parse_speeds(text: str) -> tuple[float, float]:
@@ -173,7 +173,7 @@ def compare_torques(
     require_feasible({"speeds": points})
     low, high = speeds or (
         case.angular_speed / 30.0,
-        min(10.0 * case.angular_speed, max(0.9 * critical_speed(case.ball), case.angular_speed)),
+        min(10.0 * case.angular_speed, max(0.9 * critical_speed(case.body), case.angular_speed)),
     )
     omega = np.geomspace(low, high, points)
     radial = replace(case, friction=0.0, drive=Drive(force=0.0), compliance=Compliance.RADIAL)

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Annotated
 import numpy as np
 
 from .._core import ConvergenceError
-from .._support.cautions import kept_in_results
+from .._support.arguments import as_kelvin
 from .._support.extras import extra
 from .._support.plotting import plots
 from .._support.progress import ProgressLike, Report, reporting
+from .._support.result_warnings import silenced
 from .._support.toml import read_toml
 from ..rolling import Result
 from .case import build_case
@@ -179,7 +180,7 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
         def solve(value: float, report: Report | None = None) -> Outcome:
             return outcome_of(build_case(substituted(document, {place: value}), path.parent), limits, report)
 
-        with kept_in_results(), reporting(progress) as report:
+        with silenced(), reporting(progress) as report:
             search = _Search(solve, report)
             solve(float(np.sqrt(low * high)))  # raises the errors of the file, if there are any
             return _best(variable, low, high, limits, search)
@@ -206,6 +207,8 @@ def _checked(table: object) -> tuple[str, float, float, dict[str, float]]:
         raise ValueError(f"design.from and design.to must be 0 < from < to, got {wanted.low!r} and {wanted.high!r}")
     if unknown := [name for name in wanted.limits if name not in LIMITS]:
         raise ValueError(f"design.limits must be named {', '.join(LIMITS)}, got {unknown[0]!r}")
+    if "temperature" in wanted.limits:
+        as_kelvin("design.limits.temperature", wanted.limits["temperature"])
     return wanted.vary, wanted.low, wanted.high, wanted.limits
 
 

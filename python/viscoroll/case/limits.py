@@ -127,6 +127,6 @@ def _layered(result: Result) -> list[Inside]:
     on = result.on
     deforms = on is not None and bool(on.layers or getattr(on, "base", None) is not None)
     return [
-        *([inside_of(result, "ball")] if result.ball.layers else []),
-        *([inside_of(result, "counterpart")] if deforms else []),
+        *([inside_of(result, "body")] if result.body.layers else []),
+        *([inside_of(result, "counterbody")] if deforms else []),
     ]

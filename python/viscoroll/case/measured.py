@@ -129,7 +129,7 @@ class Trial:
 
     def _units(self) -> tuple[str, str]:
         """Return the units of the varied parameter and of the measured result."""
-        line = self.case.ball.line_contact
+        line = self.case.body.line_contact
         units = (UNITS[self.measured.varied], SCALARS[self.measured.quantity][0])
         varied, quantity = (unit_in_contact(unit, line_contact=line) for unit in units)
         return varied, quantity

@@ -10,7 +10,7 @@ import numpy as np
 
 from .._core import Compliance, Curvature, Start
 from .._support.toml import read_toml
-from ..bodies import Counterpart, Drive, RollingBody
+from ..bodies import Counterbody, Drive, RollingBody
 from ..transient.roll import roll
 from .case import MeshTable, PairTables
 from .columns import read_columns
@@ -30,7 +30,7 @@ _KNOTS = 160
 class _Motion(StrictTable):
     time: list[float] | None = None
     angle: list[float] | None = None
-    way: list[float] | None = None
+    distance: list[float] | None = None
     load: float | list[float] | None = None
     file: FileName | None = None
     amplitude: float | None = None
@@ -40,7 +40,7 @@ class _Motion(StrictTable):
     friction: float = 0.0
     driving_force: float = 0.0
     driving_torque: float | None = None
-    center_way: list[float] | None = None
+    center_displacement: list[float] | None = None
     mass: float = 0.0
     center_speed: float = 0.0
 
@@ -48,7 +48,7 @@ class _Motion(StrictTable):
 class _Numerics(MeshTable):
     compliance: Annotated[Compliance, ByName()] = Compliance.RADIAL
     curvature: Annotated[Curvature, ByName(Curvature.SPHERE, Curvature.PAPER)] = Curvature.SPHERE
-    lattices: int = 4
+    averaged_meshes: int = 4
     steps_per_spacing: int | None = 4
     spectrum_tolerance: float = 0.01
 
@@ -62,13 +62,13 @@ class _File(PairTables):
 class MotionCase:
     """A motion, as a file describes it. Parameters as in `viscoroll.roll`."""
 
-    ball: RollingBody
-    on: Counterpart | None
+    body: RollingBody
+    on: Counterbody | None
     time: NDArray[np.float64]
     angle: NDArray[np.float64] | None
-    way: NDArray[np.float64] | None
+    distance: NDArray[np.float64] | None
     load: NDArray[np.float64] | float
-    center_way: NDArray[np.float64] | None
+    center_displacement: NDArray[np.float64] | None
     start: Start
     options: dict[str, Any]
 
@@ -97,7 +97,7 @@ def _build(file: _File) -> MotionCase:
     motion = file.motion
     return MotionCase(
         **file.pair(),
-        **({"angle": None, "way": None, "center_way": None} | _knots(motion)),
+        **({"angle": None, "distance": None, "center_displacement": None} | _waypoints(motion)),
         start=motion.start,
         options={
             "friction": motion.friction,
@@ -117,7 +117,7 @@ def _drive(motion: _Motion) -> Drive:
     return Drive(torque=motion.driving_torque)
 
 
-def _knots(motion: _Motion) -> dict[str, Any]:
+def _waypoints(motion: _Motion) -> dict[str, Any]:
     """Return the waypoints by name, from lists, from a file or from an oscillation."""
     given = [name for name in ("time", "file", "amplitude") if getattr(motion, name) is not None]
     if len(given) != 1:
@@ -127,27 +127,27 @@ def _knots(motion: _Motion) -> dict[str, Any]:
             return _table(motion)
         case "amplitude":
             return _oscillation(motion)
-    if (motion.angle is None and motion.way is None) or motion.load is None:
-        raise ValueError("motion must have load, and angle or way, with time")
-    return {name: getattr(motion, name) for name in ("time", "angle", "way", "load", "center_way")}
+    if (motion.angle is None and motion.distance is None) or motion.load is None:
+        raise ValueError("motion must have load, and angle or distance, with time")
+    return {name: getattr(motion, name) for name in ("time", "angle", "distance", "load", "center_displacement")}
 
 
 def _table(motion: _Motion) -> dict[str, Any]:
     assert motion.file is not None
-    columns = read_columns("motion", motion.file, ("time",), ("angle", "way", "load", "center_way"))
-    if ("angle" in columns) == ("way" in columns):
-        raise ValueError(f"motion {motion.file}: must have exactly one of the columns angle and way")
+    columns = read_columns("motion", motion.file, ("time",), ("angle", "distance", "load", "center_displacement"))
+    if ("angle" in columns) == ("distance" in columns):
+        raise ValueError(f"motion {motion.file}: must have exactly one of the columns angle and distance")
     if "load" not in columns and motion.load is None:
         raise ValueError(f"motion.load must be given if {motion.file} has no column load")
-    for name in ("load", "center_way"):
+    for name in ("load", "center_displacement"):
         if name in columns and getattr(motion, name) is not None:
             raise ValueError(f"motion.{name} must be left out if {motion.file} has a column {name}")
-    return {"load": motion.load, "center_way": motion.center_way} | columns
+    return {"load": motion.load, "center_displacement": motion.center_displacement} | columns
 
 
 def _oscillation(motion: _Motion) -> dict[str, Any]:
-    if motion.center_way is not None:
-        raise ValueError("motion.center_way must be left out with amplitude")
+    if motion.center_displacement is not None:
+        raise ValueError("motion.center_displacement must be left out with amplitude")
     if motion.frequency is None or motion.load is None:
         raise ValueError("motion must have frequency and load with amplitude")
     if not 1e-100 <= motion.frequency <= 1e100:

@@ -16,12 +16,12 @@ from .._support.intervals import as_confidence
 from .._support.text import shown
 from .._support.toml import read_toml
 from .._support.units import UNITS
-from ..bodies import Counterpart, RollingBody
+from ..bodies import Counterbody, RollingBody
 from ..rheology.material_file import count_draws
 from ..rolling.propagation import Pair
 from ..studies.dimensions import MOST_POINTS, Dimension, require_feasible
 from ..studies.plan import LoadCase, Plan
-from .case import BODIES, COUNTERPARTS, Case, build_case
+from .case import BODIES, COUNTERBODIES, Case, build_case
 from .tables import StrictTable, checked, errors_in
 
 with extra("cli"):
@@ -39,7 +39,7 @@ class _Draws(StrictTable):
     """The table `draws`: places of materials with draws, and method and confidence of the intervals."""
 
     of: list[str]
-    by: Literal["linear", "solve"] = "linear"
+    method: Literal["linear", "solve"] = "linear"
     confidence: float = 0.95
 
 
@@ -127,8 +127,8 @@ def _plan(
     document: dict[str, Any], folder: Path, places: list[_Place], dimensions: list[Dimension], draws: _Draws | None
 ) -> Plan:
     cases: list[LoadCase | str] = []
-    balls: dict[tuple[float, ...], RollingBody] = {}
-    counterparts: dict[tuple[float, ...], Counterpart | None] = {}
+    bodies: dict[tuple[float, ...], RollingBody] = {}
+    counterbodies: dict[tuple[float, ...], Counterbody | None] = {}
     drawn: dict[tuple[int, int], tuple[Pair, ...]] = {}
     for point in itertools.product(*(dimension.values for dimension in dimensions)):
         chosen = dict(zip(places, point, strict=True))
@@ -138,17 +138,17 @@ def _plan(
             cases.append(f"{type(error).__name__}: {error}")
             continue
         # Points with equal bodies share the same objects, and so the influence tables.
-        ball = balls.setdefault(_numbers_in(BODIES, chosen), case.ball)
-        on = counterparts.setdefault(_numbers_in(COUNTERPARTS, chosen), case.on)
-        if draws is not None and (id(ball), id(on)) not in drawn:
-            drawn[id(ball), id(on)] = _drawn(substituted(document, chosen), folder, [place_of(key) for key in draws.of])
-        pairs = drawn.get((id(ball), id(on)), ())
-        cases.append(LoadCase(ball=ball, arguments=_arguments(case) | {"on": on}, draws=pairs))
+        body = bodies.setdefault(_numbers_in(BODIES, chosen), case.body)
+        on = counterbodies.setdefault(_numbers_in(COUNTERBODIES, chosen), case.on)
+        if draws is not None and (id(body), id(on)) not in drawn:
+            drawn[id(body), id(on)] = _drawn(substituted(document, chosen), folder, [place_of(key) for key in draws.of])
+        pairs = drawn.get((id(body), id(on)), ())
+        cases.append(LoadCase(body=body, arguments=_arguments(case) | {"on": on}, draws=pairs))
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
     names = {dimension.name for dimension in dimensions}
     same = {k: v for k, v in (every[0] if every else {}).items() if all(other[k] == v for other in every)}
     fixed = {name: value for name, value in same.items() if name not in names}
-    intervals = {} if draws is None else {"way": draws.by, "confidence": as_confidence(draws.confidence)}
+    intervals = {} if draws is None else {"method": draws.method, "confidence": as_confidence(draws.confidence)}
     return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases), **intervals)  # type: ignore[arg-type]
 
 
@@ -162,7 +162,7 @@ def _drawn(document: dict[str, Any], folder: Path, places: list[_Place]) -> tupl
         build_case(substituted(document, {(*place, "draw"): draw for place in places}), folder)
         for draw in range(next(iter(counts.values())))
     )
-    return tuple((case.ball, case.on) for case in cases)
+    return tuple((case.body, case.on) for case in cases)
 
 
 def _count_draws(document: dict[str, Any], folder: Path, place: _Place) -> int:
@@ -184,7 +184,7 @@ def _numbers_in(tables: tuple[str, ...], chosen: Mapping[_Place, float]) -> tupl
 
 
 def _arguments(case: Case) -> dict[str, Any]:
-    return {name: value for name, value in case.arguments().items() if name != "ball"}
+    return {name: value for name, value in case.arguments().items() if name != "body"}
 
 
 def place_of(key: str) -> _Place:

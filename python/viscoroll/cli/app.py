@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 from .. import paper
 from .._core import Compliance, ConvergenceError, Curvature, Status, __fft__, __version__
-from .._support.cautions import ResultWarning
 from .._support.extras import extra
 from .._support.files import save_picture
+from .._support.result_warnings import ResultWarning
 from .._support.sealed import load_sealed
 from .._support.tables import handy
 from ..bodies.si_hints import unit_doubt
@@ -25,7 +25,7 @@ from ..case.tables import skipped_in
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
-from ..solution.text import cautions, result_lines, result_title, with_unit
+from ..solution.text import result_lines, result_title, result_warnings, with_unit
 from ..thermal.temperature import QUANTITIES
 from .commands import design, export, material
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, write_line, write_message
@@ -147,7 +147,7 @@ def solve(
             for line in repr(softened).splitlines():
                 write_line(line)
     said = [str(doubt.message) for doubt in doubts if issubclass(doubt.category, ResultWarning)]
-    for message in dict.fromkeys([*cautions(result), *said]):
+    for message in dict.fromkeys([*result_warnings(result), *said]):
         write_message(f"warning: {message}")
     if plot is not None:
         save_picture(result.plot(), plot)
@@ -188,7 +188,7 @@ def roll(
         typer.echo(_json(history.scalars()))
     else:
         write_line(repr(history))
-    if doubt := unit_doubt(loaded.ball, loaded.on):
+    if doubt := unit_doubt(loaded.body, loaded.on):
         write_message(f"warning: {doubt}")
     if plot is not None:
         save_picture(history.plot(), plot)
@@ -462,7 +462,7 @@ def _thermal_table(scalars: list[dict[str, float | str]]) -> Table:
 
 def _verdict_table(verdicts: Mapping[str, Sequence[Verdict]]) -> Table:
     table = Table(title="Comparison with the paper", title_justify="left")
-    for head in ("item", "the paper", "found", "verdict"):
+    for head in ("item", "statement of the paper", "viscoroll", "verdict"):
         table.add_column(head, overflow="fold")
     for name, rows in verdicts.items():
         for place, verdict in enumerate(rows):

@@ -7,6 +7,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
+from .._support.celsius import kelvin_range, kelvin_text
 from .._support.extras import extra
 from .._support.files import save_picture
 from .._support.text import parsed_range, shown
@@ -39,8 +40,8 @@ class Code(StrEnum):
 
 def material(
     data: Annotated[Path, typer.Argument(help="Text or CSV export of a rheometer or DMA instrument.")],
-    reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in °C.")] = None,
-    at: Annotated[float | None, typer.Option(help="Also print the modulus at this temperature in °C.")] = None,
+    reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in K.")] = None,
+    at: Annotated[float | None, typer.Option(help="Also print the modulus at this temperature in K.")] = None,
     tensile: Annotated[
         bool | None, typer.Option("--tensile/--shear", help="Type of the moduli, if the column names do not give it.")
     ] = None,
@@ -49,7 +50,7 @@ def material(
         str | None,
         typer.Option(help="Names and units of the columns, such as 'frequency=f:Hz,storage=A:MPa,loss=B:MPa'."),
     ] = None,
-    between: Annotated[str | None, typer.Option(help="Use only the sweeps from..to in °C, such as -35..160.")] = None,
+    between: Annotated[str | None, typer.Option(help="Use only the sweeps from..to in K, such as 238..433.")] = None,
     frequency: Annotated[
         float | None, typer.Option(help="Frequency of a temperature ramp in rad/s, if the file has no column of it.")
     ] = None,
@@ -57,7 +58,7 @@ def material(
         Path | None, typer.Option(help="Shift factors to use (.csv: T, log_aT) instead of fitted ones.")
     ] = None,
     wlf: Annotated[
-        str | None, typer.Option(help="WLF law of the shift: C1, C2 in K, T_r in °C, such as 17.44,51.6,-65.")
+        str | None, typer.Option(help="WLF law of the shift: C1, C2 in K, T_r in K, such as 17.44,51.6,208.")
     ] = None,
     vertical: Annotated[bool, typer.Option("--vertical", help="Also shift the moduli vertically.")] = False,
     terms_per_decade: Annotated[float, typer.Option(help="Terms of the Prony series per decade.")] = 2.0,
@@ -83,7 +84,7 @@ def material(
     )
     if between is not None:
         if (ends := parsed_range(between)) is None:
-            raise ValueError(f"--between must have the form -35..160, got {between!r}")
+            raise ValueError(f"--between must have the form 238..433, got {between!r}")
         measured = measured.between(*ends)
     for line in repr(measured).splitlines():
         write_line(line)
@@ -190,7 +191,7 @@ def _reference(data: RheologyData, reference: float | None) -> float:
     if reference is None:
         low, high = data.isotherms[0].temperature, data.isotherms[-1].temperature
         raise ValueError(
-            f"--reference must be given for sweeps at several temperatures, from {low:.4g} to {high:.4g} °C"
+            f"--reference must be given for sweeps at several temperatures, from {kelvin_range(low, high)}"
         )
     return reference
 
@@ -203,10 +204,10 @@ def _own_shift(factors: Path | None, wlf: str | None) -> ShiftFactors | Williams
     if wlf is None:
         return None if factors is None else ShiftFactors.read(factors)
     try:
-        c1, c2, degrees = (float(part) for part in wlf.split(","))
+        c1, c2, kelvin = (float(part) for part in wlf.split(","))
     except ValueError:
-        raise ValueError(f"--wlf must have the form C1,C2,T_r, such as 17.44,51.6,-65, got {wlf!r}") from None
-    return WilliamsLandelFerry(c1=c1, c2=c2, reference_temperature=degrees + 273.15)
+        raise ValueError(f"--wlf must have the form C1,C2,T_r, such as 17.44,51.6,208, got {wlf!r}") from None
+    return WilliamsLandelFerry(c1=c1, c2=c2, reference_temperature=kelvin)
 
 
 def _write_ramp(ramp: TemperatureRamp, at: float | None, *, wanted: Path | None) -> None:
@@ -223,7 +224,8 @@ def _write_ramp(ramp: TemperatureRamp, at: float | None, *, wanted: Path | None)
         return
     found = ramp.at(temperature=at)
     write_line(
-        f"at {at:g} °C, in a case file: shear_modulus = {{ type = 'loss_factor', modulus = {found.modulus:.6g}, "
+        f"at {kelvin_text(at)}, in a case file: "
+        f"shear_modulus = {{ type = 'loss_factor', modulus = {found.modulus:.6g}, "
         f"loss_factor = {found.loss_factor:.6g}, reference_frequency = {found.reference_frequency:.6g} }}"
     )
 
@@ -238,7 +240,7 @@ def _write_modulus(curve: Superposition | Isotherm, temperature: float) -> None:
     table = curve.at(temperature=temperature)
     omega = np.logspace(-2, 4, 7)
     low, high = table.frequency[1], table.frequency[-1]
-    write_line(f"at {temperature:g} °C, measured from {low:.3g} to {high:.3g} rad/s:")
+    write_line(f"at {kelvin_text(temperature)}, measured from {low:.3g} to {high:.3g} rad/s:")
     for w, modulus in zip(omega, table.complex_modulus(omega), strict=True):
         held = "" if low <= w <= high else "  (extrapolated)"
         write_line(f"  {w:8g} rad/s  storage {modulus.real:.4g} Pa  loss {modulus.imag:.4g} Pa{held}")
@@ -259,7 +261,7 @@ def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None
     if "sweep" in document:
         return run_plan(load_study(path), progress=sys.stderr.isatty()), None, None
     case = load_case(path)
-    balls_of(case.ball, case.on)  # rejects unsupported bodies before the study
+    balls_of(case.body, case.on)  # rejects unsupported bodies before the study
     factors = np.geomspace(1.0 / span, span, 5)
     factors[2] = 1.0
     varied = {"load": case.load * factors, "angular_speed": case.angular_speed * factors}

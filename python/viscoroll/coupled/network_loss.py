@@ -111,14 +111,16 @@ def _after(stress: Floats, change: Floats, yields: Floats) -> tuple[Floats, Floa
     across = np.einsum("pyk,pyk->py", stress, stress) - share**2
     # Place along the step at which the yield strain is reached, and length of the rest of the step.
     ahead = np.sqrt(np.maximum(yields**2 - across, 0.0))
-    way = np.where(slides, np.clip(length - (ahead - share), 0.0, length), 0.0)
+    sliding_length = np.where(slides, np.clip(length - (ahead - share), 0.0, length), 0.0)
     half = np.sqrt(np.maximum(across, 0.0)) / (yields + ahead)
-    fall = np.exp(-way / yields)
+    fall = np.exp(-sliding_length / yields)
     ratio = (1.0 + half**2) / (1.0 + (half * fall) ** 2)
     cosine = (1.0 - (half * fall) ** 2) / (1.0 + (half * fall) ** 2)
     turned = (fall * ratio)[:, :, None] * (stress - share[:, :, None] * along[:, None, :])
     dragged = turned + (yields * cosine)[:, :, None] * along[:, None, :]
-    return np.where(slides[:, :, None], dragged, tried), yields**2 * np.where(slides, way / yields - np.log(ratio), 0.0)
+    return np.where(slides[:, :, None], dragged, tried), yields**2 * np.where(
+        slides, sliding_length / yields - np.log(ratio), 0.0
+    )
 
 
 def _elements(amplitude: Floats, within: int, further: int) -> tuple[Floats, Floats]:

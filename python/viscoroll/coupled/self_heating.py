@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._support.arguments import as_float, as_int, as_kelvin, require_type
-from .._support.cautions import kept_in_results, warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, counted, reporting
+from .._support.result_warnings import silenced, warn
 from .._support.tables import html_table, number_text
 from ..bodies import RollingBody
 from ..materials.shift import Shift
 from ..thermal.temperature import QUANTITIES, Core
-from .softening_result import Matching, as_matching
+from .softening_result import NetworkLoss, as_network_loss
 from .steady_states import Fold, StateSearch, SteadyState
 
 if TYPE_CHECKING:
@@ -163,7 +163,7 @@ class SelfHeating:
 
 
 def self_heating(
-    ball: RollingBody,
+    body: RollingBody,
     *,
     load: float,
     angular_speed: float,
@@ -178,7 +178,7 @@ def self_heating(
     side_convection: float | None = None,
     hub_conductance: float | None = None,
     limit: float | None = None,
-    softening: Matching = "network",
+    softening: NetworkLoss = "network",
     sublayers: int = 1,
     points: int = 24,
     progress: ProgressLike = None,
@@ -188,7 +188,7 @@ def self_heating(
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder or CoatedWheel
+    body : CoatedSphere or CoatedCylinder or CoatedWheel
         Rolling body, with moduli at the reference temperature of `shift`.
     load, angular_speed : float
         Load and angular speed, same as in `solve`.
@@ -256,8 +256,8 @@ def self_heating(
     with extra("studies"):  # before the first solve
         from scipy.optimize import brentq
 
-    require_type("ball", ball, RollingBody)
-    shifts = _shifts(ball, shift)
+    require_type("body", body, RollingBody)
+    shifts = _shifts(body, shift)
     parts = as_int("sublayers", sublayers)
     count = as_int("points", points)
     if not 1 <= parts <= 20:
@@ -269,12 +269,12 @@ def self_heating(
     if not highest > surroundings:
         raise ValueError(f"limit must be > ambient = {surroundings:g} K, got {highest:g} K")
     search = StateSearch(
-        ball=_cut(ball, parts),
+        body=_cut(body, parts),
         shifts=[each for each in shifts for _ in range(parts)],
         vertical=vertical_shift,
         load=as_float("load", load),
         angular_speed=as_float("angular_speed", angular_speed),
-        softening=as_matching("softening", softening),
+        softening=as_network_loss("softening", softening),
         thermal={
             "conductivity": _repeated(conductivity, parts),
             "convection": convection,
@@ -289,13 +289,13 @@ def self_heating(
         ambient=surroundings,
         limit=highest,
         find_root=brentq,
-        known={},
+        points={},
     )
-    with kept_in_results(), reporting(progress) as report:
+    with silenced(), reporting(progress) as report:
         brackets, exact = search.sweep(count, report)
         states = tuple(search.state(*bracket) for bracket in brackets) + tuple(search.state(t, t) for t in exact)
         if not states:
-            raise ValueError(search.refusal())
+            raise ValueError(search.no_state_message())
     found = SelfHeating(states=states, angular_speed=search.angular_speed, limit=highest, _search=search)
     if len(states) > 1:
         temperatures = ", ".join(f"{s.mean_temperature:.1f} K ({'' if s.stable else 'un'}stable)" for s in states)
@@ -303,26 +303,26 @@ def self_heating(
     return found
 
 
-def _shifts(ball: RollingBody, shift: Shift | Sequence[Shift]) -> list[Shift]:
+def _shifts(body: RollingBody, shift: Shift | Sequence[Shift]) -> list[Shift]:
     if callable(shift):
-        return [shift] * len(ball.layers)
+        return [shift] * len(body.layers)
     try:
         several = list(shift)
     except TypeError:
         raise TypeError("shift must be a function of temperature [K], or one for each layer") from None
-    if len(several) != len(ball.layers):
-        raise ValueError(f"shift must have one function for each of {len(ball.layers)} layers, got {len(several)}")
+    if len(several) != len(body.layers):
+        raise ValueError(f"shift must have one function for each of {len(body.layers)} layers, got {len(several)}")
     for each in several:
         if not callable(each):
             raise TypeError("shift must be a function of temperature [K], or one for each layer")
     return several
 
 
-def _cut(ball: RollingBody, parts: int) -> RollingBody:
+def _cut(body: RollingBody, parts: int) -> RollingBody:
     if parts == 1:
-        return ball
-    layers = [replace(layer, thickness=layer.thickness / parts) for layer in ball.layers for _ in range(parts)]
-    return replace(ball, layers=layers)
+        return body
+    layers = [replace(layer, thickness=layer.thickness / parts) for layer in body.layers for _ in range(parts)]
+    return replace(body, layers=layers)
 
 
 def _repeated(conductivity: float | Sequence[float] | None, parts: int) -> float | list[float] | None:

@@ -142,7 +142,7 @@ def look(inside: Inside, path: StrainPath, layer: SofteningLayer, solved: Settin
         solved=solved,
         found=replace(solved, amplitude=float((weights * g).sum() / weights.sum()), frequency=frequency),
         # In the solve, the material of both bodies passes the contact at Ω r_o.
-        turn=inside.result.angular_speed * inside.result.ball.outer_radius / inside.radius,
+        turn=inside.result.angular_speed * inside.result.body.outer_radius / inside.radius,
         path=path,
         amplitudes=g,
     )

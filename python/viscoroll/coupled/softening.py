@@ -6,16 +6,16 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from .._support.arguments import as_float, as_int, require_type
-from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
-from ..bodies import Counterpart, HalfSpace, Layer, RollingBody
+from .._support.result_warnings import warn
+from ..bodies import Counterbody, HalfSpace, Layer, RollingBody
 from ..bodies.layered import materials_of, with_materials
 from ..materials import SofteningModulus
 from ..rolling import solve
-from ..solution.text import cautions
+from ..solution.text import result_warnings
 from .softened_state import SofteningLayer, State
-from .softening_result import Matching, StrainSoftening, as_matching
+from .softening_result import NetworkLoss, StrainSoftening, as_network_loss
 from .softening_search import SofteningSearch, softening_layers
 
 if TYPE_CHECKING:
@@ -29,12 +29,12 @@ _LARGE_STRAIN = 0.2
 
 
 def strain_softening(
-    ball: RollingBody,
+    body: RollingBody,
     *,
-    on: Counterpart | None = None,
+    on: Counterbody | None = None,
     load: float,
     angular_speed: float,
-    loss: Matching = "network",
+    loss: NetworkLoss = "network",
     sublayers: int = 1,
     depths: int = 4,
     tolerance: float = 1e-3,
@@ -48,7 +48,7 @@ def strain_softening(
 
     Parameters
     ----------
-    ball, on, load, angular_speed
+    body, on, load, angular_speed
         Same as in `solve`. Layers of either body, and the base of a plane, may soften.
     loss : {"network", "harmonic"}, default "network"
         Loss of the network. "network": that of a rate-independent network, which depends only on the turning points of
@@ -89,8 +89,9 @@ def strain_softening(
     Notes
     -----
     The model is the steady loop of a network that does not recover between passes. Rubber that recovers dissipates
-    more, in columns 13 to 82 %, which exceeds all corrections made here. The model has no set, no first pass (Mullins
-    effect) and no drift. The loss under rotating strain axes follows von Mises plasticity, which is an assumption.
+    more (13 to 82 % more in a foundation of independent columns), which exceeds all corrections made here. The model
+    has no set, no first pass (Mullins effect) and no drift. The loss under rotating
+    strain axes follows von Mises plasticity, which is an assumption.
 
     Examples
     --------
@@ -104,9 +105,9 @@ def strain_softening(
     >>> print(f"{soft.layer_amplitudes[0]:.1%}")
     1.3%
     """
-    require_type("ball", ball, RollingBody)
-    require_type("on", on, Counterpart, optional=True)
-    as_matching("loss", loss)
+    require_type("body", body, RollingBody)
+    require_type("on", on, Counterbody, optional=True)
+    as_network_loss("loss", loss)
     parts, columns = as_int("sublayers", sublayers), as_int("depths", depths)
     if not 1 <= parts <= 20:
         raise ValueError(f"sublayers must be in [1, 20], got {parts}")
@@ -115,14 +116,14 @@ def strain_softening(
     share = as_float("tolerance", tolerance)
     if not 1e-9 <= share <= 0.1:
         raise ValueError(f"tolerance must be in [1e-9, 0.1], got {share!r}")
-    layers = softening_layers(ball, on)
+    layers = softening_layers(body, on)
     if not layers:
-        return _linear(solve(ball, on=on, load=load, angular_speed=angular_speed, progress=progress, **options), loss)
-    ball, on = _cut(ball, parts), None if on is None else _cut(on, parts)
-    layers = softening_layers(ball, on)
+        return _linear(solve(body, on=on, load=load, angular_speed=angular_speed, progress=progress, **options), loss)
+    body, on = _cut(body, parts), None if on is None else _cut(on, parts)
+    layers = softening_layers(body, on)
     with extra("files"), reporting(progress) as report:
         search = SofteningSearch(
-            ball=ball,
+            body=body,
             on=on,
             layers=layers,
             load=as_float("load", load),
@@ -141,7 +142,7 @@ def strain_softening(
 
 
 def _found(
-    search: SofteningSearch, state: State, result: Result, bounds: tuple[Result, Result], loss: Matching
+    search: SofteningSearch, state: State, result: Result, bounds: tuple[Result, Result], loss: NetworkLoss
 ) -> StrainSoftening:
     moduli = tuple(
         tuple(float(part) for part in layer.modulus.network.at(amplitude))
@@ -149,7 +150,7 @@ def _found(
     )
     lost = sum(layer.shear_loss for layer in state.layers)
     softened = tuple(_cautions(search.layers, state))
-    warn([*cautions(result), *softened])
+    warn([*result_warnings(result), *softened])
     return StrainSoftening(
         result=result,
         loss=loss,
@@ -167,7 +168,7 @@ def _found(
     )
 
 
-def _linear(result: Result, loss: Matching) -> StrainSoftening:
+def _linear(result: Result, loss: NetworkLoss) -> StrainSoftening:
     """Return the result for layers of which none softens."""
     return StrainSoftening(
         result=result,

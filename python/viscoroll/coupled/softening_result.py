@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from ..rolling import Result
 
-__all__ = ["BOUNDS", "Matching", "StrainSoftening", "as_matching"]
+__all__ = ["BOUNDS", "NetworkLoss", "StrainSoftening", "as_network_loss"]
 
 #: Labels of the two torques of filled rubber in files and studies, in the order of `StrainSoftening.torque_bounds`.
 BOUNDS = {
@@ -32,10 +32,10 @@ BOUNDS = {
 }
 
 #: Loss of a network: that of a rate-independent network, or the sum over harmonics.
-Matching: TypeAlias = Literal["network", "harmonic"]
+NetworkLoss: TypeAlias = Literal["network", "harmonic"]
 
 
-def as_matching(name: str, value: object) -> Matching:
+def as_network_loss(name: str, value: object) -> NetworkLoss:
     """Return the given kind of loss of a network.
 
     Raises
@@ -83,7 +83,7 @@ class StrainSoftening:
     """
 
     result: Result
-    loss: Matching
+    loss: NetworkLoss
     layer_amplitudes: tuple[float, ...]
     largest_amplitudes: tuple[float, ...]
     layer_moduli: tuple[tuple[float, float], ...]
@@ -106,7 +106,7 @@ class StrainSoftening:
 
         Parameters
         ----------
-        of : "ball" or "counterpart", optional
+        of : "body" or "counterbody", optional
             Rolling body or counterbody; by default the first body with a layer that softens.
 
         Returns

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._core import ConvergenceError
-from .._support.cautions import kept_in_results
-from ..bodies import Counterpart, Mesh, RollingBody
+from .._support.result_warnings import silenced
+from ..bodies import Counterbody, Mesh, RollingBody
 from ..bodies.layered import materials_of, with_materials
 from ..materials import SoftenedModulus, SofteningModulus
 from ..rolling import solve
@@ -77,8 +77,8 @@ class SofteningSearch:
         Number of contacts solved.
     """
 
-    ball: RollingBody
-    on: Counterpart | None
+    body: RollingBody
+    on: Counterbody | None
     layers: tuple[SofteningLayer, ...]
     load: float
     angular_speed: float
@@ -175,12 +175,12 @@ class SofteningSearch:
             )
             for layer, amplitude, scale in zip(self.layers, amplitudes, scales, strict=True)
         }
-        ball, on = _with_moduli(self.ball, "ball", moduli), self.on
+        body, on = _with_moduli(self.body, "body", moduli), self.on
         self.contacts += 1
-        with kept_in_results():
+        with silenced():
             return solve(
-                ball,
-                on=None if on is None else _with_moduli(on, "counterpart", moduli),
+                body,
+                on=None if on is None else _with_moduli(on, "counterbody", moduli),
                 load=self.load,
                 angular_speed=self.angular_speed,
                 **(self.options | options),
@@ -250,22 +250,22 @@ class SofteningSearch:
         return self.frequencies.get(of, _FIRST_FREQUENCY * self.angular_speed)
 
 
-def softening_layers(ball: RollingBody, on: Counterpart | None) -> tuple[SofteningLayer, ...]:
+def softening_layers(body: RollingBody, on: Counterbody | None) -> tuple[SofteningLayer, ...]:
     """Return the layers that soften, first of the rolling body and then of the counterbody."""
-    sides: list[tuple[Of, RollingBody | Counterpart]] = [("ball", ball)]
+    sides: list[tuple[Of, RollingBody | Counterbody]] = [("body", body)]
     if on is not None:
-        sides.append(("counterpart", on))
+        sides.append(("counterbody", on))
     return tuple(
         SofteningLayer(of, number, material.shear_modulus)
-        for of, body in sides
-        for number, material in enumerate(materials_of(body))
+        for of, side in sides
+        for number, material in enumerate(materials_of(side))
         if isinstance(material.shear_modulus, SofteningModulus)
     )
 
 
-def softens(ball: RollingBody, on: Counterpart | None = None) -> bool:
+def softens(body: RollingBody, on: Counterbody | None = None) -> bool:
     """Return whether a layer of the rolling body or the counterbody has a modulus that decreases with strain."""
-    return bool(softening_layers(ball, on))
+    return bool(softening_layers(body, on))
 
 
 def _with_moduli(body: Any, of: Of, moduli: dict[tuple[Of, int], SoftenedModulus]) -> Any:
@@ -289,7 +289,7 @@ def _coarser(mesh: Mesh | None) -> Mesh | None:
 
 def _frequency(inside: Inside) -> float:
     """Return Ω R/a, the frequency at which the network has the moduli of a sweep at its amplitude [rad/s]."""
-    return inside.result.angular_speed * inside.result.ball.outer_radius / _half_width(inside.result)
+    return inside.result.angular_speed * inside.result.body.outer_radius / _half_width(inside.result)
 
 
 def _half_width(result: Solution) -> float:
@@ -297,7 +297,7 @@ def _half_width(result: Solution) -> float:
 
     Near the edge the pressure is proportional to the root of the distance, so its square is extrapolated linearly to 0.
     """
-    spacing = result.ball.outer_radius * result.mesh.spacing
+    spacing = result.body.outer_radius * result.mesh.spacing
     squares = result.pressure[:, result.pressure.max(axis=0).argmax()] ** 2
     inside = np.flatnonzero(squares)
     if len(inside) < 4:

@@ -1,4 +1,4 @@
-"""Steady states of self-heating, and the search for them and for their folds."""
+"""Search for the steady states of self-heating, and for the folds at which they end."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from .._core import ConvergenceError
-from .._support.cautions import kept_in_results
 from .._support.progress import Report
+from .._support.result_warnings import silenced
 from ..bodies import RollingBody
 from ..materials.shift import Shift, scaled, shift_factor, shifted
 from ..rolling import solve
 from ..solution.loss import default_max_order
 from ..thermal.temperature import Temperature, temperature
 from .softening import strain_softening
-from .softening_result import Matching, StrainSoftening
+from .softening_result import NetworkLoss, StrainSoftening
 from .softening_search import softens
 
 if TYPE_CHECKING:
@@ -27,36 +27,34 @@ if TYPE_CHECKING:
 
 __all__ = ["Fold", "StateSearch", "SteadyState"]
 
-#: Orders divided by r_o/a that contain 0.999 of the loss, for the temperatures during the search.
+#: The search sums the loss up to the order 12 r_o/a; these orders contain 0.999 of the loss.
 _ORDERS_PER_CONTACT = 12.0
-_PROFILE_STEPS = 4  # iterations of the differences between layer temperatures and their mean
+_PROFILE_STEPS = 4  # largest number of iterations of the differences between layer temperatures and their mean
 
-#: Smallest and largest rise, divided by that of the limit, and number of rises in the search for a maximum.
+#: Smallest and largest temperature rise, divided by the rise at `limit`, and number of rises in the search for a fold.
 _FOLD_RISES = (3e-3, 1.0, 16)
-_FOLD_REACH = 12  # largest number of steps by a factor of 2 from the given load or speed: a factor of 4000
-
-#: Largest number of such steps in the search for the load or speed of a steady state.
-_REACH = 60
+#: Largest number of steps by a factor of 2 from the given load or speed, in the search for a fold and otherwise.
+_FOLD_REACH, _REACH = 12, 60
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class SteadyState:
-    """Steady state of rolling and heating.
+    """Steady state in which the surfaces remove as much heat as rolling dissipates.
 
     Attributes
     ----------
     mean_temperature : float
-        Temperature of the layers, weighted by the loss [K].
+        Mean temperature of the layers, weighted by the loss [K].
     layer_temperatures : tuple of float
-        Temperature of each layer at which its modulus is taken [K]; with `sublayers`, of each part.
+        Temperatures at which the modulus of each layer is evaluated [K]; with `sublayers`, of each part of a layer.
     result : Result
-        Contact with these moduli.
+        Contact, solved with the moduli at these temperatures.
     temperature : Temperature
-        Temperature rise over the surroundings.
+        Temperature field of the body, as a rise over the surroundings.
     stable : bool
         Whether a small increase in temperature decays.
     softening : StrainSoftening or None
-        Strain and moduli of the layers that soften, if there are any.
+        Strain and moduli of the layers that soften with strain; None without such layers.
     """
 
     mean_temperature: float
@@ -70,7 +68,7 @@ class SteadyState:
         """Return a summary in one line."""
         kind = "stable" if self.stable else "unstable"
         torque = self.result.resisting_torque
-        shown = f"{torque:.4g} N" if self.result.ball.line_contact else f"{torque * 1e3:.4g} mN m"
+        shown = f"{torque:.4g} N" if self.result.body.line_contact else f"{torque * 1e3:.4g} mN m"
         return (
             f"SteadyState({kind}, mean {self.mean_temperature:.2f} K, at most "
             f"{self.temperature.ambient + self.temperature.maximum:.2f} K, T_r = {shown})"
@@ -79,7 +77,7 @@ class SteadyState:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fold:
-    """Load or speed at which the cold state merges with an unstable one and ends.
+    """Load or speed at which the coldest stable state merges with an unstable state; above it, neither exists.
 
     Attributes
     ----------
@@ -92,7 +90,7 @@ class Fold:
     maximum : float
         Largest temperature in the layers [K].
     strain : float
-        Penetration divided by thickness [-]; above 0.2 linear theory is rough.
+        Penetration divided by thickness [-]; above 0.2 linear theory is inaccurate.
     """
 
     load: float
@@ -104,7 +102,10 @@ class Fold:
 
 @dataclass(frozen=True, slots=True)
 class _Point:
-    """Solution with the moduli at a given mean temperature."""
+    """Solution with the moduli at an assumed mean temperature.
+
+    `excess` is the mean temperature that results minus the one that is assumed [K], 0 in a steady state.
+    """
 
     excess: float
     layer_temperatures: tuple[float, ...]
@@ -117,61 +118,65 @@ class _Point:
 class StateSearch:
     """Search for steady states; stores the solution at each mean temperature, speed and load."""
 
-    ball: RollingBody
+    body: RollingBody
     shifts: list[Shift]
     vertical: Shift | None
     load: float
     angular_speed: float
-    softening: Matching
+    softening: NetworkLoss
     thermal: dict[str, Any]
     options: dict[str, Any]
     ambient: float
     limit: float
     find_root: Callable[..., float]
-    known: dict[tuple[float, float, float], _Point]
+    points: dict[tuple[float, float, float], _Point]
 
     def at(self, mean: float, *, angular_speed: float | None = None, load: float | None = None) -> _Point:
-        """Return contact and temperature with the moduli at a mean temperature; iterate the layer temperatures."""
+        """Return contact and temperature with the moduli at a mean temperature.
+
+        The difference between each layer temperature and the mean is found by iteration.
+        """
         speed = self.angular_speed if angular_speed is None else angular_speed
         force = self.load if load is None else load
         key = (mean, speed, force)
-        if key in self.known:
-            return self.known[key]
-        profile = np.zeros(len(self.ball.layers))
-        for _ in range(_PROFILE_STEPS if len(self.ball.layers) > 1 else 1):
+        if key in self.points:
+            return self.points[key]
+        profile = np.zeros(len(self.body.layers))
+        for _ in range(_PROFILE_STEPS if len(self.body.layers) > 1 else 1):
             temperatures = mean + profile
             result, soft = self._solved(self._heated(temperatures), force, speed)
             found = temperature(
-                result, of="ball", **self.thermal, max_order=default_max_order(result, _ORDERS_PER_CONTACT)
+                result, of="body", **self.thermal, max_order=default_max_order(result, _ORDERS_PER_CONTACT)
             )
-            after = np.array(found.layer_means) - found.mean
-            settled = np.abs(after - profile).max() < 1e-3 * max(found.maximum, 1e-9)
-            profile = after
-            if settled:
+            next_profile = np.array(found.layer_means) - found.mean
+            converged = np.abs(next_profile - profile).max() < 1e-3 * max(found.maximum, 1e-9)
+            profile = next_profile
+            if converged:
                 break
         point = _Point(self.ambient + found.mean - mean, tuple(temperatures.tolist()), result, found, soft)
-        self.known[key] = point
+        self.points[key] = point
         return point
 
-    def _solved(self, ball: RollingBody, load: float, speed: float) -> tuple[Result, StrainSoftening | None]:
-        """Return the contact with given moduli; for layers that soften, with those of its own strain."""
-        if not softens(ball, self.options.get("on")):
-            return solve(ball, load=load, angular_speed=speed, **self.options), None
-        soft = strain_softening(ball, load=load, angular_speed=speed, loss=self.softening, **self.options)
+    def _solved(self, body: RollingBody, load: float, speed: float) -> tuple[Result, StrainSoftening | None]:
+        """Return the contact of a body; layers that soften have the moduli at the strain of the solution."""
+        if not softens(body, self.options.get("on")):
+            return solve(body, load=load, angular_speed=speed, **self.options), None
+        soft = strain_softening(body, load=load, angular_speed=speed, loss=self.softening, **self.options)
         return soft.result, soft
 
     def _heated(self, temperatures: NDArray[np.float64]) -> RollingBody:
+        """Return the body with the moduli at given layer temperatures."""
         layers = []
-        for layer, shift, there in zip(self.ball.layers, self.shifts, temperatures.tolist(), strict=True):
-            modulus = shifted(layer.shear_modulus, shift_factor(shift, there))
+        for layer, shift, kelvin in zip(self.body.layers, self.shifts, temperatures.tolist(), strict=True):
+            modulus = shifted(layer.shear_modulus, shift_factor(shift, kelvin))
             if self.vertical is not None:
-                modulus = scaled(modulus, shift_factor(self.vertical, there, "vertical_shift"))
+                modulus = scaled(modulus, shift_factor(self.vertical, kelvin, "vertical_shift"))
             layers.append(replace(layer, shear_modulus=modulus))
-        return replace(self.ball, layers=layers)
+        return replace(self.body, layers=layers)
 
     def sweep(self, count: int, report: Report | None) -> tuple[list[tuple[float, float]], list[float]]:
-        """Return pairs of mean temperatures between which the excess changes sign, and those at which it is 0."""
-        # Small rises are resolved relatively: the grid begins at a thousandth of the range.
+        """Return pairs of mean temperatures between which the excess changes sign, and temperatures with excess 0."""
+        # The rises are spaced logarithmically from a thousandth of the range, to resolve states with small rises.
         rises = (self.limit - self.ambient) * np.geomspace(1e-3, 1.0, count)
         grid = [self.ambient, *(self.ambient + rises).tolist()]
         excess = []
@@ -187,22 +192,22 @@ class StateSearch:
         )
 
     def _with_turning_points(self, grid: list[float], excess: list[float]) -> tuple[list[float], list[float]]:
-        """Add extrema of the excess near 0 between points of equal sign, where two states may lie."""
-        more: dict[float, float] = dict(zip(grid, excess, strict=True))
+        """Add extrema of the excess close to 0 between points of equal sign: two states may be next to them."""
+        points: dict[float, float] = dict(zip(grid, excess, strict=True))
         for i in range(1, len(grid) - 1):
-            before, here, after = excess[i - 1 : i + 2]
-            toward_zero = (here - before) * here < 0.0 and (after - here) * here > 0.0
-            if not toward_zero or before * here <= 0.0 or here * after <= 0.0:
+            before, middle, after = excess[i - 1 : i + 2]
+            toward_zero = (middle - before) * middle < 0.0 and (after - middle) * middle > 0.0
+            if not toward_zero or before * middle <= 0.0 or middle * after <= 0.0:
                 continue
-            curve = np.polynomial.Polynomial.fit(grid[i - 1 : i + 2], [before, here, after], 2)
-            turn = float(curve.deriv().roots().real[0])
-            if abs(curve(turn)) < 0.3 * abs(here) or curve(turn) * here < 0.0:
-                more[turn] = self.at(turn).excess
-        ordered = sorted(more.items())
+            curve = np.polynomial.Polynomial.fit(grid[i - 1 : i + 2], [before, middle, after], 2)
+            extremum = float(curve.deriv().roots().real[0])
+            if abs(curve(extremum)) < 0.3 * abs(middle) or curve(extremum) * middle < 0.0:
+                points[extremum] = self.at(extremum).excess
+        ordered = sorted(points.items())
         return [mean for mean, _ in ordered], [value for _, value in ordered]
 
     def state(self, low: float, high: float) -> SteadyState:
-        """Return the steady state between two mean temperatures, to 1e-4 of the rise."""
+        """Return the steady state between two mean temperatures, with a relative tolerance of 1e-4 on the rise."""
         ends = (low - self.ambient, high - self.ambient)
         rise = self.find_root(lambda rise: self.at(self.ambient + rise).excess, *ends, xtol=1e-6, rtol=1e-4)
         mean = self.ambient + rise
@@ -217,16 +222,23 @@ class StateSearch:
         )
 
     def speed_at(self, mean: float, *, near: float | None = None, reach: int = _REACH) -> float:
-        """Return the speed at which a mean temperature is steady; at a given temperature heat increases with speed."""
+        """Return the speed that has a steady state with a given mean temperature.
+
+        Heat at a given temperature increases with speed, so that the speed is unique.
+        """
         first = self.angular_speed if near is None else near
-        return self._where(mean, first, lambda speed: self.at(mean, angular_speed=speed), "speed", reach)
+        return self._root(mean, first, lambda speed: self.at(mean, angular_speed=speed), "speed", reach)
 
     def load_at(self, mean: float, *, near: float | None = None, reach: int = _REACH) -> float:
-        """Return the load at which a mean temperature is steady; at a given temperature heat increases with load."""
-        first = self.load if near is None else near
-        return self._where(mean, first, lambda load: self.at(mean, load=load), "load", reach)
+        """Return the load that has a steady state with a given mean temperature.
 
-    def _where(self, mean: float, first: float, at: Callable[[float], _Point], name: str, reach: int) -> float:
+        Heat at a given temperature increases with load, so that the load is unique.
+        """
+        first = self.load if near is None else near
+        return self._root(mean, first, lambda load: self.at(mean, load=load), "load", reach)
+
+    def _root(self, mean: float, first: float, at: Callable[[float], _Point], name: str, reach: int) -> float:
+        """Return the load or speed at which the excess is 0, by steps of a factor of 2 from the first one."""
         if not mean > self.ambient:
             raise ValueError(f"temperatures must be > {self.ambient:g} K, got {mean:g} K")
 
@@ -242,7 +254,7 @@ class StateSearch:
         raise ConvergenceError(f"no {name} has a steady state at {mean:g} K")
 
     def fold(self, name: Literal["load", "speed"]) -> Fold | None:
-        """Return the first maximum, over mean temperatures, of the load or the speed at which they are steady."""
+        """Return the first maximum, over mean temperatures, of the load or speed with a steady state at them."""
         from scipy.optimize import minimize_scalar
 
         rises: list[float] = []
@@ -252,11 +264,11 @@ class StateSearch:
             near = values[-1] if values else None
             return (self.load_at if name == "load" else self.speed_at)(mean, near=near, reach=_FOLD_REACH)
 
-        with kept_in_results():
+        with silenced():
             for rise in (self.limit - self.ambient) * np.geomspace(*_FOLD_RISES):
                 try:
                     values.append(found_at(self.ambient + rise))
-                except (ValueError, ConvergenceError):  # more than the layers support, or no speed gives this rise
+                except (ValueError, ConvergenceError):  # no load that the layers support, or no speed
                     return None
                 rises.append(float(rise))
                 if len(values) > 2 and values[-2] >= max(values[-3], values[-1]):
@@ -281,8 +293,8 @@ class StateSearch:
             strain=point.result.strain or 0.0,
         )
 
-    def refusal(self) -> str:
-        """Return the message that no state was found, with the largest speed that has one."""
+    def no_state_message(self) -> str:
+        """Return the message that there is no steady state, with the largest speed that has one."""
         rises = (self.limit - self.ambient) * np.geomspace(0.03, 1.0, 8)
         speeds = [self.speed_at(self.ambient + rise) for rise in rises]
         best = int(np.argmax(speeds))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ..bodies import CoatedPlane, CoatedSphere, Counterpart, RollingBody
+from ..bodies import CoatedPlane, CoatedSphere, Counterbody, RollingBody
 from ..studies.rolling_resistance import radius_of
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class Balls:
         return first * rest[0] / (first + rest[0]) if rest else first
 
 
-def balls_of(ball: RollingBody, on: Counterpart | None) -> Balls:
+def balls_of(ball: RollingBody, on: Counterbody | None) -> Balls:
     """Return the radii of a rolling body and its counterbody.
 
     Raises
@@ -86,6 +86,6 @@ def balls_of_study(study: xarray.Dataset) -> Balls:
     if kind == "CoatedSphere" and "other_radius" in study.attrs:
         attributes = study.attrs
         return Balls(
-            radii=(radius, float(attributes["other_radius"])), alike=attributes["ball"] == attributes["other_ball"]
+            radii=(radius, float(attributes["other_radius"])), alike=attributes["body"] == attributes["other_ball"]
         )
     raise ValueError(f"{_WANTED}, got a ball on a {kind}")

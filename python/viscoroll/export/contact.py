@@ -157,7 +157,7 @@ def operating_points(source: Result | StrainSoftening | xarray.Dataset) -> list[
         bounds, source = [[bound] for bound in source.torque_bounds], source.result
         bounds.append([source.resisting_torque])
     if isinstance(source, Result):
-        balls = balls_of(source.ball, source.on)
+        balls = balls_of(source.body, source.on)
         assert source.penetration is not None
         columns = [[source.load], [source.angular_speed], [source.dissipated_power], [source.penetration]]
     else:

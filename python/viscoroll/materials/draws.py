@@ -22,7 +22,7 @@ class Draws(Sequence[T], Generic[T]):
     """Best estimate of a material, or of the data that define one, with equally likely alternatives.
 
     `PronyFit.draws` and `Superposition.draws` return such sets, and `viscoroll.sweep` accepts one in place of a
-    material. A set may also be built by hand, for example from specimens of several batches. The object is a sequence
+    material. A set may also be built by hand, for example from samples of several batches. The object is a sequence
     of the draws.
 
     Parameters

@@ -68,7 +68,7 @@ class ShearModulus(ParameterTable, ABC):
         Returns
         -------
         ndarray of complex
-            Shear modulus [Pa], of the same shape, with loss ≥ 0; real at ω = 0.
+            Shear modulus [Pa], of the same shape, with a loss modulus ≥ 0; real at ω = 0.
 
         Raises
         ------
@@ -81,14 +81,15 @@ class ShearModulus(ParameterTable, ABC):
         return _core.complex_modulus(self._to_core(), omega.ravel()).reshape(omega.shape)
 
 
-#: Types accepted as a shear modulus: a modulus of this package; a number, which is an elastic modulus [Pa]; or a
-#: function of an array of angular frequencies ω [rad/s] that returns μ*(ω) [Pa] as an array, or as one number for all.
+#: Types accepted as a shear modulus: a modulus of this package; a number, for an elastic material of this shear modulus
+#: [Pa]; or a function of an array of angular frequencies ω [rad/s] that returns μ*(ω) [Pa] as an array, or as a single
+#: number for all frequencies.
 ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any] | float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Elastic(ShearModulus):
-    """Elastic modulus, μ* = G, without dissipation.
+    """Elastic material, μ* = G, without dissipation.
 
     Parameters
     ----------
@@ -104,7 +105,7 @@ class Elastic(ShearModulus):
     modulus: float
 
     def _to_core(self) -> _core.Elastic:
-        return _core.Elastic(**_given(self))
+        return _core.Elastic(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -147,7 +148,7 @@ class Prony(ShearModulus):
             object.__setattr__(self, name, column)
 
     def _to_core(self) -> _core.Prony:
-        return _core.Prony(**_given(self))
+        return _core.Prony(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -175,8 +176,9 @@ class StandardLinearSolid(ShearModulus):
     relaxation_time: float
 
     def _to_core(self) -> _core.Prony:
-        series = _core.standard_linear_solid(**_given(self))
-        # The series stores 1 - relaxed / instantaneous. For smaller ratios, that difference has fewer than four digits.
+        series = _core.standard_linear_solid(**_parameters_of(self))
+        # The series stores the weight 1 - relaxed / instantaneous. For ratios below 1e-12, its round-off leaves fewer
+        # than four digits of the relaxed modulus.
         if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
             raise ValueError(
                 f"relaxed_modulus must be >= 1e-12 instantaneous_modulus = {1e-12 * self.instantaneous_modulus:g} Pa, "
@@ -206,7 +208,7 @@ class KelvinVoigt(ShearModulus):
     viscosity: float
 
     def _to_core(self) -> _core.KelvinVoigt:
-        return _core.KelvinVoigt(**_given(self))
+        return _core.KelvinVoigt(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -241,17 +243,19 @@ class FractionalZener(ShearModulus):
     order: float
 
     def _to_core(self) -> _core.FractionalZener:
-        return _core.FractionalZener(**_given(self))
+        return _core.FractionalZener(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True)
 class MasterCurve(ShearModulus):
     """Tabulated modulus, interpolated linearly over the logarithm of the frequency.
 
-    A rolling sphere evaluates the modulus at the frequencies 0, Ω, 2Ω, ... of its harmonics: up to N_t Ω on a mesh with
-    a truncation order, otherwise up to 2 N Ω with N nodes per revolution, beyond which the modulus is held constant. A
-    first entry at frequency 0 is the static modulus and is used at zero frequency only. Without it, order m = 0 lies
-    outside the table.
+    For a sphere that rolls at the angular speed Ω, the solver evaluates the modulus at the frequencies 0, Ω, 2Ω, ... of
+    the harmonics. On a mesh with a truncation order N_t, the highest frequency is N_t Ω. On a mesh with N nodes per
+    revolution and without a truncation order, it is 2 N Ω; at higher harmonics the modulus is that at 2 N Ω.
+
+    A first entry at frequency 0 is the static modulus. It is used at zero frequency only, for order m = 0. Without this
+    entry, zero frequency is outside the table.
 
     Parameters
     ----------
@@ -284,7 +288,7 @@ class MasterCurve(ShearModulus):
         ShearModulus.__post_init__(self)
 
     def _to_core(self) -> _core.MasterCurve:
-        return _core.MasterCurve(**_given(self))
+        return _core.MasterCurve(**_parameters_of(self))
 
 
 def to_core(modulus: ShearModulusLike) -> _CoreModulus:
@@ -295,8 +299,8 @@ def to_core(modulus: ShearModulusLike) -> _CoreModulus:
     TypeError
         If `modulus` is neither a modulus of this package, nor callable, nor a number.
     """
-    known = as_modulus(modulus)
-    return known._to_core() if isinstance(known, ShearModulus) else _core.CustomModulus(_numbers_of(known))
+    accepted = as_modulus(modulus)
+    return accepted._to_core() if isinstance(accepted, ShearModulus) else _core.CustomModulus(_checked(accepted))
 
 
 def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]:
@@ -308,19 +312,19 @@ def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]
     except TypeError:
         raise TypeError(
             f"shear_modulus must be a modulus of viscoroll, a number or a function of frequency, got {shown(modulus)}"
-            f"{_way_to_a_modulus(modulus)}"
+            f"{_hint_for_a_modulus(modulus)}"
         ) from None
     return Elastic(modulus=number)
 
 
-def _given(modulus: ShearModulus) -> dict[str, Any]:
+def _parameters_of(modulus: ShearModulus) -> dict[str, Any]:
     """Return the parameters of a modulus, with the names and types that the core uses."""
     return {field.name: getattr(modulus, field.name) for field in fields(modulus)}  # type: ignore[arg-type]
 
 
-def _way_to_a_modulus(measured: object) -> str:
-    """Return a hint how to obtain a modulus from measured data or from a fit."""
-    ways = {
+def _hint_for_a_modulus(rejected: object) -> str:
+    """Return a hint on how to obtain a modulus from the rejected argument, if that is measured data or a fit."""
+    hints = {
         "at": "its at(temperature=...)",
         "series": "its series",
         "isotherms": "superpose(...).at(temperature=...) of the data",
@@ -328,14 +332,14 @@ def _way_to_a_modulus(measured: object) -> str:
         "middle": "its middle, or pass all draws to sweep",
         "value": "its value",
     }
-    return next((f"; give {way}" for name, way in ways.items() if hasattr(measured, name)), "")
+    return next((f"; give {hint}" for name, hint in hints.items() if hasattr(rejected, name)), "")
 
 
-def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]:
+def _checked(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]:
     """Wrap a user's function with a check that it returns numbers. The core checks shape and values."""
 
     def modulus(omega: NDArray[np.float64]) -> NDArray[Any]:
-        values = _as_numbers(function(omega))
+        values = _as_numeric_array(function(omega))
         if values.dtype.kind not in "fciu":
             raise TypeError(f"shear_modulus must be a function that returns numbers, got {values.dtype} entries")
         return np.full(omega.shape, values) if values.ndim == 0 else values
@@ -343,7 +347,7 @@ def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]
     return modulus
 
 
-def _as_numbers(values: Any) -> NDArray[Any]:
+def _as_numeric_array(values: Any) -> NDArray[Any]:
     try:
         array = np.asarray(values)
         if array.dtype.kind == "O" and all(isinstance(value, Complex) for value in array.flat):

@@ -66,7 +66,7 @@ class WilliamsLandelFerry:
 
     def __call__(self, temperature: float) -> float:
         """Return a_T at a temperature above T_r - C₂ [K]."""
-        above = temperature - self.reference_temperature
+        above = as_kelvin("temperature", temperature) - self.reference_temperature
         if not above > -self.c2:
             lowest = self.reference_temperature - self.c2
             raise ValueError(f"temperature must be > {lowest:g} K for this shift, got {temperature:g} K")
@@ -99,10 +99,8 @@ class Arrhenius:
         as_kelvin("reference_temperature", self.reference_temperature)
 
     def __call__(self, temperature: float) -> float:
-        """Return a_T at a temperature above 0 K [K]."""
-        if not temperature > 0.0:
-            raise ValueError(f"temperature must be > 0 K for this shift, got {temperature:g} K")
-        inverse = 1.0 / temperature - 1.0 / self.reference_temperature
+        """Return a_T at a temperature [K]."""
+        inverse = 1.0 / as_kelvin("temperature", temperature) - 1.0 / self.reference_temperature
         return float(np.exp(self.activation_energy / _GAS_CONSTANT * inverse))
 
 

@@ -100,10 +100,12 @@ class Table2:
                 agrees=bool(arc.max() <= TOLERANCE["arc"]),
                 by_mesh=False,
             ),
-            self._spread("all within 10 % of each other", 0, 0.10),
+            self._spread("all torques within 10 % of each other", 0, 0.10),
         ]
         fine = max(nodes for nodes, _ in self.by_x) >= _FINE
-        return found + ([self._spread("within 0.6 % for Δ ≤ π/250", _FINE, 0.006)] if fine else [])
+        return found + (
+            [self._spread("torques for Δ ≤ π/250 within 0.6 % of each other", _FINE, 0.006)] if fine else []
+        )
 
     def _spread(self, statement: str, nodes: int, bound: float) -> Verdict:
         """Compare the relative spread of entries with at least `nodes` nodes with a bound, to a tenth of a percent."""
@@ -121,7 +123,7 @@ def arc_torque(result: Result) -> float:
     The torques of the paper's table 2 suggest that it uses this arm.
     """
     rows = result.pressure.shape[0]
-    radius, spacing = result.ball.outer_radius, result.mesh.spacing
+    radius, spacing = result.body.outer_radius, result.mesh.spacing
     arc = radius * spacing * (rows // 2 - np.arange(rows))
     force = result.pressure * (radius * spacing) ** 2
     return float((arc[:, None] * force).sum())

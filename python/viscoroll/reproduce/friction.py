@@ -72,13 +72,13 @@ class Figure9:
         torque.plot(fine, self.fit.predict(fine) * 1e3, color="tab:blue", label="fit (60)-(63)")
         torque.plot(self.frictions, self.torques * 1e3, "o", color="tab:blue", markersize=4, label="$T_r$")
         floor = self.torques[0] * (1.0 - _FALL)
-        torque.axhline(floor * 1e3, color="k", linestyle="--", linewidth=1.0, label="paper: falls by at most 8.5 %")
+        torque.axhline(floor * 1e3, color="k", linestyle="--", linewidth=1.0, label="paper: reduced by at most 8.5 %")
         torque.axhspan(
             self.torques.max() * (1.0 - _SPREAD) * 1e3,
             self.torques.max() * 1e3,
             color="0.5",
             alpha=0.15,
-            label="paper: all within 15 %",
+            label="paper: all torques within 15 %",
         )
         torque.axvline(_WIDTH, color="k", linestyle=":", linewidth=1.0, label="$ε_μ$ = 0.1")
         torque.set(xlabel="friction $μ$", ylabel="$T_r$ [mN m]", xlim=(-0.03, 2.03))
@@ -90,7 +90,7 @@ class Figure9:
         ):
             ratio.semilogx(self.frictions[some], values[some] / values[0], ".-", label=label)
         ratio.semilogx(
-            self.frictions[some], self.slip_shares[some], ".-", color="tab:red", label="slip's share of the power"
+            self.frictions[some], self.slip_shares[some], ".-", color="tab:red", label="share of slip in the power"
         )
         ratio.axvline(_WIDTH, color="k", linestyle=":", linewidth=1.0)
         ratio.set(xlabel="friction $μ$", ylabel="relative to no friction", ylim=0)
@@ -104,8 +104,8 @@ class Figure9:
         spread, fall = (_spread_and_fall(self.torques), _spread_and_fall(self.driving_torques))
         return [
             Verdict(
-                statement="peak within the boundary layer, μ ≤ 0.1",
-                found=f"at μ = {peak:g}, {height * 100.0:+.1f} %",
+                statement="the torque is largest within the boundary layer, μ ≤ 0.1",
+                found=f"it is largest at μ = {peak:g}, {height * 100.0:+.1f} % relative to μ = 0",
                 agrees=peak <= _WIDTH + 1e-9,
             ),
             Verdict(
@@ -114,7 +114,7 @@ class Figure9:
                 agrees=spread[0] <= _SPREAD + 0.005,
             ),
             Verdict(
-                statement="falls by at most 8.5 %",
+                statement="friction reduces the torque by at most 8.5 %",
                 found=f"by {spread[1] * 100.0:.1f} % (driving torque {fall[1] * 100.0:.1f} %)",
                 agrees=spread[1] <= _FALL + 0.0005,
             ),
@@ -127,14 +127,18 @@ class Figure9:
         tied = outer < 1.51 * _WIDTH * inner
         return [
             Verdict(
-                statement="fitted by (60)-(63)",
+                statement="the law (60)-(63) fits the torques",
                 found=f"within {worst * 100.0:.1f} %, r² = {self.fit.r_squared:.4f}",
                 agrees=worst < 0.03,
             ),
             Verdict(
-                statement="inner scale of this fit much smaller than the outer scale",
+                statement="the inner scale of this law is much smaller than the outer scale",
                 found=f"ε c_i = {_WIDTH * inner:.2f}, c_o = {outer:.2f}"
-                + ("; independent scales approach each other, so their ratio is fixed at 1.5" if tied else ""),
+                + (
+                    "; fitted independently, the scales approach each other, so their ratio is fixed at 1.5"
+                    if tied
+                    else ""
+                ),
                 agrees=_WIDTH * inner < 0.3 * outer,
             ),
         ]

@@ -76,8 +76,8 @@ class Figure13:
                 agrees=rising,
             ),
             Verdict(
-                statement="up to Ω_n, where Π = 1",
-                found=f"the steady solution ends at the critical speed, Π = {self.critical_group:.3f}",
+                statement="the increase continues up to Ω_n, where Π = 1",
+                found=f"steady states exist only up to the critical speed, Π = {self.critical_group:.3f}",
                 agrees=self.critical_group >= 1.0,
                 by_mesh=False,
             ),

@@ -152,7 +152,7 @@ def write_files(item: Item, outcome: Outcome, folder: Path) -> list[Path]:
 
 def write_verdicts(path: Path, verdicts: Mapping[str, Sequence[Verdict]]) -> None:
     """Write the comparisons of all items as a Markdown table."""
-    lines = ["| | the paper | found | |", "|---|---|---|---|"]
+    lines = ["| item | statement of the paper | viscoroll | verdict |", "|---|---|---|---|"]
     for name, rows in verdicts.items():
         for place, verdict in enumerate(rows):
             judged = "**disagrees**" if verdict.judgment == "disagrees" else verdict.judgment

@@ -90,14 +90,14 @@ class Figure10:
         values = f"b = {thin:.3f} at 1 mm, {thick:.3f} at 5 mm"
         return [
             Verdict(
-                statement="well fitted by power laws",
+                statement="power laws fit the torques well",
                 found=f"within {residual * 100.0:.1f} % at loads of at least 20 N",
                 agrees=residual < 0.05,
             ),
             Verdict(statement="exponents larger than 4/3", found=values, agrees=min(thin, thick) > 4.0 / 3.0),
             Verdict(
                 statement="exponents decrease with thickness",
-                found=f"{values} (the columns of table 3 are swapped)",
+                found=f"{values} (the paper exchanged the columns of table 3)",
                 agrees=thick < thin,
             ),
         ]
@@ -167,12 +167,12 @@ class Table3:
         printed = [_inside(p, name, paper.TABLE_3[other[h]][name]) for h, name, p in self._rows()]
         return [
             Verdict(
-                statement="95 % intervals of a and b, columns swapped back",
+                statement="our a and b lie in the 95 % intervals, if the two columns of the table are exchanged",
                 found=f"{sum(swapped)} of 4 inside; {values}",
                 agrees=all(swapped),
             ),
             Verdict(
-                statement="95 % intervals of a and b, columns as printed",
+                statement="our a and b lie in the 95 % intervals of the columns as printed",
                 found=f"{sum(printed)} of 4 inside",
                 agrees=all(printed),
             ),

@@ -99,21 +99,21 @@ class Table4:
         )
         return [
             Verdict(
-                statement="curves of table 4, h from 1 to 10 mm",
+                statement="laws of table 4, for h from 1 to 10 mm",
                 found=f"within {worst * 100.0:.1f} %",
                 agrees=worst <= _TOLERANCE,
             ),
             Verdict(
-                statement="95 % intervals of a, b, c",
+                statement="our a, b and c lie in the 95 % intervals",
                 found=f"{sum(inside)} of {len(inside)} inside",
                 agrees=all(inside),
                 unclear="" if all(inside) else _UNKNOWN_THICKNESSES,
             ),
             Verdict(
-                statement="curves of table 4, h < 1 mm",
-                found=f"refined torques deviate by up to {off * 100.0:.0f} %; "
-                f"those on the mesh π/{data.nodes // 2} deviate from them by up to {mesh * 100.0:.0f} %, "
-                f"and our own fit from its torques by up to {own * 100.0:.0f} %",
+                statement="laws of table 4, for h < 1 mm",
+                found=f"torques on a refined mesh deviate by up to {off * 100.0:.0f} %; torques on the mesh "
+                f"π/{data.nodes // 2} deviate from the refined ones by up to {mesh * 100.0:.0f} %, and from the law "
+                f"that we fitted to them by up to {own * 100.0:.0f} %",
                 agrees=off <= _TOLERANCE,
             ),
         ]

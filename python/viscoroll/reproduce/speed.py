@@ -77,14 +77,15 @@ class Figure7:
         share = float(self.torques[near] / self.torques.max())
         return [
             Verdict(
-                statement=f"{printed * 1e3:.2f} mN m at 2.5 rad/s (table 2; the points of figure 7 are not printed)",
+                statement=f"{printed * 1e3:.2f} mN m at 2.5 rad/s (from table 2, because the paper does not print the "
+                "points of figure 7)",
                 found=f"{self.torques[at] * 1e3:.2f} mN m, {off * 100.0:+.2f} %",
                 agrees=abs(off) <= 0.005,
             ),
             Verdict(
                 statement='"deepest penetration" roughly at 0.3 rad/s',
                 found=f"the penetration is largest at {deepest:.2g} rad/s and decreases with speed; the torque is "
-                f"largest at {most:.2g} rad/s, and {share * 100.0:.1f} % of that at 0.3 rad/s",
+                f"largest at {most:.2g} rad/s; at 0.3 rad/s it is {share * 100.0:.1f} % of that maximum",
                 agrees=bool(abs(np.log2(deepest / _DEEPEST)) < 1.0),
             ),
         ]

@@ -126,10 +126,10 @@ class Figure6(SuddenStarts):
         fresh, relaxed = ([self.overshoot(start, s) for s in speeds] for start in _STARTS)
         verdicts.append(
             Verdict(
-                statement="the load is applied before the start",
-                found="the time of loading determines the peak above the steady torque: "
-                f"{fresh[0]:.1%} to {fresh[-1]:.1%} if the load is applied at the start, "
-                f"{relaxed[0]:.0%} to {relaxed[-1]:.0%} if the ball is relaxed under the load",
+                statement="the load is applied before rolling starts",
+                found="the peak exceeds the steady torque by "
+                f"{fresh[0]:.1%} to {fresh[-1]:.1%} if the load is applied as rolling starts, "
+                f"{relaxed[0]:.0%} to {relaxed[-1]:.0%} if the ball has relaxed under the load",
                 agrees=False,
                 unclear="unclear: neither the text nor the figure gives numbers",
             )
@@ -231,7 +231,7 @@ def compute_figure8(runner: Runner) -> Figure8:
             friction=friction,
             compliance=Compliance.VERTICAL,
             mesh=mesh,
-            lattices=1,
+            averaged_meshes=1,
             steps_per_spacing=None,
             threads=1,
         )

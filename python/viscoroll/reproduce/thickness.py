@@ -116,13 +116,13 @@ class Figure11:
         growth = [float(t[-1] / np.interp(7e-3, data.thicknesses, t) - 1.0) for t in data.refined.values()]
         return [
             Verdict(
-                statement="torque increases with thickness towards a limit",
-                found=f"{'it increases throughout' if rising else 'not throughout'}, from 7 to 10 mm by "
-                f"{min(growth) * 100.0:.0f} % (25 N) to {max(growth) * 100.0:.0f} % (100 N)",
+                statement="the torque increases with thickness towards a limit",
+                found=f"{'it increases throughout' if rising else 'it does not increase throughout'}, from 7 to "
+                f"10 mm by {min(growth) * 100.0:.0f} % (25 N) to {max(growth) * 100.0:.0f} % (100 N)",
                 agrees=rising,
             ),
             Verdict(
-                statement="well fitted by a tanh(b h^c), r² = 0.9999",
+                statement="the law a tanh(b h^c) fits the torques with r² = 0.9999",
                 found=f"r² ≥ {min(fit.r_squared for fit in data.fits.values()):.5f}",
                 agrees=min(fit.r_squared for fit in data.fits.values()) >= 0.99985,
             ),

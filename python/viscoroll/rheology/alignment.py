@@ -15,6 +15,7 @@ from itertools import pairwise
 import numpy as np
 
 from .._support.arguments import Floats
+from .._support.celsius import kelvin_range
 from .._support.extras import extra
 from .reading import Isotherm
 from .series import SeriesFit, basis, fit_series, time_grid
@@ -70,10 +71,10 @@ def undetermined_pairs(isotherms: Sequence[Isotherm]) -> tuple[str, ...]:
         costs = _distances(cold, hot)
         likely = _TRIALS[costs <= 4.0 * costs.min() + 3e-3**2 / _LN10**2]
         if not np.isfinite(costs.min()):
-            named.append(f"{cold.temperature:.4g} to {hot.temperature:.4g} °C: the sweeps do not overlap")
+            named.append(f"{kelvin_range(cold.temperature, hot.temperature)}: the sweeps do not overlap")
         elif likely.max() - likely.min() >= _OPEN:
             named.append(
-                f"{cold.temperature:.4g} to {hot.temperature:.4g} °C: all shifts from {likely.min():.2g} to "
+                f"{kelvin_range(cold.temperature, hot.temperature)}: all shifts from {likely.min():.2g} to "
                 f"{likely.max():.2g} decades fit about equally well (the sweeps are flat, or do not match)"
             )
     return tuple(named)

@@ -149,7 +149,7 @@ def check_range(curve: MeasuredModulus, *, lowest: float, highest: float) -> Che
     )
 
 
-def rolling_range(ball: RollingBody, *, load: float, angular_speed: float) -> tuple[float, float]:
+def rolling_range(body: RollingBody, *, load: float, angular_speed: float) -> tuple[float, float]:
     """Estimate the range of frequencies at which a rolling body dissipates power, without solving.
 
     The lowest harmonic is the angular speed. The highest relevant one is about 8 R/a times the angular speed, with the
@@ -158,7 +158,7 @@ def rolling_range(ball: RollingBody, *, load: float, angular_speed: float) -> tu
 
     Parameters
     ----------
-    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+    body : CoatedSphere, CoatedCylinder or CoatedWheel
         Rolling body.
     load : float
         Normal load P [N], > 0. For cylinders, load per unit length [N/m].
@@ -172,13 +172,13 @@ def rolling_range(ball: RollingBody, *, load: float, angular_speed: float) -> tu
     """
     from .. import _core
 
-    outer = ball.layers[-1]
-    radius, nu = ball.outer_radius, 0.5 if outer.poisson_ratio is None else outer.poisson_ratio
+    outer = body.layers[-1]
+    radius, nu = body.outer_radius, 0.5 if outer.poisson_ratio is None else outer.poisson_ratio
     order = 10.0
     for _ in range(20):  # a depends on the cube root of the modulus, which hardly depends on a
         frequency = np.array([angular_speed * order])
         modulus = float(np.abs(_core.complex_modulus(to_core(outer.shear_modulus), frequency))[0])
-        order = max(1.0, radius / _half_length(ball, load, (1.0 - nu) / modulus))
+        order = max(1.0, radius / _half_length(body, load, (1.0 - nu) / modulus))
     return angular_speed, angular_speed * _ORDERS_ACROSS * order
 
 

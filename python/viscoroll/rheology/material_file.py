@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from .._core import Extrapolation
-from .._support.arguments import as_float, as_floats, as_int
+from .._support.arguments import as_float, as_floats, as_int, as_kelvin
 from .._support.files import ending_in, write_text
 from .._support.text import one_line, shown
 from .._support.toml import read_toml
@@ -27,8 +27,6 @@ if TYPE_CHECKING:
 __all__ = ["count_draws", "load_material", "save_material"]
 
 Form = Literal["table", "prony"]
-
-_ABSOLUTE_ZERO = -273.15  # [°C]
 
 
 def save_material(
@@ -60,7 +58,7 @@ def save_material(
     path = ending_in([".toml"], path)
     table = curve.curve if isinstance(curve, Superposition) else _table_of(curve)
     reference = curve.reference if isinstance(curve, Superposition) else curve.temperature
-    lines = ["# Measured shear moduli, written by viscoroll. Frequencies in rad/s, moduli in Pa, temperatures in °C."]
+    lines = ["# Measured shear moduli, written by viscoroll. Frequencies in rad/s, moduli in Pa, temperatures in K."]
     if isinstance(curve, Superposition):
         lines.append(f"source = {_quoted(curve.data.source)}")
     if not np.isnan(reference):
@@ -88,7 +86,7 @@ def load_material(
     path : path-like
         Path of a file written by `save_material` or by `viscoroll material`.
     temperature : float, optional
-        Temperature [°C], within the range of the measurement; by default the reference temperature of the file.
+        Temperature [K], within the range of the measurement; by default the reference temperature of the file.
     form : {"table", "prony"}, default "table"
         The measured table with its end values held, or the Prony series that smooths it.
     draw : int, optional
@@ -111,11 +109,12 @@ def load_material(
         If the file cannot be read.
     """
     path = Path(path)
-    degrees = None if temperature is None else as_float("temperature", temperature)
+    given = None if temperature is None else as_float("temperature", temperature)
     number = None if draw is None else as_int("draw", draw)
     with _errors_in(path):
+        kelvin = None if given is None else as_kelvin("temperature", given)
         document = read_toml(path)
-        return _material(document, degrees, form) if number is None else _draw(document, degrees, form, number)
+        return _material(document, kelvin, form) if number is None else _draw(document, kelvin, form, number)
 
 
 def count_draws(path: Path) -> int:
@@ -215,9 +214,7 @@ def _shift(document: dict[str, Any], temperature: float | None, factors: Sequenc
     """Return log₁₀ a_T from the factors of the file or of a draw. Times are multiplied, frequencies divided by a_T."""
     reference = document.get("reference_temperature")
     if reference is not None:
-        reference = as_float("reference_temperature", reference)
-        if not _ABSOLUTE_ZERO <= reference < np.inf:
-            raise ValueError(f"reference_temperature must be finite and >= {_ABSOLUTE_ZERO} °C, got {reference:g}")
+        reference = as_kelvin("reference_temperature", reference)
     if temperature is None or temperature == reference:
         return 0.0
     shift = _part(document, "shift", "the temperature of this material cannot be changed")

@@ -45,8 +45,8 @@ def measured(curve: MeasuredModulus) -> tuple[Floats, Floats, Floats]:
     try:
         columns = [as_float_array(name, getattr(curve, name)) for name in ("frequency", "storage", "loss")]
     except AttributeError:
-        way = "; pass superpose(...) of the data, or one of its isotherms" if hasattr(curve, "isotherms") else ""
-        raise TypeError(f"curve must have frequency, storage and loss, got {shown(curve)}{way}") from None
+        hint = "; pass superpose(...) of the data, or one of its isotherms" if hasattr(curve, "isotherms") else ""
+        raise TypeError(f"curve must have frequency, storage and loss, got {shown(curve)}{hint}") from None
     frequency, storage, loss = columns
     if frequency.ndim != 1 or not frequency.shape == storage.shape == loss.shape:
         raise ValueError(f"curve must have columns of equal length, got {[column.shape for column in columns]}")

@@ -7,13 +7,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._support.celsius import ZERO_CELSIUS
 from .._support.text import one_line
 
 __all__ = ["Column", "is_unit", "normalized", "parse_header", "role_of"]
 
-_ZERO_CELSIUS = 273.15
+#: Decimal places [K] to which converted temperatures are rounded: only round-off is removed.
+PLACES = 9
 
-#: Units of each kind of quantity, with the factor and the offset that convert them to rad/s, Pa, °C or a ratio.
+#: 0 °F [K].
+_ZERO_FAHRENHEIT = ZERO_CELSIUS - 160.0 / 9.0
+
+#: Units of each kind of quantity, with the factor and the offset that convert them to rad/s, Pa, K or a ratio.
 UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
     "frequency": {
         "Hz": (2.0 * np.pi, 0.0),
@@ -33,15 +38,15 @@ UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
         "N/mm2": (1e6, 0.0),
     },
     "temperature": {
-        "°C": (1.0, 0.0),
-        "C": (1.0, 0.0),
-        "degC": (1.0, 0.0),
-        "Celsius": (1.0, 0.0),
-        "K": (1.0, -_ZERO_CELSIUS),
-        "Kelvin": (1.0, -_ZERO_CELSIUS),
-        "°F": (5.0 / 9.0, -160.0 / 9.0),
-        "F": (5.0 / 9.0, -160.0 / 9.0),
-        "degF": (5.0 / 9.0, -160.0 / 9.0),
+        "°C": (1.0, ZERO_CELSIUS),
+        "C": (1.0, ZERO_CELSIUS),
+        "degC": (1.0, ZERO_CELSIUS),
+        "Celsius": (1.0, ZERO_CELSIUS),
+        "K": (1.0, 0.0),
+        "Kelvin": (1.0, 0.0),
+        "°F": (5.0 / 9.0, _ZERO_FAHRENHEIT),
+        "F": (5.0 / 9.0, _ZERO_FAHRENHEIT),
+        "degF": (5.0 / 9.0, _ZERO_FAHRENHEIT),
     },
     "strain": {"%": (0.01, 0.0), "1": (1.0, 0.0), "-": (1.0, 0.0)},
     "ratio": {"": (1.0, 0.0), "-": (1.0, 0.0), "1": (1.0, 0.0)},
@@ -148,7 +153,7 @@ class Column:
         return (_known_unit("frequency", self.unit) or "").startswith("rad")
 
     def converted(self, values: list[float], path: object) -> np.ndarray:
-        """Return the values in rad/s, Pa or °C, and strain as a ratio.
+        """Return the values in rad/s, Pa or K, and strain as a ratio.
 
         Raises
         ------
@@ -172,7 +177,8 @@ class Column:
             )
         factor, offset = known[unit]
         self._require_size(values, (_LARGEST[_KIND[self.role]] - abs(offset)) / factor, unit, path)
-        return np.asarray(values) * factor + offset
+        converted = np.asarray(values) * factor + offset
+        return np.round(converted, PLACES) if offset else converted  # -50 °C are 223.15 K, not 223.14999999999998 K
 
     def plain(self, values: list[float], path: object) -> np.ndarray:
         """Return the values of a column without a unit, such as tan δ; raise a ValueError if one is too large."""

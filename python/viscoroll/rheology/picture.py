@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from .._support.arguments import Floats
+from .._support.celsius import ZERO_CELSIUS, celsius_text
 from .._support.pictures import Picture, drawn
 from ..materials import Prony
 from .shift_laws import ShiftFactors, ShiftLaw
@@ -76,7 +77,7 @@ def plot_superposition(
     reference: float,
     ax: Axes | None = None,
 ) -> Picture | Axes:
-    """Plot shifted sweeps at the reference temperature [°C], and the shift factors with fitted laws.
+    """Plot shifted sweeps at the reference temperature [K], and the shift factors with fitted laws.
 
     If `ax` is given, only the sweeps are plotted.
     """
@@ -93,16 +94,17 @@ def _draw_sweeps(axes: Axes, sweeps: list[_Measured], reference: float) -> None:
     for frequency, storage, loss in sweeps:
         (line,) = axes.loglog(frequency, storage, ".", markersize=4)
         axes.loglog(frequency, loss, "x", markersize=3, color=line.get_color())
-    axes.set_xlabel(f"angular frequency at {reference:g} °C [rad/s]")
+    axes.set_xlabel(f"angular frequency at {celsius_text(reference)} [rad/s]")
     axes.set_ylabel("storage (dots) and loss (crosses) [Pa]")
 
 
 def _draw_factors(axes: Axes, factors: ShiftFactors, laws: Iterable[ShiftLaw]) -> None:
     temperature = np.array(factors.temperature)
-    axes.plot(temperature, factors.log10_factor, "ko", markersize=4, label="sweeps")
+    axes.plot(temperature - ZERO_CELSIUS, factors.log10_factor, "ko", markersize=4, label="sweeps")
     fine = np.linspace(temperature[0], temperature[-1], 200)
     for law, style in zip(laws, ("-", "--"), strict=True):
-        axes.plot(fine, law(fine), style, linewidth=1, label=f"{law.name}, residual {law.residual:.2g} decades")
+        name = f"{law.name}, residual {law.residual:.2g} decades"
+        axes.plot(fine - ZERO_CELSIUS, law(fine), style, linewidth=1, label=name)
     axes.set_xlabel("temperature [°C]")
     axes.set_ylabel("log₁₀ of the shift factor")
     axes.legend()

@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from .._support.arguments import as_float
+from .._support.arguments import as_kelvin
+from .._support.celsius import kelvin_range, kelvin_text
 from .._support.text import shown
 from .._support.toml import read_toml
 from ..materials import LossFactor, MasterCurve, Prony
@@ -44,7 +45,7 @@ class PublishedMaterial:
     not_measured : tuple of str
         Quantities that were not measured and must be assumed.
     temperature : (float, float)
-        Lowest and highest temperature of the measurement [°C].
+        Lowest and highest temperature of the measurement [K].
     poisson_ratio : float or None
         Measured Poisson's ratio [-]; None if it was not measured.
     """
@@ -67,7 +68,7 @@ class PublishedMaterial:
         Parameters
         ----------
         temperature : float
-            Temperature [°C], within the measured range. Between measured temperatures, the logarithms of times or
+            Temperature [K], within the measured range. Between measured temperatures, the logarithms of times or
             moduli are interpolated.
 
         Raises
@@ -75,15 +76,16 @@ class PublishedMaterial:
         ValueError
             If the temperature is outside the measured range.
         """
-        degrees = as_float("temperature", temperature)
+        kelvin = as_kelvin("temperature", temperature)
         low, high = self.temperature
-        if not low - _DRIFT <= degrees <= high + _DRIFT:
+        if not low - _DRIFT <= kelvin <= high + _DRIFT:
             raise ValueError(
-                f"temperature must be in [{low:.4g}, {high:.4g}] °C, where {self.name} was measured, got {degrees:g}"
+                f"temperature must be in the measured range of {self.name}, {kelvin_range(low, high)}, "
+                f"got {kelvin_text(kelvin)}"
             )
         if "tensile_ramp" in self._document:
-            return self._ramp().at(temperature=min(max(degrees, low), high))
-        return load_material(self._path, temperature=degrees)
+            return self._ramp().at(temperature=min(max(kelvin, low), high))
+        return load_material(self._path, temperature=kelvin)
 
     def _ramp(self) -> TemperatureRamp:
         table = self._document["tensile_ramp"]
@@ -104,7 +106,7 @@ class PublishedMaterial:
             ("measured", self.measured),
             *(("not measured", text) for text in self.not_measured),
         ]
-        head = f"{self.name}: {self.what},\n  {low:.4g} to {high:.4g} °C, Poisson's ratio {known}"
+        head = f"{self.name}: {self.what},\n  {kelvin_range(low, high)}, Poisson's ratio {known}"
         return "\n".join([head, *(_wrapped(f"  {name:14}", text) for name, text in told)])
 
 
@@ -133,7 +135,7 @@ def example_material(name: str) -> PublishedMaterial:
     Examples
     --------
     >>> adhesive = example_material("pressure_sensitive_adhesive")
-    >>> modulus = adhesive.at(temperature=20.0).complex_modulus(10.0)
+    >>> modulus = adhesive.at(temperature=293.15).complex_modulus(10.0)
     >>> print(f"{modulus.real / 1e3:.0f} kPa, tan delta {modulus.imag / modulus.real:.2f}")
     314 kPa, tan delta 1.00
     """
@@ -141,13 +143,13 @@ def example_material(name: str) -> PublishedMaterial:
         raise ValueError(f"name must be one of {', '.join(EXAMPLES)}, got {shown(name)}")
     path = Path(str(resources.files("viscoroll").joinpath("examples", "materials", f"{name}.toml")))
     document = read_toml(path)
-    degrees = document["tensile_ramp" if "tensile_ramp" in document else "shift"]["temperature"]
+    kelvin = document["tensile_ramp" if "tensile_ramp" in document else "shift"]["temperature"]
     texts = {key: document[key] for key in ("what", "citation", "address", "license", "measured")}
     return PublishedMaterial(
         name=name,
         **texts,
         not_measured=tuple(document["not_measured"]),
-        temperature=(float(degrees[0]), float(degrees[-1])),
+        temperature=(float(kelvin[0]), float(kelvin[-1])),
         poisson_ratio=document.get("poisson_ratio"),
         _path=path,
         _document=document,

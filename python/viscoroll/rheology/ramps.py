@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float
+from .._support.arguments import Floats, as_kelvin
+from .._support.celsius import kelvin_range, kelvin_text
 from ..materials import LossFactor
 
 __all__ = ["TemperatureRamp"]
@@ -26,7 +27,7 @@ class TemperatureRamp:
     frequency : float
         Angular frequency [rad/s].
     temperature : ndarray
-        Temperatures [°C], increasing.
+        Temperatures [K], increasing.
     storage, loss : ndarray
         Shear moduli [Pa], > 0.
     """
@@ -36,9 +37,14 @@ class TemperatureRamp:
     storage: Floats
     loss: Floats
 
+    def __post_init__(self) -> None:
+        """Check that temperatures are in kelvin."""
+        for index, temperature in enumerate(self.temperature):
+            as_kelvin(f"temperature[{index}]", temperature)
+
     @property
     def loss_peak(self) -> float:
-        """Temperature at which tan δ has its maximum [°C]: the glass transition at this frequency."""
+        """Temperature at which tan δ has its maximum [K]: the glass transition at this frequency."""
         return float(self.temperature[np.argmax(self.loss / self.storage)])
 
     def at(self, *, temperature: float, decades: float = 3.0) -> LossFactor:
@@ -47,7 +53,7 @@ class TemperatureRamp:
         Parameters
         ----------
         temperature : float
-            Temperature [°C], within the ramp. The logarithms of the moduli are interpolated linearly between its
+            Temperature [K], within the ramp. The logarithms of the moduli are interpolated linearly between its
             points.
         decades : float, default 3
             Decades above and below the frequency of the ramp over which the loss factor is assumed constant [-],
@@ -64,12 +70,14 @@ class TemperatureRamp:
         ValueError
             If the temperature is outside the ramp, or `LossFactor` rejects a parameter.
         """
-        degrees = as_float("temperature", temperature)
+        kelvin = as_kelvin("temperature", temperature)
         low, high = self.temperature[0], self.temperature[-1]
-        if not low <= degrees <= high:
-            raise ValueError(f"temperature must be in [{low:g}, {high:g}] °C, where it was measured, got {degrees:g}")
+        if not low <= kelvin <= high:
+            raise ValueError(
+                f"temperature must be in the measured range, {kelvin_range(low, high)}, got {kelvin_text(kelvin)}"
+            )
         storage, loss = (
-            math.exp(np.interp(degrees, self.temperature, np.log(values))) for values in (self.storage, self.loss)
+            math.exp(np.interp(kelvin, self.temperature, np.log(values))) for values in (self.storage, self.loss)
         )
         return LossFactor(
             modulus=storage, loss_factor=loss / storage, reference_frequency=self.frequency, decades=decades
@@ -82,9 +90,9 @@ class TemperatureRamp:
             [
                 f"a temperature ramp at one frequency, {self.frequency:.4g} rad/s "
                 f"({self.frequency / math.tau:.4g} Hz): {self.temperature.size} points at "
-                f"{self.temperature[0]:.4g} to {self.temperature[-1]:.4g} °C",
+                f"{kelvin_range(self.temperature[0], self.temperature[-1])}",
                 f"  storage {self.storage.min():.4g} to {self.storage.max():.4g} Pa, tan δ {tan_delta.min():.3g} to "
-                f"{tan_delta.max():.3g}, largest at {self.loss_peak:.4g} °C",
+                f"{tan_delta.max():.3g}, largest at {kelvin_text(self.loss_peak)}",
                 "  available      modulus and loss factor at this frequency, by temperature: ramp.at(temperature=...)",
                 "  unavailable    dependence on frequency: data at a single frequency do not determine a shift",
                 "  master curve   with a law of the shift, measured or typical of the polymer: "

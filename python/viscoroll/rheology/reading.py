@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float
+from .._support.arguments import Floats, as_float, as_kelvin
+from .._support.celsius import kelvin_range
 from .._support.text import shown
 from .names import role_of
 from .ramps import TemperatureRamp
@@ -29,6 +30,9 @@ _TEMPERATURE_GAP = 1.0
 #: Largest temperature range of an isothermal sweep [K]. Beyond it, the specimen was heated continuously.
 _WIDEST_SWEEP = 2.0
 
+#: Round-off of temperature differences [K].
+_ROUND_OFF = 1e-9
+
 #: Relative difference below which two frequencies count as equal: instruments do not hold them more accurately.
 _ONE_FREQUENCY = 0.01
 
@@ -42,7 +46,7 @@ class Isotherm:
     Attributes
     ----------
     temperature : float
-        Mean temperature [°C]; NaN if the file contains none.
+        Mean temperature [K]; NaN if the file contains none.
     frequency : ndarray
         Angular frequency [rad/s], increasing.
     storage, loss : ndarray
@@ -53,6 +57,11 @@ class Isotherm:
     frequency: Floats
     storage: Floats
     loss: Floats
+
+    def __post_init__(self) -> None:
+        """Check that the temperature is in kelvin."""
+        if not math.isnan(self.temperature):
+            as_kelvin("temperature", self.temperature)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
@@ -98,16 +107,17 @@ class RheologyData:
         )
 
     def between(self, lowest: float, highest: float) -> RheologyData:
-        """Return the sweeps at temperatures from `lowest` to `highest` [°C].
+        """Return the sweeps at temperatures from `lowest` to `highest` [K].
 
         Raises
         ------
         ValueError
             If there is no sweep in this range.
         """
-        kept = tuple(isotherm for isotherm in self.isotherms if lowest <= isotherm.temperature <= highest)
+        low, high = as_kelvin("lowest", lowest), as_kelvin("highest", highest)
+        kept = tuple(isotherm for isotherm in self.isotherms if low <= isotherm.temperature <= high)
         if not kept:
-            raise ValueError(f"temperatures must include a sweep, got {lowest:g} to {highest:g} °C")
+            raise ValueError(f"temperatures must include a sweep, got {kelvin_range(low, high)}")
         return replace(self, isotherms=kept)
 
     def __repr__(self) -> str:
@@ -120,8 +130,8 @@ class RheologyData:
         points = sum(isotherm.frequency.size for isotherm in self.isotherms)
         low = min(isotherm.frequency[0] for isotherm in self.isotherms)
         high = max(isotherm.frequency[-1] for isotherm in self.isotherms)
-        degrees = [isotherm.temperature for isotherm in self.isotherms]
-        at = "" if math.isnan(degrees[0]) else f" at {degrees[0]:.4g} to {degrees[-1]:.4g} °C"
+        low_t, high_t = self.isotherms[0].temperature, self.isotherms[-1].temperature
+        at = "" if math.isnan(low_t) else f" at {kelvin_range(low_t, high_t)}"
         return (
             f"RheologyData of {self.source}: {points} points in {len(self.isotherms)} sweeps{at}, "
             f"{low:.4g} to {high:.4g} rad/s, {end}"
@@ -150,7 +160,7 @@ def read_rheology(
     columns : mapping of str to str or (str, str), optional
         Name of the column, or name and unit, for "frequency", "storage", "loss", "tan_delta", "temperature" or "sweep".
         Required only if a name is unknown or a unit is missing. Units are mHz, Hz, kHz, rad/s; Pa, kPa, MPa, GPa; C, K,
-        F.
+        F. Temperatures are converted to K.
     tensile : bool, optional
         Whether the moduli are those of tension, E', E'', or of shear, G', G''. Required if the names do not show it.
     poisson_ratio : float, default 0.5
@@ -161,9 +171,9 @@ def read_rheology(
     Returns
     -------
     RheologyData
-        Shear moduli over angular frequency, sweep by sweep. Points with a modulus that is not positive are omitted and
-        counted. If a file has frequency columns in rad/s and in Hz that agree, the one in rad/s is used. For a
-        temperature ramp, the attribute `ramp` describes its use.
+        Shear moduli over angular frequency, sweep by sweep, at temperatures in K. Points with a modulus that is not
+        positive are omitted and counted. If a file has frequency columns in rad/s and in Hz that agree, the one in
+        rad/s is used. For a temperature ramp, the attribute `ramp` describes its use.
 
     Raises
     ------
@@ -178,8 +188,8 @@ def read_rheology(
     >>> import viscoroll as vr
     >>> path = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
     >>> vr.rheology.read_rheology(path, tensile=False)  # doctest: +NORMALIZE_WHITESPACE
-    RheologyData of pressure_sensitive_adhesive.txt: 339 points in 20 sweeps at -40 to 150 °C, 0.6283 to 125.7 rad/s,
-    moduli of shear; 1 points dropped
+    RheologyData of pressure_sensitive_adhesive.txt: 339 points in 20 sweeps at 233.15 to 423.14 K (-40 to 150 °C),
+    0.6283 to 125.7 rad/s, moduli of shear; 1 points dropped
     """
     path = Path(path)
     names = named_columns(columns, _ROLES)
@@ -299,9 +309,13 @@ def _isotherms(table: Table, path: Path, divisor: float, held: float | None) -> 
     for sweep in np.unique(sweeps[valid]):
         chosen = np.flatnonzero(valid & (sweeps == sweep))
         order = chosen[np.argsort(values["frequency"][chosen], kind="stable")]
+        mean = float(np.mean(temperature[order]))
+        if not math.isnan(mean):
+            column = columns["temperature"]
+            as_kelvin(f"{path}: column {column.name!r} with the unit {column.unit!r}", mean)
         isotherms.append(
             Isotherm(
-                temperature=float(np.mean(temperature[order])),
+                temperature=mean,
                 frequency=values["frequency"][order],
                 storage=values["storage"][order] / divisor,
                 loss=values["loss"][order] / divisor,
@@ -316,9 +330,9 @@ def _grouped(numbers: Floats, temperature: Floats, frequency: Floats) -> NDArray
         return np.unique(numbers, return_inverse=True)[1].astype(np.int64)
     order = np.argsort(temperature, kind="stable")
     steps = np.diff(temperature[order], prepend=temperature[order[0]] if order.size else np.nan)
-    starts = steps > _TEMPERATURE_GAP
+    starts = steps > _TEMPERATURE_GAP + _ROUND_OFF
     for group in np.split(np.arange(order.size), np.flatnonzero(starts)):
-        if group.size and temperature[order[group[-1]]] - temperature[order[group[0]]] > _WIDEST_SWEEP:
+        if group.size and temperature[order[group[-1]]] - temperature[order[group[0]]] > _WIDEST_SWEEP + _ROUND_OFF:
             starts[group] |= _returns(frequency[order[group]])
     groups = np.zeros(temperature.size, dtype=np.int64)
     groups[order] = np.cumsum(starts)

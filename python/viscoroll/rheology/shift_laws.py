@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float, as_floats
+from .._support.arguments import Floats, as_floats, as_kelvin
+from .._support.celsius import kelvin_range, kelvin_text
 from .._support.extras import extra
 from .._support.files import write_text
 from .._support.least_squares import Parameter, with_intervals
 from .._support.text import finite_number, shown
 from ..materials import Arrhenius, WilliamsLandelFerry
-from .names import parse_header
+from .names import PLACES, UNITS_OF, parse_header
 from .text import read_text
 
 if TYPE_CHECKING:
@@ -26,13 +27,12 @@ if TYPE_CHECKING:
 __all__ = ["ShiftFactors", "ShiftLaw", "fit_arrhenius", "fit_wlf"]
 
 _GAS_CONSTANT = 8.314462618  # [J/(mol K)]
-_ZERO_CELSIUS = 273.15
 
 #: Largest absolute value of log₁₀ a_T: five times the shifts of polymers across the glass transition. Beyond it, times
 #: and frequencies may exceed the range of floats.
 _MOST_DECADES = 100.0
 
-#: Highest temperature of a table [°C], and smallest difference between two of its entries [K].
+#: Highest temperature of a table, and smallest difference between two of its entries [K].
 _HOTTEST, _CLOSEST = 1e4, 1e-6
 
 
@@ -43,7 +43,7 @@ class ShiftFactors:
     Parameters
     ----------
     temperature : array_like
-        Temperatures [°C], in [-273.15, 1e4], at least two, increasing by at least 1e-6 K from entry to entry.
+        Temperatures [K], in [100, 1e4], at least two, increasing by at least 1e-6 K from entry to entry.
     log10_factor : array_like
         log₁₀ a_T [-], in [-100, 100], as many as `temperature`; 0 at the reference.
     """
@@ -61,9 +61,8 @@ class ShiftFactors:
                 f"got {len(self.temperature)} and {len(self.log10_factor)}"
             )
         for index, value in enumerate(self.temperature):
-            if not -_ZERO_CELSIUS <= value <= _HOTTEST:
-                allowed = f"[{-_ZERO_CELSIUS}, {_HOTTEST:g}] °C"
-                raise ValueError(f"temperature[{index}] must be in {allowed}, got {value:g}")
+            if not as_kelvin(f"temperature[{index}]", value) <= _HOTTEST:
+                raise ValueError(f"temperature[{index}] must be <= {_HOTTEST:g} K, got {value:g} K")
         for index, value in enumerate(self.log10_factor):
             if not abs(value) <= _MOST_DECADES:
                 allowed = f"[-{_MOST_DECADES:g}, {_MOST_DECADES:g}]"
@@ -72,7 +71,7 @@ class ShiftFactors:
             raise ValueError(f"temperature must increase from entry to entry, by at least {_CLOSEST:g} K")
 
     def __call__(self, temperature: float) -> float:
-        """Return log₁₀ a_T at a temperature [°C], interpolated by a monotonic cubic.
+        """Return log₁₀ a_T at a temperature [K], interpolated by a monotonic cubic.
 
         Raises
         ------
@@ -82,16 +81,16 @@ class ShiftFactors:
         with extra("studies"):
             from scipy.interpolate import PchipInterpolator
 
-        temperature = as_float("temperature", temperature)
+        temperature = as_kelvin("temperature", temperature)
         low, high = self.temperature[0], self.temperature[-1]
         if not low - 0.5 <= temperature <= high + 0.5:  # the temperature of a sweep drifts by some tenths
             raise ValueError(
-                f"temperature must be in [{low:g}, {high:g}] °C, where it was measured, got {temperature:g}"
+                f"temperature must be in the measured range, {kelvin_range(low, high)}, got {kelvin_text(temperature)}"
             )
         return float(PchipInterpolator(self.temperature, self.log10_factor)(min(max(temperature, low), high)))
 
     def relative_to(self, reference: float) -> ShiftFactors:
-        """Return the factors relative to another temperature [°C]."""
+        """Return the factors relative to another temperature [K]."""
         offset = self(reference)
         return ShiftFactors(
             temperature=self.temperature, log10_factor=tuple(value - offset for value in self.log10_factor)
@@ -99,17 +98,41 @@ class ShiftFactors:
 
     @classmethod
     def read(cls, path: str | Path) -> ShiftFactors:
-        """Read a CSV file with a row of names, a row of units, and rows of temperature [°C] and log₁₀ a_T."""
+        """Read a CSV file of temperatures and log₁₀ a_T.
+
+        Parameters
+        ----------
+        path : path-like
+            File with a row of names, "T,log_aT"; a row of units, with K, C or F for the temperature; and rows of
+            numbers. The unit may instead be in the name, as in "temperature [°C]"; then the row of units is absent.
+
+        Returns
+        -------
+        ShiftFactors
+            Table with temperatures in K.
+
+        Raises
+        ------
+        ValueError
+            If the file has another form, the unit of the temperature is missing, or `ShiftFactors` rejects a number.
+        """
         try:
             rows = [row for row in csv.reader(read_text(Path(path)).splitlines(), skipinitialspace=True) if row]
         except csv.Error as error:
             raise ValueError(f"{path}: {error}") from None
-        if len(rows) < 3 or parse_header(rows[0][0])[0].lower() not in ("t", "temperature", "temp."):
-            raise ValueError(f"{path}: must have a row of names (T, log_aT), a row of units (C, -) and rows of numbers")
-        if rows[1][0].strip().lower() not in ("c", "°c"):
-            raise ValueError(f"{path}: temperature must have the unit 'C' in the row of units, got {rows[1][0]!r}")
+        name, unit = parse_header(rows[0][0]) if rows else ("", "")
+        first = 1 if unit else 2
+        if len(rows) <= first or name.lower() not in ("t", "temperature", "temp."):
+            raise ValueError(f"{path}: must have a row of names (T, log_aT), a row of units (K, -) and rows of numbers")
+        unit = unit or rows[1][0].strip()
+        scale = {key.lower(): value for key, value in UNITS_OF["temperature"].items()}.get(unit.strip("[]()").lower())
+        if scale is None:
+            raise ValueError(
+                f"{path}: temperature must have the unit 'K', 'C' or 'F' in the row of units, got {unit!r}"
+            )
+        factor, offset = scale
         pairs = []
-        for row in rows[2:]:
+        for row in rows[first:]:
             numbers = [finite_number(cell) for cell in row[:2]]
             if len(row) != len(rows[0]) or len(numbers) < 2 or None in numbers:
                 raise ValueError(
@@ -117,16 +140,17 @@ class ShiftFactors:
                     f"the row of names, got {shown(row)}"
                 )
             pairs.append(numbers)
-        temperature, factor = zip(*sorted(pairs), strict=True)
+        temperature, shifts = zip(*sorted(pairs), strict=True)
         try:
-            return cls(temperature=temperature, log10_factor=factor)
+            kelvin = tuple(round(value * factor + offset, PLACES) for value in temperature)
+            return cls(temperature=kelvin, log10_factor=shifts)
         except ValueError as error:
             raise ValueError(f"{path}: {error}") from None
 
     def save(self, path: str | Path) -> None:
-        """Write a CSV file that `read` reads."""
+        """Write a CSV file that `read` reads, with temperatures in K."""
         rows = "".join(f"{t!r},{a!r}\n" for t, a in zip(self.temperature, self.log10_factor, strict=True))
-        write_text(f"T,log_aT\nC,-\n{rows}", Path(path))
+        write_text(f"T,log_aT\nK,-\n{rows}", Path(path))
 
 
 #: C₂ [K] beyond which the Williams-Landel-Ferry law is a straight line, to one percent over a hundred kelvin. For
@@ -143,7 +167,7 @@ class ShiftLaw:
     name : str
         "WLF", log₁₀ a_T = -C₁ (T - T_r) / (C₂ + T - T_r), or "Arrhenius", ln a_T = E_a / R (1/T - 1/T_r).
     reference : float
-        Reference temperature T_r [°C].
+        Reference temperature T_r [K].
     parameters : dict of str to Parameter
         c1 [1] and c2 [K], or activation_energy [J/mol], with their intervals.
     confidence : float
@@ -159,29 +183,33 @@ class ShiftLaw:
     residual: float
 
     def __call__(self, temperature: ArrayLike) -> Floats:
-        """Return log₁₀ a_T at temperatures [°C]."""
+        """Return log₁₀ a_T at temperatures [K]."""
+        kelvin = np.asarray(temperature, dtype=float)
+        if kelvin.size:
+            as_kelvin("temperature", kelvin.min())
         values = [parameter.value for parameter in self.parameters.values()]
         model = _wlf if self.name == "WLF" else _arrhenius
-        return model(np.asarray(temperature, dtype=float), self.reference, *values)
+        return model(kelvin, self.reference, *values)
 
     def shift(self) -> WilliamsLandelFerry | Arrhenius:
         """Return a_T as a function of temperature in kelvin, for `viscoroll.self_heating`."""
         values = {name: parameter.value for name, parameter in self.parameters.items()}
         kind = WilliamsLandelFerry if self.name == "WLF" else Arrhenius
-        return kind(**values, reference_temperature=self.reference + 273.15)
+        return kind(**values, reference_temperature=self.reference)
 
     def __str__(self) -> str:
         """Return law, parameters with intervals, and residual in one line."""
         left = f"residual {self.residual:.3f} decades"
         if (c2 := self.parameters.get("c2")) is not None and c2.value > _STRAIGHT:
             return (
-                f"{self.name} at {self.reference:g} °C: constants undetermined, the shifts lack its curvature; {left}"
+                f"{self.name} at {kelvin_text(self.reference)}: constants undetermined, the shifts lack its curvature; "
+                f"{left}"
             )
         terms = ", ".join(
             f"{name} = {p.value:.5g} {'' if p.unit == '1' else p.unit + ' '}in [{p.lower:.5g}, {p.upper:.5g}]"
             for name, p in self.parameters.items()
         )
-        return f"{self.name} at {self.reference:g} °C: {terms}; {left}"
+        return f"{self.name} at {kelvin_text(self.reference)}: {terms}; {left}"
 
 
 def fit_wlf(factors: ShiftFactors, reference: float, **options: object) -> ShiftLaw:
@@ -198,7 +226,7 @@ def fit_arrhenius(factors: ShiftFactors, reference: float, **options: object) ->
     factors : ShiftFactors
         Measured shift factors.
     reference : float
-        Reference temperature T_r [°C].
+        Reference temperature T_r [K].
     covariance : ndarray, optional
         Covariance of the factors relative to that at `anchor`, which is left out. By default all have the same weight.
     anchor : int, default 0
@@ -215,7 +243,7 @@ def _wlf(temperature: Floats, reference: float, c1: float, c2: float) -> Floats:
 
 
 def _arrhenius(temperature: Floats, reference: float, energy: float) -> Floats:
-    inverse = 1.0 / (temperature + _ZERO_CELSIUS) - 1.0 / (reference + _ZERO_CELSIUS)
+    inverse = 1.0 / temperature - 1.0 / reference
     return np.asarray(energy / (_GAS_CONSTANT * math.log(10.0)) * inverse)
 
 

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float, require_type
+from .._support.arguments import Floats, as_kelvin, require_type
+from .._support.celsius import kelvin_range, kelvin_text
 from ..materials.shift import Shift, shift_factor
 from .alignment import shift_pairs, undetermined_pairs
 from .reading import Isotherm, RheologyData
@@ -16,8 +17,6 @@ from .shift_laws import ShiftFactors
 from .superposition import Superposition, aligned
 
 __all__ = ["superpose"]
-
-_ZERO_CELSIUS = 273.15
 
 
 def superpose(
@@ -37,7 +36,7 @@ def superpose(
     data : RheologyData
         At least two sweeps with temperatures; with `factors` also a temperature ramp.
     reference : float
-        Temperature of the master curve [°C], between the coldest and the hottest sweep.
+        Temperature of the master curve [K], between the coldest and the hottest sweep.
     factors : ShiftFactors, WilliamsLandelFerry, Arrhenius or callable, optional
         Known shift factors at temperatures that span the data, or a law as a function of temperature in kelvin. By
         default the shifts are fitted.
@@ -56,7 +55,7 @@ def superpose(
         data are a ramp at one frequency and `factors` is not given.
     """
     require_type("data", data, RheologyData)
-    degrees = as_float("reference", reference)
+    kelvin = as_kelvin("reference", reference)
     sweeps = data.isotherms
     temperature = np.array([sweep.temperature for sweep in sweeps])
     if len(sweeps) < 2:
@@ -65,26 +64,28 @@ def superpose(
         raise ValueError("data must have a temperature for every sweep: pass columns={'temperature': (name, unit)}")
     if not (np.diff(temperature) > 0.0).all():
         sweeps = _one_for_each_temperature(sweeps)
-        return superpose(replace(data, isotherms=sweeps), reference=degrees, factors=factors, vertical=vertical)
+        return superpose(replace(data, isotherms=sweeps), reference=kelvin, factors=factors, vertical=vertical)
     low, high = float(temperature[0]), float(temperature[-1])
-    if not low - 0.5 <= degrees <= high + 0.5:
-        raise ValueError(f"reference must be in [{low:g}, {high:g}] °C, where sweeps were measured, got {degrees:g}")
+    if not low - 0.5 <= kelvin <= high + 0.5:
+        raise ValueError(
+            f"reference must be in the measured range, {kelvin_range(low, high)}, got {kelvin_text(kelvin)}"
+        )
     if factors is not None:
         known = factors if isinstance(factors, ShiftFactors) else _by_law(factors, temperature)
-        return _by_hand(data, degrees, temperature, known)
+        return _by_hand(data, kelvin, temperature, known)
     if (ramp := data.ramp) is not None:
         raise ValueError(
             f"data must have several frequencies to be shifted, got a temperature ramp at {ramp.frequency:.4g} rad/s: "
             "pass a law of the shift, such as factors=vr.materials.WilliamsLandelFerry(...), or use "
             "data.ramp.at(temperature=...), the modulus and loss factor at that frequency"
         )
-    anchor = int(np.argmin(np.abs(temperature - degrees)))
-    found = aligned(data, degrees, shift_pairs(sweeps), anchor, vertical=vertical)
-    return Superposition(data=data, reference=degrees, undetermined=undetermined_pairs(sweeps), anchor=anchor, **found)
+    anchor = int(np.argmin(np.abs(temperature - kelvin)))
+    found = aligned(data, kelvin, shift_pairs(sweeps), anchor, vertical=vertical)
+    return Superposition(data=data, reference=kelvin, undetermined=undetermined_pairs(sweeps), anchor=anchor, **found)
 
 
 def _by_law(law: Shift, temperature: Floats) -> ShiftFactors:
-    shifts = [shift_factor(law, degrees + _ZERO_CELSIUS, "factors") for degrees in temperature.tolist()]
+    shifts = [shift_factor(law, kelvin, "factors") for kelvin in temperature.tolist()]
     return ShiftFactors(temperature=tuple(temperature), log10_factor=tuple(np.log10(shifts)))
 
 

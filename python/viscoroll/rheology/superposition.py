@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float
+from .._support.arguments import Floats, as_kelvin
+from .._support.celsius import kelvin_text
 from .._support.plotting import plots
 from ..materials import Draws, MasterCurve, Prony
 from .alignment import align
@@ -46,7 +47,7 @@ class Superposition:
     data : RheologyData
         Measured sweeps.
     reference : float
-        Temperature of the master curve [°C].
+        Temperature of the master curve [K].
     factors : ShiftFactors
         log₁₀ a_T at the temperatures of the sweeps.
     vertical : tuple of float
@@ -120,7 +121,7 @@ class Superposition:
         Parameters
         ----------
         temperature : float
-            Temperature [°C], between the coldest and the hottest sweep. Shift factors are interpolated, without a law.
+            Temperature [K], between the coldest and the hottest sweep. Shift factors are interpolated, without a law.
 
         Returns
         -------
@@ -133,9 +134,9 @@ class Superposition:
         ValueError
             If the temperature is outside the measured range; `law` extrapolates beyond it.
         """
-        degrees = as_float("temperature", temperature)
-        scale = 10.0 ** -self.factors(degrees)
-        lift = 10.0 ** float(np.interp(degrees, self.factors.temperature, self.vertical))
+        kelvin = as_kelvin("temperature", temperature)
+        scale = 10.0 ** -self.factors(kelvin)
+        lift = 10.0 ** float(np.interp(kelvin, self.factors.temperature, self.vertical))
         table = self._table
         return MasterCurve(
             np.asarray(table.frequency) * scale,
@@ -149,14 +150,14 @@ class Superposition:
         return tabulated(self.frequency, self.storage, self.loss, relaxed=self.fit.relaxed_modulus)
 
     def series_at(self, *, temperature: float) -> Prony:
-        """Return the Prony series of `fit` at a temperature [°C]; errors are the same as in `at`."""
-        degrees = as_float("temperature", temperature)
+        """Return the Prony series of `fit` at a temperature [K]; errors are the same as in `at`."""
+        kelvin = as_kelvin("temperature", temperature)
         series = self.fit.series
-        lift = 10.0 ** float(np.interp(degrees, self.factors.temperature, self.vertical))
+        lift = 10.0 ** float(np.interp(kelvin, self.factors.temperature, self.vertical))
         return Prony(
             instantaneous_modulus=series.instantaneous_modulus * lift,
             weights=series.weights,
-            relaxation_times=np.asarray(series.relaxation_times) * 10.0 ** self.factors(degrees),
+            relaxation_times=np.asarray(series.relaxation_times) * 10.0 ** self.factors(kelvin),
         )
 
     @cached_property
@@ -182,7 +183,7 @@ class Superposition:
         -------
         Draws of Superposition
             Draws with this superposition as the best estimate. ``curve.draws(100).map(lambda c:
-            c.at(temperature=40.0))`` are materials at 40 °C.
+            c.at(temperature=313.15))`` are materials at 313.15 K (40 °C).
         """
         sweeps = self.data.isotherms
         series = self.fit.series
@@ -230,7 +231,7 @@ class Superposition:
         """Return number of sweeps, frequency range, scatter, laws and undetermined steps."""
         low, high = self.frequency[0], self.frequency[-1]
         lines = [
-            f"Superposition of {len(self.data.isotherms)} sweeps at {self.reference:g} °C: "
+            f"Superposition of {len(self.data.isotherms)} sweeps at {kelvin_text(self.reference)}: "
             f"{low:.3g} to {high:.3g} rad/s, {np.log10(high / low):.3g} decades",
             f"  scatter about one series  {self.scatter:.2%}",
             f"  {self.wlf}",

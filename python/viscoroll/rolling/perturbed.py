@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import _core
 from .._support.arguments import Floats
-from ..bodies import Counterpart, Drive, HalfSpace, Layer, Mesh, RollingBody
+from ..bodies import Counterbody, Drive, HalfSpace, Layer, Mesh, RollingBody
 from ..bodies.layered import materials_of, with_materials
 from ..materials.moduli import to_core
 from ..solution import Solution
@@ -45,8 +45,8 @@ _HIGHEST_POISSON_RATIO = 0.499
 class Given:
     """Input of a result that can be changed."""
 
-    ball: RollingBody
-    on: Counterpart | None
+    body: RollingBody
+    on: Counterbody | None
     load: float
     angular_speed: float
     friction: float
@@ -87,7 +87,7 @@ class Place:
 
     Attributes
     ----------
-    which : "ball" or "on"
+    which : "body" or "on"
         Body: the rolling body or the counterbody.
     index : int
         Index in `materials_of` that body.
@@ -95,7 +95,7 @@ class Place:
         ``"layers[0]"``, or ``"on.layers[0]"`` or ``"on.base"`` in a counterbody.
     """
 
-    which: Literal["ball", "on"]
+    which: Literal["body", "on"]
     index: int
     name: str
 
@@ -112,15 +112,15 @@ class Place:
 
     def rolling_speed(self, result: Solution) -> float:
         """Return the lowest frequency of the load on the material, once per revolution of its body [rad/s]."""
-        if self.which == "ball":
+        if self.which == "body":
             return result.angular_speed
-        radius = getattr(result.on, "outer_radius", result.ball.outer_radius)
-        return float(result.angular_speed * result.ball.outer_radius / radius)
+        radius = getattr(result.on, "outer_radius", result.body.outer_radius)
+        return float(result.angular_speed * result.body.outer_radius / radius)
 
 
 def places_of(given: Given) -> Iterator[Place]:
     """Yield the positions of all materials, first of the rolling body, each body from the inside outwards."""
-    for which, prefix in (("ball", ""), ("on", "on.")):
+    for which, prefix in (("body", ""), ("on", "on.")):
         body = getattr(given, which)
         if body is None:
             continue

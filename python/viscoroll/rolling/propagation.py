@@ -18,10 +18,10 @@ from .. import _core
 from .._support.arguments import Floats
 from .._support.progress import Report
 from .._support.text import shown
-from ..bodies import Counterpart, RollingBody
+from ..bodies import Counterbody, RollingBody
 from ..materials.moduli import ShearModulusLike, to_core
 from ..solution import Solution
-from .kept import KeptContact
+from .frozen import FrozenContact
 from .perturbed import Given, Place, bands_of, places_of
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 __all__ = ["Pair", "propagated"]
 
 #: Rolling body and counterbody.
-Pair: TypeAlias = tuple[RollingBody, Counterpart | None]
+Pair: TypeAlias = tuple[RollingBody, Counterbody | None]
 
 #: Frequencies per decade at which draws are compared: as dense as the entries of measured tables.
 _PER_DECADE = 10
@@ -82,7 +82,7 @@ def propagated(
     givens = [here, *(_drawn(here, draw) for draw in draws)]
     moduli = [_DrawnModulus.at(place, result, givens) for place in places_of(here)]
     features = np.hstack([modulus.features for modulus in moduli])
-    contact = KeptContact(result, answers, threads)
+    contact = FrozenContact(result, answers, threads)
     contact.own_answers(here)
 
     def answers_with(share: Floats) -> Floats:
@@ -158,15 +158,15 @@ class _DrawnModulus:
 
 def _drawn(given: Given, draw: Pair) -> Given:
     """Return the input with the bodies of a draw; raise a ValueError if they differ in more than shear moduli."""
-    drawn = replace(given, ball=draw[0], on=draw[1])
+    drawn = replace(given, body=draw[0], on=draw[1])
     restored, places = drawn, list(places_of(given))
     if len(places) == len(list(places_of(drawn))):
         for place in places:
             restored = place.with_changed(restored, shear_modulus=place.material(given).shear_modulus)
-    if (restored.ball, restored.on) != (given.ball, given.on):
+    if (restored.body, restored.on) != (given.body, given.on):
         raise ValueError(
             f"draws must differ only in shear moduli for draws='linear', got {shown(draw)} for "
-            f"{shown((given.ball, given.on))}"
+            f"{shown((given.body, given.on))}"
         )
     return drawn
 

@@ -76,7 +76,7 @@ class Result(Solution):  # noqa: D101  (described as the solution that it is)
 
         Parameters
         ----------
-        of : "ball" or "counterpart", optional
+        of : "body" or "counterbody", optional
             Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
 
         Returns
@@ -102,7 +102,7 @@ class Result(Solution):  # noqa: D101  (described as the solution that it is)
         ----------
         ax : matplotlib.axes.Axes, optional
             Axes to draw into; by default those of a new figure.
-        of : "ball" or "counterpart", optional
+        of : "body" or "counterbody", optional
             Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
 
         Returns

@@ -16,7 +16,7 @@ from .._support.progress import ProgressLike, counted
 from .._support.text import shown
 from ..solution import Solution
 from ..solution.scalars import SCALARS
-from .kept import KeptContact
+from .frozen import FrozenContact
 from .modulus_sensitivity import ModulusSensitivity
 from .perturbed import Bands, Change, Given, Part, Place, bands_of, change_of_modulus, numbers_of, places_of
 
@@ -236,7 +236,7 @@ class _Quotients:
     """Difference quotients of solutions with the same nodes in contact."""
 
     def __init__(self, result: Solution, given: Given, answers: tuple[str, ...], threads: int) -> None:
-        self._contact = KeptContact(result, answers, threads)
+        self._contact = FrozenContact(result, answers, threads)
         self._here = self._contact.own_answers(given)
 
     def __call__(self, change: Change, *, downwards: bool) -> Floats:

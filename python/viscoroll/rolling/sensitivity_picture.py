@@ -79,10 +79,10 @@ def _losses(result: Solution) -> Iterator[tuple[str, Floats, Floats]]:
     """Yield for each body its name, frequencies [rad/s], and its fraction of the loss per decade at each [-]."""
     firsts = {place.which: place for place in reversed(list(places_of(Given.of(result))))}
     for which, place in sorted(firsts.items()):
-        spectrum = loss_spectrum(result, of="ball" if which == "ball" else "counterpart")
+        spectrum = loss_spectrum(result, of="body" if which == "body" else "counterbody")
         bands = bands_of(place.rolling_speed(result), result.mesh, _PER_DECADE)
         power = [float(spectrum.power @ bands.share(i, spectrum.frequency)) for i in range(bands.middles.size)]
-        name = "rolling body" if which == "ball" else "counterbody"
+        name = "rolling body" if which == "body" else "counterbody"
         yield name, bands.middles, np.array(power) / spectrum.power.sum() * _PER_DECADE
 
 

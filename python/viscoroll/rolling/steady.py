@@ -8,21 +8,21 @@ from typing import Any
 from .. import _core
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from .._support.arguments import as_float, as_int, as_member, require_type
-from .._support.cautions import warn
 from .._support.progress import ProgressLike, reporting
+from .._support.result_warnings import warn
 from .._support.text import shown
-from ..bodies import Counterpart, Drive, Mesh, RollingBody, core_counterpart
+from ..bodies import Counterbody, Drive, Mesh, RollingBody, core_counterbody
 from ..bodies.si_hints import si_hints
-from ..solution.text import cautions
+from ..solution.text import result_warnings
 from .result import Result
 
 __all__ = ["RollingModel", "solve"]
 
 
 def solve(
-    ball: RollingBody,
+    body: RollingBody,
     *,
-    on: Counterpart | None = None,
+    on: Counterbody | None = None,
     load: float,
     angular_speed: float,
     mesh: Mesh | None = None,
@@ -43,7 +43,7 @@ def solve(
 
     Parameters
     ----------
-    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+    body : CoatedSphere, CoatedCylinder or CoatedWheel
         Rolling body: rigid core and layers.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         Counterbody; by default the rigid plane. A ball rolls on a plane, in a groove or on another ball; a cylinder on
@@ -53,13 +53,13 @@ def solve(
     load : float
         Normal load P [N], > 0. For rollers, load per length [N/m].
     angular_speed : float
-        Ω [rad/s], > 0 and below `critical_speed(ball)`. On another ball, roller or wheel, the angular speed relative to
+        Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the angular speed relative to
         the line of centers.
     mesh : Mesh, optional
         Surface mesh. By default the solver refines the mesh until the error estimate is below `accuracy`.
     accuracy : float, default 0.01
         Requested relative error [-], in [1e-4, 0.5]; only without `mesh`. The error estimate is the larger of the
-        power-balance error and the largest change from the previous mesh of all results that are not given:
+        energy-balance error and the largest change from the previous mesh of all results that are not given:
         penetration, torques, forces, speed and powers. The largest pressure has an estimate of its own,
         `Result.max_pressure_error`. The solver refines the mesh further for it, within some seconds; if that does not
         suffice, it issues a warning.
@@ -79,7 +79,7 @@ def solve(
     patch_load : PatchLoad or str, default PatchLoad.FLAT
         Traction on the patch of a node: equation (53) (FLAT) or (38) (SPHERICAL) of the paper.
     slip_kinematics : SlipKinematics or str, default SlipKinematics.EXACT
-        Distance that material travels between nodes, with friction: that on the undeformed ball (EXACT), or the last
+        Distance that material travels between nodes, with friction: that on the undeformed body (EXACT), or the last
         form of the paper's (55a) (FLAT), which has no Heathcote slip and serves only for comparison.
     max_iterations : int, default 2000
         Largest number of linear systems solved on a mesh, ≥ 1.
@@ -97,7 +97,7 @@ def solve(
     ------
     ValueError
         If an argument is out of range, the load is too large for the coating (penetration ≥ thickness), the speed is at
-        or above the critical one, or the ball would slide without end under the drive. The message contains parameter,
+        or above the critical one, or the body would slide without end under the drive. The message contains parameter,
         value, unit and allowed range.
     TypeError
         If an argument has the wrong type.
@@ -128,17 +128,17 @@ def solve(
     >>> r.status.name
     'CONVERGED'
     """
-    require_type("ball", ball, RollingBody)
+    require_type("body", body, RollingBody)
     require_type("mesh", mesh, Mesh, optional=True)
     curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
         raise ValueError(f"accuracy must be left out if a mesh is given, got {shown(accuracy)}")
     speed = as_float("angular_speed", angular_speed)
     case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
-    with reporting(progress) as report, si_hints(ball, on, angular_speed=speed):
+    with reporting(progress) as report, si_hints(body, on, angular_speed=speed):
         solution = _core.solve(
-            ball._to_core(),
-            core_counterpart(on),
+            body._to_core(),
+            core_counterbody(on),
             angular_speed=speed,
             mesh=None if mesh is None else mesh._to_core(),
             curvature=curvature,
@@ -146,7 +146,7 @@ def solve(
             progress=report,
             **case,
         )
-    return _result(solution, ball, on, speed, drive, curvature, case)
+    return _result(solution, body, on, speed, drive, curvature, case)
 
 
 class RollingModel:
@@ -157,12 +157,12 @@ class RollingModel:
 
     Parameters
     ----------
-    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+    body : CoatedSphere, CoatedCylinder or CoatedWheel
         Rolling body: rigid core and layers.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         Counterbody, same as in `solve`.
     angular_speed : float
-        Ω [rad/s], > 0 and below `critical_speed(ball)`.
+        Ω [rad/s], > 0 and below `critical_speed(body)`.
     mesh : Mesh
         Surface mesh.
     curvature : Curvature or str, default Curvature.SPHERE
@@ -187,27 +187,27 @@ class RollingModel:
 
     def __init__(
         self,
-        ball: RollingBody,
+        body: RollingBody,
         *,
-        on: Counterpart | None = None,
+        on: Counterbody | None = None,
         angular_speed: float,
         mesh: Mesh,
         curvature: Curvature | str = Curvature.SPHERE,
         threads: int = 0,
         progress: ProgressLike = None,
     ) -> None:
-        require_type("ball", ball, RollingBody)
+        require_type("body", body, RollingBody)
         require_type("mesh", mesh, Mesh)
         curvature = as_member("curvature", curvature, Curvature)
-        self.ball = ball
+        self.body = body
         self.on = on
         self.angular_speed = as_float("angular_speed", angular_speed)
         self.mesh = mesh
         self.curvature = curvature
-        with reporting(progress) as report, si_hints(ball, on, angular_speed=self.angular_speed):
+        with reporting(progress) as report, si_hints(body, on, angular_speed=self.angular_speed):
             self._core = _core.RollingModel(
-                ball._to_core(),
-                core_counterpart(on),
+                body._to_core(),
+                core_counterbody(on),
                 angular_speed=self.angular_speed,
                 mesh=mesh._to_core(),
                 curvature=curvature,
@@ -218,14 +218,14 @@ class RollingModel:
     def __repr__(self) -> str:
         """Return the arguments of the constructor."""
         return (
-            f"RollingModel({self.ball!r}, on={self.on!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r}, "
+            f"RollingModel({self.body!r}, on={self.on!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r}, "
             f"curvature=Curvature.{self.curvature.name})"
         )
 
     def __reduce__(self) -> tuple[partial[RollingModel], tuple[RollingBody]]:
         """Pickle the arguments; the copy computes the tables again."""
         given = {name: getattr(self, name) for name in ("on", "angular_speed", "mesh", "curvature")}
-        return partial(type(self), **given), (self.ball,)
+        return partial(type(self), **given), (self.body,)
 
     def solve(
         self,
@@ -242,9 +242,9 @@ class RollingModel:
     ) -> Result:
         """Solve one load case; parameters, result and errors are the same as in `viscoroll.solve`."""
         case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
-        with reporting(progress) as report, si_hints(self.ball, self.on, angular_speed=self.angular_speed):
+        with reporting(progress) as report, si_hints(self.body, self.on, angular_speed=self.angular_speed):
             solution = self._core.solve(angular_speed=self.angular_speed, progress=report, **case)
-        return _result(solution, self.ball, self.on, self.angular_speed, drive, self.curvature, case)
+        return _result(solution, self.body, self.on, self.angular_speed, drive, self.curvature, case)
 
 
 def _core_case(
@@ -276,8 +276,8 @@ def _core_case(
 
 def _result(
     solution: _core.Result,
-    ball: RollingBody,
-    on: Counterpart | None,
+    body: RollingBody,
+    on: Counterbody | None,
     angular_speed: float,
     drive: Drive,
     curvature: Curvature | str,
@@ -286,7 +286,7 @@ def _result(
     """Return the result, and issue its warnings."""
     given = {name: case[name] for name in ("load", "friction", "compliance", "patch_load")}
     result = Result._from_core(
-        solution, ball=ball, on=on, angular_speed=angular_speed, drive=drive, curvature=curvature, **given
+        solution, body=body, on=on, angular_speed=angular_speed, drive=drive, curvature=curvature, **given
     )
-    warn(cautions(result))
+    warn(result_warnings(result))
     return result

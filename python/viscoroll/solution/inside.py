@@ -10,7 +10,7 @@ import numpy as np
 from .. import _core
 from .._core import Sides
 from .._support.arguments import as_float_array
-from .._support.cautions import warn
+from .._support.result_warnings import warn
 from .._support.text import shown
 from ..bodies import (
     CoatedCylinder,
@@ -33,7 +33,7 @@ __all__ = ["BodyInside", "Inside", "Of", "boundaries_of", "finite_line", "inside
 BodyInside: TypeAlias = CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel
 
 #: Rolling body (of any kind) or counterbody.
-Of = Literal["ball", "counterpart"]
+Of = Literal["body", "counterbody"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class Inside:
     Attributes
     ----------
     of : str
-        ``"ball"`` or ``"counterpart"``.
+        ``"body"`` or ``"counterbody"``.
     body : CoatedSphere or CoatedCylinder or CoatedPlane or CoatedWheel
         The body. A groove is represented by a plane with its layers, a roller under a wheel by a wheel without side
         faces.
@@ -85,31 +85,31 @@ class Inside:
     @property
     def line_contact(self) -> bool:
         """Whether forces and powers are per length (line contact)."""
-        return self.result.ball.line_contact
+        return self.result.body.line_contact
 
     @property
     def passes(self) -> float:
         """Angular speed at which the material passes the contact, at the radius of the body [rad/s]."""
         result = self.result
-        if self.of == "ball":
+        if self.of == "body":
             return result.angular_speed
-        rolling = result.angular_speed * result.ball.outer_radius
+        rolling = result.angular_speed * result.body.outer_radius
         return abs(rolling if result.linear_speed is None else result.linear_speed) / self.radius
 
     @property
     def bulk_power(self) -> float:
         """Power dissipated in the body [W], in line contact [W/m]."""
-        return self.result.rolling_bulk_power if self.of == "ball" else self.result.counterpart_bulk_power
+        return self.result.rolling_bulk_power if self.of == "body" else self.result.counterbody_bulk_power
 
     def tractions(self) -> _core.Tractions:
         """Return the tractions on the body as an object of the core."""
         result = self.result
-        counterpart = self.of == "counterpart"
+        counterbody = self.of == "counterbody"
         return _core.Tractions(
             mesh=result.mesh._to_core(),
-            radius=result.ball.outer_radius,
-            theta_spacing=node_spacings(result)[1] if isinstance(result.ball, CoatedWheel) else None,
-            crown_radius=result.ball.crown_radius if isinstance(result.ball, CoatedWheel) else None,
+            radius=result.body.outer_radius,
+            theta_spacing=node_spacings(result)[1] if isinstance(result.body, CoatedWheel) else None,
+            crown_radius=result.body.crown_radius if isinstance(result.body, CoatedWheel) else None,
             line=self.line_contact,
             pressure=np.ascontiguousarray(result.pressure),
             shear_traction=np.ascontiguousarray(result.shear_traction),
@@ -117,8 +117,8 @@ class Inside:
             compliance=result.compliance,
             curvature=result.curvature,
             patch_load=result.patch_load,
-            counterpart=counterpart,
-            counterpart_curvature=self._curvatures() if counterpart else (0.0, 0.0),
+            counterbody=counterbody,
+            counterbody_curvature=self._curvatures() if counterbody else (0.0, 0.0),
         )
 
     def _curvatures(self) -> tuple[float, float]:
@@ -145,13 +145,13 @@ class Inside:
 
     def node_angles(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return φ and θ of the nodes [rad] at the radius of this body."""
-        turns = self.result.ball.outer_radius / self.radius
+        turns = self.result.body.outer_radius / self.radius
         phi, theta = (0.5 * np.pi + (angles - 0.5 * np.pi) * turns for angles in node_angles(self.result))
         return phi, theta
 
     def node_spacings(self) -> tuple[float, float]:
         """Return the angles between nodes along φ and θ [rad] at the radius of this body."""
-        turns = self.result.ball.outer_radius / self.radius
+        turns = self.result.body.outer_radius / self.radius
         phi, theta = node_spacings(self.result)
         return phi * turns, theta * turns
 
@@ -172,7 +172,7 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
 
     Parameters
     ----------
-    of : "ball" or "counterpart", optional
+    of : "body" or "counterbody", optional
         Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
 
     Raises
@@ -180,18 +180,18 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
     ValueError
         If `of` has another value, or that body is rigid.
     """
-    if of not in (None, "ball", "counterpart"):
-        raise ValueError(f"of must be 'ball' or 'counterpart', got {shown(of)}")
-    ball, on = result.ball, result.on
+    if of not in (None, "body", "counterbody"):
+        raise ValueError(f"of must be 'body' or 'counterbody', got {shown(of)}")
+    body, on = result.body, result.on
     if of is None:
-        of = "ball" if ball.layers or on is None else "counterpart"
-    radius = ball.outer_radius
-    if of == "ball":
-        if not ball.layers:
-            raise ValueError("result.ball must have a layer to be evaluated inside, got a rigid body")
-        return Inside(result, of, ball, radius)
-    if isinstance(on, CoatedCylinder) and on.layers and isinstance(ball, CoatedWheel):
-        tread = CoatedWheel(core_radius=on.core_radius, layers=on.layers, width=ball.width, sides=Sides.ENDLESS)
+        of = "body" if body.layers or on is None else "counterbody"
+    radius = body.outer_radius
+    if of == "body":
+        if not body.layers:
+            raise ValueError("result.body must have a layer to be evaluated inside, got a rigid body")
+        return Inside(result, of, body, radius)
+    if isinstance(on, CoatedCylinder) and on.layers and isinstance(body, CoatedWheel):
+        tread = CoatedWheel(core_radius=on.core_radius, layers=on.layers, width=body.width, sides=Sides.ENDLESS)
         return Inside(result, of, tread, on.outer_radius)
     if isinstance(on, CoatedCylinder | CoatedSphere | CoatedWheel) and on.layers:
         return Inside(result, of, on, on.outer_radius)

@@ -9,9 +9,9 @@ import numpy as np
 from .. import _core
 from .._core import Curvature
 from .._support.arguments import as_float, as_int, as_orders, require_type
-from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, Report, reporting
+from .._support.result_warnings import warn
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
 from .inside import BodyInside, Inside, Of, finite_line, inside_of, places_of
 from .solution import Solution, described, given_of
@@ -140,7 +140,7 @@ def interior(
         Angles [rad], by default those of the nodes. They must lie within half a revolution of the lowest point, π/2; φ
         in a plane within a third of one; θ in a plane or a wheel, where it is an arc divided by a radius, within a
         whole one. ``theta=[π/2]`` with many depths is the section through the contact, the only one in line contact.
-    of : "ball" or "counterpart", optional
+    of : "body" or "counterbody", optional
         Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
     max_order : float, optional
         Order at which the sum ends smoothly, > 0. By default the sum ends where the orders have decayed at the depth. A
@@ -305,7 +305,7 @@ def bonds(result: Solution, *, of: Of | None = None, threads: int = 0, progress:
     inside = inside_of(result, of)
     depths = inside.depth(inside.bonded())
     if not depths.size:
-        body = "result.ball" if inside.of == "ball" else "result.on"
+        body = "result.body" if inside.of == "body" else "result.on"
         raise ValueError(f"{body} must have a rigid core, a rigid base or several layers to have bonds")
     return interior(result, depth=depths, of=inside.of, threads=threads, progress=progress)
 

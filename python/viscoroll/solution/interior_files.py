@@ -101,7 +101,7 @@ def _frame(inside: xarray.Dataset) -> tuple[NDArray[np.float64], NDArray[np.floa
     if inside.sizes["theta"] == 1 or is_straight:
         theta = np.full_like(theta, 0.5 * np.pi)
     # The counterbody lies below: the contact is at its highest point, and its material also moves backward there.
-    up = 1.0 if inside.attrs["of"] == "counterpart" else -1.0
+    up = 1.0 if inside.attrs["of"] == "counterbody" else -1.0
     axes = [
         [np.sin(theta) * np.cos(phi), np.cos(theta), up * np.sin(theta) * np.sin(phi)],
         [-np.sin(phi), zero, up * np.cos(phi)],

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.cautions import kept_in_results
 from .._support.pictures import Picture, drawn
+from .._support.result_warnings import silenced
 from .inside import Inside, Of, boundaries_of, inside_of
 from .interior_fields import interior
 from .loss import contact_size, loss
@@ -27,13 +27,13 @@ _DEPTHS = 41
 def plot_section(result: Solution, of: Of | None = None) -> Picture:
     """Draw the section θ = π/2 through the contact: von Mises stress, and the pressure above it."""
     body = inside_of(result, of)
-    spacing = result.ball.outer_radius * result.mesh.spacing
+    spacing = result.body.outer_radius * result.mesh.spacing
     # The section begins below the surface, at which the steps of the pressure from patch to patch would show.
     shallowest = min(0.25 * spacing, 0.1 * body.thickness)
     deepest = min(body.thickness, 4.0 * max(result.semi_axis_x, spacing))
     depths = np.linspace(shallowest, deepest, _DEPTHS)
     phi = body.node_angles()[0]
-    with kept_in_results():
+    with silenced():
         fields = interior(result, depth=depths, phi=phi, theta=[0.5 * np.pi], of=body.of)
     fields = fields.isel(theta=0).drop_duplicates("depth")
 

@@ -36,13 +36,13 @@ _ROUND_OFF = 1e-10
 def contact_size(result: Solution) -> float:
     """Return the smaller semi-axis of the contact, or a node spacing if that is zero [m]."""
     along = result.semi_axis_x or 0.0
-    across = along if result.ball.line_contact else result.semi_axis_z or 0.0
-    return min(along, across) or result.ball.outer_radius * result.mesh.spacing
+    across = along if result.body.line_contact else result.semi_axis_z or 0.0
+    return min(along, across) or result.body.outer_radius * result.mesh.spacing
 
 
 def default_max_order(result: Solution, orders_per_contact: float = _ORDERS_PER_CONTACT) -> int:
     """Return the highest order of the loss sums: all relevant orders, as far as the mesh has them."""
-    wanted = int(np.ceil(orders_per_contact * result.ball.outer_radius / contact_size(result)))
+    wanted = int(np.ceil(orders_per_contact * result.body.outer_radius / contact_size(result)))
     most = result.mesh.max_order or 10 * result.mesh.nodes_per_revolution
     return max(8, min(wanted, most, 20000))
 
@@ -62,7 +62,7 @@ def loss(
     ----------
     depth : array_like, optional
         Depths of the densities [m]; by default the nodes of the volume integral.
-    of : "ball" or "counterpart", optional
+    of : "body" or "counterbody", optional
         Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
     max_order : int, optional
         Highest order |m|, |n| of the sums. By default that of the mesh or 40 r_o/a, whichever is lower, with the
@@ -142,7 +142,7 @@ def loss(
     density = np.maximum(lost.density[:, shown], 0.0)
     # The material of a counterbody passes at the speed of the center, which differs by the creepage from the speed Ω
     # r_o of the solve.
-    as_solved = result.angular_speed * result.ball.outer_radius / inside.radius
+    as_solved = result.angular_speed * result.body.outer_radius / inside.radius
     order_power = lost.order_power.reshape(len(inside.layers), -1) * (inside.passes / as_solved)
     shares = [_term_shares(layer.shear_modulus, as_solved * lost.orders) for layer in inside.layers]
     terms = max(len(share) for share in shares)

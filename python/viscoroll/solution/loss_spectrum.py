@@ -63,7 +63,7 @@ def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
     ----------
     result : Result
         Solution of a contact.
-    of : "ball" or "counterpart", optional
+    of : "body" or "counterbody", optional
         Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
 
     Returns
@@ -111,7 +111,7 @@ def extrapolated_loss(result: Solution) -> float | None:
         return None
     tables = [
         layer.shear_modulus
-        for layer in result.ball.layers
+        for layer in result.body.layers
         if isinstance(layer.shear_modulus, MasterCurve) and layer.shear_modulus.extrapolation is Extrapolation.HOLD
     ]
     if not tables:
@@ -125,7 +125,7 @@ def _compliance(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> N
     grid = [orders.ravel() for orders in np.meshgrid(m, n, indexing="ij")]
     displacement = order_fields(
         inside.body,
-        inside.result.angular_speed * inside.result.ball.outer_radius / inside.radius,
+        inside.result.angular_speed * inside.result.body.outer_radius / inside.radius,
         *grid,
         depth=[0.0],
         rolling_radius=inside.radius if isinstance(inside.body, CoatedPlane) else None,
@@ -148,7 +148,7 @@ def _orders(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArr
     """Return the orders of the tractions along r, φ and θ, shape (3, m, n) [Pa]."""
     result = inside.result
     # φ and θ increase in the directions -x and -z at the lowest point.
-    sense = 1.0 if inside.of == "counterpart" else -1.0
+    sense = 1.0 if inside.of == "counterbody" else -1.0
     fields = np.stack([-result.pressure, sense * result.shear_traction[0], sense * result.shear_traction[1]])
     angles = [a - 0.5 * np.pi for a in inside.node_angles()]
     waves = [

@@ -13,7 +13,7 @@ from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .._support.extras import extra
 from .._support.scalars import with_scalars
 from .._support.units import UNITS, unit_in_contact
-from ..bodies import CoatedWheel, Counterpart, Drive, Mesh, RollingBody
+from ..bodies import CoatedWheel, Counterbody, Drive, Mesh, RollingBody
 from .scalars import SCALARS, ScalarFields
 
 if TYPE_CHECKING:
@@ -37,17 +37,17 @@ class Refinement:
         Resisting torque T_r [N m].
     penetration : float or None
         Penetration r_o - H [m]; None if it is undetermined.
-    power_balance_error : float
-        Relative power-balance error [-].
+    energy_balance_error : float
+        Relative energy-balance error [-].
     error_estimate : float
-        The larger of the power-balance error and the changes from the previous mesh [-]; 1 on the first mesh.
+        The larger of the energy-balance error and the changes from the previous mesh [-]; 1 on the first mesh.
     """
 
     mesh: Mesh
     contact_nodes: int
     resisting_torque: float
     penetration: float | None
-    power_balance_error: float
+    energy_balance_error: float
     error_estimate: float
 
     @classmethod
@@ -88,7 +88,7 @@ class Solution(ScalarFields):
 
     Attributes
     ----------
-    ball, on, load, angular_speed, friction, drive, compliance, curvature, patch_load
+    body, on, load, angular_speed, friction, drive, compliance, curvature, patch_load
         Input; load in [N], or [N/m] for a roller; angular_speed in [rad/s].
     status : Status
         Outcome of the solve.
@@ -118,8 +118,8 @@ class Solution(ScalarFields):
         friction.
     """
 
-    ball: RollingBody
-    on: Counterpart | None
+    body: RollingBody
+    on: Counterbody | None
     load: float
     angular_speed: float
     friction: float
@@ -176,7 +176,7 @@ class Solution(ScalarFields):
         'W'
         """
         unit = UNITS["load"] if name == "load" else SCALARS[name][0]
-        return unit_in_contact(unit, line_contact=self.ball.line_contact)
+        return unit_in_contact(unit, line_contact=self.body.line_contact)
 
     def scalars(self) -> dict[str, float | int | str | None]:
         """Return all scalar results by name in SI units, and the names of status and warnings."""
@@ -256,8 +256,8 @@ def node_spacings(solution: Solution) -> tuple[float, float]:
 def _theta_nodes_per_revolution(solution: Solution) -> float:
     """Return 2π/Δθ: that of the mesh; for a wheel such that a whole number of columns fills its width."""
     columns = solution.z.shape[1]
-    if isinstance(solution.ball, CoatedWheel) and columns > 1:
-        return float(2.0 * np.pi * solution.ball.outer_radius * (columns - 1) / np.ptp(solution.z[0]))
+    if isinstance(solution.body, CoatedWheel) and columns > 1:
+        return float(2.0 * np.pi * solution.body.outer_radius * (columns - 1) / np.ptp(solution.z[0]))
     return solution.mesh.theta_nodes_per_revolution or solution.mesh.nodes_per_revolution
 
 

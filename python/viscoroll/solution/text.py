@@ -8,7 +8,7 @@ from .loss_spectrum import extrapolated_loss
 from .scalars import SCALARS
 from .solution import Solution
 
-__all__ = ["cautions", "result_html", "result_lines", "result_summary", "result_title", "with_unit"]
+__all__ = ["result_html", "result_lines", "result_summary", "result_title", "result_warnings", "with_unit"]
 
 
 def result_summary(result: Solution) -> str:
@@ -35,7 +35,7 @@ def result_summary(result: Solution) -> str:
         ("nodes in contact", f"{int(result.contact.sum())} of {result.contact.size}"),
         ("effort", f"{result.iterations} iterations with {result.operator_applications} operator applications"),
         ("status", f"{result.status.name}, residual {result.residual:.1e}"),
-        *(("warning", message) for message in cautions(result)),
+        *(("warning", message) for message in result_warnings(result)),
     ]
     width = max(len(label) for label, _ in rows)
     model = f"{result.compliance.name} compliance, {result.curvature.name} curvature"
@@ -43,9 +43,9 @@ def result_summary(result: Solution) -> str:
     return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
 
 
-def cautions(result: Solution) -> list[str]:
+def result_warnings(result: Solution) -> list[str]:
     """Return the warnings of a result, with a hint if lengths or moduli are implausible in SI units."""
-    return [*result.warnings.values(), *filter(None, [unit_doubt(result.ball, result.on)])]
+    return [*result.warnings.values(), *filter(None, [unit_doubt(result.body, result.on)])]
 
 
 def result_lines(result: Solution) -> list[tuple[str, str]]:
@@ -74,7 +74,7 @@ def result_html(result: Solution) -> str:
     """Return the table of the result for a notebook."""
     rows = [(label, number_text(value), unit_text(unit)) for label, value, unit in _scalar_rows(result)]
     rows += [("mesh", str(result.mesh), ""), ("status", result.status.name, "")]
-    rows += [("warning", message, "") for message in cautions(result)]
+    rows += [("warning", message, "") for message in result_warnings(result)]
     return html_table(f"Result of {result_title(result)}", rows)
 
 
@@ -123,7 +123,7 @@ def _extrapolation_rows(result: Solution) -> list[tuple[str, str]]:
 def _pair_rows(result: Solution) -> list[tuple[str, str]]:
     if result.on is None:
         return []
-    shares = f"{_quantity(result, 'rolling_bulk_power')}, {_quantity(result, 'counterpart_bulk_power')}"
+    shares = f"{_quantity(result, 'rolling_bulk_power')}, {_quantity(result, 'counterbody_bulk_power')}"
     return [("in the rolling body, in the counterbody", shares)]
 
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
 
-__all__ = ["Abscissa", "Colors", "Scale", "choose_scale", "named", "value_text"]
+__all__ = ["Abscissa", "Colors", "Scale", "choose_scale", "quantity_name", "value_text"]
 
 #: Symbols of parameters.
 _SYMBOLS = {
@@ -83,45 +83,49 @@ class Abscissa:
     """Horizontal axis for the first dimension: numbers, or texts side by side."""
 
     def __init__(self, coordinate: xarray.DataArray) -> None:
-        self._name = named(coordinate)
+        self._name = quantity_name(coordinate)
         self._texts = _texts_of(coordinate)
         self._scale = Scale(1.0, "") if self._texts else Scale.of(coordinate)
-        self.places = np.arange(float(coordinate.size)) if self._texts else coordinate.to_numpy() / self._scale.factor
+        self.positions = (
+            np.arange(float(coordinate.size)) if self._texts else coordinate.to_numpy() / self._scale.factor
+        )
 
     def draw(self, axes: Axes, values: Floats, *, style: str, color: Any) -> None:
         """Draw a curve over numbers, or points over texts."""
-        axes.plot(self.places, values, "o" if self._texts else f".{style}", color=color)
+        axes.plot(self.positions, values, "o" if self._texts else f".{style}", color=color)
 
     def draw_band(self, axes: Axes, lower: Floats, upper: Floats, *, color: Any) -> None:
         """Draw intervals: a band around a curve, or a vertical line at each point."""
         if self._texts:
-            axes.vlines(self.places, lower, upper, color=color, alpha=0.6)
+            axes.vlines(self.positions, lower, upper, color=color, alpha=0.6)
         else:
-            axes.fill_between(self.places, lower, upper, color=color, alpha=0.2, linewidth=0.0)
+            axes.fill_between(self.positions, lower, upper, color=color, alpha=0.2, linewidth=0.0)
 
     def finish(self, axes: Axes) -> None:
         """Write the name and the numbers or texts below the axis; texts that would overlap are slanted."""
         axes.set_xlabel(self._scale.text(self._name))
         if not self._texts:
-            choose_scale(axes, "x", self.places)
+            choose_scale(axes, "x", self.positions)
             return
-        axes.set_xlim(-0.5, self.places.size - 0.5)
+        axes.set_xlim(-0.5, self.positions.size - 0.5)
         longest = max(len(line) for text in self._texts for line in text.split("\n"))
-        if longest * self.places.size <= _CHARACTERS:
-            axes.set_xticks(self.places, self._texts)
+        if longest * self.positions.size <= _CHARACTERS:
+            axes.set_xticks(self.positions, self._texts)
             return
         if len(self._texts) > _MOST_SLANTED:
             texts = [text.replace("\n", ", ") for text in self._texts]
-            axes.set_xticks(self.places, texts, fontsize="small", rotation=90)
+            axes.set_xticks(self.positions, texts, fontsize="small", rotation=90)
         else:
-            axes.set_xticks(self.places, self._texts, fontsize="small", rotation=30, rotation_mode="anchor", ha="right")
+            axes.set_xticks(
+                self.positions, self._texts, fontsize="small", rotation=30, rotation_mode="anchor", ha="right"
+            )
 
 
 class Colors:
     """Colors of the curves for the values of one dimension."""
 
     def __init__(self, coordinate: xarray.DataArray) -> None:
-        self._name = named(coordinate)
+        self._name = quantity_name(coordinate)
         self._texts = [text.replace("\n", ", ") for text in _texts_of(coordinate)]
         self.has_bar = not self._texts and coordinate.size > _MOST_IN_LEGEND
         if len(self._texts) > _MOST_TEXTS:
@@ -190,12 +194,12 @@ def _spelled(text: str) -> str:
 def value_text(coordinate: xarray.DataArray) -> str:
     """Return name and value of a coordinate with a single value."""
     if coordinate.dtype.kind not in "fiu":
-        return f"{named(coordinate)}: {_texts_of(coordinate.expand_dims('one'))[0]}".replace("\n", ", ")
+        return f"{quantity_name(coordinate)}: {_texts_of(coordinate.expand_dims('one'))[0]}".replace("\n", ", ")
     scale = Scale.of(coordinate)
-    return f"{_symbol(named(coordinate))} = {coordinate.item() / scale.factor:.4g} {scale.unit}".rstrip()
+    return f"{_symbol(quantity_name(coordinate))} = {coordinate.item() / scale.factor:.4g} {scale.unit}".rstrip()
 
 
-def named(values: xarray.DataArray) -> str:
+def quantity_name(values: xarray.DataArray) -> str:
     """Return the name of a quantity in words, with its symbol."""
     name = str(values.attrs.get("long_name", values.name)).replace("_", " ") if values.name in _SYMBOLS else ""
     if name:

@@ -158,10 +158,10 @@ def _unit(plan: Plan, unit: str | None) -> str | None:
 
 
 def _provenance(plan: Plan) -> dict[str, str]:
-    balls = plan.balls()
-    materials = dict.fromkeys(_clean(layer.shear_modulus) for ball in balls for layer in ball.layers)
+    rolling_bodies = plan.rolling_bodies()
+    materials = dict.fromkeys(_clean(layer.shear_modulus) for body in rolling_bodies for layer in body.layers)
     attributes = {
-        "title": f"rolling resistance of a coated {' or '.join(sorted(set(map(_kind, balls))))}",
+        "title": f"rolling resistance of a coated {' or '.join(sorted(set(map(_kind, rolling_bodies))))}",
         "source": f"viscoroll {__version__}",
         "version": __version__,
         "commit": __commit__,
@@ -169,14 +169,14 @@ def _provenance(plan: Plan) -> dict[str, str]:
         "created": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
         "mesh": _mesh_text(plan),
         "material": _joined(list(materials)),
-        "ball": _joined([_parameters(ball) for ball in balls]),
+        "body": _joined([_parameters(body) for body in rolling_bodies]),
     }
     if counts := {len(case.draws) for case in plan.cases if isinstance(case, LoadCase)} - {0}:
-        attributes |= {"draws": f"{max(counts)}, {plan.way}", "confidence": repr(plan.confidence)}
+        attributes |= {"draws": f"{max(counts)}, {plan.method}", "confidence": repr(plan.confidence)}
     if isinstance(other := plan.fixed.get("on"), CoatedSphere):
         attributes |= {"other_ball": _parameters(other), "other_radius": repr(other.outer_radius)}
-    bodies = {(id(c.ball), id(c.arguments.get("on"))): c for c in plan.cases if isinstance(c, LoadCase)}.values()
-    if doubt := next(filter(None, (unit_doubt(case.ball, case.arguments.get("on")) for case in bodies)), ""):
+    bodies = {(id(c.body), id(c.arguments.get("on"))): c for c in plan.cases if isinstance(c, LoadCase)}.values()
+    if doubt := next(filter(None, (unit_doubt(case.body, case.arguments.get("on")) for case in bodies)), ""):
         attributes["caution"] = doubt
     varied = {dimension.name for dimension in plan.dimensions}
     for name in sorted(LOAD_CASE - {"mesh"} - varied):
@@ -188,12 +188,12 @@ def _provenance(plan: Plan) -> dict[str, str]:
     return attributes | {"inputs": json.dumps(plan.identity(), ensure_ascii=False)}
 
 
-def _kind(ball: RollingBody) -> str:
-    return type(ball).__name__.removeprefix("Coated").lower()
+def _kind(body: RollingBody) -> str:
+    return type(body).__name__.removeprefix("Coated").lower()
 
 
-def _parameters(ball: RollingBody) -> str:
-    values = {parameter.name: getattr(ball, parameter.name) for parameter in fields(ball)}
+def _parameters(body: RollingBody) -> str:
+    values = {parameter.name: getattr(body, parameter.name) for parameter in fields(body)}
     return ", ".join(f"{name}={v.name if isinstance(v, Enum) else _clean(v)}" for name, v in values.items())
 
 

@@ -17,7 +17,7 @@ from .._support.arguments import as_float, as_int, as_member, require_type
 from .._support.tables import handy
 from .._support.text import shown
 from .._support.units import UNITS
-from ..bodies import Counterpart, Drive, Mesh
+from ..bodies import Counterbody, Drive, Mesh
 from ..materials import Draws
 
 __all__ = ["LOAD_CASE", "MOST_POINTS", "Dimension", "checked", "label", "require_feasible", "split"]
@@ -92,8 +92,8 @@ class Dimension:
         if self.is_numeric:
             return np.array(self.values)
         numbered = [f"{self.name}[{i}]" for i in range(len(self.values))]
-        ways = ([label(value) for value in self.values], [_build(value) for value in self.values], numbered)
-        return np.array(next(texts for texts in ways if _tell_apart(texts)), dtype=object)
+        candidates = ([label(value) for value in self.values], [_build(value) for value in self.values], numbered)
+        return np.array(next(texts for texts in candidates if _tell_apart(texts)), dtype=object)
 
 
 def require_feasible(sizes: Mapping[str, int]) -> None:
@@ -161,7 +161,7 @@ def checked(name: str, value: object) -> object:
         return as_int(name, value)
     if name == "on":
         for one in (value.middle, *value) if isinstance(value, Draws) else (value,):
-            require_type(name, one, Counterpart)
+            require_type(name, one, Counterbody)
         return value
     if name in _TYPES:
         if issubclass(_TYPES[name], Enum):
@@ -192,7 +192,7 @@ def _tell_apart(texts: Sequence[str]) -> bool:
 
 def _build(value: object) -> str:
     """Return the type of a body with its core radius and layer thicknesses; an empty text for other values."""
-    if not isinstance(value, Counterpart):
+    if not isinstance(value, Counterbody):
         return ""
     core = getattr(value, "core_radius", None)
     parts = [] if core is None else [f"core {handy([core], 'm')[0][0]} {handy([core], 'm')[1]}"]

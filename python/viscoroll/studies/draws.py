@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 import numpy as np
 
 from .._support.arguments import Floats
-from .._support.cautions import kept_in_results
 from .._support.intervals import half_width
+from .._support.result_warnings import silenced
 from .._support.text import shown
 from ..coupled import strain_softening
 from ..coupled.softening_search import softens
@@ -21,16 +21,16 @@ from ..solution.scalars import SCALARS
 if TYPE_CHECKING:
     from .._support.progress import Report
 
-__all__ = ["Way", "as_way", "drawn_answers", "drawn_parameters", "interval_variables"]
+__all__ = ["DrawMethod", "as_draw_method", "drawn_answers", "drawn_parameters", "interval_variables"]
 
 #: Method for the results of draws: to first order with a frozen contact, or by complete solves.
-Way: TypeAlias = Literal["linear", "solve"]
+DrawMethod: TypeAlias = Literal["linear", "solve"]
 
 #: Suffixes of variables: the mean of the draws, and the ends of the interval around the result.
 _BOUNDS = ("mean", "lower", "upper")
 
 #: Scalars that describe the computation, and dimensions of the contact, which linear draws keep fixed.
-_OF_THE_SOLVE = {"power_balance_error", "error_estimate", "iterations", "operator_applications", "residual"}
+_OF_THE_SOLVE = {"energy_balance_error", "error_estimate", "iterations", "operator_applications", "residual"}
 _OF_THE_OUTLINE = {"contact_area", "semi_axis_x", "semi_axis_z", "contact_width", "face_distance"}
 
 #: Largest relative change of the penetration for linear draws [-]. The penetration varies about as the power -0.4 of
@@ -42,11 +42,11 @@ _FARTHEST = 0.25
 _INSIDE = 2
 
 
-def as_way(way: object) -> Way:
+def as_draw_method(method: object) -> DrawMethod:
     """Return the method for the results of draws, or raise a ValueError."""
-    if way == "linear" or way == "solve":
-        return way
-    raise ValueError(f"draws must be 'linear' or 'solve', got {shown(way)}")
+    if method == "linear" or method == "solve":
+        return method
+    raise ValueError(f"draws must be 'linear' or 'solve', got {shown(method)}")
 
 
 def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
@@ -69,7 +69,7 @@ def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], lis
 def drawn_answers(
     result: Result,
     draws: Sequence[Pair],
-    way: Way,
+    method: DrawMethod,
     case: Mapping[str, Any],
     *,
     threads: int = 1,
@@ -83,7 +83,7 @@ def drawn_answers(
         Result for the middle of the draws.
     draws : sequence of pairs
         Body and counterbody of each draw.
-    way : "linear" or "solve"
+    method : "linear" or "solve"
         "linear": to first order with a frozen contact. "solve": a complete solve of each draw on the mesh of the
         result.
     case : mapping
@@ -96,9 +96,9 @@ def drawn_answers(
     ValueError, ConvergenceError
         If a draw is rejected or has no solution: an interval from the remaining draws would be wrong.
     """
-    left_out = _OF_THE_SOLVE | (_OF_THE_OUTLINE if way == "linear" else set())
+    left_out = _OF_THE_SOLVE | (_OF_THE_OUTLINE if method == "linear" else set())
     answers = [name for name in SCALARS if name not in left_out and isinstance(getattr(result, name), float)]
-    if way == "linear":
+    if method == "linear":
         values = propagated(result, draws, answers, threads=threads, progress=progress)
         _require_near(values[:, answers.index("penetration")] if "penetration" in answers else (), result)
         if not _peaks_inside(result):
@@ -106,8 +106,8 @@ def drawn_answers(
     else:
         options = {"mesh": result.mesh, "threads": threads, "progress": progress}
         given = {name: value for name, value in case.items() if name not in ("on", "accuracy")} | options
-        with kept_in_results():
-            values = np.array([_whole_answers(ball, on, given, answers) for ball, on in draws])
+        with silenced():
+            values = np.array([_whole_answers(body, on, given, answers) for body, on in draws])
     return dict(zip(answers, values.T, strict=True))
 
 
@@ -128,8 +128,8 @@ def _peaks_inside(result: Result) -> bool:
     return bool(around.all()) and around.size == 2 * _INSIDE + 1
 
 
-def _whole_answers(ball: Any, on: Any, given: dict[str, Any], answers: Sequence[str]) -> list[float]:
-    result = strain_softening(ball, on=on, **given).result if softens(ball, on) else solve(ball, on=on, **given)
+def _whole_answers(body: Any, on: Any, given: dict[str, Any], answers: Sequence[str]) -> list[float]:
+    result = strain_softening(body, on=on, **given).result if softens(body, on) else solve(body, on=on, **given)
     return [np.nan if (value := getattr(result, name)) is None else value for name in answers]
 
 

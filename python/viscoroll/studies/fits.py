@@ -57,7 +57,7 @@ def fit_power_law(load: ArrayLike, torque: ArrayLike, *, confidence: float = 0.9
     >>> round(fit.parameters["b"].value, 6)
     1.4
     """
-    x, y = _data("load", "N", load, torque, parameters=2)
+    x, y = _checked_points("load", "N", load, torque, parameters=2)
     slope, intercept = np.polyfit(np.log(x), np.log(y), 1)
     units = {"a": "N^(1-b) m", "b": "1"}
     return fit_law("T = a P^b", _power, x, y, np.array([math.exp(intercept), slope]), units, confidence)
@@ -98,7 +98,7 @@ def fit_thickness_law(thickness: ArrayLike, torque: ArrayLike, *, confidence: fl
     >>> round(fit.parameters["c"].value, 6)
     0.83
     """
-    x, y = _data("thickness", "m", thickness, torque, parameters=3)
+    x, y = _checked_points("thickness", "m", thickness, torque, parameters=3)
     # For a given a, artanh(T / a) = b h^c is a power law, a straight line in logarithms.
     starts = []
     for a in y.max() * (1.0 + np.geomspace(1e-3, 10.0, 24)):
@@ -116,11 +116,11 @@ def fit_friction_law(
     boundary_layer_width: float = 0.1,
     confidence: float = 0.95,
 ) -> Fit:
-    """Fit the matched exponentials (60)-(63) to the resisting torque as a function of friction.
+    """Fit the paper's matched exponentials (60)-(63) to the resisting torque as a function of friction.
 
     The law is T = a_i (1 + b_i (1 - exp(-μ/(ε c_i)))) + a_o (1 + b_o exp(-μ/c_o)) - δ with
-    δ = a_i (1 + b_i) = a_o (1 + b_o). Its value a_i = T(μ = 0) is given, and ε is the width of the boundary layer at
-    small friction.
+    δ = a_i (1 + b_i) = a_o (1 + b_o). The torque without friction, a_i = T(μ = 0), is given; ε is the width of the
+    boundary layer at small friction.
 
     Parameters
     ----------
@@ -129,9 +129,9 @@ def fit_friction_law(
     torque : array_like
         Resisting torques T_r [N m], > 0, of the same shape. NaN (a failed point) is left out.
     frictionless_torque : float, optional
-        a_i [N m], > 0. By default, the mean of `torque` at μ = 0; the points must then contain μ = 0.
+        Torque a_i [N m], > 0. By default, the mean of `torque` at μ = 0; the points must then contain μ = 0.
     boundary_layer_width : float, default 0.1
-        ε [-], > 0. It scales only c_i.
+        Width ε [-], > 0. Only c_i depends on this choice.
     confidence : float, default 0.95
         Confidence level of the intervals [-], in (0, 1). The intervals treat a_i as exact.
 
@@ -161,44 +161,44 @@ def fit_friction_law(
     """
     if not boundary_layer_width > 0.0:
         raise ValueError(f"boundary_layer_width must be > 0, got {boundary_layer_width!r}")
-    x, y = _data("friction", "", friction, torque, parameters=0, zero=True)
+    x, y = _checked_points("friction", "", friction, torque, parameters=0, zero=True)
     if frictionless_torque is None:
         if not (x == 0.0).any():
             raise ValueError("frictionless_torque must be given if friction contains no 0, got None")
         frictionless_torque = float(y[x == 0.0].mean())
     if not frictionless_torque > 0.0:
         raise ValueError(f"frictionless_torque must be > 0 N m, got {frictionless_torque!r}")
-    # At μ = 0 the law holds for all parameters: such points do not determine them.
-    x, y = _data("friction", "", x[x > 0.0], y[x > 0.0], parameters=4)
+    # At μ = 0 the law equals a_i whatever the parameters are, so points at μ = 0 do not help to determine them.
+    x, y = _checked_points("friction", "", x[x > 0.0], y[x > 0.0], parameters=4)
     law = f"matched exponentials (60)-(63), a_i = {frictionless_torque:.6g} N m, ε = {boundary_layer_width:g}"
-    separated = _FrictionLaw(frictionless_torque=frictionless_torque, width=boundary_layer_width)
-    start = separated.start(x, y)
+    model = _FrictionLaw(frictionless_torque=frictionless_torque, width=boundary_layer_width)
+    start = model.start(x, y)
     units = {"a_o": "N m", "b_o": "1", "c_o": "1", "c_i": "1"}
     try:
-        fit = fit_law(law, separated, x, y, start, units, confidence)
+        fit = fit_law(law, model, x, y, start, units, confidence)
         if fit.parameters["c_o"].value >= _LEAST_RATIO * boundary_layer_width * fit.parameters["c_i"].value:
             return fit
     except ValueError:  # the data do not distinguish the two scales
         pass
-    return _fit_at_least_ratio(separated, x, y, start, law, confidence)
+    return _fit_with_least_ratio(model, x, y, start, law, confidence)
 
 
-def _fit_at_least_ratio(law_of: _FrictionLaw, x: Floats, y: Floats, start: Floats, law: str, confidence: float) -> Fit:
-    """Fit with c_o = 1.5 ε c_i, for data with which a free c_o would approach ε c_i, and b_o would diverge."""
-    ratio = _LEAST_RATIO * law_of.width
+def _fit_with_least_ratio(model: _FrictionLaw, x: Floats, y: Floats, start: Floats, law: str, confidence: float) -> Fit:
+    """Fit with c_o = 1.5 ε c_i. It serves data for which a free c_o would approach ε c_i, so that b_o would diverge."""
+    ratio = _LEAST_RATIO * model.width
 
-    def tied(x: Floats, a_o: float, b_o: float, c_i: float) -> Floats:
-        return law_of(x, a_o, b_o, ratio * c_i, c_i)
+    def constrained(x: Floats, a_o: float, b_o: float, c_i: float) -> Floats:
+        return model(x, a_o, b_o, ratio * c_i, c_i)
 
     units = {"a_o": "N m", "b_o": "1", "c_i": "1"}
-    fit = fit_law(f"{law}, c_o = {_LEAST_RATIO:g} ε c_i", tied, x, y, start[[0, 1, 3]], units, confidence)
+    fit = fit_law(f"{law}, c_o = {_LEAST_RATIO:g} ε c_i", constrained, x, y, start[[0, 1, 3]], units, confidence)
     inner = fit.parameters["c_i"]
     outer = Parameter(value=ratio * inner.value, lower=ratio * inner.lower, upper=ratio * inner.upper, unit="1")
     # Jacobian of the four parameters of the law with respect to the three free ones.
-    spread = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, ratio], [0.0, 0.0, 1.0]])
+    jacobian = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, ratio], [0.0, 0.0, 1.0]])
     parameters = {"a_o": fit.parameters["a_o"], "b_o": fit.parameters["b_o"], "c_o": outer, "c_i": inner}
-    covariance = spread @ fit.covariance @ spread.T
-    return replace(fit, parameters=parameters, covariance=covariance, _model=law_of)
+    covariance = jacobian @ fit.covariance @ jacobian.T
+    return replace(fit, parameters=parameters, covariance=covariance, _model=model)
 
 
 def _power(x: Floats, a: float, b: float) -> Floats:
@@ -221,7 +221,7 @@ class _FrictionLaw:
         return np.asarray(a_o + a_o * b_o * np.exp(-x / c_o) - rise * np.exp(-x / (self.width * c_i)))
 
     def start(self, x: Floats, y: Floats) -> Floats:
-        """Return the best start values over a grid of c_o and c_i; a_o and a_o b_o enter linearly for each pair."""
+        """Return the best start values on a grid of c_o and c_i, with a_o and a_o b_o from linear least squares."""
         best, start = math.inf, np.ones(4)
         for inner in np.geomspace(0.3 * x.min(), 0.5 * x.max(), 16):
             for outer in np.geomspace(2.0 * inner, 5.0 * x.max(), 16):
@@ -234,10 +234,10 @@ class _FrictionLaw:
         return start
 
 
-def _data(
+def _checked_points(
     name: str, unit: str, x: ArrayLike, torque: ArrayLike, *, parameters: int, zero: bool = False
 ) -> tuple[Floats, Floats]:
-    """Return the checked points without failed ones (NaN)."""
+    """Check the points, and return them without the failed ones, whose torque is NaN."""
     first, second = np.asarray(x, dtype=np.float64).ravel(), np.asarray(torque, dtype=np.float64).ravel()
     if np.shape(x) != np.shape(torque):
         raise ValueError(f"torque must have the shape of {name}, {np.shape(x)}, got {np.shape(torque)}")

@@ -14,7 +14,7 @@ from ..bodies import (
     CoatedPlane,
     CoatedSphere,
     CoatedWheel,
-    Counterpart,
+    Counterbody,
     Groove,
     HalfSpace,
     Layer,
@@ -27,7 +27,7 @@ from .dimensions import LOAD_CASE
 if TYPE_CHECKING:
     from ..bodies import Mesh
     from ..rolling.propagation import Pair
-    from .draws import Way
+    from .draws import DrawMethod
 
 __all__ = ["PointKeys", "digest"]
 
@@ -51,21 +51,21 @@ class PointKeys:
     """
 
     def __init__(self) -> None:
-        self._balls: dict[tuple[int, float, int], str] = {}
+        self._bodies: dict[tuple[int, float, int], str] = {}
 
     def key(
         self,
-        ball: RollingBody,
+        body: RollingBody,
         arguments: Mapping[str, Any],
         fields: tuple[str, ...],
         draws: Sequence[Pair] = (),
-        way: Way = "linear",
+        method: DrawMethod = "linear",
     ) -> str:
         """Return the key of a point.
 
         Parameters
         ----------
-        ball : CoatedSphere, CoatedCylinder or CoatedWheel
+        body : CoatedSphere, CoatedCylinder or CoatedWheel
             Rolling body of the point, which must outlive this object.
         arguments : mapping
             Arguments of `viscoroll.solve`; missing ones have their defaults.
@@ -73,24 +73,24 @@ class PointKeys:
             Names of the fields that are stored.
         draws : sequence of pairs, default ()
             Body and counterbody of each draw. The bodies must outlive this object.
-        way : "linear" or "solve", default "linear"
+        method : "linear" or "solve", default "linear"
             Method for the results of draws.
         """
         case = {name: value for name, value in sorted({**_DEFAULTS, **arguments}.items()) if value is not None}
         speed, highest = case["angular_speed"], _highest_harmonic(case.get("mesh"))
         if "on" in case:
-            case["on"] = _counterpart_text(case["on"], speed * ball.outer_radius, highest)
-        text = f"{case!r} {fields!r} {self._ball(ball, speed, highest)}"
+            case["on"] = _counterbody_text(case["on"], speed * body.outer_radius, highest)
+        text = f"{case!r} {fields!r} {self._body(body, speed, highest)}"
         for drawn, on in draws:
-            under = "" if on is None else _counterpart_text(on, speed * drawn.outer_radius, highest)
-            text += f"; {way} draw {self._ball(drawn, speed, highest)} on {under}"
+            under = "" if on is None else _counterbody_text(on, speed * drawn.outer_radius, highest)
+            text += f"; {method} draw {self._body(drawn, speed, highest)} on {under}"
         return digest(text)
 
-    def _ball(self, ball: RollingBody, speed: float, highest: int) -> str:
-        place = (id(ball), speed, highest)
-        if place not in self._balls:
-            self._balls[place] = _ball_text(ball, speed, highest)
-        return self._balls[place]
+    def _body(self, body: RollingBody, speed: float, highest: int) -> str:
+        place = (id(body), speed, highest)
+        if place not in self._bodies:
+            self._bodies[place] = _body_text(body, speed, highest)
+        return self._bodies[place]
 
 
 def digest(text: str) -> str:
@@ -105,29 +105,29 @@ def _highest_harmonic(mesh: Mesh | None) -> int:
     return mesh.max_order or 2 * mesh.nodes_per_revolution
 
 
-def _ball_text(ball: RollingBody, speed: float, highest: int) -> str:
+def _body_text(body: RollingBody, speed: float, highest: int) -> str:
     with np.errstate(over="ignore"):  # the solver rejects such a speed
         frequencies = [0.0, *(speed * np.geomspace(1.0, highest, _SAMPLES)).tolist()]
-    return "; ".join([_shape_text(ball), *(_layer_text(layer, frequencies) for layer in ball.layers)])
+    return "; ".join([_shape_text(body), *(_layer_text(layer, frequencies) for layer in body.layers)])
 
 
-def _shape_text(ball: RollingBody) -> str:
-    match ball:
+def _shape_text(body: RollingBody) -> str:
+    match body:
         case CoatedSphere():
-            return f"{ball.inner_boundary.name} {ball.core_radius!r}"
+            return f"{body.inner_boundary.name} {body.core_radius!r}"
         case CoatedCylinder():
-            return f"cylinder {ball.core_radius!r}"
+            return f"cylinder {body.core_radius!r}"
         case CoatedWheel():
-            ends = (ball.width, ball.crown_radius, ball.hub.name, ball.sides.name)
-            return f"wheel {ball.core_radius!r} {ends!r}"
+            ends = (body.width, body.crown_radius, body.hub.name, body.sides.name)
+            return f"wheel {body.core_radius!r} {ends!r}"
         case _:
-            assert_never(ball)
+            assert_never(body)
 
 
-def _counterpart_text(on: Counterpart, surface_speed: float, highest: int) -> str:
+def _counterbody_text(on: Counterbody, surface_speed: float, highest: int) -> str:
     """Return the text of a counterbody."""
     if isinstance(on, RollingBody):
-        return _ball_text(on, surface_speed / on.outer_radius, highest)
+        return _body_text(on, surface_speed / on.outer_radius, highest)
     match on:
         case CoatedPlane():
             kind = "plane"

@@ -11,7 +11,7 @@ import numpy as np
 from .._support.arguments import Floats
 from .._support.extras import extra
 from .._support.pictures import drawn
-from .axes import Abscissa, Colors, Scale, choose_scale, named, value_text
+from .axes import Abscissa, Colors, Scale, choose_scale, quantity_name, value_text
 
 with extra("plot"):
     from matplotlib.lines import Line2D
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 __all__ = ["plot_study"]
 
 #: Line styles, in the order of their use.
-_LINES: tuple[Literal["-", "--", ":", "-."], ...] = ("-", "--", ":", "-.")
+_LINE_STYLES: tuple[Literal["-", "--", ":", "-."], ...] = ("-", "--", ":", "-.")
 
 
 @overload
@@ -38,30 +38,31 @@ def plot_study(study: xarray.Dataset, *, variable: str = ..., ax: Axes) -> Axes:
 def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque", ax: Axes | None = None) -> Figure | Axes:
     """Draw a scalar result of a study against its first dimension, one curve for each value of the others.
 
-    Among the other dimensions, the one with most values sets the color of the curves, the others set the line style.
-    Axes are logarithmic if their numbers span decades. Bands show the intervals from draws.
+    Among the other dimensions, the one with most values sets the color of the curves; the remaining ones set the line
+    style. An axis is logarithmic if its numbers span decades. If the study has confidence intervals, bands show them.
 
     Parameters
     ----------
     study : xarray.Dataset
         Dataset from `viscoroll.sweep`, or a selection of it.
     variable : str, default "resisting_torque"
-        Name of a result over the dimensions of the study.
+        Name of the scalar result.
     ax : matplotlib.axes.Axes, optional
-        Axes to draw into; by default those of a new figure.
+        Axes to draw into; by default, a new figure is made.
 
     Returns
     -------
     matplotlib.figure.Figure or matplotlib.axes.Axes
-        A new figure, which a notebook displays, or `ax`. Failed points are left out and counted; points that have not
-        converged are hollow.
+        A new figure, which a notebook displays, or `ax`. Failed points are not drawn; the title reports their number.
+        Points that have not converged are hollow.
 
     Raises
     ------
     ValueError
-        For an unknown variable, a variable without dimensions or numbers, and more curves than can be distinguished.
+        If the variable is unknown or has no dimensions or no finite values, or if the curves need more colors or line
+        styles than there are.
     """
-    values = _checked(study, variable)
+    values = _checked_variable(study, variable)
     return drawn(lambda axes: _draw_study(axes, study, values), ax, figsize=(7.6, 5.0))
 
 
@@ -74,33 +75,33 @@ def _draw_study(axes: Axes, study: xarray.Dataset, values: xarray.DataArray) -> 
     band = _band(study, values)
     first, *others = varied
     others.sort(key=lambda name: -values.sizes[name])
-    colors, lines = Colors(values[others[0]]) if others else None, others[1:]
-    if (kinds := math.prod(values.sizes[name] for name in lines)) > len(_LINES):
-        message = f"study must have at most {len(_LINES)} combinations of {', '.join(lines)}, got {kinds}"
+    colors, styled = Colors(values[others[0]]) if others else None, others[1:]
+    if (combinations := math.prod(values.sizes[name] for name in styled)) > len(_LINE_STYLES):
+        message = f"study must have at most {len(_LINE_STYLES)} combinations of {', '.join(styled)}, got {combinations}"
         raise ValueError(f"{message}; select some of them")
-    across, scale = Abscissa(values[first]), Scale.of(values)
-    handles, colored = [], set()
-    ends = zip(*(_parts(end, lines) for end in band), strict=True) if band else iter(())
-    for style, (label, part) in zip(_LINES, _parts(values, lines), strict=False):
+    abscissa, scale = Abscissa(values[first]), Scale.of(values)
+    handles, colors_in_use = [], set()
+    ends = zip(*(_parts(end, styled) for end in band), strict=True) if band else iter(())
+    for style, (label, part) in zip(_LINE_STYLES, _parts(values, styled), strict=False):
         curves = _curves(part, first)
         intervals = [_curves(end, first) / scale.factor for _, end in next(ends, ())]
-        drawn = {i for i, curve in enumerate(curves) if np.isfinite(curve).any()}
-        for i in drawn:
+        plotted = {i for i, curve in enumerate(curves) if np.isfinite(curve).any()}
+        for i in plotted:
             color = "tab:blue" if colors is None else colors[i]
-            across.draw(axes, curves[i] / scale.factor, style=style, color=color)
+            abscissa.draw(axes, curves[i] / scale.factor, style=style, color=color)
             if intervals:
-                across.draw_band(axes, intervals[0][i], intervals[1][i], color=color)
-        colored |= drawn
-        if drawn and label:
+                abscissa.draw_band(axes, intervals[0][i], intervals[1][i], color=color)
+        colors_in_use |= plotted
+        if plotted and label:
             handles.append(Line2D([], [], color="0.3", linestyle=style, label=label))
-    if _mark_unsettled(axes, study, values, across, scale.factor):
+    if _mark_unconverged(axes, study, values, abscissa, scale.factor):
         handles.append(Line2D([], [], linestyle="", marker="o", color="w", markeredgecolor="k", label="not converged"))
     if colors is not None and colors.has_bar:
         colors.draw_bar(axes)
     elif colors is not None:
-        handles = colors.handles(colored) + handles
-    across.finish(axes)
-    axes.set_ylabel(scale.text(named(values)))
+        handles = colors.handles(colors_in_use) + handles
+    abscissa.finish(axes)
+    axes.set_ylabel(scale.text(quantity_name(values)))
     choose_scale(axes, "y", values.to_numpy().ravel() / scale.factor)
     axes.set_title(title, fontsize="medium")
     axes.grid(alpha=0.3)
@@ -108,7 +109,7 @@ def _draw_study(axes: Axes, study: xarray.Dataset, values: xarray.DataArray) -> 
         axes.legend(handles=handles, fontsize="small")
 
 
-def _checked(study: xarray.Dataset, variable: str) -> xarray.DataArray:
+def _checked_variable(study: xarray.Dataset, variable: str) -> xarray.DataArray:
     known = [name for name, values in study.data_vars.items() if values.dtype.kind == "f" and "phi" not in values.dims]
     if variable not in known:
         raise ValueError(f"variable must be one of {', '.join(map(str, known))}, got {variable!r}")
@@ -130,12 +131,12 @@ def _band(study: xarray.Dataset, values: xarray.DataArray) -> list[xarray.DataAr
 
 
 def _curves(values: xarray.DataArray, first: str) -> Floats:
-    """Return an array with one curve along the first dimension in each row."""
+    """Return an array whose rows are the curves along the dimension `first`."""
     return np.asarray(values.transpose(..., first).to_numpy().reshape(-1, values.sizes[first]))
 
 
 def _parts(values: xarray.DataArray, names: list[str]) -> Iterator[tuple[str, xarray.DataArray]]:
-    """Split values along some dimensions, and yield a label with each part."""
+    """Split values along some dimensions; yield each part with its label."""
     if not names:
         yield "", values
         return
@@ -145,20 +146,20 @@ def _parts(values: xarray.DataArray, names: list[str]) -> Iterator[tuple[str, xa
             yield ", ".join(filter(None, [value_text(part[names[0]]), label])), rest
 
 
-def _mark_unsettled(
-    axes: Axes, study: xarray.Dataset, values: xarray.DataArray, across: Abscissa, factor: float
+def _mark_unconverged(
+    axes: Axes, study: xarray.Dataset, values: xarray.DataArray, abscissa: Abscissa, factor: float
 ) -> bool:
-    """Draw points that have not converged as hollow; return whether there are any."""
+    """Draw hollow markers at points that have not converged; return whether there are such points."""
     if "status" not in study or not set(values.dims) <= set(study.status.dims):
         return False
     first = values.dims[0]
     status = study.status.squeeze([name for name in study.status.dims if name not in values.dims])
     status = status.sel({name: values[name] for name in values.dims})
-    unsettled = ((status != "CONVERGED") & np.isfinite(values)).transpose(first, ...).to_numpy()
+    unconverged = ((status != "CONVERGED") & np.isfinite(values)).transpose(first, ...).to_numpy()
     numbers = values.transpose(first, ...).to_numpy() / factor
-    place, *_ = np.nonzero(unsettled)
-    axes.plot(across.places[place], numbers[unsettled], "wo", markeredgecolor="k", markersize=4, zorder=3)
-    return bool(unsettled.any())
+    column, *_ = np.nonzero(unconverged)
+    axes.plot(abscissa.positions[column], numbers[unconverged], "wo", markeredgecolor="k", markersize=4, zorder=3)
+    return bool(unconverged.any())
 
 
 def _title(study: xarray.Dataset, values: xarray.DataArray, varied: list[str]) -> str:
@@ -167,7 +168,7 @@ def _title(study: xarray.Dataset, values: xarray.DataArray, varied: list[str]) -
         for name, coordinate in study.coords.items()
         if name not in varied and coordinate.size == 1
     ]
-    lines = [f"{named(values)} against {named(study[varied[0]])}", ",  ".join(fixed)]
+    lines = [f"{quantity_name(values)} against {quantity_name(study[varied[0]])}", ",  ".join(fixed)]
     if _band(study, values):
         lines.append(f"bands contain the true value with a probability of {float(study.attrs['confidence']):.4g}")
     if missing := int((~np.isfinite(values)).sum()):

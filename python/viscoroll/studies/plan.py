@@ -7,12 +7,12 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from ..bodies import Counterpart, RollingBody
+from ..bodies import Counterbody, RollingBody
 from ..coupled.softening_search import softens
 from ..materials import Draws
 from ..rolling.propagation import Pair
 from .dimensions import LOAD_CASE, Dimension, label, require_feasible, split
-from .draws import Way, drawn_parameters
+from .draws import DrawMethod, drawn_parameters
 from .factories import Bodies
 from .identity import PointKeys, digest
 
@@ -29,7 +29,7 @@ _LONGEST_TEXT = 160
 class LoadCase:
     """One point: the body, arguments of `viscoroll.solve`, and both bodies with each draw of their materials."""
 
-    ball: RollingBody
+    body: RollingBody
     arguments: dict[str, Any]
     draws: tuple[Pair, ...] = ()
 
@@ -39,12 +39,12 @@ class Task:
     """Points for one worker, with the same body and the same influence table."""
 
     indices: tuple[int, ...]
-    ball: RollingBody
+    body: RollingBody
     shared: dict[str, Any]
     cases: tuple[dict[str, Any], ...]
     fields: tuple[str, ...]
     draws: tuple[Pair, ...]
-    way: Way
+    method: DrawMethod
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,7 +61,7 @@ class Plan:
         For each point, the case to solve, or the message of the exception that its inputs raised.
     fields : tuple of str, default ()
         Names of the fields to store for each point.
-    way : "linear" or "solve", default "linear"
+    method : "linear" or "solve", default "linear"
         Method for the results of draws, as in `viscoroll.sweep`.
     confidence : float, default 0.95
         Probability that an interval from draws contains the true value [-].
@@ -79,7 +79,7 @@ class Plan:
     fixed: dict[str, Any]
     cases: tuple[LoadCase | str, ...]
     fields: tuple[str, ...] = ()
-    way: Way = "linear"
+    method: DrawMethod = "linear"
     confidence: float = 0.95
     keys: tuple[str | None, ...] = field(init=False)
 
@@ -87,16 +87,18 @@ class Plan:
         """Reject plans that cannot be solved, and compute the keys."""
         if all(isinstance(case, str) for case in self.cases):
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
-        if len({ball.line_contact for ball in self.balls()}) > 1:
+        if len({body.line_contact for body in self.rolling_bodies()}) > 1:
             raise ValueError(
-                "ball must be a roller at all points or at none, because results of rollers are per length, got both"
+                "body must be a roller at all points or at none, because results of rollers are per length, got both"
             )
         solved = [case for case in self.cases if isinstance(case, LoadCase)]
-        if self.way == "linear" and any(case.draws and softens(case.ball, case.arguments.get("on")) for case in solved):
+        if self.method == "linear" and any(
+            case.draws and softens(case.body, case.arguments.get("on")) for case in solved
+        ):
             raise ValueError("draws must be 'solve' if layers soften with strain, got 'linear'")
         known = PointKeys()
         keys = [
-            known.key(case.ball, case.arguments, self.fields, case.draws, self.way)
+            known.key(case.body, case.arguments, self.fields, case.draws, self.method)
             if isinstance(case, LoadCase)
             else None
             for case in self.cases
@@ -108,14 +110,14 @@ class Plan:
         """Number of values of each dimension."""
         return tuple(len(dimension.values) for dimension in self.dimensions)
 
-    def balls(self) -> list[RollingBody]:
+    def rolling_bodies(self) -> list[RollingBody]:
         """Return every rolling body once."""
-        return list({id(case.ball): case.ball for case in self.cases if isinstance(case, LoadCase)}.values())
+        return list({id(case.body): case.body for case in self.cases if isinstance(case, LoadCase)}.values())
 
     @property
     def line_contact(self) -> bool:
         """Whether the bodies are rollers, whose loads and results are per length."""
-        return self.balls()[0].line_contact
+        return self.rolling_bodies()[0].line_contact
 
     def tasks(self, indices: Sequence[int], *, largest: int) -> list[Task]:
         """Return tasks of at most `largest` points that solve the points of `indices`."""
@@ -123,7 +125,7 @@ class Plan:
         for i in indices:
             case = self.cases[i]
             if isinstance(case, LoadCase):
-                key = (id(case.ball), *(_mark(case.arguments.get(name)) for name in _SHARED))
+                key = (id(case.body), *(_mark(case.arguments.get(name)) for name in _SHARED))
                 groups.setdefault(key, []).append(i)
         # Each task takes every n-th point, not consecutive ones: points tend to become harder along a dimension.
         parts = {key: -(-len(group) // largest) for key, group in groups.items()}
@@ -134,14 +136,14 @@ class Plan:
         first = cases[0]
         return Task(
             indices=tuple(indices),
-            ball=first.ball,
+            body=first.body,
             shared={name: first.arguments[name] for name in _SHARED if first.arguments.get(name) is not None},
             cases=tuple(
                 {k: v for k, v in case.arguments.items() if k not in _SHARED and v is not None} for case in cases
             ),
             fields=self.fields,
             draws=first.draws,
-            way=self.way,
+            method=self.method,
         )
 
     def identity(self) -> dict[str, str]:
@@ -157,15 +159,15 @@ class Plan:
 
 def _mark(argument: object) -> object:
     """Return a hashable mark of an argument: the identity for bodies, whose layers may hold lists, else the value."""
-    return id(argument) if isinstance(argument, Counterpart) else argument
+    return id(argument) if isinstance(argument, Counterbody) else argument
 
 
 def plan_sweep(
-    ball: RollingBody | Callable[..., RollingBody],
+    body: RollingBody | Callable[..., RollingBody],
     parameters: dict[str, object],
     *,
     fields: tuple[str, ...],
-    way: Way = "linear",
+    method: DrawMethod = "linear",
     confidence: float = 0.95,
 ) -> Plan:
     """Return the plan of a study over the product of all one-dimensional `parameters`.
@@ -179,21 +181,23 @@ def plan_sweep(
     ValueError
         For too many points.
     """
-    ground = Bodies(parameters.get("on"), noun="on", kind=Counterpart)
+    ground = Bodies(parameters.get("on"), noun="on", kind=Counterbody)
     divided = {
         name: value if name == "on" and ground.is_made else split(name, value) for name, value in parameters.items()
     }
     dimensions = tuple(value for value in divided.values() if isinstance(value, Dimension))
     require_feasible({dimension.name: len(dimension.values) for dimension in dimensions})
     fixed = {name: value for name, value in divided.items() if not isinstance(value, Dimension)}
-    pairs = _Pairs(Bodies(ball, noun="ball", kind=RollingBody), ground, sorted(parameters.keys() - LOAD_CASE))
+    pairs = _Pairs(Bodies(body, noun="body", kind=RollingBody), ground, sorted(parameters.keys() - LOAD_CASE))
     cases = []
     for point in itertools.product(*(enumerate(dimension.values) for dimension in dimensions)):
         chosen = {dimension.name: item for dimension, item in zip(dimensions, point, strict=True)}
         varied = {name: value for name, (_, value) in chosen.items()}
         numbers = {name: number for name, (number, _) in chosen.items()}
         cases.append(_case(pairs, numbers, fixed | varied))
-    return Plan(dimensions=dimensions, fixed=fixed, cases=tuple(cases), fields=fields, way=way, confidence=confidence)
+    return Plan(
+        dimensions=dimensions, fixed=fixed, cases=tuple(cases), fields=fields, method=method, confidence=confidence
+    )
 
 
 class _Pairs:
@@ -205,21 +209,21 @@ class _Pairs:
         For parameters that the function of neither body takes.
     """
 
-    def __init__(self, ball: Bodies, ground: Bodies, names: Sequence[str]) -> None:
-        self._ball = ball
+    def __init__(self, body: Bodies, ground: Bodies, names: Sequence[str]) -> None:
+        self._body = body
         self._ground = ground
         self._of_ground = ground.taken(names)
-        self._of_ball = [name for name in names if name not in self._of_ground or ball.taken([name])]
-        ball.check(self._of_ball)
+        self._of_body = [name for name in names if name not in self._of_ground or body.taken([name])]
+        body.check(self._of_body)
         ground.check(self._of_ground)
 
     def __call__(self, numbers: Mapping[str, Hashable], given: Mapping[str, Any]) -> Pair | str:
         """Return body and counterbody, or the message of the exception that one of them raises."""
-        ball = self._ball(numbers, {name: given[name] for name in self._of_ball})
+        body = self._body(numbers, {name: given[name] for name in self._of_body})
         on = given.get("on")
         if self._ground.is_made:
             on = self._ground(numbers, {name: given[name] for name in self._of_ground})
-        return next((body for body in (ball, on) if isinstance(body, str)), (ball, on))
+        return next((text for text in (body, on) if isinstance(text, str)), (body, on))
 
 
 def _case(pairs: _Pairs, numbers: Mapping[str, int], parameters: dict[str, Any]) -> LoadCase | str:
@@ -235,11 +239,11 @@ def _case(pairs: _Pairs, numbers: Mapping[str, int], parameters: dict[str, Any])
         draws.append(pair)
     if isinstance(solved, str):
         return solved
-    ball, on = solved
+    body, on = solved
     arguments = {name: value for name, value in middle.items() if name in LOAD_CASE}
     if on is not None:
         arguments["on"] = on
-    return LoadCase(ball=ball, arguments=arguments, draws=tuple(draws))
+    return LoadCase(body=body, arguments=arguments, draws=tuple(draws))
 
 
 def _shortened(text: str) -> str:

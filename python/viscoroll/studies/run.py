@@ -13,14 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._core import ConvergenceError, core_count
-from .._support.cautions import kept_in_results
 from .._support.progress import Report
+from .._support.result_warnings import silenced
 from ..bodies import RollingBody
 from ..coupled import StrainSoftening, strain_softening
 from ..coupled.softening_search import softens
 from ..rolling import Result, RollingModel, solve
 from ..rolling.propagation import Pair
-from .draws import Way, drawn_answers
+from .draws import DrawMethod, drawn_answers
 from .factories import NOT_OF_A_POINT
 from .plan import Plan, Task
 
@@ -64,13 +64,13 @@ class Outcome:
 
 
 def solve_group(
-    ball: RollingBody,
+    body: RollingBody,
     shared: Mapping[str, Any],
     cases: Sequence[Mapping[str, Any]],
     *,
     fields: Sequence[str] = (),
     draws: Sequence[Pair] = (),
-    way: Way = "linear",
+    method: DrawMethod = "linear",
     threads: int = 1,
     progress: Report | None = None,
     record: Callable[[int, Outcome], object] | None = None,
@@ -79,7 +79,7 @@ def solve_group(
 
     Parameters
     ----------
-    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+    body : CoatedSphere, CoatedCylinder or CoatedWheel
         Rolling body of all points.
     shared : mapping
         Arguments of `viscoroll.solve` that are the same for all points: counterbody, speed, mesh, compliance,
@@ -90,7 +90,7 @@ def solve_group(
         Names of the fields to store.
     draws : sequence of pairs, default ()
         Body and counterbody with each draw of their materials.
-    way : "linear" or "solve", default "linear"
+    method : "linear" or "solve", default "linear"
         Method for the results of the draws, as in `viscoroll.sweep`.
     threads : int, default 1
         Number of threads of each solve.
@@ -113,7 +113,7 @@ def solve_group(
     outcomes = []
     for position, case in enumerate(cases):
         try:
-            solver = solver or _solver(ball, shared, cases, threads=threads, progress=progress)
+            solver = solver or _solver(body, shared, cases, threads=threads, progress=progress)
             solved = solve_point(solver, **case)
         except NOT_OF_A_POINT:
             raise
@@ -125,7 +125,7 @@ def solve_group(
             outcome = Outcome(scalars=result.scalars() | bounds, fields=kept)
             if draws:
                 given = {**shared, **case}
-                outcome = _with_draws(outcome, result, draws, way, given, threads=threads, progress=progress)
+                outcome = _with_draws(outcome, result, draws, method, given, threads=threads, progress=progress)
         outcomes.append(outcome)
         if record is not None:
             record(position, outcome)
@@ -133,11 +133,11 @@ def solve_group(
 
 
 def _with_draws(
-    outcome: Outcome, result: Result, draws: Sequence[Pair], way: Way, case: Mapping[str, Any], **options: Any
+    outcome: Outcome, result: Result, draws: Sequence[Pair], method: DrawMethod, case: Mapping[str, Any], **options: Any
 ) -> Outcome:
     """Return the outcome with results of draws, or with the warning `NO_INTERVAL` if the draws failed."""
     try:
-        return replace(outcome, draws=drawn_answers(result, draws, way, case, **options))
+        return replace(outcome, draws=drawn_answers(result, draws, method, case, **options))
     except NOT_OF_A_POINT:
         raise
     except Exception as error:
@@ -159,20 +159,20 @@ def _is_an_answer(error: Exception) -> bool:
 
 def solve_point(solver: Callable[..., Result | StrainSoftening], **case: Any) -> Result | StrainSoftening:
     """Solve one point: `solver` holds the arguments shared with other points, `case` the remaining ones."""
-    with kept_in_results():
+    with silenced():
         return solver(**case)
 
 
 def _solver(
-    ball: RollingBody, shared: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], **options: Any
+    body: RollingBody, shared: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], **options: Any
 ) -> Callable[..., Result | StrainSoftening]:
     """Return a model with shared influence tables, or, without a fixed mesh, `solve` with the shared arguments."""
-    if softens(ball, shared.get("on")):
-        return partial(strain_softening, ball, **shared, **options)  # the moduli depend on the strain of each point
+    if softens(body, shared.get("on")):
+        return partial(strain_softening, body, **shared, **options)  # the moduli depend on the strain of each point
     if "mesh" not in shared or any("accuracy" in case for case in cases):
-        return partial(solve, ball, **shared, **options)
+        return partial(solve, body, **shared, **options)
     of_model = {name: value for name, value in shared.items() if name in ("on", "angular_speed", "mesh", "curvature")}
-    model = RollingModel(ball, **of_model, **options)
+    model = RollingModel(body, **of_model, **options)
     rest = {name: value for name, value in shared.items() if name not in of_model}
     return partial(model.solve, **rest, **options)
 
@@ -237,8 +237,8 @@ def _run_on_threads(plan: Plan, indices: Sequence[int], record: Callable[[int, O
 
 
 def _solve_task(task: Task, **options: Any) -> list[Outcome]:
-    given = (task.ball, task.shared, task.cases)
-    return solve_group(*given, fields=task.fields, draws=task.draws, way=task.way, **options)
+    given = (task.body, task.shared, task.cases)
+    return solve_group(*given, fields=task.fields, draws=task.draws, method=task.method, **options)
 
 
 def _collect(futures: dict[Future[Any], Task], record: Callable[[Task, Any], None]) -> None:

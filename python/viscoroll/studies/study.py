@@ -11,16 +11,16 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .._support.cautions import warn
 from .._support.intervals import as_confidence
 from .._support.progress import ProgressLike, counted
+from .._support.result_warnings import warn
 from .._support.suggestions import suggestion
 from ..bodies import RollingBody
 from ..solution import FIELDS, VECTOR_FIELDS
 from .cache import DAMAGED, StudyCache, as_cache_path
 from .dataset import RESERVED, build_dataset
 from .dimensions import LOAD_CASE
-from .draws import Way, as_way
+from .draws import DrawMethod, as_draw_method
 from .plan import LoadCase, Plan, plan_sweep
 from .run import Outcome, run
 
@@ -31,14 +31,14 @@ __all__ = ["doubts", "run_plan", "sweep"]
 
 
 def sweep(
-    ball: RollingBody | Callable[..., RollingBody],
+    body: RollingBody | Callable[..., RollingBody],
     *,
     executor: Executor | None = None,
     cache: str | Path | None = None,
     retry_failed: bool = False,
     progress: ProgressLike = True,
     fields: Iterable[str] = (),
-    draws: Way = "linear",
+    draws: DrawMethod = "linear",
     confidence: float = 0.95,
     **parameters: Any,
 ) -> xarray.Dataset:
@@ -50,8 +50,8 @@ def sweep(
 
     Parameters
     ----------
-    ball : CoatedSphere, CoatedCylinder, CoatedWheel or callable
-        Rolling body of all points, or a function that returns it. The function is called as ball(name=value, ...) with
+    body : CoatedSphere, CoatedCylinder, CoatedWheel or callable
+        Rolling body of all points, or a function that returns it. The function is called as body(name=value, ...) with
         those parameters below that are not arguments of `viscoroll.solve`.
     executor : concurrent.futures.Executor, optional
         Executor that solves the points: a process pool, dask's ``Client.get_executor()``, mpi4py's ``MPIPoolExecutor``.
@@ -116,7 +116,7 @@ def sweep(
     -----
     The cache identifies a Python function of frequency as material by its values at zero frequency and at 96 multiples
     of the point's speed, up to the highest order that the mesh can evaluate. If viscoroll itself rejects a point, the
-    cache stores the message as its result. If something else fails at a point (the function `ball`, a material, a
+    cache stores the message as its result. If something else fails at a point (the function `body`, a material, a
     library), the dataset contains the message, but the cache does not. Failures that are not tied to one point are
     raised: lack of memory or a missing package at once; a broken pool, or an object that cannot be sent to another
     process, after the other points are solved.
@@ -139,7 +139,7 @@ def sweep(
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise TypeError(f"executor must be a concurrent.futures.Executor or None, got {executor!r}")
     _check_names(parameters)
-    plan = plan_sweep(ball, parameters, fields=kept, way=as_way(draws), confidence=as_confidence(confidence))
+    plan = plan_sweep(body, parameters, fields=kept, method=as_draw_method(draws), confidence=as_confidence(confidence))
     study = run_plan(plan, executor=executor, cache=cache, retry_failed=retry_failed, progress=progress)
     warn(doubts(study))
     return study

@@ -94,7 +94,7 @@ class HeatedBody:
     def source(self, loss: xarray.Dataset) -> NDArray[np.float64]:
         """Return q_j at the points of the layers, interpolated from the Gauss points of the loss in √depth."""
         by_mode = self.project(loss)
-        source = np.empty((by_mode.shape[0], self.conduction.place.size))
+        source = np.empty((by_mode.shape[0], self.conduction.coordinate.size))
         bounds = boundaries_of(self.inside.body)
         depths = loss.depth.to_numpy()
         for number in range(len(bounds) - 1):
@@ -103,9 +103,9 @@ class HeatedBody:
             thickness = bounds[number + 1] - bounds[number]
             top = float(self.inside.depth(bounds[number + 1]))
             root = np.sqrt(np.clip((depths[nodes] - top) / thickness, 0.0, None))
-            wanted = np.sqrt(np.clip((bounds[number + 1] - self.conduction.place[points]) / thickness, 0.0, None))
+            wanted = np.sqrt(np.clip((bounds[number + 1] - self.conduction.coordinate[points]) / thickness, 0.0, None))
             source[:, points] = by_mode[:, nodes] @ _interpolation(root, wanted).T
-        heat = self.conduction.heat_of(source)
+        heat = self.conduction.total_heat(source)
         return source * (self.power / heat) if heat > 0.0 else source  # scaled to the power of all orders
 
     def means(self, source: NDArray[np.float64], rises: NDArray[np.float64]) -> list[float]:
@@ -211,7 +211,7 @@ def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> 
     """Return the thermal model of a wheel, or of a roller under a wheel: the source varies across the section."""
     assert isinstance(inside.body, CoatedWheel)
     result = inside.result
-    if isinstance(result.on if inside.of == "counterpart" else result.ball, CoatedCylinder):
+    if isinstance(result.on if inside.of == "counterbody" else result.body, CoatedCylinder):
         refuse(given, ("base_convection", "period"), "a roller")
         if given.width is None:
             raise ValueError("width must be given for a roller under a wheel: the width of the roller [m]")
@@ -305,7 +305,7 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
 def _between_tracks(inside: Inside) -> float:
     """Return the distance between parallel tracks on a plane [m], a number of circumferences as in the loss."""
     result = inside.result
-    width = result.ball.width if isinstance(result.ball, CoatedWheel) else 0.0
+    width = result.body.width if isinstance(result.body, CoatedWheel) else 0.0
     return 2.0 * np.pi * inside.radius * max(1, int(np.ceil(width / (np.pi * inside.radius))))
 
 

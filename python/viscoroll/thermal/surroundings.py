@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import as_not_negative, as_positive
+from .._support.arguments import as_kelvin, as_not_negative, as_positive
 from .._support.text import shown
 
 if TYPE_CHECKING:
@@ -89,9 +89,7 @@ def held_rise(given: Surroundings) -> float:
             raise ValueError(f"{wanted}, got {shown(given.core_temperature)}")
         return 0.0
     return (
-        0.0
-        if given.core_temperature is None
-        else as_positive("core_temperature", given.core_temperature, "K") - given.ambient
+        0.0 if given.core_temperature is None else as_kelvin("core_temperature", given.core_temperature) - given.ambient
     )
 
 

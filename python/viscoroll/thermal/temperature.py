@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_float, as_kelvin, as_member, as_not_negative, as_positive, require_type
-from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.plotting import plots
 from .._support.progress import ProgressLike
+from .._support.result_warnings import warn
 from .._support.tables import html_table, number_text
 from ..solution import Solution
 from ..solution.inside import Of, finite_line, inside_of
@@ -158,7 +158,7 @@ def temperature(
         "isothermal", or the conductivity of a ball's solid core [W/(m K)]. Must be INSULATED for a ball without a core.
     core_temperature : float, optional
         Temperature of an isothermal core [K]; by default that of the surroundings.
-    of : "ball" or "counterpart", optional
+    of : "body" or "counterbody", optional
         Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
     width : float, optional
         Width of a roller from face to face [m], > 0. Without it, heat is per length and the faces take none. Do not
@@ -242,12 +242,12 @@ def temperature(
     values = body.values(places)
     rise = rises.T @ values
     means = body.means(source, rises)
-    heat = body.conduction.heat_of(source)
+    heat = body.conduction.total_heat(source)
     to_core = body.conduction.heat_inwards(source, rises)
     ripple = float(loss.loss_density.max()) / capacity
     found = Temperature(
         rise=_field(body, places, rise, xarray.DataArray),
-        maximum=float(body.conduction.finely(rise).max()),
+        maximum=float(body.conduction.refined(rise).max()),
         surface_maximum=float(rise[-1].max()),
         mean=means[0],
         layer_means=tuple(means[1:]),
@@ -257,7 +257,7 @@ def temperature(
         heat_to_surroundings=body.conduction.heat_outwards(rises) + body.conduction.heat_sideways(rises),
         ripple=ripple,
         heat_unit=body.unit,
-        times=tuple(body.conduction.slowest(capacity, 3).tolist()) if body.conduction.has_even_film else (),
+        times=tuple(body.conduction.time_constants(capacity, 3).tolist()) if body.conduction.has_uniform_film else (),
         history=None if time is None else _history(body, places, source, rises, start, time, capacity),
     )
     if ripple > _RIPPLE * abs(found.maximum):
@@ -291,14 +291,14 @@ def _history(
         if field.shape != expected:
             raise ValueError(f"start must have the same layers and mesh, with shape {expected}, got {field.shape}")
         before = np.linalg.lstsq(body.values(places).T, field.to_numpy().T, rcond=None)[0]
-    rises = body.conduction.approach(steady, before, times, capacity)
+    rises = body.conduction.transient(steady, before, times, capacity)
     rise = np.einsum("tjp,jz->tpz", rises, body.values(places))
     kelvin = {"units": "K"}
     frame = _field(body, places, rise[0], xarray.DataArray)
     return xarray.Dataset(
         {
             "rise": (("time", *frame.dims), rise, frame.attrs),
-            "maximum": ("time", [float(body.conduction.finely(one).max()) for one in rise], kelvin),
+            "maximum": ("time", [float(body.conduction.refined(one).max()) for one in rise], kelvin),
             "surface_maximum": ("time", rise[:, -1].max(axis=1), kelvin),
             "mean": ("time", [body.means(source, one)[0] for one in rises], kelvin),
         },
@@ -309,7 +309,7 @@ def _history(
 def _field(
     body: HeatedBody, places: NDArray[np.float64], rise: NDArray[np.float64], array: type[xarray.DataArray]
 ) -> xarray.DataArray:
-    across, place = body.along, body.conduction.place
+    across, place = body.along, body.conduction.coordinate
     unit = {"units": "rad" if across == "theta" else "m"}
     turns = body.inside.turns
     normal = "radius" if turns else "depth"
@@ -361,7 +361,7 @@ def plane_cooling(
     ----------
     H. S. Carslaw and J. C. Jaeger, Conduction of Heat in Solids, 2nd ed. (1959), section 2.9.
     """
-    inside = inside_of(result, "ball")
+    inside = inside_of(result, "body")
     base = as_not_negative("convection", convection, "W/(m^2 K)")
     effusivity = np.sqrt(
         as_positive("conductivity", conductivity, "W/(m K)") * as_positive("heat_capacity", heat_capacity, "J/(m^3 K)")

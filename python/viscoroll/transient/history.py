@@ -15,7 +15,7 @@ from .._support.files import save, write_csv, write_netcdf
 from .._support.plotting import plots
 from .._support.scalars import with_scalars
 from .._support.tables import html_table, number_text, unit_text
-from ..bodies import Counterpart, Drive, Mesh, RollingBody
+from ..bodies import Counterbody, Drive, Mesh, RollingBody
 from .rolling_history import RollingState
 from .series import HISTORY_SCALARS, SeriesFields, series_units
 
@@ -59,7 +59,7 @@ class History(SeriesFields):
 
     Attributes
     ----------
-    ball, on, mesh, compliance, curvature, friction, drive, mass, lattices
+    body, on, mesh, compliance, curvature, friction, drive, mass, averaged_meshes
         Input, with the mesh that was used. For a roller, forces, torques and energies are per length.
     start : Start or None
         Initial state; None if the history continued from a saved state.
@@ -72,8 +72,8 @@ class History(SeriesFields):
         State at the end, from which another history can continue.
     """
 
-    ball: RollingBody
-    on: Counterpart | None
+    body: RollingBody
+    on: Counterbody | None
     mesh: Mesh
     start: Start | None
     compliance: Compliance
@@ -81,7 +81,7 @@ class History(SeriesFields):
     friction: float
     drive: Drive
     mass: float
-    lattices: int
+    averaged_meshes: int
     spectrum_error: float
     contacts: tuple[ContactInstant, ...]
     state: RollingState
@@ -96,29 +96,29 @@ class History(SeriesFields):
         return {name: getattr(self, name) for name in HISTORY_SCALARS}
 
     @property
-    def way(self) -> NDArray[np.float64]:
-        """Displacement of the contact along the track without slip, r_o ψ [m]."""
-        return self.ball.outer_radius * self.angle
+    def distance(self) -> NDArray[np.float64]:
+        """Distance rolled along the track, r_o ψ [m]: the displacement of the contact without slip."""
+        return self.body.outer_radius * self.angle
 
     @property
     def units(self) -> dict[str, str]:
         """Unit of every time series."""
-        return series_units(line_contact=self.ball.line_contact)
+        return series_units(line_contact=self.body.line_contact)
 
     @property
     def energy_balance_error(self) -> NDArray[np.float64]:
         """Energy imbalance divided by the energy that the whole history dissipates [-]; 0 without dissipation."""
         lost = float(self.dissipated_energy[-1] - self.dissipated_energy[0])
-        gained = self.energy_imbalance - self.energy_imbalance[0]
+        gained = self.energy_balance_residual - self.energy_balance_residual[0]
         return np.abs(gained) / lost if lost > 0.0 else np.zeros_like(gained)
 
     @property
     def creepage(self) -> NDArray[np.float64]:
         """Displacement of the center divided by r_o Δψ, minus 1, over the previous step [-]; nan at standstill."""
         turn = np.diff(self.angle, prepend=np.nan)
-        way = np.diff(self.center_way, prepend=np.nan)
+        displacement = np.diff(self.center_displacement, prepend=np.nan)
         rolls = np.abs(turn) > 0.0 if self.friction > 0.0 else np.zeros_like(turn, dtype=bool)
-        return np.divide(way, self.ball.outer_radius * turn, out=np.full_like(turn, np.nan), where=rolls) - 1.0
+        return np.divide(displacement, self.body.outer_radius * turn, out=np.full_like(turn, np.nan), where=rolls) - 1.0
 
     def __repr__(self) -> str:
         """Return a summary that fits on one screen."""
@@ -139,7 +139,7 @@ class History(SeriesFields):
             ),
             ("error of the energy balance", f"{self.energy_balance_error[-1]:.1e}"),
             ("mesh", str(self.mesh)),
-            ("shifted meshes averaged", str(self.lattices)),
+            ("shifted meshes averaged", str(self.averaged_meshes)),
         ]
         width = max(len(label) for label, _ in rows)
         start = "a saved state" if self.start is None else f"{self.start.name} start"
@@ -173,7 +173,7 @@ class History(SeriesFields):
             "mass": self.mass,
             "spectrum_error": self.spectrum_error,
             "nodes_per_revolution": self.mesh.nodes_per_revolution,
-            "lattices": self.lattices,
+            "averaged_meshes": self.averaged_meshes,
             "start": "STATE" if self.start is None else self.start.name,
             "compliance": self.compliance.name,
             "curvature": self.curvature.name,

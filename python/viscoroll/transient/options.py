@@ -32,7 +32,7 @@ class HistoryKeywords(TypedDict, total=False):
     drive: Drive
     mass: float
     center_speed: float
-    lattices: int
+    averaged_meshes: int
     steps_per_spacing: int | None
     spectrum_tolerance: float
     threads: int
@@ -55,13 +55,13 @@ class HistoryOptions:
         twelve times as long.
     drive : Drive, default Drive(force=0.0)
         Horizontal force on the center, or driving torque about it; with a torque of 0 the body is towed. A given
-        creepage is not allowed; use `center_way` instead.
+        creepage is not allowed; use `center_displacement` instead.
     mass : float, default 0
         Mass that moves with the center [kg], ≥ 0; requires friction and a given force Q on the center. Q minus the
         force of the contact is mass times acceleration. If Q exceeds friction, the body slides, which is not an error.
     center_speed : float, default 0
         Initial speed of the center, forward [m/s]; used only with a mass.
-    lattices : int, default 4
+    averaged_meshes : int, default 4
         Number of meshes, each shifted by an equal fraction of the node spacing, over which results are averaged, in
         [1, 16]. A single mesh is four times as fast, but its torque varies with the position of its nodes.
     steps_per_spacing : int or None, default 4
@@ -81,7 +81,7 @@ class HistoryOptions:
     drive: Drive = Drive(force=0.0)  # noqa: RUF009  (immutable)
     mass: float = 0.0
     center_speed: float = 0.0
-    lattices: int = 4
+    averaged_meshes: int = 4
     steps_per_spacing: int | None = 4
     spectrum_tolerance: float = 0.01
     threads: int = 0
@@ -92,7 +92,7 @@ class HistoryOptions:
         require_type("drive", self.drive, Drive)
         if self.drive.creepage is not None:
             raise ValueError(
-                "drive must be a force or a torque in transient rolling; prescribe a speed by center_way instead"
+                "drive must be a force or a torque in transient rolling; prescribe center_displacement instead"
             )
         store_floats(self, [option.name for option in fields(self) if option.type == "float"])
         for name, kind in (("compliance", Compliance), ("curvature", Curvature)):

@@ -11,14 +11,14 @@ from .._core import Start
 from .._support.arguments import as_float_array, as_member, require_type
 from .._support.files import ending_in
 from .._support.progress import ProgressLike, Report, reporting
-from ..bodies import Counterpart, RollingBody
+from ..bodies import Counterbody, RollingBody
 from ..bodies.si_hints import si_hints
+from .distance import as_angles
 from .history import ContactInstant, History
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .rolling_history import RollingHistory, RollingState
 from .series import HISTORY_SCALARS
 from .state_file import SUFFIX
-from .way import as_angles
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -30,14 +30,14 @@ __all__ = ["roll"]
 
 @with_options
 def roll(
-    ball: RollingBody,
+    body: RollingBody,
     *,
-    on: Counterpart | None = None,
+    on: Counterbody | None = None,
     time: ArrayLike,
     angle: ArrayLike | None = None,
-    way: ArrayLike | None = None,
+    distance: ArrayLike | None = None,
     load: ArrayLike,
-    center_way: ArrayLike | None = None,
+    center_displacement: ArrayLike | None = None,
     start: Start | str | RollingState = Start.RELAXED,
     shortest_time: float | None = None,
     longest_time: float | None = None,
@@ -53,7 +53,7 @@ def roll(
 
     Parameters
     ----------
-    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+    body : CoatedSphere, CoatedCylinder or CoatedWheel
         Rolling body, with layers or rigid.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         Counterbody, with layers or rigid, same as in `viscoroll.solve`; by default the rigid plane. The material of a
@@ -64,12 +64,13 @@ def roll(
         instantaneous compliance.
     angle : array_like, optional
         Angle ψ turned at the waypoints [rad]; the body rolls forward if it increases.
-    way : array_like, optional
-        Displacement of the contact along the track at the waypoints [m], in place of the angle; r_o ψ without slip.
+    distance : array_like, optional
+        Distance rolled along the track at the waypoints [m], in place of the angle: r_o ψ, the displacement of the
+        contact without slip.
     load : array_like or float
         Normal load P at the waypoints [N], for rollers per length [N/m], ≥ 0, and > 0 at the first one; a number for
         all waypoints. At 0 the body has lifted off.
-    center_way : array_like, optional
+    center_displacement : array_like, optional
         Displacement of the center at the waypoints [m], starting from 0; requires friction. By default the forces
         determine it.
     start : Start or str or RollingState, default Start.RELAXED
@@ -117,31 +118,33 @@ def roll(
 
     >>> from viscoroll import CoatedPlane, CoatedSphere
     >>> mat, ball = CoatedPlane(layers=paper.ball().layers), CoatedSphere(core_radius=21e-3)
-    >>> h = roll(ball, on=mat, time=[0.0, 0.2], way=[0.0, 0.0105], load=100.0, mesh=Mesh(nodes_per_revolution=100))
+    >>> h = roll(ball, on=mat, time=[0.0, 0.2], distance=[0.0, 0.0105], load=100.0, mesh=Mesh(nodes_per_revolution=100))
     >>> f"{h.driving_force.max():.1f} N to break away"
     '2.5 N to break away'
     """
-    require_type("ball", ball, RollingBody)
+    require_type("body", body, RollingBody)
     chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # also accepts names of enum members
     start = start if isinstance(start, RollingState) else as_member("start", start, Start)
     if checkpoint is not None:
         checkpoint = ending_in([SUFFIX], checkpoint, name="checkpoint")
         if not checkpoint.parent.is_dir():
             raise ValueError(f"checkpoint must be in a folder that exists, got {str(checkpoint)!r}")
-    _require_length("way", way, time)
-    motion = _motion(time=time, angle=as_angles(ball, angle, way), load=load, center_way=center_way)
-    knots, angles = motion["time"], motion["angle"]
+    _require_length("distance", distance, time)
+    motion = _motion(
+        time=time, angle=as_angles(body, angle, distance), load=load, center_displacement=center_displacement
+    )
+    waypoints, angles = motion["time"], motion["angle"]
     spacing = 2.0 * np.pi / (chosen.mesh.nodes_per_revolution if chosen.mesh is not None else 500)
-    shortest, longest = _time_range(knots, angles, spacing / (chosen.steps_per_spacing or 1))
+    shortest, longest = _time_range(waypoints, angles, spacing / (chosen.steps_per_spacing or 1))
     with reporting(progress) as report:
         stepper = RollingHistory(
-            ball,
+            body,
             on=on,
             load=float(motion["load"][0]),
             start=start,
             shortest_time=shortest if shortest_time is None else shortest_time,
             longest_time=longest if longest_time is None else longest_time,
-            time=float(knots[0]),
+            time=float(waypoints[0]),
             angle=float(angles[0]),
             progress=report,
             **options,
@@ -149,7 +152,7 @@ def roll(
         pieces, contacts = _follow(stepper, motion, contact_times, checkpoint, report)
     rows = {name: _joined([getattr(piece, name) for piece in pieces]) for name in HISTORY_SCALARS}
     return History(
-        ball=ball,
+        body=body,
         on=on,
         mesh=stepper.mesh,
         start=start if isinstance(start, Start) else None,
@@ -158,7 +161,7 @@ def roll(
         friction=chosen.friction,
         drive=chosen.drive,
         mass=chosen.mass,
-        lattices=chosen.lattices,
+        averaged_meshes=chosen.averaged_meshes,
         spectrum_error=stepper.spectrum_error,
         contacts=tuple(contacts),
         state=stepper.state,
@@ -181,7 +184,7 @@ def _follow(
         for stop in _stops(motion["time"], contact_times):
             if stop < core.now().time:
                 continue
-            with si_hints(stepper.ball, stepper.on):
+            with si_hints(stepper.body, stepper.on):
                 piece = core.roll(**_until(stop, motion), progress=report)
             pieces.append(piece)
             if stop in np.asarray(contact_times):
@@ -198,9 +201,9 @@ def _joined(pieces: list[NDArray[np.float64]]) -> NDArray[np.float64]:
     return np.concatenate([pieces[0], *(piece[1:] for piece in pieces[1:])])
 
 
-def _motion(**knots: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
+def _motion(**waypoints: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
     """Return the given quantities at the waypoints as arrays of equal length; the core checks their values."""
-    arrays = {name: as_float_array(name, values) for name, values in knots.items() if values is not None}
+    arrays = {name: as_float_array(name, values) for name, values in waypoints.items() if values is not None}
     if arrays["load"].ndim == 0:
         arrays["load"] = np.full_like(arrays["time"], arrays["load"])
     for name, values in arrays.items():
@@ -219,7 +222,7 @@ def _require_length(name: str, values: ArrayLike | None, time: ArrayLike) -> Non
 
 
 def _lists(motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
-    return {"center_way": []} | {name: values.tolist() for name, values in motion.items()}
+    return {"center_displacement": []} | {name: values.tolist() for name, values in motion.items()}
 
 
 def _time_range(time: NDArray[np.float64], angle: NDArray[np.float64], step: float) -> tuple[float, float]:
@@ -244,8 +247,8 @@ def _stops(time: NDArray[np.float64], contact_times: ArrayLike) -> list[float]:
 def _until(stop: float, motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
     """Return the waypoints up to an instant, with the interpolated motion at that instant."""
     before = motion["time"] <= stop
-    knots = {name: values[before] for name, values in motion.items()}
-    if knots["time"][-1] < stop:
+    waypoints = {name: values[before] for name, values in motion.items()}
+    if waypoints["time"][-1] < stop:
         there = {name: np.interp(stop, motion["time"], values) for name, values in motion.items()}
-        knots = {name: np.append(values, there[name]) for name, values in knots.items()}
-    return _lists(knots)
+        waypoints = {name: np.append(values, there[name]) for name, values in waypoints.items()}
+    return _lists(waypoints)

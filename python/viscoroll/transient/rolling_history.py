@@ -14,16 +14,16 @@ import numpy as np
 from .. import _core
 from .._core import Start
 from .._support.arguments import as_float, as_float_array, as_member, require_type
-from .._support.cautions import warn
 from .._support.files import ending_in
 from .._support.progress import ProgressLike, reporting
+from .._support.result_warnings import warn
 from .._support.scalars import with_scalars
-from ..bodies import Counterpart, Mesh, RollingBody, core_counterpart
+from ..bodies import Counterbody, Mesh, RollingBody, core_counterbody
 from ..bodies.si_hints import si_hints, unit_doubt
+from .distance import as_angle
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .series import HISTORY_SCALARS, InstantFields
 from .state_file import SUFFIX, read_state, write_state
-from .way import as_angle
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -60,10 +60,10 @@ class RollingState:
     Examples
     --------
     >>> from viscoroll import Mesh, RollingHistory, paper
-    >>> stepper = RollingHistory(paper.ball(), load=100.0, mesh=Mesh(nodes_per_revolution=100), lattices=1)
+    >>> stepper = RollingHistory(paper.ball(), load=100.0, mesh=Mesh(nodes_per_revolution=100), averaged_meshes=1)
     >>> state = stepper.state
     >>> later = stepper.advance(time=0.1, angle=0.2, load=100.0)
-    >>> again = RollingHistory(paper.ball(), load=100.0, mesh=stepper.mesh, lattices=1, start=state)
+    >>> again = RollingHistory(paper.ball(), load=100.0, mesh=stepper.mesh, averaged_meshes=1, start=state)
     >>> again.now.time
     0.0
     """
@@ -115,7 +115,7 @@ class RollingHistory:
 
     Parameters
     ----------
-    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+    body : CoatedSphere, CoatedCylinder or CoatedWheel
         Rolling body, with layers or rigid.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         Counterbody, with layers or rigid, same as in `viscoroll.solve`; by default the rigid plane.
@@ -130,9 +130,8 @@ class RollingHistory:
         Range of times in which moduli with a continuous spectrum are resolved [s].
     time, angle : float
         First instant [s] and angle at it [rad]; not with a saved state.
-    way : float, optional
-        Displacement of the contact along the track at the first instant [m], in place of the angle; r_o times the
-        angle.
+    distance : float, optional
+        Distance rolled along the track at the first instant [m], in place of the angle; r_o times the angle.
 
     Raises
     ------
@@ -145,7 +144,7 @@ class RollingHistory:
     Examples
     --------
     >>> from viscoroll import Mesh, paper
-    >>> stepper = RollingHistory(paper.ball(), load=100.0, mesh=Mesh(nodes_per_revolution=200), lattices=1)
+    >>> stepper = RollingHistory(paper.ball(), load=100.0, mesh=Mesh(nodes_per_revolution=200), averaged_meshes=1)
     >>> state = stepper.advance(time=0.05, angle=0.1, load=100.0)
     >>> state.resisting_torque > 0.0
     True
@@ -153,30 +152,30 @@ class RollingHistory:
 
     def __init__(
         self,
-        ball: RollingBody,
+        body: RollingBody,
         *,
-        on: Counterpart | None = None,
+        on: Counterbody | None = None,
         load: float,
         start: Start | str | RollingState = Start.RELAXED,
         shortest_time: float = 1e-4,
         longest_time: float = 1e4,
         time: float = 0.0,
         angle: float | None = None,
-        way: float | None = None,
+        distance: float | None = None,
         progress: ProgressLike = None,
         **options: Unpack[HistoryKeywords],
     ) -> None:
-        require_type("ball", ball, RollingBody)
-        first = 0.0 if angle is None and way is None else as_angle(ball, angle, way)
+        require_type("body", body, RollingBody)
+        first = 0.0 if angle is None and distance is None else as_angle(body, angle, distance)
         chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # also accepts names of enum members
         before: dict[str, Any] = (
             {"state": start.numbers}
             if isinstance(start, RollingState)
             else {"start": as_member("start", start, Start), "time": as_float("time", time), "angle": first}
         )
-        if isinstance(start, RollingState) and start.bodies not in ("", both := _bodies_text(ball, on)):
+        if isinstance(start, RollingState) and start.bodies not in ("", both := _bodies_text(body, on)):
             raise ValueError(f"start must be a state of {both}, got a state of {start.bodies}")
-        self.ball = ball
+        self.body = body
         self.on = on
         times = {
             "shortest_time": as_float("shortest_time", shortest_time),
@@ -184,16 +183,16 @@ class RollingHistory:
         }
         self._given = {"load": as_float("load", load), **times}
         self._options = chosen
-        with reporting(progress) as report, si_hints(ball, on):
+        with reporting(progress) as report, si_hints(body, on):
             self._history = _core.RollingHistory(
-                ball._to_core(),
-                core_counterpart(on),
+                body._to_core(),
+                core_counterbody(on),
                 load=self._given["load"],
                 options=chosen._to_core(**times),
                 progress=report,
                 **before,
             )
-        warn(filter(None, [unit_doubt(ball, on)]))
+        warn(filter(None, [unit_doubt(body, on)]))
         self._lock = threading.Lock()
 
     def advance(
@@ -201,9 +200,9 @@ class RollingHistory:
         *,
         time: float,
         angle: float | None = None,
-        way: float | None = None,
+        distance: float | None = None,
         load: float,
-        center_way: float | None = None,
+        center_displacement: float | None = None,
     ) -> Instant:
         """Continue to a new instant, with angle and load linear in time, and return the state there.
 
@@ -213,11 +212,11 @@ class RollingHistory:
             New time [s], ≥ the present time; equal to the present time for a jump.
         angle : float, optional
             New angle ψ [rad].
-        way : float, optional
-            New displacement of the contact along the track [m], in place of the angle; r_o ψ.
+        distance : float, optional
+            New distance rolled along the track [m], in place of the angle; r_o ψ.
         load : float
             New normal load P [N], for rollers per length [N/m], ≥ 0; at 0 the body has lifted off.
-        center_way : float, optional
+        center_displacement : float, optional
             New displacement of the center since the first instant [m]; requires friction. By default the forces
             determine it.
 
@@ -233,11 +232,11 @@ class RollingHistory:
         ConvergenceError
             If the solver finds no contact; the history is then unchanged.
         """
-        turned = as_angle(self.ball, angle, way)
-        moved = None if center_way is None else as_float("center_way", center_way)
-        with self._lock, si_hints(self.ball, self.on):
+        turned = as_angle(self.body, angle, distance)
+        moved = None if center_displacement is None else as_float("center_displacement", center_displacement)
+        with self._lock, si_hints(self.body, self.on):
             self._history.advance(
-                time=as_float("time", time), angle=turned, load=as_float("load", load), center_way=moved
+                time=as_float("time", time), angle=turned, load=as_float("load", load), center_displacement=moved
             )
             return _instant(self._history.now())
 
@@ -251,7 +250,7 @@ class RollingHistory:
     def state(self) -> RollingState:
         """Memory of the history at the present instant, from which another history can continue."""
         with self._lock:
-            return RollingState(self._history.state(), _bodies_text(self.ball, self.on))
+            return RollingState(self._history.state(), _bodies_text(self.body, self.on))
 
     @property
     def contact(self) -> _core.ContactField:
@@ -278,7 +277,7 @@ class RollingHistory:
     def __copy__(self) -> RollingHistory:
         """Return an independent history that continues from the present state."""
         twin = object.__new__(type(self))
-        twin.ball, twin.on = self.ball, self.on
+        twin.body, twin.on = self.body, self.on
         twin._given, twin._options = self._given, self._options
         twin._lock = threading.Lock()
         with self._lock:
@@ -293,21 +292,21 @@ class RollingHistory:
         """Pickle through the constructor, which continues from the state on the same mesh."""
         given: dict[str, Any] = {option.name: getattr(self._options, option.name) for option in fields(self._options)}
         given |= {**self._given, "mesh": self.mesh}
-        return partial(type(self), self.ball, on=self.on, start=self.state, **given), ()
+        return partial(type(self), self.body, on=self.on, start=self.state, **given), ()
 
     def __repr__(self) -> str:
         """Return bodies, time, angle, load and mesh."""
         now = self.now
-        pair = f"{self.ball!r}" if self.on is None else f"{self.ball!r}, on={self.on!r}"
+        pair = f"{self.body!r}" if self.on is None else f"{self.body!r}, on={self.on!r}"
         return f"RollingHistory({pair}, time={now.time:g}, angle={now.angle:g}, load={now.load:g}, {self.mesh})"
 
 
-def _bodies_text(ball: RollingBody, on: Counterpart | None) -> str:
+def _bodies_text(body: RollingBody, on: Counterbody | None) -> str:
     """Return the types and lengths of both bodies as text; the core compares their layers."""
-    return " on ".join("rigid plane" if body is None else _body_text(body) for body in (ball, on))
+    return " on ".join("rigid plane" if one is None else _body_text(one) for one in (body, on))
 
 
-def _body_text(body: RollingBody | Counterpart) -> str:
+def _body_text(body: RollingBody | Counterbody) -> str:
     values = {part.name: getattr(body, part.name) for part in fields(body) if part.name not in ("layers", "base")}
     texts = [f"{name}={value.name if isinstance(value, Enum) else repr(value)}" for name, value in values.items()]
     return f"{type(body).__name__}({', '.join(texts)})"

@@ -1,7 +1,7 @@
-"""Files of saved states: one line of text that describes the numbers, followed by the numbers.
+"""Read and write the files of saved states: a header line of text, followed by the numbers as binary float64.
 
-The line contains a mark, the version of the format, the version of viscoroll that wrote the file, both bodies, and the
-SHA-256 of the rest of the line and of the numbers, which detects any change to the file.
+The header contains the file signature, the version of the file format, the version of viscoroll that wrote the file, a
+description of both bodies, and a checksum (SHA-256 of the other header fields and the numbers).
 """
 
 from __future__ import annotations
@@ -23,41 +23,46 @@ __all__ = ["SUFFIX", "read_state", "write_state"]
 
 SUFFIX = ".state"
 
-_MARK, _SEPARATOR = b"viscoroll state", b"; "
+#: File signature, and separator of the header fields.
+_SIGNATURE, _SEPARATOR = b"viscoroll state", b"; "
 
 #: Version of the file format.
 _FORMAT = b"1"
 
+#: Version of viscoroll that is running.
 _MADE_BY = f"{__version__}, commit {__commit__}"
 
 
 def write_state(path: Path, numbers: NDArray[np.float64], bodies: str) -> None:
-    """Write the numbers of a state and the text that describes its bodies."""
+    """Write the numbers of a state and the description of its bodies."""
     content = np.asarray(numbers, dtype="<f8").tobytes()
-    head = [_MARK, _FORMAT, _MADE_BY.encode(), bodies.encode()]
+    head = [_SIGNATURE, _FORMAT, _MADE_BY.encode(), bodies.encode()]
     with draft_of(path) as draft:
         draft.write_bytes(_SEPARATOR.join([*head, _checksum(head, content)]) + b"\n" + content)
 
 
 def read_state(path: Path) -> tuple[NDArray[np.float64], str]:
-    """Return the numbers and the text of a file that `write_state` wrote.
+    """Read a file that `write_state` wrote, and return the numbers and the description of the bodies.
 
     Raises
     ------
     ValueError
-        If the file is not a state, has another format, is damaged, or was written by another version of viscoroll.
+        If the file is not a saved state, has another format version, is damaged, or was written by another version of
+        viscoroll.
     OSError
         If the file cannot be read.
     """
     line, _, content = path.read_bytes().partition(b"\n")
-    mark, *rest = line.split(_SEPARATOR)
-    if mark != _MARK or not rest:
+    signature, *fields = line.split(_SEPARATOR)
+    if signature != _SIGNATURE or not fields:
         raise ValueError(f"{path} is not a saved state of viscoroll: roll from the start and save the state again")
-    if rest[0] != _FORMAT:
-        raise ValueError(f"{path} must be a state of format {_FORMAT.decode()}, got {shown(rest[0].decode('latin-1'))}")
-    if len(rest) != 4 or rest[3] != _checksum([mark, *rest[:3]], content):
+    if fields[0] != _FORMAT:
+        raise ValueError(
+            f"{path} must be a state of format {_FORMAT.decode()}, got {shown(fields[0].decode('latin-1'))}"
+        )
+    if len(fields) != 4 or fields[3] != _checksum([signature, *fields[:3]], content):
         raise ValueError(f"{path} is damaged: its checksum does not match its content; roll from the start")
-    made_by, bodies = (part.decode() for part in rest[1:3])
+    made_by, bodies = (part.decode() for part in fields[1:3])
     if made_by != _MADE_BY:
         raise ValueError(
             f"{path} must be written by viscoroll {_MADE_BY}, got a state written by {made_by}: roll from the start"

@@ -59,12 +59,12 @@ nodes_per_revolution = 300
 max_order = 400
 """  # noqa: E501
 _MEASURED_MATERIAL = """
-shear_modulus = { type = "measured", file = "rubber.toml", temperature = 30.0, form = "prony", draw = 1 }
+shear_modulus = { type = "measured", file = "rubber.toml", temperature = 303.15, form = "prony", draw = 1 }
 """
 
 _MATERIAL = """# Shear moduli measured, as viscoroll reads them.
 source = "made.txt"
-reference_temperature = 20.0
+reference_temperature = 293.15
 
 [table]
 frequency = [0.0, 0.1, 1.0, 10.0, 1000.0]
@@ -92,7 +92,7 @@ log10_factor = [
 ]
 
 [shift]
-temperature = [20.0, 30.0, 40.0]
+temperature = [293.15, 303.15, 313.15]
 log10_factor = [0.0, -0.5, -1.0]
 """
 
@@ -113,7 +113,9 @@ CASES = tuple(
         _BALL + _MEASURED_MATERIAL + _ROLLING,
         _BALL + 'shear_modulus = { type = "hardness", hardness = 60, rebound = 0.5, reference_frequency = 9.0 }\n'
         "[groove]\nradius = 0.03\n" + _ROLLING,
-        _BALL + 'shear_modulus = { type = "published", name = "vinyl_nitrile_foam", temperature = 30.0 }\n' + _ROLLING,
+        _BALL
+        + 'shear_modulus = { type = "published", name = "vinyl_nitrile_foam", temperature = 303.15 }\n'
+        + _ROLLING,
     )
 )
 
@@ -126,7 +128,10 @@ MOTIONS = tuple(
         _BALL + 'shear_modulus = 1e6\n[motion]\nfile = "motion.csv"\nfriction = 0.3\nmass = 0.1\n',
     )
 )
-MOTION_TABLES = (b"time,angle,load\n0.0,0.0,50\n0.5,1.0,60\n1.0,1.0,0\n", b"time,way,center_way\n0,0,0\n1,0.01,0.011\n")
+MOTION_TABLES = (
+    b"time,angle,load\n0.0,0.0,50\n0.5,1.0,60\n1.0,1.0,0\n",
+    b"time,distance,center_displacement\n0,0,0\n1,0.01,0.011\n",
+)
 
 _DRAWN = """
 [sweep]

@@ -85,11 +85,11 @@ def _material(path: Path, random: Random) -> vr.materials.ShearModulus:
     options = random.choice(
         (
             {},
-            {"temperature": 30.0},
-            {"temperature": 30.0, "form": "prony"},
+            {"temperature": 303.15},
+            {"temperature": 303.15, "form": "prony"},
             {"form": "prony", "draw": 1},
-            {"form": "prony", "draw": 1, "temperature": 35.0},
-            {"temperature": random.choice((20.0, 1e300, float("nan"), -400.0))},
+            {"form": "prony", "draw": 1, "temperature": 308.15},
+            {"temperature": random.choice((20.0, 293.15, 1e300, float("nan"), -400.0))},
         )
     )
     return vr.rheology.load_material(path, **options)
@@ -129,7 +129,9 @@ def _measurements(path: Path, random: Random) -> str | None:
 def _motion_table(path: Path, random: Random) -> str | None:
     """Read a motion, and return which column differs from the one in its table."""
     found = load_motion(path.parent / "motion.toml")
-    return _differing(path, {name: getattr(found, name) for name in ("time", "angle", "way", "load", "center_way")})
+    return _differing(
+        path, {name: getattr(found, name) for name in ("time", "angle", "distance", "load", "center_displacement")}
+    )
 
 
 #: Radii of curvature that are infinite for flat surfaces.
@@ -137,7 +139,7 @@ _FLAT = ("crown_radius", "path_radius")
 
 
 def _layers(case: Any) -> str | None:
-    return infinite(case.ball, without=_FLAT) or infinite(case.on, without=_FLAT)
+    return infinite(case.body, without=_FLAT) or infinite(case.on, without=_FLAT)
 
 
 _CASE = contents.CASES[0]
@@ -211,7 +213,7 @@ _TEXTS = {
         originals=contents.RHEOLOGY,
         read=lambda path, random: vr.rheology.read_rheology(path, tensile=random.choice((None, True))),
         judge=lambda data: infinite(data, without=("temperature",)),
-        commands=(("material", "sweep.txt", "--tensile", "--reference", "20"),),
+        commands=(("material", "sweep.txt", "--tensile", "--reference", "293"),),
     ),
     "strain sweep": TextFiles(
         name="sweep.txt",
@@ -224,7 +226,7 @@ _TEXTS = {
         originals=contents.FACTORS,
         read=lambda path, _: ShiftFactors.read(path),
         judge=infinite,
-        commands=(("material", "sweep.txt", "--tensile", "--factors", "factors.csv", "--reference", "20"),),
+        commands=(("material", "sweep.txt", "--tensile", "--factors", "factors.csv", "--reference", "293"),),
         beside={"sweep.txt": contents.RHEOLOGY[3]},
     ),
     "measurements": TextFiles(

@@ -24,7 +24,7 @@ _NAME = "roll.state"
 def _original() -> tuple[bytes, np.ndarray]:
     """Return content and numbers of the state file of a ball after some rolling."""
     ball = paper.ball(density=0.0)
-    stepper = vr.RollingHistory(ball, load=100.0, mesh=vr.Mesh(nodes_per_revolution=60), lattices=1)
+    stepper = vr.RollingHistory(ball, load=100.0, mesh=vr.Mesh(nodes_per_revolution=60), averaged_meshes=1)
     stepper.advance(time=0.1, angle=0.2, load=100.0)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, _NAME)

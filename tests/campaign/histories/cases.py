@@ -14,7 +14,7 @@ from viscoroll import enums
 from ..balls import Geometry, draw_ball, draw_depth, draw_moduli, load_of
 from ..bodies import as_roller, curvature, on_a_wheel
 from ..cases import Case
-from ..counterparts import elsewhere
+from ..counterbodies import elsewhere
 from ..pairs import on_a_ball
 from .motions import Motion, draw_motion
 
@@ -56,7 +56,7 @@ def draw(seed: int, number: int) -> HistoryCase:
         rng = np.random.default_rng([seed, number, 7, attempt])
         case = _draw(rng, f"{seed}:{number}")
         # the tables of a wheel for dozens of fitted times take a minute
-        is_quick = not isinstance(case.ball, vr.CoatedWheel)
+        is_quick = not isinstance(case.body, vr.CoatedWheel)
         if case.is_followed or (is_quick and rng.random() < _ANY):
             return case
     raise AssertionError
@@ -91,16 +91,16 @@ def _draw(rng: np.random.Generator, name: str) -> HistoryCase:
         "load": motion.load,
         "start": enums.Start.RELAXED if rng.random() < 0.5 else enums.Start.FRESH,
         "mesh": given["mesh"],
-        "lattices": int(rng.choice([1, 2, 4], p=[0.5, 0.4, 0.1])),
+        "averaged_meshes": int(rng.choice([1, 2, 4], p=[0.5, 0.4, 0.1])),
         "steps_per_spacing": int(rng.choice([2, 4, 8], p=[0.2, 0.6, 0.2])),
         # Both times depend on the whole motion, whether or not it is followed at once.
         "shortest_time": (motion.time[-1] - motion.time[0]) * 10.0 ** rng.uniform(-6.0, -3.0),
         "longest_time": (motion.time[-1] - motion.time[0]) * 10.0,
         "threads": 1,
     }
-    if isinstance(drawn["ball"], vr.CoatedSphere) and rng.random() < 0.15:
+    if isinstance(drawn["body"], vr.CoatedSphere) and rng.random() < 0.15:
         changed["curvature"] = enums.Curvature.PAPER
-    case = HistoryCase(name=name, ball=drawn["ball"], arguments=changed)
+    case = HistoryCase(name=name, body=drawn["body"], arguments=changed)
     case.arguments.update(_along(rng, case, motion, depth, time))
     absurd = _make_absurd(rng, case.arguments)
     return replace(case, absurd=absurd)
@@ -110,7 +110,7 @@ def _bodies(
     rng: np.random.Generator, ball: vr.CoatedSphere, contact_radius: float, time: float, arguments: dict[str, Any]
 ) -> dict[str, Any]:
     """Return a ball, a roller or a wheel with these layers, and its counterbody."""
-    drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
+    drawn: dict[str, Any] = {"body": ball, "arguments": arguments}
     has_core = ball.inner_boundary is enums.InnerBoundary.RIGID
     shape = rng.choice(["ball", "roller", "wheel"], p=[0.4, 0.35, 0.25]) if has_core else "ball"
     if shape == "roller":
@@ -120,13 +120,13 @@ def _bodies(
     if shape == "ball" and rng.random() < 0.25:
         return on_a_ball(rng, ball, time, arguments)
     if rng.random() < 0.7:
-        return elsewhere(rng, drawn["ball"], contact_radius, time, drawn["arguments"])
+        return elsewhere(rng, drawn["body"], contact_radius, time, drawn["arguments"])
     return drawn
 
 
 def _along(rng: np.random.Generator, case: HistoryCase, motion: Motion, depth: float, time: float) -> dict[str, Any]:
     """Return a consistent choice of friction, drive of the center and compliance, possibly empty."""
-    is_ball_on_plane = isinstance(case.ball, vr.CoatedSphere) and case.on is None
+    is_ball_on_plane = isinstance(case.body, vr.CoatedSphere) and case.on is None
     compliance = {"compliance": enums.Compliance.VERTICAL} if is_ball_on_plane and rng.random() < 0.3 else {}
     if rng.random() < 0.6:
         return compliance
@@ -143,16 +143,16 @@ def _along(rng: np.random.Generator, case: HistoryCase, motion: Motion, depth: f
         case "towed":
             given["drive"] = vr.Drive(torque=0.0)
         case "led":
-            creepage = depth / case.ball.outer_radius * 10.0 ** rng.uniform(-2.0, 0.5) * rng.choice([-1.0, 1.0])
-            way = (1.0 + creepage) * case.ball.outer_radius * (np.array(motion.angle) - motion.angle[0])
-            given["center_way"] = way.tolist()
+            creepage = depth / case.body.outer_radius * 10.0 ** rng.uniform(-2.0, 0.5) * rng.choice([-1.0, 1.0])
+            displacement = (1.0 + creepage) * case.body.outer_radius * (np.array(motion.angle) - motion.angle[0])
+            given["center_displacement"] = displacement.tolist()
         case "pushed":
             given["drive"] = vr.Drive(force=rng.uniform(-0.9, 0.9) * min(friction, 1.0) * least)
         case "mass":
             load = motion.load[0]
             given["mass"] = load * time**2 / depth * 10.0 ** rng.uniform(0.0, 2.0)
             given["drive"] = vr.Drive(force=rng.uniform(-2.0, 2.0) * min(friction, 1.0) * load)
-            given["center_speed"] = case.ball.outer_radius * 0.1 * rng.uniform(-1.0, 1.0) / time
+            given["center_speed"] = case.body.outer_radius * 0.1 * rng.uniform(-1.0, 1.0) / time
     return given
 
 
@@ -163,10 +163,10 @@ _ABSURD: dict[str, Any] = {
     "time[": lambda a: {"time": [*a["time"][:-1], a["time"][0] - 1.0]},
     "angle[": lambda a: {"angle": [*a["angle"][:-1], math.inf]},
     "friction": lambda _: {"friction": math.inf},
-    "lattices": lambda _: {"lattices": 17},
+    "averaged_meshes": lambda _: {"averaged_meshes": 17},
     "steps_per_spacing": lambda _: {"steps_per_spacing": 0},
     "spectrum_tolerance": lambda _: {"spectrum_tolerance": 1.0},
-    "mass": lambda _: {"mass": 1.0, "friction": 0.0, "drive": vr.Drive(force=0.0), "center_way": None},
+    "mass": lambda _: {"mass": 1.0, "friction": 0.0, "drive": vr.Drive(force=0.0), "center_displacement": None},
     "curvature": lambda _: {"curvature": enums.Curvature.EXACT},
 }
 

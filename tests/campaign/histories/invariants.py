@@ -41,8 +41,8 @@ def _is_finite(history: vr.History) -> bool:
     series = {name: values for name, values in history._series().items() if name not in UNTOLD}
     told = {
         "penetration": not _is_without_datum(history),
-        "semi_axis_z": not history.ball.line_contact,
-        "error_estimate": history.lattices > 1,
+        "semi_axis_z": not history.body.line_contact,
+        "error_estimate": history.averaged_meshes > 1,
     }
     series |= {name: getattr(history, name) for name, is_told in told.items() if is_told}
     return all(np.isfinite(values).all() for values in series.values())
@@ -50,17 +50,17 @@ def _is_finite(history: vr.History) -> bool:
 
 def _is_without_datum(history: vr.History) -> bool:
     """Return whether it is a line contact on a half-plane, which has no reference height."""
-    return history.ball.line_contact and getattr(history.on, "base", None) is not None
+    return history.body.line_contact and getattr(history.on, "base", None) is not None
 
 
 def scales(history: vr.History) -> dict[str, float]:
     """Return the size of each series where no terms cancel."""
-    radius = history.ball.outer_radius
+    radius = history.body.outer_radius
     load = float(history.load.max())
     torque = load * max(float(history.semi_axis_x.max()), history.mesh.spacing * radius)
     force = max(torque / radius, min(history.friction, 1.0) * load)
     energy = turnover(history) + float(np.abs(history.stored_energy).max())
-    way = radius * float(np.ptp(history.angle)) + float(np.ptp(history.center_way))
+    distance = radius * float(np.ptp(history.angle)) + float(np.ptp(history.center_displacement))
     depth = np.abs(history.penetration)
     return {
         "resisting_torque": torque,
@@ -72,7 +72,7 @@ def scales(history: vr.History) -> dict[str, float]:
         "dissipated_energy": energy,
         "slip_energy": energy,
         "work": energy,
-        "center_way": max(way, 1e-3 * torque / load),
+        "center_displacement": max(distance, 1e-3 * torque / load),
     }
 
 
@@ -112,7 +112,7 @@ def _lifted(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float
 
 
 def _is_ball_on_rigid(case: HistoryCase) -> bool:
-    return isinstance(case.ball, vr.CoatedSphere) and not deforms(case.on)
+    return isinstance(case.body, vr.CoatedSphere) and not deforms(case.on)
 
 
 def _energies(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
@@ -122,7 +122,7 @@ def _energies(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
     body rolls, which may be negative: docs/theory/transient-friction.md, "Energy balance".
     """
     energy = turnover(history) + float(np.abs(history.stored_energy).max())
-    others = history.counterpart_dissipated_energy
+    others = history.counterbody_dissipated_energy
     lost = {"body": history.dissipated_energy - history.slip_energy - others}
     if not case.has_friction:
         lost["counterbody"] = others
@@ -136,7 +136,7 @@ def _energies(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
         yield "stored energy < 0", -float(history.stored_energy.min()) / (TOLERANCE * energy)
         yield (
             "stored energy of the counterbody < 0",
-            -float(history.counterpart_stored_energy.min()) / (TOLERANCE * energy),
+            -float(history.counterbody_stored_energy.min()) / (TOLERANCE * energy),
         )
 
 
@@ -148,7 +148,7 @@ def _turned_back(case: HistoryCase, history: vr.History) -> NDArray[np.float64]:
     """
     if not case.has_friction:
         return np.zeros(history.time.size - 1)
-    slid = np.diff(history.center_way) - case.ball.outer_radius * np.diff(history.angle)
+    slid = np.diff(history.center_displacement) - case.body.outer_radius * np.diff(history.angle)
     turns = np.append(False, slid[1:] * slid[:-1] < 0.0)
     load = 0.5 * (history.load[1:] + history.load[:-1])
     return np.where(turns, min(history.friction, 2.0) * load * np.abs(slid), 0.0)
@@ -168,7 +168,7 @@ def _balance(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, floa
     if _is_without_datum(history):
         return
     steps = np.diff(history.time) > 0.0
-    radius = case.ball.outer_radius
+    radius = case.body.outer_radius
     load = np.maximum(history.load[1:], history.load[:-1])
     turn = np.diff(history.angle)
     sunk = np.abs(np.diff(history.penetration))
@@ -180,10 +180,10 @@ def _balance(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, floa
         half_length = np.maximum(history.semi_axis_x[1:], history.semi_axis_x[:-1])
         passed = radius * np.abs(turn) / np.maximum(half_length, history.mesh.spacing * radius)
         handed_on = load * np.minimum(passed, 1.0) + 0.5 * np.abs(np.diff(history.load))
-        slid = np.abs(np.diff(history.center_way) - radius * turn)
+        slid = np.abs(np.diff(history.center_displacement) - radius * turn)
         left = left + min(history.friction, 1.0) * handed_on * slid
     allowed = float(left[steps].sum()) + TOLERANCE * (turnover(history) + float(np.abs(history.stored_energy).max()))
-    yield "energy balance", float(np.abs(history.energy_imbalance).max()) / allowed
+    yield "energy balance", float(np.abs(history.energy_balance_residual).max()) / allowed
 
 
 def _forces(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
@@ -191,11 +191,11 @@ def _forces(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float
     if case.has_friction:
         return
     size = scales(history)["resisting_torque"] * TOLERANCE
-    radius = case.ball.outer_radius
+    radius = case.body.outer_radius
     if history.compliance is enums.Compliance.RADIAL:
         sum_of_both = history.driving_torque + radius * history.driving_force
         yield "torque and force", float(np.abs(sum_of_both - history.resisting_torque).max()) / size
-    if not case.ball.layers:
+    if not case.body.layers:
         yield "torque of a rigid body", float(np.abs(history.driving_torque).max()) / size
     if case.on is None:
         yield "force on a rigid plane", radius * float(np.abs(history.driving_force).max()) / size
@@ -210,12 +210,14 @@ def _friction(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
     if case.on is None and history.mass == 0.0:
         excess = np.abs(history.driving_force) - history.friction * history.load
         yield "force > friction", float(excess.max()) / (TOLERANCE * bound)
-    if "center_way" in given:
-        ways = np.interp(given["time"], history.time, history.center_way) - np.array(given["center_way"])
+    if "center_displacement" in given:
+        deviation = np.interp(given["time"], history.time, history.center_displacement) - np.array(
+            given["center_displacement"]
+        )
         is_jump = np.isin(given["time"], history.time[:-1][np.diff(history.time) == 0.0])
         yield (
             "prescribed center displacement",
-            float(np.abs(ways[~is_jump]).max(initial=0.0)) / (TOLERANCE * scales(history)["center_way"]),
+            float(np.abs(deviation[~is_jump]).max(initial=0.0)) / (TOLERANCE * scales(history)["center_displacement"]),
         )
     elif history.mass == 0.0 and drive.force is not None:
         # excluding the instant of the first contact, at which no force acts yet
@@ -223,12 +225,12 @@ def _friction(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
         yield "force balance", float(np.abs(off).max(initial=0.0)) / (TOLERANCE * bound)
     elif drive.torque is not None:
         off = (history.driving_torque - drive.torque)[1:][pressed[1:]]
-        yield "torque balance", float(np.abs(off).max(initial=0.0)) / (TOLERANCE * bound * case.ball.outer_radius)
+        yield "torque balance", float(np.abs(off).max(initial=0.0)) / (TOLERANCE * bound * case.body.outer_radius)
 
 
 def nodes_of(history: vr.History) -> int:
     """Return the approximate largest number of nodes in contact on one mesh."""
-    radius = history.ball.outer_radius
-    across = 1.0 if history.ball.line_contact else radius * history.mesh.theta_spacing
+    radius = history.body.outer_radius
+    across = 1.0 if history.body.line_contact else radius * history.mesh.theta_spacing
     areas: NDArray[np.float64] = history.contact_area
     return round(float(areas.max()) / (radius * history.mesh.spacing * across))

@@ -34,12 +34,12 @@ SERIES = {
     "dissipated_energy": (3, 1, 0),
     "slip_energy": (3, 1, 0),
     "work": (3, 1, 0),
-    "center_way": (1, 0, 0),
+    "center_displacement": (1, 0, 0),
 }
-NEVER_PER_LENGTH = ("penetration", "max_pressure", "center_way")
+NEVER_PER_LENGTH = ("penetration", "max_pressure", "center_displacement")
 
 #: Series that change sign with the sense of rolling.
-ODD = ("resisting_torque", "driving_torque", "driving_force", "center_way")
+ODD = ("resisting_torque", "driving_torque", "driving_force", "center_displacement")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,8 +79,8 @@ def _changed(case: HistoryCase, **changes: Any) -> HistoryCase:
 def _mirrored(case: HistoryCase) -> HistoryCase:
     given = case.arguments
     changes: dict[str, Any] = {"angle": [-angle for angle in given["angle"]]}
-    if "center_way" in given:
-        changes["center_way"] = [-way for way in given["center_way"]]
+    if "center_displacement" in given:
+        changes["center_displacement"] = [-displacement for displacement in given["center_displacement"]]
     if "center_speed" in given:
         changes["center_speed"] = -given["center_speed"]
     if "drive" in given and given["drive"].force:
@@ -90,13 +90,13 @@ def _mirrored(case: HistoryCase) -> HistoryCase:
 
 def _scaled(case: HistoryCase) -> HistoryCase:
     given = case.arguments
-    force = STRESS * LENGTH**2 / (LENGTH if case.ball.line_contact else 1.0)
+    force = STRESS * LENGTH**2 / (LENGTH if case.body.line_contact else 1.0)
     units = {
         "time": TIME,
         "shortest_time": TIME,
         "longest_time": TIME,
         "load": force,
-        "center_way": LENGTH,
+        "center_displacement": LENGTH,
         "center_speed": LENGTH / TIME,
         "mass": force * TIME**2 / LENGTH,
     }
@@ -107,7 +107,7 @@ def _scaled(case: HistoryCase) -> HistoryCase:
         changes["drive"] = vr.Drive(force=force * given["drive"].force)
     if case.on is not None:
         changes["on"] = scaled_body(case.on)
-    return replace(_changed(case, **changes), ball=scaled_body(case.ball))
+    return replace(_changed(case, **changes), body=scaled_body(case.body))
 
 
 def _elsewhere(case: HistoryCase) -> HistoryCase:
@@ -116,11 +116,13 @@ def _elsewhere(case: HistoryCase) -> HistoryCase:
     return _changed(case, angle=[angle + on for angle in case.arguments["angle"]])
 
 
-def _in_two(ball: vr.bodies.RollingBody, **arguments: Any) -> vr.History:
+def _in_two(body: vr.bodies.RollingBody, **arguments: Any) -> vr.History:
     """Roll to a waypoint in the middle, and continue from its state; return the second part."""
     first = slice(len(arguments["time"]) // 2 + 1)
-    knots = {name: arguments[name][first] for name in ("time", "angle", "load", "center_way") if name in arguments}
-    return vr.roll(ball, **(arguments | {"start": vr.roll(ball, **(arguments | knots)).state}))
+    waypoints = {
+        name: arguments[name][first] for name in ("time", "angle", "load", "center_displacement") if name in arguments
+    }
+    return vr.roll(body, **(arguments | {"start": vr.roll(body, **(arguments | waypoints)).state}))
 
 
 def _scaling_differences(one: vr.History, other: vr.History) -> dict[str, float]:
@@ -136,7 +138,7 @@ def _differences(
     found: dict[str, float] = {}
     for name, powers in SERIES.items():
         length, stress, time = powers
-        per_length = LENGTH if one.ball.line_contact and name not in NEVER_PER_LENGTH else 1.0
+        per_length = LENGTH if one.body.line_contact and name not in NEVER_PER_LENGTH else 1.0
         unit = LENGTH**length * STRESS**stress * TIME**time / per_length if scaled else 1.0
         sign = odd if name in ODD else 1.0
         # the approach may be undefined

@@ -374,9 +374,9 @@ def test_values_out_of_range(function, valid, changes, message):
         (analytic.persson_torque, PERSSON, {"shear_modulus": "1"}, "shear_modulus must be a modulus of viscoroll"),
         (
             analytic.applicable,
-            {"ball": paper.ball()},
-            {"ball": "ball"},
-            "ball must be a viscoroll.CoatedSphere",
+            {"body": paper.ball()},
+            {"body": "ball"},
+            "body must be a viscoroll.CoatedSphere",
         ),
     ],
 )
@@ -488,5 +488,5 @@ def test_balls_on_balls_have_the_forms_of_their_relative_radius():
             assert forms[name].holds(load, omega), name
             assert forms[name](load, omega) == pytest.approx(found, rel=0.1), name
     assert analytic.applicable(ball, on=vr.CoatedSphere(core_radius=10e-3, layers=[gel])) == {}
-    with pytest.raises(TypeError, match=r"ball must be a viscoroll\.CoatedSphere, got"):
+    with pytest.raises(TypeError, match=r"body must be a viscoroll\.CoatedSphere, got"):
         analytic.applicable(vr.CoatedCylinder(core_radius=0.1, layers=[gel]), on=rigid)

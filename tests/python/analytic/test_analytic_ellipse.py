@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import trapezoid
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
-from specimens import RUBBER
+from shared_cases import RUBBER
 from viscoroll import analytic
 
 HERTZ = {"load": 16.0, "radius": 50e-3, "shear_modulus": 3e6, "poisson_ratio": 0.3}

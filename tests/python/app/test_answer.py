@@ -8,7 +8,7 @@ import tomllib
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import command
+from shared_cases import command
 from viscoroll.app import answer, scalars
 from viscoroll.case import example_text
 

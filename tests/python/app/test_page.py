@@ -24,7 +24,7 @@ import pytest
 import viscoroll as vr
 from viscoroll.app import PageServer, answer
 from viscoroll.case import load_case
-from viscoroll.case.case import BODIES, COUNTERPARTS
+from viscoroll.case.case import BODIES, COUNTERBODIES
 
 ROOT = Path(__file__).parents[3]
 TESTS = ROOT / "tests" / "page"
@@ -120,7 +120,7 @@ def seen(request, tmp_path_factory):
 
 
 #: Numbers that depend on the round-off of each compiler: effort of the solution, and residuals and error estimates.
-ROUNDED = {"iterations", "operator_applications", "residual", "power_balance_error", "error_estimate"}
+ROUNDED = {"iterations", "operator_applications", "residual", "energy_balance_error", "error_estimate"}
 
 
 def assert_numbers(shown, result):
@@ -237,7 +237,7 @@ def test_copied_code_knows_every_body_and_material():
         dict(re.findall(r'(\w+): "([\w.]+)"', code.split(f"const {table} = ")[1].split("};")[0]))
         for table in ("CLASSES", "MODULI")
     )
-    assert set(bodies) == {*BODIES, *COUNTERPARTS}
+    assert set(bodies) == {*BODIES, *COUNTERBODIES}
     table = {"core_radius": 1.0, "layers": [{"shear_modulus": {"type": "none"}, "thickness": 1.0}]}
     message = answer({"case": {"ball": table, "rolling": {"load": 1.0, "angular_speed": 1.0}}})["error"]["message"]
     kinds = set(message.split("must be one of ")[1].split(", got")[0].split(", "))

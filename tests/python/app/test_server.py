@@ -15,7 +15,7 @@ import tomllib
 from contextlib import closing
 
 import pytest
-from specimens import command
+from shared_cases import command
 from viscoroll.app import answer, scalars
 from viscoroll.case import example_text
 

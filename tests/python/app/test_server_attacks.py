@@ -148,13 +148,13 @@ def naming_a_file(path):
     moduli = [
         path,
         {"type": "measured", "file": path},
-        {"type": "measured", "file": path, "temperature": 20.0},
+        {"type": "measured", "file": path, "temperature": 293.15},
         {"type": "master_curve", "file": path},
         {"type": "softening", "matrix": path, "network": network},
         {"type": "softening", "matrix": {"type": "measured", "file": path}, "network": network},
         {"type": "softening", "matrix": {"type": "master_curve", "file": path}, "network": network},
         {"type": "softening", "matrix": 1e6, "network": {"type": "strain_sweep", "file": path}},
-        {"type": "published", "name": path, "temperature": 20.0},
+        {"type": "published", "name": path, "temperature": 293.15},
     ]
     layer = CASE["ball"]["layers"][0]
     for modulus in moduli:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference.two_half_spaces import Solid, roll
-from specimens import RUBBER
+from shared_cases import RUBBER
 from viscoroll.case import build_case
 
 LAYER = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
@@ -43,7 +43,7 @@ def test_two_alike_are_one_on_its_mirror(poisson_ratio):
         assert pair.rolling_bulk_power == pytest.approx(one.rolling_bulk_power, rel=tolerance)
         assert pair.max_pressure == pytest.approx(one.max_pressure, rel=tolerance)
         assert pair.semi_axis_x == pytest.approx(one.semi_axis_x, rel=tolerance)
-    assert pair.counterpart_bulk_power == pytest.approx(pair.rolling_bulk_power, rel=1e-9)
+    assert pair.counterbody_bulk_power == pytest.approx(pair.rolling_bulk_power, rel=1e-9)
     # each body supplies its own loss, to the error of the mesh
     assert abs(pair.driving_force) < 1e-3 * pair.resisting_torque / 21e-3
 
@@ -99,7 +99,7 @@ def test_unlike_ones_beside_two_half_spaces():
     # the contact, 0.42 mm, are 1/50 of the radii.
     assert r.resisting_torque == pytest.approx(expected.moment, rel=1e-2)
     assert r.rolling_bulk_power == pytest.approx(expected.losses[0] * speed, rel=1e-2)
-    assert r.counterpart_bulk_power == pytest.approx(expected.losses[1] * speed, rel=1e-2)
+    assert r.counterbody_bulk_power == pytest.approx(expected.losses[1] * speed, rel=1e-2)
     assert r.penetration == pytest.approx(expected.depth, rel=2e-2)
 
 
@@ -111,7 +111,7 @@ def test_torques_about_both_centers_pay_for_what_each_loses(speed):
         r = rolled(BALL, OTHER, speed=speed, mesh=vr.Mesh(nodes_per_revolution=nodes))
         torque_of_other = r.driving_torque + r.driving_force * (21e-3 + 33e-3)
         own = r.driving_torque * speed / 21e-3 / r.rolling_bulk_power - 1.0
-        others = torque_of_other * speed / 33e-3 / r.counterpart_bulk_power - 1.0
+        others = torque_of_other * speed / 33e-3 / r.counterbody_bulk_power - 1.0
         relative = 1.0 / (1.0 / 21e-3 + 1.0 / 33e-3)
         both = speed * r.resisting_torque / relative / r.bulk_power - 1.0
         errors.append(np.abs([own, others, both]))
@@ -120,14 +120,14 @@ def test_torques_about_both_centers_pay_for_what_each_loses(speed):
     assert errors[-1][2] < 5e-4
     assert np.all(errors[-1] < 3e-3)
     assert errors[-1].max() < 0.25 * errors[0].max()
-    assert r.power_balance_error < 1e-3
+    assert r.energy_balance_error < 1e-3
 
 
 def test_which_is_called_the_first_does_not_matter():
     first, other = rolled(BALL, OTHER), rolled(OTHER, BALL, mesh=MESH_OF_OTHER)
     # The nodes are the same, and so are the sums except for the order of summation.
-    assert first.rolling_bulk_power == pytest.approx(other.counterpart_bulk_power, rel=1e-6)
-    assert first.counterpart_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-6)
+    assert first.rolling_bulk_power == pytest.approx(other.counterbody_bulk_power, rel=1e-6)
+    assert first.counterbody_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-6)
     assert first.penetration == pytest.approx(other.penetration, rel=1e-6)
     assert first.resisting_torque == pytest.approx(other.resisting_torque, rel=1e-6)
     # The force follows from the slopes of the other body alone, whose errors are those of the mesh.
@@ -149,10 +149,10 @@ def test_nor_does_it_with_friction(creepage):
     traction = [-r.shear_traction[0].sum() * r.contact_area / r.contact.sum() for r in (first, other)]
     assert traction[0] == pytest.approx(-traction[1], abs=2e-3 * 0.2 * 60.0)
     # The loss per distance is the same at the surface speed of the first ball.
-    assert first.rolling_bulk_power == pytest.approx(other.counterpart_bulk_power, rel=1e-3 + abs(creepage))
-    assert first.counterpart_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-3 + abs(creepage))
+    assert first.rolling_bulk_power == pytest.approx(other.counterbody_bulk_power, rel=1e-3 + abs(creepage))
+    assert first.counterbody_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-3 + abs(creepage))
     assert first.slip_power == pytest.approx(other.slip_power, rel=1e-2)
-    assert max(first.power_balance_error, other.power_balance_error) < 3e-3
+    assert max(first.energy_balance_error, other.energy_balance_error) < 3e-3
 
 
 @pytest.mark.parametrize(
@@ -165,7 +165,7 @@ def test_power_balance_in_every_drive(bodies, drive):
     mesh = MESH if bodies[0] is BALL else MESH_OF_OTHER
     r = rolled(*bodies, friction=0.2, drive=drive, mesh=mesh)
     assert r.slip_power > 0.0
-    assert r.power_balance_error < 5e-3  # 50 nodes across
+    assert r.energy_balance_error < 5e-3  # 50 nodes across
     if drive.creepage is None:
         given = r.driving_force * 21e-3 if drive.force is not None else r.driving_torque
         assert abs(given) < 1e-8 * r.resisting_torque
@@ -183,8 +183,8 @@ def test_equal_balls_do_not_slip():
 def test_the_coated_one_loses_as_much_whichever_rolls():
     # The nodes lie on the ball if the counterbody is rigid, otherwise on a paraboloid: they differ by (a/R)².
     first, other = rolled(BALL, RIGID), rolled(RIGID, BALL, mesh=MESH_OF_OTHER)
-    assert other.rolling_bulk_power == first.counterpart_bulk_power == 0.0
-    assert other.counterpart_bulk_power == pytest.approx(first.rolling_bulk_power, rel=5e-3)
+    assert other.rolling_bulk_power == first.counterbody_bulk_power == 0.0
+    assert other.counterbody_bulk_power == pytest.approx(first.rolling_bulk_power, rel=5e-3)
     assert other.penetration == pytest.approx(first.penetration, rel=3e-3)
     # The pressure on the rigid ball passes through its center.
     assert abs(other.driving_torque) < 1e-12 * other.resisting_torque
@@ -195,7 +195,7 @@ def test_a_large_ball_is_a_plane():
     large = vr.CoatedSphere(core_radius=50.0, layers=layers)
     given = {"friction": 0.2, "drive": vr.Drive(force=0.0)}
     on_plane, on_large = (rolled(BALL, on, **given) for on in (vr.CoatedPlane(layers=layers), large))
-    for name in ("resisting_torque", "driving_torque", "rolling_bulk_power", "counterpart_bulk_power", "creepage"):
+    for name in ("resisting_torque", "driving_torque", "rolling_bulk_power", "counterbody_bulk_power", "creepage"):
         assert getattr(on_large, name) == pytest.approx(getattr(on_plane, name), rel=2e-3), name
 
 
@@ -207,7 +207,7 @@ def test_a_bulging_track_with_thin_layers_is_a_ball():
     other = vr.CoatedSphere(core_radius=32.9e-3, layers=[layer])
     given = {"load": 10.0, "friction": 0.1, "drive": vr.Drive(creepage=0.0, lateral_creepage=5e-3)}
     on_track, on_other = (rolled(BALL, on, **given) for on in (track, other))
-    for name in ("resisting_torque", "driving_torque", "lateral_force", "slip_power", "counterpart_bulk_power"):
+    for name in ("resisting_torque", "driving_torque", "lateral_force", "slip_power", "counterbody_bulk_power"):
         assert getattr(on_track, name) == pytest.approx(getattr(on_other, name), rel=3e-3), name
 
 
@@ -277,8 +277,8 @@ def test_case_file():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"ball": RIGID, "on": RIGID}, r"layers must be a list of at least one layer.*two rigid bodies"),
-        ({"ball": BALL, "on": vr.CoatedCylinder(core_radius=0.1)}, "on must be a CoatedPlane or a Groove or a CoatedS"),
+        ({"body": RIGID, "on": RIGID}, r"layers must be a list of at least one layer.*two rigid bodies"),
+        ({"body": BALL, "on": vr.CoatedCylinder(core_radius=0.1)}, "on must be a CoatedPlane or a Groove or a CoatedS"),
         ({"on": OTHER, "compliance": "vertical"}, "compliance must be RADIAL if the counterbody deforms"),
         ({"on": vr.CoatedSphere(core_radius=0.2e-3)}, "load must be small enough.*beyond 60 degrees to either side"),
         (
@@ -288,6 +288,6 @@ def test_case_file():
     ],
 )
 def test_refusals(arguments, message):
-    given = {"ball": BALL, "load": 100.0, "angular_speed": 2.5, "mesh": vr.Mesh(nodes_per_revolution=600)}
+    given = {"body": BALL, "load": 100.0, "angular_speed": 2.5, "mesh": vr.Mesh(nodes_per_revolution=600)}
     with pytest.raises(ValueError, match=message):
         vr.solve(**given | arguments)

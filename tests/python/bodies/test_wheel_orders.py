@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference import wheel_orders as reference
-from specimens import RUBBER
+from shared_cases import RUBBER
 
 SPEED = 2.5
 

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import RUBBER, command, one_layer
+from shared_cases import RUBBER, command, one_layer
 from viscoroll import analytic, enums
 from viscoroll.case import load_case
 from viscoroll.studies.plan import plan_sweep
@@ -112,7 +112,7 @@ def test_case_files(tmp_path):
     path = tmp_path / "case.toml"
     path.write_text(CASE)
     case = load_case(path)
-    assert case.ball == vr.CoatedWheel(**WHEEL, crown_radius=0.3, hub="crowned")
+    assert case.body == vr.CoatedWheel(**WHEEL, crown_radius=0.3, hub="crowned")
     assert case.on is None
     path.write_text(CASE + "[other_wheel]\ncore_radius = 20e-3\nlayers = []\nwidth = 30e-3\n")
     assert load_case(path).on == vr.CoatedWheel(core_radius=20e-3, layers=[], width=30e-3)
@@ -244,7 +244,7 @@ def test_files(rolled, tmp_path):
     assert again.attrs["face_distance"] == rolled.face_distance
     assert len((tmp_path / "fields.csv").read_text().splitlines()) == 1 + rolled.pressure.size
     copied = pickle.loads(pickle.dumps(rolled))
-    assert copied.ball == rolled.ball
+    assert copied.body == rolled.body
     assert copied.resisting_torque == rolled.resisting_torque
 
 
@@ -283,12 +283,12 @@ def test_a_study(tmp_path):
     )
     assert study.width.attrs["units"] == "m"
     assert study.attrs["title"] == "rolling resistance of a coated wheel"
-    assert "crown_radius=0.3, hub=STRAIGHT, sides=ENDLESS" in study.attrs["ball"]
+    assert "crown_radius=0.3, hub=STRAIGHT, sides=ENDLESS" in study.attrs["body"]
     assert (study.face_distance.sel(width=34e-3) > study.face_distance.sel(width=30e-3)).all()
     # Both contacts are at least a thickness away from the faces, and an endless tread has no faces.
     torque = study.resisting_torque.to_numpy()
     assert torque[0] == pytest.approx(torque[1], rel=0.05)  # the meshes differ by 10 %
-    with pytest.raises(ValueError, match="ball must be a roller at all points or at none"):
+    with pytest.raises(ValueError, match="body must be a roller at all points or at none"):
         vr.sweep(
             lambda ends: ENDLESS if ends else vr.CoatedCylinder(core_radius=40e-3, layers=[TREAD]),
             ends=[0, 1],

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from specimens import command
+from shared_cases import command
 from viscoroll.case import load_case
 from viscoroll.case.design import design_case
 from viscoroll.case.limits import outcome_of
@@ -51,7 +51,7 @@ def test_every_body_has_bonds_and_a_temperature(file, body):
     sides = [
         of
         for of, power in zip(
-            ("ball", "counterpart"), (result.rolling_bulk_power, result.counterpart_bulk_power), strict=True
+            ("body", "counterbody"), (result.rolling_bulk_power, result.counterbody_bulk_power), strict=True
         )
         if power
     ]

@@ -7,7 +7,7 @@ import pytest
 import viscoroll as vr
 import xarray
 from campaign.intervals import REFERENCE, Noise, measured
-from specimens import command
+from shared_cases import command
 from viscoroll.studies.table import save_table
 
 STUDY = """
@@ -17,7 +17,7 @@ core_radius = 20e-3
 [[cylinder.layers]]
 thickness = 2e-3
 poisson_ratio = 0.5
-shear_modulus = { type = "measured", file = "rubber.toml", temperature = 60.0, form = "prony" }
+shear_modulus = { type = "measured", file = "rubber.toml", temperature = 333.15, form = "prony" }
 
 [rolling]
 load = 1000.0
@@ -57,7 +57,7 @@ def test_a_study_from_the_shell_is_that_of_the_draws(folder):
     found = xarray.load_dataset(folder / "study.nc")
     expected = vr.sweep(
         roller,
-        modulus=curve.draws(10).map(lambda c: c.series_at(temperature=60.0)),
+        modulus=curve.draws(10).map(lambda c: c.series_at(temperature=333.15)),
         load=[500.0, 1000.0],
         angular_speed=3.0,
         mesh=vr.Mesh(nodes_per_revolution=1000),
@@ -78,8 +78,8 @@ def test_a_study_from_the_shell_is_that_of_the_draws(folder):
 def test_draws_of_a_file(folder):
     path, curve = folder[0] / "rubber.toml", folder[1]
     for draw in (0, 9):
-        expected = curve.draws(10)[draw].series_at(temperature=40.0)
-        found = vr.rheology.load_material(path, temperature=40.0, form="prony", draw=draw)
+        expected = curve.draws(10)[draw].series_at(temperature=313.15)
+        found = vr.rheology.load_material(path, temperature=313.15, form="prony", draw=draw)
         np.testing.assert_allclose(found.complex_modulus(3.0), expected.complex_modulus(3.0), rtol=1e-12)
     with pytest.raises(ValueError, match=r"draw must be in \[0, 9\], got 10"):
         vr.rheology.load_material(path, form="prony", draw=10)
@@ -118,7 +118,10 @@ def test_draws_that_nobody_keeps_are_told_of_before_the_work(folder, options, me
     [
         ('of = ["cylinder.layers[0].thickness"]', 'contain draws, got "cylinder.layers[0].thickness"'),
         ("of = []", "draws.of must name materials with equal numbers of draws, got none"),
-        ('of = ["cylinder.layers[0].shear_modulus"]\nby = "luck"', "draws.by: input should be 'linear' or 'solve'"),
+        (
+            'of = ["cylinder.layers[0].shear_modulus"]\nmethod = "luck"',
+            "draws.method: input should be 'linear' or 'solve'",
+        ),
     ],
 )
 def test_bad_tables(folder, changed, message):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import command
+from shared_cases import command
 from viscoroll.case import load_case
 from viscoroll.case.design import design_case
 from viscoroll.case.study import load_study
@@ -31,7 +31,7 @@ RUBBER = (
 @pytest.fixture(scope="module")
 def curve():
     data = vr.rheology.read_rheology(vr.rheology.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
-    return vr.rheology.superpose(data.between(15.0, 65.0), reference=20.0)
+    return vr.rheology.superpose(data.between(288.15, 338.15), reference=293.15)
 
 
 @pytest.fixture
@@ -51,9 +51,9 @@ def test_material_at_its_own_and_another_temperature(curve, saved):
     omega = np.geomspace(0.01, 100.0, 9)
     for options, expected in (
         ({}, curve.curve),
-        ({"temperature": 45.0}, curve.at(temperature=45.0)),
+        ({"temperature": 318.15}, curve.at(temperature=318.15)),
         ({"form": "prony"}, curve.fit.series),
-        ({"form": "prony", "temperature": 45.0}, curve.series_at(temperature=45.0)),
+        ({"form": "prony", "temperature": 318.15}, curve.series_at(temperature=318.15)),
     ):
         found = vr.rheology.load_material(saved, **options).complex_modulus(omega)
         np.testing.assert_allclose(found, expected.complex_modulus(omega), rtol=1e-12)
@@ -62,14 +62,18 @@ def test_material_at_its_own_and_another_temperature(curve, saved):
 @pytest.mark.parametrize(
     ("content", "options", "message"),
     [
-        (None, {"temperature": 90.0}, r"material .*a.toml: temperature must be in \[20.0056, 60.0086\] °C"),
+        (
+            None,
+            {"temperature": 363.15},
+            r"material .*a.toml: temperature must be in the measured range, 293.16 to 333.16 K \(20.01 to 60.01 °C\)",
+        ),
         (None, {"form": "spline"}, "form must be 'table' or 'prony', got 'spline'"),
         ("x = 1", {}, r"must have a table \[table\]: the file is not a material file of viscoroll"),
         ("[table]\nfrequency = [1.0]", {}, r"table \[table\] must have the key storage"),
         ("[table]\nfrequency = [1.0]", {"form": "prony"}, r"must have a table \[prony\]: save the material with a fit"),
         (
             "[table]\nfrequency = [1.0]",
-            {"temperature": 3.0},
+            {"temperature": 300.0},
             r"must have a table \[shift\]: the temperature of this material cannot be changed",
         ),
         ("[table", {}, "material .*a.toml: not a TOML file: "),
@@ -80,15 +84,15 @@ def test_material_at_its_own_and_another_temperature(curve, saved):
         ('[table]\nfrequency = ["1.0", 2.0]', {}, "table.frequency must contain real numbers"),
         (f"[table]\nfrequency = [1.0, {400 * '9'}]", {}, r"table.frequency\[1\] must be <= 1.8e\+308 in magnitude"),
         ('reference_temperature = "x"', {}, "reference_temperature must be a real number, got str 'x'"),
-        ("reference_temperature = -300", {}, "reference_temperature must be finite and >= -273.15 °C, got -300"),
+        ("reference_temperature = 20", {}, r"reference_temperature must be >= 100 K \(20 °C are 293.15 K\), got 20 K"),
         (
-            "[table]\n[shift]\ntemperature = [0.0, 50.0]\nlog10_factor = [400.0, 0.0]",
-            {"temperature": 3.0},
+            "[table]\n[shift]\ntemperature = [273.15, 323.15]\nlog10_factor = [400.0, 0.0]",
+            {"temperature": 300.0},
             r"log10_factor\[0\] must be in \[-100, 100\], got 400",
         ),
         (
-            "[table]\n[shift]\ntemperature = [0.0, 1e-300]\nlog10_factor = [1.0, 0.0]",
-            {"temperature": 0.0},
+            "[table]\n[shift]\ntemperature = [273.15, 273.15000001]\nlog10_factor = [1.0, 0.0]",
+            {"temperature": 273.15},
             "temperature must increase from entry to entry, by at least 1e-06 K",
         ),
         (
@@ -160,28 +164,28 @@ def test_one_sweep_has_no_temperatures(curve, tmp_path):
     ],
 )
 def test_case_files_take_what_data_sheets_have(tmp_path, modulus, expected):
-    assert load_case(case_file(tmp_path, modulus)).ball.layers[0].shear_modulus == expected
+    assert load_case(case_file(tmp_path, modulus)).body.layers[0].shear_modulus == expected
 
 
 def test_case_files_name_measured_materials(curve, saved, tmp_path):
     for modulus, expected in (
         ('"a.toml"', curve.curve),
-        ('{ type = "measured", file = "a.toml", temperature = 40.0 }', curve.at(temperature=40.0)),
+        ('{ type = "measured", file = "a.toml", temperature = 313.15 }', curve.at(temperature=313.15)),
         ('{ type = "measured", file = "a.toml", form = "prony" }', curve.fit.series),
     ):
-        found = load_case(case_file(tmp_path, modulus)).ball.layers[0].shear_modulus
+        found = load_case(case_file(tmp_path, modulus)).body.layers[0].shear_modulus
         np.testing.assert_allclose(
             found.complex_modulus([1.0, 10.0]), expected.complex_modulus([1.0, 10.0]), rtol=1e-12
         )
 
 
 def test_studies_vary_the_temperature(curve, saved, tmp_path):
-    sweep = '\n[sweep]\n"ball.layers[0].shear_modulus.temperature" = [20.0, 40.0, 60.0]\n'
+    sweep = '\n[sweep]\n"ball.layers[0].shear_modulus.temperature" = [293.15, 313.15, 333.15]\n'
     path = case_file(tmp_path, '{ type = "measured", file = "a.toml" }', sweep)
     plan = load_study(path)
     assert plan.dimensions[0].name == "temperature"
-    found = [case.ball.layers[0].shear_modulus.complex_modulus(1.0) for case in plan.cases]
-    expected = [curve.at(temperature=t).complex_modulus(1.0) for t in (20.0, 40.0, 60.0)]
+    found = [case.body.layers[0].shear_modulus.complex_modulus(1.0) for case in plan.cases]
+    expected = [curve.at(temperature=t).complex_modulus(1.0) for t in (293.15, 313.15, 333.15)]
     np.testing.assert_allclose(found, expected, rtol=1e-12)
 
 
@@ -217,9 +221,12 @@ def test_case_files_with_bad_materials(saved, tmp_path, modulus, message):
 def test_material_asks_for_what_it_does_not_know(tmp_path):
     data = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
     for words, message in (
-        ((data, "--reference", 20), "may be a tensile or a shear modulus"),
-        ((data, "--shear"), "--reference must be given for sweeps at several temperatures, from -40 to 150 °C"),
-        ((data, "--shear", "--between", "cold"), "--between must have the form -35..160, got 'cold'"),
+        ((data, "--reference", 293.15), "may be a tensile or a shear modulus"),
+        (
+            (data, "--shear"),
+            "--reference must be given for sweeps at several temperatures, from 233.15 to 423.14 K (-40 to 150 °C)",
+        ),
+        ((data, "--shear", "--between", "cold"), "--between must have the form 238..433, got 'cold'"),
         ((data, "--shear", "--columns", "storage"), "--columns must have the form"),
         ((data, "--shear", "--save", tmp_path / "x.csv"), "--save must end in .toml"),
     ):

@@ -6,7 +6,7 @@ import csv
 
 import numpy as np
 import pytest
-from specimens import command
+from shared_cases import command
 from viscoroll.case import example_text, load_case
 from viscoroll.case.measured import compare_measured, read_measurements
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 import viscoroll as vr
-from specimens import command
+from shared_cases import command
 from viscoroll.case import load_case
 from viscoroll.studies.identity import PointKeys
 
@@ -57,7 +57,7 @@ def test_networks_of_a_case_file(write):
             vr.materials.MasingNetwork(storage=6e6, critical_strain=0.01),
         ),
     ):
-        modulus = load_case(write(text)).ball.layers[0].shear_modulus
+        modulus = load_case(write(text)).body.layers[0].shear_modulus
         assert modulus == vr.materials.SofteningModulus(matrix=MATRIX, network=network)
 
 
@@ -85,9 +85,9 @@ def test_studies_tell_networks_apart(write):
     def key(matrix, **changed):
         network = vr.materials.KrausNetwork(**{"storage": 8e6, "loss": 8e5, "critical_strain": 0.01} | changed)
         layer = replace(
-            case.ball.layers[0], shear_modulus=vr.materials.SofteningModulus(matrix=matrix, network=network)
+            case.body.layers[0], shear_modulus=vr.materials.SofteningModulus(matrix=matrix, network=network)
         )
-        return PointKeys().key(replace(case.ball, layers=[layer]), arguments, ())
+        return PointKeys().key(replace(case.body, layers=[layer]), arguments, ())
 
     assert key(lambda _: 1e6) == key(lambda _: 1e6)
     assert len({key(lambda _: 1e6), key(lambda _: 2e6), key(MATRIX), key(MATRIX, loss=7e5)}) == 4

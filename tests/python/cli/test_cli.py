@@ -11,7 +11,7 @@ import sys
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import command
+from shared_cases import command
 from viscoroll import enums
 from viscoroll.case import example_text, load_case
 
@@ -90,7 +90,7 @@ def test_solve_prints_json_and_writes_files(case_file, tmp_path):
     done = command("solve", path, "--json", "--plot", tmp_path / "contact.png", "--save", tmp_path / "fields.csv")
     assert done.returncode == 0, done.stderr
     case = load_case(path)
-    expected = vr.solve(case.ball, load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=300, max_order=300))
+    expected = vr.solve(case.body, load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=300, max_order=300))
     assert json.loads(done.stdout) == expected.scalars()
     assert (tmp_path / "contact.png").read_bytes().startswith(b"\x89PNG")
     assert (tmp_path / "fields.csv").read_text().startswith("x [m],z [m],pressure [Pa]")
@@ -109,7 +109,7 @@ def test_example_is_the_papers_case(case_file):
     done = command("example")
     assert done.stdout == example_text()
     case = load_case(case_file())
-    assert case.ball == vr.paper.ball()
+    assert case.body == vr.paper.ball()
     assert (case.load, case.angular_speed, case.accuracy, case.mesh) == (100.0, 2.5, 0.01, None)
 
 
@@ -158,7 +158,7 @@ def test_every_material_can_be_written(tmp_path, text, material, encoding):
     (tmp_path / "curve.csv").write_text("frequency, storage, loss\n1.0, 1e6, 0\n2.0, 2e6, 1e5\n", encoding=encoding)
     path = tmp_path / "case.toml"
     path.write_text(with_material(text), encoding=encoding)
-    assert load_case(path).ball.layers[0].shear_modulus == material
+    assert load_case(path).body.layers[0].shear_modulus == material
 
 
 CURVE = 'type = "master_curve"\n'
@@ -369,12 +369,12 @@ def test_roll_follows_the_example_motion(tmp_path):
     ("lines", "message"),
     [
         ("time = [0.0, 1.0]\nangle = [0.0]\nload = 1.0", "angle must be as long as time (2), got 1"),
-        ("time = [0.0, 1.0]", "motion must have load, and angle or way, with time"),
+        ("time = [0.0, 1.0]", "motion must have load, and angle or distance, with time"),
         ("load = 1.0", "motion must have exactly one of time, file and amplitude, got none"),
         ("amplitude = 0.1\nfrequency = 0.0\nload = 1.0", "motion.frequency must be in [1e-100, 1e100] Hz, got 0.0"),
         ("amplitude = inf\nfrequency = 1.0\nload = 1.0", "motion.amplitude must be finite, got inf"),
         ("file = 'none.csv'\nload = 1.0", "No such file"),
-        ("file = 'bad.csv'\nload = 1.0", "must have numbers in the columns time and optionally angle, way, load"),
+        ("file = 'bad.csv'\nload = 1.0", "must have numbers in the columns time and optionally angle, distance, load"),
         ("time = [0.0, 1.0]\nangle = [0.0, 1.0]\nload = 1.0\nspeed = 1.0", "motion.speed: extra inputs"),
     ],
 )
@@ -403,15 +403,15 @@ def test_roll_reads_motions_from_files_and_oscillations(tmp_path):
     assert case.on is None
 
 
-def test_roll_follows_a_way_along_a_mat(tmp_path):
+def test_roll_follows_a_distance_along_a_mat(tmp_path):
     from viscoroll.case.motion import load_motion
 
-    (tmp_path / "way.csv").write_text("time,way,load\n0,0,100\n0.2,0.01,100\n")
+    (tmp_path / "motion.csv").write_text("time,distance,load\n0,0,100\n0.2,0.01,100\n")
     mat = "{ thickness = 1e-3, poisson_ratio = 0.5, shear_modulus = 3e6 }"
-    text = f"[ball]\ncore_radius = 21e-3\nlayers = []\n[plane]\nlayers = [{mat}]\n[motion]\nfile = 'way.csv'\n"
+    text = f"[ball]\ncore_radius = 21e-3\nlayers = []\n[plane]\nlayers = [{mat}]\n[motion]\nfile = 'motion.csv'\n"
     (tmp_path / "motion.toml").write_text(f"{text}[numerics]\nnodes_per_revolution = 100\n", encoding="utf-8")
     h = load_motion(tmp_path / "motion.toml").roll()
-    assert h.way[-1] == pytest.approx(0.01)
+    assert h.distance[-1] == pytest.approx(0.01)
     assert h.on.layers[0].thickness == 1e-3
-    (tmp_path / "way.csv").write_text("time,way,angle,load\n0,0,0,100\n")
-    assert_refused(command("roll", tmp_path / "motion.toml"), "must have exactly one of the columns angle and way")
+    (tmp_path / "motion.csv").write_text("time,distance,angle,load\n0,0,0,100\n")
+    assert_refused(command("roll", tmp_path / "motion.toml"), "must have exactly one of the columns angle and distance")

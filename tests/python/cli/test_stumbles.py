@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import command, one_layer
+from shared_cases import command, one_layer
 from viscoroll import enums, paper
 from viscoroll.case import example_text
 
@@ -59,7 +59,7 @@ def test_degrees_celsius_are_told(make, temperature):
 
 
 def test_names_serve_in_transient_rolling_as_in_steady():
-    named = vr.roll(paper.ball(), **MOTION, compliance="vertical", curvature="paper", start="fresh", lattices=1)
+    named = vr.roll(paper.ball(), **MOTION, compliance="vertical", curvature="paper", start="fresh", averaged_meshes=1)
     assert (named.compliance, named.curvature) == (enums.Compliance.VERTICAL, enums.Curvature.PAPER)
     assert named.start is enums.Start.FRESH
     with pytest.raises(ValueError, match="start must be one of relaxed, fresh, got 'cold'"):

@@ -11,7 +11,7 @@ import pytest
 import viscoroll as vr
 from reference.self_heating import steady_rises, torque_curve
 from scipy.optimize import brentq
-from specimens import RUBBER, coated_ball, one_layer
+from shared_cases import RUBBER, coated_ball, one_layer
 from viscoroll import enums, paper
 from viscoroll.materials.shift import shift_factor, shifted
 from viscoroll.solution.loss import default_max_order
@@ -265,7 +265,7 @@ def test_filled_rubber_is_at_rest_in_strain_and_heat(name):
 
 def test_filled_rubber_by_harmonics():
     """The loss method with the larger loss gives the hotter state."""
-    hot, harmonic = (filled("roller", softening=way)[1].states[0] for way in ("network", "harmonic"))
+    hot, harmonic = (filled("roller", softening=method)[1].states[0] for method in ("network", "harmonic"))
     assert harmonic.softening.loss == "harmonic"
     assert harmonic.result.resisting_torque == harmonic.softening.torque_bounds[0]
     sum_of_harmonics, matched = hot.softening.torque_bounds

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import RUBBER, coated_ball
+from shared_cases import RUBBER, coated_ball
 from viscoroll import enums
 from viscoroll.coupled.network_loss import iwan_loss, turning_ratio
 from viscoroll.coupled.strain_path import StrainPath, deviatoric_path, half_range, harmonic_squares, strain_paths

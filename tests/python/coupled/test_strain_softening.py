@@ -8,7 +8,7 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import RUBBER, coated_ball, one_layer
+from shared_cases import RUBBER, coated_ball, one_layer
 from viscoroll.coupled.softening_search import SofteningSearch, softening_layers
 
 mpl.use("Agg")
@@ -48,7 +48,7 @@ def test_a_network_that_no_strain_softens_is_a_linear_one():
     tread = vr.materials.SofteningModulus(matrix=RUBBER, network=network)
     found = softened(roller(tread), loss="harmonic")
     contact = found.result
-    frequency = 2.5 * contact.ball.outer_radius / contact.semi_axis_x
+    frequency = 2.5 * contact.body.outer_radius / contact.semi_axis_x
     linear = tread.at(0.5, reference_frequency=frequency)
     expected = vr.solve(roller(linear), load=2e3, angular_speed=2.5, mesh=contact.mesh)
     # The frequency belongs to the previous iteration, whose half-width is accurate to one node.
@@ -66,7 +66,7 @@ def test_a_network_that_loses_nothing_needs_no_matching():
 
 def test_the_modulus_is_that_of_the_strain_it_makes(soft_roller):
     """A solve at the amplitude found has this amplitude: a fixed point, to the tolerance."""
-    modulus = soft_roller.result.ball.layers[0].shear_modulus
+    modulus = soft_roller.result.body.layers[0].shear_modulus
     storage = NETWORK.at(soft_roller.layer_amplitudes[0])[0]
     assert modulus.network.modulus == pytest.approx(storage, rel=1e-12)
     assert soft_roller.history[-1] == pytest.approx(soft_roller.layer_amplitudes, rel=1e-3)
@@ -114,7 +114,7 @@ def test_sublayers_hardly_matter(soft_roller):
 
 def search_of(body, *, nodes, load=2e3):
     return SofteningSearch(
-        ball=body,
+        body=body,
         on=None,
         layers=softening_layers(body, None),
         load=load,
@@ -165,7 +165,7 @@ def test_both_of_a_pair_soften_alike():
     found = softened(roller(), on=roller(), load=4e3)
     assert found.layer_amplitudes[0] == pytest.approx(found.layer_amplitudes[1], rel=1e-6)
     assert found.loss_scales[0] == pytest.approx(found.loss_scales[1], rel=1e-6)
-    sides = [found.amplitude(of=of).amplitude.to_numpy() for of in ("ball", "counterpart")]
+    sides = [found.amplitude(of=of).amplitude.to_numpy() for of in ("body", "counterbody")]
     np.testing.assert_allclose(*sides, rtol=1e-6)
 
 

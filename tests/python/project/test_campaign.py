@@ -49,9 +49,9 @@ def test_source_makes_the_case_again():
     for number in range(50):
         case = draw(3, number)
         calls: list[tuple[vr.CoatedSphere, dict]] = []
-        names["solve"] = lambda ball, calls=calls, **arguments: calls.append((ball, arguments))
+        names["solve"] = lambda body, calls=calls, **arguments: calls.append((body, arguments))
         eval(case.source(), names)
-        assert repr(calls) == repr([(case.ball, {k: v for k, v in case.arguments.items() if k != "threads"})])
+        assert repr(calls) == repr([(case.body, {k: v for k, v in case.arguments.items() if k != "threads"})])
 
 
 def elastic_case(**changes) -> Case:
@@ -64,8 +64,8 @@ def elastic_case(**changes) -> Case:
         "mesh": vr.Mesh(nodes_per_revolution=250),
         "threads": 1,
     }
-    ball = changes.pop("ball", vr.CoatedSphere(core_radius=20e-3, layers=[layer]))
-    return Case(name="0:0", ball=ball, arguments=arguments | changes)
+    ball = changes.pop("body", vr.CoatedSphere(core_radius=20e-3, layers=[layer]))
+    return Case(name="0:0", body=ball, arguments=arguments | changes)
 
 
 def test_a_sound_case_has_no_violation():
@@ -79,7 +79,7 @@ DOCTORED = {
     "pressure < 0": lambda r: {"pressure": np.where(r.contact, r.pressure, -1e-3 * r.max_pressure)},
     "gap < 0": lambda r: {"gap": r.gap - 1e-4 * r.penetration},
     "load balance": lambda r: {"pressure": 1.001 * r.pressure},
-    "penetration >= thickness": lambda r: {"penetration": r.ball.thickness},
+    "penetration >= thickness": lambda r: {"penetration": r.body.thickness},
     "residual": lambda r: {"residual": 1e-4},
     "iteration limit reached": lambda r: {"status": enums.Status.MAX_ITERATIONS},
     "traction > friction": lambda r: {"shear_traction": 1.01 * r.shear_traction},
@@ -99,7 +99,7 @@ DOCTORED = {
 @pytest.fixture(scope="module")
 def sound() -> vr.Result:
     case = elastic_case()
-    return vr.solve(case.ball, **case.arguments)
+    return vr.solve(case.body, **case.arguments)
 
 
 @pytest.mark.parametrize("name", DOCTORED)
@@ -113,7 +113,7 @@ def pair_case() -> Case:
     modulus = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=0.1)
     layer = vr.Layer(thickness=5e-3, shear_modulus=modulus, poisson_ratio=0.4)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
-    return elastic_case(on=ball, friction=0.0, drive=vr.Drive(force=0.0), load=5.0, ball=ball)
+    return elastic_case(on=ball, friction=0.0, drive=vr.Drive(force=0.0), load=5.0, body=ball)
 
 
 def test_a_sound_pair_has_no_violation():
@@ -127,13 +127,13 @@ def test_a_sound_pair_has_no_violation():
     ("name", "changed"),
     [
         ("power of the rolling body", lambda r: {"driving_torque": 10.0 * r.driving_torque}),
-        ("power of the counterbody", lambda r: {"counterpart_bulk_power": 10.0 * r.counterpart_bulk_power}),
+        ("power of the counterbody", lambda r: {"counterbody_bulk_power": 10.0 * r.counterbody_bulk_power}),
         ("total power of a pair", lambda r: {"dissipated_power": 10.0 * r.dissipated_power}),
     ],
 )
 def test_what_a_pair_leaves_unpaid_is_seen(name, changed):
     case = pair_case()
-    result = vr.solve(case.ball, **case.arguments)
+    result = vr.solve(case.body, **case.arguments)
     assert name in violations(case, replace(result, **changed(result)))
 
 
@@ -170,10 +170,10 @@ def test_messages_are_judged(monkeypatch, message, kind):
 def test_a_bearable_load_that_is_refused_is_seen(monkeypatch):
     solve = vr.solve
 
-    def refuse(ball, *, load, **kwargs):
+    def refuse(body, *, load, **kwargs):
         if load > 0.5:
             raise ValueError("load must be small enough for the coating, got 1 N")
-        return solve(ball, load=load, **kwargs)
+        return solve(body, load=load, **kwargs)
 
     monkeypatch.setattr(vr, "solve", refuse)
     assert "supportable load rejected" in run_case(elastic_case()).violations
@@ -193,8 +193,8 @@ def bad_case(seed: int, number: int) -> Case:
     case = elastic_case()
     if number > 1:
         return replace(case, name=f"{seed}:{number}")
-    layer = replace(case.ball.layers[0], shear_modulus=(loop, end)[number])
-    return replace(case, name=f"{seed}:{number}", ball=replace(case.ball, layers=[layer]))
+    layer = replace(case.body.layers[0], shear_modulus=(loop, end)[number])
+    return replace(case, name=f"{seed}:{number}", body=replace(case.body, layers=[layer]))
 
 
 def test_cases_that_hang_or_crash_are_outlived():

@@ -9,7 +9,7 @@ from campaign.runner import run
 
 def test_the_number_changes_alone():
     case = draw(33, 5)
-    given, changed = {"ball": case.base.ball, **case.base.arguments}, case.arguments
+    given, changed = {"body": case.base.body, **case.base.arguments}, case.arguments
     again = [name for name, value in changed().items() if value is not given[name] and value != given[name]]
     assert again == [case.path[0]]
 

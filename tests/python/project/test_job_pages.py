@@ -92,7 +92,7 @@ def test_an_index_is_searched_for_all_words_that_count(tmp_path):
 def test_measurements_give_a_torque_with_an_interval(tmp_path):
     printed = run("dma", tmp_path)
     assert "339 points in 20 sweeps" in printed
-    assert "undetermined              -40 to -29.99 °C" in printed
+    assert "undetermined              233.15 to 243.16 K (-40 to -29.99 °C)" in printed
     # The intervals cover 95 %: all nine contain the truth for this noise; for other noise, one of nine may not.
     held = re.search(r"the interval contains the exact value at (\d) of 9 temperatures", printed)
     assert held

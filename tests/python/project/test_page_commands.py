@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 import viscoroll as vr
-from specimens import command
+from shared_cases import command
 from viscoroll.case import example_text
 
 ROOT = Path(__file__).parents[3]
@@ -59,10 +59,10 @@ def brought_along(folder: Path) -> None:
     (folder / "dma.txt").write_bytes(source.read_bytes())
     rows = [
         f"{sweep.temperature},{w},{storage},{loss}"
-        for sweep in vr.rheology.read_rheology(source, tensile=False).between(-35.0, 160.0).isotherms
+        for sweep in vr.rheology.read_rheology(source, tensile=False).between(238.15, 433.15).isotherms
         for w, storage, loss in zip(sweep.frequency, sweep.storage, sweep.loss, strict=True)
     ]
-    (folder / "dma.csv").write_text("T,w,G',G''\n°C,rad/s,Pa,Pa\n" + "\n".join(rows), encoding="utf-8")
+    (folder / "dma.csv").write_text("T,w,G',G''\nK,rad/s,Pa,Pa\n" + "\n".join(rows), encoding="utf-8")
     (folder / "case.toml").write_text(example_text(), encoding="utf-8")
 
 

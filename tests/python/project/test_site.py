@@ -13,7 +13,7 @@ import pytest
 
 ROOT = Path(__file__).parents[3]
 ROWS = tomllib.loads((ROOT / "docs" / "validation.toml").read_text(encoding="utf-8"))["row"]
-OUTSIDE = tomllib.loads((ROOT / "docs" / "judged-from-outside.toml").read_text(encoding="utf-8"))
+OUTSIDE = tomllib.loads((ROOT / "docs" / "published-results.toml").read_text(encoding="utf-8"))
 TESTS = {test for row in ROWS for test in row["tests"]} | {
     row["test"] for part in OUTSIDE.values() for row in part["row"]
 }
@@ -81,7 +81,7 @@ def tables() -> ModuleType:
 def test_tables_of_pages_are_as_they_would_be_made():
     """`make tables` writes the tables; a repository browser shows them as they are in the sources."""
     written = tables().pages()
-    assert {"validation.md", "performance.md", "signs.md", "bodies.md", "judged-from-outside.md"} <= {
+    assert {"validation.md", "performance.md", "signs.md", "bodies.md", "published-results.md"} <= {
         page.name for page in written
     }
     stale = [page.name for page, text in written.items() if page.read_text(encoding="utf-8") != text]

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference.one_layer import Table, ball_equations, steady
-from specimens import coated_ball, command
+from shared_cases import coated_ball, command
 from viscoroll import enums, paper
 from viscoroll.case import example_text, load_case
 from viscoroll.case.compare import compare_torques, parse_speeds
@@ -173,7 +173,9 @@ def test_a_coarse_mesh_is_no_witness(compute):
             assert judged.judgment == ("coarse mesh: not judged" if verdict.by_mesh else verdict.judgment)
         assert fine.judge(outcome) == outcome.verdicts()
     known = {v.statement: v.judgment for name in ITEMS for v in coarse.judge(compute(name)) if not v.by_mesh}
-    assert [text for text, judgment in known.items() if judgment != "agrees"] == ["up to Ω_n, where Π = 1"]
+    assert [text for text, judgment in known.items() if judgment != "agrees"] == [
+        "the increase continues up to Ω_n, where Π = 1"
+    ]
 
 
 def test_intervals_of_unknown_thicknesses_are_unclear(compute):
@@ -227,7 +229,7 @@ def test_closed_forms_that_hold_are_near_the_solver():
     ball = coated_ball(gel, core_radius=2e-3, thickness=18e-3)
     case = replace(
         _case(),
-        ball=ball,
+        body=ball,
         load=0.5,
         angular_speed=0.3,
         mesh=vr.Mesh(nodes_per_revolution=600, max_order=900),
@@ -245,7 +247,7 @@ def test_springs_with_memory_on_a_thin_coating():
     # a = 23 h, where the closed form holds at all speeds; the solver's accuracy is 1 %.
     foam = vr.StandardLinearSolid(instantaneous_modulus=6e5, relaxed_modulus=3e5, relaxation_time=0.01)
     ball = coated_ball(foam, core_radius=0.25, poisson_ratio=0.3)
-    comparison = compare_torques(replace(_case(), ball=ball, load=60.0, accuracy=0.01), speeds=(0.3, 30.0), points=4)
+    comparison = compare_torques(replace(_case(), body=ball, load=60.0, accuracy=0.01), speeds=(0.3, 30.0), points=4)
     torque, holds = comparison.forms["winkler"]
     assert holds.all()
     assert comparison.torques == pytest.approx(torque, rel=0.01)
@@ -268,7 +270,7 @@ def test_default_speeds_stay_below_the_critical_one():
     heavy = paper.ball(density=1e9)
     speed = 0.5 * vr.modal.critical_speed(heavy)
     case = replace(
-        _case(), ball=heavy, angular_speed=speed, mesh=vr.Mesh(nodes_per_revolution=100, max_order=100), accuracy=None
+        _case(), body=heavy, angular_speed=speed, mesh=vr.Mesh(nodes_per_revolution=100, max_order=100), accuracy=None
     )
     assert compare_torques(case, points=2).speeds[-1] == pytest.approx(1.8 * speed)
 

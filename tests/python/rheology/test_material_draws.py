@@ -20,7 +20,7 @@ def sampled(storage_noise, loss_noise, seed=0):
     modulus = RUBBER.complex_modulus(OMEGA)
     storage = modulus.real * (1.0 + storage_noise * generator.standard_normal(OMEGA.size))
     loss = modulus.imag * (1.0 + loss_noise * generator.standard_normal(OMEGA.size))
-    return Isotherm(temperature=20.0, frequency=OMEGA, storage=storage, loss=loss)
+    return Isotherm(temperature=293.15, frequency=OMEGA, storage=storage, loss=loss)
 
 
 def scatter(draws):
@@ -84,9 +84,9 @@ def test_shifts_are_found_anew(curve):
     expected = np.sqrt(np.diag(curve.covariance))
     np.testing.assert_allclose(factors.std(axis=0, ddof=1)[others], expected, rtol=0.5)
     assert (factors[:, curve.anchor] == 0.0).all()
-    at_rest = draws.map(lambda c: c.series_at(temperature=40.0))
+    at_rest = draws.map(lambda c: c.series_at(temperature=313.15))
     assert isinstance(at_rest, vr.materials.Draws)
-    assert at_rest[3] == draws[3].series_at(temperature=40.0)
+    assert at_rest[3] == draws[3].series_at(temperature=313.15)
 
 
 def test_factors_of_the_user_are_kept():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import command
+from shared_cases import command
 from viscoroll.rheology import TemperatureRamp
 
 #: Two relaxations eight decades apart and the times between them, with a known law.
@@ -15,7 +15,7 @@ FREQUENCY = 2.0 * np.pi
 
 
 def modulus(temperature, frequency=FREQUENCY):
-    return RUBBER.complex_modulus(frequency * LAW(temperature + 273.15))
+    return RUBBER.complex_modulus(frequency * LAW(temperature))
 
 
 def written(path, step, *, noise=0.0, frequencies=(FREQUENCY,), head="Temperature,Frequency"):
@@ -25,7 +25,7 @@ def written(path, step, *, noise=0.0, frequencies=(FREQUENCY,), head="Temperatur
     rows = [f"{head},Storage modulus,Loss modulus", "°C,Hz,MPa,MPa" if "," in head else "°C,MPa,MPa"]
     for number, degrees in enumerate(temperature):
         frequency = frequencies[number % len(frequencies)]
-        value = 3.0 * complex(modulus(degrees, frequency)) * (1.0 + noise * generator.standard_normal())
+        value = 3.0 * complex(modulus(degrees + 273.15, frequency)) * (1.0 + noise * generator.standard_normal())
         hertz = [f"{frequency / 2.0 / np.pi:.5g}"] if "," in head else []
         rows.append(",".join([f"{degrees:.2f}", *hertz, f"{value.real / 1e6:.6g}", f"{value.imag / 1e6:.6g}"]))
     path.write_text("\n".join(rows), encoding="utf-8")
@@ -39,7 +39,7 @@ def test_a_ramp_is_seen_as_one_and_says_what_it_gives(tmp_path, step):
     assert isinstance(ramp, TemperatureRamp)
     assert ramp.frequency == pytest.approx(FREQUENCY)
     assert ramp.temperature.size == round(80.0 / step) + 1
-    # 0.005 °C, round-off of the file
+    # 0.005 K, round-off of the file
     np.testing.assert_allclose(ramp.storage, modulus_over(ramp.temperature).real, rtol=1e-2)
     said = repr(data)
     assert said.splitlines()[0].startswith("RheologyData of ramp.csv: a temperature ramp at one frequency, 6.283 rad/s")
@@ -48,7 +48,7 @@ def test_a_ramp_is_seen_as_one_and_says_what_it_gives(tmp_path, step):
 
 
 def modulus_over(temperature):
-    return np.array([complex(modulus(degrees)) for degrees in temperature])
+    return np.array([complex(modulus(kelvin)) for kelvin in temperature])
 
 
 def test_no_shift_is_fitted_to_a_ramp(tmp_path):
@@ -56,40 +56,42 @@ def test_no_shift_is_fitted_to_a_ramp(tmp_path):
     with pytest.raises(
         ValueError, match=r"got a temperature ramp at 6.283 rad/s: pass a law of the shift, such as factors="
     ):
-        vr.rheology.superpose(data, reference=30.0)
+        vr.rheology.superpose(data, reference=303.15)
 
 
 def test_a_law_makes_a_master_curve_of_a_ramp_and_the_checks_judge_it(tmp_path):
     data = vr.rheology.read_rheology(written(tmp_path / "ramp.csv", 1.0, noise=0.003), tensile=True)
-    curve = vr.rheology.superpose(data, reference=30.0, factors=LAW)
+    curve = vr.rheology.superpose(data, reference=303.15, factors=LAW)
     omega = np.geomspace(1e-2, 1e5, 15)
     true, found = RUBBER.complex_modulus(omega), curve.fit.series.complex_modulus(omega)
     np.testing.assert_allclose(np.abs(found), np.abs(true), rtol=0.03)
     assert all(check.passed for check in vr.rheology.check_modulus(curve))
     # With twice the activation, storage changes half as fast with frequency as its loss requires.
     wrong = vr.materials.WilliamsLandelFerry(c1=24.0, c2=90.0, reference_temperature=303.15)
-    causal, passive, _ = vr.rheology.check_modulus(vr.rheology.superpose(data, reference=30.0, factors=wrong))
+    causal, passive, _ = vr.rheology.check_modulus(vr.rheology.superpose(data, reference=303.15, factors=wrong))
     assert not causal.passed
     assert not passive.passed
     # A table of the same factors gives the same result.
     table = vr.rheology.ShiftFactors(
-        temperature=(0.0, 30.0, 80.0), log10_factor=[np.log10(LAW(t + 273.15)) for t in (0, 30, 80)]
+        temperature=(273.15, 303.15, 353.15), log10_factor=[np.log10(LAW(t)) for t in (273.15, 303.15, 353.15)]
     )
-    ends = vr.rheology.superpose(data, reference=30.0, factors=table).factors.log10_factor
-    assert (ends[0], ends[-1]) == pytest.approx([np.log10(LAW(t + 273.15)) for t in (0, 80)])
+    ends = vr.rheology.superpose(data, reference=303.15, factors=table).factors.log10_factor
+    assert (ends[0], ends[-1]) == pytest.approx([np.log10(LAW(t)) for t in (273.15, 353.15)])
 
 
 def test_modulus_and_loss_factor_of_a_ramp_at_a_temperature(tmp_path):
     ramp = vr.rheology.read_rheology(written(tmp_path / "ramp.csv", 0.5), tensile=True).ramp
-    found, true = ramp.at(temperature=41.25), complex(modulus(41.25))
+    found, true = ramp.at(temperature=314.4), complex(modulus(314.4))
     assert found.modulus == pytest.approx(true.real, rel=1e-2)
     assert found.loss_factor == pytest.approx(true.imag / true.real, rel=1e-2)
     assert complex(found.complex_modulus(FREQUENCY)) == pytest.approx(true, rel=2e-2)
-    peak = np.linspace(0.0, 80.0, 801)
+    peak = np.linspace(273.15, 353.15, 801)
     tan_delta = modulus_over(peak).imag / modulus_over(peak).real
     assert ramp.loss_peak == pytest.approx(peak[np.argmax(tan_delta)], abs=0.5)
-    with pytest.raises(ValueError, match=r"temperature must be in \[0, 80\] °C, where it was measured, got 90"):
-        ramp.at(temperature=90.0)
+    with pytest.raises(ValueError, match=r"measured range, 273.15 to 353.15 K \(0 to 80 °C\), got 363.15 K \(90"):
+        ramp.at(temperature=363.15)
+    with pytest.raises(ValueError, match=r"temperature must be >= 100 K \(20 °C are 293.15 K\), got 20 K"):
+        ramp.at(temperature=20.0)
 
 
 def test_frequencies_that_are_stepped_through_while_it_heats_are_sweeps(tmp_path):
@@ -119,22 +121,22 @@ def test_a_ramp_from_the_shell(tmp_path):
         done = command("material", "ramp.csv", "--tensile", *words, cwd=tmp_path)
         return done.returncode, done.stdout, done.stderr
 
-    code, said, _ = answered("--at", 40)
+    code, said, _ = answered("--at", 313.15)
     assert code == 0
     assert "a temperature ramp at one frequency" in said.splitlines()[0]
     assert "undetermined" not in said
     assert "shear_modulus = { type = 'loss_factor', modulus = " in said
     assert answered()[0] == 0
     assert answered("--save", "m.toml")[2].endswith("a law of the shift: give --factors or --wlf\n")
-    code, said, _ = answered("--reference", 30, "--wlf", "12,90,30", "--save", "m.toml")
+    code, said, _ = answered("--reference", 303.15, "--wlf", "12,90,303.15", "--save", "m.toml")
     assert code == 0
     assert "undetermined" not in said
     omega = np.geomspace(1e-1, 1e4, 6)
-    table = vr.rheology.load_material(tmp_path / "m.toml", temperature=50.0).complex_modulus(omega)
+    table = vr.rheology.load_material(tmp_path / "m.toml", temperature=323.15).complex_modulus(omega)
     np.testing.assert_allclose(np.abs(table), np.abs(RUBBER.complex_modulus(omega * LAW(323.15))), rtol=0.1)
     assert (
         answered("--wlf", "12,90")[2]
-        == "viscoroll: --wlf must have the form C1,C2,T_r, such as 17.44,51.6,-65, got '12,90'\n"
+        == "viscoroll: --wlf must have the form C1,C2,T_r, such as 17.44,51.6,208, got '12,90'\n"
     )
 
 

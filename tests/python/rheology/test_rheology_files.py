@@ -32,7 +32,7 @@ def test_trios_lims():
     assert data.dropped == 1  # a negative loss modulus at -40 °C
     first = data.isotherms[-1]
     # The first data row of the first step.
-    assert first.temperature == pytest.approx(149.99, abs=0.01)
+    assert first.temperature == pytest.approx(423.14, abs=0.01)
     assert first.frequency[0] == 0.628318548202515
     assert first.storage[0] == 10044.287109375
     assert first.loss[0] == 3285.56372070313
@@ -60,7 +60,7 @@ def test_trios_plain_text(tmp_path):
     text += step.format(name="Frequency sweep - 1", t="20.0", g="2.0") + "[step]\r\n"
     text += step.format(name="Frequency sweep - 2", t="40.0", g="1.5")
     data = vr.rheology.read_rheology(written(tmp_path, text, "cp1252"))
-    assert [isotherm.temperature for isotherm in data.isotherms] == [20.0, 40.0]
+    assert [isotherm.temperature for isotherm in data.isotherms] == [293.15, 313.15]
     np.testing.assert_array_equal(data.isotherms[0].storage, [2.0e6, 2.5e6])
     np.testing.assert_array_equal(data.isotherms[1].loss, [10e3, 20e3])
 
@@ -169,7 +169,7 @@ def test_names_and_units_given_by_the_caller(tmp_path):
         "temperature": ("Ofen", "K"),
     }
     (sweep,) = vr.rheology.read_rheology(path, columns=columns, tensile=True, poisson_ratio=0.25).isotherms
-    assert sweep.temperature == pytest.approx(20.0, abs=1e-12)
+    assert sweep.temperature == 293.15
     np.testing.assert_allclose(sweep.storage, [0.8e6, 1.6e6], rtol=1e-15)  # G = E / 2.5
     np.testing.assert_allclose(sweep.loss, [400.0, 400.0], rtol=1e-15)
 
@@ -178,7 +178,7 @@ def test_sweeps_of_one_table_are_told_apart_by_temperature(tmp_path):
     rows = [f"{f},{1.0 + f},0.1,{t + d}" for d, f in ((0.1, 1), (0.0, 2), (-0.1, 3)) for t in (0, 10, 20)]
     text = "f,G',G'',T\nHz,MPa,MPa,C\n" + "\n".join(rows)
     data = vr.rheology.read_rheology(written(tmp_path, text))
-    assert [round(sweep.temperature, 6) for sweep in data.isotherms] == [0.0, 10.0, 20.0]
+    assert [round(sweep.temperature, 6) for sweep in data.isotherms] == [273.15, 283.15, 293.15]
     assert [sweep.frequency.size for sweep in data.isotherms] == [3, 3, 3]
 
 
@@ -199,6 +199,7 @@ def test_nonpositive_moduli_are_dropped_and_counted(tmp_path):
         ("f,G',G''\nHz,psi,Pa\n1,2,1\n", r"column \"G'\" \(storage\) must have a unit of 'Pa', .*, got unit 'psi'"),
         ("f,G',G''\n1/s,Pa,Pa\n1,2,1\n", r"column 'f' \(frequency\) must have a unit of .*, got unit '1/s'"),
         ("f,G',G'',T\nHz,Pa,Pa,\n1,2,1,20\n", r"column 'T' \(temperature\) must have a unit of .*, got no unit"),
+        ("f,G',G'',T\nHz,Pa,Pa,K\n1,2,1,20\n", r"column 'T' with the unit 'K' must be >= 100 K .*, got 20 K"),
         ("f,G',G''\nHz,mpa,Pa\n1,2,1\n", r"column \"G'\" \(storage\) must have a unit of .*, got unit 'mpa'"),
         ("omega,G',G''\nHz,Pa,Pa\n1,2,1\n", "column 'omega' must be in 'rad/s' according to its name, got 'Hz'"),
         (

@@ -20,14 +20,14 @@ RUBBER = vr.Prony(
     weights=0.9995 * (shape := np.exp(-0.5 * ((np.log10(TIMES) + 5.0) / 1.8) ** 2)) / shape.sum(),
     relaxation_times=TIMES,
 )
-C1, C2, REFERENCE = 12.0, 90.0, 30.0
+C1, C2, REFERENCE = 12.0, 90.0, 303.15
 
 
 def wlf(temperature):
     return -C1 * (temperature - REFERENCE) / (C2 + temperature - REFERENCE)
 
 
-def measured_isotherms(noise, seed=0, temperatures=tuple(range(0, 81, 10))):
+def measured_isotherms(noise, seed=0, temperatures=tuple(273.15 + t for t in range(0, 81, 10))):
     """Return isotherms of three decades of the rubber above, by its law, with relative noise on both moduli."""
     generator = np.random.default_rng(seed)
     omega = np.logspace(-1, 2, 22)
@@ -49,7 +49,7 @@ def adhesive():
 @pytest.fixture(scope="module")
 def master(adhesive):
     """Shift the adhesive without its coldest sweep, whose shift the data do not determine."""
-    return vr.rheology.superpose(adhesive.between(-35.0, 160.0), reference=20.0)
+    return vr.rheology.superpose(adhesive.between(238.15, 433.15), reference=293.15)
 
 
 @pytest.fixture(scope="module")
@@ -75,27 +75,30 @@ def test_master_curve_from_noise_of_3_percent_is_within_2_percent(noisy):
 
 
 def test_modulus_at_another_temperature(noisy):
-    table = noisy.at(temperature=45.0)
+    table = noisy.at(temperature=318.15)
     omega = np.geomspace(1e-1, 1e2, 7)
-    true, found = RUBBER.complex_modulus(omega * 10.0 ** wlf(45.0)), table.complex_modulus(omega)
+    true, found = RUBBER.complex_modulus(omega * 10.0 ** wlf(318.15)), table.complex_modulus(omega)
     np.testing.assert_allclose(np.abs(found), np.abs(true), rtol=0.04)  # three points with 3 % noise per entry, and a_T
-    smooth = noisy.series_at(temperature=45.0).complex_modulus(omega)
+    smooth = noisy.series_at(temperature=318.15).complex_modulus(omega)
     np.testing.assert_allclose(np.abs(smooth), np.abs(true), rtol=0.02)
-    with pytest.raises(ValueError, match=r"temperature must be in \[0, 80\] °C, where it was measured, got 90"):
-        noisy.at(temperature=90.0)
+    with pytest.raises(ValueError, match=r"measured range, 273.15 to 353.15 K \(0 to 80 °C\), got 363.15 K \(90"):
+        noisy.at(temperature=363.15)
+    for refused in (noisy.at, noisy.series_at):
+        with pytest.raises(ValueError, match=r"temperature must be >= 100 K \(20 °C are 293.15 K\), got 20 K"):
+            refused(temperature=20.0)
 
 
 def test_a_fitted_law_shifts_moduli_in_kelvin(noisy):
     shift = noisy.wlf.shift()
     assert isinstance(shift, vr.materials.WilliamsLandelFerry)
-    assert np.log10(shift(45.0 + 273.15)) == pytest.approx(float(noisy.wlf(45.0)))
+    assert np.log10(shift(318.15)) == pytest.approx(float(noisy.wlf(318.15)))
 
 
 def test_coverage_of_the_intervals_of_wlf_constants():
     """Both true constants are in their 95 % intervals in most of 12 data sets: 8 or fewer has a probability of 1e-3."""
     inside = 0
     for seed in range(12):
-        data = measured_isotherms(0.03, seed=100 + seed, temperatures=(0, 20, 40, 60))
+        data = measured_isotherms(0.03, seed=100 + seed, temperatures=(273.15, 293.15, 313.15, 333.15))
         law = vr.rheology.superpose(data, reference=REFERENCE - 10.0).wlf
         # The same law with another reference: C₂' = C₂ + T_r' - T_r, C₁' C₂' = C₁ C₂.
         c2 = C2 - 10.0
@@ -110,12 +113,12 @@ def test_arrhenius_is_recognized():
     data = measured_isotherms(0.01)
     sweeps = []
     for sweep in data.isotherms:
-        shift = energy / gas / np.log(10.0) * (1.0 / (sweep.temperature + 273.15) - 1.0 / 303.15)
+        shift = energy / gas / np.log(10.0) * (1.0 / sweep.temperature - 1.0 / 303.15)
         modulus = RUBBER.complex_modulus(sweep.frequency * 10.0**shift)
         sweeps.append(
             Isotherm(temperature=sweep.temperature, frequency=sweep.frequency, storage=modulus.real, loss=modulus.imag)
         )
-    curve = vr.rheology.superpose(_data(sweeps), reference=30.0)
+    curve = vr.rheology.superpose(_data(sweeps), reference=303.15)
     assert curve.law.name == "Arrhenius"
     assert curve.law.parameters["activation_energy"].value == pytest.approx(energy, rel=0.01)
 
@@ -131,8 +134,8 @@ def test_vertical_shift_is_found_where_it_is_asked_for():
         Isotherm(temperature=s.temperature, frequency=s.frequency, storage=s.storage * b, loss=s.loss * b)
         for s, b in zip(data.isotherms, lifts, strict=True)
     ]
-    plain = vr.rheology.superpose(_data(sweeps), reference=30.0)
-    lifted = vr.rheology.superpose(_data(sweeps), reference=30.0, vertical=True)
+    plain = vr.rheology.superpose(_data(sweeps), reference=303.15)
+    lifted = vr.rheology.superpose(_data(sweeps), reference=303.15, vertical=True)
     assert set(plain.vertical) == {0.0}
     assert lifted.scatter < 0.5 * plain.scatter
     found = 10.0 ** np.array(lifted.vertical)
@@ -142,27 +145,55 @@ def test_vertical_shift_is_found_where_it_is_asked_for():
 def test_flat_sweeps_leave_their_shift_open():
     omega = np.logspace(-1, 2, 16)
     sweeps = [
-        Isotherm(temperature=t, frequency=omega, storage=np.full(16, 1e6), loss=np.full(16, 1e3)) for t in (0.0, 20.0)
+        Isotherm(temperature=t, frequency=omega, storage=np.full(16, 1e6), loss=np.full(16, 1e3))
+        for t in (273.15, 293.15)
     ]
-    curve = vr.rheology.superpose(_data(sweeps), reference=0.0)
+    curve = vr.rheology.superpose(_data(sweeps), reference=273.15)
     assert len(curve.undetermined) == 1
-    assert "0 to 20 °C: all shifts from" in curve.undetermined[0]
+    assert "273.15 to 293.15 K (0 to 20 °C): all shifts from" in curve.undetermined[0]
 
 
 def test_shift_factors_of_the_user(tmp_path):
     factors = vr.rheology.ShiftFactors.read(DATA / "pyvisco_shift_factors.csv")
-    assert factors(-50.0) == 12.75
-    assert factors(-5.0) == 0.0
+    assert factors(223.15) == 12.75
+    assert factors(268.15) == 0.0
     factors.save(tmp_path / "again.csv")
-    assert vr.rheology.ShiftFactors.read(tmp_path / "again.csv").log10_factor == factors.log10_factor
+    again = vr.rheology.ShiftFactors.read(tmp_path / "again.csv")
+    assert (again.temperature, again.log10_factor) == (factors.temperature, factors.log10_factor)
     data = vr.rheology.read_rheology(DATA / "pyvisco_freq_user_raw.csv")
-    curve = vr.rheology.superpose(data, reference=-5.0, factors=factors)
+    curve = vr.rheology.superpose(data, reference=268.15, factors=factors)
     coldest = data.isotherms[0]
     assert curve.factors.log10_factor[0] == pytest.approx(factors(coldest.temperature), abs=1e-12)
     with pytest.raises(ValueError, match="temperature must be in"):
         vr.rheology.superpose(
-            data, reference=-5.0, factors=vr.rheology.ShiftFactors(temperature=(0.0, 20.0), log10_factor=(0.0, -1.0))
+            data,
+            reference=268.15,
+            factors=vr.rheology.ShiftFactors(temperature=(273.15, 293.15), log10_factor=(0.0, -1.0)),
         )
+
+
+@pytest.mark.parametrize(
+    "head", ["T,log_aT\nC,-\n20,0\n30,-1\n", "T,log_aT\nK,-\n293.15,0\n303.15,-1\n", "T [°C],log_aT\n20,0\n30,-1\n"]
+)
+def test_units_of_shift_factors(tmp_path, head):
+    (tmp_path / "factors.csv").write_text(head, encoding="utf-8")
+    found = vr.rheology.ShiftFactors.read(tmp_path / "factors.csv")
+    assert found.temperature == (293.15, 303.15)
+    assert found.log10_factor == (0.0, -1.0)
+
+
+def test_degrees_celsius_are_refused(noisy, adhesive):
+    message = r"must be >= 100 K \(20 °C are 293.15 K\), got 20 K"
+    for refused in (
+        lambda: vr.rheology.superpose(adhesive, reference=20.0),
+        lambda: adhesive.between(20.0, 300.0),
+        lambda: vr.rheology.ShiftFactors(temperature=(20.0, 30.0), log10_factor=(0.0, -1.0)),
+        lambda: noisy.factors(20.0),
+        lambda: noisy.wlf([20.0, 300.0]),
+        lambda: Isotherm(temperature=20.0, frequency=[1.0], storage=[1.0], loss=[1.0]),
+    ):
+        with pytest.raises(ValueError, match=message):
+            refused()
 
 
 @pytest.mark.parametrize(
@@ -178,7 +209,8 @@ def test_shift_factors_of_the_user(tmp_path):
             "factors.csv: .* must start with two finite numbers, .* as many cells as the row of names",
         ),
         ("20,0\n30,400\n", r"factors.csv: log10_factor\[1\] must be in \[-100, 100\], got 400"),
-        ("20,0\n1e5,1\n", r"factors.csv: temperature\[1\] must be in \[-273.15, 10000\] °C, got 100000"),
+        ("20,0\n1e5,1\n", r"factors.csv: temperature\[1\] must be <= 10000 K, got 100273 K"),
+        ("20,0\n-200,1\n", r"factors.csv: temperature\[0\] must be >= 100 K .*, got 73.15 K"),
         ("20,0\n30," + 200_000 * "1" + "\n", "factors.csv: field larger than field limit"),
     ],
 )
@@ -191,13 +223,16 @@ def test_bad_files_of_shift_factors(tmp_path, rows, message):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"reference": 200.0}, r"reference must be in \[0, 80\] °C, where sweeps were measured, got 200"),
-        ({"data": measured_isotherms(0.0).between(0.0, 0.0)}, "at least 2 sweeps to be shifted, got 1"),
+        (
+            {"reference": 473.15},
+            r"reference must be in the measured range, 273.15 to 353.15 K \(0 to 80 °C\), got 473.15 K \(200 °C\)",
+        ),
+        ({"data": measured_isotherms(0.0).between(273.15, 273.15)}, "at least 2 sweeps to be shifted, got 1"),
     ],
 )
 def test_what_cannot_be_shifted(change, message):
     with pytest.raises(ValueError, match=message):
-        vr.rheology.superpose(**({"data": measured_isotherms(0.0), "reference": 30.0} | change))
+        vr.rheology.superpose(**({"data": measured_isotherms(0.0), "reference": 303.15} | change))
 
 
 def test_adhesive_is_fitted_to_1_percent_over_12_decades(master):
@@ -209,8 +244,8 @@ def test_adhesive_is_fitted_to_1_percent_over_12_decades(master):
 
 
 def test_coldest_sweep_of_the_adhesive_is_named(adhesive):
-    curve = vr.rheology.superpose(adhesive, reference=20.0)
-    assert curve.undetermined[0].startswith("-40 to -29.99 °C: all shifts from")
+    curve = vr.rheology.superpose(adhesive, reference=293.15)
+    assert curve.undetermined[0].startswith("233.15 to 243.16 K (-40 to -29.99 °C): all shifts from")
     assert not all(check.passed for check in vr.rheology.check_modulus(curve))
 
 
@@ -218,8 +253,8 @@ def test_pyvisco_data_are_named_as_inconsistent():
     data = vr.rheology.read_rheology(DATA / "pyvisco_freq_user_raw.csv")
     factors = vr.rheology.ShiftFactors.read(DATA / "pyvisco_shift_factors.csv")
     for curve in (
-        vr.rheology.superpose(data, reference=-5.0),
-        vr.rheology.superpose(data, reference=-5.0, factors=factors),
+        vr.rheology.superpose(data, reference=268.15),
+        vr.rheology.superpose(data, reference=268.15, factors=factors),
     ):
         causal, passive, _ = vr.rheology.check_modulus(curve)
         for check in (causal, passive):
@@ -229,7 +264,7 @@ def test_pyvisco_data_are_named_as_inconsistent():
             assert "%" in check.message
 
 
-@pytest.mark.parametrize("temperature", [0.0, 20.0, 40.0])
+@pytest.mark.parametrize("temperature", [273.15, 293.15, 313.15])
 @pytest.mark.parametrize("speed", [1e-3, 1e-2, 1e-1])
 def test_torque_of_the_fit_is_that_of_the_table(master, temperature, speed):
     """Read, shift, fit, solve: within 1 %, of which the meshes may contribute 0.2 %."""
@@ -271,13 +306,13 @@ def test_range_against_the_harmonics_of_rolling(rubber):
 
 def test_constants_of_shifts_that_do_not_bend_are_not_told():
     """WLF shifts are farther apart at low temperatures; these are closer, and the best fit is a straight line."""
-    temperature = np.arange(-40.0, 61.0, 10.0)
+    temperature = 273.15 + np.arange(-40.0, 61.0, 10.0)
     above = temperature - REFERENCE
     law = fit_wlf(
         vr.rheology.ShiftFactors(temperature=temperature, log10_factor=-0.1 * above - 5e-4 * above**2), REFERENCE
     )
     assert str(law).startswith(
-        f"WLF at {REFERENCE:g} °C: constants undetermined, the shifts lack its curvature; residual 0."
+        "WLF at 303.15 K (30 °C): constants undetermined, the shifts lack its curvature; residual 0."
     )
     assert "c1 = " in str(
         fit_wlf(vr.rheology.ShiftFactors(temperature=temperature, log10_factor=wlf(temperature)), REFERENCE)

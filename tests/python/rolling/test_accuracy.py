@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import coated_ball
+from shared_cases import coated_ball
 from viscoroll import enums, paper
 
 PAPER = enums.Curvature.PAPER

@@ -228,7 +228,7 @@ def test_a_text_serves_where_a_member_does():
 
 def test_something_else_than_a_ball():
     with pytest.raises(
-        TypeError, match=r"ball must be a viscoroll.CoatedSphere or .*CoatedCylinder or .*CoatedWheel, got 'ball'"
+        TypeError, match=r"body must be a viscoroll.CoatedSphere or .*CoatedCylinder or .*CoatedWheel, got 'ball'"
     ):
         vr.solve("ball", **CASE)
 
@@ -241,10 +241,10 @@ def tables(ball=None, mesh=None, **options):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: vr.modal.critical_speed(3), "ball must be a viscoroll.CoatedSphere or .*CoatedWheel, got 3"),
+        (lambda: vr.modal.critical_speed(3), "body must be a viscoroll.CoatedSphere or .*CoatedWheel, got 3"),
         (
             lambda: vr.modal.surface_compliance(3, 2.5, 1, 1),
-            "ball must be a viscoroll.CoatedSphere or viscoroll.CoatedWheel, got 3",
+            "body must be a viscoroll.CoatedSphere or viscoroll.CoatedWheel, got 3",
         ),
         (lambda: vr.modal.centrifugal_displacement(3, 1.0), "ball must be a viscoroll.CoatedSphere, got 3"),
         (lambda: vr.modal.state_matrix(3, 2.5, 1.0, 1, 1), "layer must be a viscoroll.Layer, got 3"),

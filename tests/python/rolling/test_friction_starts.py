@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import coated_ball
+from shared_cases import coated_ball
 from viscoroll import enums
 
 FOUND = tomllib.loads((Path(__file__).parent / "friction_states.toml").read_text(encoding="utf-8"))
@@ -40,7 +40,7 @@ def measured(r):
     """Return the criteria of a state, among them its residual and the largest slip of sticking nodes."""
     speed = np.hypot(*r.slip_velocity)
     creeping = speed.max(initial=0.0, where=r.stick)
-    curving = (r.semi_axis_x / r.ball.outer_radius) ** 2 * r.angular_speed * r.ball.outer_radius
+    curving = (r.semi_axis_x / r.body.outer_radius) ** 2 * r.angular_speed * r.body.outer_radius
     return {
         "contact": r.contact.sum(),
         "stick_share": r.stick.sum() / r.contact.sum(),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from campaign.pressure import STEEP, cases, judge, zigzag
-from specimens import RUBBER
+from shared_cases import RUBBER
 from viscoroll import analytic, enums
 
 CASES = {case.name: case for case in cases()}

@@ -8,7 +8,7 @@ import viscoroll as vr
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from reference.one_layer import Table, ball_equations, steady
-from specimens import coated_ball
+from shared_cases import coated_ball
 from viscoroll import enums, paper
 
 
@@ -80,7 +80,7 @@ def test_power_balance_measures_the_mesh_error(paper_ball, nodes, order, expecte
     r = roll(paper_ball, nodes=nodes, order=order)
     difference = r.resisting_torque * r.angular_speed - r.dissipated_power
     assert abs(difference) / (r.resisting_torque * r.angular_speed) == pytest.approx(expected, abs=6e-4)
-    assert r.power_balance_error == pytest.approx(
+    assert r.energy_balance_error == pytest.approx(
         abs(difference) / max(r.dissipated_power, r.resisting_torque * r.angular_speed)
     )
 
@@ -88,7 +88,7 @@ def test_power_balance_measures_the_mesh_error(paper_ball, nodes, order, expecte
 @pytest.mark.slow
 @pytest.mark.parametrize("order", [800, 1600, 3200])
 def test_power_balance_closes_on_a_fine_mesh(paper_ball, order):
-    assert roll(paper_ball, nodes=1600, order=order).power_balance_error < 5e-4
+    assert roll(paper_ball, nodes=1600, order=order).energy_balance_error < 5e-4
 
 
 @pytest.mark.parametrize("radial", [True, False])

@@ -44,44 +44,44 @@ STEP = 1e-5
 
 @pytest.fixture(scope="module", params=CASES)
 def solved(request):
-    ball, given = CASES[request.param]
+    body, given = CASES[request.param]
     given = {"angular_speed": 5.0, "mesh": MESH} | given
-    result = vr.solve(ball, **given)
-    return ball, given, result, result.sensitivity()
+    result = vr.solve(body, **given)
+    return body, given, result, result.sensitivity()
 
 
-def whole(result, ball, given, change):
+def whole(result, body, given, change):
     """Return central difference quotients of whole solves, relative to the result."""
     answers = ("resisting_torque", "penetration", "max_pressure")
-    more, less = (vr.solve(b, **g) for b, g in (change(ball, given, STEP), change(ball, given, -STEP)))
+    more, less = (vr.solve(b, **g) for b, g in (change(body, given, STEP), change(body, given, -STEP)))
     return np.array([(getattr(more, a) - getattr(less, a)) / (2.0 * STEP * getattr(result, a)) for a in answers])
 
 
-def more_load(ball, given, share):
-    return ball, given | {"load": given["load"] * (1.0 + share)}
+def more_load(body, given, share):
+    return body, given | {"load": given["load"] * (1.0 + share)}
 
 
-def more_speed(ball, given, share):
-    return ball, given | {"angular_speed": given["angular_speed"] * (1.0 + share)}
+def more_speed(body, given, share):
+    return body, given | {"angular_speed": given["angular_speed"] * (1.0 + share)}
 
 
-def thicker(ball, given, share):
-    body = ball if ball.layers else given["on"]
-    layers = [*body.layers[:-1], replace(body.layers[-1], thickness=body.layers[-1].thickness * (1.0 + share))]
-    changed = replace(body, layers=layers)
-    return (changed, given) if ball.layers else (ball, given | {"on": changed})
+def thicker(body, given, share):
+    layered = body if body.layers else given["on"]
+    layers = [*layered.layers[:-1], replace(layered.layers[-1], thickness=layered.layers[-1].thickness * (1.0 + share))]
+    changed = replace(layered, layers=layers)
+    return (changed, given) if body.layers else (body, given | {"on": changed})
 
 
 @pytest.mark.parametrize("change", [more_load, more_speed, thicker])
 def test_derivatives_are_those_of_whole_solves(solved, change):
-    ball, given, result, found = solved
-    body, prefix = (ball, "") if ball.layers else (given["on"], "on.")
+    body, given, result, found = solved
+    layered, prefix = (body, "") if body.layers else (given["on"], "on.")
     name = {
         more_load: "load",
         more_speed: "angular_speed",
-        thicker: f"{prefix}layers[{len(body.layers) - 1}].thickness",
+        thicker: f"{prefix}layers[{len(layered.layers) - 1}].thickness",
     }[change]
-    np.testing.assert_allclose(list(found[name].values()), whole(result, ball, given, change), atol=1e-3)
+    np.testing.assert_allclose(list(found[name].values()), whole(result, body, given, change), atol=1e-3)
 
 
 def test_forces_and_moduli_have_one_unit(solved):

@@ -1,4 +1,4 @@
-"""Many threads at once: each result is that of a single thread. Run these tests also on a Python without the GIL."""
+"""Concurrent calls return the results of a single thread. Run these tests also on a Python without the GIL."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ CASE = {"load": 100.0, "angular_speed": 2.5, "mesh": MESH}
 COARSE = vr.Mesh(nodes_per_revolution=64)
 
 
-def _python_ball():
+def _ball_with_python_modulus():
     rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
     layer = vr.Layer(thickness=1e-3, shear_modulus=lambda w: rubber.complex_modulus(w), poisson_ratio=0.5)
     return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
 
 
-def _fails():
+def _reject_negative_load():
     with pytest.raises(ValueError, match="load must be"):
         vr.solve(paper.ball(), **CASE | {"load": -1.0})
-    return "refused"
+    return "rejected"
 
 
-def _stopped():
+def _stop_by_progress():
     def stop(*_):
         raise InterruptedError
 
@@ -44,20 +44,20 @@ TASKS = {
     "solve": lambda: vr.solve(paper.ball(), **CASE).resisting_torque,
     "friction": lambda: vr.solve(paper.ball(), **CASE, friction=0.3).driving_torque,
     "vertical": lambda: vr.solve(paper.ball(), **CASE, compliance="vertical").resisting_torque,
-    "python modulus": lambda: vr.solve(_python_ball(), **CASE).resisting_torque,
+    "python modulus": lambda: vr.solve(_ball_with_python_modulus(), **CASE).resisting_torque,
     "progress": lambda: vr.solve(paper.ball(), **CASE, progress=lambda *_: None).resisting_torque,
     "model": lambda: MODEL.solve(load=80.0).resisting_torque,
     "interior": lambda: float(MODEL.solve(load=80.0).interior(depth=[0.5e-3]).von_mises.max()),
     "roll": lambda: vr.roll(
-        paper.ball(), time=[0.0, 0.1], angle=[0.0, 0.2], load=50.0, mesh=COARSE, lattices=1
+        paper.ball(), time=[0.0, 0.1], angle=[0.0, 0.2], load=50.0, mesh=COARSE, averaged_meshes=1
     ).resisting_torque[-1],
-    "refusal": _fails,
-    "stop": _stopped,
+    "rejected load": _reject_negative_load,
+    "stop": _stop_by_progress,
 }
 
 
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")
-def test_many_threads_do_many_things_at_once():
+def test_concurrent_calls_equal_single_thread():
     expected = {name: task() for name, task in TASKS.items()}
     names = list(TASKS) * 4
     random.Random(1).shuffle(names)
@@ -74,22 +74,22 @@ def test_many_threads_do_many_things_at_once():
         assert found == expected[name], name
 
 
-def test_a_history_is_read_and_copied_while_it_goes_on():
+def test_history_is_read_and_copied_while_it_advances():
     times = np.linspace(0.0, 0.2, 21)[1:]
 
-    def stepper():
-        return vr.RollingHistory(paper.ball(), load=50.0, mesh=COARSE, lattices=1, steps_per_spacing=None)
+    def make_history():
+        return vr.RollingHistory(paper.ball(), load=50.0, mesh=COARSE, averaged_meshes=1, steps_per_spacing=None)
 
-    alone, shared = stepper(), stepper()
+    alone, shared = make_history(), make_history()
     expected = [alone.advance(time=t, angle=2.0 * t, load=50.0).resisting_torque for t in times]
-    ended, seen = threading.Event(), []
+    ended, observed = threading.Event(), []
 
     def watch():
         while not ended.is_set():
-            state, now, twin = shared.state, shared.now, copy.copy(shared)
+            state, now, copied = shared.state, shared.now, copy.copy(shared)
             assert state.numbers.size
             assert shared.contact.pressure.max() > 0.0
-            seen.append((now.time, twin.now.time))
+            observed.append((now.time, copied.now.time))
 
     with ThreadPoolExecutor(3) as pool:
         watchers = [pool.submit(watch) for _ in range(3)]
@@ -100,4 +100,4 @@ def test_a_history_is_read_and_copied_while_it_goes_on():
         for watcher in watchers:
             watcher.result()
     assert found == expected
-    assert all(before <= after for before, after in seen)
+    assert all(before <= after for before, after in observed)

@@ -145,7 +145,7 @@ def test_inputs_store_numbers_of_python(value, twin):
 def test_results_can_be_copied(result):
     for twin in (pickle.loads(pickle.dumps(result)), copy.deepcopy(result)):
         assert twin.scalars() == result.scalars()
-        assert twin.ball == result.ball
+        assert twin.body == result.body
         assert twin.refinements == result.refinements
         for name in FIELDS:
             np.testing.assert_array_equal(getattr(twin, name), getattr(result, name))
@@ -257,13 +257,13 @@ def test_a_model_gives_what_single_solves_give():
         vr.RollingModel(paper.ball(), angular_speed=0.5, mesh=None)
 
 
-def test_eight_threads_give_the_serial_result(result, unlike_ball):
+def test_eight_threads_give_the_serial_result(result, two_layer_ball):
     def torque(ball):
         return vr.solve(ball, load=100.0, angular_speed=2.5, mesh=MESH).resisting_torque
 
-    expected = [result.resisting_torque, torque(unlike_ball)] * 8
+    expected = [result.resisting_torque, torque(two_layer_ball)] * 8
     with ThreadPoolExecutor(8) as pool:
-        assert list(pool.map(torque, [result.ball, unlike_ball] * 8)) == expected
+        assert list(pool.map(torque, [result.body, two_layer_ball] * 8)) == expected
 
 
 def test_threads_with_a_python_modulus(rubber):
@@ -312,9 +312,9 @@ def test_an_exception_in_progress_ends_the_solve():
         )
 
 
-def test_waiting_for_another_threads_tables_can_be_stopped(unlike_ball):
+def test_waiting_for_another_threads_tables_can_be_stopped(two_layer_ball):
     """One thread makes the tables of a shared model; the others report that they wait, and can be interrupted."""
-    model = vr.RollingModel(unlike_ball, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=500, max_order=6000))
+    model = vr.RollingModel(two_layer_ball, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=500, max_order=6000))
     summing, waiting = threading.Event(), threading.Event()
 
     def first(stage, _fraction):
@@ -339,7 +339,7 @@ def test_waiting_for_another_threads_tables_can_be_stopped(unlike_ball):
 SOLVE = "vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution={}, max_order={}){})"
 ROLL = (
     "vr.roll(vr.CoatedSphere(core_radius=21e-3), on=vr.CoatedPlane(layers=paper.ball().layers), time=[0.0, 1e3],"
-    " way=[0.0, 100.0], load=100.0, mesh=vr.Mesh(nodes_per_revolution=400))"
+    " distance=[0.0, 100.0], load=100.0, mesh=vr.Mesh(nodes_per_revolution=400))"
 )
 # calls, and the time after which each is in the stage that it is named for [s]
 LONG_CALLS = {

@@ -82,7 +82,7 @@ def test_at_the_surface_the_tractions_come_back(friction, compliance):
         surface = r.interior(depth=[0.0]).isel(depth=0)
     sin, cos = np.sin(surface.phi.to_numpy())[:, None], np.cos(surface.phi.to_numpy())[:, None]
     pressure, (along, across) = r.pressure, r.shear_traction
-    ball = r.ball.outer_radius
+    ball = r.body.outer_radius
     if compliance is enums.Compliance.RADIAL:
         # Along the plane, forward is -φ; tractions that are not normal to the radius contribute to the radial stress.
         radial = -pressure + (along * r.x + across * r.z) / ball
@@ -136,8 +136,8 @@ def test_a_sum_that_ends_earlier_is_the_same_but_near_the_surface(coarse):
     np.testing.assert_array_equal(coarse.interior(depth=depths, max_order=1e9).strain, whole)
 
 
-def test_both_sides_of_a_boundary(unlike_ball):
-    r = vr.solve(unlike_ball, load=20.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=200))
+def test_both_sides_of_a_boundary(two_layer_ball):
+    r = vr.solve(two_layer_ball, load=20.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=200))
     inside = r.interior(depth=[1e-3])
     assert inside.layer.to_numpy().tolist() == [1, 0]
     size = float(np.abs(inside.stress).max())
@@ -164,7 +164,7 @@ def test_other_inner_boundaries(within, rubber):
     if not solid:
         cavity = r.interior(radius=[15e-3]).isel(depth=0)
         assert float(np.abs(cavity.stress.sel(component="rr")).max()) < 1e-9 * r.max_pressure
-        with pytest.raises(ValueError, match=r"result\.ball must have a rigid core, a rigid base or several layers"):
+        with pytest.raises(ValueError, match=r"result\.body must have a rigid core, a rigid base or several layers"):
             r.bonds()
     loss = r.loss()
     assert loss.attrs["power"] == pytest.approx(r.bulk_power, rel=2e-3)
@@ -340,11 +340,11 @@ def test_what_is_rigid_has_no_inside():
     rigid = vr.solve(
         vr.CoatedSphere(core_radius=21e-3), on=vr.CoatedPlane(layers=layers), load=100.0, angular_speed=2.5, mesh=mesh
     )
-    with pytest.raises(ValueError, match=r"result.ball must have a layer to be evaluated inside"):
-        rigid.loss(of="ball")
-    assert rigid.loss(max_order=50).attrs["of"] == "counterpart"
+    with pytest.raises(ValueError, match=r"result.body must have a layer to be evaluated inside"):
+        rigid.loss(of="body")
+    assert rigid.loss(max_order=50).attrs["of"] == "counterbody"
     soft = vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh)
     with pytest.raises(ValueError, match=r"result.on must have a layer or a base.*got a rigid body"):
-        soft.interior(depth=[0.5e-3], of="counterpart")
-    with pytest.raises(ValueError, match="of must be 'ball' or 'counterpart', got 'plane'"):
+        soft.interior(depth=[0.5e-3], of="counterbody")
+    with pytest.raises(ValueError, match="of must be 'body' or 'counterbody', got 'plane'"):
         soft.bonds(of="plane")

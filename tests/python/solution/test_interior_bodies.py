@@ -9,7 +9,7 @@ import pytest
 import viscoroll as vr
 from reference import interior as shells_of
 from reference import interior_flat as reference
-from specimens import RUBBER
+from shared_cases import RUBBER
 from test_interior_orders import CORE, SURFACE, layers_of, shells
 from viscoroll.solution.interior_fields import order_fields
 from viscoroll.solution.interior_files import save_interior
@@ -219,18 +219,18 @@ def test_each_of_two_rollers_loses_its_own_power(friction):
         friction=friction,
         mesh=vr.Mesh(nodes_per_revolution=3000),
     )
-    for of, power in (("ball", r.rolling_bulk_power), ("counterpart", r.counterpart_bulk_power)):
+    for of, power in (("body", r.rolling_bulk_power), ("counterbody", r.counterbody_bulk_power)):
         loss = r.loss(of=of)
         assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-8)
         assert loss.attrs["power"] == pytest.approx(power, rel=1e-3 if friction else 2e-4)
         assert r.loss_spectrum(of=of).power.sum() == pytest.approx(power, rel=3e-3)
     # Both bodies have the same pressure and opposite shear.
-    ball, counterpart = (r.interior(depth=[0.5e-3], of=of).isel(depth=0, theta=0) for of in ("ball", "counterpart"))
+    ball, counterbody = (r.interior(depth=[0.5e-3], of=of).isel(depth=0, theta=0) for of in ("body", "counterbody"))
     pressure = r.pressure[:, 0]
-    for side in (ball, counterpart):
+    for side in (ball, counterbody):
         assert side.stress.sel(component="rr").min() == pytest.approx(-pressure.max(), rel=0.05)
     if friction:
-        shears = [side.stress.sel(component="rphi").to_numpy().sum() for side in (ball, counterpart)]
+        shears = [side.stress.sel(component="rphi").to_numpy().sum() for side in (ball, counterbody)]
         assert abs(sum(shears)) < 0.3 * abs(shears[0]) + 1e-3 * pressure.sum()
 
 
@@ -241,7 +241,7 @@ def test_a_coated_ball_on_a_mat_loses_in_both(friction):
     )
     mesh = vr.Mesh(nodes_per_revolution=600)
     r = vr.solve(ball, on=MAT, load=60.0, angular_speed=2.5, friction=friction, mesh=mesh)
-    for of, power in (("ball", r.rolling_bulk_power), ("counterpart", r.counterpart_bulk_power)):
+    for of, power in (("body", r.rolling_bulk_power), ("counterbody", r.counterbody_bulk_power)):
         loss = r.loss(of=of, depth=[0.5e-3])
         assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-7)
         assert loss.attrs["power"] == pytest.approx(power, rel=3e-3)
@@ -249,7 +249,7 @@ def test_a_coated_ball_on_a_mat_loses_in_both(friction):
 
 def test_files_and_pictures_of_both_bodies(tmp_path):
     r = vr.solve(roller(), on=BELT, load=3e3, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=2000))
-    for of in ("ball", "counterpart"):
+    for of in ("body", "counterbody"):
         inside = r.interior(depth=[1e-3, 3e-3, 5e-3], of=of)
         save_interior(inside, tmp_path / f"{of}.vtu")
         save_interior(inside, tmp_path / f"{of}.nc")
@@ -257,10 +257,10 @@ def test_files_and_pictures_of_both_bodies(tmp_path):
         r.plot_loss(of=of)
     import meshio
 
-    below = meshio.read(tmp_path / "counterpart.vtu")
+    below = meshio.read(tmp_path / "counterbody.vtu")
     assert below.points[:, 2].max() == pytest.approx(-1e-3)
     assert {block.type for block in below.cells} == {"quad"}
-    above = meshio.read(tmp_path / "ball.vtu")
+    above = meshio.read(tmp_path / "body.vtu")
     assert above.points[:, 2].min() == pytest.approx(-59e-3)
     # The load is vertical, along z of both files.
     for volume in (below, above):

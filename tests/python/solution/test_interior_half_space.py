@@ -79,7 +79,7 @@ def test_shear_by_itself_is_cerrutis(poisson_ratio, across):
     patch = (RADIUS * r.mesh.spacing) ** 2
     depths = contact * np.array([0.6, 1.0, 2.0])
     steps = np.array([-1.2, -0.4, 0.0, 0.7]) / RADIUS * contact
-    found = r.interior(depth=depths, phi=0.5 * math.pi - steps, theta=0.5 * math.pi - 1.3 * steps, of="counterpart")
+    found = r.interior(depth=depths, phi=0.5 * math.pi - steps, theta=0.5 * math.pi - 1.3 * steps, of="counterbody")
     here_x, here_z = found.x.to_numpy()[:, None], found.z.to_numpy()[None, :]
     # The plane is loaded by the reaction of the ball's tractions: φ points backward, θ to -z and r upwards.
     for level, depth in enumerate(depths):
@@ -117,7 +117,7 @@ def test_shear_under_a_roller_is_that_of_its_pressure(poisson_ratio):
     nothing = np.zeros_like(shape)
     r = replace(r, pressure=nothing, shear_traction=np.array([1e5 * shape, nothing]))
     y, x = np.array([0.2, 0.5, 1.0, 2.0])[:, None] * a, np.array([0.0, 0.4, -0.9]) * a
-    inside = r.interior(depth=y[:, 0], phi=0.5 * math.pi - x / radius, of="counterpart").isel(theta=0)
+    inside = r.interior(depth=y[:, 0], phi=0.5 * math.pi - x / radius, of="counterbody").isel(theta=0)
     difference = a**2 - x**2 + y**2
     root = np.sqrt(difference**2 + 4.0 * x**2 * y**2)
     m, n = np.sqrt(0.5 * (root + difference)), np.sign(x) * np.sqrt(0.5 * (root - difference))

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference import wheel_orders as reference
-from specimens import RUBBER, one_layer
+from shared_cases import RUBBER, one_layer
 from viscoroll.solution.interior_fields import order_fields
 from viscoroll.solution.interior_files import save_interior
 
@@ -187,13 +187,13 @@ def test_the_middle_of_a_wide_wheel_is_a_roller():
 def test_what_is_under_a_wheel(on):
     """Each body dissipates its own power; under a flat wheel, the orders of the solve have no crown."""
     r = vr.solve(FLAT, on=on, load=100.0, angular_speed=SPEED, friction=0.3, mesh=MESH)
-    for of, power in (("ball", r.rolling_bulk_power), ("counterpart", r.counterpart_bulk_power)):
+    for of, power in (("body", r.rolling_bulk_power), ("counterbody", r.counterbody_bulk_power)):
         loss = r.loss(of=of, depth=[])
         assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-7)
-        crowned = of == "counterpart" and isinstance(on, vr.CoatedWheel)
+        crowned = of == "counterbody" and isinstance(on, vr.CoatedWheel)
         assert loss.attrs["power"] == pytest.approx(power, rel=5e-2 if crowned else 5e-3)
     # Both bodies have the same pressure in the middle, a third of a spacing below either surface.
-    inside = [r.interior(depth=[0.5e-3], theta=[0.5 * np.pi], of=of) for of in ("ball", "counterpart")]
+    inside = [r.interior(depth=[0.5e-3], theta=[0.5 * np.pi], of=of) for of in ("body", "counterbody")]
     pressed = [float(side.stress.sel(component="rr").min()) for side in inside]
     assert pressed == pytest.approx([-r.pressure[:, r.pressure.shape[1] // 2].max()] * 2, rel=0.1)
 
@@ -261,6 +261,6 @@ def test_bad_places_are_named(flat):
     with pytest.raises(ValueError, match=r"depth must be in \[0, 0.01\] m"):
         flat.interior(depth=[11e-3])
     with pytest.raises(ValueError, match=r"result\.on must have a layer or a base"):
-        flat.interior(depth=[1e-3], of="counterpart")
+        flat.interior(depth=[1e-3], of="counterbody")
     with pytest.raises(ValueError, match="result must have fields narrower than the circumference"):
         replace(flat, z=30.0 * flat.z).loss_spectrum()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference.contact import power_of_orders
-from specimens import coated_ball
+from shared_cases import coated_ball
 
 MESH = vr.Mesh(nodes_per_revolution=1000)
 COARSE = vr.Mesh(nodes_per_revolution=300)
@@ -17,14 +17,14 @@ def summed(result):
     phi, theta = (np.pi / 2 + result.mesh.spacing * (np.arange(count) - count // 2) for count in result.pressure.shape)
     phi, theta = (angle.ravel() for angle in np.meshgrid(phi, theta, indexing="ij"))
     tractions = np.stack([-result.pressure, -result.shear_traction[0], -result.shear_traction[1]])
-    forces = (tractions * (result.ball.outer_radius * result.mesh.spacing) ** 2).reshape(3, -1)
+    forces = (tractions * (result.body.outer_radius * result.mesh.spacing) ** 2).reshape(3, -1)
 
     def compliance(m, n):
-        return vr.modal.surface_compliance(result.ball, result.angular_speed, m, n, curvature=result.curvature)
+        return vr.modal.surface_compliance(result.body, result.angular_speed, m, n, curvature=result.curvature)
 
     orders = np.arange(1, result.mesh.nodes_per_revolution + 1)
     return power_of_orders(
-        compliance, orders, result.angular_speed, result.ball.outer_radius, result.mesh.spacing, phi, theta, forces
+        compliance, orders, result.angular_speed, result.body.outer_radius, result.mesh.spacing, phi, theta, forces
     )
 
 

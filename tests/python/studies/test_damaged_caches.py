@@ -8,7 +8,7 @@ import sqlite3
 
 import pytest
 from campaign.files.caches import check, study
-from specimens import command
+from shared_cases import command
 from viscoroll.case import example_text
 
 

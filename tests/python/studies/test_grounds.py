@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import RUBBER, one_layer
+from shared_cases import RUBBER, one_layer
 from viscoroll.studies.dimensions import Dimension
 from viscoroll.studies.picture import plot_study
 

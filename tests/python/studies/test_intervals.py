@@ -24,7 +24,7 @@ def drawn_material(seed, temperature):
 
 @pytest.fixture(scope="module")
 def material():
-    return drawn_material(1, 60.0)
+    return drawn_material(1, 333.15)
 
 
 def drawn(dataset, name):
@@ -53,7 +53,9 @@ CASES = {
 def test_linear_intervals_are_those_of_whole_solves(material, case):
     """Intervals agree to a tenth of their half width of 2 %; squares of some percent and joining nodes contribute."""
     factory, given = CASES[case]
-    linear, whole = (vr.sweep(factory, modulus=material, draws=way, **CASE | given) for way in ("linear", "solve"))
+    linear, whole = (
+        vr.sweep(factory, modulus=material, draws=method, **CASE | given) for method in ("linear", "solve")
+    )
     for name in ("resisting_torque", "dissipated_power", "penetration"):
         (value, *bounds), (same, *others) = drawn(linear, name), drawn(whole, name)
         assert value == same
@@ -78,8 +80,8 @@ def test_intervals_hold_the_truth():
 
     `tests/campaign/intervals.py` tests two hundred data sets at five temperatures.
     """
-    truth = vr.sweep(roller(true_modulus(60.0)), **CASE)
-    inside = [held(vr.sweep(roller, modulus=drawn_material(seed, 60.0), **CASE), truth)[0] for seed in range(12)]
+    truth = vr.sweep(roller(true_modulus(333.15)), **CASE)
+    inside = [held(vr.sweep(roller, modulus=drawn_material(seed, 333.15), **CASE), truth)[0] for seed in range(12)]
     for answer, share in zip(ANSWERS, np.mean(inside, axis=0), strict=True):
         assert share >= 0.75 or answer == "max_pressure", answer  # the largest pressure is at the edge here
 
@@ -99,7 +101,7 @@ def test_draws_can_be_stopped(material):
 
 def test_draws_of_two_materials_go_together(material):
     """The draws are independent, so the squares of the scatter of both layers add up."""
-    other = drawn_material(5, 70.0)
+    other = drawn_material(5, 343.15)
 
     def both(inner, outer):
         return vr.CoatedCylinder(core_radius=20e-3, layers=[*roller(inner).layers, *roller(outer).layers])
@@ -171,7 +173,7 @@ def test_a_largest_pressure_at_the_edge_has_no_linear_interval():
     """If the material enters stiff, the first nodes have the largest pressure: at 50 °C, but not at 70 °C."""
     draws = vr.rheology.superpose(measured(3, Noise()), reference=REFERENCE).draws(3)
     given = {"load": 30.0, "angular_speed": 3.0, "mesh": vr.Mesh(nodes_per_revolution=1500), "progress": False}
-    found = vr.sweep(of_curve, curve=draws, temperature=[50.0, 70.0], **given)
+    found = vr.sweep(of_curve, curve=draws, temperature=[323.15, 343.15], **given)
     assert np.isnan(found.max_pressure_lower).values.tolist() == [True, False]
     assert np.isfinite(found.penetration_lower).all()
 

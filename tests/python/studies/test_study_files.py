@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 import xarray
-from specimens import command
+from shared_cases import command
 from viscoroll.case import example_text
 from viscoroll.case.study import load_study
 from viscoroll.studies.study import run_plan
@@ -75,7 +75,7 @@ def test_names_are_told_apart(study_file):
     path.write_text(path.read_text(encoding="utf-8").replace("[rolling]", layer + "[rolling]"), encoding="utf-8")
     plan = load_study(path)
     assert [(d.name, d.unit) for d in plan.dimensions] == [("layers_0_thickness", "m"), ("layers_1_thickness", "m")]
-    assert [ball.thickness for ball in plan.balls()] == [2e-3, 3e-3]
+    assert [ball.thickness for ball in plan.rolling_bodies()] == [2e-3, 3e-3]
 
 
 def test_sweep_and_plot_from_the_shell(study_file, tmp_path):

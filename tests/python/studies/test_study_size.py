@@ -7,7 +7,7 @@ import time
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import command
+from shared_cases import command
 from viscoroll import paper
 from viscoroll.case import example_text
 

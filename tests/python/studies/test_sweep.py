@@ -1,4 +1,4 @@
-"""Parameter studies: contents of the dataset, where points are solved, and recovery after an interruption."""
+"""Parameter studies: contents of the dataset, grouping of points, executors, progress and input checks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ import pytest
 import viscoroll as vr
 import xarray
 from viscoroll import enums, paper
-from viscoroll.studies import run as running
 from viscoroll.studies.plan import plan_sweep
 
 MESH = vr.Mesh(nodes_per_revolution=100, max_order=50)
@@ -22,21 +21,8 @@ def sweep(*arguments, **parameters):
     return vr.sweep(*arguments, **{"progress": False} | SPEED | parameters)
 
 
-@pytest.fixture
-def solves(monkeypatch):
-    """Collect the loads of all points that this process solves."""
-    loads = []
-
-    def solve_point(solver, **case):
-        loads.append(case["load"])
-        return solver(**case)
-
-    monkeypatch.setattr(running, "solve_point", solve_point)
-    return loads
-
-
-def same_numbers(one, other):
-    """Assert equality except for the last digits, because the tables of a model depend on its previous loads."""
+def assert_equal_up_to_round_off(one, other):
+    """Assert equality except for round-off, which depends on the loads that a model has already solved."""
     xarray.testing.assert_identical(*(xarray.Dataset(coords=study.coords) for study in (one, other)))
     assert {**one.attrs, "created": ""} == {**other.attrs, "created": ""}
     assert set(one.data_vars) == set(other.data_vars)
@@ -60,9 +46,10 @@ def test_every_point_equals_a_direct_solve():
                     if isinstance(value, str) and name in study.data_vars:
                         assert point[name].item() == value
                     elif name in study.data_vars:
-                        # A model's tables reach as far as its largest load requires, which changes round-off.
+                        # The largest load of a model determines the size of its tables, which changes round-off.
                         value = np.nan if value is None else value
-                        # Zeros, such as frictionless forces and the residual, are round-off of numbers near 1 and 100.
+                        # Values that are zero in exact arithmetic, such as frictionless forces and the residual,
+                        # contain round-off of numbers near 1 and 100.
                         np.testing.assert_allclose(point[name].item(), value, rtol=1e-8, atol=1e-13, err_msg=name)
     assert set(expected) - set(study.variables) == {"compliance", "curvature", "patch_load"}
 
@@ -77,19 +64,19 @@ def test_units_and_provenance(tmp_path):
     assert study.attrs["mesh"] == "100 nodes per revolution, orders to 50"
     assert study.attrs["patch_load"] == "FLAT"
     assert study.attrs["material"] == repr(paper.ball().layers[0].shear_modulus)
-    assert "thickness=0.002" in study.attrs["ball"]
+    assert "thickness=0.002" in study.attrs["body"]
     study.to_netcdf(tmp_path / "study.nc")
     xarray.testing.assert_identical(xarray.load_dataset(tmp_path / "study.nc"), study)
 
 
 def test_objects_can_be_dimensions(rubber):
-    def coated(stuff, shear_moduli):
+    def coated(arbitrary_name, shear_moduli):
         layers = [vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.5) for modulus in shear_moduli]
-        return vr.CoatedSphere(core_radius=stuff, layers=layers)
+        return vr.CoatedSphere(core_radius=arbitrary_name, layers=layers)
 
     study = sweep(
         coated,
-        stuff=[0.02],
+        arbitrary_name=[0.02],
         shear_moduli=[(rubber,), (rubber, lambda w: rubber.complex_modulus(w))],
         mesh=[MESH, vr.Mesh(nodes_per_revolution=120, max_order=60)],
         compliance=list(enums.Compliance),
@@ -97,12 +84,12 @@ def test_objects_can_be_dimensions(rubber):
         friction=0.2,
         load=50.0,
     )
-    assert dict(study.sizes) == {"stuff": 1, "shear_moduli": 2, "mesh": 2, "compliance": 2, "drive": 2}
+    assert dict(study.sizes) == {"arbitrary_name": 1, "shear_moduli": 2, "mesh": 2, "compliance": 2, "drive": 2}
     assert study.mesh.values.tolist() == ["100 x 50", "120 x 60"]
     assert study.compliance.values.tolist() == ["RADIAL", "VERTICAL"]
     assert study.drive.values.tolist() == ["force=0", "torque=0"]
     assert study.shear_moduli.values.tolist() == ["shear_moduli[0]", "shear_moduli[1]"]
-    assert "units" not in study.stuff.attrs
+    assert "units" not in study.arbitrary_name.attrs
     assert study.nodes_per_revolution.sel(mesh="120 x 60").values.ravel().tolist() == [120.0] * 8
     assert (study.driving_torque.sel(drive="torque=0") == pytest.approx(0.0, abs=1e-9)).all()
     assert not study.resisting_torque.isnull().any()
@@ -118,18 +105,18 @@ def test_points_are_grouped_by_influence_table(paper_ball):
     assert [len(task.cases) for task in plan.tasks(range(12), largest=4)] == [3, 3, 3, 3]
 
 
-def test_balls_are_made_once():
-    made = []
+def test_each_body_is_created_once():
+    thicknesses = []
 
     def coated(thickness):
-        made.append(thickness)
+        thicknesses.append(thickness)
         return paper.ball(thickness=thickness)
 
     sweep(coated, load=LOADS, thickness=[1e-3, 2e-3])
-    assert made == [1e-3, 2e-3]
+    assert thicknesses == [1e-3, 2e-3]
 
 
-def test_fields_stand_in_the_middle_of_the_largest_window(paper_ball):
+def test_fields_are_centered_in_the_largest_window(paper_ball):
     study = sweep(paper_ball, load=LOADS, fields=["shear_traction", "pressure", "x"])
     results = [vr.solve(paper_ball, load=load, **SPEED) for load in LOADS]
     assert len({r.pressure.shape for r in results}) > 1
@@ -153,7 +140,7 @@ def test_process_pool(tmp_path):
     parameters = {"load": LOADS, "thickness": [1e-3, 2e-3], "fields": ["pressure"]}
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
         study = sweep(paper.ball, **parameters, executor=pool, cache=tmp_path / "study.nc")
-    same_numbers(study, sweep(paper.ball, **parameters))
+    assert_equal_up_to_round_off(study, sweep(paper.ball, **parameters))
 
 
 def test_dask_cluster():
@@ -165,15 +152,15 @@ def test_dask_cluster():
         Client(cluster) as client,
     ):
         study = sweep(paper.ball, **parameters, executor=client.get_executor())
-    same_numbers(study, sweep(paper.ball, **parameters))
+    assert_equal_up_to_round_off(study, sweep(paper.ball, **parameters))
 
 
-def test_progress_has_an_estimate_of_the_time_left(capsys, paper_ball):
+def test_progress_shows_the_remaining_time(capsys, paper_ball):
     sweep(paper_ball, load=LOADS, progress=True)
     shown = capsys.readouterr().err
     assert "3/3" in shown
     assert "point" in shown
-    assert "<" in shown  # elapsed < left
+    assert "<" in shown  # separates the elapsed from the remaining time
 
 
 @pytest.mark.parametrize(
@@ -187,7 +174,7 @@ def test_progress_has_an_estimate_of_the_time_left(capsys, paper_ball):
         ({"mesh": [100]}, TypeError, "mesh must be a viscoroll.Mesh, got 100"),
         ({"max_iterations": 1.5}, TypeError, "max_iterations must be a whole number"),
         ({"accuracy": 0.1}, ValueError, "accuracy must be left out if a mesh is given"),
-        ({"thicknes": 1e-3}, TypeError, "ball, called with thicknes: got an unexpected keyword argument"),
+        ({"thicknes": 1e-3}, TypeError, "body, called with thicknes: got an unexpected keyword argument"),
         ({"penetration": 1e-3}, ValueError, "must not have names of results, got penetration"),
         (
             {"thickness": [-1.0, -2.0]},
@@ -199,17 +186,17 @@ def test_progress_has_an_estimate_of_the_time_left(capsys, paper_ball):
         ({"cache": "study.json"}, ValueError, "cache must end in .nc, got 'study.json'"),
     ],
 )
-def test_bad_arguments(changes, error, message):
+def test_invalid_arguments(changes, error, message):
     with pytest.raises(error, match=message):
         sweep(paper.ball, **{"load": LOADS} | changes)
 
 
-def test_bad_balls(paper_ball):
+def test_invalid_bodies(paper_ball):
     with pytest.raises(TypeError, match="a rolling body has no parameter thickness; pass a function of thickness"):
         sweep(paper_ball, load=LOADS, thickness=[1e-3])
-    with pytest.raises(TypeError, match=r"ball must be a viscoroll.CoatedSphere or .* returns one, got 3"):
+    with pytest.raises(TypeError, match=r"body must be a viscoroll.CoatedSphere or .* returns one, got 3"):
         sweep(3, load=LOADS)
-    with pytest.raises(TypeError, match=r"ball must return a viscoroll.CoatedSphere or .*, got 1.0"):
+    with pytest.raises(TypeError, match=r"body must return a viscoroll.CoatedSphere or .*, got 1.0"):
         sweep(lambda thickness: 1.0, load=LOADS, thickness=[1.0])
     with pytest.raises(TypeError, match="sweep requires angular_speed and load"):
         vr.sweep(paper_ball)

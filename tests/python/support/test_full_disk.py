@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from matplotlib.figure import Figure
-from specimens import command
+from shared_cases import command
 from viscoroll import paper
 from viscoroll._support.files import draft_of, save_picture
 from viscoroll.case import example_text
@@ -24,7 +24,7 @@ from viscoroll.solution.interior_files import save_interior
 resource = pytest.importorskip("resource")
 
 MESH = vr.Mesh(nodes_per_revolution=100, max_order=50)
-FACTORS = ShiftFactors(temperature=(20.0, 30.0), log10_factor=(0.0, -1.0))
+FACTORS = ShiftFactors(temperature=(293.15, 303.15), log10_factor=(0.0, -1.0))
 
 
 @contextmanager

@@ -30,7 +30,8 @@ CELLS = {
         """,
     "picture beside pyplot": "result.plot()",
     "history": """
-        vr.roll(ball, time=[0.0, 0.2], angle=[0.0, 0.1], load=50.0, mesh=vr.Mesh(nodes_per_revolution=64), lattices=1)
+        mesh = vr.Mesh(nodes_per_revolution=64)
+        vr.roll(ball, time=[0.0, 0.2], angle=[0.0, 0.1], load=50.0, mesh=mesh, averaged_meshes=1)
         """,
     "study": "vr.sweep(ball, load=[50.0, 60.0], **case)",
     "inside": "result.interior(depth=[0.5e-3])",

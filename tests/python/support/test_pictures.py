@@ -1,4 +1,4 @@
-"""Pictures of one set of axes are drawn in the caller's axes; pictures of several have a main part that is."""
+"""Plot methods draw into axes of the caller. A picture with several axes then draws only its main part."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def result():
     return vr.solve(paper.ball(), **CASE)
 
 
-# Quantities that several tests draw are computed once.
+# The following results are computed once for all tests.
 
 
 @cache
@@ -32,19 +32,19 @@ def heated(result):
 
 @cache
 def history(result):
-    return vr.roll(result.ball, time=[0.0, 0.1], angle=[0.0, 0.1], load=50.0, mesh=vr.Mesh(nodes_per_revolution=64))
+    return vr.roll(result.body, time=[0.0, 0.1], angle=[0.0, 0.1], load=50.0, mesh=vr.Mesh(nodes_per_revolution=64))
 
 
 @cache
 def study(result):
-    return vr.sweep(result.ball, **CASE | {"load": [50.0, 60.0]}, progress=False)
+    return vr.sweep(result.body, **CASE | {"load": [50.0, 60.0]}, progress=False)
 
 
 @cache
 def comparison(result):
     from viscoroll.case import Case
 
-    names = ("ball", "load", "angular_speed", "friction", "drive", "mesh", "compliance", "curvature", "patch_load")
+    names = ("body", "load", "angular_speed", "friction", "drive", "mesh", "compliance", "curvature", "patch_load")
     given = {name: getattr(result, name) for name in names}
     case = Case(**given, accuracy=None, slip_kinematics=enums.SlipKinematics.EXACT)
     return compare_torques(case, points=2)
@@ -53,7 +53,7 @@ def comparison(result):
 @cache
 def superposed():
     data = vr.rheology.read_rheology(vr.rheology.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
-    return vr.rheology.superpose(data.between(15.0, 65.0), reference=20.0)
+    return vr.rheology.superpose(data.between(288.15, 338.15), reference=293.15)
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def superposed():
     ],
     ids=["result", "loss", "temperature", "history", "study", "comparison", "fit", "superposition"],
 )
-def test_pictures_go_where_the_caller_wants_them(result, plot, label):
+def test_plots_draw_into_given_axes(result, plot, label):
     figure = matplotlib.figure.Figure(layout="constrained")
     left, right = figure.subplots(1, 2)
     assert plot(result, ax=right) is right
@@ -86,6 +86,6 @@ def test_pictures_go_where_the_caller_wants_them(result, plot, label):
 
 
 @pytest.mark.parametrize("path", ["c.png", Path("c.png")])
-def test_a_file_in_place_of_axes(result, path):
+def test_file_name_instead_of_axes_raises(result, path):
     with pytest.raises(TypeError, match=r"ax must be .*; to write a file, omit ax and call savefig\('c.png'\) on"):
         result.plot(path)

@@ -22,7 +22,7 @@ def shell(*, core=0.0, degrees=9, conductivities=(K,), radii=(INNER, OUTER), con
 
 
 def source_of(layers, degree, values):
-    source = np.zeros((layers.modes.count, layers.place.size))
+    source = np.zeros((layers.modes.count, layers.coordinate.size))
     source[degree] = values
     return source
 
@@ -31,27 +31,27 @@ def test_uniform_source_on_an_insulated_core():
     layers = shell()
     source = source_of(layers, 0, Q)
     rises = layers.solve(source)
-    r = layers.place
+    r = layers.coordinate
     expected = (
         Q * (OUTER**3 - INNER**3) / (3 * H * OUTER**2)
         + Q * (OUTER**2 - r**2) / (6 * K)
         + Q * INNER**3 / (3 * K) * (1 / OUTER - 1 / r)
     )
     np.testing.assert_allclose(rises[0], expected, rtol=1e-10)
-    assert layers.heat_outwards(rises) == pytest.approx(layers.heat_of(source), rel=1e-12)
+    assert layers.heat_outwards(rises) == pytest.approx(layers.total_heat(source), rel=1e-12)
 
 
 def test_uniform_source_on_an_isothermal_core():
     layers = shell(core=None)
     source = source_of(layers, 0, Q)
     rises = layers.solve(source, inner_rise=3.0)
-    r = layers.place
+    r = layers.coordinate
     # T = -q r²/6k + A - B/r with T = 3 at the core and -k T' = h T at the surface.
     matrix = [[1.0, -1.0 / INNER], [H, -H / OUTER + K / OUTER**2]]
     a, b = np.linalg.solve(matrix, [3.0 + Q * INNER**2 / (6 * K), Q * OUTER / 3 + H * Q * OUTER**2 / (6 * K)])
     np.testing.assert_allclose(rises[0], -Q * r**2 / (6 * K) + a - b / r, rtol=1e-10)
     out = layers.heat_inwards(source, rises) + layers.heat_outwards(rises)
-    assert out == pytest.approx(layers.heat_of(source), rel=1e-11)
+    assert out == pytest.approx(layers.total_heat(source), rel=1e-11)
     assert layers.heat_inwards(source, rises) == pytest.approx(
         4 * math.pi * INNER**2 * K * (b / INNER**2 - Q * INNER / (3 * K)), rel=1e-9
     )
@@ -82,7 +82,7 @@ def test_one_degree(degree, core):
         [[row(*column[0], INNER, inner=True), row(*column[1], OUTER, inner=False)] for column in columns]
     ).T
     a, b = np.linalg.solve(system[:, :2], -system[:, 2])
-    r = layers.place
+    r = layers.coordinate
     expected = particular * r**2 + a * (r / OUTER) ** degree + b * (INNER / r) ** (degree + 1)
     np.testing.assert_allclose(rises[degree], expected, rtol=1e-7, atol=1e-9 * np.abs(expected).max())
 
@@ -117,14 +117,14 @@ def test_thin_shell_is_a_fin():
 def test_varying_convection_joins_the_degrees():
     """A uniform coefficient given as a function equals the number; a varying one keeps the balance of heat."""
     uniform = shell(convection=lambda theta: np.full(theta.shape, H))
-    source = np.random.default_rng(1).uniform(0.5, 1.0, (9, uniform.place.size)) * Q
+    source = np.random.default_rng(1).uniform(0.5, 1.0, (9, uniform.coordinate.size)) * Q
     np.testing.assert_allclose(uniform.solve(source), shell().solve(source), rtol=1e-10)
     varying = shell(convection=lambda theta: H * (1.0 + np.sin(theta) ** 2))
     rises = varying.solve(source)
-    assert varying.heat_outwards(rises) == pytest.approx(varying.heat_of(source), rel=1e-11)
+    assert varying.heat_outwards(rises) == pytest.approx(varying.total_heat(source), rel=1e-11)
     # The slope of a polynomial through the rises is finite at the surface.
     layer = varying.layer == 0
-    fit = np.polynomial.Polynomial.fit(varying.place[layer], rises[:, layer].T[:, 0], 12)
+    fit = np.polynomial.Polynomial.fit(varying.coordinate[layer], rises[:, layer].T[:, 0], 12)
     assert np.isfinite(fit.deriv()(OUTER))
 
 

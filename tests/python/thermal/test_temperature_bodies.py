@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from scipy import optimize, special
-from specimens import RUBBER
+from shared_cases import RUBBER
 from viscoroll import enums
 from viscoroll.thermal.conduction import Conduction
 from viscoroll.thermal.heat_modes import modes_of_ball, modes_of_roller, modes_of_slab
@@ -25,8 +25,8 @@ def annulus(inner, *, width=None, side=0.0, count=1, conductivities=(K,), radii=
 def test_an_annulus_on_an_insulated_hub():
     """T = q (r_o² - r_i²)/2 h r_o + q (r_o² - r²)/4k - (q r_i²/2k) ln(r_o/r)."""
     layers = annulus(np.zeros(1))
-    rises = layers.solve(np.full((1, layers.place.size), Q))
-    r = layers.place
+    rises = layers.solve(np.full((1, layers.coordinate.size), Q))
+    r = layers.coordinate
     expected = (
         Q * (OUTER**2 - INNER**2) / (2 * H * OUTER)
         + Q * (OUTER**2 - r**2) / (4 * K)
@@ -41,7 +41,7 @@ def test_side_faces_by_bessel_functions(hub):
     width, side = 40e-3, 15.0 / K
     modes = modes_of_roller(width, side, 12)
     layers = annulus(None if hub is None else np.full(12, hub), width=width, side=side, count=12)
-    source = np.repeat(modes.unity[:, None] * Q, layers.place.size, axis=1)
+    source = np.repeat(modes.unity[:, None] * Q, layers.coordinate.size, axis=1)
     rises = layers.solve(source, 2.0 if hub is None else 0.0)
     for j in range(12):
         root = optimize.brentq(
@@ -62,18 +62,18 @@ def test_side_faces_by_bessel_functions(hub):
             rows.append([K * i1(INNER) - hub * i0(INNER), K * k1(INNER) - hub * k0(INNER)])
             right.append(hub * particular)
         a, b = np.linalg.solve(rows, right)
-        expected = particular + a * i0(layers.place) + b * k0(layers.place)
+        expected = particular + a * i0(layers.coordinate) + b * k0(layers.coordinate)
         np.testing.assert_allclose(rises[j], expected, rtol=1e-8, atol=1e-10 * np.abs(rises).max())
     out = layers.heat_outwards(rises) + layers.heat_inwards(source, rises) + layers.heat_sideways(rises)
-    assert out == pytest.approx(layers.heat_of(source), rel=1e-10)
+    assert out == pytest.approx(layers.total_heat(source), rel=1e-10)
 
 
 def test_a_slab_cooled_on_both_faces():
     """T'' = -q/k, -k T' = h T above, k T' = g T below."""
     h, g = 10.0, 4.0
     layers = Conduction((-6e-3, 0.0), (K,), modes_of_slab(None), film=h, inner=np.full(1, g))
-    rises = layers.solve(np.full((1, layers.place.size), Q))
-    y = layers.place + 6e-3
+    rises = layers.solve(np.full((1, layers.coordinate.size), Q))
+    y = layers.coordinate + 6e-3
     below, slope = np.linalg.solve([[g, -K], [h, K + h * 6e-3]], [0.0, Q * 6e-3 + h * Q * 6e-3**2 / (2 * K)])
     np.testing.assert_allclose(rises[0], below + slope * y - Q * y**2 / (2 * K), rtol=1e-11)
 
@@ -83,10 +83,10 @@ def test_a_wave_across_a_slab_fades_as_cosh():
     period, h = 20e-3, 3e-3
     modes = modes_of_slab(period, 4)
     layers = Conduction((-h, 0.0), (K,), modes, film=0.0, inner=None)
-    source = np.zeros((4, layers.place.size))
+    source = np.zeros((4, layers.coordinate.size))
     source[3] = Q
     kappa = 2.0 * math.pi * 3 / period
-    y = layers.place + h
+    y = layers.coordinate + h
     exact = Q / (K * kappa**2) * (1.0 - np.cosh(kappa * (h - y)) / math.cosh(kappa * h))
     np.testing.assert_allclose(layers.solve(source)[3], exact, atol=1e-12 * exact.max())
 
@@ -97,11 +97,11 @@ def test_one_mode_in_time():
     layers = Conduction((-h, 0.0), (K,), modes_of_slab(None), film=film, inner=None)
     x = optimize.brentq(lambda x: K * x / h * math.cos(x) + film * math.sin(x), 0.5 * math.pi, math.pi)
     rate = K * (x / h) ** 2 / capacity
-    start = np.sin(x * (layers.place + h) / h)[None]
+    start = np.sin(x * (layers.coordinate + h) / h)[None]
     times = np.array([0.0, 0.3, 1.0, 2.0]) / rate
-    rises = layers.approach(np.zeros_like(start), start, times, capacity)
+    rises = layers.transient(np.zeros_like(start), start, times, capacity)
     np.testing.assert_allclose(rises[:, 0], np.exp(-rate * times)[:, None] * start, atol=1e-9)
-    assert layers.slowest(capacity, 1)[0] == pytest.approx(1.0 / rate, rel=1e-9)
+    assert layers.time_constants(capacity, 1)[0] == pytest.approx(1.0 / rate, rel=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -117,11 +117,11 @@ def test_the_slowest_times_are_those_of_all_modes(modes, inner):
     """Compare with the late decay of each mode alone."""
     capacity = 2e6
     layers = Conduction((20e-3, 22e-3, 25e-3), (K, 2.0 * K), modes, film=12.0, inner=inner)
-    found = layers.slowest(capacity, 3)
-    np.testing.assert_allclose(found, layers.slowest(capacity, 30)[:3], rtol=1e-12)
-    start = np.where(layers.place > layers.place[0], 1.0, 0.0) * np.ones((30, 1))
+    found = layers.time_constants(capacity, 3)
+    np.testing.assert_allclose(found, layers.time_constants(capacity, 30)[:3], rtol=1e-12)
+    start = np.where(layers.coordinate > layers.coordinate[0], 1.0, 0.0) * np.ones((30, 1))
     late = np.array([6.0, 6.5]) * found[0]
-    left = layers.approach(np.zeros_like(start), start, late, capacity)[:, :3, -1]
+    left = layers.transient(np.zeros_like(start), start, late, capacity)[:, :3, -1]
     each = (late[1] - late[0]) / np.log(left[0] / left[1])
     np.testing.assert_allclose(found, each, rtol=1e-3)
 
@@ -231,11 +231,11 @@ def test_a_block_warms_for_weeks_and_a_half_space_for_ever():
     source = np.where(layers.layer == 9, Q, 0.0)[None]
     times = np.array([86400.0, 30 * 86400.0])
     steady = layers.solve(source)
-    rises = layers.approach(steady, np.zeros_like(steady), times, capacity)
+    rises = layers.transient(steady, np.zeros_like(steady), times, capacity)
     lacking = 1.0 - rises[:, 0, -1] / steady[0, -1]
     np.testing.assert_allclose(lacking, special.erfcx(h * np.sqrt(times / (K * capacity))), rtol=2e-3)
     np.testing.assert_allclose(lacking, [0.132, 0.0248], rtol=5e-3)
-    assert layers.slowest(capacity, 1)[0] > 2 * 365 * 86400.0
+    assert layers.time_constants(capacity, 1)[0] > 2 * 365 * 86400.0
     block = vr.CoatedPlane(layers=[], base=vr.HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5))
     r = vr.solve(vr.CoatedCylinder(core_radius=20e-3), on=block, load=500.0, angular_speed=10.0)
     with pytest.raises(ValueError, match="got a half-space: give a thick layer"):

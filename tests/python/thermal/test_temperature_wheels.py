@@ -10,7 +10,7 @@ import pytest
 import viscoroll as vr
 from reference.section_heat import Section, sample_source
 from scipy import optimize, special
-from specimens import one_layer
+from shared_cases import one_layer
 from viscoroll import enums
 from viscoroll.solution.inside import inside_of
 from viscoroll.thermal.conduction import Conduction
@@ -67,7 +67,7 @@ def test_waves_between_insulated_faces_are_cosines():
 def test_one_wave_by_bessel_functions(j, hub):
     modes = modes_of_wheel(WIDTH, SIDE / K, 7)
     layers = Conduction((HUB, OUTER), (K,), modes, film=H, inner=None if hub is None else np.full(7, hub))
-    source = np.zeros((7, layers.place.size))
+    source = np.zeros((7, layers.coordinate.size))
     source[j] = 2e3
     rises = layers.solve(source)
     beta = 2.0 * root(j, 0.5 * SIDE / K * WIDTH) / WIDTH
@@ -87,12 +87,12 @@ def test_one_wave_by_bessel_functions(j, hub):
         else -K * beta * special.kv(1, beta * HUB) - hub * special.kv(0, beta * HUB)
     )
     a, b = np.linalg.solve(rows, [-H * particular, -particular if hub is None else hub * particular])
-    r = beta * layers.place
+    r = beta * layers.coordinate
     np.testing.assert_allclose(
         rises[j], particular + a * special.iv(0, r) + b * special.kv(0, r), rtol=1e-8, atol=1e-10 * rises.max()
     )
     out = layers.heat_outwards(rises) + layers.heat_inwards(source, rises) + layers.heat_sideways(rises)
-    assert out == pytest.approx(layers.heat_of(source), abs=1e-12 * 2e3 * WIDTH)
+    assert out == pytest.approx(layers.total_heat(source), abs=1e-12 * 2e3 * WIDTH)
 
 
 def expanded(modes, layers, source):
@@ -100,7 +100,7 @@ def expanded(modes, layers, source):
     points, weights = np.polynomial.legendre.leggauss(200)
     z = 0.5 * WIDTH * points
     waves = math.pi * WIDTH * weights * modes.values(z) / modes.square[:, None]
-    return waves @ source(layers.place, z[:, None])
+    return waves @ source(layers.coordinate, z[:, None])
 
 
 def varying_film(z):
@@ -118,7 +118,7 @@ def test_a_section_agrees_with_finite_elements(hub, film):
     layers = Conduction((HUB, OUTER), (K,), modes, film=outer, inner=inner)
     rises = layers.solve(expanded(modes, layers, sample_source), 3.0 if hub is None else 0.0)
     section = Section((HUB, OUTER), WIDTH, K, film=film, side=SIDE, hub=hub, elements=(48, 96))
-    radius, z = layers.place[1::4], np.linspace(-0.45, 0.45, 7) * WIDTH
+    radius, z = layers.coordinate[1::4], np.linspace(-0.45, 0.45, 7) * WIDTH
     expected = section.values(section.steady(sample_source, 3.0), radius, z)
     found = rises[:, 1::4].T @ modes.values(z)
     # If the hub is held at 3 K, the corners between hub and colder faces limit the accuracy of the waves.
@@ -130,9 +130,9 @@ def test_a_cold_start_agrees_with_finite_elements():
     modes = modes_of_wheel(WIDTH, SIDE / K, 80)
     layers = Conduction((HUB, OUTER), (K,), modes, film=H, inner=np.zeros(80))
     steady = layers.solve(expanded(modes, layers, sample_source))
-    after = layers.approach(steady, np.zeros_like(steady), np.array([300.0]), CAPACITY)
+    after = layers.transient(steady, np.zeros_like(steady), np.array([300.0]), CAPACITY)
     section = Section((HUB, OUTER), WIDTH, K, film=H, side=SIDE, hub=0.0)
-    radius, z = layers.place[1::4], np.linspace(-0.45, 0.45, 7) * WIDTH
+    radius, z = layers.coordinate[1::4], np.linspace(-0.45, 0.45, 7) * WIDTH
     expected = section.values(section.after(sample_source, 300.0, CAPACITY, 300), radius, z)
     np.testing.assert_allclose(after[0, :, 1::4].T @ modes.values(z), expected, atol=2e-5 * expected.max())
 
@@ -145,7 +145,7 @@ def test_a_cold_start_agrees_with_finite_elements():
 
     kappa = optimize.brentq(left, 20.0, 150.0)
     beta = 2.0 * root(0, 0.5 * SIDE / K * WIDTH) / WIDTH
-    assert layers.slowest(CAPACITY, 1)[0] == pytest.approx(CAPACITY / (K * (kappa**2 + beta**2)), rel=1e-8)
+    assert layers.time_constants(CAPACITY, 1)[0] == pytest.approx(CAPACITY / (K * (kappa**2 + beta**2)), rel=1e-8)
 
 
 @pytest.fixture(scope="module")
@@ -210,7 +210,7 @@ def test_heat_goes_in_and_out(wheel, options, request):
     assert t.heat_unit == "W"
     assert t.heat_to_core + t.heat_to_surroundings == pytest.approx(t.heat, rel=1e-8)
     np.testing.assert_allclose(t.rise.z, -t.rise.z[::-1], atol=1e-15)
-    assert float(t.rise.z.max()) == pytest.approx(0.5 * r.ball.width)
+    assert float(t.rise.z.max()) == pytest.approx(0.5 * r.body.width)
     t.plot()
 
 
@@ -290,21 +290,21 @@ def test_what_is_under_a_wheel():
     given = {"load": 100.0, "angular_speed": 10.0, "mesh": vr.Mesh(nodes_per_revolution=160)}
     roller = vr.solve(FLAT, on=vr.CoatedCylinder(core_radius=25e-3, layers=[layer]), **given)
     with pytest.raises(ValueError, match="width must be given for a roller under a wheel"):
-        roller.temperature(of="counterpart", **air)
-    t = roller.temperature(of="counterpart", width=80e-3, side_convection=SIDE, **air)
-    assert t.heat == pytest.approx(roller.counterpart_bulk_power, rel=1e-12)
+        roller.temperature(of="counterbody", **air)
+    t = roller.temperature(of="counterbody", width=80e-3, side_convection=SIDE, **air)
+    assert t.heat == pytest.approx(roller.counterbody_bulk_power, rel=1e-12)
     assert t.heat_to_surroundings == pytest.approx(t.heat, rel=1e-8)
     assert float(t.rise.z.max()) == pytest.approx(40e-3)
     assert float(t.rise.radius.max()) == pytest.approx(30e-3)
 
     plane = vr.solve(FLAT, on=vr.CoatedPlane(layers=[layer]), **given)
-    t = plane.temperature(of="counterpart", period=2.0, core=enums.Core.ISOTHERMAL, **air)
-    assert t.heat == pytest.approx(plane.counterpart_bulk_power / (0.5 * 2.0), rel=1e-12)  # at 0.5 m/s
+    t = plane.temperature(of="counterbody", period=2.0, core=enums.Core.ISOTHERMAL, **air)
+    assert t.heat == pytest.approx(plane.counterbody_bulk_power / (0.5 * 2.0), rel=1e-12)  # at 0.5 m/s
     assert t.heat_to_core + t.heat_to_surroundings == pytest.approx(t.heat, rel=1e-8)
     assert plane.temperature(**air).heat == pytest.approx(plane.rolling_bulk_power, rel=1e-12)
 
     pair = vr.solve(CROWNED, on=replace(CROWNED, width=40e-3), **given)
-    of_both = [pair.temperature(of=of, **air) for of in ("ball", "counterpart")]
+    of_both = [pair.temperature(of=of, **air) for of in ("body", "counterbody")]
     assert [float(t.rise.z.max()) for t in of_both] == pytest.approx([25e-3, 20e-3])
     assert of_both[0].heat == pytest.approx(of_both[1].heat, rel=1e-2)  # identical, except for the mesh
 
@@ -325,7 +325,7 @@ def test_what_is_under_a_wheel():
             r"convection must be > 0 W/\(m\^2 K\) if nothing else removes heat",
         ),
         ({"core": enums.Core.ISOTHERMAL, "hub_conductance": 1.0}, "hub_conductance must be left out"),
-        ({"of": "counterpart"}, r"result\.on must have a layer or a base"),
+        ({"of": "counterbody"}, r"result\.on must have a layer or a base"),
         ({"convection": lambda theta: 15.0, "time": [1.0]}, "convection must be a number for temperatures over time"),
     ],
 )

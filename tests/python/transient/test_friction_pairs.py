@@ -9,7 +9,7 @@ from dataclasses import astuple
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import one_layer
+from shared_cases import one_layer
 from test_transient_pairs import BALL, EARTH, MAT, PAIRS, ROLLER, STEEL, THICK_MAT
 
 FREE, TOWED = vr.Drive(force=0.0), vr.Drive(torque=0.0)
@@ -40,15 +40,15 @@ def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes)
     options = {"on": on, "load": load, "friction": 0.3}
     moved = {"drive": drive}
     if drive.creepage is not None:
-        moved = {"center_way": [0.0, (1.0 + drive.creepage) * body.outer_radius * turn]}
+        moved = {"center_displacement": [0.0, (1.0 + drive.creepage) * body.outer_radius * turn]}
     mesh = vr.Mesh(nodes_per_revolution=nodes)
-    h = vr.roll(body, time=[0.0, turn / omega], angle=[0.0, turn], mesh=mesh, lattices=2, **options, **moved)
+    h = vr.roll(body, time=[0.0, turn / omega], angle=[0.0, turn], mesh=mesh, averaged_meshes=2, **options, **moved)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", vr.ResultWarning)  # large strains
         r = vr.solve(body, angular_speed=omega, drive=drive, accuracy=1e-3, **options)
     last = h.angle > 0.7 * turn
     duration = np.ptp(h.time[last])
-    speed = np.ptp(h.center_way[last]) / duration / (omega * body.outer_radius)
+    speed = np.ptp(h.center_displacement[last]) / duration / (omega * body.outer_radius)
     small = 3e-4 if abs(r.creepage) < 1e-3 else 0.0  # on a half-space, this equals half a percent elsewhere
     assert speed - 1.0 == pytest.approx(r.creepage, rel=5e-3, abs=small)
     assert h.resisting_torque[last].mean() == pytest.approx(r.resisting_torque, rel=5e-3)
@@ -57,9 +57,9 @@ def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes)
     pushed = 1e-7 * r.resisting_torque / body.outer_radius
     assert h.driving_force[last].mean() == pytest.approx(r.driving_force, rel=5e-3, abs=pushed)
     gained = h.dissipated_energy + h.stored_energy - h.slip_energy
-    counterpart = h.counterpart_dissipated_energy + h.counterpart_stored_energy
+    counterbody = h.counterbody_dissipated_energy + h.counterbody_stored_energy
     assert np.ptp(gained[last]) / duration == pytest.approx(r.bulk_power, rel=5e-3)
-    assert np.ptp(counterpart[last]) / duration == pytest.approx(r.counterpart_bulk_power, rel=5e-3)
+    assert np.ptp(counterbody[last]) / duration == pytest.approx(r.counterbody_bulk_power, rel=5e-3)
     slip = np.ptp(h.slip_energy[last]) / duration
     assert slip == pytest.approx(r.slip_power, abs=1e-2 * r.dissipated_power)  # half of it in a few nodes
     assert h.energy_balance_error[-1] < 2e-3
@@ -79,7 +79,7 @@ def test_power_balances_with_slip(pair, left):
     body, on, load, nodes = PAIRS[pair]
     h = vr.roll(
         body, on=on, time=[0.0, 0.1, 0.2, 0.3], angle=[0.0, 0.2, 0.2, 0.1], load=load * np.array([1.0, 1.1, 0.9, 1.0]),
-        friction=0.2, mesh=vr.Mesh(nodes_per_revolution=nodes // 2), lattices=1,
+        friction=0.2, mesh=vr.Mesh(nodes_per_revolution=nodes // 2), averaged_meshes=1,
     )  # fmt: skip
     assert h.slip_energy[-1] > 0.0
     # If a node reverses within a step, the mean of its tractions differs from the mean weighted by the work.
@@ -92,9 +92,9 @@ def test_power_balances_with_slip(pair, left):
 def test_mirrored_motion_has_mirrored_forces(pair):
     body, on, load, _ = PAIRS[pair]
     time, angle = [0.0, 0.1, 0.2, 0.25], np.array([0.0, 0.2, 0.2, 0.1])
-    options = {"on": on, "load": load, "mesh": vr.Mesh(nodes_per_revolution=100), "friction": 0.3, "lattices": 1}
+    options = {"on": on, "load": load, "mesh": vr.Mesh(nodes_per_revolution=100), "friction": 0.3, "averaged_meshes": 1}
     a, b = (vr.roll(body, time=time, angle=s * angle, drive=TOWED, **options) for s in (1.0, -1.0))
-    for name in ("resisting_torque", "driving_force", "center_way"):
+    for name in ("resisting_torque", "driving_force", "center_displacement"):
         there, back = getattr(a, name), getattr(b, name)
         np.testing.assert_allclose(there, -back, rtol=0, atol=1e-7 * np.abs(there).max(), err_msg=name)
     np.testing.assert_allclose(a.slip_energy, b.slip_energy, rtol=0, atol=1e-7 * a.slip_energy[-1])
@@ -102,7 +102,7 @@ def test_mirrored_motion_has_mirrored_forces(pair):
 
 def test_a_towed_rigid_ball_starts_on_a_mat():
     """A towed rigid ball has no torque at any instant, and its force is M/R."""
-    motion = {"time": [0.0, 0.2, 0.4], "way": [0.0, 10.5e-3, 10.5e-3], "load": 100.0}
+    motion = {"time": [0.0, 0.2, 0.4], "distance": [0.0, 10.5e-3, 10.5e-3], "load": 100.0}
     options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200)}
     towed = vr.roll(STEEL, **motion, **options, friction=0.3, drive=TOWED)
     assert np.abs(towed.driving_torque).max() < 1e-12 * 100.0 * 21e-3
@@ -117,7 +117,7 @@ def test_a_towed_rigid_ball_starts_on_a_mat():
 
 def test_little_friction_is_the_next_thing_to_none():
     motion = {"time": [0.0, 0.1], "angle": [0.0, 0.25], "load": 100.0}
-    options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "lattices": 1}
+    options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "averaged_meshes": 1}
     smooth = vr.roll(STEEL, **motion, **options)
     little, more = (vr.roll(STEEL, **motion, **options, friction=mu, drive=TOWED) for mu in (3e-3, 6e-3))
     limit = 2.0 * little.resisting_torque - more.resisting_torque  # linear extrapolation to zero friction
@@ -134,18 +134,18 @@ def test_either_of_two_rollers_may_be_called_the_one_that_rolls():
         )
         for body in (ROLLER, other)
     ]
-    way, creepage = 12e-3, 0.05
+    distance, creepage = 12e-3, 0.05
     arc = 2.0 * np.pi * ROLLER.outer_radius / 1000
 
     def history(body, on, rolled, went):
         nodes = 2 * round(np.pi * body.outer_radius / arc)  # equal spacings on both
         return vr.roll(
-            body, on=on, time=[0.0, 0.5], way=[0.0, rolled], center_way=[0.0, went], load=5e3, friction=0.5,
-            mesh=vr.Mesh(nodes_per_revolution=nodes),
+            body, on=on, time=[0.0, 0.5], distance=[0.0, rolled], center_displacement=[0.0, went], load=5e3,
+            friction=0.5, mesh=vr.Mesh(nodes_per_revolution=nodes),
         )  # fmt: skip
 
-    a = history(*elastic, way, (1.0 + creepage) * way)
-    b = history(*elastic[::-1], (1.0 + creepage) * way, way)
+    a = history(*elastic, distance, (1.0 + creepage) * distance)
+    b = history(*elastic[::-1], (1.0 + creepage) * distance, distance)
     assert a.slip_energy[-1] == pytest.approx(b.slip_energy[-1], rel=3e-3)
     # T_2 = T_1 + Q (R_1 + R_2 - d), about the axis of the other roller.
     height = sum(body.outer_radius for body in elastic) - a.penetration[-1]
@@ -157,20 +157,20 @@ def test_either_of_two_rollers_may_be_called_the_one_that_rolls():
 @pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft roller in ring"])
 def test_saved_states_with_friction_go_on_to_the_last_bit(pair):
     body, on, load, nodes = PAIRS[pair]
-    options = {"on": on, "mesh": vr.Mesh(nodes_per_revolution=nodes // 3), "lattices": 2, "friction": 0.3}
+    options = {"on": on, "mesh": vr.Mesh(nodes_per_revolution=nodes // 3), "averaged_meshes": 2, "friction": 0.3}
     whole = vr.RollingHistory(body, load=load, drive=TOWED, **options)
-    whole.advance(time=0.05, way=4e-3, load=load)
+    whole.advance(time=0.05, distance=4e-3, load=load)
     half = pickle.loads(pickle.dumps(whole))
-    for time, way, share in [(0.1, 7e-3, 1.1), (0.11, 6e-3, 1.0), (0.11, 6e-3, 0.0), (0.15, 9e-3, 0.9)]:
-        expected = astuple(whole.advance(time=time, way=way, load=share * load))
-        np.testing.assert_array_equal(astuple(half.advance(time=time, way=way, load=share * load)), expected)
+    for time, distance, share in [(0.1, 7e-3, 1.1), (0.11, 6e-3, 1.0), (0.11, 6e-3, 0.0), (0.15, 9e-3, 0.9)]:
+        expected = astuple(whole.advance(time=time, distance=distance, load=share * load))
+        np.testing.assert_array_equal(astuple(half.advance(time=time, distance=distance, load=share * load)), expected)
 
 
 def test_a_locked_ball_slides_over_a_mat():
     """At full sliding, the force is μP plus the force of the mat's slope, and the torque is μP about the center."""
     h = vr.roll(
-        STEEL, on=MAT, time=[0.0, 0.5], way=[0.0, 0.0], center_way=[0.0, 5e-3], load=100.0, friction=0.2,
-        mesh=vr.Mesh(nodes_per_revolution=200), lattices=1,
+        STEEL, on=MAT, time=[0.0, 0.5], distance=[0.0, 0.0], center_displacement=[0.0, 5e-3], load=100.0, friction=0.2,
+        mesh=vr.Mesh(nodes_per_revolution=200), averaged_meshes=1,
     )  # fmt: skip
     assert h.stick_share[-1] == 0.0
     pushed_back = h.resisting_torque[-1] / 21e-3
@@ -194,18 +194,18 @@ def test_rollers_are_pressed_on_one_another(on, modulus, load, friction, nodes):
     }[on]
     soft = vr.Layer(thickness=10e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.0)
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[soft])
-    options = {"on": counterbody, "load": load, "mesh": vr.Mesh(nodes_per_revolution=nodes), "lattices": 2}
+    options = {"on": counterbody, "load": load, "mesh": vr.Mesh(nodes_per_revolution=nodes), "averaged_meshes": 2}
     pressed = vr.RollingHistory(roller, friction=friction, **options)
     # Tolerance of the solution at each instant.
     assert abs(pressed.now.driving_force) < 1e-9 * load
-    assert abs(pressed.now.center_way) < 1e-9 * pressed.now.semi_axis_x
+    assert abs(pressed.now.center_displacement) < 1e-9 * pressed.now.semi_axis_x
 
 
 def test_friction_too_small_to_push_a_ball_over_its_mat():
     """The mat resists with 2.5 N, of which friction supports 1 N; a torque of 0.63 N m requires all of 30 N."""
-    motion = {"time": [0.0, 0.02], "way": [0.0, 1.4e-3], "load": 100.0}
-    options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "lattices": 1}
-    slides = r"at angle 0\.\d+ rad, otherwise the ball slides without end, got"
+    motion = {"time": [0.0, 0.02], "distance": [0.0, 1.4e-3], "load": 100.0}
+    options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "averaged_meshes": 1}
+    slides = r"at angle 0\.\d+ rad, otherwise the ball slides permanently, got"
     with pytest.raises(ValueError, match=rf"driving_force must be between 0\.\d+ N and 2\.\d+ N {slides} 0 N"):
         vr.roll(STEEL, **motion, **options, friction=0.01)
     with pytest.raises(ValueError, match=r"driving_torque must be between -0\.62\d N m and 0\.62\d N m .* 0\.64 N m"):
@@ -220,7 +220,7 @@ def test_two_soft_balls_alike_are_one_on_its_mirror_plane():
     """Mirror images never slide, so friction changes only terms of the order (a/R)^4."""
     twin = vr.CoatedSphere(core_radius=BALL.core_radius, layers=BALL.layers)
     motion = {"time": [0.0, 0.1], "angle": [0.0, 0.2], "load": 100.0}
-    options = {"on": twin, "mesh": vr.Mesh(nodes_per_revolution=120), "lattices": 1}
+    options = {"on": twin, "mesh": vr.Mesh(nodes_per_revolution=120), "averaged_meshes": 1}
     smooth, rough = (vr.roll(BALL, **motion, **options, friction=friction) for friction in (0.0, 0.3))
     atol = 1e-4 * smooth.resisting_torque.max()
     np.testing.assert_allclose(rough.resisting_torque, smooth.resisting_torque, rtol=0, atol=atol)

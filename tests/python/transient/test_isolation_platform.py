@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import one_layer
+from shared_cases import one_layer
 
 DOCS = Path(__file__).parents[3] / "docs" / "jobs"
 MESH = vr.Mesh(nodes_per_revolution=100)
@@ -48,7 +48,12 @@ def test_what_the_swing_loses_is_what_rolling_takes():
 def test_what_rolling_takes_is_lost_and_stored_in_the_rubber():
     platform, motion, history = free_swing()
     start = vr.RollingHistory(
-        platform.ball, on=platform.dish, load=motion.load[0], way=platform.way(motion.slope[0]), mesh=MESH, lattices=2
+        platform.ball,
+        on=platform.dish,
+        load=motion.load[0],
+        distance=platform.distance(motion.slope[0]),
+        mesh=MESH,
+        averaged_meshes=2,
     ).now
     end = history.now
     stored = end.stored_energy - start.stored_energy
@@ -68,9 +73,9 @@ def test_a_cycle_loses_what_a_harmonic_one_does():
     duration = np.diff(motion.time[turns])[0]
     time = np.linspace(0.0, 2.0 * duration, 801)
     slope = np.arcsin(0.5 * (first + last) / platform.length)
-    way = platform.dish_radius * slope * np.cos(2.0 * np.pi * time / duration)
+    distance = platform.dish_radius * slope * np.cos(2.0 * np.pi * time / duration)
     load = platform.mass * 9.81 / platform.balls
-    h = vr.roll(platform.ball, on=platform.dish, time=time, way=way, load=load, mesh=MESH, lattices=2)
+    h = vr.roll(platform.ball, on=platform.dish, time=time, distance=distance, load=load, mesh=MESH, averaged_meshes=2)
     lost = np.diff(np.interp([duration, 2.0 * duration], h.time, h.dissipated_energy))[0]
     # The swing decays by a sixth in this cycle, and the loss is nearly proportional to the amplitude: a second-order
     # error.
@@ -119,7 +124,7 @@ def test_beyond_the_rim_is_told():
     page, platform = made()
     time, ground = page.ground_motion(duration=3.0, peak=6.0)
     with pytest.raises(
-        ValueError, match=r"way must be in \[-0\.06, 0\.06\] m, within the rim of the dish, got -?0\.06\d+ m"
+        ValueError, match=r"distance must be in \[-0\.06, 0\.06\] m, within the rim of the dish, got -?0\.06\d+ m"
     ):
         page.by_newmark(platform, time, ground, MESH)
 

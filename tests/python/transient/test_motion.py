@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import coated_ball
+from shared_cases import coated_ball
 from viscoroll import enums, paper
 
 BALL = paper.ball(density=0.0)
@@ -16,12 +16,12 @@ BAD = [
     ({"time": [0.0, np.nan]}, r"time\[1\] must be finite, got nan"),
     ({"angle": [0.0, np.inf]}, r"angle\[1\] must be finite, got inf"),
     ({"angle": [0.0, 1.0, 2.0]}, r"angle must be as long as time \(2\), got 3"),
-    ({"angle": None, "way": [0.0, 1.0, 2.0]}, r"way must be as long as time \(2\), got 3"),
+    ({"angle": None, "distance": [0.0, 1.0, 2.0]}, r"distance must be as long as time \(2\), got 3"),
     ({"load": [100.0]}, r"load must be as long as time \(2\), got 1"),
     ({"load": [100.0, -1.0]}, r"load\[1\] must be >= 0 N, got -1"),
     ({"load": 1e7}, "load must be small enough for the coating"),
     ({"time": [0.0], "angle": [0.0]}, "time must have at least two waypoints, got 1"),
-    ({"lattices": 0}, r"lattices must be in \[1, 16\], got 0"),
+    ({"averaged_meshes": 0}, r"averaged_meshes must be in \[1, 16\], got 0"),
     ({"steps_per_spacing": 0}, r"steps_per_spacing must be in \[1, 64\], got 0"),
     ({"curvature": enums.Curvature.EXACT}, "curvature must be SPHERE or PAPER"),
     ({"friction": -0.3}, "friction must be >= 0, got -0.3"),

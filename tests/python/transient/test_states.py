@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import command
+from shared_cases import command
 from viscoroll import paper
 from viscoroll.case import example_text
 
 BALL = paper.ball(density=0.0)
-OPTIONS = {"load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=60), "lattices": 1}
+OPTIONS = {"load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=60), "averaged_meshes": 1}
 
 
 @pytest.fixture(scope="module")

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference import transient as reference
-from specimens import coated_ball
+from shared_cases import coated_ball
 from viscoroll import enums, paper
 
 MILLI = 1e3
@@ -37,7 +37,7 @@ def test_standing_follows_lee_and_radok(compliance):
     """While the contact grows, the penetration is that of an elastic ball under the load ∫J dP, in units of G₀."""
     h = vr.roll(
         BALL, time=[0, 0.3, 0.6], angle=[0, 0, 0], load=[100, 100, 130], start=enums.Start.FRESH, mesh=COARSE,
-        compliance=compliance, lattices=2,
+        compliance=compliance, averaged_meshes=2,
     )  # fmt: skip
     retardation = 0.25  # τ G₀/G_∞
 
@@ -48,7 +48,7 @@ def test_standing_follows_lee_and_radok(compliance):
 
     elastic = coated_ball(vr.Elastic(modulus=6e6))
     for i in (0, len(h.time) // 3, -1):
-        alone = vr.RollingHistory(elastic, load=creep(h.time[i]), mesh=COARSE, compliance=compliance, lattices=2)
+        alone = vr.RollingHistory(elastic, load=creep(h.time[i]), mesh=COARSE, compliance=compliance, averaged_meshes=2)
         assert h.penetration[i] == pytest.approx(alone.now.penetration, rel=1e-9)  # tolerance of the solver
     assert np.abs(h.resisting_torque).max() < 1e-10  # nodes at whole and half positions: symmetric
 
@@ -96,7 +96,7 @@ def test_whole_nodes_end_in_their_table():
     steps = np.arange(3 * nodes + 1)
     h = vr.roll(
         BALL, time=steps * 2 * np.pi / nodes / omega, angle=steps * 2 * np.pi / nodes, load=100.0, mesh=COARSE,
-        lattices=1, steps_per_spacing=None,
+        averaged_meshes=1, steps_per_spacing=None,
     )  # fmt: skip
     # After three turns, 1e-13 of the start remains; the contact is solved to 1e-11.
     assert h.resisting_torque[-1] == pytest.approx(steady_whole_nodes(nodes, omega), rel=1e-8)
@@ -105,14 +105,17 @@ def test_whole_nodes_end_in_their_table():
 def test_a_term_split_in_two_is_the_same():
     one = vr.Prony(instantaneous_modulus=6e6, weights=[0.5], relaxation_times=[0.125])
     two = vr.Prony(instantaneous_modulus=6e6, weights=[0.2, 0.3], relaxation_times=[0.125, 0.125 * (1 + 1e-9)])
-    a, b = (speed(2.5, 0.2, ball=coated_ball(m), mesh=COARSE, lattices=1, start=enums.Start.FRESH) for m in (one, two))
+    a, b = (
+        speed(2.5, 0.2, ball=coated_ball(m), mesh=COARSE, averaged_meshes=1, start=enums.Start.FRESH)
+        for m in (one, two)
+    )
     np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-9 * a.resisting_torque.max())
     np.testing.assert_allclose(a.dissipated_energy, b.dissipated_energy, rtol=1e-7, atol=0)
 
 
 def test_mirrored_motion_has_mirrored_torque():
     t, psi = [0, 0.1, 0.2, 0.25], np.array([0, 0.2, 0.2, 0.1])
-    a, b = (vr.roll(BALL, time=t, angle=s * psi, load=100.0, mesh=COARSE, lattices=1) for s in (1.0, -1.0))
+    a, b = (vr.roll(BALL, time=t, angle=s * psi, load=100.0, mesh=COARSE, averaged_meshes=1) for s in (1.0, -1.0))
     np.testing.assert_allclose(a.resisting_torque, -b.resisting_torque, rtol=0, atol=1e-10)
     np.testing.assert_allclose(a.penetration, b.penetration, rtol=1e-9)
 
@@ -120,7 +123,7 @@ def test_mirrored_motion_has_mirrored_torque():
 def test_start_at_another_node_changes_nothing():
     spacing = COARSE.spacing
     a, b = (
-        vr.roll(BALL, time=[0, 0.1], angle=[s * spacing, s * spacing + 0.2], load=100.0, mesh=COARSE, lattices=1)
+        vr.roll(BALL, time=[0, 0.1], angle=[s * spacing, s * spacing + 0.2], load=100.0, mesh=COARSE, averaged_meshes=1)
         for s in (0, 1000007)
     )
     # The position of a node a million spacings away has ten digits.
@@ -133,7 +136,7 @@ def test_elastic_torque_has_mean_zero():
     spacing = COARSE.spacing
     torque = []
     for place in np.arange(32) / 32:
-        stepper = vr.RollingHistory(ball, load=100.0, mesh=COARSE, lattices=1, angle=place * spacing)
+        stepper = vr.RollingHistory(ball, load=100.0, mesh=COARSE, averaged_meshes=1, angle=place * spacing)
         torque.append(stepper.now.resisting_torque)
     size = np.sqrt(np.mean(np.square(torque)))
     assert size * MILLI > 0.1  # the discrete nodes have an effect
@@ -172,7 +175,7 @@ def test_agrees_with_the_program(ring, start):
     time = np.concatenate([[0.0], np.cumsum(seconds)])
     load = np.where(np.arange(time.size) < 51, 100.0, 89.0 + np.arange(time.size))
     h = vr.roll(
-        BALL, time=time, angle=angle, load=load, start=start, mesh=vr.Mesh(nodes_per_revolution=120), lattices=1,
+        BALL, time=time, angle=angle, load=load, start=start, mesh=vr.Mesh(nodes_per_revolution=120), averaged_meshes=1,
         steps_per_spacing=None, curvature=enums.Curvature.PAPER,
     )  # fmt: skip
     torque, depth = reference.roll(time, angle, load, relaxed=start is enums.Start.RELAXED, ring=ring)
@@ -206,8 +209,8 @@ def test_starts(start, omega):
 def test_change_of_speed():
     t, psi = [0, 1.0, 1.6], [0, 2.5, 2.8]
     h = vr.roll(BALL, time=t, angle=psi, load=100.0, start=enums.Start.FRESH, **FINE)
-    for way, value in {0.05: 16.92, 0.1: 25.76, 0.2: 31.41, 0.3: 31.81}.items():
-        assert np.interp(2.5 + way, h.angle, h.resisting_torque) * MILLI == pytest.approx(value, abs=0.03)
+    for rolled_angle, value in {0.05: 16.92, 0.1: 25.76, 0.2: 31.41, 0.3: 31.81}.items():
+        assert np.interp(2.5 + rolled_angle, h.angle, h.resisting_torque) * MILLI == pytest.approx(value, abs=0.03)
 
 
 @pytest.mark.parametrize(("stand", "torque", "bar"), [(0.1, 28.33, 0.05), (1.0, 52.1, 0.1), (10.0, 52.57, 0.1)])
@@ -247,7 +250,7 @@ def test_pressed_and_left_standing(compliance):
     times = [0.0, 0.05, 0.1, 0.25, 0.5, 50.0]
     h = vr.roll(
         BALL, time=times, angle=np.zeros(6), load=100.0, start="fresh", mesh=vr.Mesh(nodes_per_revolution=1600),
-        compliance=compliance, curvature=enums.Curvature.PAPER, lattices=1, steps_per_spacing=None,
+        compliance=compliance, curvature=enums.Curvature.PAPER, averaged_meshes=1, steps_per_spacing=None,
     )  # fmt: skip
     # Limits of the mesh, to 2e-5 mm: the error decreases with the square of the spacing, 4e-5 at π/400, 1e-5 here.
     np.testing.assert_allclose(h.penetration * MILLI, PENETRATIONS[compliance], rtol=0, atol=2e-5)
@@ -312,12 +315,12 @@ def test_a_table_is_fitted_and_says_how_well():
 
 @pytest.mark.parametrize("varying", [False, True])
 def test_energy_balance(varying):
-    knots = np.array([0.0, 0.4, 1.0, 1.4, 1.8])
+    waypoints = np.array([0.0, 0.4, 1.0, 1.4, 1.8])
     angles = np.array([0.0, 1.0, 1.0, 2.0, 1.0])
-    time = np.unique(np.concatenate([knots, np.linspace(0, 1.8, 181)]))
+    time = np.unique(np.concatenate([waypoints, np.linspace(0, 1.8, 181)]))
     load = 100.0 * (1 + 0.3 * varying * np.sin(10 * np.pi * time))
     h = vr.roll(
-        BALL, time=time, angle=np.interp(time, knots, angles), load=load, start=enums.Start.FRESH,
+        BALL, time=time, angle=np.interp(time, waypoints, angles), load=load, start=enums.Start.FRESH,
         mesh=vr.Mesh(nodes_per_revolution=300),
     )  # fmt: skip
     assert h.energy_balance_error[-1] < 1e-3
@@ -361,12 +364,14 @@ def test_a_copy_tries_a_step():
 def test_a_pickled_history_goes_on():
     """The copy keeps the mesh that the first load has chosen, and all options."""
     mat = vr.CoatedPlane(layers=BALL.layers)
-    first = vr.RollingHistory(vr.CoatedSphere(core_radius=21e-3), on=mat, load=80.0, lattices=1, steps_per_spacing=2)
-    first.advance(time=0.1, way=4e-3, load=100.0)
+    first = vr.RollingHistory(
+        vr.CoatedSphere(core_radius=21e-3), on=mat, load=80.0, averaged_meshes=1, steps_per_spacing=2
+    )
+    first.advance(time=0.1, distance=4e-3, load=100.0)
     second = pickle.loads(pickle.dumps(first))
     assert astuple(second.now)[:3] == astuple(first.now)[:3]
     assert (second.mesh, second.steps, second.on) == (first.mesh, first.steps, mat)
-    ends = [stepper.advance(time=0.15, way=3e-3, load=90.0) for stepper in (first, second)]
+    ends = [stepper.advance(time=0.15, distance=3e-3, load=90.0) for stepper in (first, second)]
     np.testing.assert_array_equal(astuple(ends[0]), astuple(ends[1]))
     assert first.steps == second.steps
 
@@ -374,11 +379,11 @@ def test_a_pickled_history_goes_on():
 def test_resume_from_a_file(tmp_path):
     def motion(**options):
         return vr.roll(BALL, time=[0, 0.1, 0.1, 0.3], angle=[0, 0.2, 0.2, 0.6], load=[100, 100, 120, 140], mesh=COARSE,
-                       lattices=2, **options)  # fmt: skip
+                       averaged_meshes=2, **options)  # fmt: skip
 
     whole = motion()
     path = tmp_path / "ball.state"
-    stepper = vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=2)
+    stepper = vr.RollingHistory(BALL, load=100.0, mesh=COARSE, averaged_meshes=2)
     stepper.advance(time=0.1, angle=0.2, load=100.0)
     stepper.state.save(path)
     rest = motion(start=vr.RollingState.load(path))
@@ -392,7 +397,7 @@ def test_an_interrupted_run_leaves_a_checkpoint(tmp_path):
         if stage == "rolling" and fraction > 0.3:
             raise KeyboardInterrupt
 
-    given = {"time": [0, 20.0], "angle": [0, 50.0], "load": 100.0, "mesh": COARSE, "lattices": 1}
+    given = {"time": [0, 20.0], "angle": [0, 50.0], "load": 100.0, "mesh": COARSE, "averaged_meshes": 1}
     path = tmp_path / "ball.state"
     with pytest.raises(KeyboardInterrupt):
         vr.roll(BALL, **given, checkpoint=path, progress=stop)
@@ -403,23 +408,23 @@ def test_an_interrupted_run_leaves_a_checkpoint(tmp_path):
 
 
 def test_a_state_of_another_ball_is_refused():
-    state = vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=1).state
+    state = vr.RollingHistory(BALL, load=100.0, mesh=COARSE, averaged_meshes=1).state
     other = coated_ball(vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=1.0))
     with pytest.raises(ValueError, match="start must be a state of the same materials"):
-        vr.RollingHistory(other, load=100.0, mesh=COARSE, lattices=1, start=state)
+        vr.RollingHistory(other, load=100.0, mesh=COARSE, averaged_meshes=1, start=state)
     with pytest.raises(ValueError, match="start must be a state of the same bodies and mesh"):
-        vr.RollingHistory(BALL, load=100.0, mesh=vr.Mesh(nodes_per_revolution=120), lattices=1, start=state)
-    with pytest.raises(ValueError, match="the same number of lattices"):
-        vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=2, start=state)
+        vr.RollingHistory(BALL, load=100.0, mesh=vr.Mesh(nodes_per_revolution=120), averaged_meshes=1, start=state)
+    with pytest.raises(ValueError, match="the same number of averaged meshes"):
+        vr.RollingHistory(BALL, load=100.0, mesh=COARSE, averaged_meshes=2, start=state)
     with pytest.raises(ValueError, match="start must be a state of a rolling history"):
-        vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=1, start=vr.RollingState(state.numbers[:100]))
+        vr.RollingHistory(BALL, load=100.0, mesh=COARSE, averaged_meshes=1, start=vr.RollingState(state.numbers[:100]))
 
 
 def test_a_state_goes_on_though_the_load_is_not_borne_for_ever():
     """Material that almost flows cannot support this load permanently, but a brief history continues from its state."""
     putty = vr.FractionalZener(instantaneous_modulus=1e7, relaxed_modulus=5e3, relaxation_time=100.0, order=0.5)
     ball = vr.CoatedSphere(core_radius=2e-3, layers=[vr.Layer(thickness=1e-3, shear_modulus=putty, poisson_ratio=0.3)])
-    given = {"load": 0.3, "mesh": vr.Mesh(nodes_per_revolution=100), "lattices": 1, "longest_time": 1e3}
+    given = {"load": 0.3, "mesh": vr.Mesh(nodes_per_revolution=100), "averaged_meshes": 1, "longest_time": 1e3}
     with pytest.raises(ValueError, match="load must be small enough for the coating"):
         vr.RollingHistory(ball, **given)
     fresh = vr.RollingHistory(ball, **given, start="fresh")
@@ -435,7 +440,7 @@ def test_a_state_goes_on_though_the_load_is_not_borne_for_ever():
 def test_a_spoiled_state_is_refused_or_goes_on(wrong, on):
     """If any number of a state is wrong, the state is refused or continues; the program does not crash."""
     body = BALL if on is None else vr.CoatedSphere(core_radius=21e-3)
-    given = {"on": on, "load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=60), "lattices": 1}
+    given = {"on": on, "load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=60), "averaged_meshes": 1}
     stepper = vr.RollingHistory(body, **given)
     stepper.advance(time=0.01, angle=0.02, load=100.0)
     numbers = stepper.state.numbers
@@ -475,7 +480,7 @@ def test_progress_counts_instants():
     """The steps of a single mesh are counted as well."""
     seen = []
     vr.roll(
-        BALL, time=[0.0, 1.0], angle=[0.0, 2.0], load=100.0, mesh=vr.Mesh(nodes_per_revolution=500), lattices=1,
+        BALL, time=[0.0, 1.0], angle=[0.0, 2.0], load=100.0, mesh=vr.Mesh(nodes_per_revolution=500), averaged_meshes=1,
         progress=lambda stage, fraction: seen.append(fraction) if stage == "rolling" else None,
     )  # fmt: skip
     rolled = [fraction for fraction in seen if fraction not in (0.0, 1.0)]  # the first contact is also a stage

@@ -10,7 +10,7 @@ import pytest
 import viscoroll as vr
 from scipy.integrate import trapezoid
 from scipy.optimize import root_scalar
-from specimens import coated_ball
+from shared_cases import coated_ball
 from viscoroll import enums, paper
 
 BALL = paper.ball(density=0.0)
@@ -22,7 +22,7 @@ ELASTIC = coated_ball(vr.Elastic(modulus=3e6))
 
 def follow(time: np.ndarray, angle: np.ndarray, *, ball: vr.CoatedSphere = BALL, **options: object) -> vr.History:
     """Follow a motion with one step per segment between waypoints."""
-    given = {"load": LOAD, "friction": 0.3, "mesh": COARSE, "lattices": 1, "steps_per_spacing": None} | options
+    given = {"load": LOAD, "friction": 0.3, "mesh": COARSE, "averaged_meshes": 1, "steps_per_spacing": None} | options
     return vr.roll(ball, time=time, angle=angle, **given)
 
 
@@ -31,7 +31,7 @@ def follow(time: np.ndarray, angle: np.ndarray, *, ball: vr.CoatedSphere = BALL,
 
 def pushed_stiffness(start: enums.Start, **given: object) -> float:
     """Return the force per displacement of the center for a tiny push in a time too short for creep [N/m]."""
-    h = follow(np.array([0.0, 1e-6]), np.zeros(2), start=start, center_way=[0.0, 1e-8], **given)
+    h = follow(np.array([0.0, 1e-6]), np.zeros(2), start=start, center_displacement=[0.0, 1e-8], **given)
     return h.driving_force[-1] / 1e-8
 
 
@@ -63,7 +63,7 @@ def test_a_locked_ball_slides_to_a_halt(ball, retardation_time):
         -mass * np.diff(h.center_speed[sliding]) / np.diff(time[sliding]), 0.5 * (forces[1:] + forces[:-1]), rtol=1e-7
     )
     # The ball starts to slide, and swings, by about μP/k.
-    assert h.center_way.max() == pytest.approx(speed**2 / (2.0 * slows_down), abs=force / stiffness)
+    assert h.center_displacement.max() == pytest.approx(speed**2 / (2.0 * slows_down), abs=force / stiffness)
     assert h.slip_energy[-1] == pytest.approx(0.5 * mass * speed**2, rel=0.01)
     # The ball rebounds with the energy stored in shear, (μP)²/2k.
     halted = time > 0.1
@@ -108,7 +108,9 @@ def test_a_light_center_rolls_freely():
     time = np.linspace(0.0, 0.3, 31)
     light = follow(time, time, mass=1e-9, start=enums.Start.FRESH)
     none = follow(time, time, start=enums.Start.FRESH)
-    np.testing.assert_allclose(light.center_way, none.center_way, rtol=0, atol=1e-9 * none.center_way[-1])
+    np.testing.assert_allclose(
+        light.center_displacement, none.center_displacement, rtol=0, atol=1e-9 * none.center_displacement[-1]
+    )
     np.testing.assert_allclose(light.driving_torque, none.driving_torque, rtol=0, atol=1e-7 * none.driving_torque.max())
     # The speed follows to second order from the displacements of the last steps; a mean over one step is of first
     # order.
@@ -120,9 +122,9 @@ def test_a_heavy_center_goes_as_if_it_was_led(mass, rel):
     """The deviation decreases with the mass, down to round-off."""
     time = np.linspace(0.0, 0.3, 31)
     heavy = follow(time, time, mass=mass, center_speed=1.01 * RADIUS)
-    led = follow(time, time, center_way=1.01 * RADIUS * time)
-    np.testing.assert_allclose(led.center_way, 1.01 * RADIUS * time, rtol=1e-14)
-    np.testing.assert_allclose(heavy.center_way, led.center_way, rtol=rel)
+    led = follow(time, time, center_displacement=1.01 * RADIUS * time)
+    np.testing.assert_allclose(led.center_displacement, 1.01 * RADIUS * time, rtol=1e-14)
+    np.testing.assert_allclose(heavy.center_displacement, led.center_displacement, rtol=rel)
     np.testing.assert_allclose(heavy.driving_force, led.driving_force, rtol=0, atol=1e3 * rel * LOAD)
 
 
@@ -130,7 +132,7 @@ def swing(steps_per_period: int) -> tuple[vr.History, float, float]:
     """Let a mass swing that sticks to an elastic coating; return also its frequency [rad/s] and its energy [J]."""
     mass, speed, friction = 2.0, 1e-4, 3.0
     given = {"ball": ELASTIC, "friction": friction}
-    pushed = follow(np.array([0.0, 1.0]), np.zeros(2), center_way=[0.0, 1e-8], **given)
+    pushed = follow(np.array([0.0, 1.0]), np.zeros(2), center_displacement=[0.0, 1e-8], **given)
     frequency = np.sqrt(pushed.driving_force[-1] / 1e-8 / mass)
     time = np.linspace(0.0, 4.0 * np.pi / frequency, 2 * steps_per_period + 1)
     h = follow(time, np.zeros_like(time), mass=mass, center_speed=speed, **given)
@@ -140,12 +142,12 @@ def swing(steps_per_period: int) -> tuple[vr.History, float, float]:
 def energy_lost_on_a_spring(steps_per_period: int) -> float:
     """Return the energy that the same steps remove from a mass on a spring in two periods, M = k = 1 [-]."""
     step = 2.0 * np.pi / steps_per_period
-    way, speed, acceleration = 0.0, 1.0, 0.0
+    displacement, speed, acceleration = 0.0, 1.0, 0.0
     for _ in range(2 * steps_per_period):
-        further = (2.0 * speed / step - way) / (1.0 + 2.0 / step**2)
+        further = (2.0 * speed / step - displacement) / (1.0 + 2.0 / step**2)
         before, acceleration = acceleration, (further / step - speed) / step + 0.5 * acceleration
-        way, speed = way + further, speed + step * (1.5 * acceleration - 0.5 * before)
-    return 1.0 - way**2 - speed**2
+        displacement, speed = displacement + further, speed + step * (1.5 * acceleration - 0.5 * before)
+    return 1.0 - displacement**2 - speed**2
 
 
 def test_a_mass_on_an_elastic_coating_keeps_its_energy():
@@ -154,7 +156,7 @@ def test_a_mass_on_an_elastic_coating_keeps_its_energy():
     for steps in (60, 120):
         h, frequency, energy = swing(steps)
         expected = 1e-4 * np.sin(frequency * h.time) / frequency
-        errors.append(np.abs(h.center_way - expected).max() * frequency / 1e-4)
+        errors.append(np.abs(h.center_displacement - expected).max() * frequency / 1e-4)
         work_on_coating = h.work[-1] - h.work[0]
         assert work_on_coating == pytest.approx(h.stored_energy[-1] - h.stored_energy[0], abs=1e-3 * energy)
         lost.append(1.0 - (0.5 * 2.0 * h.center_speed[-1] ** 2 + h.stored_energy[-1] - h.stored_energy[0]) / energy)
@@ -170,7 +172,7 @@ def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
     mesh = vr.Mesh(nodes_per_revolution=150)
     stepper = vr.RollingHistory(
         BALL, load=LOAD, start=enums.Start.FRESH, mesh=mesh, friction=0.3, mass=mass, center_speed=speed,
-        lattices=4, steps_per_spacing=None, threads=1,
+        averaged_meshes=4, steps_per_spacing=None, threads=1,
     )  # fmt: skip
     step = 0.5 * mesh.spacing * RADIUS / speed
     instants = []
@@ -203,13 +205,15 @@ def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
 
 
 @pytest.mark.parametrize("creepage", [0.0, 0.03])
-def test_a_given_way_ends_in_the_steady_state_of_that_creepage(creepage):
+def test_a_given_displacement_ends_in_the_steady_state_of_that_creepage(creepage):
     mesh = vr.Mesh(nodes_per_revolution=300)
     steady = vr.solve(
         BALL, load=LOAD, angular_speed=0.2, friction=0.3, mesh=mesh, drive=vr.Drive(creepage=creepage), threads=1
     )
     angle = np.arange(31) * mesh.spacing
-    h = follow(angle / 0.2, angle, mesh=mesh, center_way=(1.0 + creepage) * RADIUS * angle, start=enums.Start.FRESH)
+    h = follow(
+        angle / 0.2, angle, mesh=mesh, center_displacement=(1.0 + creepage) * RADIUS * angle, start=enums.Start.FRESH
+    )
     assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=0.01)
     assert h.driving_force[-1] == pytest.approx(steady.driving_force, rel=0.01)
     np.testing.assert_allclose(h.creepage[1:], creepage, atol=1e-12)
@@ -222,7 +226,7 @@ def test_a_given_way_ends_in_the_steady_state_of_that_creepage(creepage):
 @pytest.mark.parametrize("compliance", list(enums.Compliance))
 def test_a_lifted_ball_forgets(compliance):
     """Off the plane, no work is done, so the ball dissipates its stored energy; pressed again, it is fresh."""
-    given = {"friction": 0.0, "compliance": compliance, "lattices": 2}
+    given = {"friction": 0.0, "compliance": compliance, "averaged_meshes": 2}
     time = [0.0, 0.1, 0.1, 0.2, 20.0, 20.0]
     h = follow(time, np.linspace(0.0, 0.1, 6), load=[LOAD, LOAD, 0.0, 0.0, 0.0, LOAD], **given)
     lifted = slice(2, 5)
@@ -233,7 +237,7 @@ def test_a_lifted_ball_forgets(compliance):
     assert stored[0] > 1e-4  # J
     assert stored[-1] < 1e-30
     fresh = vr.RollingHistory(
-        BALL, load=LOAD, start=enums.Start.FRESH, mesh=COARSE, compliance=compliance, lattices=2, angle=0.1
+        BALL, load=LOAD, start=enums.Start.FRESH, mesh=COARSE, compliance=compliance, averaged_meshes=2, angle=0.1
     )
     assert h.penetration[-1] == pytest.approx(fresh.now.penetration, rel=1e-9)
     assert h.penetration[4] == pytest.approx(0.0, abs=1.1e-5)  # the lowest node is at most half a spacing aside
@@ -261,8 +265,10 @@ def test_a_lifted_center_falls_free():
     np.testing.assert_array_equal(h.driving_force[1:5], 0.0)
     # The error of the acceleration halves in each step of this second-order method.
     assert np.diff(speed)[2] / 0.05 == pytest.approx(1.0 / 0.5, rel=0.1)
-    np.testing.assert_allclose(np.diff(h.center_way)[1:4], [0.05 * v + 0.05**2 for v in speed[1:4]], rtol=1e-12)
-    assert h.center_way[5] == h.center_way[4]  # in zero time
+    np.testing.assert_allclose(
+        np.diff(h.center_displacement)[1:4], [0.05 * v + 0.05**2 for v in speed[1:4]], rtol=1e-12
+    )
+    assert h.center_displacement[5] == h.center_displacement[4]  # in zero time
     assert h.center_speed[6] < h.center_speed[5]
 
 
@@ -270,12 +276,12 @@ def test_a_lifted_center_falls_free():
 
 
 def test_a_state_remembers_the_center():
-    given = {"load": LOAD, "mesh": COARSE, "friction": 0.3, "mass": 1.0, "center_speed": 0.02, "lattices": 1}
+    given = {"load": LOAD, "mesh": COARSE, "friction": 0.3, "mass": 1.0, "center_speed": 0.02, "averaged_meshes": 1}
     stepper = vr.RollingHistory(BALL, **given)
     stepper.advance(time=0.05, angle=0.05, load=LOAD)
     again = vr.RollingHistory(BALL, start=stepper.state, **given)
     ends = [one.advance(time=0.1, angle=0.1, load=LOAD) for one in (stepper, again)]
-    assert ends[0].center_way != 0.0
+    assert ends[0].center_displacement != 0.0
     np.testing.assert_array_equal(astuple(ends[0]), astuple(ends[1]))
 
 
@@ -284,11 +290,14 @@ BAD = [
     ({"mass": 1.0, "friction": 0.0}, "mass must be 0 kg without friction"),
     ({"center_speed": 0.1}, "center_speed must be 0 m/s without a mass, got 0.1 m/s"),
     ({"center_speed": np.nan, "mass": 1.0}, "center_speed must be finite, got nan"),
-    ({"center_way": [0.0, np.inf]}, r"center_way\[1\] must be finite, got inf"),
-    ({"center_way": [0.0]}, r"center_way must be as long as time \(2\), got 1"),
-    ({"center_way": [0.1, 0.2]}, r"center_way\[0\] must be 0 m"),
-    ({"center_way": [0.0, 0.1], "friction": 0.0}, "center_way must be left out without friction"),
-    ({"center_way": [0.0, 0.1], "drive": vr.Drive(force=1.0)}, "driving_force must be 0 N if center_way is given"),
+    ({"center_displacement": [0.0, np.inf]}, r"center_displacement\[1\] must be finite, got inf"),
+    ({"center_displacement": [0.0]}, r"center_displacement must be as long as time \(2\), got 1"),
+    ({"center_displacement": [0.1, 0.2]}, r"center_displacement\[0\] must be 0 m"),
+    ({"center_displacement": [0.0, 0.1], "friction": 0.0}, "center_displacement must be left out without friction"),
+    (
+        {"center_displacement": [0.0, 0.1], "drive": vr.Drive(force=1.0)},
+        "driving_force must be 0 N if center_displacement is given",
+    ),
     ({"load": [0.0, 100.0]}, "load must be > 0 N, got 0"),
 ]
 
@@ -305,9 +314,15 @@ def test_a_heavy_center_in_a_short_step():
     soft = vr.Elastic(modulus=1e4)
     ball = vr.CoatedSphere(core_radius=21e-3, layers=[vr.Layer(thickness=2e-3, shear_modulus=soft, poisson_ratio=0.5)])
     plane = vr.CoatedPlane(layers=ball.layers)
-    given = {"on": plane, "load": 3.5e-3, "friction": 0.45, "mesh": vr.Mesh(nodes_per_revolution=200), "lattices": 1}
+    given = {
+        "on": plane,
+        "load": 3.5e-3,
+        "friction": 0.45,
+        "mesh": vr.Mesh(nodes_per_revolution=200),
+        "averaged_meshes": 1,
+    }
     h = vr.RollingHistory(ball, mass=0.5, drive=vr.Drive(force=-1e-3), center_speed=-0.036, **given)
     for time in np.arange(1, 8) * 1.37e-7:
         end = h.advance(time=time, angle=-time, load=given["load"])
-        assert end.center_way == pytest.approx(-0.036 * time, rel=1e-6)
+        assert end.center_displacement == pytest.approx(-0.036 * time, rel=1e-6)
     assert abs(end.center_speed + 0.036) < 1e-8

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference import roller_start as reference
-from specimens import RUBBER, one_layer
+from shared_cases import RUBBER, one_layer
 from viscoroll import enums
 
 MILLI = 1e3
@@ -59,13 +59,13 @@ def test_on_a_soft_plane():
     """The gap is that of the circle at its nodes; a parabola gives 10.442 and 9.051 N, which differ by (a/R)²."""
     angle, moment = reference.start(1000, "circle")
     plane = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=10e-3)])
-    h = turned(1.0, 1.5, on=plane, lattices=2)
+    h = turned(1.0, 1.5, on=plane, averaged_meshes=2)
     assert h.resisting_torque.max() == pytest.approx(moment.max(), rel=5e-4)
     last = h.angle > 1.0
     assert h.resisting_torque[last].mean() == pytest.approx(moment[angle > 1.0].mean(), rel=5e-4)
     assert h.driving_force[last].mean() == pytest.approx(130.47, rel=2e-3)
     gained = h.dissipated_energy + h.stored_energy
-    plane_gained = h.counterpart_dissipated_energy + h.counterpart_stored_energy
+    plane_gained = h.counterbody_dissipated_energy + h.counterbody_stored_energy
     turn = np.ptp(h.angle[last])
     assert np.ptp((gained - plane_gained)[last]) / turn == pytest.approx(1.2216, rel=2e-3)
     assert np.ptp(plane_gained[last]) / (60e-3 * turn) == pytest.approx(130.47, rel=2e-3)
@@ -77,7 +77,7 @@ def test_a_half_plane_is_hunters():
     ground = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5))
     h = turned(1.0, 1.5, body=rigid, on=ground)
     assert h.resisting_torque.max() == pytest.approx(6.9055, rel=1e-3)
-    assert h.way[h.resisting_torque.argmax()] * MILLI == pytest.approx(3.87, abs=0.08)
+    assert h.distance[h.resisting_torque.argmax()] * MILLI == pytest.approx(3.87, abs=0.08)
     assert steady(h.resisting_torque, h.angle, 1.0) == pytest.approx(4.26712, rel=5e-4)
     assert np.isnan(h.penetration).all()
     assert h.energy_balance_error[-1] < 1e-3
@@ -89,15 +89,15 @@ def test_a_half_plane_is_hunters():
 
 def test_two_alike_are_one_on_the_plane():
     """The mirror plane acts as a rigid plane: equal moment, twice the approach, and each body supplies its own loss."""
-    one, two = (turned(1.0, 0.4, on=on, lattices=1) for on in (None, ROLLER))
+    one, two = (turned(1.0, 0.4, on=on, averaged_meshes=1) for on in (None, ROLLER))
     np.testing.assert_allclose(two.resisting_torque, one.resisting_torque, rtol=0, atol=1e-8)
     np.testing.assert_allclose(two.penetration, 2.0 * one.penetration, rtol=1e-8)
-    np.testing.assert_allclose(two.counterpart_stored_energy, 0.5 * two.stored_energy, rtol=1e-12)
+    np.testing.assert_allclose(two.counterbody_stored_energy, 0.5 * two.stored_energy, rtol=1e-12)
     np.testing.assert_allclose(two.dissipated_energy, 2.0 * one.dissipated_energy, rtol=0, atol=1e-9)
 
 
 def test_series_are_per_length(tmp_path):
-    h = turned(1.0, 0.05, lattices=1)
+    h = turned(1.0, 0.05, averaged_meshes=1)
     assert h.units["resisting_torque"] == "N"
     assert h.units["stored_energy"] == "J/m"
     assert h.to_xarray()["load"].attrs["units"] == "N/m"

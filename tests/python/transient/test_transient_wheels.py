@@ -9,7 +9,7 @@ from dataclasses import astuple, replace
 import numpy as np
 import pytest
 import viscoroll as vr
-from specimens import RUBBER, one_layer
+from shared_cases import RUBBER, one_layer
 from viscoroll import analytic, enums
 from viscoroll.case.motion import load_motion
 
@@ -100,7 +100,7 @@ def test_low_speed_law(body):
 @pytest.mark.parametrize("body", [FLAT, CROWNED], ids=["flat", "crowned"])
 def test_mirrored_motion_has_mirrored_torque(body):
     time, angle = [0.0, 0.1, 0.2, 0.25], np.array([0.0, 0.2, 0.2, 0.1])
-    a, b = (vr.roll(body, time=time, angle=s * angle, load=200.0, mesh=COARSE, lattices=1) for s in (1.0, -1.0))
+    a, b = (vr.roll(body, time=time, angle=s * angle, load=200.0, mesh=COARSE, averaged_meshes=1) for s in (1.0, -1.0))
     largest = np.abs(a.resisting_torque).max()
     np.testing.assert_allclose(a.resisting_torque, -b.resisting_torque, rtol=0, atol=1e-8 * largest)
     np.testing.assert_allclose(a.penetration, b.penetration, rtol=1e-9)
@@ -108,11 +108,11 @@ def test_mirrored_motion_has_mirrored_torque(body):
 
 def test_standing_follows_lee_and_radok():
     """While the contact grows, the approach is that of an elastic tread under the load ∫J dP, in units of G₀."""
-    h = vr.roll(FLAT, time=[0.0, 0.5], angle=[0.0, 0.0], load=200.0, start="fresh", mesh=COARSE, lattices=1)
+    h = vr.roll(FLAT, time=[0.0, 0.5], angle=[0.0, 0.0], load=200.0, start="fresh", mesh=COARSE, averaged_meshes=1)
     stiff = replace(FLAT, layers=[one_layer(vr.Elastic(modulus=6e6), thickness=10e-3)])
     for i in (0, len(h.time) // 2, -1):
         load = 200.0 * (2.0 - np.exp(-h.time[i] / 0.25))
-        alone = vr.RollingHistory(stiff, load=load, mesh=COARSE, lattices=1)
+        alone = vr.RollingHistory(stiff, load=load, mesh=COARSE, averaged_meshes=1)
         assert h.penetration[i] == pytest.approx(alone.now.penetration, rel=1e-9)
     assert np.abs(h.resisting_torque).max() < 1e-10
 
@@ -122,7 +122,7 @@ def test_elastic_wheels_are_those_of_the_steady_solver(body):
     """On the same nodes, symmetrized influence and truncated tables change the penetration by 2e-6."""
     wheel = replace(body, layers=[one_layer(vr.Elastic(modulus=3e6), thickness=10e-3)])
     mesh = vr.Mesh(nodes_per_revolution=300)
-    depth = vr.RollingHistory(wheel, load=300.0, mesh=mesh, lattices=1).now.penetration
+    depth = vr.RollingHistory(wheel, load=300.0, mesh=mesh, averaged_meshes=1).now.penetration
     steady = solved(wheel, None, load=300.0, angular_speed=1.0, mesh=mesh)
     assert depth == pytest.approx(steady.penetration, rel=3e-6)
 
@@ -141,7 +141,7 @@ def test_a_flat_spot_returns_each_turn():
 @pytest.mark.parametrize(("body", "friction"), [(CROWNED, 0.0), (FLAT, 0.3)], ids=["crowned", "with friction"])
 def test_a_saved_state_goes_on_to_the_last_bit(body, friction):
     """The motion includes a jump and a lift-off."""
-    options = {"load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=80), "lattices": 2, "friction": friction}
+    options = {"load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=80), "averaged_meshes": 2, "friction": friction}
     whole = vr.RollingHistory(body, **options)
     whole.advance(time=0.05, angle=0.1, load=100.0)
     halves = [pickle.loads(pickle.dumps(whole)), vr.RollingHistory(body, **options, start=whole.state)]
@@ -154,16 +154,16 @@ def test_a_saved_state_goes_on_to_the_last_bit(body, friction):
 def test_a_rising_load_widens_the_tables():
     """A crowned wheel that reaches its faces agrees with a history that begins under the final load."""
     h = vr.roll(
-        CROWNED, time=[0.0, 1.0, 6.0], angle=[0.0, 0.5, 0.5], load=[10.0, 900.0, 900.0], mesh=COARSE, lattices=1
+        CROWNED, time=[0.0, 1.0, 6.0], angle=[0.0, 0.5, 0.5], load=[10.0, 900.0, 900.0], mesh=COARSE, averaged_meshes=1
     )
-    alone = vr.RollingHistory(CROWNED, load=900.0, angle=0.5, mesh=COARSE, lattices=1)
+    alone = vr.RollingHistory(CROWNED, load=900.0, angle=0.5, mesh=COARSE, averaged_meshes=1)
     assert h.semi_axis_z[0] < 0.5 * h.semi_axis_z[-1]
     assert h.semi_axis_z[-1] == pytest.approx(0.5 * CROWNED.width, rel=0.05)
     assert h.penetration[-1] == pytest.approx(alone.now.penetration, rel=1e-6)
 
 
 def test_a_state_of_endless_sides_is_refused():
-    options = {"load": 100.0, "mesh": COARSE, "lattices": 1}
+    options = {"load": 100.0, "mesh": COARSE, "averaged_meshes": 1}
     state = vr.RollingHistory(endless(FLAT), **options).state
     with pytest.raises(ValueError, match=r"start must be a state of .*sides=FREE.*, got a state of .*sides=ENDLESS"):
         vr.RollingHistory(FLAT, **options, start=state)
@@ -187,7 +187,7 @@ def test_with_friction_it_ends_as_the_steady_solver_has_it(drive):
     assert h.resisting_torque[last].mean() == pytest.approx(r.resisting_torque, rel=6e-3)
     assert h.driving_torque[last].mean() == pytest.approx(r.driving_torque, rel=6e-3, abs=1e-9)
     assert h.driving_force[last].mean() == pytest.approx(r.driving_force, rel=6e-3, abs=1e-9)
-    creepage = np.ptp(h.center_way[last]) / np.ptp(h.angle[last]) / FLAT.outer_radius - 1.0
+    creepage = np.ptp(h.center_displacement[last]) / np.ptp(h.angle[last]) / FLAT.outer_radius - 1.0
     assert creepage == pytest.approx(r.creepage, rel=2e-2)
     assert h.penetration[-1] == pytest.approx(r.penetration, rel=2e-3)
     assert h.energy_balance_error[-1] < 5e-3

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
-from reference.pressed_ball import pressed_depth
-from specimens import RUBBER, coated_ball, one_layer
+from reference.pressed_ball import penetration
+from shared_cases import RUBBER, coated_ball, one_layer
 
 SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
 LAYERS = [one_layer(SOFTER, thickness=0.5e-3), one_layer(thickness=0.5e-3)]
@@ -18,7 +18,7 @@ BALL = vr.CoatedSphere(core_radius=20e-3, layers=LAYERS)
 #: Forward and back, in steps that do not follow from the times of a material.
 STEPS = {
     "time": np.linspace(0.0, 0.2, 81), "angle": 0.2 - np.abs(np.linspace(-0.2, 0.1, 81)), "load": 100.0,
-    "mesh": vr.Mesh(nodes_per_revolution=150), "lattices": 1, "steps_per_spacing": None,
+    "mesh": vr.Mesh(nodes_per_revolution=150), "averaged_meshes": 1, "steps_per_spacing": None,
 }  # fmt: skip
 
 
@@ -28,16 +28,16 @@ def mesh(nodes):
 
 def test_first_turn_is_that_of_an_independent_program():
     """Plain NumPy in the limit of π/150, π/250, π/350: depth to 1e-7 m, maximum to 0.05 mN m, at 1.385 mm."""
-    h = vr.roll(STEEL, on=MAT, time=[0.0, 0.04], way=[0.0, 2.1e-3], load=100.0, mesh=mesh(300))
+    h = vr.roll(STEEL, on=MAT, time=[0.0, 0.04], distance=[0.0, 2.1e-3], load=100.0, mesh=mesh(300))
     assert h.penetration[0] == pytest.approx(0.2384e-3, rel=5e-4)
     assert h.resisting_torque.max() == pytest.approx(76.94e-3, rel=2e-3)  # error of the mesh 1e-3
-    assert h.way[h.resisting_torque.argmax()] == pytest.approx(1.385e-3, abs=0.03e-3)  # one step is 0.11 mm
+    assert h.distance[h.resisting_torque.argmax()] == pytest.approx(1.385e-3, abs=0.03e-3)  # one step is 0.11 mm
 
 
 def test_a_ball_at_rest_is_that_of_zonal_harmonics():
     """The limit of zonal harmonics is 0.24343 mm."""
-    expected = pressed_depth(20e-3, [(0.5e-3, 1e6), (0.5e-3, 3e6)], 100.0, rings=50)
-    still = vr.RollingHistory(BALL, load=100.0, mesh=mesh(500), lattices=4)
+    expected = penetration(20e-3, [(0.5e-3, 1e6), (0.5e-3, 3e6)], 100.0, rings=50)
+    still = vr.RollingHistory(BALL, load=100.0, mesh=mesh(500), averaged_meshes=4)
     assert still.now.penetration == pytest.approx(expected, rel=5e-4)  # error of the mesh 4e-4
 
 
@@ -46,8 +46,8 @@ def test_more_times_change_little():
     torques = []
     for tolerance in (1e-2, 1e-5):
         h = vr.roll(
-            STEEL, on=MAT, time=[0.0, 0.3], way=[0.0, 16e-3], load=100.0, mesh=mesh(150),
-            spectrum_tolerance=tolerance, lattices=1,
+            STEEL, on=MAT, time=[0.0, 0.3], distance=[0.0, 16e-3], load=100.0, mesh=mesh(150),
+            spectrum_tolerance=tolerance, averaged_meshes=1,
         )  # fmt: skip
         assert 0.0 < h.spectrum_error < tolerance
         torques.append(h.resisting_torque)
@@ -78,7 +78,9 @@ def test_a_bulk_modulus_makes_one_layer_creep_by_its_orders():
 
 def test_friction_ends_as_the_steady_solver_has_it():
     omega = 2.5
-    h = vr.roll(BALL, time=[0.0, 0.4], angle=[0.0, 0.4 * omega], load=100.0, friction=0.3, mesh=mesh(200), lattices=2)
+    h = vr.roll(
+        BALL, time=[0.0, 0.4], angle=[0.0, 0.4 * omega], load=100.0, friction=0.3, mesh=mesh(200), averaged_meshes=2
+    )
     r = vr.solve(BALL, load=100.0, angular_speed=omega, friction=0.3, mesh=mesh(800))
     assert h.resisting_torque[h.angle > 0.8].mean() == pytest.approx(r.resisting_torque, rel=2e-2)  # coarse mesh
 
@@ -101,15 +103,15 @@ def test_no_step_gains_energy(seed):
     """Weights of common times may be negative, but no step gains energy: of 96 stacks, the least loss was 3e-8."""
     plane = vr.CoatedPlane(layers=random_layers(np.random.default_rng(seed)))
     h = vr.roll(
-        STEEL, on=plane, time=[0.0, 0.02, 0.5, 0.9, 1.0], way=[0.0, 4e-3, 0.8e-3, 0.8e-3, 6e-3],
-        load=[20.0, 20.0, 20.0, 40.0, 10.0], mesh=mesh(160), lattices=1,
+        STEEL, on=plane, time=[0.0, 0.02, 0.5, 0.9, 1.0], distance=[0.0, 4e-3, 0.8e-3, 0.8e-3, 6e-3],
+        load=[20.0, 20.0, 20.0, 40.0, 10.0], mesh=mesh(160), averaged_meshes=1,
     )  # fmt: skip
     assert np.diff(h.dissipated_energy).min() > 0.0
 
 
 def test_goes_on_from_a_state():
-    first = vr.RollingHistory(STEEL, on=MAT, load=100.0, mesh=mesh(120), lattices=2)
-    first.advance(time=0.1, way=5e-3, load=100.0)
-    second = vr.RollingHistory(STEEL, on=MAT, load=100.0, mesh=mesh(120), lattices=2, start=first.state)
-    ends = [stepper.advance(time=0.15, way=4e-3, load=90.0) for stepper in (first, second)]
+    first = vr.RollingHistory(STEEL, on=MAT, load=100.0, mesh=mesh(120), averaged_meshes=2)
+    first.advance(time=0.1, distance=5e-3, load=100.0)
+    second = vr.RollingHistory(STEEL, on=MAT, load=100.0, mesh=mesh(120), averaged_meshes=2, start=first.state)
+    ends = [stepper.advance(time=0.15, distance=4e-3, load=90.0) for stepper in (first, second)]
     assert ends[0] == ends[1]

@@ -159,11 +159,11 @@ BAD = {
 }
 
 
-def answers(requests, way="module"):
+def answers(requests, entry="module"):
     """Return the answers of node to requests, and the table of scalars."""
     runner = ROOT / "tests" / "wasm" / "answers.mjs"
     done = subprocess.run(
-        ["node", str(runner), str(PACKAGE), way], input=json.dumps(requests), capture_output=True, encoding="utf-8"
+        ["node", str(runner), str(PACKAGE), entry], input=json.dumps(requests), capture_output=True, encoding="utf-8"
     )
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
@@ -178,7 +178,7 @@ def of_wasm():
 
 
 #: Scalars that are differences of numbers of the size of 1.
-DIFFERENCES = {"power_balance_error", "error_estimate", "residual", "creepage"}
+DIFFERENCES = {"energy_balance_error", "error_estimate", "residual", "creepage"}
 
 
 def size_of(scalar, native):
@@ -256,10 +256,10 @@ def test_what_is_wrong_is_told_by_its_place(name, parameter, of_wasm):
     assert of_wasm[name]["error"]["parameter"] == parameter
 
 
-@pytest.mark.parametrize("way", ["module", "script", "worker"])
-def test_pages_and_workers_get_the_same(way, of_wasm):
+@pytest.mark.parametrize("entry", ["module", "script", "worker"])
+def test_pages_and_workers_get_the_same(entry, of_wasm):
     names = ["towed ball", "a load that is none"]
-    found = answers([{"case": (CASES | BAD)[name], "fields": name in CASES} for name in names], way)
+    found = answers([{"case": (CASES | BAD)[name], "fields": name in CASES} for name in names], entry)
     assert found["answers"] == [of_wasm[name] for name in names]
     described = [{"name": one.name, "unit": one.unit, "description": one.label} for one in _core.result_scalars()]
     assert found["scalars"] == described

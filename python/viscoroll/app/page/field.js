@@ -22,7 +22,7 @@ let count = 0;
  * @param {string} [of.quantity] without it, the value is a number without unit, not a pair
  * @param {[number, number]} of.range range of the slider, in SI units; typed numbers may be outside of it
  * @param {boolean} [of.linear] whether the slider is linear; otherwise it is logarithmic
- * @param {number} [of.step] step of the slider, in the selected unit
+ * @param {number} [of.step] step of the slider from the lower end of its range, in the selected unit
  * @param {string} [of.empty] meaning of an empty field, if it may be empty
  * @param {() => number} [of.radius] outer radius [m], for speeds of the center
  * @param {string} [of.note] note below the field
@@ -130,7 +130,8 @@ export function numberField({
     const [low, high] = range;
     const share = slider.value / STEPS;
     const x = back(linear ? low + share * (high - low) : low * (high / low) ** share, unit);
-    number = step ? tidy(Math.round(x / step) * step) : Number(x.toPrecision(3));
+    const first = back(low, unit);
+    number = step ? tidy(first + Math.round((x - first) / step) * step) : Number(x.toPrecision(3));
     misread = false;
     say("", "");
     show();

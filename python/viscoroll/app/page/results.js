@@ -16,7 +16,7 @@ const FIRST = [
 const WITH_FRICTION = ["driving_torque", "driving_force", "creepage", "slip_power"];
 
 /** Ratios that are displayed in percent. */
-const PERCENTS = ["strain", "model_error", "creepage", "power_balance_error", "error_estimate", "max_pressure_error"];
+const PERCENTS = ["strain", "model_error", "creepage", "energy_balance_error", "error_estimate", "max_pressure_error"];
 
 export class Results {
   #numbers;

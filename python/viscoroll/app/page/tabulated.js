@@ -58,7 +58,7 @@ function ofLossFactor({ loss_factor: lossFactor, ...table }, tables, place) {
 
 function ofLaboratory({ name, temperature }, tables, place) {
   const table = tables.published[name][temperature];
-  if (!table) throw new NotTabulated(place, "temperature", "a multiple of 10 °C in [-10, 50]", `${temperature} °C`);
+  if (!table) throw new NotTabulated(place, "temperature", "263.15, 273.15, ... or 323.15 K (-10, 0, ... or 50 °C)", `${temperature} K`);
   return table;
 }
 

@@ -14,9 +14,12 @@ export const UNITS = {
   time: { s: 1, ms: 1e-3, µs: 1e-6 },
   frequency: { "rad/s": 1, Hz: TURN },
   density: { "kg/m³": 1, "g/cm³": 1e3 },
-  temperature: { "°C": 1 },
+  temperature: { "°C": 1, K: 1 },
   percent: { "%": 1e-2 },
 };
+
+/** SI values of the zeros of units, where they are not 0. */
+const ZEROS = { "°C": 273.15 };
 
 /** SI unit of each quantity, as in messages of the solver. */
 export const SI = {
@@ -30,7 +33,7 @@ export const SI = {
   time: "s",
   frequency: "rad/s",
   density: "kg/m³",
-  temperature: "°C",
+  temperature: "K",
   percent: "",
 };
 
@@ -67,12 +70,12 @@ const CENTER_SPEEDS = { "km/h": 1 / 3.6, "m/s": 1, mph: 0.44704 };
  * @param {number} [radius] outer radius [m], for speeds of the center
  */
 export function toSI([value, unit], quantity, radius) {
-  return tidy(value * factor(unit, quantity, radius));
+  return tidy(value * factor(unit, quantity, radius) + (ZEROS[unit] ?? 0));
 }
 
 /** Number and unit for an SI value. */
 export function fromSI(value, unit, quantity, radius) {
-  return [tidy(value / factor(unit, quantity, radius)), unit];
+  return [tidy((value - (ZEROS[unit] ?? 0)) / factor(unit, quantity, radius)), unit];
 }
 
 function factor(unit, quantity, radius) {

@@ -1,0 +1,54 @@
+/// @file
+/// @brief Contact problem of a load case: load, friction and kinematics at the nodes of a window.
+#pragma once
+
+#include <vector>
+
+#include "contact/contact_problem.hpp"
+#include "rolling/mesh_model.hpp"
+#include "viscoroll/load_case.hpp"
+#include "viscoroll/options.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief A load case on a model, with the quantities that are known before the contact is solved.
+struct ContactSetup {
+  const MeshModel& model;
+  const LoadCase& load_case;
+  const Options& options;
+  Execution execution;
+  ContactOptions limits;
+  Formulation formulation;
+  Nodes nodes;
+  ContactReach contact;    ///< estimated size of the contact; rather too large than too small
+  double estimated_depth;  ///< initial gap up to which nodes are likely to touch, from the estimated contact [m]
+
+  [[nodiscard]] const RollingPair& pair() const { return model.pair; }
+  /// @return `estimated_depth`, scaled by the centrifugal growth of the rolling body [m]
+  [[nodiscard]] double likely_depth() const { return model.growth.own * estimated_depth; }
+  /// @return 0 with the radial compliance, whose pressure does no work along the plane, else 1
+  [[nodiscard]] double pressure_share() const { return options.compliance == Compliance::vertical ? 1.0 : 0.0; }
+  /// @return whether one of the two bodies ends at side faces
+  [[nodiscard]] bool has_sides() const;
+  /// @return whether displacements are relative to a place at rest, so that the approach of the bodies is defined
+  [[nodiscard]] bool approach_exists() const;
+
+  /// @return points at which displacements are evaluated
+  [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& window) const;
+  /// @return moment arms of all nodes of the window, with the slope of the counterbody
+  [[nodiscard]] MomentArms moment_arms(const SurfaceWindow& window) const;
+  /// @return moment arms of some nodes, without the slope of the counterbody
+  [[nodiscard]] MomentArms moment_arms(const SurfaceWindow& window, const std::vector<Eigen::Index>& at) const;
+  /// @return the contact problem on a window
+  [[nodiscard]] ContactProblem problem(const SurfaceWindow& window) const;
+};
+
+/// @brief Collect the quantities of a load case that are known before the contact is solved.
+/// @param[in] model both bodies at the speed of the load case, on a mesh
+/// @param[in] load_case load, friction and drive
+/// @param[in] options solver options; mesh and accuracy are ignored
+/// @param[in] watch progress and cancellation
+[[nodiscard]] ContactSetup assemble(const MeshModel& model, const LoadCase& load_case, const Options& options,
+                                    Watch& watch);
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,166 @@
+#include "rolling/input_checks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "contact/multilevel.hpp"
+#include "rolling/contact_estimate.hpp"
+#include "rolling/drives.hpp"
+#include "validate.hpp"
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+constexpr int kMostNodes = 25000000;  // in a window; as many nodes need about 10 GB
+
+/// Layer whose modulus relaxes most between the contact frequency and rest.
+struct Relaxation {
+  std::string layer;
+  double modulus;  ///< relaxed modulus [Pa]
+  double ratio;    ///< relaxed modulus divided by the modulus at the contact frequency [-]
+};
+
+/// @param[in] contact_frequency angular frequency [rad/s]
+Relaxation strongest_relaxation(const RollingPair& pair, double contact_frequency) {
+  const std::array frequencies{0.0, contact_frequency};
+  Relaxation strongest{.layer = "", .modulus = 0.0, .ratio = 2.0};
+  for (const auto& [name, layer] : layers(pair)) {
+    const auto moduli = complex_modulus(layer.shear_modulus, frequencies);
+    const double ratio = moduli.front().real() / std::abs(moduli.back());
+    if (ratio < strongest.ratio) strongest = {.layer = name, .modulus = moduli.front().real(), .ratio = ratio};
+  }
+  return strongest;
+}
+
+/// Drive of a body that slides over its whole contact.
+struct SlidingDrive {
+  double force;   ///< force on the center [N]
+  double moment;  ///< moment about the center [N m]
+};
+
+/// Drives of a body that skids (creepage 1) and of a body that spins in place (creepage -1).
+std::array<SlidingDrive, 2> sliding_drives(const ContactSetup& setup, ContactProblem problem) {
+  std::array<SlidingDrive, 2> drives{};
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    problem.friction->drive = std::make_shared<GivenCreepage>(side == 0 ? 1.0 : -1.0);
+    const auto [boxed, contact] = solve_multilevel(problem, setup.likely_depth(), setup.limits);
+    const ContactState state{*boxed.surface, boxed.friction->arms, contact.force, own_displacement(contact)};
+    drives[side] = {.force = slope_force(state).force - contact.force.col(kForward).sum(),
+                    .moment = moment_about_center(state, setup.pressure_share())};
+  }
+  return drives;
+}
+
+/// Reject a drive with which the body would slide permanently.
+/// @param[in] least,most limits of the drive; between them the body rolls
+void require_between(const std::string& name, double given, double least, double most, const RoundBody& body,
+                     std::string_view unit) {
+  if (given > least && given < most) return;
+  const auto in_units = [unit](const std::string& number) { return number + " " + std::string(unit); };
+  reject(name,
+         "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + ", otherwise the " +
+             std::string(body.name()) + " slides permanently",
+         in_units(text(given)));
+}
+
+}  // namespace
+
+void reject_load(const RollingPair& pair, double load, const std::string& reason) {
+  reject("load", "small enough for the coating",
+         text(load) + " " + std::string(pair.body->form().load_unit) + " (the " + std::string(pair.body->name()) + " " +
+             reason + ")");
+}
+
+void reject_contact_over_60_degrees(const RollingPair& pair, double load) {
+  reject_load(pair, load, "is in contact beyond 60 degrees to either side");
+}
+
+void require_depth(const RollingPair& pair, double load, double depth) {
+  const double most = thickness(pair);
+  if (!(depth < most)) {
+    reject_load(pair, load, "is pressed " + rounded(depth) + " m into a coating of thickness " + text(most) + " m");
+  }
+}
+
+void require_formulation(const MeshModel& model, const Options& options) {
+  model.pair.body->require(options);
+  if (!model.counterbody) return;
+  const std::string why = " if the counterbody deforms";
+  if (options.compliance == Compliance::vertical) reject("compliance", "RADIAL" + why, "VERTICAL");
+  if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");
+}
+
+void require_supported_load(const MeshModel& model, double load) {
+  if (load <= load_upper_bound(model.pair, model.stiffest_modulus)) return;
+  reject_load(model.pair, load, "would be pressed through any coating of this stiffness");
+}
+
+void require_relaxed_stiffness(const ContactSetup& setup) {
+  constexpr double kLeastRatio = 3e-3;  // below it, the iteration for the nodes in contact does not converge
+  const double contact_frequency =
+      setup.load_case.angular_speed * std::max(1.0, setup.nodes.grid.radius / setup.contact.along);
+  const Relaxation relaxation = strongest_relaxation(setup.pair(), contact_frequency);
+  if (relaxation.ratio >= kLeastRatio) return;
+  reject(
+      relaxation.layer + ".shear_modulus",
+      "such that the relaxed modulus is at least " + text(kLeastRatio) + " times the modulus at the contact frequency",
+      "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, which is " + rounded(relaxation.ratio) +
+          " times that modulus");
+}
+
+void require_node_limit(const Window& window, const Mesh& mesh) {
+  const double nodes = static_cast<double>(window.phi.count()) * static_cast<double>(window.theta.count());
+  if (nodes <= kMostNodes) return;
+  throw MeshTooFine(mesh.nodes_per_revolution, std::to_string(kMostNodes) + " nodes around the contact",
+                    text(nodes) + " nodes");
+}
+
+void require_contact(const ContactSetup& setup, double friction, double penetration) {
+  if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
+  if (setup.approach_exists() && !(penetration > 0.0)) {
+    if (friction == 0.0) {
+      setup.pair().body->require_stiffness();
+      setup.pair().on->require_stiffness();
+      // The remaining cause of a penetration that is not positive is a contact too wide for the equations.
+      reject_load(setup.pair(), setup.load_case.load, "would be pressed through the coating");
+    }
+    reject("friction",
+           "so small that the tangential forces do not lift the " + std::string(setup.pair().body->name()) +
+               " out of contact",
+           text(friction));
+  }
+  require_depth(setup.pair(), setup.load_case.load, penetration - setup.model.centrifugal);
+}
+
+void require_reachable_drive(const ContactSetup& setup, const ContactProblem& problem) {
+  if (!problem.friction) return;
+  const LoadCase& load_case = setup.load_case;
+  const GivenMotion given = given_motion(load_case.drive);
+  if (given.creepage) return;
+  const RoundBody& body = *setup.pair().body;
+  std::array<SlidingDrive, 2> limits{};
+  try {
+    limits = sliding_drives(setup, problem);
+  } catch (const ConvergenceError&) {
+    // Bounds instead of solutions: the moment arms of friction and of pressure are at most the radius, and the slope of
+    // the counterbody is at most 1.
+    const double largest = (load_case.friction + 2.0) * load_case.load;
+    limits = {SlidingDrive{-largest, -largest * body.radius()}, SlidingDrive{largest, largest * body.radius()}};
+  }
+  const auto& [skidding, spinning] = limits;
+  if (given.force) {
+    const auto [least, most] = std::minmax(skidding.force, spinning.force);
+    require_between("drive.force", *given.force, least, most, body, body.form().load_unit);
+  }
+  if (given.torque) {
+    const auto [least, most] = std::minmax(skidding.moment, spinning.moment);
+    require_between("drive.torque", *given.torque, least, most, body, body.form().torque_unit);
+  }
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,352 @@
+#include "transient/shifted_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "rolling/input_checks.hpp"
+#include "transient/center_motion.hpp"
+#include "validate.hpp"
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::Index;
+
+/// Number of steps in which the load is applied with friction.
+constexpr int kPressingSteps = 8;
+
+/// Whether compliance factors are equal, up to the round-off of the durations of steps.
+bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kRoundOff = 1e-10;
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kRoundOff * std::abs(x); });
+}
+
+}  // namespace
+
+ShiftedMesh::ShiftedMesh(std::shared_ptr<const ViscoelasticPair> pair, double shift, Index half_rows)
+    : pair_(std::move(pair)), shift_(shift), half_rows_(half_rows) {
+  for (const ViscoelasticBody& body : pair_->bodies) memories_.emplace_back(body);
+}
+
+/// Tables that are sums are reused while steps have the same duration.
+template <class Parts>
+InstantaneousCompliance ShiftedMesh::instantaneous(const Parts& parts_in, const Checkpoint& checkpoint) {
+  last_.resize(pair_->bodies.size());
+  InstantaneousCompliance instantaneous{.of_bodies = {}, .sum = 0.0};
+  for (std::size_t b = 0; b < last_.size(); ++b) {
+    const CreepTables& tables = pair_->bodies[b].tables;
+    std::vector<double> parts = parts_in(b);
+    if (tables.count() == 1 || !are_same(parts, last_[b].parts)) {
+      last_[b] = tables.instantaneous(std::move(parts), checkpoint);
+      if (tables.count() > 1) forget_contact();
+    }
+    instantaneous.sum += last_[b].share;
+  }
+  instantaneous.of_bodies = last_;
+  return instantaneous;
+}
+
+InstantContact ShiftedMesh::instant(const PairStep* step, const InstantaneousCompliance& instantaneous,
+                                    const StepEnd& end, const CenterCondition& center, const Checkpoint& checkpoint) {
+  for (;;) {
+    InstantContact instant = before_contact(step, instantaneous, end, checkpoint);
+    if (end.load == 0.0) {
+      instant.contact = solve_lifted(*pair_, instant, center);
+    } else {
+      require_open_track(instant.place);
+      instant.contact = search(instant, end, center);
+      if (!fits(instant, end.load)) continue;
+    }
+    find_displacements(*pair_, instant);
+    return instant;
+  }
+}
+
+InstantContact ShiftedMesh::before_contact(const PairStep* step, const InstantaneousCompliance& instantaneous,
+                                           const StepEnd& end, const Checkpoint& checkpoint) const {
+  InstantContact instant{.place = place_at(*pair_, shift_, half_rows_, end.angle),
+                         .instantaneous = instantaneous,
+                         .known = {},
+                         .contact = {},
+                         .moved = {},
+                         .checkpoint = checkpoint};
+  require_reach(instant.place);
+  const auto& [first, count] = std::pair(instant.place.first, instant.place.count);
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    const Index height = pair_->bodies[b].tables.height();
+    instant.known.push_back(step != nullptr ? memories_[b].known_displacement(step->parts[b], first, count)
+                                            : HalfField::Zero(height, count));
+  }
+  return instant;
+}
+
+/// Search for a contact. If there is none, check whether the load or the drive is the cause, and reject it.
+template <class Search>
+auto ShiftedMesh::explaining_failure(const Attempt& attempt, const Search& search) {
+  try {
+    return search();
+  } catch (const ConvergenceError&) {
+    require_supported_load(attempt);
+    require_reachable_drive(attempt);
+    throw;
+  }
+}
+
+/// Reject a load that is too large for the coating even without friction.
+void ShiftedMesh::require_supported_load(const Attempt& attempt) {
+  const double load = attempt.end.load;
+  for (bool is_within = false; !is_within;) {
+    InstantContact instant = before_contact(attempt.step, attempt.instantaneous, attempt.end, attempt.checkpoint);
+    instant.contact = solve_frictionless(*pair_, instant, last_forces(), attempt.instantaneous.sum * load, inverse_);
+    is_within = fits(instant, load);
+    if (is_within) require_depth(pair_->pair, load, instant.contact.penetration);
+  }
+}
+
+/// Reject a force on the center, or a moment about it, that friction does not balance even if the body slides as a
+/// whole, forward or backward. The check for steady rolling is that of docs/theory/friction.md.
+void ShiftedMesh::require_reachable_drive(const Attempt& attempt) {
+  const CenterCondition& center = attempt.center;
+  if (!pair_->has_friction() || center.displacement != 0.0) return;
+  std::array<RollingInstant, 2> sliding;
+  try {
+    sliding = {slid(attempt, Sense::back), slid(attempt, Sense::forward)};
+  } catch (const ConvergenceError&) {
+    return;  // there is no range to compare with
+  }
+  const RoundBody& body = *pair_->pair.body;
+  const auto require = [&](double RollingInstant::* member, const std::string& name, double given,
+                           std::string_view unit) {
+    const auto [least, most] = std::minmax(sliding[0].*member, sliding[1].*member);
+    if (given > least && given < most) return;
+    const auto in_units = [unit](const std::string& number) { return number + " " + std::string(unit); };
+    reject(name,
+           "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + " at angle " +
+               rounded(attempt.end.angle) + " rad, otherwise the " + std::string(body.name()) + " slides permanently",
+           in_units(text(given)));
+  };
+  if (center.torque != 0.0) {
+    const double given = *pair_->driving_torque;
+    require(&RollingInstant::driving_torque, "driving_torque", given, body.form().torque_unit);
+  } else {
+    require(&RollingInstant::driving_force, "driving_force", 0.0 - center.value, body.form().load_unit);
+  }
+}
+
+/// Contact of a body that slides as a whole: its center moves by a radius, much farther than the forces displace any
+/// node.
+RollingInstant ShiftedMesh::slid(const Attempt& attempt, Sense sense) {
+  const double radius = pair_->nodes.grid.radius;
+  const CenterCondition led{
+      .force = 0.0, .torque = 0.0, .displacement = 1.0, .value = sense == Sense::forward ? radius : -radius};
+  for (;;) {
+    InstantContact instant = before_contact(attempt.step, attempt.instantaneous, attempt.end, attempt.checkpoint);
+    instant.contact = search(instant, attempt.end, led);
+    if (!fits(instant, attempt.end.load)) continue;
+    find_displacements(*pair_, instant);
+    RollingInstant now;
+    static_cast<void>(set_moments(*pair_, instant, now));
+    return now;
+  }
+}
+
+StickSlip ShiftedMesh::search(const InstantContact& instant, const StepEnd& end, const CenterCondition& center) {
+  if (!pair_->has_friction())
+    return solve_frictionless(*pair_, instant, last_forces(), instant.instantaneous.sum * end.load, inverse_);
+  const Departure departure{.turned = end.angle - now_.angle, .loaded_displacements = displacements(instant.place)};
+  return solve_frictional(*pair_, instant, last_forces(), departure, end.load, center, stiffness_);
+}
+
+std::vector<HalfField> ShiftedMesh::displacements(const ContactPlace& place) const {
+  std::vector<HalfField> fields;
+  fields.reserve(memories_.size());
+  for (const RowMemory& memory : memories_) fields.push_back(memory.displacement(place.first, place.count));
+  return fields;
+}
+
+/// If displacements do not decay, as on a half-space, the whole memory of a track displaces the contact.
+void ShiftedMesh::require_reach(const ContactPlace& place) const {
+  if (pair_->track_reach >= pair_->most_track_reach()) return;
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    const CreepTables& tables = pair_->bodies[b].tables;
+    const auto alive = memories_[b].living();
+    if (!alive || tables.dies_out()) continue;
+    const Index farthest = std::max(place.first + place.count - 1 - alive->first, alive->last - place.first);
+    if (farthest > tables.reach()) throw TrackTooLong();
+  }
+}
+
+/// A dish or a ring closes on itself, but the rows of a track do not: the contact would not meet the memory ahead of
+/// it.
+void ShiftedMesh::require_open_track(const ContactPlace& place) const {
+  const double turning = std::abs(pair_->pair.on->curvatures().along);
+  if (turning == 0.0) return;
+  const double spacing = pair_->nodes.grid.radius * pair_->nodes.grid.phi_spacing;
+  const double around = 2.0 * std::numbers::pi / turning;
+  for (const RowMemory& memory : memories_) {
+    const auto alive = memory.living();
+    if (!alive) continue;
+    const Index rows = std::max(place.first + place.count - 1, alive->last) - std::min(place.first, alive->first) + 1;
+    const double distance = spacing * static_cast<double>(rows);
+    if (distance <= around) continue;
+    reject("distance",
+           "less than the circumference of the counterbody, " + rounded(around) + " m, until its surface has recovered",
+           rounded(distance) + " m");
+  }
+}
+
+/// Whether the contact ends within the window; if not, widen the window.
+bool ShiftedMesh::fits(const InstantContact& instant, double load) {
+  const Index half_nodes = pair_->half_nodes();
+  const Index most = pair_->nodes.widest.phi.last;
+  bool at_side = false;
+  bool at_end = false;
+  for (const Index node : instant.contact.nodes) {
+    at_side = at_side || node % half_nodes == half_nodes - 1;
+    at_end = at_end || node / half_nodes == 0 || node / half_nodes == instant.place.count - 1;
+  }
+  if (at_side && !pair_->ends_at_sides()) throw ContactTooWide();
+  if (!at_end) return true;
+  if (half_rows_ >= most) reject_contact_over_60_degrees(pair_->pair, load);
+  half_rows_ = std::min(half_rows_ + half_rows_ / 2 + 1, most);
+  forget_contact();
+  return false;
+}
+
+void ShiftedMesh::forget_contact() {
+  inverse_.forget();
+  stiffness_.forget();
+}
+
+void ShiftedMesh::take(const InstantContact& instant, const StepEnd& end) {
+  now_.angle = end.angle;
+  now_.load = end.load;
+  set_extent(*pair_, instant, now_);
+  power_ = set_moments(*pair_, instant, now_);
+  if (pair_->has_friction()) take_friction(instant);
+  force_ = instant.contact.force / instant.instantaneous.sum;
+  first_ = instant.place.first;
+  count_ = instant.place.count;
+  lowest_ = instant.place.nodes.shift();
+}
+
+void ShiftedMesh::take_friction(const InstantContact& instant) {
+  const StickSlip& contact = instant.contact;
+  const double lost = slip_work(instant);
+  now_.dissipated_energy += lost;
+  now_.slip_energy += lost;
+  now_.stick_share = static_cast<double>(contact.sticking) / std::max(1.0, static_cast<double>(contact.nodes.size()));
+}
+
+/// Energy dissipated by slip in a step, from the mean of the old and new tractions of each node.
+double ShiftedMesh::slip_work(const InstantContact& instant) const {
+  const Index half_nodes = pair_->half_nodes();
+  VectorField force = instant.contact.force / instant.instantaneous.sum;
+  for (Index row = 0; row < instant.place.count; ++row) {
+    const Index last = instant.place.first + row - first_;
+    if (last < 0 || last >= count_) continue;
+    force.middleRows(half_nodes * row, half_nodes) += force_.middleRows(half_nodes * last, half_nodes);
+  }
+  const auto& slip = instant.contact.slip;
+  return -0.5 * (force.col(kForward) * slip.col(0) + force.col(kSideways) * slip.col(1)).sum();
+}
+
+void ShiftedMesh::start(Start start, const StepEnd& at, double center_speed, const Checkpoint& checkpoint) {
+  const bool relaxed = start == Start::relaxed;
+  const auto parts_in = [&](std::size_t b) {
+    const ViscoelasticBody& body = pair_->bodies[b];
+    return relaxed ? body.parts_at_rest() : body.parts_at_once();
+  };
+  const InstantaneousCompliance instantaneous = this->instantaneous(parts_in, checkpoint);
+  now_.angle = at.angle;
+  const CenterCondition unpushed;
+  explaining_failure({nullptr, instantaneous, at, unpushed, checkpoint}, [&] {
+    // With friction, pressing depends on its path: the load rises in steps, without a force on the center.
+    const int count = pair_->has_friction() ? kPressingSteps : 1;
+    for (int i = 1; i <= count; ++i) {
+      StepEnd end = at;
+      end.load *= static_cast<double>(i) / count;
+      const InstantContact contact = instant(nullptr, instantaneous, end, unpushed, checkpoint);
+      take(contact, end);
+      for (std::size_t b = 0; b < memories_.size(); ++b) {
+        if (relaxed) {
+          memories_[b].relax(load_of(*pair_, contact, b));
+        } else {
+          memories_[b].press(load_of(*pair_, contact, b));
+        }
+      }
+    }
+  });
+  take_stored_energy();
+  now_.dissipated_energy = now_.counterbody_dissipated_energy = now_.slip_energy = 0.0;
+  now_.center_speed = center_speed;
+}
+
+void ShiftedMesh::advance(const PairStep& step, const StepEnd& end, const Checkpoint& checkpoint) {
+  const RollingInstant before = now_;
+  const CenterPower power = power_;
+  const double duration = step.duration;
+  const auto parts_in = [&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); };
+  const InstantaneousCompliance instantaneous = this->instantaneous(parts_in, checkpoint);
+  const CenterCondition center = center_condition(*pair_, now_, duration, end);
+  const InstantContact contact = explaining_failure({&step, instantaneous, end, center, checkpoint}, [&] {
+    return instant(&step, instantaneous, end, center, checkpoint);
+  });
+  take(contact, end);
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    lose(memories_[b].advance(step.parts[b], duration, load_of(*pair_, contact, b)), pair_->bodies[b].rolls);
+  }
+  const double turn = end.angle - before.angle;
+  double displacement = pair_->nodes.grid.radius * turn;
+  if (pair_->has_friction()) {
+    move_center(pair_->mass, duration, contact.contact.center_displacement, center_acceleration_, now_);
+    lose(0.5 * (power.creeping + power_.creeping) * (contact.contact.center_displacement - displacement), false);
+    displacement = contact.contact.center_displacement;
+  }
+  take_stored_energy();
+  const double used = now_.stored_energy - before.stored_energy + now_.dissipated_energy - before.dissipated_energy;
+  // A jump is elastic over any distance: its work is the energy that it stores.
+  const double work = duration == 0.0 ? used
+                                      : 0.5 * ((before.driving_torque + now_.driving_torque) * turn +
+                                               (before.load + end.load) * (now_.penetration - before.penetration) +
+                                               (power.along_track + power_.along_track) * displacement);
+  now_.work += work;
+  now_.energy_balance_residual += work - used;
+}
+
+void ShiftedMesh::lose(double energy, bool in_what_rolls) {
+  now_.dissipated_energy += energy;
+  if (!in_what_rolls) now_.counterbody_dissipated_energy += energy;
+}
+
+void ShiftedMesh::take_stored_energy() {
+  now_.stored_energy = now_.counterbody_stored_energy = 0.0;
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    now_.stored_energy += memories_[b].stored_energy();
+    if (!pair_->bodies[b].rolls) now_.counterbody_stored_energy += memories_[b].stored_energy();
+  }
+}
+
+void ShiftedMesh::widen(std::shared_ptr<const ViscoelasticPair> pair, const Checkpoint& checkpoint) {
+  const Index before = pair_->half_nodes();
+  pair_ = std::move(pair);
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    memories_[b] = memories_[b].widened(pair_->bodies[b].tables, checkpoint);
+  }
+  last_.clear();
+  forget_contact();
+  const Index half_nodes = pair_->half_nodes();
+  VectorField wide = VectorField::Zero(half_nodes * count_, 3);
+  for (Index row = 0; row < count_; ++row) {
+    wide.middleRows(half_nodes * row, before) = force_.middleRows(before * row, before);
+  }
+  force_ = std::move(wide);
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,92 @@
+"""Solution of a contact for other input with its nodes in contact, stick and slip unchanged (frozen contact)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .. import _core
+from .._support.arguments import Floats
+from ..bodies import core_counterbody
+from ..solution import Solution
+from .perturbed import Given
+
+__all__ = ["FrozenContact"]
+
+#: Largest relative change when a result is solved again; tables with a larger reach change the exact sphere by 1e-5.
+_SAME = 1e-4
+
+
+class FrozenContact:
+    """Frozen contact: the equations of the nodes of a result for other input (`docs/theory/sensitivities.md`).
+
+    Parameters
+    ----------
+    result : Solution
+        Result whose nodes in contact, stick and slip are kept.
+    answers : sequence of str
+        Names of the scalars to return.
+    threads : int
+        Number of threads; 0 for all cores.
+    """
+
+    def __init__(self, result: Solution, answers: Sequence[str], threads: int) -> None:
+        self._result, self._answers, self._threads = result, tuple(answers), threads
+
+    def own_answers(self, given: Given) -> Floats:
+        """Return the answers for the input of the result itself.
+
+        Raises
+        ------
+        ConvergenceError
+            If they differ from those of the result: after `Status.MAX_ITERATIONS`, or with `SlipKinematics.FLAT`.
+        """
+        again = self._solved(given)
+        self._require_same(again)
+        return self._read(again)
+
+    def answers(self, given: Given) -> Floats:
+        """Return the answers for another input."""
+        return self._read(self._solved(given))
+
+    def _require_same(self, again: _core.Result) -> None:
+        """Raise a ConvergenceError if the frozen contact does not reproduce the result."""
+        result = self._result
+        changes = {"max_pressure": again.max_pressure - result.max_pressure}
+        sizes = {"max_pressure": result.max_pressure}
+        if result.friction > 0.0:
+            changes["driving_force"] = again.driving_force - result.driving_force
+            sizes["driving_force"] = min(result.friction, 1.0) * result.load
+        for name, change in changes.items():
+            if not abs(change) <= _SAME * sizes[name]:
+                raise _core.ConvergenceError(
+                    f"{name} changes by {abs(change) / sizes[name]:.2g} when the same contact is solved again: the "
+                    "result is not a converged solution; check its status"
+                )
+
+    def _read(self, solution: _core.Result) -> Floats:
+        return np.array([getattr(solution, answer) for answer in self._answers])
+
+    def _solved(self, given: Given) -> _core.Result:
+        result = self._result
+        return _core.solve_frozen(
+            given.body._to_core(),
+            core_counterbody(given.on),
+            load=given.load,
+            angular_speed=given.angular_speed,
+            mesh=result.mesh._to_core(),
+            friction=given.friction,
+            drive=given.drive._to_core(),
+            compliance=result.compliance,
+            curvature=result.curvature,
+            patch_load=result.patch_load,
+            contact=result.contact.astype(np.uint8),
+            stick=result.stick.astype(np.uint8),
+            pressure=np.ascontiguousarray(result.pressure),
+            shear_traction=np.ascontiguousarray(result.shear_traction),
+            penetration=result.penetration or 0.0,
+            creepage=result.creepage or 0.0,
+            threads=self._threads,
+            progress=None,
+        )
