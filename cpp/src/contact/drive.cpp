@@ -28,8 +28,8 @@ double DriveRow::of(const VectorField& force, const VectorField& displacement, d
 
 namespace {
 
-/// Add `factor` times the slope_force to the forces that balance those of a row.
-DriveRow with_pushback(DriveRow row, const ContactState& state, double factor) {
+/// Add `factor` times the slope force to the forces that balance those of a row.
+DriveRow with_slope_force(DriveRow row, const ContactState& state, double factor) {
   const auto [pushed_back, on_force] = slope_force(state);
   row.value += factor * pushed_back;
   if (on_force.rows() > 0) {
@@ -47,7 +47,7 @@ DriveRow GivenForce::row(const ContactState& state, double) const {
                .on_creepage = 0.0,
                .value = -force_};
   row.on_force.col(kForward).setOnes();
-  return with_pushback(std::move(row), state, 1.0);
+  return with_slope_force(std::move(row), state, 1.0);
 }
 
 DriveRow GivenMoment::row(const ContactState& state, double) const {
@@ -61,7 +61,7 @@ DriveRow GivenMoment::row(const ContactState& state, double) const {
                .value = (moment_ + moment(added_arms(displacement, pressure_share_), force)) / arm};
   row.on_displacement.col(kDown) = force.col(kForward) / arm;
   row.on_displacement.col(kForward) = -pressure_share_ * force.col(kDown) / arm;
-  return with_pushback(std::move(row), state, arms.radius / arm);
+  return with_slope_force(std::move(row), state, arms.radius / arm);
 }
 
 /// The displacement of the rolling body in the moment arms is kept at its current value, since it hardly changes in a
@@ -71,7 +71,7 @@ DriveRow GivenMoment::row_of_pair(const ContactState& state, double arm) const {
                .on_displacement = {},
                .on_creepage = 0.0,
                .value = moment_ / arm};
-  return with_pushback(std::move(row), state, state.arms.radius / arm);
+  return with_slope_force(std::move(row), state, state.arms.radius / arm);
 }
 
 DriveRow GivenCreepage::row(const ContactState& state, double creepage_force) const {

@@ -37,7 +37,7 @@ struct SlopeForce {
 
 /// @brief Moment of the contact forces about the center of the rolling body, at displaced points.
 /// It is the sum of (y + u_y) F_x - (x + pressure_share u_x) F_y, where u is the displacement of the rolling body
-/// alone, minus the radius times the slope_force.
+/// alone, minus the radius times the slope force.
 /// @param[in] state state of the contact
 /// @param[in] pressure_share 0 if pressure does no work along the plane, else 1
 /// @return moment [N m]
@@ -69,7 +69,7 @@ class DriveCondition {
   [[nodiscard]] virtual std::optional<double> given_creepage() const { return std::nullopt; }
 };
 
-/// @brief Given force on the center, positive forward, balanced by the contact forces and the slope_force.
+/// @brief Given force on the center, positive forward, balanced by the contact forces and the slope force.
 class GivenForce : public DriveCondition {
  public:
   explicit GivenForce(double force) : force_(force) {}

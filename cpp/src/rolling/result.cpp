@@ -63,7 +63,7 @@ double settled(double sum, double largest_summand, std::optional<double> given =
 
 /// D_2 = sum of p dw_2/dxi: force of the pressure along the counterbody's deformed surface. Under a rigid ball it
 /// follows from the surface of the ball.
-double deformed_pushback(const ContactSetup& given, const WindowContact& held) {
+double deformed_slope_force(const ContactSetup& given, const WindowContact& held) {
   switch (held.problem.surface->deforming()) {
     case Deforming::rolling:
       return 0.0;
@@ -89,7 +89,7 @@ class Summary {
         force_(contact_.force(contact_.contact, Eigen::all)),
         arms_(displaced_arms(given, held)),
         curvature_(given.model.growth.met() * given.pair().on->curvatures().along),
-        pushback_(deformed_pushback(given, held)),
+        slope_force_(deformed_slope_force(given, held)),
         flat_area_(std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing),
         area_(window_.patch_area(contact_.contact)) {}
 
@@ -227,7 +227,9 @@ class Summary {
   }
 
   /// Backward force of the pressure on the body, due to the deformed and curved surface of the counterbody.
-  [[nodiscard]] double counterbody_force(const Result& r) const { return pushback_ - r.resisting_torque * curvature_; }
+  [[nodiscard]] double counterbody_force(const Result& r) const {
+    return slope_force_ - r.resisting_torque * curvature_;
+  }
 
   /// Force whose work supplements that of the force on the center if the counterbody turns: the moment about the axis
   /// of the counterbody, divided by its radius.
@@ -265,12 +267,12 @@ class Summary {
   const ContactSolution& contact_;
   const Losses& losses_;
   Index size_;
-  VectorField force_;  // on the nodes in contact
-  MomentArms arms_;    // of the nodes in contact, displaced
-  double curvature_;   // of the counterbody along the path, with centrifugal growth [1/m]
-  double pushback_;    // D_2, force of the pressure along the deformed surface of the counterbody [N]
-  double flat_area_;   // of a patch on the equator [m^2]
-  ArrayXd area_;       // of the patches in contact [m^2]
+  VectorField force_;   // on the nodes in contact
+  MomentArms arms_;     // of the nodes in contact, displaced
+  double curvature_;    // of the counterbody along the path, with centrifugal growth [1/m]
+  double slope_force_;  // D_2, force of the pressure along the deformed surface of the counterbody [N]
+  double flat_area_;    // of a patch on the equator [m^2]
+  ArrayXd area_;        // of the patches in contact [m^2]
 };
 
 }  // namespace

@@ -124,8 +124,8 @@ struct RollingHistory::Impl {
   [[nodiscard]] std::vector<RollingInstant> follow(std::span<const StepEnd> path, detail::Watch& watch,
                                                    const Share& of_motion = {});
   [[nodiscard]] RollingState state() const;
-  detail::ContactReach know(const RollingBody& body, const Counterbody& on, double load, detail::Watch& watch);
-  void lay(const detail::ContactReach& contact, detail::Watch& watch);
+  detail::ContactReach prepare(const RollingBody& body, const Counterbody& on, double load, detail::Watch& watch);
+  void create_meshes(const detail::ContactReach& contact, detail::Watch& watch);
   void restore(const RollingState& state, detail::Watch& watch);
   void require_step(const StepEnd& to) const;
   void require_forces(const StepEnd& to) const;
@@ -136,8 +136,8 @@ struct RollingHistory::Impl {
 };
 
 /// Check the input; set the creep of both bodies and the mesh. @return estimated extent of the contact at rest
-detail::ContactReach RollingHistory::Impl::know(const RollingBody& body, const Counterbody& on, double load,
-                                                detail::Watch& watch) {
+detail::ContactReach RollingHistory::Impl::prepare(const RollingBody& body, const Counterbody& on, double load,
+                                                   detail::Watch& watch) {
   const detail::RollingPair given = detail::rolling_pair(body, on);
   detail::validate(options);
   detail::require_followed(given, options);
@@ -152,7 +152,7 @@ detail::ContactReach RollingHistory::Impl::know(const RollingBody& body, const C
 }
 
 /// Create tables and meshes, without forces.
-void RollingHistory::Impl::lay(const detail::ContactReach& contact, detail::Watch& watch) {
+void RollingHistory::Impl::create_meshes(const detail::ContactReach& contact, detail::Watch& watch) {
   const detail::Nodes nodes = detail::nodes_of(at_rest, *options.mesh);
   pair = with(detail::first_size(at_rest, *options.mesh, contact), watch);
   const double rows = std::ceil(1.1 * contact.along / (nodes.grid.radius * nodes.grid.phi_spacing)) + 2.0;
@@ -260,22 +260,13 @@ std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
     for (const double time : body.spectrum.retardation_times) shortest = std::min(shortest, time);
   }
   const detail::StepChoice choice(pair->nodes.grid.phi_spacing, options.steps_per_spacing, shortest);
-  const double duration = end.time - begin.time;
-  const auto shares = choice.shares({.duration = duration,
+  const auto shares = choice.shares({.duration = end.time - begin.time,
                                      .turn = end.angle - begin.angle,
                                      .relative_load = detail::relative_change(begin.load, end.load)},
                                     started->last_step);
   std::vector<StepEnd> path;
   path.reserve(shares.size());
-  for (const double share : shares) {
-    path.push_back({.time = begin.time + share * duration,
-                    .angle = begin.angle + share * (end.angle - begin.angle),
-                    .load = begin.load + share * (end.load - begin.load),
-                    .center_displacement = {}});
-    if (end.center_displacement)
-      path.back().center_displacement =
-          *begin.center_displacement + share * (*end.center_displacement - *begin.center_displacement);
-  }
+  for (const double share : shares) path.push_back(started->at(share));
   path.back() = end;
   const std::size_t taken = std::min(started->taken, path.size() - 1);
   path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(taken));
@@ -393,11 +384,11 @@ RollingHistory::RollingHistory(const RollingBody& body, const Counterbody& on, d
   detail::Watch watch(observer);
   Impl& impl = *impl_;
   impl.options = options;
-  const detail::ContactReach contact = impl.know(body, on, load, watch);
+  const detail::ContactReach contact = impl.prepare(body, on, load, watch);
   if (start == Start::fresh && impl.instantaneous() == 0.0) {
     reject("start", "RELAXED for a coating without instantaneous compliance (KelvinVoigt)", "FRESH");
   }
-  impl.lay(contact, watch);
+  impl.create_meshes(contact, watch);
   const StepEnd first{.time = time, .angle = angle, .load = load, .center_displacement = {}};
   impl.on_meshes(watch, [&](std::size_t, ShiftedMesh& shifted, const detail::Worker& worker) {
     shifted.start(start, first, options.center_speed, worker.checkpoint);
@@ -413,7 +404,7 @@ RollingHistory::RollingHistory(const RollingBody& body, const Counterbody& on, d
     : impl_(std::make_unique<Impl>()) {
   detail::Watch watch(observer);
   impl_->options = options;
-  impl_->lay(impl_->know(body, on, load, watch), watch);
+  impl_->create_meshes(impl_->prepare(body, on, load, watch), watch);
   impl_->restore(state, watch);
 }
 
@@ -456,18 +447,18 @@ void RollingHistory::restore(const RollingState& state, const Observer& observer
 
 namespace {
 
-StepEnd knot_of(const Motion& motion, std::size_t k) {
+StepEnd waypoint_of(const Motion& motion, std::size_t k) {
   StepEnd waypoint{.time = motion.time[k], .angle = motion.angle[k], .load = motion.load[k], .center_displacement = {}};
   if (!motion.center_displacement.empty()) waypoint.center_displacement = motion.center_displacement[k];
   return waypoint;
 }
 
 /// Next waypoint. Of several waypoints at the present time, it is the one after the waypoint that has been reached.
-std::size_t next_knot(const Motion& motion, const RollingInstant& now) {
+std::size_t next_waypoint(const Motion& motion, const RollingInstant& now) {
   std::size_t next = 0;
   while (motion.time[next] < now.time) ++next;
   for (std::size_t k = next; k < motion.time.size() && motion.time[k] == now.time; ++k) {
-    const StepEnd waypoint = knot_of(motion, k);
+    const StepEnd waypoint = waypoint_of(motion, k);
     const bool reached = waypoint.center_displacement.value_or(now.center_displacement) == now.center_displacement;
     if (waypoint.angle == now.angle && waypoint.load == now.load && reached) next = k + 1;
   }
@@ -489,8 +480,8 @@ std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, 
     return duration > 0.0 ? (time - motion.time.front()) / duration : 1.0;
   };
   std::vector<RollingInstant> instants{impl.now};
-  for (std::size_t k = next_knot(motion, impl.now); k < motion.time.size(); ++k) {
-    const StepEnd end = knot_of(motion, k);
+  for (std::size_t k = next_waypoint(motion, impl.now); k < motion.time.size(); ++k) {
+    const StepEnd end = waypoint_of(motion, k);
     impl.require_step(end);
     const std::vector<StepEnd> path = impl.path_to(end);
     constexpr std::size_t kTogether = 64;

@@ -21,6 +21,18 @@ StepEnd read_end(NumberReader& numbers) {
 
 }  // namespace
 
+StepEnd StartedSegment::at(double share) const {
+  StepEnd at{.time = begin.time + share * (end.time - begin.time),
+             .angle = begin.angle + share * (end.angle - begin.angle),
+             .load = begin.load + share * (end.load - begin.load),
+             .center_displacement = {}};
+  if (end.center_displacement) {
+    at.center_displacement =
+        *begin.center_displacement + share * (*end.center_displacement - *begin.center_displacement);
+  }
+  return at;
+}
+
 void write(const std::optional<StartedSegment>& started, NumberWriter& numbers) {
   numbers.put(started ? 1.0 : 0.0);
   if (!started) return;

@@ -17,6 +17,9 @@ struct StartedSegment {
   StepEnd end;
   double last_step;   ///< step before the segment [s]
   std::size_t taken;  ///< number of steps taken in the segment
+
+  /// @return instant at a fraction of the segment, which is linear in time
+  [[nodiscard]] StepEnd at(double share) const;
 };
 
 void write(const std::optional<StartedSegment>& started, NumberWriter& numbers);

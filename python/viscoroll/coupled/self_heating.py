@@ -193,7 +193,7 @@ def self_heating(
     load, angular_speed : float
         Load and angular speed, same as in `solve`.
     convection, ambient, conductivity, core, core_temperature, width, side_convection, hub_conductance
-        Same as in `temperature`.
+        Same as in `Result.temperature`.
     shift : callable or sequence of callable
         Shift factor a_T as a function of temperature [K], for all layers or for each layer: `WilliamsLandelFerry`,
         `Arrhenius` or any other.

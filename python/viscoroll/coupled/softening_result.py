@@ -194,7 +194,7 @@ class StrainSoftening:
         from .softening_picture import Work, plot_softening
 
         if self._state is None:
-            raise ValueError("layers must soften with strain to be drawn, got none that does")
+            raise ValueError("the picture requires a layer that softens with strain, got linear layers only")
         values = zip(self._layers, self.layer_amplitudes, self.largest_amplitudes, strict=True)
         work = [Work(layer.modulus.network, amplitude, largest) for layer, amplitude, largest in values]
         return plot_softening(work, self.amplitude(), ax)

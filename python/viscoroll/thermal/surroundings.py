@@ -39,7 +39,7 @@ class Core(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Surroundings:
-    """Thermal surroundings: the arguments of `temperature` as given."""
+    """Thermal surroundings: the arguments of `Result.temperature` as given."""
 
     convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]]
     ambient: float

@@ -149,8 +149,8 @@ def temperature(
         Conductivity of all layers or of each layer [W/(m K)], > 0; by default that of each `Layer`.
     convection : float or callable
         Coefficient of convection at the surface [W/(m² K)], ≥ 0, or a function that returns it for an array of angles θ
-        [rad]; only for a ball or a wheel may it vary with θ. `plane_cooling` returns a function that includes the heat
-        that the plane takes.
+        [rad]; only for a ball or a wheel may it vary with θ. `Result.plane_cooling` returns a function that includes
+        the heat that the plane takes.
     ambient : float
         Temperature of the surroundings [K], ≥ 100.
     core : Core, str or float, default Core.INSULATED
