@@ -18,13 +18,16 @@ DEPS ?= deps
 LIBRARY_SOURCES := $(shell git ls-files CMakeLists.txt CMakePresets.json cpp)
 SOURCES := $(shell git ls-files pyproject.toml README.md python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
+PARALLEL := --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
 
-.PHONY: help demo test test-cpp test-python test-page test-package test-clang test-pocketfft test-oldest test-mingw everything dist docs \
-        sanitize coverage campaign wasm lint format stubs hooks tables bench bench-compare deps deps-bench deps-clang deps-docs deps-mingw deps-page clean
+.PHONY: help demo test test-cpp test-python test-page test-package test-clang test-pocketfft test-oldest \
+        test-mingw test-slow everything dist docs sanitize sanitize-threads coverage campaign wasm lint format \
+        stubs hooks tables bench bench-compare deps deps-bench deps-clang deps-docs deps-mingw deps-page clean
 
 help:
 	@echo "make demo            solve the paper's example and draw it"
-	@echo "make test            run all tests: C++, Python, and programs that use the installed library"
+	@echo "make test            run the tests: C++, Python, and programs that use the installed library"
+	@echo "make test-slow       run the Python tests that take more than ten seconds each"
 	@echo "make lint            check formatting, types and stubs, and run clang-tidy on the C++ sources"
 	@echo "make format          format all sources"
 	@echo "make hooks           install the git hooks that check the formatting before every commit"
@@ -33,9 +36,9 @@ help:
 	@echo "make docs            build the documentation site, build/docs/index.html, and run all its examples"
 	@echo "make dist            build the source distribution and the wheel in dist/, and check them"
 	@echo "make wasm            build the npm package for browsers and Node.js, build/wasm/package"
-	@echo "make everything      run all checks that 'make lint test' leaves out; takes more than an hour"
-	@echo "make sanitize        run the C++ tests with the address and undefined-behavior sanitizers, and those that use"
-	@echo "                     threads with the thread sanitizer"
+	@echo "make everything      run all checks that CI leaves out; takes more than an hour"
+	@echo "make sanitize        run the C++ tests with the address and undefined-behavior sanitizers"
+	@echo "make sanitize-threads  run the C++ tests that use threads with the thread sanitizer"
 	@echo "make coverage        report the fraction of Python and C++ lines that the tests reach"
 	@echo "make campaign        solve 2000 random cases and check conditions that every solution must satisfy"
 	@echo "make test-page       test the page of 'viscoroll app' in a browser; after 'make wasm', also that of the site"
@@ -68,7 +71,10 @@ test-cpp: $(LIBRARY).stamp
 	ctest --preset release --parallel $(JOBS)
 
 test-python: $(VENV)/test.stamp
-	$(BIN)/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
+	$(BIN)/python -m pytest $(PARALLEL) -m 'not slow'
+
+test-slow: $(VENV)/test.stamp
+	$(BIN)/python -m pytest $(PARALLEL) -m slow
 
 # An npm package, puppeteer-core, drives the browser.
 test-page: $(VENV)/test.stamp | deps-page
@@ -105,7 +111,7 @@ test-clang: deps-clang
 	cmake --install build/clang --component library --prefix build/clang/library
 	test -d build/clang/venv || $(PYTHON) -m venv build/clang/venv
 	CXX=clang++-$(CLANG) build/clang/venv/bin/pip install --quiet $(call WITH_LIBRARY,build/clang) '.[test]'
-	build/clang/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
+	build/clang/venv/bin/python -m pytest $(PARALLEL) -m 'not slow'
 
 # Print the oldest versions that pyproject.toml declares for the package and for all extras that the tests need.
 OLDEST_VERSIONS = import tomllib; project = tomllib.load(open("pyproject.toml", "rb"))["project"]; \
@@ -123,11 +129,11 @@ test-oldest: $(LIBRARY).stamp
 	$(OLDEST)/venv/bin/pip install --quiet --no-deps --config-settings=build-dir=$(OLDEST)/module \
 	  --config-settings=cmake.define.viscoroll_ROOT=$(CURDIR)/$(LIBRARY) .
 	$(OLDEST)/venv/bin/python -m pytest -W ignore::DeprecationWarning -W ignore::PendingDeprecationWarning \
-	  -W 'ignore:numpy.ndarray size changed:RuntimeWarning' --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal \
+	  -W 'ignore:numpy.ndarray size changed:RuntimeWarning' $(PARALLEL) \
 	  tests/python/cli tests/python/case tests/python/studies tests/python/rheology tests/python/support \
 	  tests/python/export tests/python/analytic tests/python/transient/test_motion.py tests/python/solution
 
-everything: test-clang test-pocketfft test-oldest test-mingw wasm test-page docs dist sanitize
+everything: sanitize-threads test-slow test-clang test-pocketfft test-oldest test-mingw wasm test-page docs dist
 
 # The header of PocketFFT is part of the Python package pythran.
 build/headers: | $(VENV)/bin/pip
@@ -180,6 +186,8 @@ sanitize: $(DEPS)
 	cmake --preset asan-ubsan
 	cmake --build --preset asan-ubsan --parallel $(JOBS)
 	ctest --preset asan-ubsan --parallel $(JOBS)
+
+sanitize-threads: $(DEPS)
 	cmake --preset tsan
 	cmake --build --preset tsan --parallel $(JOBS)
 	ctest --preset tsan --parallel $(JOBS)
@@ -197,7 +205,7 @@ coverage: $(DEPS)
 	  --config-settings=cmake.define.CMAKE_CXX_FLAGS='--coverage -O1 -fprofile-update=atomic'
 	find $(COVERED) -name '*.gcda' -delete
 	ctest --preset coverage --parallel $(JOBS)
-	$(COVERED)/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal --cov --cov-report= $(TESTS)
+	$(COVERED)/venv/bin/python -m pytest $(PARALLEL) --cov --cov-report= $(TESTS)
 	$(COVERED)/venv/bin/coverage xml --quiet -o $(COVERED)/python.xml
 	$(COVERED)/venv/bin/coverage report --skip-covered --skip-empty --sort=cover
 	$(COVERED)/venv/bin/gcovr --root . --filter cpp/ --exclude-throw-branches --gcov-ignore-errors=no_working_dir_found \

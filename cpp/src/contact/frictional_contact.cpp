@@ -17,8 +17,6 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr const FrictionSettings& kSettings = kFrictionSettings;
-
 /// A state at a given creepage, and the force by which it misses the condition of the drive [N].
 struct CreepageTrial {
   ContactSolution state;
@@ -27,12 +25,12 @@ struct CreepageTrial {
 
 /// @param[in] start state from which the search starts
 SearchLimits limits_of(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options) {
-  const double share = std::clamp(problem.friction->coefficient, kSettings.least_friction, 1.0);
-  const double affordable = kSettings.effort / problem.surface->operations();
-  const double most = std::max(affordable, std::min(kSettings.products, kSettings.costly * affordable));
-  return {.tolerance = std::max(kSettings.tolerance * share, options.tolerance),
-          .round_off = kSettings.round_off * share,
-          .full_steps = start.creepage ? kSettings.full_steps_nearby : kSettings.full_steps,
+  const double share = std::clamp(problem.friction->coefficient, kFrictionSettings.least_friction, 1.0);
+  const double affordable = kFrictionSettings.effort / problem.surface->operations();
+  const double most = std::max(affordable, std::min(kFrictionSettings.products, kFrictionSettings.costly * affordable));
+  return {.tolerance = std::max(kFrictionSettings.tolerance * share, options.tolerance),
+          .round_off = kFrictionSettings.round_off * share,
+          .full_steps = start.creepage ? kFrictionSettings.full_steps_nearby : kFrictionSettings.full_steps,
           .most_systems = options.max_iterations - start.iterations,
           .most_products = most - start.operator_applications};
 }
@@ -76,14 +74,14 @@ class StateSearch {
   bool iterate(const StepLimits& limits = {}) {
     const bool is_found = newton_.iterate(wanted_.coefficient, limits);
     const double residual = newton_.state().residual;
-    if (problem_.friction->drive == wanted_.drive && residual < kSettings.hopeless) residual_ = residual;
+    if (problem_.friction->drive == wanted_.drive && residual < kFrictionSettings.hopeless) residual_ = residual;
     return is_found;
   }
 
   /// Start from the state of a coarser mesh or smaller box; take accurate steps if rough ones fail.
   bool from_state_with_friction() {
     start_from(start_);
-    if (iterate({.patience = kSettings.patience_nearby})) return true;
+    if (iterate({.patience = kFrictionSettings.patience_nearby})) return true;
     start_from(start_);
     return iterate({.exact = true});
   }
@@ -117,11 +115,11 @@ class StateSearch {
         return;
       }
     }
-    const int few = kSettings.steps_of_full_stick;
+    const int few = kFrictionSettings.steps_of_full_stick;
     const int products = system_.products();
     SearchLimits limits = limits_;
-    limits.tolerance = kSettings.tolerance;
-    limits.round_off = kSettings.round_off;
+    limits.tolerance = kFrictionSettings.tolerance;
+    limits.round_off = kFrictionSettings.round_off;
     SemismoothNewton sticking(system_, limits);
     start_from(start_);
     sticking.start_from(newton_.state());
@@ -136,14 +134,14 @@ class StateSearch {
   /// Increase or decrease the coefficient from `easy_friction` to the wanted one by logarithmic steps, halved where
   /// they fail.
   bool find_by_friction() {
-    const double ratio = wanted_.coefficient / kSettings.easy_friction;
+    const double ratio = wanted_.coefficient / kFrictionSettings.easy_friction;
     start_from(start_);
-    if (!std::isfinite(ratio) || !newton_.iterate(kSettings.easy_friction)) return false;
+    if (!std::isfinite(ratio) || !newton_.iterate(kFrictionSettings.easy_friction)) return false;
     double reached = 0.0;
-    for (double step = 1.0; step > kSettings.shortest_stride && !newton_.is_exhausted();) {
+    for (double step = 1.0; step > kFrictionSettings.shortest_stride && !newton_.is_exhausted();) {
       const ContactSolution before = newton_.state();
       const double next = std::min(reached + step, 1.0);
-      if (next == 1.0 ? iterate() : newton_.iterate(kSettings.easy_friction * std::pow(ratio, next))) {
+      if (next == 1.0 ? iterate() : newton_.iterate(kFrictionSettings.easy_friction * std::pow(ratio, next))) {
         if (next == 1.0) return true;
         reached = next;
       } else {
@@ -161,10 +159,11 @@ class StateSearch {
     if (!near) return false;
     const bool is_above = near->excess > 0.0;
     double here = 0.0;
-    double there = (is_above ? 1.0 : -1.0) * std::asinh(kSettings.most_creepage / kSettings.small_creepage);
+    double there =
+        (is_above ? 1.0 : -1.0) * std::asinh(kFrictionSettings.most_creepage / kFrictionSettings.small_creepage);
     std::optional<CreepageTrial> far = find_at(there, start_);
     if (!far || (far->excess > 0.0) == is_above) return false;
-    for (int halving = 0; halving < kSettings.halvings && !newton_.is_exhausted(); ++halving) {
+    for (int halving = 0; halving < kFrictionSettings.halvings && !newton_.is_exhausted(); ++halving) {
       if (arrive_between(*near, *far)) return true;
       const double middle = 0.5 * (here + there);
       std::optional<CreepageTrial> next = find_at(middle, near->state);
@@ -180,7 +179,7 @@ class StateSearch {
   /// @param[in] place asinh(creepage / small_creepage)
   /// @param[in] from start
   std::optional<CreepageTrial> find_at(double place, const ContactSolution& from) {
-    problem_.friction->drive = std::make_shared<GivenCreepage>(kSettings.small_creepage * std::sinh(place));
+    problem_.friction->drive = std::make_shared<GivenCreepage>(kFrictionSettings.small_creepage * std::sinh(place));
     start_from(from);
     const bool is_found = (from.creepage && iterate()) || find_at_once() || find_by_friction();
     problem_.friction->drive = wanted_.drive;
@@ -196,7 +195,7 @@ class StateSearch {
     between.penetration += share * (other.state.penetration - one.state.penetration);
     *between.creepage += share * (*other.state.creepage - *one.state.creepage);
     start_from(between);
-    return iterate({.patience = kSettings.patience_between});
+    return iterate({.patience = kFrictionSettings.patience_between});
   }
 
   /// Return the state after further steps that reduce the slip of sticking nodes. A residual that is small compared
@@ -204,9 +203,9 @@ class StateSearch {
   [[nodiscard]] ContactSolution finished() {
     ContactSolution state = newton_.state();
     ContactSets sets = newton_.sets();
-    const int most = is_start_ ? 0 : kSettings.steps_of_rest;
-    for (int step = 0; step < most && system_.creep(state, sets) > kSettings.largest_creep; ++step) {
-      newton_.take_step(wanted_.coefficient, sets, kSettings.exact_step);
+    const int most = is_start_ ? 0 : kFrictionSettings.steps_of_rest;
+    for (int step = 0; step < most && system_.creep(state, sets) > kFrictionSettings.largest_creep; ++step) {
+      newton_.take_step(wanted_.coefficient, sets, kFrictionSettings.exact_step);
       if (!(newton_.state().residual < state.residual)) break;
       state = newton_.state();
       sets = newton_.sets();

@@ -17,6 +17,9 @@ struct KrylovSolution {
   double residual;  ///< norm of b - A x
 };
 
+/// Relative residual of frictionless contact above which a solution is unusable.
+inline constexpr double kUnusableResidual = 1e-8;
+
 /// @brief Tolerance and cost of a Krylov solution, which ends when the norm of the residual is below either tolerance.
 struct KrylovTolerance {
   double absolute = 0.0;

@@ -24,7 +24,6 @@ using Eigen::VectorXd;
 
 constexpr double kFirstTolerance = 1e-5;  // relative residual while the set still changes much
 constexpr double kTightening = 0.03;      // factor on the tolerance from pass to pass
-constexpr double kFailure = 1e-8;         // relative residual above which a solution is unusable
 constexpr Index kSmallContact = 1300;  // `small_system` of GMRES; the size of the rough mesh on which windows are tried
 
 /// Equations of frictionless contact, without their matrix. Forces come first, then the penetration times a stiffness.
@@ -147,7 +146,7 @@ class SurfaceOfProducts : public PressedSurface {
         {.absolute = tolerance * right_side.norm(), .small_system = kSmallContact});
     products_ += solution.products;
     const double error = solution.residual / right_side.norm();
-    if (!(error < std::max(kFailure, 2.0 * tolerance))) {
+    if (!(error < std::max(kUnusableResidual, 2.0 * tolerance))) {
       throw ConvergenceError(
           "the iterative solver of the contact equations did not converge: the relative residual is " + rounded(error),
           contact.passes, error);

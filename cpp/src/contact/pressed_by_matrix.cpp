@@ -20,7 +20,6 @@ constexpr std::size_t kMostNodes = 600;  // up to which factors take less time t
 constexpr double kExact = 1e-14;         // residual at which no error of the previous pass remains
 constexpr double kOfRound = 1e-5;        // reduction of the residual before a restart
 constexpr int kMostRounds = 5;
-constexpr double kFailure = 1e-8;    // residual above which a solution is unusable
 constexpr std::size_t kChanged = 6;  // factors are renewed if one node in this many has changed
 
 }  // namespace
@@ -142,7 +141,7 @@ void PressedByMatrix::press(PressedNodes& contact, double tolerance) {
     products_ += solution.products;
   }
   const double error = solution.residual / right.norm();
-  if (!(error < std::max(kFailure, 2.0 * tolerance))) {
+  if (!(error < std::max(kUnusableResidual, 2.0 * tolerance))) {
     throw ConvergenceError(
         "the iterative solver of the contact equations did not converge: the relative residual is " + rounded(error),
         contact.passes, error);

@@ -10,8 +10,6 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr const FrictionSettings& kSettings = kFrictionSettings;
-
 /// Whether the last residual is at most half of the one `steps` steps earlier.
 bool is_halved(const std::vector<double>& residuals, std::size_t steps) {
   return residuals.back() <= 0.5 * residuals[residuals.size() - 1 - steps];
@@ -43,7 +41,7 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
   ContactSets best_sets = sets_;
   for (int step = 0;; ++step) {
     const double start = residuals.empty() ? state_.residual : residuals.front();
-    if (!(state_.residual < kSettings.hopeless * std::max(start, 1.0)) || sets_.contact.empty()) return false;
+    if (!(state_.residual < kFrictionSettings.hopeless * std::max(start, 1.0)) || sets_.contact.empty()) return false;
     residuals.push_back(state_.residual);
     if (is_reached(residuals)) {
       if (state_.displacement.rows() > 0) return true;
@@ -64,7 +62,7 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
       best = state_;
       best_sets = sets_;
     }
-    if (step == limits_.full_steps && state_.residual > kSettings.astray * best.residual) {
+    if (step == limits_.full_steps && state_.residual > kFrictionSettings.astray * best.residual) {
       state_ = best;
       sets_ = best_sets;
       residuals.back() = best.residual;
@@ -72,7 +70,7 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
     }
     const bool freed = breaker.free_undecided(sets_, residuals.size() > 2 && is_halved(residuals, 2));
     breaker.rest_turned(sets_);
-    const double tolerance = limits.exact ? kSettings.exact_step : kSettings.rough_step;
+    const double tolerance = limits.exact ? kFrictionSettings.exact_step : kFrictionSettings.rough_step;
     if (is_full || freed) {
       take_step(friction, sets_, is_full ? tolerance : 0.1 * tolerance);
     } else {
@@ -102,8 +100,8 @@ bool SemismoothNewton::is_reached(const std::vector<double>& residuals) const {
 
 bool SemismoothNewton::is_in_vain(const std::vector<double>& residuals, const StepLimits& limits) const {
   const int step = static_cast<int>(residuals.size()) - 1;
-  if (step == kSettings.most_steps || is_exhausted()) return true;
-  const bool progresses = step >= kSettings.halving && is_halved(residuals, kSettings.halving);
+  if (step == kFrictionSettings.most_steps || is_exhausted()) return true;
+  const bool progresses = step >= kFrictionSettings.halving && is_halved(residuals, kFrictionSettings.halving);
   if (step >= limits.most && !progresses) return true;
   return step >= limits.patience && !is_halved(residuals, residuals.size() - 1);
 }
@@ -111,7 +109,7 @@ bool SemismoothNewton::is_in_vain(const std::vector<double>& residuals, const St
 /// Halve a step that raises the residual, which ends cycles of nodes between two states.
 void SemismoothNewton::shorten_step(double friction, const ContactSolution& before) {
   const ContactSolution full = state_;
-  for (double share = 0.5; share > kSettings.shortest_step; share *= 0.5) {
+  for (double share = 0.5; share > kFrictionSettings.shortest_step; share *= 0.5) {
     interpolate(before, full, share, state_);
     find_sets(friction);
     if (state_.residual < before.residual) return;

@@ -23,7 +23,7 @@ std::size_t unsigned_size(int count) { return static_cast<std::size_t>(count); }
 
 /// sum += sign * factor * line, for complex numbers stored as pairs of real ones
 VISCOROLL_BEST_INSTRUCTIONS
-void add_product(double sign, const double* factor, const double* line, std::size_t count, double* sum) {
+void add_signed_product(double sign, const double* factor, const double* line, std::size_t count, double* sum) {
   for (std::size_t i = 0; i < 2 * count; i += 2) {
     const double real = factor[i] * line[i] - factor[i + 1] * line[i + 1];
     const double imaginary = factor[i] * line[i + 1] + factor[i + 1] * line[i];
@@ -291,9 +291,9 @@ void SpectralProduct::multiply(const Parts& operands, const std::vector<Spectral
                        if ((odd != term.odd) != results[part].odd) continue;
                        // Odd ones are stored without their factor -i, and (-i)^2 = -1.
                        const double sign = odd && term.odd ? -term.sign : term.sign;
-                       add_product(sign, as_pairs(term.spectrum->data() + block * size),
-                                   as_pairs(work.columns.data() + operand * size), count * column_stride_,
-                                   as_pairs(work.sums.data()));
+                       add_signed_product(sign, as_pairs(term.spectrum->data() + block * size),
+                                          as_pairs(work.columns.data() + operand * size), count * column_stride_,
+                                          as_pairs(work.sums.data()));
                      }
                    }
                    phi_fft_.backward(work.sums.data(), work.lines.data(), lines, work.scratch.data());

@@ -27,9 +27,10 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using std::numbers::pi;
 
-constexpr double kDeepest = 14.0;  // exponent of the decay with depth beyond which the square of an order is negligible
+constexpr double kLossDecay =
+    14.0;  // exponent of the decay with depth beyond which the square of an order is negligible
 /// Accuracy of the fields, whose squares are summed.
-constexpr DepthTransfers::Accuracy kAccuracy{.tolerance = 1e-10, .inertia = 1e-9};
+constexpr DepthTransfers::Accuracy kLossAccuracy{.tolerance = 1e-10, .inertia = 1e-9};
 constexpr std::size_t kBlock = 8;  // orders summed consecutively, for any number of threads
 
 /// Number of nodes of the volume integral through one layer: Gauss points in the square root of the depth, in which the
@@ -171,7 +172,7 @@ class LossSum {
         loads_(tractions, inside.body.metric, Eigen::Map<const ArrayXd>(m_.orders.data(), std::ssize(m_.orders)),
                across_.orders),
         transfers_(body_, cuts_, boundaries_of(cuts_, places_.size()), std::numbers::sqrt2 * max_order, loads_.loaded(),
-                   kAccuracy),
+                   kLossAccuracy),
         theta_nodes_(across_.orders.size() == 1 ? 1
                                                 : ComplexFft::fast_length(2 * static_cast<int>(across_.orders.size()))),
         transform_(theta_nodes_) {}
@@ -208,7 +209,7 @@ class LossSum {
     ComplexBuffer line(static_cast<std::size_t>(theta_nodes_));
     for (std::size_t p = 0; p < places_.size(); ++p) {
       const Place& place = places_[p];
-      const double limit = limit_(place.position, kDeepest);
+      const double limit = limit_(place.position, kLossDecay);
       if (m > limit) continue;
       const double highest = std::min(std::sqrt(limit * limit - m * m), across_.orders[across_.orders.size() - 1]);
       const auto orders = static_cast<Index>(highest * across_.circumferences) + 1;

@@ -32,8 +32,8 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// Exponent of the decay with depth at which sums end smoothly. The tractions contain little of these orders, so that
 /// the omitted part is 1e-6 of the field.
 constexpr double kEnd = 9.0;
-constexpr double kDeepest = 12.0;
-constexpr DepthTransfers::Accuracy kAccuracy{.tolerance = 1e-8, .inertia = 1e-6};
+constexpr double kFieldDecay = 12.0;
+constexpr DepthTransfers::Accuracy kFieldAccuracy{.tolerance = 1e-8, .inertia = 1e-6};
 
 constexpr auto kComponents = static_cast<Index>(kFieldComponents);
 
@@ -167,7 +167,7 @@ class WindowSum {
   [[nodiscard]] std::vector<OrderBand> bands(double spacing, double largest, double rough, const Mesh& mesh) const {
     if (mesh.max_order) {
       return whole_orders(
-          static_cast<int>(std::min<double>(*mesh.max_order, std::ceil(kDeepest / kEnd * highest_order()))),
+          static_cast<int>(std::min<double>(*mesh.max_order, std::ceil(kFieldDecay / kEnd * highest_order()))),
           mesh.nodes_per_revolution);
     }
     return octaves_within(spacing, highest_order(), largest, rough);
@@ -223,7 +223,7 @@ class WindowSum {
     std::vector<RowMajor> sums(last - first);
     double highest = 0.0;
     for (std::size_t place = first; place < last; ++place) {
-      const double limit = limit_(places_[place].position, kDeepest);
+      const double limit = limit_(places_[place].position, kFieldDecay);
       highest = std::max(highest, limit);
       sums[place - first].setZero(2 * m_.count_up_to(limit),
                                   static_cast<Index>(mirrors().size()) * kComponents * across_.magnitudes.size());
@@ -231,7 +231,7 @@ class WindowSum {
     std::vector<std::size_t> boundaries;
     for (std::size_t place = first; place < last; ++place) boundaries.push_back(cuts_.boundary(place));
     const double most = std::hypot(m_.orders[m_.orders.size() - 1], n_.orders[n_.orders.size() - 1]);
-    const DepthTransfers transfers(body_, cuts_, boundaries, std::min(most, highest), loads_.loaded(), kAccuracy);
+    const DepthTransfers transfers(body_, cuts_, boundaries, std::min(most, highest), loads_.loaded(), kFieldAccuracy);
     const RowMajor phase = n_.orders.matrix() * across_.magnitudes.matrix().transpose();
     const Waves waves{.cosines = phase.array().cos(), .sines = phase.array().sin()};
     const auto count = static_cast<std::size_t>(m_.count_up_to(highest));
@@ -273,7 +273,7 @@ class WindowSum {
       const LoadRows loads = loads_.loads(kinds[k], i);
       for (std::size_t p = 0; p < sums.size(); ++p) {
         const Place& place = places_[first + p];
-        const double limit = limit_(place.position, kDeepest);
+        const double limit = limit_(place.position, kFieldDecay);
         if (m > limit) continue;
         const Index count = reach(m, limit);
         transfer.state(p, count, loads, state);

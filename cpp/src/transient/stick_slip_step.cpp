@@ -141,10 +141,9 @@ void let_center_rest(const StickSlipProblem& problem, const StickSlipSystem& sys
 }  // namespace
 
 StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& guess, ContactStiffness& stiffness) {
-  constexpr const FrictionSettings& kSettings = kFrictionSettings;
-  constexpr SearchLimits kLimits{.tolerance = kSettings.instant_tolerance,
-                                 .round_off = kSettings.instant_round_off,
-                                 .full_steps = kSettings.full_steps};
+  constexpr SearchLimits kLimits{.tolerance = kFrictionSettings.instant_tolerance,
+                                 .round_off = kFrictionSettings.instant_round_off,
+                                 .full_steps = kFrictionSettings.full_steps};
   const std::unique_ptr<StickSlipSystem> system = system_of(problem, guess, stiffness);
   OneSticks one_sticks(*system);
   SemismoothNewton plain(*system, kLimits);

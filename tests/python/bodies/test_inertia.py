@@ -38,7 +38,7 @@ RATIOS = {
 }
 
 
-@pytest.mark.parametrize("group", [0.3, pytest.param(0.55, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("group", [0.3, 0.55])
 def test_figure_13_rises_towards_the_critical_speed(group):
     # At 400 nodes per revolution, rows of nodes that enter the contact cause an error of 0.2 %.
     mesh = vr.Mesh(nodes_per_revolution=400)

@@ -188,7 +188,6 @@ def test_a_wheel_is_as_warm_as_its_moduli():
         vr.self_heating(WHEEL, load=150.0, angular_speed=20.0, shift=falling, width=0.05, mesh=mesh, **given)
 
 
-@pytest.mark.slow
 def test_loads_of_a_softening_wheel_have_a_maximum():
     """Contacts of one modulus give every state, also beyond the largest load: T(F; b) = b T(F/b; 1)."""
     body = replace(WHEEL, core_radius=20e-3, width=30e-3, crown_radius=0.1)
@@ -243,7 +242,7 @@ def filled(name, **options):
         return body, vr.self_heating(body, **COOLING | given | {"mesh": mesh} | options)
 
 
-@pytest.mark.parametrize("name", ["ball", "roller", pytest.param("wheel", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("name", ["ball", "roller", "wheel"])
 def test_filled_rubber_is_at_rest_in_strain_and_heat(name):
     """A separate search with the shifted moduli gives the same contact, whose heat gives the same temperature."""
     body, hot = filled(name)
@@ -274,7 +273,6 @@ def test_filled_rubber_by_harmonics():
         filled("roller", softening="both")
 
 
-@pytest.mark.slow
 def test_filled_rubber_has_a_largest_load():
     """A matrix that melts beside a network: the cold state ends in a fold, with smaller loads on both sides."""
     melting = {"vertical_shift": lambda kelvin: 1.0 / (1.0 + math.exp((kelvin - AMBIENT - 10.0) / 2.0))}

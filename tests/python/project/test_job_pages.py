@@ -99,7 +99,6 @@ def test_measurements_give_a_torque_with_an_interval(tmp_path):
     assert int(held[1]) >= 8
 
 
-@pytest.mark.slow
 def test_particles_have_lines_of_a_wall_and_of_a_pair(tmp_path):
     printed = run("particles", tmp_path)
     assert "fix floor all wall/gran granular hertz" in printed

@@ -32,6 +32,9 @@ _BODIES = ("[ball]", "[cylinder]", "[wheel]")
 #: Commands that take minutes on a page, and replacements that take seconds.
 _SHORT = {"viscoroll reproduce": "viscoroll reproduce table2 --coarse"}
 
+#: Pages whose commands take more than ten seconds.
+_SLOW = {"caster", "dma", "shell"}
+
 #: Command that ends only on Ctrl-C, tested in `app/test_server.py`.
 _SERVES = "app"
 
@@ -94,8 +97,10 @@ def test_pages_have_commands_of_all_kinds():
     assert len({line.split()[1] for line in listed}) == 11  # all commands but `demo`
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("page", COMMANDED, ids=lambda page: page.stem)
+@pytest.mark.parametrize(
+    "page",
+    [pytest.param(page, marks=[pytest.mark.slow] if page.stem in _SLOW else [], id=page.stem) for page in COMMANDED],
+)
 def test_commands_and_files_of_a_page(page, tmp_path):
     brought_along(tmp_path)
     for kind, text in steps(page):

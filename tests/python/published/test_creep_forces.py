@@ -8,7 +8,6 @@ from published import creep_forces as source
 FRACTIONS = {0.0: "0", 0.25: "¼", 0.5: "½"}
 
 
-@pytest.mark.slow
 # full stick: the denominator of the balance is nearly zero
 @pytest.mark.filterwarnings("ignore:the relative error of the power balance")
 def test_kalkers_coefficients(judge):

@@ -40,7 +40,6 @@ def test_a_thousandth(paper_ball):
         assert r.error_estimate < 1e-3
 
 
-@pytest.mark.slow
 def test_torque_is_a_smooth_function_of_load(paper_ball):
     """Nodes that join the contact one by one cause no steps: the exponent of the power law decreases steadily."""
     loads = np.geomspace(50.0, 60.0, 17)  # steps of 1.15 %, as for 200 loads over a decade

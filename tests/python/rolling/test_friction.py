@@ -180,7 +180,6 @@ def test_no_friction_is_the_frictionless_solver(paper_ball):
     assert roll(paper_ball, mu=1e-6).resisting_torque == pytest.approx(smooth.resisting_torque, rel=1e-5)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("mu", [0.1, 0.3, 1.0])
 def test_power_balance_closes(paper_ball, mu):
     """T Omega + Q V_s = bulk + slip for all drives: to 1 % at pi/250, and better on finer meshes."""
@@ -283,7 +282,6 @@ def test_full_stick_that_asks_for_tension_is_said_so(paper_ball):
         roll(paper_ball, mu=math.inf, drive=vr.Drive(creepage=0.0))
 
 
-@pytest.mark.slow
 def test_small_creepage_follows_kalker():
     # J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, appendix E: nu = 1/2, a = b.
     assert kalker_coefficients(40) == pytest.approx(5.20, rel=0.03)
@@ -383,7 +381,6 @@ def test_the_summary_tells_the_speed_of_the_center(paper_ball):
     assert line.split("V_s")[1].strip() == f"-0.5, {0.5 * SLOW * paper_ball.outer_radius:.6g} m/s"
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("name", "mu"), [(name, mu) for name in DRIVES for mu in (0.2, 0.5, 2.0)])
 def test_large_contacts_without_a_matrix(paper_ball, mu, name):
     """About 3000 nodes, solved iteratively: all conditions hold, and the power balance closes."""

@@ -85,7 +85,6 @@ def test_power_balance_measures_the_mesh_error(paper_ball, nodes, order, expecte
     )
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("order", [800, 1600, 3200])
 def test_power_balance_closes_on_a_fine_mesh(paper_ball, order):
     assert roll(paper_ball, nodes=1600, order=order).energy_balance_error < 5e-4

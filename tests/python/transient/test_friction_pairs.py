@@ -30,10 +30,16 @@ STEADY = {
     "sliding roller on roller": (*PAIRS["soft roller on roller"][:2], vr.Drive(creepage=0.05), 5e3, 800),
     "sliding roller in ring": (*PAIRS["soft roller in ring"][:2], vr.Drive(creepage=0.05), 5e3, 800),
 }
+SLOW = {"pushed ball on mat", "sliding soft ball on mat", "roller on roller"}
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("body", "on", "drive", "load", "nodes"), STEADY.values(), ids=STEADY)
+@pytest.mark.parametrize(
+    ("body", "on", "drive", "load", "nodes"),
+    [
+        pytest.param(*values, id=name, marks=[pytest.mark.slow] if name in SLOW else [])
+        for name, values in STEADY.items()
+    ],
+)
 def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes):
     """Force, torque, creepage, and the dissipation in each body and by slip agree."""
     omega, turn = 2.5, 1.4

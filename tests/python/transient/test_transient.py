@@ -243,7 +243,6 @@ PENETRATIONS = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("compliance", PENETRATIONS)
 def test_pressed_and_left_standing(compliance):
     """Penetrations of Lee and Radok hold for steps of any length, so a fine mesh needs one contact per instant."""

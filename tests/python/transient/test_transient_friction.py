@@ -37,13 +37,11 @@ def test_friction_starts_as_it_should():
     assert (np.abs(limit - STARTING_TORQUES) <= THEIR_BARS).all(), limit
 
 
-@pytest.mark.slow
 def test_friction_starts_as_it_should_on_a_fine_mesh():
     found = starting_torques(500, 4)
     assert (np.abs(found - STARTING_TORQUES) <= THEIR_BARS).all(), found
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("compliance", list(enums.Compliance))
 @pytest.mark.parametrize("friction", [0.1, 0.3, 1.0])
 def test_friction_ends_in_the_steady_state(friction, compliance):

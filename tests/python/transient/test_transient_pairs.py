@@ -51,7 +51,13 @@ PAIRS = {
     "wheel on mat": (WHEEL, THICK_MAT, 300.0, 300),
     "wheel on wheel": (WHEEL, vr.CoatedWheel(**TYRE, crown_radius=0.2), 300.0, 300),
 }  # fmt: skip
-EVERY = pytest.mark.parametrize(("body", "on", "load", "nodes"), PAIRS.values(), ids=PAIRS)
+EVERY = pytest.mark.parametrize(
+    ("body", "on", "load", "nodes"),
+    [
+        pytest.param(*pair, id=name, marks=[pytest.mark.slow] if name == "wheel of unlike layers" else [])
+        for name, pair in PAIRS.items()
+    ],
+)
 
 
 def force_balance(h, curvature):
