@@ -36,7 +36,7 @@ class Watch {
 constexpr int kMaxThreads = 1024;
 
 /// @brief Check the option `threads`.
-/// @throws std::invalid_argument unless `threads` is in [0, kMaxThreads]
+/// @throws InvalidInput unless `threads` is in [0, kMaxThreads]
 void require_thread_count(int threads);
 
 /// @return number of threads that `parallel_for` uses: `threads` (0 = all cores), but at most `count`

@@ -7,7 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <stdexcept>
+
+#include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 
@@ -61,8 +62,7 @@ std::string rounded(double value) { return printed("%.*g", 3, value); }
 #endif
 
 void reject(std::string_view name, std::string_view requirement, std::string_view value) {
-  throw std::invalid_argument(std::string(name) + " must be " + std::string(requirement) + ", got " +
-                              std::string(value));
+  throw InvalidInput(std::string(name), "must be " + std::string(requirement), std::string(value));
 }
 
 void reject(std::string_view name, std::string_view requirement, double value) {

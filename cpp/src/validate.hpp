@@ -14,7 +14,7 @@ namespace viscoroll::detail {
 [[nodiscard]] std::string rounded(double value);
 
 /// @brief Reject a value with the message "<name> must be <requirement>, got <value>".
-/// @throws std::invalid_argument always
+/// @throws InvalidInput always
 [[noreturn]] void reject(std::string_view name, std::string_view requirement, std::string_view value);
 [[noreturn]] void reject(std::string_view name, std::string_view requirement, double value);
 
@@ -27,11 +27,11 @@ inline constexpr double kLargestNumber = 1e40;
 /// @param[in] name name of the parameter
 /// @param[in] value value to check
 /// @param[in] unit unit for the message; empty for a pure number
-/// @throws std::invalid_argument unless `value` is in [kSmallestNumber, kLargestNumber]
+/// @throws InvalidInput unless `value` is in [kSmallestNumber, kLargestNumber]
 void require_positive(std::string_view name, double value, std::string_view unit);
 
 /// @brief Check a nonnegative number.
-/// @throws std::invalid_argument unless `value` is in [0, kLargestNumber]
+/// @throws InvalidInput unless `value` is in [0, kLargestNumber]
 void require_nonnegative(std::string_view name, double value, std::string_view unit);
 
 /// Largest ratio of two lengths of a body. Positions of boundaries are stored as distances from the center, to 1e-16 of
@@ -43,18 +43,18 @@ inline constexpr double kLargestLengthRatio = 1e9;
 /// @param[in] value length [m]
 /// @param[in] radius radius of the body [m]
 /// @param[in] body noun of the body for the message
-/// @throws std::invalid_argument unless `value` is at least radius / kLargestLengthRatio
+/// @throws InvalidInput unless `value` is at least radius / kLargestLengthRatio
 void require_length(std::string_view name, double value, double radius, std::string_view body);
 
 /// Largest coefficient of friction [-]. No pair of materials exceeds it.
 inline constexpr double kLargestFriction = 4.0;
 
 /// @brief Check a coefficient of friction.
-/// @throws std::invalid_argument unless `value` is in [0, kLargestFriction], or infinite for full stick
+/// @throws InvalidInput unless `value` is in [0, kLargestFriction], or infinite for full stick
 void require_friction(double value);
 
 /// @brief Check that a number is finite.
-/// @throws std::invalid_argument unless `value` is finite
+/// @throws InvalidInput unless `value` is finite
 void require_finite(std::string_view name, double value);
 
 }  // namespace viscoroll::detail

@@ -4,10 +4,10 @@
 #include <pybind11/typing.h>
 
 #include <memory>
-#include <stdexcept>
 
 #include "bindings.hpp"
 #include "viscoroll/cylinder.hpp"
+#include "viscoroll/errors.hpp"
 #include "viscoroll/materials.hpp"
 #include "viscoroll/mesh.hpp"
 #include "viscoroll/plane.hpp"
@@ -32,9 +32,9 @@ CustomModulus custom_modulus(const py::typing::Callable<py::object(py::array_t<d
     const auto values = py::array_t<cplx, py::array::c_style | py::array::forcecast>::ensure((*callable)(argument));
     if (!values) throw py::type_error("shear_modulus must be a function that returns complex numbers");
     if (values.ndim() != 1 || static_cast<std::size_t>(values.size()) != omega.size()) {
-      throw std::invalid_argument(
-          "shear_modulus must be a function that returns one value for each frequency, got shape " +
-          std::string(py::str(values.attr("shape"))) + " for " + std::to_string(omega.size()));
+      throw InvalidInput(
+          "shear_modulus", "must be a function that returns one value for each frequency",
+          "shape " + std::string(py::str(values.attr("shape"))) + " for " + std::to_string(omega.size()));
     }
     std::copy_n(values.data(), omega.size(), modulus.begin());
   }};
@@ -55,9 +55,19 @@ void bind_inputs(py::module_& m) {
           py::init([](double instantaneous_modulus, std::vector<double> weights, std::vector<double> relaxation_times) {
             return Prony{instantaneous_modulus, std::move(weights), std::move(relaxation_times)};
           }),
-          py::kw_only(), py::arg("instantaneous_modulus"), py::arg("weights"), py::arg("relaxation_times"));
+          py::kw_only(), py::arg("instantaneous_modulus"), py::arg("weights"), py::arg("relaxation_times"))
+      .def_readonly("instantaneous_modulus", &Prony::instantaneous_modulus)
+      .def_readonly("weights", &Prony::weights)
+      .def_readonly("relaxation_times", &Prony::relaxation_times);
   m.def("standard_linear_solid", &standard_linear_solid, py::kw_only(), py::arg("instantaneous_modulus"),
         py::arg("relaxed_modulus"), py::arg("relaxation_time"));
+  m.def(
+      "creep_compliance",
+      [](double instantaneous_compliance, const std::vector<double>& compliances,
+         const std::vector<double>& retardation_times) {
+        return creep_compliance(instantaneous_compliance, compliances, retardation_times);
+      },
+      py::kw_only(), py::arg("instantaneous_compliance"), py::arg("compliances"), py::arg("retardation_times"));
   py::classh<KelvinVoigt>(m, "KelvinVoigt")
       .def(py::init([](double modulus, double viscosity) { return KelvinVoigt{modulus, viscosity}; }), py::kw_only(),
            py::arg("modulus"), py::arg("viscosity"));

@@ -1,5 +1,7 @@
 #include <pybind11/pybind11.h>
 
+#include <exception>
+
 #include "bindings.hpp"
 #include "viscoroll/cores.hpp"
 #include "viscoroll/errors.hpp"
@@ -12,6 +14,15 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
   m.attr("__commit__") = VISCOROLL_COMMIT;
   py::register_exception<viscoroll::ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError).attr("__doc__") =
       "An iteration ended without a usable result.";
+  // The Python class has the same attributes; it is defined in Python for its documentation and for pickle.
+  py::register_local_exception_translator([](std::exception_ptr raised) {
+    try {
+      if (raised) std::rethrow_exception(raised);
+    } catch (const viscoroll::InvalidInput& error) {
+      const py::object kind = py::module_::import("viscoroll._support.errors").attr("InvalidInput");
+      py::set_error(kind, kind(error.parameter(), error.rule(), error.value()));
+    }
+  });
   m.def("core_count", &viscoroll::core_count, "Cores that this process may use.");
   bind_inputs(m);
   bind_modal(m);

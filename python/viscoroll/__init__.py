@@ -27,10 +27,12 @@ Bodies, materials and solvers are names of this package. Its modules contain the
 
 from . import analytic, coupled, enums, export, materials, modal, paper, rheology, rolling, studies, thermal
 from ._core import ConvergenceError, __version__
+from ._support.errors import InvalidInput
 from ._support.result_warnings import ResultWarning
 from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Drive, Groove, HalfSpace, Layer, Mesh
 from .coupled import self_heating, strain_softening
 from .materials import (
+    CreepCompliance,
     Elastic,
     FractionalZener,
     KelvinVoigt,
@@ -49,12 +51,14 @@ __all__ = [
     "CoatedSphere",
     "CoatedWheel",
     "ConvergenceError",
+    "CreepCompliance",
     "Drive",
     "Elastic",
     "FractionalZener",
     "Groove",
     "HalfSpace",
     "History",
+    "InvalidInput",
     "KelvinVoigt",
     "Layer",
     "LossFactor",

@@ -13,6 +13,7 @@ import numpy as np
 from . import _core
 from ._core import Curvature
 from ._support.arguments import as_float, as_float_array, as_int, as_member, as_orders, require_type
+from ._support.errors import InvalidInput
 from ._support.progress import ProgressLike, reporting
 from ._support.text import shown
 from .bodies import CoatedCylinder, CoatedSphere, CoatedWheel, Layer, Mesh, RollingBody
@@ -323,7 +324,7 @@ def _broadcast(names: str, m: NDArray[_First], n: NDArray[_Second]) -> tuple[NDA
     try:
         shape = np.broadcast_shapes(m.shape, n.shape)
     except ValueError:
-        raise ValueError(f"{names} must have shapes that broadcast, got {m.shape} and {n.shape}") from None
+        raise InvalidInput(names, "must have shapes that broadcast", f"{m.shape} and {n.shape}") from None
     return np.broadcast_to(m, shape), np.broadcast_to(n, shape)
 
 
@@ -337,5 +338,5 @@ def _pair(name: str, value: int | tuple[int, int]) -> tuple[int, int]:
     if not isinstance(value, tuple):
         return (as_int(name, value),) * 2
     if len(value) != 2:
-        raise ValueError(f"{name} must be one whole number or two, got {shown(value)}")
+        raise InvalidInput(name, "must be one whole number or two", shown(value))
     return as_int(f"{name}[0]", value[0]), as_int(f"{name}[1]", value[1])

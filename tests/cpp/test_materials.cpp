@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "cases.hpp"
+#include "viscoroll/errors.hpp"
 #include "viscoroll/materials.hpp"
 
 namespace viscoroll {
@@ -44,6 +45,21 @@ TEST(ComplexModulus, TakesWeightsThatSumToOneButForRoundOff) {
   EXPECT_DOUBLE_EQ(mu[1].real(), 1e6);
   EXPECT_THROW(validate(Prony{1e6, {0.7, 0.301}, {1.0, 2.0}}), std::invalid_argument);
   EXPECT_THROW(validate(Prony{1e6, {-0.1}, {1.0}}), std::invalid_argument);
+}
+
+TEST(InvalidInput, NamesTheParameterByItsPathInATable) {
+  try {
+    validate(Prony{1e6, {-0.1}, {1.0}});
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.parameter(), "weights[0]");
+    EXPECT_EQ(error.rule(), "must be in [0, 1]");
+    EXPECT_EQ(error.value(), "-0.1");
+    EXPECT_STREQ(error.what(), "weights[0] must be in [0, 1], got -0.1");
+    EXPECT_STREQ(error.inside("ball.shear_modulus").what(),
+                 "ball.shear_modulus.weights[0] must be in [0, 1], got -0.1");
+    EXPECT_EQ(error.inside("ball.weights").parameter(), "ball.weights[0]");
+  }
 }
 
 TEST(ShortTimeModulus, IsTheLimitOfTheStorageModulus) {

@@ -11,6 +11,7 @@ export type ShearModulus =
       relaxation_time: number;
     }
   | { type: "prony"; instantaneous_modulus: number; weights: number[]; relaxation_times: number[] }
+  | { type: "creep_compliance"; instantaneous_compliance: number; compliances: number[]; retardation_times: number[] }
   | { type: "kelvin_voigt"; modulus: number; viscosity: number }
   | {
       type: "fractional_zener";
@@ -146,10 +147,14 @@ export interface Result {
   fields?: Fields;
 }
 
-/** A message that names parameter, value, unit and range, and the parameter by its place in the case. */
+/** An error. The last three are null if it is not about the value of a parameter. */
 export interface Failure {
   message: string;
+  /** Path in the case, such as "ball.layers[0].thickness". */
   parameter: string | null;
+  /** Rule that the value violates, with range and unit, such as "must be > 0 m". */
+  rule: string | null;
+  value: string | null;
 }
 
 export type Answer = { result: Result; error?: undefined } | { error: Failure; result?: undefined };

@@ -93,31 +93,6 @@ class Nodes {
   std::size_t columns_;
 };
 
-bool is_of_name(char letter) {
-  constexpr std::string_view kOthers = "_.[]";
-  return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || kOthers.find(letter) != kOthers.npos;
-}
-
-bool is_name(std::string_view text) {
-  for (const char letter : text) {
-    if (!is_of_name(letter)) return false;
-  }
-  return !text.empty();
-}
-
-/// Return the name that a message begins with: "load must be > 0 N". It may follow a place: "ball.layers[0]: thickness
-/// must ...". Without a name, return the place.
-std::string parameter_of(const std::string& message) {
-  const std::size_t colon = message.find(": ");
-  std::string place = colon != std::string::npos && is_name(message.substr(0, colon)) ? message.substr(0, colon) : "";
-  const std::string rest = place.empty() ? message : message.substr(colon + 2);
-  const std::string name = rest.substr(0, rest.find(' '));
-  const std::string_view verb = std::string_view(rest).substr(name.size());
-  const bool named = is_name(name) && (verb.starts_with(" must ") || verb.starts_with(" has "));
-  if (!named) return place;
-  return place.empty() ? name : place + "." + name;
-}
-
 }  // namespace
 
 Json result_to_json(const Result& result) {
@@ -154,11 +129,6 @@ Json scalars_to_json() {
 #include "viscoroll/result_scalars.def"
 #undef VISCOROLL_SCALAR
   };
-}
-
-Json error_to_json(const std::string& message) {
-  const std::string parameter = parameter_of(message);
-  return {{"message", message}, {"parameter", parameter.empty() ? Json() : Json(parameter)}};
 }
 
 }  // namespace viscoroll::wasm

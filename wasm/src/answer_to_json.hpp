@@ -1,8 +1,6 @@
 /// @file
-/// @brief Results, fields and error messages as JSON.
+/// @brief Results and fields as JSON.
 #pragma once
-
-#include <string>
 
 #include "table.hpp"
 #include "viscoroll/result.hpp"
@@ -21,9 +19,5 @@ namespace viscoroll::wasm {
 
 /// @return table of scalar results: name, unit, description
 [[nodiscard]] Json scalars_to_json();
-
-/// @param[in] message error message
-/// @return the message and the parameter that it begins with, as its place in the case, or null
-[[nodiscard]] Json error_to_json(const std::string& message);
 
 }  // namespace viscoroll::wasm

@@ -44,7 +44,7 @@ std::vector<Layer> take_layers(Table& table) {
   if (given == nullptr) return {};
   const std::string place = table.place_of("layers");
   if (!given->is_array()) {
-    throw std::invalid_argument(place + ": input should be a valid list, got " + shown(*given));
+    throw InvalidInput(place, "must be a valid list", shown(*given));
   }
   std::vector<Layer> layers;
   layers.reserve(given->size());

@@ -1,7 +1,6 @@
 #include "case_from_json.hpp"
 
 #include <array>
-#include <stdexcept>
 #include <string>
 
 namespace viscoroll::wasm {
@@ -30,13 +29,11 @@ Drive drive_from_json(const Json& json, const std::string& place) {
     if (value) given += (given.empty() ? "" : ", ") + std::string(name);
   }
   if (given.empty() || given.find(',') != std::string::npos) {
-    throw std::invalid_argument(place + ": drive must have exactly one of force, torque and creepage, got " +
-                                (given.empty() ? "none" : given));
+    throw InvalidInput(place, "must have exactly one of force, torque and creepage", given.empty() ? "none" : given);
   }
   for (const auto& [name, value] : {Name{"lateral_creepage", lateral}, Name{"spin", spin}}) {
     if (!creepage && value.value_or(0.0) != 0.0) {
-      throw std::invalid_argument(place + ": drive." + std::string(name) + " must be 0 without drive.creepage, got " +
-                                  shown(*value));
+      throw InvalidInput(place + "." + std::string(name), "must be 0 without drive.creepage", shown(*value));
     }
   }
   if (force) return DriveForce{*force};
@@ -70,11 +67,11 @@ Options options_from_json(const Json& json, const std::string& place) {
         Mesh{.nodes_per_revolution = *nodes, .max_order = max_order, .theta_nodes_per_revolution = theta_nodes};
     validate(*options.mesh);
   } else if (max_order || theta_nodes) {
-    throw std::invalid_argument(
-        "numerics.nodes_per_revolution must be given with max_order or theta_nodes_per_revolution");
+    throw InvalidInput("numerics.nodes_per_revolution", "must be given with max_order or theta_nodes_per_revolution",
+                       "");
   }
   if (nodes && accuracy) {
-    throw std::invalid_argument("numerics.accuracy must be left out if a mesh is given");
+    throw InvalidInput("numerics.accuracy", "must be left out if a mesh is given", "");
   }
   options.accuracy = accuracy.value_or(options.accuracy);
   return options;

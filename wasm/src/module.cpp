@@ -3,7 +3,6 @@
 
 #include <exception>
 #include <new>
-#include <stdexcept>
 #include <string>
 
 #include "answer_to_json.hpp"
@@ -20,7 +19,7 @@ Json parsed(const char* request) {
   constexpr int kDeepest = 100;
   return Json::parse(request, [](int depth, Json::parse_event_t, const Json&) {
     if (depth > kDeepest)
-      throw std::invalid_argument("request must be nested at most " + std::to_string(kDeepest) + " levels deep");
+      throw InvalidInput("request", "must be nested at most " + std::to_string(kDeepest) + " levels deep", "");
     return true;
   });
 }
@@ -31,7 +30,7 @@ Json solved(const Json& request) {
   const Json* fields = table.take("fields");
   table.close();
   if (fields != nullptr && !fields->is_boolean()) {
-    throw std::invalid_argument("request.fields: input should be true or false, got " + shown(*fields));
+    throw InvalidInput("request.fields", "must be true or false", shown(*fields));
   }
   const Case read = case_from_json(given);
   const Result result = solve(read.pair.body, read.pair.on, read.load_case, read.options);
@@ -42,13 +41,23 @@ Json solved(const Json& request) {
   return answer;
 }
 
+Json other_error(const char* message) {
+  return {{"error", {{"message", message}, {"parameter", nullptr}, {"rule", nullptr}, {"value", nullptr}}}};
+}
+
 Json answer_to(const char* request) {
   try {
     return {{"result", solved(parsed(request))}};
+  } catch (const InvalidInput& error) {
+    return {{"error",
+             {{"message", error.what()},
+              {"parameter", error.parameter()},
+              {"rule", error.rule()},
+              {"value", error.value()}}}};
   } catch (const std::bad_alloc&) {
-    return {{"error", error_to_json("out of memory: use a coarser mesh or a larger accuracy")}};
+    return other_error("out of memory: use a coarser mesh or a larger accuracy");
   } catch (const std::exception& error) {
-    return {{"error", error_to_json(error.what())}};
+    return other_error(error.what());
   }
 }
 

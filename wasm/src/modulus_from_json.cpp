@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <stdexcept>
 
 namespace viscoroll::wasm {
 namespace {
@@ -23,6 +22,13 @@ Made standard_linear_solid(Table& table) {
   return [instantaneous = table.number("instantaneous_modulus"), relaxed = table.number("relaxed_modulus"),
           time = table.number("relaxation_time")] {
     return viscoroll::standard_linear_solid(instantaneous, relaxed, time);
+  };
+}
+
+Made creep_compliance(Table& table) {
+  return [instantaneous = table.number("instantaneous_compliance"), compliances = table.numbers("compliances"),
+          times = table.numbers("retardation_times")] {
+    return viscoroll::creep_compliance(instantaneous, compliances, times);
   };
 }
 
@@ -58,6 +64,7 @@ constexpr auto kTypes = std::to_array<Name<Made (*)(Table&)>>({
     {"elastic", elastic},
     {"standard_linear_solid", standard_linear_solid},
     {"prony", prony},
+    {"creep_compliance", creep_compliance},
     {"kelvin_voigt", kelvin_voigt},
     {"fractional_zener", fractional_zener},
     {"master_curve", master_curve},
@@ -78,15 +85,14 @@ ShearModulus modulus_from_json(const Json& json, const std::string& place) {
     return checked([&] { return Elastic{json.get<double>()}; }, place);
   }
   if (!json.is_object()) {
-    throw std::invalid_argument(place + ": shear_modulus must be a table or a number, got " + shown(json));
+    throw InvalidInput(place, "must be a table or a number", shown(json));
   }
   Table table(json, place);
   const Json& type = table.take_type();
   const auto found =
       std::ranges::find_if(kTypes, [&](const auto& one) { return type.is_string() && type == one.name; });
   if (found == kTypes.end()) {
-    throw std::invalid_argument(table.place_of("type") + " must be one of " + names_of(kTypes) + ", got " +
-                                shown(type));
+    throw InvalidInput(table.place_of("type"), "must be one of " + names_of(kTypes), shown(type));
   }
   const Made made = found->value(table);
   table.close();

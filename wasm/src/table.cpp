@@ -10,7 +10,7 @@ namespace {
 const Json kNull;
 
 [[noreturn]] void reject(const std::string& place, const std::string& wanted, const Json& got) {
-  throw std::invalid_argument(place + ": input should be a valid " + wanted + ", got " + shown(got));
+  throw InvalidInput(place, "must be a valid " + wanted, shown(got));
 }
 
 /// JSON has no such numbers; their names are those of TOML.
@@ -72,7 +72,7 @@ std::optional<int> Table::maybe_integer(std::string_view key) {
   if (!given->is_number_integer()) reject(place_of(key), "integer", *given);
   const double number = given->get<double>();
   if (std::abs(number) > std::numeric_limits<int>::max()) {
-    throw std::invalid_argument(std::string(key) + " must fit into 32 bits, got " + shown(*given));
+    throw InvalidInput(place_of(key), "must fit into 32 bits", shown(*given));
   }
   return given->get<int>();
 }
@@ -96,24 +96,21 @@ const Json& Table::take_type() {
   return *given;
 }
 
-std::string Table::unknown(const std::string& key, const Json& value) const {
-  if (!type_.empty()) return place_ + " of type " + type_ + " has no parameter " + key + ", got " + shown(value);
-  return place_of(key) + ": extra inputs are not permitted, got " + shown(value);
-}
-
-std::string Table::missing(const std::string& key) const {
-  if (!type_.empty()) return place_ + " of type " + type_ + " must have " + key;
-  return place_of(key) + ": field required";
-}
-
 void Table::close() const {
-  std::string message;
-  const auto tell = [&](const std::string& told) { message += (message.empty() ? "" : "; ") + told; };
+  std::vector<InvalidInput> errors;
   for (const auto& [key, value] : content_->items()) {
-    if (std::ranges::find(taken_, key) == taken_.end()) tell(unknown(key, value));
+    if (std::ranges::find(taken_, key) == taken_.end()) {
+      errors.emplace_back(place_of(key), "is not a parameter" + (type_.empty() ? "" : " of the type " + type_),
+                          shown(value));
+    }
   }
-  for (const std::string& key : missing_) tell(missing(key));
-  if (!message.empty()) throw std::invalid_argument(message);
+  for (const std::string& key : missing_) {
+    errors.emplace_back(place_of(key), "must be given" + (type_.empty() ? "" : " for the type " + type_), "");
+  }
+  if (errors.empty()) return;
+  std::string more;
+  for (std::size_t i = 1; i < errors.size(); ++i) more += (i == 1 ? "" : "; ") + std::string(errors[i].what());
+  throw InvalidInput(errors[0].parameter(), errors[0].rule(), errors[0].value(), more);
 }
 
 }  // namespace viscoroll::wasm

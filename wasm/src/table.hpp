@@ -7,11 +7,12 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "viscoroll/errors.hpp"
 
 namespace viscoroll::wasm {
 
@@ -38,13 +39,13 @@ struct Name {
   Value value;
 };
 
-/// @brief Check a part of a case and prefix its error messages with the place: "ball.layers[0]: thickness must be ...".
+/// @brief Check a part of a case. Errors name the path in the case: "ball.layers[0].thickness".
 template <class Check>
 auto at_place(const std::string& place, const Check& check) {
   try {
     return check();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(place + ": " + error.what());
+  } catch (const InvalidInput& error) {
+    throw error.inside(place);
   }
 }
 
@@ -54,7 +55,7 @@ class Table {
  public:
   /// @param[in] content any JSON, which must outlive this object
   /// @param[in] place place in the case: "ball.layers[0]"; empty for the whole case
-  /// @throws std::invalid_argument unless `content` is an object
+  /// @throws InvalidInput unless `content` is an object
   Table(const Json& content, std::string place);
 
   /// @brief Take an optional key.
@@ -64,7 +65,7 @@ class Table {
   /// @return its value, or null, which is reported when the table is closed
   [[nodiscard]] const Json& require(std::string_view key);
 
-  /// @throws std::invalid_argument (all four functions) if the value has another type
+  /// @throws InvalidInput (all four functions) if the value has another type
   [[nodiscard]] double number(std::string_view key);
   [[nodiscard]] std::optional<double> maybe_number(std::string_view key);
   [[nodiscard]] std::optional<int> maybe_integer(std::string_view key);
@@ -79,8 +80,7 @@ class Table {
     const auto found =
         std::ranges::find_if(names, [&](const auto& one) { return given->is_string() && *given == one.name; });
     if (found != names.end()) return found->value;
-    throw std::invalid_argument(place_ + ": " + std::string(key) + " must be one of " + names_of(names) + ", got " +
-                                shown(*given));
+    throw InvalidInput(place_of(key), "must be one of " + names_of(names), shown(*given));
   }
 
   /// @brief Take the key `type`; messages then name the type of the table.
@@ -91,13 +91,10 @@ class Table {
   [[nodiscard]] std::string place_of(std::string_view key) const;
   [[nodiscard]] const std::string& place() const { return place_; }
 
-  /// @throws std::invalid_argument for keys that were not taken and for missing keys
+  /// @throws InvalidInput for keys that were not taken and for missing keys
   void close() const;
 
  private:
-  [[nodiscard]] std::string unknown(const std::string& key, const Json& value) const;
-  [[nodiscard]] std::string missing(const std::string& key) const;
-
   const Json* content_;
   std::string place_;
   std::string type_;

@@ -24,7 +24,7 @@ struct CoatedCylinder {
 [[nodiscard]] double coating_thickness(const CoatedCylinder& cylinder);
 
 /// @brief Check a cylinder and its layers.
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 void validate(const CoatedCylinder& cylinder);
 
 /// @brief Lowest rolling speed at which a surface wave keeps up with the contact (docs/theory/inertia.md).

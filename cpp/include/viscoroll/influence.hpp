@@ -36,7 +36,7 @@ struct InfluenceTables {
 /// @param[in] curvature `sphere` or `paper`; on the exact sphere the influence is not a function of the offset alone
 /// @param[in] observer progress and cancellation
 /// @return the tables of all nine pairs of directions
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
                                                int phi_reach, int theta_reach, int threads = 0,

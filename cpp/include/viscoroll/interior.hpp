@@ -50,7 +50,7 @@ inline constexpr std::size_t kFieldComponents = 15;
 /// @param[in] shape body with layers
 /// @param[in] positions radii or heights [m], each within the layers; radii > 0
 /// @return one place for each position, or two at the boundary of two layers, the one in the outer layer first
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] std::vector<Place> places_at(const LayeredShape& shape, std::span<const double> positions);
 
 /// @brief Fields of single orders (m, n) per unit surface stress: displacement [m/Pa], stress [-] and strain [1/Pa].
@@ -64,7 +64,7 @@ inline constexpr std::size_t kFieldComponents = 15;
 /// @param[in] curvature `sphere` or `paper`, for a sphere
 /// @param[in] observer progress and cancellation
 /// @return row-major [order][place][component][surface stress along r, phi, theta]
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] std::vector<std::complex<double>> order_fields(const LayeredShape& shape, double angular_speed,
                                                              std::span<const int> m, std::span<const int> n,
@@ -128,7 +128,7 @@ struct InteriorFields {
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] observer progress and cancellation
 /// @return the fields on all surfaces
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] InteriorFields interior_fields(const LayeredShape& shape, double angular_speed,
                                              const Tractions& tractions, std::span<const Place> places,
@@ -161,7 +161,7 @@ struct LossDensity {
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] observer progress and cancellation
 /// @return density and powers
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] LossDensity loss_density(const LayeredShape& shape, double angular_speed, const Tractions& tractions,
                                        std::span<const Place> places, int max_order, int threads = 0,

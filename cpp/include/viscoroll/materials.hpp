@@ -35,8 +35,21 @@ struct Prony {
 /// @param[in] relaxed_modulus shear modulus at zero frequency [Pa], > 0 and <= instantaneous_modulus
 /// @param[in] relaxation_time relaxation time [s], > 0
 /// @return the series
-/// @throws std::invalid_argument if a value is out of range
+/// @throws InvalidInput if a value is out of range
 [[nodiscard]] Prony standard_linear_solid(double instantaneous_modulus, double relaxed_modulus, double relaxation_time);
+
+/// @brief Prony series of a material whose creep compliance is a Prony series,
+///
+///     J(t) = J_0 + sum_k J_k (1 - exp(-t / tau_k))
+///
+/// The series is exact: its relaxation times are those of the zeros of the compliance over frequency.
+/// @param[in] instantaneous_compliance J_0, shear compliance at infinite frequency [1/Pa], > 0
+/// @param[in] compliances J_k [1/Pa], >= 0
+/// @param[in] retardation_times tau_k [s], > 0, one for each compliance
+/// @return the series
+/// @throws InvalidInput if a value is out of range
+[[nodiscard]] Prony creep_compliance(double instantaneous_compliance, std::span<const double> compliances,
+                                     std::span<const double> retardation_times);
 
 /// @brief Kelvin-Voigt solid, mu* = modulus + i w viscosity.
 struct KelvinVoigt {
@@ -84,14 +97,14 @@ using ShearModulus = std::variant<Elastic, Prony, KelvinVoigt, FractionalZener, 
 /// @brief Check the parameters of a modulus.
 /// @param[in] modulus any shear modulus
 /// @param[in] prefix text before the parameter's name in messages
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 void validate(const ShearModulus& modulus, std::string_view prefix = "shear_modulus.");
 
 /// @brief Complex shear modulus mu*(w) [Pa].
 /// @param[in] modulus any shear modulus
 /// @param[in] omega angular frequencies [rad/s], >= 0
 /// @return one value for each frequency, real at frequency 0
-/// @throws std::invalid_argument for a parameter out of range, a frequency outside a master curve, a value that is not
+/// @throws InvalidInput for a parameter out of range, a frequency outside a master curve, a value that is not
 /// finite, a storage modulus <= 0, or a loss modulus < 0 (not passive)
 [[nodiscard]] std::vector<std::complex<double>> complex_modulus(const ShearModulus& modulus,
                                                                 std::span<const double> omega);

@@ -29,7 +29,7 @@ struct Mesh {
 [[nodiscard]] double theta_spacing(const Mesh& mesh);
 
 /// @brief Check a mesh.
-/// @throws std::invalid_argument naming parameter, value and range
+/// @throws InvalidInput naming parameter, value and range
 void validate(const Mesh& mesh);
 
 }  // namespace viscoroll

@@ -37,7 +37,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] curvature `sphere` or `paper`; the exact sphere has no orders (m, n)
 /// @param[in] observer progress and cancellation
 /// @return one matrix for each pair (m, n) [m/Pa]
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, double angular_speed,
                                                              std::span<const int> m, std::span<const int> n,
@@ -55,7 +55,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] order orders m, any sign, |m| <= l, as many as `degree`
 /// @param[in] observer progress and cancellation
 /// @return one matrix for each pair (l, m) [m/Pa], in the order (Y, Psi, Phi)
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] std::vector<ComplexMatrix3> degree_compliance(const CoatedSphere& sphere, double angular_speed,
                                                             std::span<const int> degree, std::span<const int> order,
@@ -72,7 +72,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] n order in theta
 /// @param[in] curvature `sphere` or `paper`
 /// @return B; the units of its blocks are [-, 1/Pa; Pa, -]
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double radius, int m, int n,
                                           Curvature curvature = Curvature::sphere);
 
@@ -81,7 +81,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] sphere core and layers
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @return d_R^(c) [m], outwards; 0 for incompressible layers on a rigid core
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed);
 
 /// @brief Critical speed of a sphere: the lowest rolling speed at which a surface wave keeps up with the contact.
@@ -95,7 +95,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// limit [rad/s]
 /// @param[in] curvature curvature terms in the layer equations
 /// @return critical Omega [rad/s]; infinite without inertia, or if no short-time modulus is finite
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] double critical_speed(const CoatedSphere& sphere, double highest_frequency = 1e9,
                                     Curvature curvature = Curvature::sphere);
 
@@ -108,7 +108,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] speed speed V at which material crosses the contact [m/s], > 0; a wave has the frequency V k_xi
 /// @param[in] k_xi,k_zeta wave numbers [1/m], any sign, arrays of equal length; not both 0
 /// @return one matrix for each pair [m/Pa]
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] std::vector<ComplexMatrix3> surface_compliance(const CoatedPlane& plane, double speed,
                                                              std::span<const double> k_xi,
                                                              std::span<const double> k_zeta);
@@ -122,7 +122,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] m orders around the circumference, any sign
 /// @param[in] k wave numbers across [1/m], any sign, as many as `m`
 /// @return one matrix for each pair [m/Pa]
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] std::vector<ComplexMatrix3> surface_compliance(const CoatedWheel& wheel, double angular_speed,
                                                              std::span<const int> m, std::span<const double> k);
 
@@ -131,7 +131,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] plane layers and base
 /// @param[in] highest_frequency same as for a sphere [rad/s]
 /// @return critical speed V [m/s]; infinite without inertia, or if no short-time modulus is finite
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] double critical_speed(const CoatedPlane& plane, double highest_frequency = 1e9);
 
 }  // namespace viscoroll

@@ -46,11 +46,11 @@ struct Groove {
 [[nodiscard]] bool is_rigid(const Groove& groove);
 
 /// @brief Check a plane, its layers and its base.
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 void validate(const CoatedPlane& plane);
 
 /// @brief Check a groove. Whether a body fits into it is checked together with the body.
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 void validate(const Groove& groove);
 
 }  // namespace viscoroll

@@ -79,7 +79,7 @@ struct Motion {
 };
 
 /// @brief Check a motion.
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 void validate(const Motion& motion);
 
 /// @brief Complete state of a history, as numbers that can be stored.
@@ -105,7 +105,7 @@ class RollingHistory {
   /// @param[in] options options of the computation
   /// @param[in] time,angle time [s] and angle [rad] of the first instant
   /// @param[in] observer progress and cancellation
-  /// @throws std::invalid_argument for invalid input, and for layers to which the transient method does not apply
+  /// @throws InvalidInput for invalid input, and for layers to which the transient method does not apply
   RollingHistory(const RollingBody& body, const Counterbody& on, double load, Start start = Start::relaxed,
                  const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
                  const Observer& observer = {});
@@ -113,7 +113,7 @@ class RollingHistory {
   /// @param[in] load first load of the motion, > 0, which determines the mesh if `options` has none [N] or [N/m]
   /// @param[in] state state of a history of the same bodies and options
   /// @param[in] body,on,options,observer same as in the constructor above
-  /// @throws std::invalid_argument for invalid input, and for a state of other bodies or of other options
+  /// @throws InvalidInput for invalid input, and for a state of other bodies or of other options
   RollingHistory(const RollingBody& body, const Counterbody& on, double load, const RollingState& state,
                  const HistoryOptions& options = {}, const Observer& observer = {});
   RollingHistory(const RollingHistory& other);
@@ -132,7 +132,7 @@ class RollingHistory {
   /// none: the forces on the center determine it
   /// @param[in] observer progress and cancellation
   /// @return scalars at the end
-  /// @throws std::invalid_argument for invalid input, and for a drive that friction cannot balance
+  /// @throws InvalidInput for invalid input, and for a drive that friction cannot balance
   /// @throws ConvergenceError if the contact iteration does not converge
   /// @throws Canceled if the observer canceled the computation
   RollingInstant advance(double time, double angle, double load,
@@ -154,7 +154,7 @@ class RollingHistory {
   /// @brief Continue from a stored state.
   /// @param[in] state state of a history of the same bodies and options
   /// @param[in] observer progress and cancellation
-  /// @throws std::invalid_argument for a state of other bodies or of other options
+  /// @throws InvalidInput for a state of other bodies or of other options
   void restore(const RollingState& state, const Observer& observer = {});
 
  private:
@@ -169,7 +169,7 @@ class RollingHistory {
 /// @param[in] motion waypoints
 /// @param[in] observer progress and cancellation
 /// @return scalars at all instants, beginning with the current one
-/// @throws std::invalid_argument for invalid input, and for a drive that friction cannot balance
+/// @throws InvalidInput for invalid input, and for a drive that friction cannot balance
 /// @throws ConvergenceError if the contact iteration does not converge
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion,

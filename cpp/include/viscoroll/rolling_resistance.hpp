@@ -33,12 +33,12 @@ struct RollingResistance {
 /// @param[in] angular_speed Omega [rad/s], either sign
 /// @param[in] outside for a load outside the range of the fit or a speed above it: an error, or T / P at the nearer end
 /// @return resisting torque, with the sign of Omega [N m]
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 [[nodiscard]] double resisting_torque(const RollingResistance& surface, double load, double angular_speed,
                                       Extrapolation outside = Extrapolation::error);
 
 /// @brief Check a surface.
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 void validate(const RollingResistance& surface);
 
 /// @brief Read a surface from JSON. The library nlohmann/json finds this function by argument-dependent lookup:
@@ -46,7 +46,7 @@ void validate(const RollingResistance& surface);
 /// @param[in] json content of a file that `save("torque.json")` wrote
 /// @param[out] surface fitted surface
 /// @throws Json::exception if a value is missing or has another type
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 template <class Json>
 void from_json(const Json& json, RollingResistance& surface) {
   json.at("load").get_to(surface.load);

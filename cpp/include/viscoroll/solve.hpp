@@ -19,7 +19,7 @@ namespace viscoroll {
 /// @param[in] load_case load, rolling speed, friction and drive
 /// @param[in] options options of the solver
 /// @return the solution with its status
-/// @throws std::invalid_argument for invalid input, for a load that presses the body as deep as its layers are thick,
+/// @throws InvalidInput for invalid input, for a load that presses the body as deep as its layers are thick,
 /// for a speed at or above `critical_speed`, and for a drive with which the body never stops sliding
 /// @throws ConvergenceError if the solver finds no usable state
 /// @throws Canceled if the observer canceled the computation
@@ -35,7 +35,7 @@ namespace viscoroll {
 /// outer radius
 /// @param[in] options options of the solver
 /// @return the solution with its status
-/// @throws std::invalid_argument for the same reasons as on a rigid plane, and if both bodies are rigid
+/// @throws InvalidInput for the same reasons as on a rigid plane, and if both bodies are rigid
 /// @throws ConvergenceError if the solver finds no usable state
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
@@ -49,7 +49,7 @@ namespace viscoroll {
 /// @param[in] state contact of a result
 /// @param[in] options options of the solver, with the mesh of that result
 /// @return the solution with its status
-/// @throws std::invalid_argument for invalid input, and for a state of another mesh
+/// @throws InvalidInput for invalid input, and for a state of another mesh
 /// @throws ConvergenceError if there is no solution near the state
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
@@ -68,7 +68,7 @@ class RollingModel {
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] curvature curvature terms in the layer equations of a sphere
   /// @param[in] observer progress and cancellation
-  /// @throws std::invalid_argument for invalid input, and for a speed at or above `critical_speed`
+  /// @throws InvalidInput for invalid input, and for a speed at or above `critical_speed`
   /// @throws Canceled if the observer canceled the computation
   RollingModel(const RollingBody& body, double angular_speed, const Mesh& mesh, int threads = 0,
                Curvature curvature = Curvature::sphere, const Observer& observer = {});

@@ -53,11 +53,11 @@ enum class Curvature {
 /// @brief Check a layer.
 /// @param[in] layer any layer
 /// @param[in] prefix text before the parameter's name in messages
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 void validate(const Layer& layer, std::string_view prefix = "layer.");
 
 /// @brief Check a sphere and its layers, if it has any.
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 void validate(const CoatedSphere& sphere);
 
 }  // namespace viscoroll

@@ -56,7 +56,7 @@ struct CoatedWheel {
 [[nodiscard]] double critical_speed(const CoatedWheel& wheel, double highest_frequency = 1e9);
 
 /// @brief Check a wheel and its layers.
-/// @throws std::invalid_argument naming parameter, value, unit and range
+/// @throws InvalidInput naming parameter, value, unit and range
 void validate(const CoatedWheel& wheel);
 
 }  // namespace viscoroll

@@ -94,14 +94,14 @@ void count_longest(OrderBand& lowest);
 /// @param[in] mesh spacings and truncation (not on a plane)
 /// @param[in] rough_orders orders up to which at least all are summed one by one
 /// @return bands along phi
-/// @throws std::invalid_argument if the sum on a plane is truncated
+/// @throws InvalidInput if the sum on a plane is truncated
 [[nodiscard]] std::vector<OrderBand> phi_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh,
                                                double rough_orders = 0.0);
 /// @brief Bands of orders along theta; parameters same as in `phi_bands`.
 /// @param[in] body,angular_speed,mesh,rough_orders same as in `phi_bands`
 /// @param[in] widest largest offset [rad], see `unbounded_octaves`
 /// @return bands along theta
-/// @throws std::invalid_argument if the sum on a plane, or across a wheel, is truncated
+/// @throws InvalidInput if the sum on a plane, or across a wheel, is truncated
 [[nodiscard]] std::vector<OrderBand> theta_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh,
                                                  double rough_orders = 0.0, double widest = 0.0);
 

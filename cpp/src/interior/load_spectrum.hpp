@@ -54,7 +54,7 @@ class LoadSpectrum {
 
 /// @brief Check tractions.
 /// @param[in] tractions tractions
-/// @throws std::invalid_argument for values of the wrong count or out of range
+/// @throws InvalidInput for values of the wrong count or out of range
 void validate(const Tractions& tractions);
 
 }  // namespace viscoroll::detail

@@ -102,11 +102,11 @@ struct PassingOrders {
     }
     // Waves of 1e4 revolutions. Lower orders contribute at most this fraction of an order's dissipation.
     constexpr double kLowest = 1e-4;
-    constexpr double kPanelRatio = 1.5;    // the response of layers is smooth in ln(m)
-    const double widest = 0.05 * highest;  // tractions vary on the scale r / a in m, typically up to 40 r / a
+    constexpr double kLossPanelRatio = 1.5;  // the response of layers is smooth in ln(m)
+    const double widest = 0.05 * highest;    // tractions vary on the scale r / a in m, typically up to 40 r / a
     const auto [points, gauss] = gauss_legendre(8);
     for (double low = kLowest; low < highest;) {
-      const double high = std::min({kPanelRatio * low, low + widest, static_cast<double>(highest)});
+      const double high = std::min({kLossPanelRatio * low, low + widest, static_cast<double>(highest)});
       for (Index i = 0; i < points.size(); ++i) {
         orders.push_back(low + 0.5 * (high - low) * (1.0 + points[i]));
         weights.push_back(0.5 * (high - low) * gauss[i]);

@@ -12,7 +12,7 @@ namespace viscoroll::detail {
 /// @brief Check a tabulated modulus.
 /// @param[in] curve table
 /// @param[in] prefix text before the parameter's name in messages
-/// @throws std::invalid_argument if the table is short or unsorted, has columns of unequal length, or a value is out of
+/// @throws InvalidInput if the table is short or unsorted, has columns of unequal length, or a value is out of
 /// range
 void validate_table(const MasterCurve& curve, std::string_view prefix);
 
@@ -20,7 +20,7 @@ void validate_table(const MasterCurve& curve, std::string_view prefix);
 /// @param[in] curve a valid table
 /// @param[in] omega angular frequency [rad/s], >= 0
 /// @return complex shear modulus [Pa]
-/// @throws std::invalid_argument outside the table, unless the curve holds its end values
+/// @throws InvalidInput outside the table, unless the curve holds its end values
 [[nodiscard]] std::complex<double> interpolate(const MasterCurve& curve, double omega);
 
 }  // namespace viscoroll::detail

@@ -17,19 +17,19 @@ namespace viscoroll {
 namespace detail {
 namespace {
 
-using State = Eigen::Vector2d;  // u_r [m], r sigma_rr [stress unit x m]
+using RadialState = Eigen::Vector2d;  // u_r [m], r sigma_rr [stress unit x m]
 
 constexpr int kMaxTerms = 60;
 
 /// Solve (1 + x) dz/dx = (B + q (1 + x)^2 M) z - q r (1 + x)^3 e, z(0) = start, over one radial step by a Taylor
 /// series. Since M = -e (1, 0) and e = (0, 1), load and inertia enter as -q (1 + x)^2 (u_r + r (1 + x)).
-State advance(const Eigen::Matrix2d& elastic, double q, double load_radius, const State& start, double x) {
-  State sum = start;
-  State term = start;
+RadialState advance(const Eigen::Matrix2d& elastic, double q, double load_radius, const RadialState& start, double x) {
+  RadialState sum = start;
+  RadialState term = start;
   // Terms of the series of u_r + r (1 + x); the rigid part contributes r and r x.
   std::array<double, 3> recent{start(0) + load_radius, 0.0, 0.0};
   for (int j = 0; j < kMaxTerms; ++j) {
-    State next = elastic * term - j * term;
+    RadialState next = elastic * term - j * term;
     next(1) -= q * (recent[0] + 2.0 * x * recent[1] + x * x * recent[2]);
     next *= x / (j + 1);
     sum += next;
@@ -78,9 +78,9 @@ std::vector<Eigen::Vector2d> centrifugal_states(const LayerStack<std::complex<do
     for (int step = 0; step < steps; ++step) {
       const double radius = inner * std::exp(extent * step / steps);
       const double q = medium.inertia * radius * radius / stress_unit;
-      const State start = free ? State{1.0, 0.0} : State{compliance, 1.0};
-      const State unit_stress = advance(elastic, q, 0.0, start, x);
-      const State loaded = advance(elastic, q, radius, {offset, 0.0}, x);
+      const RadialState start = free ? RadialState{1.0, 0.0} : RadialState{compliance, 1.0};
+      const RadialState unit_stress = advance(elastic, q, 0.0, start, x);
+      const RadialState loaded = advance(elastic, q, radius, {offset, 0.0}, x);
       compliance = unit_stress(0) / unit_stress(1);
       offset = loaded(0) - compliance * loaded(1);
       free = false;
@@ -92,13 +92,13 @@ std::vector<Eigen::Vector2d> centrifugal_states(const LayerStack<std::complex<do
     }
   }
 
-  std::vector<State> states;
+  std::vector<RadialState> states;
   double stress = 0.0;
   for (const auto& step : std::views::reverse(taken)) {
     if (step.ends_layer) states.emplace_back(step.compliance * stress + step.offset, stress * stress_unit);
     stress = (stress - step.load) / step.stress;
   }
-  states.emplace_back(is_free ? State{stress, 0.0} : State{0.0, stress * stress_unit});
+  states.emplace_back(is_free ? RadialState{stress, 0.0} : RadialState{0.0, stress * stress_unit});
   std::ranges::reverse(states);
   return states;
 }

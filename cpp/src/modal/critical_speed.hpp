@@ -23,7 +23,7 @@ namespace viscoroll::detail {
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] highest_frequency frequency at which a `CustomModulus` is evaluated in place of its short-time limit
 /// [rad/s]
-/// @throws std::invalid_argument with the critical speed
+/// @throws InvalidInput with the critical speed
 void require_subcritical(const LayeredBody& body, double angular_speed, double highest_frequency);
 
 /// @brief Reject a speed at which a wave returns around the body with little damping, exp(-pi m tan(delta)).
@@ -31,7 +31,7 @@ void require_subcritical(const LayeredBody& body, double angular_speed, double h
 /// The storage moduli at the frequency of order m lose the stiffness of that order. The critical speed does not show
 /// this if the short-time modulus is high or infinite but is not reached at the frequencies of rolling.
 /// @param[in] body body with its orders in ascending order
-/// @throws std::invalid_argument with the order
+/// @throws InvalidInput with the order
 void require_damped_waves(const HarmonicBody& body);
 
 }  // namespace viscoroll::detail

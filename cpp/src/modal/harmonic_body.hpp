@@ -20,7 +20,7 @@ struct OrderAt {
 };
 
 /// @brief Check that a body has at least one layer and that its speed is positive.
-/// @throws std::invalid_argument for a body without layers, and for Omega <= 0 rad/s
+/// @throws InvalidInput for a body without layers, and for Omega <= 0 rad/s
 void require_rolling(const LayeredBody& body, double angular_speed);
 
 /// @brief A body whose material crosses the contact at the speed Omega r, where r is the radius of its metric. Order m
@@ -32,7 +32,7 @@ class HarmonicBody {
   /// @param[in] orders orders m >= 0, on a plane > 0, not necessarily whole numbers
   /// @param[in] measured_order highest order at which measured moduli, `MasterCurve` and `CustomModulus`, are
   /// evaluated; from about half of it on the frequencies approach this limit smoothly
-  /// @throws std::invalid_argument for invalid input, for a speed at or above the critical one, and for a modulus that
+  /// @throws InvalidInput for invalid input, for a speed at or above the critical one, and for a modulus that
   /// is not passive at an order
   HarmonicBody(LayeredBody body, double angular_speed, std::vector<double> orders,
                double measured_order = std::numeric_limits<double>::infinity());
@@ -77,7 +77,7 @@ class HarmonicBody {
 [[nodiscard]] HarmonicBody body_at_rest(LayeredBody body, double angular_speed);
 
 /// @brief Reject the exact sphere for computations with orders (m, n).
-/// @throws std::invalid_argument for `Curvature::exact`
+/// @throws InvalidInput for `Curvature::exact`
 void require_orders(Curvature curvature);
 
 }  // namespace viscoroll::detail

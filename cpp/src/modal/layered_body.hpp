@@ -58,22 +58,22 @@ struct LayeredBody {
 /// @brief Check and describe a sphere.
 /// @param[in] sphere core and layers
 /// @param[in] curvature curvature terms in the layer equations
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedSphere& sphere, Curvature curvature = Curvature::sphere);
 
 /// @brief Check and describe a cylinder.
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedCylinder& cylinder);
 
 /// @brief Check a wheel and describe its endless tread, with layers of the same thickness everywhere. The folder
 /// `section` adds the effects of faces and hub.
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedWheel& wheel);
 
 /// @brief Check and describe a plane with its base.
 /// @param[in] plane layers and base
 /// @param[in] radius radius of the rolling body [m], > 0; orders are wave numbers times this radius
-/// @throws std::invalid_argument for invalid input
+/// @throws InvalidInput for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedPlane& plane, double radius);
 
 }  // namespace viscoroll::detail

@@ -101,7 +101,7 @@ class Body {
   [[nodiscard]] double width() const { return shape_.width; }
 
   /// @return influence tables, compliance and centrifugal displacement
-  /// @throws std::invalid_argument for meshes and curvatures that the type of body does not support, and for critical
+  /// @throws InvalidInput for meshes and curvatures that the type of body does not support, and for critical
   /// speeds
   [[nodiscard]] virtual BodySurface surface(const ContactKinematics& kinematics) const = 0;
   /// @return the layers in the contact, without free faces; not defined for a rigid body
@@ -109,7 +109,7 @@ class Body {
   [[nodiscard]] virtual Profile profile(const SurfaceWindow& points) const = 0;
   /// @return the tread if it ends at free faces, where influence depends on more than offsets; null for other bodies
   [[nodiscard]] virtual const CoatedWheel* free_tread() const { return nullptr; }
-  /// @throws std::invalid_argument if a rolling body does not fit into the curvature of this one
+  /// @throws InvalidInput if a rolling body does not fit into the curvature of this one
   virtual void require_room_for(const RoundBody& /*rolling*/) const {}
   /// @return relative error of the torque due to the layer equations, in addition to the error due to the strain
   [[nodiscard]] virtual double further_error(const ContactReach& /*contact*/) const { return 0.0; }
@@ -117,7 +117,7 @@ class Body {
   [[nodiscard]] virtual std::vector<Warning> warnings(const ContactReach& /*contact*/, bool /*other_deforms*/) const {
     return {};
   }
-  /// @throws std::invalid_argument if pressing would move the surface outward according to the layer equations
+  /// @throws InvalidInput if pressing would move the surface outward according to the layer equations
   virtual void require_stiffness() const {}
 
  protected:
@@ -135,7 +135,7 @@ class RoundBody : public Body {
   [[nodiscard]] virtual const ContactForm& form() const { return kSpotContact; }
   /// @return nodes of a mesh; a deformable counterbody has the same nodes
   [[nodiscard]] virtual Nodes nodes(const Mesh& mesh, const Body& on) const = 0;
-  /// @throws std::invalid_argument for options that the type of body does not support
+  /// @throws InvalidInput for options that the type of body does not support
   virtual void require(const Options& /*options*/) const {}
 
  protected:

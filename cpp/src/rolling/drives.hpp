@@ -31,7 +31,7 @@ struct GivenMotion {
 /// @param[in] pressure_share same as in `moment_about_center`
 [[nodiscard]] std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_share);
 
-/// @throws std::invalid_argument for numbers that are not finite, and for a force or torque that friction cannot
+/// @throws InvalidInput for numbers that are not finite, and for a force or torque that friction cannot
 /// balance
 void validate_drive(const LoadCase& load_case, const RoundBody& body);
 

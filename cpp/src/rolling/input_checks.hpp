@@ -1,6 +1,6 @@
 /// @file
 /// @brief Checks of inputs that are absurd or outside the validity of the method. Each check throws
-/// `std::invalid_argument` with a message, unless its comment names another exception.
+/// `InvalidInput`, unless its comment names another exception.
 #pragma once
 
 #include <string>

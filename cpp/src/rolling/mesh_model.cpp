@@ -27,7 +27,7 @@ double stable_collocation(std::complex<double> normal, std::complex<double> alon
   return std::clamp(std::min(full, kOnset * (full - halved)), 0.0, kMost);
 }
 
-/// @throws std::invalid_argument if the rolling body would grow to fill the counterbody in which it rolls
+/// @throws InvalidInput if the rolling body would grow to fill the counterbody in which it rolls
 void require_room_to_swell(const RollingPair& pair, const CentrifugalGrowth& growth, double angular_speed) {
   const Curvatures& own = pair.body->curvatures();
   const Curvatures& on = pair.on->curvatures();

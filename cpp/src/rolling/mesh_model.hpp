@@ -44,7 +44,7 @@ struct MeshModel {
 /// @param[in] curvature curvature terms retained in the layer equations
 /// @param[in] execution threads, progress and cancellation
 /// @param[in] inertia_tolerance largest relative error of the compliance due to the truncated expansion in inertia
-/// @throws std::invalid_argument for bad input and critical speeds
+/// @throws InvalidInput for bad input and critical speeds
 [[nodiscard]] MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
                                    const Execution& execution, double inertia_tolerance = kInertiaTolerance);
 

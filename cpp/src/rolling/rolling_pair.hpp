@@ -16,7 +16,7 @@ struct RollingPair {
 };
 
 /// @brief Check and combine both bodies.
-/// @throws std::invalid_argument with parameter, value, unit and range, if a body is invalid or the two cannot roll on
+/// @throws InvalidInput with parameter, value, unit and range, if a body is invalid or the two cannot roll on
 /// one another
 [[nodiscard]] RollingPair rolling_pair(const RollingBody& body, const Counterbody& on);
 

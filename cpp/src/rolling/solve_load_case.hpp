@@ -20,14 +20,14 @@ namespace viscoroll::detail {
 /// @param[in] options solver options; mesh and accuracy are ignored
 /// @param[in] watch progress and cancellation
 /// @param[in] coarse_contact extent of the contact on a coarser mesh, if there is a result on one
-/// @throws std::invalid_argument if the load presses the rolling body through its coating
+/// @throws InvalidInput if the load presses the rolling body through its coating
 /// @throws ConvergenceError if no contact was found
 /// @throws MeshTooFine if the mesh needs too many nodes
 [[nodiscard]] Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options,
                                      Watch& watch, const std::optional<ContactReach>& coarse_contact = std::nullopt);
 
 /// @brief Solve one load case with the sets of contacting, sticking and slipping nodes of a state on the same mesh.
-/// @throws std::invalid_argument if the state belongs to another mesh
+/// @throws InvalidInput if the state belongs to another mesh
 /// @throws ConvergenceError if there is no solution near the state
 [[nodiscard]] Result solve_kept_case(const MeshModel& model, const LoadCase& load_case, const Options& options,
                                      Watch& watch, const FrozenContact& state);

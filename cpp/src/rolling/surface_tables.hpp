@@ -4,23 +4,23 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "surface/surface_operator.hpp"
 #include "surface/surface_window.hpp"
 #include "surface/table_operator.hpp"
+#include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 
 /// @brief Error for a mesh whose nodes or tables do not fit into memory.
-class MeshTooFine : public std::invalid_argument {
+class MeshTooFine : public InvalidInput {
  public:
   /// @param[in] nodes_per_revolution number of the rejected mesh
   /// @param[in] most,made largest possible amount, and the amount that the mesh needs
   MeshTooFine(int nodes_per_revolution, const std::string& most, const std::string& made)
-      : std::invalid_argument("mesh.nodes_per_revolution must be so small that the mesh needs at most " + most +
-                              ", got " + std::to_string(nodes_per_revolution) + " (" + made + ")") {}
+      : InvalidInput("mesh.nodes_per_revolution", "must be so small that the mesh needs at most " + most,
+                     std::to_string(nodes_per_revolution) + " (" + made + ")") {}
 };
 
 /// @brief Tables of one surface. Threads may share it: tables are summed under a lock and never change.

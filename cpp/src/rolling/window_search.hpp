@@ -22,7 +22,7 @@ struct WindowContact {
 /// @param[in] setup the load case
 /// @param[in] coarse_contact extent of the contact on a coarser mesh, if there is a result on one; otherwise the extent
 /// is estimated
-/// @throws std::invalid_argument if the load is so large that the contact exceeds the widest window
+/// @throws InvalidInput if the load is so large that the contact exceeds the widest window
 /// @throws ConvergenceError if the contact iteration does not converge
 /// @throws MeshTooFine if a window has too many nodes
 [[nodiscard]] WindowContact find_contact_in_window(const ContactSetup& setup,

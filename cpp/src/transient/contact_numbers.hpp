@@ -13,7 +13,7 @@ namespace viscoroll::detail {
 /// @param[in] pair both bodies
 /// @param[in] instant contact
 /// @param[in,out] now instant whose load is set
-/// @throws std::invalid_argument if a coating is compressed by its whole thickness
+/// @throws InvalidInput if a coating is compressed by its whole thickness
 void set_extent(const ViscoelasticPair& pair, const InstantContact& instant, RollingInstant& now);
 
 /// @brief Forces that do work besides the torque [N].

@@ -38,7 +38,7 @@ struct CreepFunction {
 /// @brief Moduli of layers with their own creep functions.
 /// @param[in] layers layers with an instantaneous compliance, which excludes KelvinVoigt
 /// @param[in] range in which continuous spectra are resolved
-/// @throws std::invalid_argument for bad parameters
+/// @throws InvalidInput for bad parameters
 [[nodiscard]] std::vector<CreepFunction> creep_functions(const std::vector<Layer>& layers, const TimeRange& range);
 
 /// @return relaxation times, which are the poles of the modulus, ascending: one below each retardation time [s]

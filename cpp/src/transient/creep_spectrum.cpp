@@ -152,11 +152,11 @@ CreepSpectrum cole_cole_spectrum(const FractionalZener& solid, const TimeRange& 
   const double share = solid.relaxed_modulus / solid.instantaneous_modulus;
   const double center = solid.relaxation_time * std::pow(1.0 / share, 1.0 / alpha);
   const double spacing = cole_cole_spacing(alpha);
-  const double pi = std::numbers::pi;
   const auto last = static_cast<int>(std::ceil(40.0 / (alpha * spacing)));
   std::vector<double> density;
   for (int i = -last; i <= last; ++i) {
-    density.push_back(std::sin(alpha * pi) / (std::cosh(alpha * spacing * i) + std::cos(alpha * pi)));
+    density.push_back(std::sin(alpha * std::numbers::pi) /
+                      (std::cosh(alpha * spacing * i) + std::cos(alpha * std::numbers::pi)));
   }
   const double total = std::accumulate(density.begin(), density.end(), 0.0);
   RangedSpectrum spectrum(share, range);

@@ -32,7 +32,7 @@ struct TimeRange {
 /// @param[in] modulus shear modulus of a solid
 /// @param[in] range in which continuous spectra are resolved; faster terms join the instantaneous compliance, and
 /// slower terms form the slowest term
-/// @throws std::invalid_argument for bad parameters
+/// @throws InvalidInput for bad parameters
 [[nodiscard]] CreepSpectrum creep_spectrum(const ShearModulus& modulus, const TimeRange& range);
 
 }  // namespace viscoroll::detail

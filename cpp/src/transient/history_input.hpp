@@ -9,7 +9,7 @@ namespace viscoroll::detail {
 inline constexpr int kMostAveragedMeshes = 16;
 
 /// @brief Check options.
-/// @throws std::invalid_argument with parameter, value, unit and range
+/// @throws InvalidInput with parameter, value, unit and range
 void validate(const HistoryOptions& options);
 
 /// @brief Default mesh.

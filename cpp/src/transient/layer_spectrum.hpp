@@ -27,7 +27,7 @@ class LayerSpectrum {
   /// @param[in] range times in which continuous spectra are resolved
   /// @param[in] tolerance largest relative error of the compliance of any order at any frequency due to the choice of
   /// times
-  /// @throws std::invalid_argument for bad parameters
+  /// @throws InvalidInput for bad parameters
   LayerSpectrum(LayeredBody body, const TimeRange& range, double tolerance);
 
   [[nodiscard]] const Metric& metric() const { return body_.metric; }

@@ -37,7 +37,7 @@ class NumberWriter {
   std::vector<double>& numbers_;
 };
 
-/// @brief Reader of numbers that a `NumberWriter` has written. All members throw std::invalid_argument if the numbers
+/// @brief Reader of numbers that a `NumberWriter` has written. All members throw InvalidInput if the numbers
 /// do not form a state.
 class NumberReader {
  public:

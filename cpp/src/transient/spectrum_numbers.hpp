@@ -12,7 +12,7 @@ namespace viscoroll::detail {
 
 void write(const CreepSpectrum& spectrum, NumberWriter& numbers);
 
-/// @throws std::invalid_argument if the numbers do not form a spectrum
+/// @throws InvalidInput if the numbers do not form a spectrum
 [[nodiscard]] CreepSpectrum read_spectrum(NumberReader& numbers);
 
 }  // namespace viscoroll::detail

@@ -24,7 +24,7 @@ struct StartedSegment {
 
 void write(const std::optional<StartedSegment>& started, NumberWriter& numbers);
 
-/// @throws std::invalid_argument if the numbers do not form a segment
+/// @throws InvalidInput if the numbers do not form a segment
 [[nodiscard]] std::optional<StartedSegment> read_started_segment(NumberReader& numbers);
 
 }  // namespace viscoroll::detail

@@ -56,7 +56,7 @@ struct ViscoelasticPair {
 /// @param[in] pair bodies as given
 /// @param[in] options range and tolerance of discrete spectra, with a mesh
 /// @param[in] watch progress and cancellation
-/// @throws std::invalid_argument for layers that the method does not support
+/// @throws InvalidInput for layers that the method does not support
 [[nodiscard]] std::vector<BodySpectrum> creep_spectra(const RollingPair& pair, const HistoryOptions& options,
                                                       Watch& watch);
 
@@ -66,7 +66,7 @@ struct ViscoelasticPair {
 [[nodiscard]] double inertia_of(const RollingPair& pair, const std::vector<BodySpectrum>& spectra);
 
 /// @brief Reject options that are not available for a pair.
-/// @throws std::invalid_argument with parameter, value and range
+/// @throws InvalidInput with parameter, value and range
 void require_followed(const RollingPair& pair, const HistoryOptions& options);
 
 /// @brief Size of the first tables.

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from .errors import InvalidInput, InvalidType
 from .text import shown
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ def require_type(name: str, value: object, kind: type | UnionType, *, optional: 
     """Raise a TypeError unless `value` is an instance of `kind`, or None if that is allowed (`optional`)."""
     if not (isinstance(value, kind) or (optional and value is None)):
         wanted = f"a {kind_names(kind)}{' or None' if optional else ''}"
-        raise TypeError(f"{name} must be {wanted}, got {shown(value)}")
+        raise InvalidType(name, f"must be {wanted}", shown(value))
 
 
 def kind_names(kind: type | UnionType) -> str:
@@ -77,16 +78,16 @@ def as_member(name: str, value: Member | str, kind: type[Member]) -> Member:
         return value
     names = [member.name.lower() for member in kind]
     if not isinstance(value, str):
-        raise TypeError(f"{name} must be a {kind_names(kind)}, or one of {', '.join(names)}, got {shown(value)}")
+        raise InvalidType(name, f"must be a {kind_names(kind)}, or one of {', '.join(names)}", shown(value))
     if value.lower() not in names:
-        raise ValueError(f"{name} must be one of {', '.join(names)}, got {shown(value)}")
+        raise InvalidInput(name, f"must be one of {', '.join(names)}", shown(value))
     return kind[value.upper()]
 
 
 def require_callable(name: str, value: object) -> None:
     """Raise a TypeError if a value is neither callable nor None."""
     if value is not None and not callable(value):
-        raise TypeError(f"{name} must be callable or None, got {shown(value)}")
+        raise InvalidType(name, "must be callable or None", shown(value))
 
 
 def as_float(name: str, value: object) -> float:
@@ -103,18 +104,18 @@ def as_float(name: str, value: object) -> float:
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
     if isinstance(value, bool) or not isinstance(value, Real):
-        raise TypeError(f"{name} must be a real number, got {_described(value)}")
+        raise InvalidType(name, "must be a real number", _described(value))
     try:
         return float(value)
     except OverflowError:
-        raise ValueError(f"{name} must be <= {sys.float_info.max:.2g} in magnitude, got {shown(value)}") from None
+        raise InvalidInput(name, f"must be <= {sys.float_info.max:.2g} in magnitude", shown(value)) from None
 
 
 def as_positive(name: str, value: object, unit: str = "") -> float:
     """Return a finite number > 0, or raise a TypeError or ValueError."""
     number = as_float(name, value)
     if not 0.0 < number < float("inf"):
-        raise ValueError(f"{name} must be > {f'0 {unit}'.strip()}, got {number:g}")
+        raise InvalidInput(name, f"must be > {f'0 {unit}'.strip()}", f"{number:g}")
     return number
 
 
@@ -122,7 +123,7 @@ def as_not_negative(name: str, value: object, unit: str = "") -> float:
     """Return a finite number >= 0, or raise a TypeError or ValueError."""
     number = as_float(name, value)
     if not 0.0 <= number < float("inf"):
-        raise ValueError(f"{name} must be >= {f'0 {unit}'.strip()}, got {number:g}")
+        raise InvalidInput(name, f"must be >= {f'0 {unit}'.strip()}", f"{number:g}")
     return number
 
 
@@ -130,7 +131,7 @@ def as_kelvin(name: str, value: object) -> float:
     """Return a temperature [K]; reject values below 100 K, where no rubber is rubbery: they are probably in °C."""
     temperature = as_float(name, value)
     if not 100.0 <= temperature < float("inf"):
-        raise ValueError(f"{name} must be >= 100 K (20 °C are 293.15 K), got {temperature:g} K")
+        raise InvalidInput(name, "must be >= 100 K (20 °C are 293.15 K)", f"{temperature:g} K")
     return temperature
 
 
@@ -149,9 +150,9 @@ def as_int(name: str, value: object) -> int:
             raise TypeError
         number = operator.index(value)  # type: ignore[arg-type]
     except TypeError:
-        raise TypeError(f"{name} must be a whole number, got {_described(value)}") from None
+        raise InvalidType(name, "must be a whole number", _described(value)) from None
     if abs(number) > 2**31 - 1:
-        raise ValueError(f"{name} must fit into 32 bits, got {shown(number)}")
+        raise InvalidInput(name, "must fit into 32 bits", shown(number))
     return number
 
 
@@ -167,7 +168,7 @@ def as_float_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """
     array = _each(as_float, name, _as_array(name, values))
     if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name} must contain real numbers, got {array.dtype} entries")
+        raise InvalidType(name, "must contain real numbers", f"{array.dtype} entries")
     return array.astype(np.float64)
 
 
@@ -184,10 +185,10 @@ def as_floats(name: str, values: ArrayLike) -> tuple[float, ...]:
     if isinstance(values, list | tuple):
         for index, value in enumerate(values):
             if isinstance(value, bool):  # NumPy converts it to a number in a list with numbers
-                raise TypeError(f"{name}[{index}] must be a real number, got {_described(value)}")
+                raise InvalidType(f"{name}[{index}]", "must be a real number", _described(value))
     array = _as_array(name, values, wanted="one-dimensional")
     if array.ndim != 1:
-        raise ValueError(f"{name} must be one-dimensional, got shape {array.shape}")
+        raise InvalidInput(name, "must be one-dimensional", f"shape {array.shape}")
     return tuple(as_float_array(name, array).tolist())
 
 
@@ -203,9 +204,9 @@ def as_orders(name: str, values: ArrayLike) -> NDArray[np.int32]:
     """
     array = _each(as_int, name, _as_array(name, values))
     if array.dtype.kind not in "iu":
-        raise TypeError(f"{name} must contain whole numbers, got {array.dtype} entries")
+        raise InvalidType(name, "must contain whole numbers", f"{array.dtype} entries")
     if array.size and max(-int(array.min()), int(array.max())) > 10**6:
-        raise ValueError(f"{name} must be in [-1e6, 1e6], got {array.min()} to {array.max()}")
+        raise InvalidInput(name, "must be in [-1e6, 1e6]", f"{array.min()} to {array.max()}")
     return array.astype(np.int32)
 
 
@@ -234,7 +235,7 @@ def _as_array(name: str, values: ArrayLike, *, wanted: str = "an array") -> NDAr
     try:
         return np.asarray(values)
     except ValueError:
-        raise ValueError(f"{name} must be {wanted}, got rows of different lengths") from None
+        raise InvalidInput(name, f"must be {wanted}", "rows of different lengths") from None
 
 
 def _each(convert: Callable[[str, object], Any], name: str, array: NDArray[Any]) -> NDArray[Any]:

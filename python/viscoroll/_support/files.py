@@ -10,6 +10,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from .errors import InvalidInput
 from .extras import extra
 from .text import shown
 
@@ -28,7 +29,7 @@ def ending_in(suffixes: Collection[str], path: str | Path, *, name: str = "path"
     if path.suffix.lower() not in suffixes:
         *others, last = suffixes
         allowed = " or ".join(filter(None, [", ".join(others), last]))
-        raise ValueError(f"{name} must end in {allowed}, got {shown(path.name)}")
+        raise InvalidInput(name, f"must end in {allowed}", shown(path.name))
     return path
 
 

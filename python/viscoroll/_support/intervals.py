@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .arguments import Floats, as_float
+from .errors import InvalidInput
 from .extras import extra
 
 __all__ = ["as_confidence", "half_width", "student"]
@@ -14,7 +15,7 @@ def as_confidence(confidence: object) -> float:
     """Return a confidence level in (0, 1) as a float, or raise a TypeError or ValueError."""
     number = as_float("confidence", confidence)
     if not 0.0 < number < 1.0:
-        raise ValueError(f"confidence must be in (0, 1), got {number!r}")
+        raise InvalidInput("confidence", "must be in (0, 1)", repr(number))
     return number
 
 

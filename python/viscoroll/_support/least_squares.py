@@ -11,6 +11,7 @@ import numpy as np
 
 from .._core import ConvergenceError
 from .arguments import Floats
+from .errors import InvalidInput
 from .extras import extra
 from .intervals import student
 
@@ -142,7 +143,7 @@ def fit_law(
         from scipy.optimize import least_squares
 
     if not 0.0 < confidence < 1.0:
-        raise ValueError(f"confidence must be in (0, 1), got {confidence!r}")
+        raise InvalidInput("confidence", "must be in (0, 1)", repr(confidence))
     scale = np.where(start == 0.0, 1.0, np.abs(start))
     size = float(np.abs(y).max())
 
@@ -156,7 +157,9 @@ def fit_law(
     freedom = len(x) - len(start)
     singular = np.linalg.svd(found.jac, compute_uv=False)
     if not singular[-1] > 1e-10 * singular[0]:
-        raise ValueError(f"torque must determine all parameters of {law}, got data that many values fit equally well")
+        raise InvalidInput(
+            "torque", f"must determine all parameters of {law}", "data that many values fit equally well"
+        )
     covariance = np.linalg.inv(found.jac.T @ found.jac) * (2.0 * found.cost / freedom)
     values, covariance = found.x * scale, covariance * np.outer(scale, scale)
     spread = float(np.sum((y - y.mean()) ** 2))

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from io import BytesIO
 from os import PathLike, fspath
 
+from .errors import InvalidType
 from .extras import extra
 from .text import shown
 
@@ -67,7 +68,7 @@ def drawn(
             compose(picture)
         return picture
     if not isinstance(ax, Axes):
-        raise TypeError(f"ax must be a matplotlib.axes.Axes or None, got {shown(ax)}{_hint_for_a_file(ax)}")
+        raise InvalidType("ax", "must be a matplotlib.axes.Axes or None", f"{shown(ax)}{_hint_for_a_file(ax)}")
     draw(ax)
     return ax
 

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from functools import cache
 from typing import Any, TypeAlias
 
+from .errors import InvalidType
 from .extras import extra
 from .text import shown
 
@@ -40,7 +41,7 @@ def reporting(progress: ProgressLike) -> Iterator[Report | None]:
         yield None
     elif progress is not True:
         if not callable(progress):
-            raise TypeError(f"progress must be True, False, callable or None, got {shown(progress)}")
+            raise InvalidType("progress", "must be True, False, callable or None", shown(progress))
         yield progress
     else:
         layout = "{desc} {percentage:3.0f}%|{bar}| {elapsed}"

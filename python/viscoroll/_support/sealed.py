@@ -9,6 +9,8 @@ import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from .errors import InvalidInput
+
 if TYPE_CHECKING:
     import xarray
 
@@ -39,8 +41,8 @@ def load_sealed(path: Path) -> xarray.Dataset:
 
     content = path.read_bytes()
     if content[-_LENGTH:] != _MARK + _checksum(content[:-_LENGTH]):
-        raise ValueError(
-            f"{path} must be a study file of viscoroll, got a file without a valid checksum: damaged or of other origin"
+        raise InvalidInput(
+            path, "must be a study file of viscoroll", "a file without a valid checksum: damaged or of other origin"
         )
     return xarray.load_dataset(path, engine="netcdf4")
 

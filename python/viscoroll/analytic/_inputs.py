@@ -8,6 +8,7 @@ import numpy as np
 
 from .. import _core
 from .._support.arguments import as_float, as_float_array
+from .._support.errors import InvalidInput
 from ..materials.moduli import ShearModulusLike, to_core
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ def positives(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
     array = as_float_array(name, values)
     bad = array[~(np.isfinite(array) & (array > 0.0))]
     if bad.size:
-        raise ValueError(f"{name} must be > 0 {unit}, got {bad[0]:g}")
+        raise InvalidInput(name, f"must be > 0 {unit}", f"{bad[0]:g}")
     return array
 
 
@@ -40,7 +41,7 @@ def fraction(name: str, value: object) -> float:
     """Convert a number to a float; raise a ValueError unless it is in [0, 1]."""
     number = as_float(name, value)
     if not 0.0 <= number <= 1.0:
-        raise ValueError(f"{name} must be in [0, 1], got {number:g}")
+        raise InvalidInput(name, "must be in [0, 1]", f"{number:g}")
     return number
 
 
@@ -48,7 +49,7 @@ def poisson(value: object, *, compressible: bool = False) -> float:
     """Convert Poisson's ratio to a float in (-1, 0.5]; if the material must be `compressible`, in (-1, 0.5)."""
     number = as_float("poisson_ratio", value)
     if not (-1.0 < number < 0.5 or (number == 0.5 and not compressible)):
-        raise ValueError(f"poisson_ratio must be in (-1, 0.5{')' if compressible else ']'}, got {number:g}")
+        raise InvalidInput("poisson_ratio", f"must be in (-1, 0.5{')' if compressible else ']'}", f"{number:g}")
     return number
 
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_float_array, as_positive
+from .._support.errors import InvalidInput
 from ._at_rest import PressureBell, load_and_sizes
 from ._inputs import Floats, float_if_scalar, poisson, positives
 
@@ -256,7 +257,7 @@ def carter_force(
     contact = hertz_line(load=load, radius=radius, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio)
     creep = as_float_array("creepage", creepage)
     if not np.isfinite(creep).all():
-        raise ValueError(f"creepage must be finite, got {creep[~np.isfinite(creep)][0]:g}")
+        raise InvalidInput("creepage", "must be finite", f"{creep[~np.isfinite(creep)][0]:g}")
     sliding = np.minimum(np.abs(creep) * radius / (coefficient * np.asarray(contact.half_width)), 1.0)
     force = coefficient * positives("load", load, "N/m") * (1.0 - (1.0 - sliding) ** 2)
     return float_if_scalar(np.copysign(force, creep))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_not_negative, as_positive
+from .._support.errors import InvalidInput
 from ._inputs import Floats, complex_modulus, float_if_scalar, poisson, positives
 
 if TYPE_CHECKING:
@@ -106,9 +107,10 @@ def loss_time(shear_modulus: ShearModulusLike) -> float:
     modulus = complex_modulus(shear_modulus, _AT_REST)
     slowest, slow = (modulus.imag / modulus.real / _AT_REST).tolist()
     if abs(slowest - slow) > 1e-6 * slow:
-        raise ValueError(
-            "shear_modulus must have a loss modulus proportional to frequency near 0 rad/s, got G''/(ω G') = "
-            f"{slowest:g} s at {_AT_REST[0]:g} rad/s and {slow:g} s at {_AT_REST[1]:g} rad/s"
+        raise InvalidInput(
+            "shear_modulus",
+            "must have a loss modulus proportional to frequency near 0 rad/s",
+            f"G''/(ω G') = {slowest:g} s at {_AT_REST[0]:g} rad/s and {slow:g} s at {_AT_REST[1]:g} rad/s",
         )
     return float(slow)
 
@@ -210,7 +212,7 @@ def brilliantov_poschel_time(
     """
     modulus, nu = as_positive("shear_modulus", shear_modulus, "Pa"), poisson(poisson_ratio)
     if nu == 0.0:
-        raise ValueError("poisson_ratio must be in (-1, 0.5] and not 0, where the coefficient is infinite, got 0")
+        raise InvalidInput("poisson_ratio", "must be in (-1, 0.5] and not 0, where the coefficient is infinite", "0")
     eta1 = 2.0 * as_positive("shear_viscosity", shear_viscosity, "Pa s")
     eta2 = as_not_negative("bulk_viscosity", bulk_viscosity, "Pa s")
     viscosity = (3.0 * eta2 - eta1) ** 2 / (3.0 * eta2 + 2.0 * eta1)

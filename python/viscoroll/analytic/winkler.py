@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_positive, require_type
+from .._support.errors import InvalidInput
 from .._support.text import shown
 from ..materials import Elastic, KelvinVoigt, Prony, ShearModulus, StandardLinearSolid
 from ._inputs import Floats, float_if_scalar, poisson, positives, require_one_volumetric_constant
@@ -259,8 +260,8 @@ def _shear_springs(modulus: ShearModulus) -> _Springs:
             return _Springs(stiff * shares, np.append(times, np.inf), 0.0)
     require_type("shear_modulus", modulus, ShearModulus)
     names = ", ".join(kind.__name__ for kind in KNOWN_IN_TIME)
-    raise ValueError(
-        f"shear_modulus must be one of {names}, which have closed-form relaxation functions, got {shown(modulus)}"
+    raise InvalidInput(
+        "shear_modulus", f"must be one of {names}, which have closed-form relaxation functions", shown(modulus)
     )
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-import re
 from typing import TYPE_CHECKING, Any
 
 from .. import _core
 from .._core import ConvergenceError
+from .._support.errors import InvalidInput
 from .._support.result_warnings import silenced
 from .._support.text import one_line
 from ..bodies.si_hints import unit_doubt
@@ -25,12 +25,6 @@ _KEYS = {"case", "fields"}
 
 #: Tables of case files that the page does not support.
 OTHER_TABLES = ("thermal", "motion", "sweep", "design")
-
-#: Pattern of the beginning of a message: the place in the case, if there is one, and the name of the parameter.
-_BEGINNING = re.compile(r"(?:(?P<place>[\w.\[\]]+): )?(?P<name>[a-z]\w*(?:\.\w+|\[\d+\])*) (?:must|has)")
-
-#: Pattern of a message about the place itself, such as "rolling.load: input should be a valid number".
-_PLACE = re.compile(r"(?P<place>[a-z]\w*(?:\.\w+|\[\d+\])*): ")
 
 
 def scalars() -> list[dict[str, str]]:
@@ -52,24 +46,21 @@ def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
     -------
     dict
         ``{"result": {"scalars", "state", "warnings", "fields"}}``, in SI units, or ``{"error": {"message",
-        "parameter"}}``: the message as for a case file, and the parameter at its beginning, or None.
+        "parameter", "rule", "value"}}``: the message as for a case file, and the attributes of `InvalidInput`, or None
+        for other errors.
     """
     try:
         if not isinstance(request, dict) or "case" not in request or set(request) - _KEYS:
-            raise ValueError("request must be an object with the key case and optionally the key fields")
+            raise InvalidInput("request", "must be an object with the key case and optionally the key fields")
         case = readable_case(request["case"])
         with silenced():
             result = case.solve(progress=progress)
     except (ValueError, TypeError, ConvergenceError, RecursionError) as error:
-        message = one_line(str(error))
-        return {"error": {"message": message, "parameter": _parameter(message)}}
+        parts = {name: getattr(error, name, None) for name in ("parameter", "rule", "value")}
+        return {"error": {"message": one_line(str(error)), **parts}}
     except MemoryError:
-        return {
-            "error": {
-                "message": "not enough memory for this case: use a larger accuracy, that is, a coarser mesh",
-                "parameter": None,
-            }
-        }
+        message = "not enough memory for this case: use a larger accuracy, that is, a coarser mesh"
+        return {"error": {"message": message, "parameter": None, "rule": None, "value": None}}
     found = {
         "scalars": {name: _finite(value) for name, value in result.scalars().items()},
         "state": result.status.name.lower(),
@@ -87,17 +78,10 @@ def readable_case(document: object) -> Case:
         If the tables are not valid, refer to a file, or include tables of `OTHER_TABLES`.
     """
     if not isinstance(document, dict):
-        raise ValueError("case must be an object with the tables of a case file")
+        raise InvalidInput("case", "must be an object with the tables of a case file")
     if others := [name for name in OTHER_TABLES if name in document]:
-        raise ValueError(f"{others[0]} must be left out: the page does not support this table")
+        raise InvalidInput(others[0], "must be left out: the page does not support this table")
     return build_case(document, None)
-
-
-def _parameter(message: str) -> str | None:
-    if found := _BEGINNING.match(message):
-        return ".".join(filter(None, found.group("place", "name")))
-    found = _PLACE.match(message)
-    return found["place"] if found else None
 
 
 def _finite(value: float | int | str | None) -> float | int | str | None:

@@ -11,6 +11,7 @@ from typing import ClassVar, TypeAlias, get_args
 from .. import _core
 from .._core import InnerBoundary
 from .._support.arguments import as_member, require_type, store_floats
+from .._support.errors import InvalidType
 from .layered import LayeredBody, RoundBody
 from .layers import HalfSpace, Layer, as_layers
 from .wheel import CoatedWheel
@@ -199,5 +200,5 @@ def require_body(name: str, body: object, kind: type[RoundBody] | UnionType, wha
     """Raise a TypeError unless a body is of that kind; the message says that `what` does not support other kinds."""
     if isinstance(body, RollingBody) and not isinstance(body, kind):
         wanted = " or ".join(one.noun for one in get_args(kind) or (kind,))
-        raise TypeError(f"{name} must be a {wanted}: {what} of a {body.noun} is not implemented")
+        raise InvalidType(name, f"must be a {wanted}: {what} of a {body.noun} is not implemented")
     require_type(name, body, kind)

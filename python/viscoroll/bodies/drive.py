@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, fields
 
 from .. import _core
 from .._support.arguments import store_floats
+from .._support.errors import InvalidInput
 from .._support.tables import ParameterTable
 from .._support.units import UNITS
 
@@ -56,12 +57,12 @@ class Drive(ParameterTable):
         store_floats(self, ("lateral_creepage", "spin"), optional=("force", "torque", "creepage"), prefix="drive.")
         given = [name for name in ("force", "torque", "creepage") if getattr(self, name) is not None]
         if len(given) != 1:
-            raise ValueError(
-                f"drive must have exactly one of force, torque and creepage, got {', '.join(given) or 'none'}"
+            raise InvalidInput(
+                "drive", "must have exactly one of force, torque and creepage", f"{', '.join(given) or 'none'}"
             )
         for name in ("lateral_creepage", "spin"):
             if self.creepage is None and getattr(self, name) != 0.0:
-                raise ValueError(f"drive.{name} must be 0 without drive.creepage, got {getattr(self, name)!r}")
+                raise InvalidInput(f"drive.{name}", "must be 0 without drive.creepage", repr(getattr(self, name)))
         self._to_core()
 
     def _to_core(self) -> _core.DriveForce | _core.DriveTorque | _core.DriveCreepage:

@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 
 from .. import _core
 from .._support.arguments import as_positive, require_type, store_floats
+from .._support.errors import InvalidType
 from .._support.tables import ParameterTable
 from .._support.text import shown
 from ..materials import SofteningModulus
@@ -123,7 +124,7 @@ def as_layers(layers: object) -> tuple[Layer, ...]:
     """
     layers = (layers,) if isinstance(layers, Layer) else layers
     if not isinstance(layers, Iterable):
-        raise TypeError(f"layers must be a sequence of viscoroll.Layer, got {shown(layers)}")
+        raise InvalidType("layers", "must be a sequence of viscoroll.Layer", shown(layers))
     layers = tuple(layers)
     for j, layer in enumerate(layers):
         require_type(f"layers[{j}]", layer, Layer)

@@ -6,6 +6,7 @@ import csv
 from collections.abc import Sequence
 from pathlib import Path
 
+from .._support.errors import in_file
 from .._support.text import finite_number, shown
 
 __all__ = ["read_columns", "read_header"]
@@ -57,7 +58,7 @@ def _read_rows(what: str, path: Path) -> list[tuple[int, list[str]]]:
     except OSError as error:
         raise ValueError(f"{what} {path}: {error.strerror}") from None
     except (ValueError, csv.Error) as error:  # UnicodeDecodeError, and names with a NUL character, are ValueErrors
-        raise ValueError(f"{what} {path}: {error}") from None
+        raise in_file(error, f"{what} {path}") from None
     return [(line, cells) for line, cells in rows if any(cells)]
 
 

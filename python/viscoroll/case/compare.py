@@ -10,6 +10,7 @@ import numpy as np
 
 from .._core import Compliance, Status
 from .._support.arguments import Floats
+from .._support.errors import InvalidInput
 from .._support.files import write_csv
 from .._support.pictures import drawn
 from .._support.plotting import plots
@@ -137,7 +138,7 @@ def parse_speeds(text: str) -> tuple[float, float]:
     """Return the two ends of a range of speeds such as "0.05..25" [rad/s], with 0 < from < to < ∞."""
     low, high = parsed_range(text) or (0.0, 0.0)
     if not 0.0 < low < high < np.inf:
-        raise ValueError(f"speeds must be from..to with 0 < from < to in rad/s, got {text!r}")
+        raise InvalidInput("speeds", "must be from..to with 0 < from < to in rad/s", repr(text))
     return low, high
 
 

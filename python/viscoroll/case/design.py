@@ -11,6 +11,7 @@ import numpy as np
 
 from .._core import ConvergenceError
 from .._support.arguments import as_kelvin
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.plotting import plots
 from .._support.progress import ProgressLike, Report, reporting
@@ -186,8 +187,18 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
             return _best(variable, low, high, limits, search)
 
 
-class _Wanted(StrictTable):
-    """The table `design`."""
+class Wanted(StrictTable):
+    """The table `design`: the number to choose, and the limits of the results.
+
+    Parameters
+    ----------
+    vary : str
+        Place of the number in the file, for example ball.layers[0].thickness.
+    from, to : float
+        Smallest and largest value of the number, in the unit of the file.
+    limits : table
+        Largest allowed values, by names of scalar results and of quantities inside the layers.
+    """
 
     vary: str
     low: float = Field(alias="from", gt=0.0)
@@ -196,17 +207,17 @@ class _Wanted(StrictTable):
 
 
 class _File(StrictTable):
-    design: _Wanted
+    design: Wanted
 
 
 def _checked(table: object) -> tuple[str, float, float, dict[str, float]]:
     if not isinstance(table, dict):
-        raise ValueError('design must be a table, such as vary = "ball.layers[0].thickness", from = ..., to = ...')
+        raise InvalidInput("design", 'must be a table, such as vary = "ball.layers[0].thickness", from = ..., to = ...')
     wanted = checked(_File, {"design": table}).design
     if not wanted.low < wanted.high:
         raise ValueError(f"design.from and design.to must be 0 < from < to, got {wanted.low!r} and {wanted.high!r}")
     if unknown := [name for name in wanted.limits if name not in LIMITS]:
-        raise ValueError(f"design.limits must be named {', '.join(LIMITS)}, got {unknown[0]!r}")
+        raise InvalidInput("design.limits", f"must be named {', '.join(LIMITS)}", f"{unknown[0]!r}")
     if "temperature" in wanted.limits:
         as_kelvin("design.limits.temperature", wanted.limits["temperature"])
     return wanted.vary, wanted.low, wanted.high, wanted.limits
@@ -222,7 +233,7 @@ def _best(variable: str, low: float, high: float, limits: dict[str, float], sear
             if np.isfinite(min(excess))
             else (search.reasons[-1] if search.reasons else "no value could be solved")
         )
-        raise ValueError(f"design.limits must allow a value of {variable} in [{low:g}, {high:g}]: {why}")
+        raise InvalidInput("design.limits", f"must allow a value of {variable} in [{low:g}, {high:g}]: {why}")
     candidates = []
     for first, last in _ranges(grid, excess):
         start = _edge(search, limits, grid, first, -1)

@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from .._support.errors import InvalidInput
 from .._support.progress import Report
 from ..rolling import Result
 from ..solution.inside import Inside, inside_of
@@ -54,7 +55,7 @@ class Outcome:
         """
         found = self.inside[name] if name in self.inside else getattr(self.result, name)
         if found is None:
-            raise ValueError(f"design.limits.{name} must be left out: this case does not have this result")
+            raise InvalidInput(f"design.limits.{name}", "must be left out: this case does not have this result")
         return float(found)
 
     def unit(self, name: str) -> str:
@@ -85,12 +86,14 @@ def outcome_of(case: Case, names: Collection[str], report: Report | None) -> Out
     """
     heat = {"temperature", "load_to_fold"}.intersection(names)
     if heat and case.thermal is None:
-        raise ValueError(
-            f"design.limits.{min(heat)} must be used with a table [thermal], which describes the cooling of the layers"
+        raise InvalidInput(
+            f"design.limits.{min(heat)}",
+            "must be used with a table [thermal], which describes the cooling of the layers",
         )
     if "load_to_fold" in names and (case.thermal is None or case.thermal.shift is None):
-        raise ValueError(
-            "design.limits.load_to_fold must be used with thermal.shift: otherwise the cold state has no largest load"
+        raise InvalidInput(
+            "design.limits.load_to_fold",
+            "must be used with thermal.shift: otherwise the cold state has no largest load",
         )
     inside: dict[str, float] = {}
     heated: Temperature | None = None
@@ -117,7 +120,7 @@ def _at_bonds(result: Result, names: Collection[str]) -> dict[str, float]:
         return {}
     bonded = [body.of for body in _layered(result) if body.bonded().size]
     if not bonded:
-        raise ValueError(f"design.limits.{min(wanted)} must be left out: this case has no bonded interfaces")
+        raise InvalidInput(f"design.limits.{min(wanted)}", "must be left out: this case has no bonded interfaces")
     tractions = [result.bonds(of=of) for of in bonded]
     return {name: max(float(bonds[field].max()) for bonds in tractions) for name, field in wanted.items()}
 

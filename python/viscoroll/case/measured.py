@@ -9,6 +9,7 @@ import numpy as np
 
 from .._core import Status
 from .._support.arguments import Floats
+from .._support.errors import InvalidInput
 from .._support.files import write_csv
 from .._support.pictures import drawn
 from .._support.plotting import plots
@@ -206,7 +207,7 @@ def compare_measured(case: Case, measured: Measurements, *, progress: ProgressLi
     results = [solved[place] for place in which]
     values = [getattr(result, measured.quantity) for result in results]
     if None in values:
-        raise ValueError(f"{measured.quantity} must be determined by the case, got None: compare another result")
+        raise InvalidInput(measured.quantity, "must be determined by the case", "None: compare another result")
     computed = np.array(values, dtype=float)
     doubts = np.array([result.error_estimate + (result.model_error or 0.0) for result in results])
     return Trial(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
+from .._support.errors import InvalidInput
 from .._support.toml import read_toml
 from ..bodies import Counterbody, Drive, RollingBody
 from ..transient.roll import roll
@@ -27,7 +28,27 @@ __all__ = ["MotionCase", "load_motion"]
 _KNOTS = 160
 
 
-class _Motion(StrictTable):
+class Motion(StrictTable):
+    """The table `motion`: waypoints in lists or in a file, or an oscillation.
+
+    Parameters
+    ----------
+    file : str
+        CSV file with the columns time, angle or distance, and load.
+    amplitude : float
+        Amplitude of an oscillation about the start [rad].
+    frequency : float
+        Frequency of the oscillation [Hz].
+    cycles : float, optional
+        Number of cycles, in (0, 1e4].
+    driving_force : float, optional
+        Force on the center [N]; needs friction.
+    driving_torque : float, optional
+        Torque on the body [N m] instead of a driving force.
+    """
+
+    documented_by = (roll,)
+
     time: list[float] | None = None
     angle: list[float] | None = None
     distance: list[float] | None = None
@@ -45,7 +66,11 @@ class _Motion(StrictTable):
     center_speed: float = 0.0
 
 
-class _Numerics(MeshTable):
+class Numerics(MeshTable):
+    """The table `numerics` of a motion."""
+
+    documented_by = (*MeshTable.documented_by, roll)
+
     compliance: Annotated[Compliance, ByName()] = Compliance.RADIAL
     curvature: Annotated[Curvature, ByName(Curvature.SPHERE, Curvature.PAPER)] = Curvature.SPHERE
     averaged_meshes: int = 4
@@ -54,8 +79,8 @@ class _Numerics(MeshTable):
 
 
 class _File(PairTables):
-    motion: _Motion
-    numerics: _Numerics = _Numerics()
+    motion: Motion
+    numerics: Numerics = Numerics()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -109,54 +134,56 @@ def _build(file: _File) -> MotionCase:
     )
 
 
-def _drive(motion: _Motion) -> Drive:
+def _drive(motion: Motion) -> Drive:
     if motion.driving_torque is None:
         return Drive(force=motion.driving_force)
     if motion.driving_force != 0.0:
-        raise ValueError("motion.driving_force must be left out with driving_torque")
+        raise InvalidInput("motion.driving_force", "must be left out with driving_torque")
     return Drive(torque=motion.driving_torque)
 
 
-def _waypoints(motion: _Motion) -> dict[str, Any]:
+def _waypoints(motion: Motion) -> dict[str, Any]:
     """Return the waypoints by name, from lists, from a file or from an oscillation."""
     given = [name for name in ("time", "file", "amplitude") if getattr(motion, name) is not None]
     if len(given) != 1:
-        raise ValueError(f"motion must have exactly one of time, file and amplitude, got {', '.join(given) or 'none'}")
+        raise InvalidInput(
+            "motion", "must have exactly one of time, file and amplitude", f"{', '.join(given) or 'none'}"
+        )
     match given[0]:
         case "file":
             return _table(motion)
         case "amplitude":
             return _oscillation(motion)
     if (motion.angle is None and motion.distance is None) or motion.load is None:
-        raise ValueError("motion must have load, and angle or distance, with time")
+        raise InvalidInput("motion", "must have load, and angle or distance, with time")
     return {name: getattr(motion, name) for name in ("time", "angle", "distance", "load", "center_displacement")}
 
 
-def _table(motion: _Motion) -> dict[str, Any]:
+def _table(motion: Motion) -> dict[str, Any]:
     assert motion.file is not None
     columns = read_columns("motion", motion.file, ("time",), ("angle", "distance", "load", "center_displacement"))
     if ("angle" in columns) == ("distance" in columns):
         raise ValueError(f"motion {motion.file}: must have exactly one of the columns angle and distance")
     if "load" not in columns and motion.load is None:
-        raise ValueError(f"motion.load must be given if {motion.file} has no column load")
+        raise InvalidInput("motion.load", f"must be given if {motion.file} has no column load")
     for name in ("load", "center_displacement"):
         if name in columns and getattr(motion, name) is not None:
-            raise ValueError(f"motion.{name} must be left out if {motion.file} has a column {name}")
+            raise InvalidInput(f"motion.{name}", f"must be left out if {motion.file} has a column {name}")
     return {"load": motion.load, "center_displacement": motion.center_displacement} | columns
 
 
-def _oscillation(motion: _Motion) -> dict[str, Any]:
+def _oscillation(motion: Motion) -> dict[str, Any]:
     if motion.center_displacement is not None:
-        raise ValueError("motion.center_displacement must be left out with amplitude")
+        raise InvalidInput("motion.center_displacement", "must be left out with amplitude")
     if motion.frequency is None or motion.load is None:
-        raise ValueError("motion must have frequency and load with amplitude")
+        raise InvalidInput("motion", "must have frequency and load with amplitude")
     if not 1e-100 <= motion.frequency <= 1e100:
-        raise ValueError(f"motion.frequency must be in [1e-100, 1e100] Hz, got {motion.frequency!r}")
+        raise InvalidInput("motion.frequency", "must be in [1e-100, 1e100] Hz", repr(motion.frequency))
     if not 0.0 < motion.cycles <= 1e4:
-        raise ValueError(f"motion.cycles must be in (0, 1e4], got {motion.cycles!r}")
+        raise InvalidInput("motion.cycles", "must be in (0, 1e4]", f"{motion.cycles!r}")
     assert motion.amplitude is not None
     if not np.isfinite(motion.amplitude):
-        raise ValueError(f"motion.amplitude must be finite, got {motion.amplitude!r}")
+        raise InvalidInput("motion.amplitude", "must be finite", repr(motion.amplitude))
     time = np.linspace(0.0, motion.cycles / motion.frequency, max(int(_KNOTS * motion.cycles), 1) + 1)
     angle = motion.amplitude * np.sin(2.0 * np.pi * motion.frequency * time)
     return {"time": time, "angle": angle, "load": motion.load}

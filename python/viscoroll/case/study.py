@@ -11,6 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.intervals import as_confidence
 from .._support.text import shown
@@ -35,8 +36,18 @@ _PLACE = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
 _Place = tuple[str | int, ...]
 
 
-class _Draws(StrictTable):
-    """The table `draws`: places of materials with draws, and method and confidence of the intervals."""
+class Draws(StrictTable):
+    """The table `draws`: materials with draws, from which the intervals of the results follow.
+
+    Parameters
+    ----------
+    of : list of str
+        Places of measured materials in the file, for example ball.layers[0].shear_modulus.
+    method : {"linear", "solve"}, optional
+        Linearization, or one solution for each draw.
+    confidence : float, optional
+        Probability of the intervals [-], in (0, 1).
+    """
 
     of: list[str]
     method: Literal["linear", "solve"] = "linear"
@@ -44,11 +55,21 @@ class _Draws(StrictTable):
 
 
 class _DrawsFile(StrictTable):
-    draws: _Draws
+    draws: Draws
 
 
-class _Range(StrictTable):
-    """Range of numbers, including both ends."""
+class Range(StrictTable):
+    """Range of numbers, including both ends.
+
+    Parameters
+    ----------
+    from, to : float
+        First and last number.
+    count : int
+        Number of numbers.
+    scale : {"linear", "log"}, optional
+        Equal differences or equal ratios.
+    """
 
     start: float = Field(alias="from")
     stop: float = Field(alias="to")
@@ -107,15 +128,15 @@ def load_study(path: str | Path) -> Plan:
 def _study(document: dict[str, Any], folder: Path) -> Plan:
     table = document.pop("sweep", None)
     if not isinstance(table, dict) or not table:
-        raise ValueError(
-            'sweep must be a table of parameters with their values, such as "rolling.load" = [50.0, 100.0]'
+        raise InvalidInput(
+            "sweep", 'must be a table of parameters with their values, such as "rolling.load" = [50.0, 100.0]'
         )
     draws = checked(_DrawsFile, {"draws": document.pop("draws")}).draws if "draws" in document else None
     places = [place_of(key) for key in table]
     entries = {key: _entry(key, entry) for key, entry in table.items()}
-    counts = {key: entry.count if isinstance(entry, _Range) else len(entry) for key, entry in entries.items()}
+    counts = {key: entry.count if isinstance(entry, Range) else len(entry) for key, entry in entries.items()}
     require_feasible({f'of "{key}"': count for key, count in counts.items()})
-    values = [entry.values() if isinstance(entry, _Range) else entry for entry in entries.values()]
+    values = [entry.values() if isinstance(entry, Range) else entry for entry in entries.values()]
     dimensions = [
         Dimension(name=name, values=tuple(numbers), unit=UNITS.get(_leaf(place)))
         for name, place, numbers in zip(_names(places), places, values, strict=True)
@@ -124,7 +145,7 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
 
 
 def _plan(
-    document: dict[str, Any], folder: Path, places: list[_Place], dimensions: list[Dimension], draws: _Draws | None
+    document: dict[str, Any], folder: Path, places: list[_Place], dimensions: list[Dimension], draws: Draws | None
 ) -> Plan:
     cases: list[LoadCase | str] = []
     bodies: dict[tuple[float, ...], RollingBody] = {}
@@ -157,7 +178,7 @@ def _drawn(document: dict[str, Any], folder: Path, places: list[_Place]) -> tupl
     counts = {_text(place): _count_draws(document, folder, place) for place in places}
     if len(set(counts.values())) != 1:
         told = ", ".join(f"{count} at {place}" for place, count in counts.items()) or "none"
-        raise ValueError(f"draws.of must name materials with equal numbers of draws, got {told}")
+        raise InvalidInput("draws.of", "must name materials with equal numbers of draws", told)
     cases = (
         build_case(substituted(document, {(*place, "draw"): draw for place in places}), folder)
         for draw in range(next(iter(counts.values())))
@@ -173,8 +194,8 @@ def _count_draws(document: dict[str, Any], folder: Path, place: _Place) -> int:
             material = material[part]
         file = folder / material["file"]
     except (IndexError, KeyError, TypeError):
-        raise ValueError(
-            f'draws.of must name tables of measured materials whose files contain draws, got "{_text(place)}"'
+        raise InvalidInput(
+            "draws.of", "must name tables of measured materials whose files contain draws", f'"{_text(place)}"'
         ) from None
     return count_draws(file)
 
@@ -194,7 +215,7 @@ def place_of(key: str) -> _Place:
     return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
 
 
-def _entry(key: str, entry: object) -> list[float] | list[int] | _Range:
+def _entry(key: str, entry: object) -> list[float] | list[int] | Range:
     """Return the checked entry of the table `sweep` under a key, before the numbers of a range are generated."""
     if isinstance(entry, list) and all(isinstance(v, int | float) and not isinstance(v, bool) for v in entry):
         return entry
@@ -205,9 +226,9 @@ def _entry(key: str, entry: object) -> list[float] | list[int] | _Range:
     if "from" not in entry and any(isinstance(value, list | dict) for value in entry.values()):
         raise ValueError(f'sweep.{key}: the whole place must be in quotes, as in "{key}.{next(iter(entry))}"')
     try:
-        return checked(_Range, entry)
-    except ValueError as error:
-        raise ValueError(f'sweep."{key}".{error}') from None
+        return checked(Range, entry)
+    except InvalidInput as error:
+        raise error.inside(f'sweep."{key}"') from None
 
 
 def substituted(document: dict[str, Any], chosen: Mapping[_Place, float]) -> dict[str, Any]:

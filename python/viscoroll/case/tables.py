@@ -12,12 +12,14 @@ from contextlib import contextmanager
 from enum import Enum
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias, TypeVar
+from typing import Annotated, Any, ClassVar, Literal, TypeAlias, TypeVar
 
+from .._support.errors import InvalidInput, in_file
 from .._support.extras import extra
 from .._support.suggestions import suggestion
 from .._support.text import one_line, shown
 from .._support.toml import read_toml
+from .descriptions import parameter_schemas
 
 with extra("cli"):
     from pydantic import (
@@ -26,6 +28,7 @@ with extra("cli"):
         ConfigDict,
         Field,
         GetCoreSchemaHandler,
+        GetJsonSchemaHandler,
         ValidationError,
         ValidationInfo,
         create_model,
@@ -34,7 +37,9 @@ with extra("cli"):
     from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
 __all__ = [
+    "AlsoAs",
     "ByName",
+    "ColumnsOf",
     "FileName",
     "FileTables",
     "StrictTable",
@@ -52,6 +57,29 @@ class StrictTable(BaseModel):
     """Base of a table of the file: unknown keys and wrong types are errors."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+    #: Classes and functions whose docstrings describe the keys.
+    documented_by: ClassVar[tuple[Callable[..., Any], ...]] = ()
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        """Return the JSON Schema with descriptions and ranges from the docstrings."""
+        made = handler(schema)
+        keys = handler.resolve_ref_schema(made).get("properties", {})
+        for name in keys:  # a missing value is None in Python, but not in a file
+            kinds = [kind for kind in keys[name].get("anyOf", []) if kind != {"type": "null"}]
+            if keys[name].get("default", 0) is None:
+                del keys[name]["default"]
+            if kinds:
+                keys[name]["anyOf"] = kinds
+            if len(kinds) == 1:
+                keys[name] = {k: v for k, v in keys[name].items() if k != "anyOf"} | kinds[0]
+        sources: tuple[Callable[..., Any], ...] = (*cls.documented_by, cls)
+        for make in sources:
+            for name, found in parameter_schemas(make).items():
+                if name in keys:
+                    keys[name] = found | keys[name]
+        return made
 
 
 #: Tables that only some commands read, and the command to name in messages.
@@ -97,12 +125,22 @@ class Table:
         Value of the key `type`, for tables that describe one of several classes.
     make : callable, optional
         Function that makes the object instead of the class; its parameters are the keys.
+    documented_by : class, optional
+        Another class whose docstring describes the same keys.
     **types : type
         Types of keys. Other keys may have any type.
     """
 
-    def __init__(self, kind: str | None = None, make: Callable[..., Any] | None = None, **types: Any) -> None:
+    def __init__(
+        self,
+        kind: str | None = None,
+        make: Callable[..., Any] | None = None,
+        *,
+        documented_by: type | None = None,
+        **types: Any,
+    ) -> None:
         self._make = make
+        self._documented_by = documented_by
         self._types = types | ({} if kind is None else {"type": Literal[kind]})
         self._model: type[StrictTable] | None = None  # made once: several bodies contain moduli and layers
 
@@ -111,10 +149,7 @@ class Table:
         make = self._make or source
 
         def made(table: StrictTable) -> Any:
-            try:
-                return make(**{name: getattr(table, name) for name in table.model_fields_set - {"type"}})
-            except TypeError as error:  # wrong types of values; the model has checked the keys
-                raise ValueError(str(error)) from None
+            return make(**{name: getattr(table, name) for name in table.model_fields_set - {"type"}})
 
         self._model = self._model or self._model_of(make)
         return core_schema.no_info_after_validator_function(made, handler.generate_schema(self._model))
@@ -126,7 +161,49 @@ class Table:
             name: (self._types.get(name, Any), Field() if name in needed else None)
             for name in [*parameters, *self._types]
         }
-        return create_model(make.__name__, __base__=StrictTable, **keys)
+        model = create_model(make.__name__.removeprefix("_"), __base__=StrictTable, **keys)
+        model.documented_by = (make,) if self._documented_by is None else (self._documented_by,)
+        return model
+
+
+class AlsoAs:
+    """Annotation of a table that the file may also abbreviate, by values of some types of JSON."""
+
+    def __init__(self, *types: str) -> None:
+        self._types = types
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        """Return the JSON Schema of the table or of an abbreviation."""
+        return {"anyOf": [*({"type": kind} for kind in self._types), handler(schema)]}
+
+
+class ColumnsOf:
+    """Annotation of a table whose key `file` may replace some keys, which are then columns of the file.
+
+    Parameters
+    ----------
+    replace : callable
+        Function of a table and of the validation info that replaces the file by its columns.
+    names : tuple of str
+        Keys that the file replaces.
+    """
+
+    def __init__(self, replace: Callable[[Any, ValidationInfo], Any], names: tuple[str, ...]) -> None:
+        self._replace = replace
+        self._names = names
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Return a schema that replaces the file before the table is checked."""
+        return core_schema.with_info_before_validator_function(self._replace, handler(source))
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        """Return the JSON Schema, in which either the file or all columns are required."""
+        made = handler(schema)
+        table = handler.resolve_ref_schema(made)
+        table["properties"] |= {"file": {"type": "string", "description": "CSV file with the columns."}}
+        table["required"] = [name for name in table["required"] if name not in self._names]
+        table["oneOf"] = [{"required": ["file"]}, {"required": list(self._names)}]
+        return made
 
 
 class ByName:
@@ -149,9 +226,9 @@ def in_folder(name: object, info: ValidationInfo) -> Path:
     All names of files pass through this function, so that tables without a folder cannot cause any file to be read.
     """
     if info.context is None:
-        raise ValueError("names of files are not allowed here: write the values into the table")
+        raise InvalidInput("file", "must be left out here: write the values into the table")
     if not isinstance(name, str):
-        raise ValueError(f"file must be the name of a file, got {shown(name)}")
+        raise InvalidInput("file", "must be the name of a file", shown(name))
     assert isinstance(info.context, Path)
     return info.context / name
 
@@ -168,7 +245,7 @@ def errors_in(path: Path) -> Iterator[None]:
     except RecursionError:
         raise ValueError(one_line(f"{path}: tables are nested too deeply")) from None
     except (TypeError, ValueError) as error:
-        raise ValueError(one_line(f"{path}: {error}")) from None
+        raise in_file(error, path) from None
 
 
 def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = None) -> _Model:
@@ -186,14 +263,14 @@ def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = 
 
     Raises
     ------
-    ValueError
-        If the tables have other content. The message names the place in the file.
+    InvalidInput
+        If the tables have other content.
     """
     try:
         return kind.model_validate(document, context=folder)
     except ValidationError as error:
         others = skipped(kind, document) if issubclass(kind, FileTables) else {}
-        raise ValueError(_first_line(error, others, kind.model_fields)) from None
+        raise _first_error(error, others, kind.model_fields) from None
 
 
 #: Python calls that messages suggest, and their form in a file.
@@ -206,8 +283,8 @@ _IN_FILES = {
 _MOST_TOLD = 3
 
 
-def _first_line(error: ValidationError, others: Mapping[str, str], tables: Iterable[str]) -> str:
-    """Return a message with the most relevant error and its place, then the others.
+def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iterable[str]) -> InvalidInput:
+    """Return the most relevant error; its message also lists the others.
 
     Parameters
     ----------
@@ -221,7 +298,7 @@ def _first_line(error: ValidationError, others: Mapping[str, str], tables: Itera
     # Values are checked only in tables without wrong keys: report the wrong keys of other tables first.
     errors = sorted(error.errors(), key=lambda one: one["type"] == "value_error")
     if others and (whole := [one for one in errors if one["type"] == "missing" and len(one["loc"]) == 1]):
-        return f"{_told(whole[0])}; this file is for `{next(iter(others.values()))}`"
+        return _invalid(whole[0], more=f"this file is for `{next(iter(others.values()))}`")
     missing = [str(one["loc"][-1]) for one in errors if one["type"] == "missing"]
     unknown = [number for number, one in enumerate(errors) if one["type"] == "extra_forbidden"]
     meant = {}
@@ -234,43 +311,49 @@ def _first_line(error: ValidationError, others: Mapping[str, str], tables: Itera
     incomplete = [one["loc"][:-1] for one in errors if one["type"] == "missing" and len(one["loc"]) > 1]
     instead = [number for number in unknown if errors[number]["loc"][:-1] in incomplete]
     chosen = next(iter([*meant, *instead]), 0)
-    told = _told(errors[chosen])
-    if chosen in meant:
-        told += f"; did you mean {meant[chosen]}?"
     named = meant.get(chosen, "").partition(" = ")[0]
-    more = [
-        _told(one, with_value=False)
+    more = [f"did you mean {meant[chosen]}?"] if chosen in meant else []
+    rest = [
+        str(_invalid(one, with_value=False))
         for number, one in enumerate(errors)
         if number != chosen and not (one["type"] == "missing" and one["loc"][-1] == named)
     ]
-    if len(more) > _MOST_TOLD:
-        return f"{told} (and {len(more)} more)"
-    varied = (
-        ["; only `viscoroll sweep` uses the values of [sweep]"] if set(missing) - {named} and "sweep" in others else []
-    )
-    return "; ".join([told, *more]) + "".join(varied)
+    more += rest if len(rest) <= _MOST_TOLD else [f"and {len(rest)} more errors"]
+    if set(missing) - {named} and "sweep" in others and len(rest) <= _MOST_TOLD:
+        more.append("only `viscoroll sweep` uses the values of [sweep]")
+    return _invalid(errors[chosen], more="; ".join(more))
 
+
+#: Types of keys that may have one of several types, which end their locations.
+_ALTERNATIVES = ("float", "list[float]")
 
 #: Tables with a key `type`, whose value follows their name in the locations of pydantic.
 _TYPED = ("shear_modulus", "shift", "matrix", "network")
 
-#: Messages about keys of such tables, by the error type of pydantic.
-_WRONG_KEYS = {"missing": "must have", "extra_forbidden": "has no parameter"}
 
-
-def _told(error: ErrorDetails, *, with_value: bool = True) -> str:
-    *above, key = [part for before, part in pairwise(("", *error["loc"])) if before not in _TYPED]
+def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") -> InvalidInput:
+    """Return an error of pydantic as an error of a parameter."""
+    parts = pairwise(("", *error["loc"]))
+    place = _place([part for before, part in parts if before not in _TYPED and part not in _ALTERNATIVES])
     kind = next((part for before, part in reversed([*pairwise(error["loc"])]) if before in _TYPED), None)
-    got = f", got {shown(error['input'])}" if with_value and error["type"] != "missing" else ""
-    if kind is not None and error["type"] in _WRONG_KEYS:
-        return f"{_place(above)} of type {kind} {_WRONG_KEYS[error['type']]} {key}{got}"
-    place, context = _place([*above, key]), error.get("ctx", {})
+    context, message = error.get("ctx", {}), error["msg"]
+    value = shown(error["input"]) if with_value else ""
+    if error["type"] == "value_error":
+        found = context["error"]
+        if isinstance(found, InvalidInput):
+            inside = found.inside(place)
+            return type(inside)(inside.parameter, inside.rule, inside.value, more=more, source=inside.source)
+        return InvalidInput(place, f"is invalid: {found}", more=more)
+    if error["type"] == "missing":
+        return InvalidInput(place, "must be given" + (f" for the type {kind}" if kind else ""), more=more)
+    if error["type"] == "extra_forbidden":
+        return InvalidInput(place, "is not a parameter" + (f" of the type {kind}" if kind else ""), value, more=more)
     if error["type"] == "union_tag_invalid":
         kinds = context["expected_tags"].replace("'", "")
-        return f"{place}.type must be one of {kinds}, got {shown(error['input']['type'])}"
-    if error["type"] == "value_error":  # this message contains the given value
-        return f"{place}: {context['error']}"
-    return f"{place}: {error['msg'][0].lower()}{error['msg'][1:]}{got}"
+        return InvalidInput(f"{place}.type", f"must be one of {kinds}", shown(error["input"]["type"]), more=more)
+    wanted = message.removeprefix("Input should be ")
+    rule = f"must be {wanted}" if wanted != message else f"is invalid: {message[0].lower()}{message[1:]}"
+    return InvalidInput(place, rule, value, more=more)
 
 
 def _place(parts: Sequence[str | int]) -> str:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 from .. import paper
 from .._core import Compliance, ConvergenceError, Curvature, Status, __fft__, __version__
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save_picture
 from .._support.result_warnings import ResultWarning
@@ -27,7 +28,7 @@ from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
 from ..solution.text import result_lines, result_title, result_warnings, with_unit
 from ..thermal.temperature import QUANTITIES
-from .commands import design, export, material
+from .commands import design, export, material, schema
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, write_line, write_message
 from .page import serve_page
 
@@ -241,7 +242,7 @@ def plot(
     """Draw a result of a study against its first dimension, one curve for each value of the others."""
     check_target("--output", output, PICTURES)
     if study.suffix != ".nc":
-        raise ValueError(f"study must be a .nc file written by `viscoroll sweep`, got {study.name!r}")
+        raise InvalidInput("study", "must be a .nc file written by `viscoroll sweep`", repr(study.name))
     with extra("files"):
         import netCDF4  # noqa: F401  (xarray reads with it)
         import xarray  # noqa: F401
@@ -290,7 +291,7 @@ def reproduce(
     from ..reproduce import ITEMS, Runner, write_files, write_verdicts
 
     if unknown := sorted(set(items or ()) - set(ITEMS)):
-        raise ValueError(f"item must be one of {', '.join(ITEMS)}, got {unknown[0]!r}")
+        raise InvalidInput("item", f"must be one of {', '.join(ITEMS)}", f"{unknown[0]!r}")
     output.mkdir(parents=True, exist_ok=True)
     verdicts: dict[str, list[Verdict]] = {}
     with progress_bar() as report:
@@ -488,6 +489,6 @@ def _table_2(torques: dict[tuple[int, int], float]) -> Table:
     return table
 
 
-for command in (material, export, design):
+for command in (material, export, design, schema):
     app.command()(command)
 app.command("app")(serve_page)

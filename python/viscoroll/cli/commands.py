@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from enum import StrEnum
 from pathlib import Path
@@ -163,6 +164,13 @@ def design(
     if plot is not None:
         save_picture(found.plot(), plot)
         write_line(f"power and limits drawn to {plot}")
+
+
+def schema() -> None:
+    """Print the JSON Schema of case files, for editors: viscoroll schema > viscoroll.schema.json."""
+    from ..case.schema import json_schema
+
+    write_line(json.dumps(json_schema(), indent=2, ensure_ascii=False))
 
 
 def _draws(curve: Superposition | Isotherm, fit: PronyFit, count: int) -> Draws[Superposition] | Draws[Prony] | None:

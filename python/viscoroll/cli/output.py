@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import ending_in
 from .._support.progress import Report
@@ -46,7 +47,7 @@ def check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> N
         return
     ending_in(suffixes, path, name=option)
     if path.is_dir() or not path.parent.is_dir():
-        raise ValueError(f"{option} must be a file in a folder that exists, got {shown(str(path))}")
+        raise InvalidInput(option, "must be a file in a folder that exists", shown(str(path)))
 
 
 @contextmanager

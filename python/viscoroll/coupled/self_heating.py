@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._support.arguments import as_float, as_int, as_kelvin, require_type
+from .._support.errors import InvalidInput, InvalidType
 from .._support.extras import extra
 from .._support.progress import ProgressLike, counted, reporting
 from .._support.result_warnings import silenced, warn
@@ -261,13 +262,13 @@ def self_heating(
     parts = as_int("sublayers", sublayers)
     count = as_int("points", points)
     if not 1 <= parts <= 20:
-        raise ValueError(f"sublayers must be in [1, 20], got {parts}")
+        raise InvalidInput("sublayers", "must be in [1, 20]", parts)
     if not 4 <= count <= 1000:
-        raise ValueError(f"points must be in [4, 1000], got {count}")
+        raise InvalidInput("points", "must be in [4, 1000]", count)
     surroundings = as_kelvin("ambient", ambient)
     highest = surroundings + 150.0 if limit is None else as_float("limit", limit)
     if not highest > surroundings:
-        raise ValueError(f"limit must be > ambient = {surroundings:g} K, got {highest:g} K")
+        raise InvalidInput("limit", f"must be > ambient = {surroundings:g} K", f"{highest:g} K")
     search = StateSearch(
         body=_cut(body, parts),
         shifts=[each for each in shifts for _ in range(parts)],
@@ -309,12 +310,12 @@ def _shifts(body: RollingBody, shift: Shift | Sequence[Shift]) -> list[Shift]:
     try:
         several = list(shift)
     except TypeError:
-        raise TypeError("shift must be a function of temperature [K], or one for each layer") from None
+        raise InvalidType("shift", "must be a function of temperature [K], or one for each layer") from None
     if len(several) != len(body.layers):
-        raise ValueError(f"shift must have one function for each of {len(body.layers)} layers, got {len(several)}")
+        raise InvalidInput("shift", f"must have one function for each of {len(body.layers)} layers", len(several))
     for each in several:
         if not callable(each):
-            raise TypeError("shift must be a function of temperature [K], or one for each layer")
+            raise InvalidType("shift", "must be a function of temperature [K], or one for each layer")
     return several
 
 

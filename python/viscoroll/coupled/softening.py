@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from .._support.arguments import as_float, as_int, require_type
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from .._support.result_warnings import warn
@@ -110,12 +111,12 @@ def strain_softening(
     as_network_loss("loss", loss)
     parts, columns = as_int("sublayers", sublayers), as_int("depths", depths)
     if not 1 <= parts <= 20:
-        raise ValueError(f"sublayers must be in [1, 20], got {parts}")
+        raise InvalidInput("sublayers", "must be in [1, 20]", parts)
     if not 2 <= columns <= 20:
-        raise ValueError(f"depths must be in [2, 20], got {columns}")
+        raise InvalidInput("depths", "must be in [2, 20]", columns)
     share = as_float("tolerance", tolerance)
     if not 1e-9 <= share <= 0.1:
-        raise ValueError(f"tolerance must be in [1e-9, 0.1], got {share!r}")
+        raise InvalidInput("tolerance", "must be in [1e-9, 0.1]", repr(share))
     layers = softening_layers(body, on)
     if not layers:
         return _linear(solve(body, on=on, load=load, angular_speed=angular_speed, progress=progress, **options), loss)

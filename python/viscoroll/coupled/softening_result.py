@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
 
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
 from .._support.plotting import plots
@@ -44,7 +45,7 @@ def as_network_loss(name: str, value: object) -> NetworkLoss:
         If it is not one of the two kinds.
     """
     if value not in ("network", "harmonic"):
-        raise ValueError(f"{name} must be 'network' or 'harmonic', got {shown(value)}")
+        raise InvalidInput(name, "must be 'network' or 'harmonic'", shown(value))
     return value
 
 
@@ -125,7 +126,7 @@ class StrainSoftening:
 
         known = {layer.of for layer in self._layers}
         if self._state is None or (of is not None and of not in known):
-            raise ValueError(f"of must be a body with a layer that softens with strain, got {shown(of)}")
+            raise InvalidInput("of", "must be a body with a layer that softens with strain", shown(of))
         body = self._layers[0].of if of is None else of
         inside = inside_of(self.result, body)
         chosen = [found for found, layer in zip(self._state.layers, self._layers, strict=True) if layer.of == body]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from .._support.errors import InvalidInput
 from ..bodies import CoatedPlane, CoatedSphere, Counterbody, RollingBody
 from ..studies.rolling_resistance import radius_of
 
@@ -73,9 +74,10 @@ def balls_of_study(study: xarray.Dataset) -> Balls:
         raise ValueError(f"{_WANTED}, got a study of a coated {kind}")
     power = study["dissipated_power"]
     if more := [str(d) for d in power.dims if d not in ("load", "angular_speed") and power.sizes[d] > 1]:
-        raise ValueError(
-            f"study must vary only load and angular_speed, got also {', '.join(more)}: select one value, as in "
-            f"study.isel({more[0]}=0)"
+        raise InvalidInput(
+            "study",
+            "must vary only load and angular_speed",
+            f"also {', '.join(more)}: select one value, as in study.isel({more[0]}=0)",
         )
     if "on" in study.coords:
         raise ValueError(f"{_WANTED}, the same at all points, got a study that varies on=")

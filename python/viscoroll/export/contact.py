@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from .._support.arguments import Floats
+from .._support.errors import InvalidInput, InvalidType
 from .._support.text import shown
 from ..coupled import StrainSoftening
 from ..coupled.softening_result import BOUNDS
@@ -149,8 +150,8 @@ def operating_points(source: Result | StrainSoftening | xarray.Dataset) -> list[
         speed.
     """
     if not isinstance(source, Result | StrainSoftening) and not hasattr(source, "data_vars"):
-        raise TypeError(
-            f"source must be a viscoroll.Result, a StrainSoftening, or a study of viscoroll.sweep, got {shown(source)}"
+        raise InvalidType(
+            "source", "must be a viscoroll.Result, a StrainSoftening, or a study of viscoroll.sweep", shown(source)
         )
     bounds: list[list[float]] = []
     if isinstance(source, StrainSoftening):
@@ -180,7 +181,7 @@ def operating_points(source: Result | StrainSoftening | xarray.Dataset) -> list[
                 OperatingPoint(balls=balls, load=p, angular_speed=w, torque=torque, penetration=d, bounds=both)
             )
     if not points:
-        raise ValueError("source must have a point with dissipated power > 0 W, got none")
+        raise InvalidInput("source", "must have a point with dissipated power > 0 W", "none")
     return points
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_float
+from .._support.errors import InvalidInput
 from .._support.files import write_csv, write_text
 from .._support.text import shown
 from ..coupled import StrainSoftening
@@ -191,7 +192,7 @@ def dem(
     0.0027
     """
     if code not in CODES:
-        raise ValueError(f"code must be one of {', '.join(CODES)}, got {shown(code)}")
+        raise InvalidInput("code", f"must be one of {', '.join(CODES)}", shown(code))
     styles = CODES[code]
     if style is not None and style not in styles:
         raise ValueError(f"style of {code} must be one of {', '.join(styles)}, got {shown(style)}")
@@ -222,10 +223,10 @@ def _nearest(points: list[OperatingPoint], load: float | None, speed: float | No
         ("angular_speed", wanted_speed, speeds, "rad/s"),
     ):
         if value not in known:
-            raise ValueError(f"{name} must be one of {', '.join(f'{v:g}' for v in known)} {unit}, got {value:g}")
+            raise InvalidInput(name, f"must be one of {', '.join(f'{v:g}' for v in known)} {unit}", f"{value:g}")
     found = [p for p in points if p.load == wanted_load and p.angular_speed == wanted_speed]
     if not found:
-        raise ValueError(
-            f"load must be a solved point of the study, got {wanted_load:g} N at {wanted_speed:g} rad/s, which failed"
+        raise InvalidInput(
+            "load", "must be a solved point of the study", f"{wanted_load:g} N at {wanted_speed:g} rad/s, which failed"
         )
     return found[0]

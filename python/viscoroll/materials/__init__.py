@@ -3,6 +3,7 @@
 from .draws import Draws
 from .loss_factor import LossFactor
 from .moduli import (
+    CreepCompliance,
     Elastic,
     FractionalZener,
     KelvinVoigt,
@@ -18,6 +19,7 @@ from .strain_sweep import StrainSweep
 
 __all__ = [
     "Arrhenius",
+    "CreepCompliance",
     "Draws",
     "Elastic",
     "FractionalZener",

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Generic, TypeVar, overload
 
+from .._support.errors import InvalidInput
 from .._support.text import shown
 
 __all__ = ["Draws"]
@@ -48,7 +49,7 @@ class Draws(Sequence[T], Generic[T]):
         object.__setattr__(self, "middle", middle)
         object.__setattr__(self, "members", tuple(members))
         if len(self.members) < _FEWEST:
-            raise ValueError(f"members must be at least {_FEWEST} draws, got {len(self.members)}")
+            raise InvalidInput("members", f"must be at least {_FEWEST} draws", len(self.members))
 
     @overload
     def __getitem__(self, index: int) -> T: ...

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from .. import _core
+from .._support.errors import InvalidInput
 from .moduli import Prony, ShearModulus
 
 __all__ = ["LossFactor"]
@@ -54,6 +56,7 @@ class LossFactor(ShearModulus):
     loss_factor: float
     reference_frequency: float
     decades: float = 3.0
+    _units: ClassVar = {"modulus": (1, 0), "reference_frequency": (0, -1)}
 
     def prony(self) -> Prony:
         """Return the Prony series that approximates the law.
@@ -68,11 +71,11 @@ class LossFactor(ShearModulus):
             ("reference_frequency", 0.0, math.inf, " rad/s"),
         ):
             if not low < getattr(self, name) < high:
-                raise ValueError(f"{name} must be > 0{unit}, got {getattr(self, name)!r}")
+                raise InvalidInput(name, f"must be > 0{unit}", repr(getattr(self, name)))
         if not 1e-6 <= self.loss_factor <= 2.0:
-            raise ValueError(f"loss_factor must be in [1e-6, 2], got {self.loss_factor!r}")
+            raise InvalidInput("loss_factor", "must be in [1e-6, 2]", repr(self.loss_factor))
         if not 0.5 <= self.decades <= 8.0:
-            raise ValueError(f"decades must be in [0.5, 8], got {self.decades!r}")
+            raise InvalidInput("decades", "must be in [0.5, 8]", repr(self.decades))
         weights, times, relaxed = _spectrum(2.0 / math.pi * math.atan(self.loss_factor), self.decades + _MARGIN)
         x = times
         storage = relaxed + float((weights * x**2 / (1.0 + x**2)).sum())

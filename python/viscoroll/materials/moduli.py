@@ -10,12 +10,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
 from numbers import Complex
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 import numpy as np
 
 from .. import _core
 from .._support.arguments import as_float, as_float_array, as_floats, as_member, store_floats
+from .._support.errors import InvalidInput, InvalidType
 from .._support.tables import ParameterTable
 from .._support.text import shown
 
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     )
 
 __all__ = [
+    "CreepCompliance",
     "Elastic",
     "FractionalZener",
     "KelvinVoigt",
@@ -47,6 +49,9 @@ class ShearModulus(ParameterTable, ABC):
     """Base class of the moduli defined in this module."""
 
     __slots__ = ()
+
+    #: Exponents of stress and time in the units of the parameters, for example (1, 1) for a viscosity [Pa s].
+    _units: ClassVar[dict[str, tuple[int, int]]] = {}
 
     def __post_init__(self) -> None:
         """Store numbers as floats and check the parameters."""
@@ -103,6 +108,7 @@ class Elastic(ShearModulus):
     """
 
     modulus: float
+    _units: ClassVar = {"modulus": (1, 0)}
 
     def _to_core(self) -> _core.Elastic:
         return _core.Elastic(**_parameters_of(self))
@@ -135,6 +141,7 @@ class Prony(ShearModulus):
     instantaneous_modulus: float
     weights: Sequence[float] | NDArray[np.float64]
     relaxation_times: Sequence[float] | NDArray[np.float64]
+    _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxation_times": (0, 1)}
 
     def __post_init__(self) -> None:
         """Convert the sequences to tuples and check the parameters."""
@@ -174,17 +181,68 @@ class StandardLinearSolid(ShearModulus):
     instantaneous_modulus: float
     relaxed_modulus: float
     relaxation_time: float
+    _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxed_modulus": (1, 0), "relaxation_time": (0, 1)}
 
     def _to_core(self) -> _core.Prony:
         series = _core.standard_linear_solid(**_parameters_of(self))
         # The series stores the weight 1 - relaxed / instantaneous. For ratios below 1e-12, its round-off leaves fewer
         # than four digits of the relaxed modulus.
         if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
-            raise ValueError(
-                f"relaxed_modulus must be >= 1e-12 instantaneous_modulus = {1e-12 * self.instantaneous_modulus:g} Pa, "
-                f"got {self.relaxed_modulus:g}"
+            raise InvalidInput(
+                "relaxed_modulus",
+                f"must be >= 1e-12 instantaneous_modulus = {1e-12 * self.instantaneous_modulus:g} Pa",
+                f"{self.relaxed_modulus:g}",
             )
         return series
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CreepCompliance(ShearModulus):
+    """Material whose creep compliance is a Prony series, J(t) = J₀ + Σ J_k (1 - exp(-t/τ_k)), as creep tests give it.
+
+    Parameters
+    ----------
+    instantaneous_compliance : float
+        Shear compliance J₀ at infinite frequency [1/Pa], > 0.
+    compliances : array_like
+        Compliances J_k of the terms [1/Pa], ≥ 0.
+    retardation_times : array_like
+        Retardation times τ_k of the strain at constant stress [s], > 0, as many as `compliances`.
+
+    Notes
+    -----
+    The modulus is 1/J* with J*(ω) = J₀ + Σ J_k / (1 + iωτ_k). It equals a Prony series of as many terms as there are
+    different retardation times; the relaxation times are found from the zeros of J*, one between each two poles.
+
+    Examples
+    --------
+    >>> solid = CreepCompliance(instantaneous_compliance=1e-6, compliances=[1e-6], retardation_times=[0.2])
+    >>> solid.prony().relaxation_times
+    (0.1,)
+    """
+
+    instantaneous_compliance: float
+    compliances: Sequence[float] | NDArray[np.float64]
+    retardation_times: Sequence[float] | NDArray[np.float64]
+    _units: ClassVar = {"instantaneous_compliance": (-1, 0), "compliances": (-1, 0), "retardation_times": (0, 1)}
+
+    def __post_init__(self) -> None:
+        """Convert the columns to tuples and check the parameters."""
+        for name in ("compliances", "retardation_times"):
+            object.__setattr__(self, name, as_floats(name, getattr(self, name)))
+        ShearModulus.__post_init__(self)
+
+    def prony(self) -> Prony:
+        """Return the equal Prony series of the modulus."""
+        series = self._to_core()
+        return Prony(
+            instantaneous_modulus=series.instantaneous_modulus,
+            weights=tuple(series.weights),
+            relaxation_times=tuple(series.relaxation_times),
+        )
+
+    def _to_core(self) -> _core.Prony:
+        return _core.creep_compliance(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -206,6 +264,7 @@ class KelvinVoigt(ShearModulus):
 
     modulus: float
     viscosity: float
+    _units: ClassVar = {"modulus": (1, 0), "viscosity": (1, 1)}
 
     def _to_core(self) -> _core.KelvinVoigt:
         return _core.KelvinVoigt(**_parameters_of(self))
@@ -241,6 +300,7 @@ class FractionalZener(ShearModulus):
     relaxed_modulus: float
     relaxation_time: float
     order: float
+    _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxed_modulus": (1, 0), "relaxation_time": (0, 1)}
 
     def _to_core(self) -> _core.FractionalZener:
         return _core.FractionalZener(**_parameters_of(self))
@@ -279,6 +339,7 @@ class MasterCurve(ShearModulus):
     storage: Sequence[float] | NDArray[np.float64]
     loss: Sequence[float] | NDArray[np.float64]
     extrapolation: _core.Extrapolation = _core.Extrapolation.ERROR
+    _units: ClassVar = {"frequency": (0, -1), "storage": (1, 0), "loss": (1, 0)}
 
     def __post_init__(self) -> None:
         """Convert the columns to tuples and check the table."""
@@ -310,9 +371,10 @@ def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]
     try:
         number = as_float("shear_modulus", modulus)
     except TypeError:
-        raise TypeError(
-            f"shear_modulus must be a modulus of viscoroll, a number or a function of frequency, got {shown(modulus)}"
-            f"{_hint_for_a_modulus(modulus)}"
+        raise InvalidType(
+            "shear_modulus",
+            "must be a modulus of viscoroll, a number or a function of frequency",
+            f"{shown(modulus)}{_hint_for_a_modulus(modulus)}",
         ) from None
     return Elastic(modulus=number)
 
@@ -341,7 +403,7 @@ def _checked(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]:
     def modulus(omega: NDArray[np.float64]) -> NDArray[Any]:
         values = _as_numeric_array(function(omega))
         if values.dtype.kind not in "fciu":
-            raise TypeError(f"shear_modulus must be a function that returns numbers, got {values.dtype} entries")
+            raise InvalidType("shear_modulus", "must be a function that returns numbers", f"{values.dtype} entries")
         return np.full(omega.shape, values) if values.ndim == 0 else values
 
     return modulus
@@ -353,5 +415,5 @@ def _as_numeric_array(values: Any) -> NDArray[Any]:
         if array.dtype.kind == "O" and all(isinstance(value, Complex) for value in array.flat):
             array = array.astype(np.complex128)
     except (ValueError, OverflowError) as error:
-        raise ValueError(f"shear_modulus must be a function that returns an array of numbers ({error})") from None
+        raise InvalidInput("shear_modulus", f"must be a function that returns an array of numbers ({error})") from None
     return array

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_float_array, as_not_negative, store_floats, store_positive
+from .._support.errors import InvalidInput
 from .._support.tables import ParameterTable
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ class Network(ParameterTable, ABC):
         """
         strain = as_float_array("amplitude", amplitude)
         if not (np.isfinite(strain).all() and (strain >= 0.0).all()):
-            raise ValueError(f"amplitude must be >= 0, got {strain.min():g} to {strain.max():g}")
+            raise InvalidInput("amplitude", "must be >= 0", f"{strain.min():g} to {strain.max():g}")
         return self._moduli(strain)
 
     @abstractmethod
@@ -109,7 +110,7 @@ class KrausNetwork(Network):
         store_positive(self, {"storage": "Pa", "critical_strain": ""})
         as_not_negative("loss", self.loss, "Pa")
         if not 0.0 < self.exponent <= 1.0:
-            raise ValueError(f"exponent must be in (0, 1], got {self.exponent!r}")
+            raise InvalidInput("exponent", "must be in (0, 1]", f"{self.exponent!r}")
 
     @property
     def yield_strain(self) -> float:

@@ -5,25 +5,16 @@ All temperatures are in kelvin.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 import numpy as np
 
 from .._support.arguments import as_float, as_kelvin, store_positive
+from .._support.errors import InvalidInput, InvalidType
 from .._support.text import shown
-from .moduli import (
-    Elastic,
-    FractionalZener,
-    KelvinVoigt,
-    MasterCurve,
-    Prony,
-    ShearModulus,
-    ShearModulusLike,
-    StandardLinearSolid,
-    as_modulus,
-)
+from .moduli import ShearModulus, ShearModulusLike, as_modulus
 from .softening import SofteningModulus
 
 __all__ = ["Arrhenius", "Shift", "WilliamsLandelFerry", "scaled", "shift_factor", "shifted"]
@@ -69,7 +60,7 @@ class WilliamsLandelFerry:
         above = as_kelvin("temperature", temperature) - self.reference_temperature
         if not above > -self.c2:
             lowest = self.reference_temperature - self.c2
-            raise ValueError(f"temperature must be > {lowest:g} K for this shift, got {temperature:g} K")
+            raise InvalidInput("temperature", f"must be > {lowest:g} K for this shift", f"{temperature:g} K")
         return float(10.0 ** (-self.c1 * above / (self.c2 + above)))
 
 
@@ -122,14 +113,12 @@ def shift_factor(shift: Shift, temperature: float, name: str = "shift") -> float
         If the returned number is not finite and positive.
     """
     if not callable(shift):
-        raise TypeError(f"{name} must be a function of temperature [K], got {shown(shift)}")
+        raise InvalidType(name, "must be a function of temperature [K]", shown(shift))
     if callable(getattr(shift, "shift", None)):
-        raise TypeError(
-            f"{name} must be a function of temperature [K]: use shift() of a fitted law, got {shown(shift)}"
-        )
+        raise InvalidType(name, "must be a function of temperature [K]: use shift() of a fitted law", shown(shift))
     factor = as_float(f"{name}(temperature)", shift(temperature))
     if not (np.isfinite(factor) and factor > 0.0):
-        raise ValueError(f"{name}(temperature) must be > 0, got {factor!r} at {temperature:g} K")
+        raise InvalidInput(f"{name}(temperature)", "must be > 0", f"{factor!r} at {temperature:g} K")
     return factor
 
 
@@ -145,29 +134,12 @@ def shifted(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
 
     Examples
     --------
+    >>> from viscoroll import StandardLinearSolid
     >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
     >>> shifted(rubber, 0.5).relaxation_time
     0.0625
     """
-    known = as_modulus(modulus)
-    match known:
-        case Elastic():
-            return known
-        case Prony():
-            return replace(known, relaxation_times=[factor * time for time in known.relaxation_times])
-        case StandardLinearSolid() | FractionalZener():
-            return replace(known, relaxation_time=factor * known.relaxation_time)
-        case KelvinVoigt():
-            return replace(known, viscosity=factor * known.viscosity)
-        case MasterCurve():
-            return replace(known, frequency=[frequency / factor for frequency in known.frequency])
-        case SofteningModulus():  # the network does not depend on the rate
-            return replace(known, matrix=shifted(known.matrix, factor))
-        case ShearModulus():
-            evaluate = known.complex_modulus
-            return lambda omega: evaluate(factor * omega)
-        case _:
-            return lambda omega: known(factor * omega)
+    return _rescaled(modulus, 1.0, factor)
 
 
 def scaled(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
@@ -182,27 +154,24 @@ def scaled(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
 
     Examples
     --------
+    >>> from viscoroll import Elastic
     >>> scaled(Elastic(modulus=3e6), 0.5)
     Elastic(modulus=1500000.0)
     """
+    return _rescaled(modulus, factor, 1.0)
+
+
+def _rescaled(modulus: ShearModulusLike, stress: float, time: float) -> ShearModulusLike:
+    """Return the modulus whose value at ω is `stress` times that of `modulus` at `time` ω."""
     known = as_modulus(modulus)
-    match known:
-        case Elastic():
-            return replace(known, modulus=factor * known.modulus)
-        case Prony():
-            return replace(known, instantaneous_modulus=factor * known.instantaneous_modulus)
-        case StandardLinearSolid():
-            return replace(
-                known,
-                instantaneous_modulus=factor * known.instantaneous_modulus,
-                relaxed_modulus=factor * known.relaxed_modulus,
-            )
-        case KelvinVoigt():
-            return replace(known, modulus=factor * known.modulus, viscosity=factor * known.viscosity)
-        case SofteningModulus():  # the network has no shift law: it must be measured at each temperature
-            return replace(known, matrix=scaled(known.matrix, factor))
-        case ShearModulus():
-            evaluate = known.complex_modulus
-            return lambda omega: factor * evaluate(omega)
-        case _:
-            return lambda omega: factor * known(omega)
+    if isinstance(known, SofteningModulus):  # the network depends on no rate and must be measured at each temperature
+        return replace(known, matrix=_rescaled(known.matrix, stress, time))
+    if isinstance(known, ShearModulus) and known._units:
+        factors = {name: stress**first * time**second for name, (first, second) in known._units.items()}
+        return replace(known, **{name: _product(factor, getattr(known, name)) for name, factor in factors.items()})  # type: ignore[type-var]
+    evaluate = known.complex_modulus if isinstance(known, ShearModulus) else known
+    return lambda omega: stress * evaluate(time * omega)
+
+
+def _product(factor: float, value: float | Sequence[float]) -> float | list[float]:
+    return [factor * one for one in value] if isinstance(value, Sequence) else factor * value

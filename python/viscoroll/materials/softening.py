@@ -9,6 +9,7 @@ import numpy as np
 
 from .. import _core
 from .._support.arguments import as_float, as_positive, require_type
+from .._support.errors import InvalidType
 from .loss_factor import LossFactor
 from .moduli import Elastic, ShearModulus, ShearModulusLike, as_modulus, to_core
 from .networks import Network
@@ -61,8 +62,8 @@ class SofteningModulus(ShearModulus):
         """Check matrix and network."""
         object.__setattr__(self, "matrix", as_modulus(self.matrix))
         if isinstance(self.matrix, SofteningModulus):
-            raise TypeError(
-                "matrix must be a modulus that does not depend on strain, got a viscoroll.materials.SofteningModulus"
+            raise InvalidType(
+                "matrix", "must be a modulus that does not depend on strain", "a viscoroll.materials.SofteningModulus"
             )
         require_type("network", self.network, Network)
         self.at(0.0, reference_frequency=1.0)
@@ -93,9 +94,11 @@ class SofteningModulus(ShearModulus):
         return SoftenedModulus(matrix=self.matrix, network=_causal(storage, scale * loss, reference_frequency))
 
     def _to_core(self) -> _core.CustomModulus:
-        raise TypeError(
-            "shear_modulus must not depend on strain here, got a viscoroll.materials.SofteningModulus: pass the body "
-            "to viscoroll.strain_softening, or use the modulus at(amplitude, reference_frequency=...)"
+        raise InvalidType(
+            "shear_modulus",
+            "must not depend on strain here",
+            "a viscoroll.materials.SofteningModulus: pass the body to viscoroll.strain_softening, "
+            "or use the modulus at(amplitude, reference_frequency=...)",
         )
 
 

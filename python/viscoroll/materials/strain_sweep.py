@@ -12,6 +12,7 @@ import numpy as np
 
 from .. import _core
 from .._support.arguments import as_floats, as_member, as_positive
+from .._support.errors import InvalidInput
 from .moduli import ShearModulusLike, as_modulus, to_core
 from .networks import Network
 
@@ -81,7 +82,7 @@ class StrainSweep(Network):
             object.__setattr__(self, name, as_floats(name, getattr(self, name)))
         object.__setattr__(self, "kind", as_member("kind", self.kind, StrainKind))
         if (self.matrix is None) != (self.frequency is None):
-            raise ValueError("frequency must be given if and only if matrix is given")
+            raise InvalidInput("frequency", "must be given if and only if matrix is given")
         if self.matrix is not None and self.frequency is not None:
             object.__setattr__(self, "matrix", as_modulus(self.matrix))
             object.__setattr__(self, "frequency", as_positive("frequency", self.frequency, "rad/s"))
@@ -94,13 +95,15 @@ class StrainSweep(Network):
             raise ValueError(f"strain, storage and loss must have equal lengths of at least 3, got {lengths}")
         strain = np.asarray(self.strain)
         if not (np.isfinite(strain).all() and strain[0] > 0.0 and (np.diff(strain) > 0.0).all()):
-            raise ValueError(f"strain must be finite, > 0 and strictly increasing, got {strain[0]:g} to {strain[-1]:g}")
+            raise InvalidInput(
+                "strain", "must be finite, > 0 and strictly increasing", f"{strain[0]:g} to {strain[-1]:g}"
+            )
         if strain[0] >= 1.0:
-            raise ValueError(f"strain must be a ratio, 0.01 for 1 %, got {strain[0]:g} to {strain[-1]:g}")
+            raise InvalidInput("strain", "must be a ratio, 0.01 for 1 %", f"{strain[0]:g} to {strain[-1]:g}")
         for name in ("storage", "loss"):
             values = np.asarray(getattr(self, name))
             if not (np.isfinite(values).all() and (values > 0.0).all()):
-                raise ValueError(f"{name} must be > 0 Pa, got {values.min():g}")
+                raise InvalidInput(name, "must be > 0 Pa", f"{values.min():g}")
 
     @property
     def amplitudes(self) -> Floats:
@@ -143,9 +146,10 @@ class StrainSweep(Network):
         parts = []
         for name, whole, part in (("storage", storage, matrix.real), ("loss", loss, matrix.imag)):
             if whole.min() < (1.0 - _SCATTER) * part:
-                raise ValueError(
-                    f"{name} must be at least that of the matrix at {self.frequency:g} rad/s, {part:.4g} Pa, "
-                    f"got {whole.min():.4g} Pa"
+                raise InvalidInput(
+                    name,
+                    f"must be at least that of the matrix at {self.frequency:g} rad/s, {part:.4g} Pa",
+                    f"{whole.min():.4g} Pa",
                 )
             parts.append(np.maximum(whole - part, 0.0))
         return parts[0], parts[1]

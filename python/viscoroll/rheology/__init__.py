@@ -3,6 +3,7 @@
 from importlib import resources
 from pathlib import Path
 
+from .._support.errors import InvalidInput
 from .checks import Check, check_modulus, check_range, rolling_range
 from .hardness import hardness_to_modulus, rebound_to_loss_factor
 from .material_file import load_material, save_material
@@ -60,5 +61,5 @@ def example_data(name: str) -> Path:
     """
     path = Path(str(resources.files("viscoroll").joinpath("examples", name)))
     if name not in ("pressure_sensitive_adhesive.txt",):
-        raise ValueError(f"name must be 'pressure_sensitive_adhesive.txt', got {name!r}")
+        raise InvalidInput("name", "must be 'pressure_sensitive_adhesive.txt'", repr(name))
     return path

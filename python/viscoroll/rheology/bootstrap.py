@@ -16,6 +16,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._support.arguments import Floats, as_int
+from .._support.errors import InvalidInput
 
 __all__ = ["wild_copies"]
 
@@ -52,9 +53,9 @@ def wild_copies(data: Floats, expected: Floats, columns: Floats, *, count: int, 
         If `seed` is negative or `count` is out of range.
     """
     if not 2 <= as_int("count", count) <= _MOST_COPIES:
-        raise ValueError(f"count must be in [2, {_MOST_COPIES}], got {count}")
+        raise InvalidInput("count", f"must be in [2, {_MOST_COPIES}]", count)
     if as_int("seed", seed) < 0:
-        raise ValueError(f"seed must be >= 0, got {seed}")
+        raise InvalidInput("seed", "must be >= 0", seed)
     q, _ = np.linalg.qr(columns)
     left = np.maximum(1.0 - (q**2).sum(axis=1), _LEAST)
     error = (data / expected - 1.0) / left

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from .._support.arguments import as_float
+from .._support.errors import InvalidInput
 from .._support.least_squares import Parameter
 from .._support.text import shown
 
@@ -65,7 +66,7 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
     ranges = {"A": (20.0, 90.0), "D": (30.0, 85.0)}
     shore_scale = scale.upper() if isinstance(scale, str) else scale
     if shore_scale not in ranges:
-        raise ValueError(f"scale must be 'A' or 'D', got {shown(scale)}")
+        raise InvalidInput("scale", "must be 'A' or 'D'", shown(scale))
     try:
         shore = as_float("hardness", hardness)
     except TypeError as error:
@@ -75,7 +76,7 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
         harder = ""
         if shore_scale == "A" and high < shore <= 100.0:
             harder = f"; use scale='D' for harder materials: {shore:g} Shore A is about {shore - _A_OF_D:g} Shore D"
-        raise ValueError(f"hardness must be in [{low:g}, {high:g}] Shore {shore_scale}, got {shore:g}{harder}")
+        raise InvalidInput("hardness", f"must be in [{low:g}, {high:g}] Shore {shore_scale}", f"{shore:g}{harder}")
     if shore_scale == "D":
         value = _qi(shore + _A_OF_D)
         return Parameter(value=value, lower=0.5 * value, upper=2.0 * value, unit="Pa")
@@ -121,7 +122,7 @@ def rebound_to_loss_factor(rebound: float) -> Parameter:
     share = as_float("rebound", rebound)
     if not 0.02 <= share < 1.0:
         percent = f"; {share:g} % is {share / 100.0:g}" if 1.0 < share <= 100.0 else ""
-        raise ValueError(f"rebound must be in [0.02, 1), as a fraction of the energy, got {share:g}{percent}")
+        raise InvalidInput("rebound", "must be in [0.02, 1), as a fraction of the energy", f"{share:g}{percent}")
     highest = min(share + _ROUNDED, 1.0)
     return Parameter(
         value=_half_swing(share), lower=_half_swing(highest), upper=_until_free(max(share - _ROUNDED, 0.0)), unit="1"

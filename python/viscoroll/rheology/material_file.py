@@ -10,6 +10,7 @@ import numpy as np
 
 from .._core import Extrapolation
 from .._support.arguments import as_float, as_floats, as_int, as_kelvin
+from .._support.errors import InvalidInput, in_file
 from .._support.files import ending_in, write_text
 from .._support.text import one_line, shown
 from .._support.toml import read_toml
@@ -69,7 +70,7 @@ def save_material(
         lines += _columns(fit.series, ("weights", "relaxation_times"))
     if draws is not None:
         if fit is None:
-            raise ValueError("fit must be given with draws, which are Prony series")
+            raise InvalidInput("fit", "must be given with draws, which are Prony series")
         lines += ["", "[draws]", *_rows_of_draws(draws)]
     if isinstance(curve, Superposition):
         lines += ["", f"# {curve.law}", "[shift]", *_columns(curve.factors, ("temperature", "log10_factor"))]
@@ -129,7 +130,7 @@ def _errors_in(path: Path) -> Iterator[None]:
     try:
         yield
     except (TypeError, ValueError) as error:
-        raise ValueError(one_line(f"material {path}: {error}")) from None
+        raise in_file(error, f"material {path}") from None
 
 
 def _table_of(curve: Isotherm) -> MasterCurve:
@@ -146,7 +147,7 @@ def _material(document: dict[str, Any], temperature: float | None, form: Form) -
             relaxation_times=_moved(_numbers("prony.relaxation_times", series["relaxation_times"]), decades),
         )
     if form != "table":
-        raise ValueError(f"form must be 'table' or 'prony', got {shown(form)}")
+        raise InvalidInput("form", "must be 'table' or 'prony'", shown(form))
     table = _part(document, "table", "the file is not a material file of viscoroll")
     frequency, storage, loss = (_numbers(f"table.{name}", table[name]) for name in ("frequency", "storage", "loss"))
     return MasterCurve(_moved(frequency, -decades), storage, loss, extrapolation=Extrapolation.HOLD)
@@ -156,14 +157,14 @@ def _draw(document: dict[str, Any], temperature: float | None, form: Form, draw:
     draws = _draws_of(document)
     moduli = _moduli_of_draws(draws)
     if form != "prony":
-        raise ValueError(f"form must be 'prony' if a draw is given, got {shown(form)}")
+        raise InvalidInput("form", "must be 'prony' if a draw is given", shown(form))
     if not 0 <= draw < len(moduli):
-        raise ValueError(f"draw must be in [0, {len(moduli) - 1}], got {draw}")
+        raise InvalidInput("draw", f"must be in [0, {len(moduli) - 1}]", draw)
 
     def row(name: str) -> tuple[float, ...]:
         rows = draws[name]
         if not isinstance(rows, list) or len(rows) != len(moduli):
-            raise ValueError(f"draws.{name} must be a list of {len(moduli)} lists, one for each draw")
+            raise InvalidInput(f"draws.{name}", f"must be a list of {len(moduli)} lists, one for each draw")
         return _numbers(f"draws.{name}[{draw}]", rows[draw])
 
     factors = row("log10_factor") if "log10_factor" in draws else None
@@ -181,13 +182,13 @@ def _draws_of(document: dict[str, Any]) -> dict[str, Any]:
 def _moduli_of_draws(draws: dict[str, Any]) -> tuple[float, ...]:
     moduli = _numbers("draws.instantaneous_modulus", draws["instantaneous_modulus"])
     if not moduli:
-        raise ValueError("draws.instantaneous_modulus must have one number for each draw, got none")
+        raise InvalidInput("draws.instantaneous_modulus", "must have one number for each draw", "none")
     return moduli
 
 
 def _numbers(name: str, values: object) -> tuple[float, ...]:
     if not isinstance(values, list):
-        raise ValueError(f"{name} must be a list of numbers, got {shown(values)}")
+        raise InvalidInput(name, "must be a list of numbers", shown(values))
     return as_floats(name, values)
 
 

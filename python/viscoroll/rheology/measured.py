@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from .._support.arguments import Floats, as_float_array
+from .._support.errors import InvalidInput, InvalidType
 from .._support.text import shown
 
 if TYPE_CHECKING:
@@ -46,15 +47,15 @@ def measured(curve: MeasuredModulus) -> tuple[Floats, Floats, Floats]:
         columns = [as_float_array(name, getattr(curve, name)) for name in ("frequency", "storage", "loss")]
     except AttributeError:
         hint = "; pass superpose(...) of the data, or one of its isotherms" if hasattr(curve, "isotherms") else ""
-        raise TypeError(f"curve must have frequency, storage and loss, got {shown(curve)}{hint}") from None
+        raise InvalidType("curve", "must have frequency, storage and loss", f"{shown(curve)}{hint}") from None
     frequency, storage, loss = columns
     if frequency.ndim != 1 or not frequency.shape == storage.shape == loss.shape:
-        raise ValueError(f"curve must have columns of equal length, got {[column.shape for column in columns]}")
+        raise InvalidInput("curve", "must have columns of equal length", f"{[column.shape for column in columns]}")
     order = np.argsort(frequency, kind="stable")
     order = order[frequency[order] > 0.0]
     if order.size < 3:
-        raise ValueError(f"curve must have at least 3 points above 0 rad/s, got {order.size}")
+        raise InvalidInput("curve", "must have at least 3 points above 0 rad/s", order.size)
     for name, column in (("storage", storage), ("loss", loss)):
         if not (np.isfinite(column[order]).all() and (column[order] > 0.0).all()):
-            raise ValueError(f"curve.{name} must be > 0 Pa at every point, got {column[order].min():g}")
+            raise InvalidInput(f"curve.{name}", "must be > 0 Pa at every point", f"{column[order].min():g}")
     return frequency[order], storage[order], loss[order]

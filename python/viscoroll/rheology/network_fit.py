@@ -10,6 +10,7 @@ import numpy as np
 
 from .._core import ConvergenceError
 from .._support.arguments import Floats, require_type
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.least_squares import Parameter, with_intervals
 from .._support.plotting import plots
@@ -123,14 +124,14 @@ def fit_network(
 
     require_type("sweep", sweep, StrainSweep)
     if law not in _UNITS:
-        raise ValueError(f"law must be 'kraus' or 'masing', got {shown(law)}")
+        raise InvalidInput("law", "must be 'kraus' or 'masing'", shown(law))
     if not 0.0 < confidence < 1.0:
-        raise ValueError(f"confidence must be in (0, 1), got {confidence!r}")
+        raise InvalidInput("confidence", "must be in (0, 1)", repr(confidence))
     strain, data = sweep.amplitudes, np.array([sweep.storage, sweep.loss])
     start = np.log(_start(law, strain, data))
     freedom = data.size - len(start)
     if freedom < 1:
-        raise ValueError(f"sweep must have more than {len(start) / 2:g} points for {len(start)} parameters")
+        raise InvalidInput("sweep", f"must have more than {len(start) / 2:g} points for {len(start)} parameters")
 
     def errors(logs: Floats) -> Floats:
         values = np.exp(logs)
@@ -145,7 +146,7 @@ def fit_network(
         raise ConvergenceError(f"the fit of {law} did not converge: residual {found.cost:.3g}")
     singular = np.linalg.svd(found.jac, compute_uv=False)
     if not singular[-1] > 1e-10 * singular[0]:
-        raise ValueError(f"sweep must determine all parameters of {law}, got data that many values fit equally well")
+        raise InvalidInput("sweep", f"must determine all parameters of {law}", "data that many values fit equally well")
     values = np.exp(found.x)
     covariance = np.linalg.inv(found.jac.T @ found.jac) * (2.0 * found.cost / freedom) * np.outer(values, values)
     storage_error, loss_error = found.fun.reshape(2, -1)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import Floats, as_float, as_float_array, as_int
+from .._support.errors import InvalidInput
 from .._support.intervals import as_confidence, half_width
 from .._support.plotting import plots
 from ..materials import Draws, Prony
@@ -161,7 +162,7 @@ class PronyFit:
             If `terms` is less than 1.
         """
         if as_int("terms", terms) < 1:
-            raise ValueError(f"terms must be >= 1, got {terms}")
+            raise InvalidInput("terms", "must be >= 1", terms)
         fit = fit_sparse(self._fit, self.frequency, self.storage, self.loss, terms=terms, floor=self._floor)
         return _result(fit, self.frequency, self.storage, self.loss, self._floor, self._per_decade, terms)
 
@@ -224,10 +225,10 @@ def fit_prony(curve: MeasuredModulus, *, terms_per_decade: float = 2.0, relaxed_
     frequency, storage, loss = measured(curve)
     per_decade = as_float("terms_per_decade", terms_per_decade)
     if not 0.5 <= per_decade <= 10.0:
-        raise ValueError(f"terms_per_decade must be in [0.5, 10], got {per_decade!r}")
+        raise InvalidInput("terms_per_decade", "must be in [0.5, 10]", repr(per_decade))
     floor = _FLOOR * float(storage.min()) if relaxed_floor is None else as_float("relaxed_floor", relaxed_floor)
     if not 0.0 < floor < np.inf:
-        raise ValueError(f"relaxed_floor must be > 0 Pa, got {floor!r}")
+        raise InvalidInput("relaxed_floor", "must be > 0 Pa", repr(floor))
     fit = _best(frequency, storage, loss, per_decade, floor)
     return _result(fit, frequency, storage, loss, floor, per_decade, None)
 

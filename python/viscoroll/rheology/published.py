@@ -12,6 +12,7 @@ import numpy as np
 
 from .._support.arguments import as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
+from .._support.errors import InvalidInput
 from .._support.text import shown
 from .._support.toml import read_toml
 from ..materials import LossFactor, MasterCurve, Prony
@@ -79,9 +80,10 @@ class PublishedMaterial:
         kelvin = as_kelvin("temperature", temperature)
         low, high = self.temperature
         if not low - _DRIFT <= kelvin <= high + _DRIFT:
-            raise ValueError(
-                f"temperature must be in the measured range of {self.name}, {kelvin_range(low, high)}, "
-                f"got {kelvin_text(kelvin)}"
+            raise InvalidInput(
+                "temperature",
+                f"must be in the measured range of {self.name}, {kelvin_range(low, high)}",
+                f"{kelvin_text(kelvin)}",
             )
         if "tensile_ramp" in self._document:
             return self._ramp().at(temperature=min(max(kelvin, low), high))
@@ -140,7 +142,7 @@ def example_material(name: str) -> PublishedMaterial:
     314 kPa, tan delta 1.00
     """
     if name not in EXAMPLES:
-        raise ValueError(f"name must be one of {', '.join(EXAMPLES)}, got {shown(name)}")
+        raise InvalidInput("name", f"must be one of {', '.join(EXAMPLES)}", shown(name))
     path = Path(str(resources.files("viscoroll").joinpath("examples", "materials", f"{name}.toml")))
     document = read_toml(path)
     kelvin = document["tensile_ramp" if "tensile_ramp" in document else "shift"]["temperature"]

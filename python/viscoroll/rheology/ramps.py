@@ -9,6 +9,7 @@ import numpy as np
 
 from .._support.arguments import Floats, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
+from .._support.errors import InvalidInput
 from ..materials import LossFactor
 
 __all__ = ["TemperatureRamp"]
@@ -73,8 +74,8 @@ class TemperatureRamp:
         kelvin = as_kelvin("temperature", temperature)
         low, high = self.temperature[0], self.temperature[-1]
         if not low <= kelvin <= high:
-            raise ValueError(
-                f"temperature must be in the measured range, {kelvin_range(low, high)}, got {kelvin_text(kelvin)}"
+            raise InvalidInput(
+                "temperature", f"must be in the measured range, {kelvin_range(low, high)}", f"{kelvin_text(kelvin)}"
             )
         storage, loss = (
             math.exp(np.interp(kelvin, self.temperature, np.log(values))) for values in (self.storage, self.loss)

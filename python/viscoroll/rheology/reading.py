@@ -12,6 +12,7 @@ import numpy as np
 
 from .._support.arguments import Floats, as_float, as_kelvin
 from .._support.celsius import kelvin_range
+from .._support.errors import InvalidInput, InvalidType, in_file
 from .._support.text import shown
 from .names import role_of
 from .ramps import TemperatureRamp
@@ -117,7 +118,7 @@ class RheologyData:
         low, high = as_kelvin("lowest", lowest), as_kelvin("highest", highest)
         kept = tuple(isotherm for isotherm in self.isotherms if low <= isotherm.temperature <= high)
         if not kept:
-            raise ValueError(f"temperatures must include a sweep, got {kelvin_range(low, high)}")
+            raise InvalidInput("temperatures", "must include a sweep", kelvin_range(low, high))
         return replace(self, isotherms=kept)
 
     def __repr__(self) -> str:
@@ -195,17 +196,17 @@ def read_rheology(
     names = named_columns(columns, _ROLES)
     nu = as_float("poisson_ratio", poisson_ratio)
     if not -1.0 < nu <= 0.5:
-        raise ValueError(f"poisson_ratio must be in (-1, 0.5], got {nu!r}")
+        raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{nu!r}")
     if tensile is not None and not isinstance(tensile, bool):
-        raise TypeError(f"tensile must be True, False or None, got {shown(tensile)}")
+        raise InvalidType("tensile", "must be True, False or None", shown(tensile))
     held = None if frequency is None else as_float("frequency", frequency)
     if held is not None and not 0.0 < held < math.inf:
-        raise ValueError(f"frequency must be > 0 rad/s and finite, got {held!r}")
+        raise InvalidInput("frequency", "must be > 0 rad/s and finite", repr(held))
     text = read_text(path)
     try:
         tables = find_tables(text, names, over="frequency" if held is None else "temperature")
     except ValueError as error:
-        raise ValueError(f"{path}: {error}") from None
+        raise in_file(error, path) from None
     if not tables:
         raise ValueError(_nothing_found(path, text, names))
     if held is not None and any("frequency" in table.columns for table in tables):
@@ -242,7 +243,7 @@ def named_columns(columns: Columns | None, roles: Sequence[str]) -> dict[str, tu
     names: dict[str, tuple[str, str | None]] = {}
     for role, value in (columns or {}).items():
         if role not in roles:
-            raise ValueError(f"columns must have keys from {', '.join(roles)}, got {role!r}")
+            raise InvalidInput("columns", f"must have keys from {', '.join(roles)}", repr(role))
         pair = (value, None) if isinstance(value, str) else value
         if (
             not isinstance(pair, tuple | list)
@@ -250,7 +251,7 @@ def named_columns(columns: Columns | None, roles: Sequence[str]) -> dict[str, tu
             or not isinstance(pair[0], str)
             or not isinstance(pair[1], str | None)
         ):
-            raise TypeError(f"columns[{role!r}] must be a name, or a name and a unit, got {shown(value)}")
+            raise InvalidType(f"columns[{role!r}]", "must be a name, or a name and a unit", shown(value))
         names[role] = (pair[0], pair[1])
     return names
 

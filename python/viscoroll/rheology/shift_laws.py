@@ -13,6 +13,7 @@ import numpy as np
 
 from .._support.arguments import Floats, as_floats, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
+from .._support.errors import InvalidInput, in_file
 from .._support.extras import extra
 from .._support.files import write_text
 from .._support.least_squares import Parameter, with_intervals
@@ -62,13 +63,13 @@ class ShiftFactors:
             )
         for index, value in enumerate(self.temperature):
             if not as_kelvin(f"temperature[{index}]", value) <= _HOTTEST:
-                raise ValueError(f"temperature[{index}] must be <= {_HOTTEST:g} K, got {value:g} K")
+                raise InvalidInput(f"temperature[{index}]", f"must be <= {_HOTTEST:g} K", f"{value:g} K")
         for index, value in enumerate(self.log10_factor):
             if not abs(value) <= _MOST_DECADES:
                 allowed = f"[-{_MOST_DECADES:g}, {_MOST_DECADES:g}]"
-                raise ValueError(f"log10_factor[{index}] must be in {allowed}, got {value:g}")
+                raise InvalidInput(f"log10_factor[{index}]", f"must be in {allowed}", f"{value:g}")
         if not (np.diff(self.temperature) >= _CLOSEST).all():
-            raise ValueError(f"temperature must increase from entry to entry, by at least {_CLOSEST:g} K")
+            raise InvalidInput("temperature", f"must increase from entry to entry, by at least {_CLOSEST:g} K")
 
     def __call__(self, temperature: float) -> float:
         """Return log₁₀ a_T at a temperature [K], interpolated by a monotonic cubic.
@@ -84,8 +85,10 @@ class ShiftFactors:
         temperature = as_kelvin("temperature", temperature)
         low, high = self.temperature[0], self.temperature[-1]
         if not low - 0.5 <= temperature <= high + 0.5:  # the temperature of a sweep drifts by some tenths
-            raise ValueError(
-                f"temperature must be in the measured range, {kelvin_range(low, high)}, got {kelvin_text(temperature)}"
+            raise InvalidInput(
+                "temperature",
+                f"must be in the measured range, {kelvin_range(low, high)}",
+                f"{kelvin_text(temperature)}",
             )
         return float(PchipInterpolator(self.temperature, self.log10_factor)(min(max(temperature, low), high)))
 
@@ -119,7 +122,7 @@ class ShiftFactors:
         try:
             rows = [row for row in csv.reader(read_text(Path(path)).splitlines(), skipinitialspace=True) if row]
         except csv.Error as error:
-            raise ValueError(f"{path}: {error}") from None
+            raise in_file(error, path) from None
         name, unit = parse_header(rows[0][0]) if rows else ("", "")
         first = 1 if unit else 2
         if len(rows) <= first or name.lower() not in ("t", "temperature", "temp."):
@@ -145,7 +148,7 @@ class ShiftFactors:
             kelvin = tuple(round(value * factor + offset, PLACES) for value in temperature)
             return cls(temperature=kelvin, log10_factor=shifts)
         except ValueError as error:
-            raise ValueError(f"{path}: {error}") from None
+            raise in_file(error, path) from None
 
     def save(self, path: str | Path) -> None:
         """Write a CSV file that `read` reads, with temperatures in K."""

@@ -9,6 +9,7 @@ import numpy as np
 
 from .._support.arguments import Floats, as_kelvin, require_type
 from .._support.celsius import kelvin_range, kelvin_text
+from .._support.errors import InvalidInput
 from ..materials.shift import Shift, shift_factor
 from .alignment import shift_pairs, undetermined_pairs
 from .reading import Isotherm, RheologyData
@@ -59,25 +60,29 @@ def superpose(
     sweeps = data.isotherms
     temperature = np.array([sweep.temperature for sweep in sweeps])
     if len(sweeps) < 2:
-        raise ValueError(f"data must have at least 2 sweeps to be shifted, got {len(sweeps)}")
+        raise InvalidInput("data", "must have at least 2 sweeps to be shifted", len(sweeps))
     if np.isnan(temperature).any():
-        raise ValueError("data must have a temperature for every sweep: pass columns={'temperature': (name, unit)}")
+        raise InvalidInput(
+            "data", "must have a temperature for every sweep: pass columns={'temperature': (name, unit)}"
+        )
     if not (np.diff(temperature) > 0.0).all():
         sweeps = _one_for_each_temperature(sweeps)
         return superpose(replace(data, isotherms=sweeps), reference=kelvin, factors=factors, vertical=vertical)
     low, high = float(temperature[0]), float(temperature[-1])
     if not low - 0.5 <= kelvin <= high + 0.5:
-        raise ValueError(
-            f"reference must be in the measured range, {kelvin_range(low, high)}, got {kelvin_text(kelvin)}"
+        raise InvalidInput(
+            "reference", f"must be in the measured range, {kelvin_range(low, high)}", f"{kelvin_text(kelvin)}"
         )
     if factors is not None:
         known = factors if isinstance(factors, ShiftFactors) else _by_law(factors, temperature)
         return _by_hand(data, kelvin, temperature, known)
     if (ramp := data.ramp) is not None:
-        raise ValueError(
-            f"data must have several frequencies to be shifted, got a temperature ramp at {ramp.frequency:.4g} rad/s: "
-            "pass a law of the shift, such as factors=vr.materials.WilliamsLandelFerry(...), or use "
-            "data.ramp.at(temperature=...), the modulus and loss factor at that frequency"
+        raise InvalidInput(
+            "data",
+            "must have several frequencies to be shifted",
+            f"a temperature ramp at {ramp.frequency:.4g} rad/s: pass a law of the shift, such as "
+            "factors=vr.materials.WilliamsLandelFerry(...), "
+            "or use data.ramp.at(temperature=...), the modulus and loss factor at that frequency",
         )
     anchor = int(np.argmin(np.abs(temperature - kelvin)))
     found = aligned(data, kelvin, shift_pairs(sweeps), anchor, vertical=vertical)

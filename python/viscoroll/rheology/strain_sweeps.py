@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from .._support.arguments import as_float, as_int, as_member
+from .._support.errors import InvalidInput, in_file
 from .._support.text import shown
 from ..materials import StrainSweep
 from ..materials.moduli import ShearModulusLike
@@ -64,11 +65,11 @@ def read_strain_sweep(
     path = Path(path)
     nu = as_float("poisson_ratio", poisson_ratio)
     if not -1.0 < nu <= 0.5:
-        raise ValueError(f"poisson_ratio must be in (-1, 0.5], got {nu!r}")
+        raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{nu!r}")
     try:
         tables = find_tables(read_text(path), named_columns(columns, _ROLES), over="strain")
     except ValueError as error:
-        raise ValueError(f"{path}: {error}") from None
+        raise in_file(error, path) from None
     if not tables:
         raise ValueError(
             f"{path}: must have a header with a strain and a storage modulus, and rows of numbers below it; pass "
@@ -80,8 +81,8 @@ def read_strain_sweep(
     measured = rows.get("frequency")
     if frequency is None and matrix is not None:
         if measured is None:
-            raise ValueError(
-                f"frequency must be given with matrix, because {path} does not contain the frequency of the sweep"
+            raise InvalidInput(
+                "frequency", f"must be given with matrix, because {path} does not contain the frequency of the sweep"
             )
         frequency = float(measured.mean())
     try:
@@ -94,7 +95,7 @@ def read_strain_sweep(
             frequency=None if matrix is None else frequency,
         )
     except ValueError as error:
-        raise ValueError(f"{path}: {error}") from None
+        raise in_file(error, path) from None
 
 
 def _chosen(sweeps: list[dict[str, np.ndarray]], number: int | None, path: Path) -> dict[str, np.ndarray]:
@@ -102,9 +103,9 @@ def _chosen(sweeps: list[dict[str, np.ndarray]], number: int | None, path: Path)
     if number is None and len(sweeps) == 1:
         return sweeps[0]
     if number is None:
-        raise ValueError(f"sweep must be given for {path}, which has several: 1 to {len(sweeps)}")
+        raise InvalidInput("sweep", f"must be given for {path}, which has several: 1 to {len(sweeps)}")
     if not 1 <= as_int("sweep", number) <= len(sweeps):
-        raise ValueError(f"sweep must be in [1, {len(sweeps)}], got {shown(number)}")
+        raise InvalidInput("sweep", f"must be in [1, {len(sweeps)}]", shown(number))
     return sweeps[number - 1]
 
 

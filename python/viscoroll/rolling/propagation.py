@@ -16,6 +16,7 @@ import numpy as np
 
 from .. import _core
 from .._support.arguments import Floats
+from .._support.errors import InvalidInput
 from .._support.progress import Report
 from .._support.text import shown
 from ..bodies import Counterbody, RollingBody
@@ -164,9 +165,10 @@ def _drawn(given: Given, draw: Pair) -> Given:
         for place in places:
             restored = place.with_changed(restored, shear_modulus=place.material(given).shear_modulus)
     if (restored.body, restored.on) != (given.body, given.on):
-        raise ValueError(
-            f"draws must differ only in shear moduli for draws='linear', got {shown(draw)} for "
-            f"{shown((given.body, given.on))}"
+        raise InvalidInput(
+            "draws",
+            "must differ only in shear moduli for draws='linear'",
+            f"{shown(draw)} for {shown((given.body, given.on))}",
         )
     return drawn
 

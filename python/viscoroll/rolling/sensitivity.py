@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._support.arguments import Floats, as_floats, as_int
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
 from .._support.progress import ProgressLike, counted
@@ -124,7 +125,7 @@ class Sensitivity:
 
         answer = self.answers[0] if answer is None else answer
         if answer not in self.answers:
-            raise ValueError(f"answer must be one of {', '.join(self.answers)}, got {shown(answer)}")
+            raise InvalidInput("answer", f"must be one of {', '.join(self.answers)}", shown(answer))
         known = measured_range(self.result) if measured is None else _as_range(measured)
         return plot_moduli(self.result, self.moduli, self.answers.index(answer), answer, known, ax)
 
@@ -178,7 +179,7 @@ def sensitivity(
     answers = _answers(self, answers)
     per_decade = as_int("bands_per_decade", bands_per_decade)
     if per_decade < 1:
-        raise ValueError(f"bands_per_decade must be >= 1, got {per_decade}")
+        raise InvalidInput("bands_per_decade", "must be >= 1", per_decade)
     given = Given.of(self)
     quotients = _Quotients(self, given, answers, threads)
     numbers = list(numbers_of(given))
@@ -217,7 +218,7 @@ def sensitivity(
 def _as_range(measured: tuple[float, float]) -> tuple[float, float]:
     low, high = as_floats("measured", measured) if np.ndim(measured) == 1 and len(measured) == 2 else (0.0, 0.0)
     if not 0.0 < low < high:
-        raise ValueError(f"measured must be two increasing frequencies > 0 rad/s, got {shown(measured)}")
+        raise InvalidInput("measured", "must be two increasing frequencies > 0 rad/s", shown(measured))
     return low, high
 
 
@@ -228,7 +229,7 @@ def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
         return tuple(answer for answer in _ANSWERS if scalars[answer] is not None)
     for answer in wanted:
         if answer not in SCALARS or not isinstance(scalars[answer], float):
-            raise ValueError(f"answers must be names of scalars of this result, got {shown(answer)}")
+            raise InvalidInput("answers", "must be names of scalars of this result", shown(answer))
     return tuple(wanted)
 
 

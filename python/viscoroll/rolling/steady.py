@@ -8,6 +8,7 @@ from typing import Any
 from .. import _core
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from .._support.arguments import as_float, as_int, as_member, require_type
+from .._support.errors import InvalidInput
 from .._support.progress import ProgressLike, reporting
 from .._support.result_warnings import warn
 from .._support.text import shown
@@ -132,7 +133,7 @@ def solve(
     require_type("mesh", mesh, Mesh, optional=True)
     curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
-        raise ValueError(f"accuracy must be left out if a mesh is given, got {shown(accuracy)}")
+        raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
     speed = as_float("angular_speed", angular_speed)
     case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
     with reporting(progress) as report, si_hints(body, on, angular_speed=speed):

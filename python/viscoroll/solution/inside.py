@@ -10,6 +10,7 @@ import numpy as np
 from .. import _core
 from .._core import Sides
 from .._support.arguments import as_float_array
+from .._support.errors import InvalidInput
 from .._support.result_warnings import warn
 from .._support.text import shown
 from ..bodies import (
@@ -181,14 +182,14 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
         If `of` has another value, or that body is rigid.
     """
     if of not in (None, "body", "counterbody"):
-        raise ValueError(f"of must be 'body' or 'counterbody', got {shown(of)}")
+        raise InvalidInput("of", "must be 'body' or 'counterbody'", shown(of))
     body, on = result.body, result.on
     if of is None:
         of = "body" if body.layers or on is None else "counterbody"
     radius = body.outer_radius
     if of == "body":
         if not body.layers:
-            raise ValueError("result.body must have a layer to be evaluated inside, got a rigid body")
+            raise InvalidInput("result.body", "must have a layer to be evaluated inside", "a rigid body")
         return Inside(result, of, body, radius)
     if isinstance(on, CoatedCylinder) and on.layers and isinstance(body, CoatedWheel):
         tread = CoatedWheel(core_radius=on.core_radius, layers=on.layers, width=body.width, sides=Sides.ENDLESS)
@@ -197,7 +198,7 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
         return Inside(result, of, on, on.outer_radius)
     if isinstance(on, CoatedPlane | Groove) and (on.layers or on.base is not None):
         return Inside(result, of, CoatedPlane(layers=on.layers, base=on.base), radius)
-    raise ValueError("result.on must have a layer or a base to be evaluated inside, got a rigid body")
+    raise InvalidInput("result.on", "must have a layer or a base to be evaluated inside", "a rigid body")
 
 
 def places_of(
@@ -217,13 +218,13 @@ def places_of(
     shape = body._to_core()
     if depth is None:
         if isinstance(body, CoatedPlane):
-            raise ValueError("depth must be given instead of radius for a plane")
+            raise InvalidInput("depth", "must be given instead of radius for a plane")
         assert radius is not None
         return _core.places_at(shape, finite_line("radius", radius))
     below = finite_line("depth", depth)
     thickness = _thickness(body)
     if below.size and not (below.min() >= 0.0 and below.max() <= thickness * (1.0 + 1e-12)):
-        raise ValueError(f"depth must be in [0, {thickness:g}] m, got {below.min():g} to {below.max():g}")
+        raise InvalidInput("depth", f"must be in [0, {thickness:g}] m", f"{below.min():g} to {below.max():g}")
     # The innermost position must equal that of the core to the last bit.
     innermost = boundaries_of(body)[0]
     positions = np.where(below >= thickness * (1.0 - 1e-12), innermost, _surface(body) - below)
@@ -256,7 +257,7 @@ def finite_line(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """
     array = np.atleast_1d(as_float_array(name, values))
     if array.ndim != 1:
-        raise ValueError(f"{name} must be one-dimensional, got shape {array.shape}")
+        raise InvalidInput(name, "must be one-dimensional", f"shape {array.shape}")
     if not np.isfinite(array).all():
-        raise ValueError(f"{name} must be finite, got {shown(array[~np.isfinite(array)][0])}")
+        raise InvalidInput(name, "must be finite", shown(array[~np.isfinite(array)][0]))
     return np.ascontiguousarray(array)

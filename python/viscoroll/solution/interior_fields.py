@@ -9,6 +9,7 @@ import numpy as np
 from .. import _core
 from .._core import Curvature
 from .._support.arguments import as_float, as_int, as_orders, require_type
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.progress import ProgressLike, Report, reporting
 from .._support.result_warnings import warn
@@ -99,7 +100,7 @@ def order_fields(
     require_type("body", body, CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel)
     require_type("curvature", curvature, Curvature)
     if isinstance(body, CoatedPlane) == (rolling_radius is None):
-        raise ValueError("rolling_radius must be given if and only if the body is a plane")
+        raise InvalidInput("rolling_radius", "must be given if and only if the body is a plane")
     places = places_of(body, depth, radius)
     orders = [np.atleast_1d(as_orders(name, values)).ravel() for name, values in (("m", m), ("n", n))]
     values = _core.order_fields(
@@ -306,7 +307,7 @@ def bonds(result: Solution, *, of: Of | None = None, threads: int = 0, progress:
     depths = inside.depth(inside.bonded())
     if not depths.size:
         body = "result.body" if inside.of == "body" else "result.on"
-        raise ValueError(f"{body} must have a rigid core, a rigid base or several layers to have bonds")
+        raise InvalidInput(body, "must have a rigid core, a rigid base or several layers to have bonds")
     return interior(result, depth=depths, of=inside.of, threads=threads, progress=progress)
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import draft_of, save, write_netcdf
 from ..solution.interior_fields import COMPONENTS
@@ -48,8 +49,8 @@ def _write_volume(inside: xarray.Dataset, path: Path) -> None:
     shape = tuple(inside.sizes[name] for name in ("depth", "phi", "theta"))
     section = shape[2] == 1
     if min(shape[:2]) < 2:
-        raise ValueError(
-            f"inside must have at least two depths, two phi and, for a volume, two theta, got shape {shape}"
+        raise InvalidInput(
+            "inside", "must have at least two depths, two phi and, for a volume, two theta", f"shape {shape}"
         )
     axes, points = _frame(inside)
     displacement = inside.displacement.to_numpy().reshape(3, -1)

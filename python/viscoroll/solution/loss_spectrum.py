@@ -9,6 +9,7 @@ import numpy as np
 
 from .._core import Curvature, Extrapolation
 from .._support.arguments import Floats
+from .._support.errors import InvalidInput
 from ..bodies import CoatedPlane
 from ..materials import MasterCurve
 from .inside import Inside, Of, inside_of
@@ -79,8 +80,8 @@ def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
     inside = inside_of(result, of)
     width = np.ptp(result.z[0]) / inside.radius
     if width > 2.0 * np.pi:
-        raise ValueError(
-            f"result must have fields narrower than the circumference, got {width / (2.0 * np.pi):.3g} circumferences"
+        raise InvalidInput(
+            "result", "must have fields narrower than the circumference", f"{width / (2.0 * np.pi):.3g} circumferences"
         )
     m, m_width = _sampled(round(2.0 * np.pi / inside.node_spacings()[0]))
     n, n_width = np.zeros(1, np.int64), np.ones(1)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from .._support.arguments import as_float, as_int, as_member, require_type
+from .._support.errors import InvalidInput
 from .._support.tables import handy
 from .._support.text import shown
 from .._support.units import UNITS
@@ -72,12 +73,12 @@ class Dimension:
     def __post_init__(self) -> None:
         """Check the values."""
         if not self.values:
-            raise ValueError(f"{self.name} must have at least one value, got none")
+            raise InvalidInput(self.name, "must have at least one value", "none")
         seen: Any = set() if self.is_numeric else []  # other values may not be hashable
         keep = seen.add if self.is_numeric else seen.append
         for value in self.values:
             if value in seen:
-                raise ValueError(f"{self.name} must have different values, got {value!r} twice")
+                raise InvalidInput(self.name, "must have different values", f"{value!r} twice")
             keep(value)
 
     @property
@@ -134,7 +135,7 @@ def split(name: str, value: object) -> Dimension | object:
         require_feasible({name: math.prod(getattr(value, "shape", ()))})
         array = np.asarray(value)
         if array.ndim > 1:
-            raise ValueError(f"{name} must be a scalar or one-dimensional, got shape {array.shape}")
+            raise InvalidInput(name, "must be a scalar or one-dimensional", f"shape {array.shape}")
         value = array.tolist()
     if isinstance(value, Mapping | Sequence):
         require_feasible({name: _length(value)})

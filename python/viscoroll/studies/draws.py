@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 import numpy as np
 
 from .._support.arguments import Floats
+from .._support.errors import InvalidInput
 from .._support.intervals import half_width
 from .._support.result_warnings import silenced
 from .._support.text import shown
@@ -46,7 +47,7 @@ def as_draw_method(method: object) -> DrawMethod:
     """Return the method for the results of draws, or raise a ValueError."""
     if method == "linear" or method == "solve":
         return method
-    raise ValueError(f"draws must be 'linear' or 'solve', got {shown(method)}")
+    raise InvalidInput("draws", "must be 'linear' or 'solve'", shown(method))
 
 
 def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
@@ -60,7 +61,7 @@ def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], lis
     sets = {name: value for name, value in parameters.items() if isinstance(value, Draws)}
     if len({len(value) for value in sets.values()}) > 1:
         told = ", ".join(f"{len(value)} for {name}" for name, value in sets.items())
-        raise ValueError(f"draws must be equally many for each parameter, got {told}")
+        raise InvalidInput("draws", "must be equally many for each parameter", told)
     middle = {**parameters, **{name: value.middle for name, value in sets.items()}}
     drawn = zip(*sets.values(), strict=True)
     return middle, [{**parameters, **dict(zip(sets, members, strict=True))} for members in drawn]
@@ -115,9 +116,10 @@ def _require_near(penetrations: Floats | tuple[()], result: Result) -> None:
     """Raise a ValueError if a draw is too far from the middle for a first-order result."""
     farthest = max((abs(value / result.penetration - 1.0) for value in penetrations), default=0.0)
     if farthest > _FARTHEST:
-        raise ValueError(
-            f"draws must change the penetration by at most {_FARTHEST:.0%} for draws='linear', got {farthest:.0%}; "
-            "use draws='solve' to solve each draw"
+        raise InvalidInput(
+            "draws",
+            f"must change the penetration by at most {_FARTHEST:.0%} for draws='linear'",
+            f"{farthest:.0%}; use draws='solve' to solve each draw",
         )
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .._support.arguments import kind_names
+from .._support.errors import InvalidType
 from .._support.suggestions import suggestion
 from .._support.text import shown
 from .dimensions import LOAD_CASE
@@ -56,7 +57,7 @@ class Bodies:
             if self.noun == "on":  # `split` has checked the counterbodies or None
                 return
             wanted = f"a {kind_names(self.kind)}, or a function that returns one"
-            raise TypeError(f"{self.noun} must be {wanted}, got {shown(self.source)}")
+            raise InvalidType(self.noun, f"must be {wanted}", shown(self.source))
         try:
             inspect.signature(self.source).bind(**dict.fromkeys(names))
         except TypeError as error:
@@ -84,6 +85,6 @@ class Bodies:
                 self.made[key] = f"{type(error).__name__}: {error}"
             else:
                 if not isinstance(body, self.kind):
-                    raise TypeError(f"{self.noun} must return a {kind_names(self.kind)}, got {shown(body)}")
+                    raise InvalidType(self.noun, f"must return a {kind_names(self.kind)}", shown(body))
                 self.made[key] = body
         return self.made[key]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import Floats
+from .._support.errors import InvalidInput
 from .._support.least_squares import Fit, Parameter, fit_law
 
 if TYPE_CHECKING:
@@ -160,14 +161,14 @@ def fit_friction_law(
     0.3
     """
     if not boundary_layer_width > 0.0:
-        raise ValueError(f"boundary_layer_width must be > 0, got {boundary_layer_width!r}")
+        raise InvalidInput("boundary_layer_width", "must be > 0", repr(boundary_layer_width))
     x, y = _checked_points("friction", "", friction, torque, parameters=0, zero=True)
     if frictionless_torque is None:
         if not (x == 0.0).any():
-            raise ValueError("frictionless_torque must be given if friction contains no 0, got None")
+            raise InvalidInput("frictionless_torque", "must be given if friction contains no 0", "None")
         frictionless_torque = float(y[x == 0.0].mean())
     if not frictionless_torque > 0.0:
-        raise ValueError(f"frictionless_torque must be > 0 N m, got {frictionless_torque!r}")
+        raise InvalidInput("frictionless_torque", "must be > 0 N m", repr(frictionless_torque))
     # At μ = 0 the law equals a_i whatever the parameters are, so points at μ = 0 do not help to determine them.
     x, y = _checked_points("friction", "", x[x > 0.0], y[x > 0.0], parameters=4)
     law = f"matched exponentials (60)-(63), a_i = {frictionless_torque:.6g} N m, ε = {boundary_layer_width:g}"
@@ -240,17 +241,17 @@ def _checked_points(
     """Check the points, and return them without the failed ones, whose torque is NaN."""
     first, second = np.asarray(x, dtype=np.float64).ravel(), np.asarray(torque, dtype=np.float64).ravel()
     if np.shape(x) != np.shape(torque):
-        raise ValueError(f"torque must have the shape of {name}, {np.shape(x)}, got {np.shape(torque)}")
+        raise InvalidInput("torque", f"must have the shape of {name}, {np.shape(x)}", np.shape(torque))
     kept = ~np.isnan(second)
     first, second = first[kept], second[kept]
     good = np.isfinite(first) & ((first >= 0.0) if zero else (first > 0.0))
     if not good.all():
         bound = ">= 0" if zero else "> 0"
-        raise ValueError(f"{name} must be {bound}{f' {unit}' if unit else ''}, got {first[~good][0]:g}")
+        raise InvalidInput(name, f"must be {bound}{f' {unit}' if unit else ''}", f"{first[~good][0]:g}")
     if not (np.isfinite(second) & (second > 0.0)).all():
-        raise ValueError(f"torque must be > 0 N m, got {second[~(second > 0.0) | np.isinf(second)][0]:g}")
+        raise InvalidInput("torque", "must be > 0 N m", f"{second[~(second > 0.0) | np.isinf(second)][0]:g}")
     if (count := len(np.unique(first))) <= parameters:
-        raise ValueError(
-            f"{name} must have more than {parameters} different values to determine the parameters, got {count}"
+        raise InvalidInput(
+            name, f"must have more than {parameters} different values to determine the parameters", f"{count}"
         )
     return first, second

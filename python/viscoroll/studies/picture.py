@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Literal, overload
 import numpy as np
 
 from .._support.arguments import Floats
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.pictures import drawn
 from .axes import Abscissa, Colors, Scale, choose_scale, quantity_name, value_text
@@ -112,12 +113,12 @@ def _draw_study(axes: Axes, study: xarray.Dataset, values: xarray.DataArray) -> 
 def _checked_variable(study: xarray.Dataset, variable: str) -> xarray.DataArray:
     known = [name for name, values in study.data_vars.items() if values.dtype.kind == "f" and "phi" not in values.dims]
     if variable not in known:
-        raise ValueError(f"variable must be one of {', '.join(map(str, known))}, got {variable!r}")
+        raise InvalidInput("variable", f"must be one of {', '.join(map(str, known))}", f"{variable!r}")
     values = study[variable]
     if not values.dims:
-        raise ValueError(f"variable must have a dimension to be drawn against, got {variable} at a single point")
+        raise InvalidInput("variable", "must have a dimension to be drawn against", f"{variable} at a single point")
     if not np.isfinite(values).any():
-        raise ValueError(f"variable must have finite values to be drawn, got {variable}, which has none")
+        raise InvalidInput("variable", "must have finite values to be drawn", f"{variable}, which has none")
     return values
 
 

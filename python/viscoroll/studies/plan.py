@@ -7,6 +7,7 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from .._support.errors import InvalidInput
 from ..bodies import Counterbody, RollingBody
 from ..coupled.softening_search import softens
 from ..materials import Draws
@@ -88,14 +89,14 @@ class Plan:
         if all(isinstance(case, str) for case in self.cases):
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
         if len({body.line_contact for body in self.rolling_bodies()}) > 1:
-            raise ValueError(
-                "body must be a roller at all points or at none, because results of rollers are per length, got both"
+            raise InvalidInput(
+                "body", "must be a roller at all points or at none, because results of rollers are per length", "both"
             )
         solved = [case for case in self.cases if isinstance(case, LoadCase)]
         if self.method == "linear" and any(
             case.draws and softens(case.body, case.arguments.get("on")) for case in solved
         ):
-            raise ValueError("draws must be 'solve' if layers soften with strain, got 'linear'")
+            raise InvalidInput("draws", "must be 'solve' if layers soften with strain", "'linear'")
         known = PointKeys()
         keys = [
             known.key(case.body, case.arguments, self.fields, case.draws, self.method)

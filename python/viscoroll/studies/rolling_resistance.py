@@ -12,6 +12,7 @@ import numpy as np
 from .. import _core
 from .._core import Extrapolation
 from .._support.arguments import Floats, as_float, as_float_array, as_floats, as_member
+from .._support.errors import InvalidInput, InvalidType
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf, write_text
 from .._support.text import one_line, shown
@@ -226,10 +227,10 @@ def _numbers(document: object) -> dict[str, Any]:
     ranges = {name: as_floats(name, document[name]) for name in ("load", "angular_speed")}
     for name, ends in ranges.items():
         if len(ends) != 2:
-            raise ValueError(f"{name} must be the two ends of a range, got {shown(document[name])}")
+            raise InvalidInput(name, "must be the two ends of a range", shown(document[name]))
     rows = document["coefficients"]
     if not isinstance(rows, list):
-        raise TypeError(f"coefficients must be a list of rows, got {shown(rows)}")
+        raise InvalidType("coefficients", "must be a list of rows", shown(rows))
     coefficients = [as_floats(f"coefficients[{index}]", row) for index, row in enumerate(rows)]
     numbers = {name: as_float(name, document[name]) for name in ("radius", "error", "largest_error")}
     return {**ranges, "coefficients": coefficients, **numbers}
@@ -261,19 +262,19 @@ _FORMATS = {
 def _points(study: xarray.Dataset) -> tuple[Floats, Floats, Floats]:
     power = study["dissipated_power"]
     if study["load"].attrs.get("units") == "N/m":
-        raise ValueError("study must be for a ball or a wheel, with loads in N, got loads in N/m, as for rollers")
+        raise InvalidInput("study", "must be for a ball or a wheel, with loads in N", "loads in N/m, as for rollers")
     for name in ("load", "angular_speed"):
         if name not in power.dims or power.sizes[name] < 3:
-            raise ValueError(f"study must have at least 3 values of {name}, got {power.sizes.get(name, 1)}")
+            raise InvalidInput("study", f"must have at least 3 values of {name}", power.sizes.get(name, 1))
     if more := [str(name) for name in power.dims if name not in ("load", "angular_speed") and power.sizes[name] > 1]:
-        raise ValueError(f"study must vary only load and angular_speed, got also {', '.join(more)}")
+        raise InvalidInput("study", "must vary only load and angular_speed", f"also {', '.join(more)}")
     power = power.squeeze([n for n in power.dims if n not in ("load", "angular_speed")])
     power = power.transpose("load", "angular_speed").sortby(["load", "angular_speed"])
     load, speed = power["load"].values.astype(float), power["angular_speed"].values.astype(float)
     torque = power.values / speed
     if not (torque > 0.0).all():
-        raise ValueError(
-            f"study must have dissipated power > 0 W at every point, got {int((~(torque > 0.0)).sum())} other points"
+        raise InvalidInput(
+            "study", "must have dissipated power > 0 W at every point", f"{int((~(torque > 0.0)).sum())} other points"
         )
     return torque, load, speed
 
@@ -282,7 +283,7 @@ def radius_of(study: xarray.Dataset) -> float:
     """Return the outer radius: center height plus penetration, less the centrifugal displacement [m]."""
     radius = (study["center_height"] + study["penetration"] - study["centrifugal_displacement"]).values
     if not np.ptp(radius) <= 1e-9 * radius.max():
-        raise ValueError(f"study must have one outer radius, got radii from {radius.min():g} to {radius.max():g} m")
+        raise InvalidInput("study", "must have one outer radius", f"radii from {radius.min():g} to {radius.max():g} m")
     return float(radius.flat[0])
 
 

@@ -11,6 +11,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .._support.errors import InvalidInput, InvalidType
 from .._support.intervals import as_confidence
 from .._support.progress import ProgressLike, counted
 from .._support.result_warnings import warn
@@ -137,7 +138,7 @@ def sweep(
     """
     kept = _checked_fields(fields)
     if executor is not None and not callable(getattr(executor, "submit", None)):
-        raise TypeError(f"executor must be a concurrent.futures.Executor or None, got {executor!r}")
+        raise InvalidType("executor", "must be a concurrent.futures.Executor or None", repr(executor))
     _check_names(parameters)
     plan = plan_sweep(body, parameters, fields=kept, method=as_draw_method(draws), confidence=as_confidence(confidence))
     study = run_plan(plan, executor=executor, cache=cache, retry_failed=retry_failed, progress=progress)
@@ -216,7 +217,7 @@ def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:
     kept = (fields,) if isinstance(fields, str) else tuple(fields)
     for name in kept:
         if name not in known:
-            raise ValueError(f"fields must be names from {', '.join(known)}, got {name!r}")
+            raise InvalidInput("fields", f"must be names from {', '.join(known)}", repr(name))
     return tuple(name for name in known if name in kept)
 
 
@@ -226,6 +227,6 @@ def _check_names(parameters: dict[str, Any]) -> None:
         told = f"; did you mean {', '.join(guesses)}?" if guesses else ""
         raise TypeError(f"sweep requires {' and '.join(missing)}{told}")
     if parameters.get("mesh") is not None and parameters.get("accuracy") is not None:
-        raise ValueError(f"accuracy must be left out if a mesh is given, got {parameters['accuracy']!r}")
+        raise InvalidInput("accuracy", "must be left out if a mesh is given", f"{parameters['accuracy']!r}")
     if taken := sorted(parameters.keys() & RESERVED - LOAD_CASE):
-        raise ValueError(f"parameters must not have names of results, got {', '.join(taken)}")
+        raise InvalidInput("parameters", "must not have names of results", f"{', '.join(taken)}")

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.polynomial import legendre
 
+from .._support.errors import InvalidInput
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -187,7 +189,7 @@ class Conduction:
     def _rate_matrices(self, capacity: float, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return the symmetric matrices of the decay rates of the first modes, and the root of the heat capacities."""
         if not self.has_uniform_film:
-            raise ValueError("convection must be a number for temperatures over time, got a function of theta")
+            raise InvalidInput("convection", "must be a number for temperatures over time", "a function of theta")
         matrices = self._assemble(np.zeros((self.modes.count, self.coordinate.size)))[0][:count]
         matrices[:, -1, -1] += float(self.modes.measure(np.array(self._outermost))) * self._film[0, 0]
         mass = np.zeros(matrices.shape[1])

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.polynomial import legendre
 
+from .._support.errors import InvalidInput
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -195,12 +197,12 @@ def _coefficients(
 ) -> NDArray[np.float64]:
     given = np.asarray(convection(theta), dtype=float)
     if given.shape not in ((), theta.shape):
-        raise ValueError(
-            f"convection must return one number, or one for each of the given angles, got shape {given.shape}"
+        raise InvalidInput(
+            "convection", "must return one number, or one for each of the given angles", f"shape {given.shape}"
         )
     coefficient = np.broadcast_to(given, theta.shape)
     if not (np.isfinite(coefficient).all() and coefficient.min() >= 0.0):
-        raise ValueError("convection must return finite coefficients >= 0 W/(m^2 K)")
+        raise InvalidInput("convection", "must return finite coefficients >= 0 W/(m^2 K)")
     return coefficient
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from .._core import InnerBoundary
 from .._support.arguments import as_not_negative, as_positive
+from .._support.errors import InvalidInput
 from .._support.text import shown
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
 from ..solution.inside import Inside, boundaries_of
@@ -128,8 +129,8 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
         If an argument is invalid or does not apply to the body, or if no surface takes the heat.
     """
     if not np.isfinite(inside.thickness):
-        raise ValueError(
-            "result.on must have a finite thickness for a steady temperature, got a half-space: give a thick layer"
+        raise InvalidInput(
+            "result.on", "must have a finite thickness for a steady temperature", "a half-space: give a thick layer"
         )
     conductivities = conductivities_of(inside, conductivity)
     match body := inside.body:
@@ -151,7 +152,7 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     assert isinstance(ball, CoatedSphere)
     degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MOST_DEGREES)
     if ball.inner_boundary is not InnerBoundary.RIGID and given.core is not Core.INSULATED:
-        raise ValueError(f"core must be INSULATED in a ball without a rigid core, got {shown(given.core)}")
+        raise InvalidInput("core", "must be INSULATED in a ball without a rigid core", shown(given.core))
     rise = held_rise(given)
     inner: NDArray[np.float64] | None
     if isinstance(given.core, Core):
@@ -188,7 +189,7 @@ def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) ->
     width = None if given.width is None else as_positive("width", given.width, "m")
     for name in ("side_convection", "hub_conductance"):
         if width is None and getattr(given, name) is not None:
-            raise ValueError(f"width must be given with {name}, got none")
+            raise InvalidInput("width", f"must be given with {name}", "none")
     side = _side(given, conductivities)
     modes = modes_of_roller(width, side / conductivities[0], _SIDE_MODES)
     bounds = boundaries_of(inside.body)
@@ -214,7 +215,7 @@ def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> 
     if isinstance(result.on if inside.of == "counterbody" else result.body, CoatedCylinder):
         refuse(given, ("base_convection", "period"), "a roller")
         if given.width is None:
-            raise ValueError("width must be given for a roller under a wheel: the width of the roller [m]")
+            raise InvalidInput("width", "must be given for a roller under a wheel: the width of the roller [m]")
         width = as_positive("width", given.width, "m")
     else:
         refuse(given, ("width", "base_convection", "period"), "a wheel")
@@ -259,14 +260,16 @@ def _side(given: Surroundings, conductivities: list[float]) -> float:
     """Return the coefficient of convection at the side faces [W/(m² K)]."""
     side = as_not_negative("side_convection", given.side_convection or 0.0, "W/(m^2 K)")
     if side > 0.0 and len(set(conductivities)) > 1:
-        raise ValueError(f"conductivity must be the same in all layers if side faces are cooled, got {conductivities}")
+        raise InvalidInput(
+            "conductivity", "must be the same in all layers if side faces are cooled", f"{conductivities}"
+        )
     return side
 
 
 def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
     refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
     if given.period is None:
-        raise ValueError("period must be given for a plane: the time from one pass to the next [s]")
+        raise InvalidInput("period", "must be given for a plane: the time from one pass to the next [s]")
     period = as_positive("period", given.period, "s")
     result = inside.result
     track = None if inside.line_contact else _between_tracks(inside)
@@ -278,7 +281,7 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
         else as_not_negative("base_convection", given.base_convection, "W/(m^2 K)")
     )
     if base is not None and given.core is not Core.INSULATED:
-        raise ValueError(f"core must be INSULATED with base_convection, got {shown(given.core)}")
+        raise InvalidInput("core", "must be INSULATED with base_convection", shown(given.core))
     inner = inner_coefficients(given, modes, lambda: 1.0) if base is None else np.full(modes.count, base)
     film = even_film(given)
     require_sink(inside, film, inner is None or bool(inner[0] > 0.0))

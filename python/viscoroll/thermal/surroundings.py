@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_kelvin, as_not_negative, as_positive
+from .._support.errors import InvalidInput, InvalidType
 from .._support.text import shown
 
 if TYPE_CHECKING:
@@ -66,10 +67,10 @@ def inner_coefficients(given: Surroundings, modes: HeatModes, area: Callable[[],
         If an argument is invalid.
     """
     if not isinstance(given.core, Core):
-        raise TypeError(f"core must be a viscoroll.enums.Core, except in a ball, got {shown(given.core)}")
+        raise InvalidType("core", "must be a viscoroll.enums.Core, except in a ball", shown(given.core))
     if given.core is Core.ISOTHERMAL:
         if given.hub_conductance is not None:
-            raise ValueError("hub_conductance must be left out with an ISOTHERMAL core")
+            raise InvalidInput("hub_conductance", "must be left out with an ISOTHERMAL core")
         return None
     conductance = as_not_negative("hub_conductance", given.hub_conductance or 0.0, "W/K")
     return np.full(modes.count, conductance / area())
@@ -116,7 +117,7 @@ def require_sink(inside: Inside, film: float | NDArray[np.float64], other: bool)
         If neither the surface nor another part, given by `other`, takes heat.
     """
     if not other and not np.any(film) and inside.bulk_power > 0.0:
-        raise ValueError("convection must be > 0 W/(m^2 K) if nothing else removes heat, got 0")
+        raise InvalidInput("convection", "must be > 0 W/(m^2 K) if nothing else removes heat", "0")
 
 
 def refuse(given: Surroundings, names: Sequence[str], body: str) -> None:
@@ -129,7 +130,7 @@ def refuse(given: Surroundings, names: Sequence[str], body: str) -> None:
     """
     for name in names:
         if getattr(given, name) is not None:
-            raise ValueError(f"{name} must be left out with {body}, got {shown(getattr(given, name))}")
+            raise InvalidInput(name, f"must be left out with {body}", shown(getattr(given, name)))
 
 
 def conductivities_of(inside: Inside, given: float | Sequence[float] | None) -> list[float]:
@@ -144,11 +145,11 @@ def conductivities_of(inside: Inside, given: float | Sequence[float] | None) -> 
     if given is None:
         values = [layer.conductivity for layer in layers]
         if None in values:
-            raise ValueError(f"conductivity must be given here or in every layer, got layers with {values}")
+            raise InvalidInput("conductivity", "must be given here or in every layer", f"layers with {values}")
         return [value for value in values if value is not None]
     if np.ndim(given) == 0:
         return [as_positive("conductivity", given, "W/(m K)")] * len(layers)
     several = [as_positive(f"conductivity[{j}]", value, "W/(m K)") for j, value in enumerate(given)]  # type: ignore[arg-type]
     if len(several) != len(layers):
-        raise ValueError(f"conductivity must have one value for each of {len(layers)} layers, got {len(several)}")
+        raise InvalidInput("conductivity", f"must have one value for each of {len(layers)} layers", len(several))
     return several

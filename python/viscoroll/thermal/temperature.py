@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_float, as_kelvin, as_member, as_not_negative, as_positive, require_type
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.plotting import plots
 from .._support.progress import ProgressLike
@@ -221,7 +222,7 @@ def temperature(
     capacity = as_positive("heat_capacity", heat_capacity, "J/(m^3 K)")
     require_type("start", start, Temperature, optional=True)
     if start is not None and time is None:
-        raise ValueError("start must be left out without time: the steady state does not depend on it")
+        raise InvalidInput("start", "must be left out without time: the steady state does not depend on it")
     given = Surroundings(
         convection=convection,
         ambient=as_kelvin("ambient", ambient),
@@ -283,13 +284,13 @@ def _history(
 
     times = finite_line("time", time)
     if not (times >= 0.0).all():
-        raise ValueError(f"time must be >= 0 s, got {times.min():g} s")
+        raise InvalidInput("time", "must be >= 0 s", f"{times.min():g} s")
     before = np.zeros_like(steady)
     if start is not None:
         field = start.rise if start.history is None else start.history.rise[-1]
         expected = (steady.shape[1], places.size)
         if field.shape != expected:
-            raise ValueError(f"start must have the same layers and mesh, with shape {expected}, got {field.shape}")
+            raise InvalidInput("start", f"must have the same layers and mesh, with shape {expected}", field.shape)
         before = np.linalg.lstsq(body.values(places).T, field.to_numpy().T, rcond=None)[0]
     rises = body.conduction.transient(steady, before, times, capacity)
     rise = np.einsum("tjp,jz->tpz", rises, body.values(places))
@@ -368,7 +369,7 @@ def plane_cooling(
     )
     plane = as_float("plane_effusivity", plane_effusivity)
     if not plane > 0.0:
-        raise ValueError(f"plane_effusivity must be > 0 W s^0.5/(m^2 K), got {plane!r}")
+        raise InvalidInput("plane_effusivity", "must be > 0 W s^0.5/(m^2 K)", repr(plane))
     share = 1.0 if np.isinf(plane) else plane / (effusivity + plane)
     nodes = inside.node_angles()[1]
     time = result.contact.sum(axis=0) * result.mesh.spacing / result.angular_speed

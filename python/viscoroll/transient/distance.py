@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_float, as_float_array
+from .._support.errors import InvalidInput
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -30,7 +31,7 @@ def as_angles(body: RollingBody, angle: ArrayLike | None, distance: ArrayLike | 
         return as_float_array("angle", angle)
     distances = as_float_array("distance", distance)
     if not np.isfinite(distances).all():
-        raise ValueError(f"distance must be finite, got {distances[~np.isfinite(distances)].flat[0]:g}")
+        raise InvalidInput("distance", "must be finite", f"{distances[~np.isfinite(distances)].flat[0]:g}")
     return distances / body.outer_radius
 
 

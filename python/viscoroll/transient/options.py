@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
 from .. import _core
 from .._core import Compliance, Curvature
 from .._support.arguments import as_int, as_member, require_type, store_floats
+from .._support.errors import InvalidInput
 from ..bodies import Drive, Mesh
 
 if TYPE_CHECKING:
@@ -91,8 +92,8 @@ class HistoryOptions:
         require_type("mesh", self.mesh, Mesh, optional=True)
         require_type("drive", self.drive, Drive)
         if self.drive.creepage is not None:
-            raise ValueError(
-                "drive must be a force or a torque in transient rolling; prescribe center_displacement instead"
+            raise InvalidInput(
+                "drive", "must be a force or a torque in transient rolling; prescribe center_displacement instead"
             )
         store_floats(self, [option.name for option in fields(self) if option.type == "float"])
         for name, kind in (("compliance", Compliance), ("curvature", Curvature)):

@@ -9,6 +9,7 @@ import numpy as np
 from .. import _core
 from .._core import Start
 from .._support.arguments import as_float_array, as_member, require_type
+from .._support.errors import InvalidInput
 from .._support.files import ending_in
 from .._support.progress import ProgressLike, Report, reporting
 from ..bodies import Counterbody, RollingBody
@@ -128,7 +129,7 @@ def roll(
     if checkpoint is not None:
         checkpoint = ending_in([SUFFIX], checkpoint, name="checkpoint")
         if not checkpoint.parent.is_dir():
-            raise ValueError(f"checkpoint must be in a folder that exists, got {str(checkpoint)!r}")
+            raise InvalidInput("checkpoint", "must be in a folder that exists", repr(str(checkpoint)))
     _require_length("distance", distance, time)
     motion = _motion(
         time=time, angle=as_angles(body, angle, distance), load=load, center_displacement=center_displacement
@@ -208,17 +209,17 @@ def _motion(**waypoints: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
         arrays["load"] = np.full_like(arrays["time"], arrays["load"])
     for name, values in arrays.items():
         if values.ndim != 1:
-            raise ValueError(f"{name} must be one-dimensional, got shape {values.shape}")
+            raise InvalidInput(name, "must be one-dimensional", f"shape {values.shape}")
         _require_length(name, values, arrays["time"])
     if len(arrays["time"]) < 2:
-        raise ValueError(f"time must have at least two waypoints, got {len(arrays['time'])}")
+        raise InvalidInput("time", "must have at least two waypoints", f"{len(arrays['time'])}")
     _core.check_motion(**_lists(arrays))
     return arrays
 
 
 def _require_length(name: str, values: ArrayLike | None, time: ArrayLike) -> None:
     if values is not None and np.size(values) != np.size(time):
-        raise ValueError(f"{name} must be as long as time ({np.size(time)}), got {np.size(values)}")
+        raise InvalidInput(name, f"must be as long as time ({np.size(time)})", f"{np.size(values)}")
 
 
 def _lists(motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
@@ -240,7 +241,7 @@ def _stops(time: NDArray[np.float64], contact_times: ArrayLike) -> list[float]:
     instants = as_float_array("contact_times", contact_times).ravel()
     for instant in instants:
         if not time[0] <= instant <= time[-1]:
-            raise ValueError(f"contact_times must be in [{time[0]:g}, {time[-1]:g}] s, got {instant:g}")
+            raise InvalidInput("contact_times", f"must be in [{time[0]:g}, {time[-1]:g}] s", f"{instant:g}")
     return sorted({*instants.tolist(), float(time[-1])})
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from .. import _core
 from .._core import Start
 from .._support.arguments import as_float, as_float_array, as_member, require_type
+from .._support.errors import InvalidInput
 from .._support.files import ending_in
 from .._support.progress import ProgressLike, reporting
 from .._support.result_warnings import warn
@@ -75,7 +76,7 @@ class RollingState:
         """Check shape and type; a history that starts from the state checks the numbers."""
         numbers = as_float_array("numbers", self.numbers)
         if numbers.ndim != 1:
-            raise ValueError(f"numbers must be one-dimensional, got shape {numbers.shape}")
+            raise InvalidInput("numbers", "must be one-dimensional", f"shape {numbers.shape}")
         object.__setattr__(self, "numbers", numbers)
 
     def save(self, path: str | Path) -> None:
@@ -174,7 +175,7 @@ class RollingHistory:
             else {"start": as_member("start", start, Start), "time": as_float("time", time), "angle": first}
         )
         if isinstance(start, RollingState) and start.bodies not in ("", both := _bodies_text(body, on)):
-            raise ValueError(f"start must be a state of {both}, got a state of {start.bodies}")
+            raise InvalidInput("start", f"must be a state of {both}", f"a state of {start.bodies}")
         self.body = body
         self.on = on
         times = {

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import __commit__, __version__
+from .._support.errors import InvalidInput
 from .._support.files import draft_of
 from .._support.text import shown
 
@@ -57,15 +58,13 @@ def read_state(path: Path) -> tuple[NDArray[np.float64], str]:
     if signature != _SIGNATURE or not fields:
         raise ValueError(f"{path} is not a saved state of viscoroll: roll from the start and save the state again")
     if fields[0] != _FORMAT:
-        raise ValueError(
-            f"{path} must be a state of format {_FORMAT.decode()}, got {shown(fields[0].decode('latin-1'))}"
-        )
+        raise InvalidInput(path, f"must be a state of format {_FORMAT.decode()}", shown(fields[0].decode("latin-1")))
     if len(fields) != 4 or fields[3] != _checksum([signature, *fields[:3]], content):
         raise ValueError(f"{path} is damaged: its checksum does not match its content; roll from the start")
     made_by, bodies = (part.decode() for part in fields[1:3])
     if made_by != _MADE_BY:
-        raise ValueError(
-            f"{path} must be written by viscoroll {_MADE_BY}, got a state written by {made_by}: roll from the start"
+        raise InvalidInput(
+            path, f"must be written by viscoroll {_MADE_BY}", f"a state written by {made_by}: roll from the start"
         )
     return np.frombuffer(content, dtype="<f8").astype(np.float64), bodies
 

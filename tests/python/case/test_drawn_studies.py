@@ -120,7 +120,7 @@ def test_draws_that_nobody_keeps_are_told_of_before_the_work(folder, options, me
         ("of = []", "draws.of must name materials with equal numbers of draws, got none"),
         (
             'of = ["cylinder.layers[0].shear_modulus"]\nmethod = "luck"',
-            "draws.method: input should be 'linear' or 'solve'",
+            "draws.method must be 'linear' or 'solve'",
         ),
     ],
 )

@@ -96,7 +96,7 @@ def test_studies_tell_networks_apart(write):
 @pytest.mark.parametrize(
     ("network", "message"),
     [
-        ('{ type = "kraus", storage = 8e6, loss = 8e5 }', "network of type kraus must have critical_strain"),
+        ('{ type = "kraus", storage = 8e6, loss = 8e5 }', "network.critical_strain must be given for the type kraus"),
         ('{ type = "payne" }', "network.type must be one of kraus, masing, strain_sweep, got 'payne'"),
         ('{ type = "strain_sweep", file = "no.csv" }', "strain sweep .*no.csv: No such file"),
     ],

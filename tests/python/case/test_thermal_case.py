@@ -47,11 +47,14 @@ def test_the_commented_table_is_valid(case):
 @pytest.mark.parametrize(
     ("table", "message"),
     [
-        (THERMAL + 'core = "steel"', "thermal.core: core must be one of insulated, isothermal, got 'steel'"),
-        (THERMAL + "shift = 3", "thermal.shift: input should be a valid dictionary"),
+        (THERMAL + 'core = "steel"', "thermal.core must be one of insulated, isothermal, got 'steel'"),
+        (THERMAL + "shift = 3", "thermal.shift must be a valid dictionary"),
         (THERMAL + 'shift = { type = "eyring" }', "thermal.shift.type must be one of williams_landel_ferry, arrhenius"),
-        (THERMAL + 'shift = { type = "arrhenius" }', "thermal.shift of type arrhenius must have activation_energy"),
-        ("[thermal]\nambient = 300.0", "thermal.convection: field required"),
+        (
+            THERMAL + 'shift = { type = "arrhenius" }',
+            "thermal.shift.activation_energy must be given for the type arrhenius",
+        ),
+        ("[thermal]\nambient = 300.0", "thermal.convection must be given"),
     ],
 )
 def test_mistakes_are_named(case, table, message):

@@ -56,7 +56,7 @@ def test_labels_of_what_it_rolls_on():
 
 def test_what_a_function_refuses_fails_at_its_points_alone():
     study = vr.sweep(IDLER, on=belt, cover=[-1.0, 4e-3], **CASE)
-    assert (study.error.sel(cover=-1.0) == "ValueError: thickness must be > 0 m, got -1").all()
+    assert (study.error.sel(cover=-1.0) == "InvalidInput: thickness must be > 0 m, got -1").all()
     assert (study.error.sel(cover=4e-3) == "").all()
 
 

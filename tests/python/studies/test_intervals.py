@@ -152,7 +152,7 @@ def test_draws_that_fail_leave_no_interval(material):
         found = vr.sweep(roller, modulus=soft, draws="solve", **CASE)
     assert found.resisting_torque > 0.0
     assert "resisting_torque_lower" not in found
-    assert found.error.item().startswith("draws: ValueError: load must be")
+    assert found.error.item().startswith("draws: InvalidInput: load must be")
     thick = vr.materials.Draws(2e-3, [2e-3, 2.1e-3])
     with pytest.warns(vr.ResultWarning, match="1 NO_INTERVAL"):
         found = vr.sweep(roller, modulus=material.middle, thickness=thick, **CASE)

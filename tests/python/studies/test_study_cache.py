@@ -211,7 +211,7 @@ def test_failed_points_are_nan_with_their_message(tmp_path, solves):
     assert study.status.values.tolist() == [["FAILED", "FAILED"], ["CONVERGED", "FAILED"]]
     assert study.attrs["statuses"] == "3 FAILED, 1 CONVERGED"
     assert "load must be small enough for the coating, got 1e+09 N" in study.error.values[1, 1]
-    assert study.error.values[0, 0] == "ValueError: thickness must be > 0 m, got -1"
+    assert study.error.values[0, 0] == "InvalidInput: thickness must be > 0 m, got -1"
     assert study.error.values[1, 0] == ""
     assert len(solves) == 2
     for retry_failed, solved in ((False, 2), (True, 3)):

@@ -52,7 +52,7 @@ def test_from_python(varied, count):
     [
         (
             f'"rolling.load" = {{ from = 1.0, to = 2.0, count = {10**12} }}',
-            "count: input should be less than or equal to 1000000, got 1000000000000",
+            "count must be less than or equal to 1000000, got 1000000000000",
         ),
         (
             "\n".join(f'"rolling.{k}" = {{ from = 1, to = 2, count = 1000000 }}' for k in ("load", "angular_speed")),

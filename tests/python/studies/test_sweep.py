@@ -179,7 +179,7 @@ def test_progress_shows_the_remaining_time(capsys, paper_ball):
         (
             {"thickness": [-1.0, -2.0]},
             ValueError,
-            "every point fails, the first with ValueError: thickness must be > 0",
+            "every point fails, the first with InvalidInput: thickness must be > 0",
         ),
         ({"fields": ["heat"]}, ValueError, "fields must be names from x, z, pressure, .*, got 'heat'"),
         ({"executor": 4}, TypeError, "executor must be a concurrent.futures.Executor or None, got 4"),

@@ -15,6 +15,7 @@ const MODULI = {
   elastic: "Elastic",
   standard_linear_solid: "StandardLinearSolid",
   prony: "Prony",
+  creep_compliance: "CreepCompliance",
   kelvin_voigt: "KelvinVoigt",
   fractional_zener: "FractionalZener",
   master_curve: "MasterCurve",

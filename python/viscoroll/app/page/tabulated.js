@@ -5,21 +5,27 @@
 
 /**
  * The request with materials that the library has.
- * @returns {{known: object}|{error: {message: string, parameter: string}}} an error for values that are not tabulated
+ * @returns {{known: object}|{error: {message: string, parameter: string, rule: string, value: string}}} an error for
+ * values that are not tabulated
  */
 export function withMaterials(request, tables) {
   try {
     return { known: { ...request, case: replaced(request.case, tables, "") } };
   } catch (error) {
-    if (error instanceof NotTabulated) return { error: { message: error.message, parameter: error.parameter } };
+    if (error instanceof NotTabulated) {
+      const { message, parameter, rule, value } = error;
+      return { error: { message, parameter, rule, value } };
+    }
     throw error;
   }
 }
 
 class NotTabulated extends Error {
   constructor(place, name, rule, value) {
-    super(`${place}: ${name} must be ${rule} on this page, got ${value}`);
+    super(`${place}.${name} must be ${rule} on this page, got ${value}`);
     this.parameter = `${place}.${name}`;
+    this.rule = `must be ${rule} on this page`;
+    this.value = String(value);
   }
 }
 

@@ -1,0 +1,77 @@
+"""Errors about invalid input have the parameter, the rule and the value as attributes."""
+
+from __future__ import annotations
+
+import pickle
+
+import pytest
+import viscoroll as vr
+from viscoroll._support.errors import InvalidInput, InvalidType, in_file
+from viscoroll.case import build_case
+
+
+def parts(error: InvalidInput) -> tuple[str, str, str]:
+    return error.parameter, error.rule, error.value
+
+
+@pytest.mark.parametrize(
+    ("make", "expected"),
+    [
+        (lambda: vr.Layer(thickness=-1.0, shear_modulus=1e6), ("thickness", "must be > 0 m", "-1")),  # by the core
+        (lambda: vr.Drive(), ("drive", "must have exactly one of force, torque and creepage", "none")),  # in Python
+        (lambda: vr.Elastic(modulus="stiff"), ("modulus", "must be a real number", "'stiff'")),
+    ],
+    ids=["core", "Python", "type"],
+)
+def test_errors_have_parameter_rule_and_value(make, expected):
+    with pytest.raises(vr.InvalidInput) as raised:
+        make()
+    assert parts(raised.value) == expected
+    assert str(raised.value) == f"{expected[0]} {expected[1]}, got {expected[2]}"
+    assert isinstance(raised.value, ValueError)
+
+
+def test_wrong_types_are_type_errors_too():
+    with pytest.raises(TypeError) as raised:
+        vr.Elastic(modulus=None)
+    assert isinstance(raised.value, InvalidType)
+
+
+@pytest.mark.parametrize(
+    ("parameter", "table", "path"),
+    [
+        ("thickness", "ball.layers[0]", "ball.layers[0].thickness"),
+        ("core", "thermal.core", "thermal.core"),
+        ("drive.spin", "rolling.drive", "rolling.drive.spin"),
+        ("base.density", "plane.base", "plane.base.density"),
+        ("motion.load", "motion", "motion.load"),
+        ("layers[1]", "ball", "ball.layers[1]"),
+        ("corestiffness", "thermal.core", "thermal.core.corestiffness"),
+    ],
+)
+def test_paths_do_not_repeat_the_name_of_the_table(parameter, table, path):
+    assert InvalidInput(parameter, "must be > 0").inside(table).parameter == path
+
+
+def test_errors_keep_their_attributes_in_other_processes():
+    error = InvalidType("a", "must be b", "c", more="d must be e", source="f.toml")
+    again = pickle.loads(pickle.dumps(error))
+    assert type(again) is InvalidType
+    assert vars(again) == vars(error)
+    assert str(again) == str(error) == "f.toml: a must be b, got c; d must be e"
+
+
+def test_errors_of_a_file_name_it():
+    found = in_file(InvalidInput("load", "must be > 0 N", -1), "case.toml")
+    assert isinstance(found, InvalidInput)
+    assert (found.parameter, str(found)) == ("load", "case.toml: load must be > 0 N, got -1")
+    assert str(in_file(ValueError("line\nbreak"), "a.csv")) == r"a.csv: line\nbreak"
+
+
+def test_cases_name_the_path_of_the_parameter():
+    layer = {"thickness": 1e-3, "shear_modulus": {"type": "prony", "instantaneous_modulus": 1e6, "weights": [2.0]}}
+    layer["shear_modulus"]["relaxation_times"] = [1.0]
+    case = {"wheel": {"core_radius": 0.1, "width": 0.1, "layers": [layer]}, "rolling": {"load": 1, "angular_speed": 1}}
+    with pytest.raises(vr.InvalidInput) as raised:
+        build_case(case, None)
+    assert parts(raised.value) == ("wheel.layers[0].shear_modulus.weights[0]", "must be in [0, 1]", "2")
