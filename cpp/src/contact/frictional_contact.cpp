@@ -28,13 +28,14 @@ struct CreepageTrial {
 /// @param[in] start state from which the search starts
 SearchLimits limits_of(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options) {
   const double share = std::clamp(problem.friction->coefficient, kSettings.least_friction, 1.0);
-  const double affordable = kSettings.effort / problem.surface->operations();
-  const double most = std::max(affordable, std::min(kSettings.products, kSettings.costly * affordable));
+  const double affordable = kSettings.max_operations / problem.surface->operations();
+  const double most =
+      std::max(affordable, std::min(kSettings.operator_applications, kSettings.excess_factor * affordable));
   return {.tolerance = std::max(kSettings.tolerance * share, options.tolerance),
           .round_off = kSettings.round_off * share,
           .full_steps = start.creepage ? kSettings.full_steps_nearby : kSettings.full_steps,
-          .most_systems = options.max_iterations - start.iterations,
-          .most_products = most - start.operator_applications};
+          .max_systems = options.max_iterations - start.iterations,
+          .max_products = most - start.operator_applications};
 }
 
 class StateSearch {
@@ -76,7 +77,7 @@ class StateSearch {
   bool iterate(const StepLimits& limits = {}) {
     const bool is_found = newton_.iterate(wanted_.coefficient, limits);
     const double residual = newton_.state().residual;
-    if (problem_.friction->drive == wanted_.drive && residual < kSettings.hopeless) residual_ = residual;
+    if (problem_.friction->drive == wanted_.drive && residual < kSettings.divergence_residual) residual_ = residual;
     return is_found;
   }
 
@@ -161,7 +162,7 @@ class StateSearch {
     if (!near) return false;
     const bool is_above = near->excess > 0.0;
     double here = 0.0;
-    double there = (is_above ? 1.0 : -1.0) * std::asinh(kSettings.most_creepage / kSettings.small_creepage);
+    double there = (is_above ? 1.0 : -1.0) * std::asinh(kSettings.max_creepage / kSettings.small_creepage);
     std::optional<CreepageTrial> far = find_at(there, start_);
     if (!far || (far->excess > 0.0) == is_above) return false;
     for (int halving = 0; halving < kSettings.halvings && !newton_.is_exhausted(); ++halving) {
@@ -204,7 +205,7 @@ class StateSearch {
   [[nodiscard]] ContactSolution finished() {
     ContactSolution state = newton_.state();
     ContactSets sets = newton_.sets();
-    const int most = is_start_ ? 0 : kSettings.steps_of_rest;
+    const int most = is_start_ ? 0 : kSettings.max_slip_reduction_steps;
     for (int step = 0; step < most && system_.creep(state, sets) > kSettings.largest_creep; ++step) {
       newton_.take_step(wanted_.coefficient, sets, kSettings.exact_step);
       if (!(newton_.state().residual < state.residual)) break;

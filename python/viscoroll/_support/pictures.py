@@ -13,7 +13,7 @@ with extra("plot"):
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["Picture", "drawn"]
+__all__ = ["Picture", "draw_picture"]
 
 
 class Picture(Figure):
@@ -29,7 +29,7 @@ class Picture(Figure):
         return file.getvalue()
 
 
-def drawn(
+def draw_picture(
     draw: Callable[[Axes], object],
     ax: Axes | None,
     *,

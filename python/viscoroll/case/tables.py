@@ -203,7 +203,7 @@ _IN_FILES = {
 }
 
 #: Largest number of further errors that a message lists.
-_MOST_TOLD = 3
+_MAX_LISTED = 3
 
 
 def _first_line(error: ValidationError, others: Mapping[str, str], tables: Iterable[str]) -> str:
@@ -243,7 +243,7 @@ def _first_line(error: ValidationError, others: Mapping[str, str], tables: Itera
         for number, one in enumerate(errors)
         if number != chosen and not (one["type"] == "missing" and one["loc"][-1] == named)
     ]
-    if len(more) > _MOST_TOLD:
+    if len(more) > _MAX_LISTED:
         return f"{told} (and {len(more)} more)"
     varied = (
         ["; only `viscoroll sweep` uses the values of [sweep]"] if set(missing) - {named} and "sweep" in others else []
