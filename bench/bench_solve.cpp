@@ -306,20 +306,20 @@ void loss_inside(benchmark::State& state) {
   state.counters["error"] = relative_error(loss.volume_power, loss.surface_power);
 }
 
-/// A revolution at 2.5 rad/s from a fresh start, without the time of the tables. The error is that of the steady
+/// A revolution at 2.5 rad/s from an undeformed start, without the time of the tables. The error is that of the steady
 /// torque, `kRadialTorque`, averaged over the last spacing; with friction, it is relative to the limit of meshes of
 /// 1600 and 3200 nodes per revolution.
 void revolution(benchmark::State& state, int nodes, int averaged_meshes, int threads, double friction = 0.0,
                 double steady_torque = 11.3867e-3) {
   constexpr double kSpeed = 2.5;
   constexpr double kTurn = 6.283185307179586;
-  const RollingHistory fresh(
-      cases::paper_sphere(), 100.0, Start::fresh,
+  const RollingHistory undeformed(
+      cases::paper_sphere(), 100.0, Start::undeformed,
       {.mesh = Mesh{nodes}, .friction = friction, .averaged_meshes = averaged_meshes, .threads = threads});
   double torque = 0.0;
   double steps = 0.0;
   for (auto _ : state) {
-    RollingHistory history(fresh);
+    RollingHistory history(undeformed);
     const auto instants = roll(history, {.time = {0.0, kTurn / kSpeed}, .angle = {0.0, kTurn}, .load = {100.0, 100.0}});
     steps = static_cast<double>(history.steps());
     torque = 0.0;
@@ -370,8 +370,8 @@ BENCHMARK_CAPTURE(paper_example, pi_250_N_500_vertical, 500, 500, Compliance::ve
     ->Unit(kUnit)
     ->UseRealTime();
 BENCHMARK(table_2)->Unit(kUnit)->UseRealTime()->Iterations(1);
-BENCHMARK_CAPTURE(order_by_order, unlike_layers, cases::unlike_layers(), 500)->Unit(kUnit)->UseRealTime();
-BENCHMARK_CAPTURE(order_by_order, unlike_layers_all_orders, cases::unlike_layers(), std::nullopt)
+BENCHMARK_CAPTURE(order_by_order, dissimilar_layers, cases::dissimilar_layers(), 500)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(order_by_order, dissimilar_layers_all_orders, cases::dissimilar_layers(), std::nullopt)
     ->Unit(kUnit)
     ->UseRealTime();
 // The squared Mach number is 0.5 (docs/theory/inertia.md), where its series is not applicable.
@@ -379,7 +379,7 @@ BENCHMARK_CAPTURE(order_by_order, fast_rolling, cases::paper_sphere(0.45 * 6e6 /
                   500)
     ->Unit(kUnit)
     ->UseRealTime();
-BENCHMARK_CAPTURE(order_by_order_to_accuracy, unlike_layers, cases::unlike_layers(), 2.5, 1e-3)
+BENCHMARK_CAPTURE(order_by_order_to_accuracy, dissimilar_layers, cases::dissimilar_layers(), 2.5, 1e-3)
     ->Unit(kUnit)
     ->UseRealTime();
 BENCHMARK_CAPTURE(order_by_order_to_accuracy, stiff_skin, cases::stiff_skin(), 2.5, 1e-3)->Unit(kUnit)->UseRealTime();
@@ -396,12 +396,12 @@ BENCHMARK_CAPTURE(friction, mu_03_pi_400, 0.3, 800)->Unit(kUnit)->UseRealTime();
 BENCHMARK(friction_sweep)->Unit(kUnit)->UseRealTime()->Iterations(1);
 BENCHMARK(speed_sweep)->Unit(kUnit)->UseRealTime()->Iterations(1);
 // Result on meshes of 3200 nodes per revolution.
-constexpr double kEndlessWheelTorque = 247.82e-3;
-BENCHMARK_CAPTURE(wheel, endless, Sides::endless, kEndlessWheelTorque)->Unit(kUnit)->UseRealTime();
+constexpr double kUnboundedWheelTorque = 247.82e-3;
+BENCHMARK_CAPTURE(wheel, unbounded, Sides::unbounded, kUnboundedWheelTorque)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(wheel, free, Sides::free, std::nullopt)->Unit(kUnit)->UseRealTime();
-BENCHMARK_CAPTURE(wheel_next_load, endless, Sides::endless)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(wheel_next_load, unbounded, Sides::unbounded)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(wheel_next_load, free, Sides::free)->Unit(kUnit)->UseRealTime();
-BENCHMARK_CAPTURE(wheel_speeds, endless, Sides::endless)->Unit(kUnit)->UseRealTime()->Iterations(1);
+BENCHMARK_CAPTURE(wheel_speeds, unbounded, Sides::unbounded)->Unit(kUnit)->UseRealTime()->Iterations(1);
 BENCHMARK_CAPTURE(wheel_speeds, free, Sides::free)->Unit(kUnit)->UseRealTime()->Iterations(1);
 // Results on meshes of 1600 nodes per revolution without friction, and 800 with friction.
 constexpr double kThickTorque = 52.74e-3;
@@ -453,7 +453,7 @@ BENCHMARK_CAPTURE(start_rolling, ball_on_mat_300, kSteel, cases::mat(false), cas
                   532.0e-3 * 21e-3)
     ->Unit(kUnit)
     ->UseRealTime();
-BENCHMARK_CAPTURE(start_rolling, ball_on_unlike_layers_300, kSteel, cases::mat(true), cases::kRolling, 300,
+BENCHMARK_CAPTURE(start_rolling, ball_on_dissimilar_layers_300, kSteel, cases::mat(true), cases::kRolling, 300,
                   kFiftyMillimeters, 40.136e-3)
     ->Unit(kUnit)
     ->UseRealTime();

@@ -17,7 +17,7 @@ inline viscoroll::CoatedSphere paper_sphere(double density = 1000.0, double thic
                       .density = density}}};
 }
 
-/// A coating that takes up half of the radius, 21 mm, of the same material.
+/// A sphere of 21 mm with a coating of the same material, half of the radius thick.
 inline viscoroll::CoatedSphere thick_coating() {
   viscoroll::CoatedSphere sphere = paper_sphere(0.0, 10.5e-3);
   sphere.core_radius = 10.5e-3;
@@ -25,7 +25,7 @@ inline viscoroll::CoatedSphere thick_coating() {
 }
 
 /// Two layers with different relaxation functions.
-inline viscoroll::CoatedSphere unlike_layers() {
+inline viscoroll::CoatedSphere dissimilar_layers() {
   return {.core_radius = 20e-3,
           .layers = {{.thickness = 0.5e-3,
                       .shear_modulus = viscoroll::standard_linear_solid(6e6, 3e6, 0.125),
@@ -53,7 +53,7 @@ inline viscoroll::CoatedSphere stiff_skin() {
            .poisson_ratio = 0.45}}};
 }
 
-/// The same coating, with the skin measured at eight frequencies per decade.
+/// The coating of `stiff_skin`, with the modulus of the skin tabulated at eight frequencies per decade.
 inline viscoroll::CoatedSphere measured_skin() {
   viscoroll::CoatedSphere sphere = stiff_skin();
   viscoroll::MasterCurve curve{.frequency = {0.0}};
@@ -66,8 +66,8 @@ inline viscoroll::CoatedSphere measured_skin() {
   return sphere;
 }
 
-/// A crowned wheel, 40 mm wide, whose contact is 37 mm wide under `kWheelRolling`. Each `number` adds a nanometer to
-/// the tread, so that no stored data apply.
+/// A crowned wheel, 40 mm wide, whose contact is 37 mm wide under `kWheelRolling`. The tread is `number` nanometers
+/// thicker than 10 mm, so that a new number gives a wheel without cached data.
 inline viscoroll::CoatedWheel crowned_wheel(viscoroll::Sides sides, int number = 0) {
   return {.core_radius = 40e-3,
           .layers = {{.thickness = 10e-3 + 1e-9 * number,
@@ -80,16 +80,16 @@ inline viscoroll::CoatedWheel crowned_wheel(viscoroll::Sides sides, int number =
 }
 
 /// A mat of the example's rubber on a rigid base, or half of it on a softer layer with a shorter relaxation time.
-inline viscoroll::CoatedPlane mat(bool unlike) {
+inline viscoroll::CoatedPlane mat(bool dissimilar) {
   viscoroll::Layer layer = paper_sphere(0.0).layers.front();
-  if (!unlike) return {.layers = {layer}};
+  if (!dissimilar) return {.layers = {layer}};
   layer.thickness = 0.5e-3;
   viscoroll::Layer softer = layer;
   softer.shear_modulus = viscoroll::standard_linear_solid(4e6, 1e6, 0.02);
   return {.layers = {softer, layer}};
 }
 
-/// A roller of 50 mm with 10 mm of the same rubber.
+/// A roller with a core radius of 50 mm and 10 mm of the same rubber.
 inline viscoroll::CoatedCylinder roller() { return {.core_radius = 50e-3, .layers = paper_sphere(0.0, 10e-3).layers}; }
 
 inline const viscoroll::LoadCase kRolling{.load = 100.0, .angular_speed = 2.5};

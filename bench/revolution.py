@@ -54,10 +54,10 @@ def main() -> None:
     options = parser.parse_args()
 
     follow = {"roll": by_roll, "advance": by_advance}[options.call]
-    fresh = vr.RollingHistory(
+    undeformed = vr.RollingHistory(
         paper.ball(),
         load=LOAD,
-        start=enums.Start.FRESH,
+        start=enums.Start.UNDEFORMED,
         mesh=vr.Mesh(nodes_per_revolution=options.nodes),
         averaged_meshes=1,
         steps_per_spacing=STEPS_PER_SPACING,
@@ -65,7 +65,7 @@ def main() -> None:
     )
     seconds = []
     for _ in range(options.runs + 1):
-        stepper = copy.copy(fresh)
+        stepper = copy.copy(undeformed)
         begin = time.process_time()
         torques = follow(stepper, 2.0 * np.pi)
         seconds.append(time.process_time() - begin)

@@ -143,8 +143,8 @@ def by_newmark(
     stepper = vr.RollingHistory(
         platform.ball, on=platform.dish, load=load, distance=start, mesh=mesh, averaged_meshes=2
     )
-    rate, acceleration = 0.0, platform.angular_acceleration(slope, ground[0], stepper.now.resisting_torque)
-    rows = [(slope, rate, acceleration, stepper.now.resisting_torque, load)]
+    rate, acceleration = 0.0, platform.angular_acceleration(slope, ground[0], stepper.current.resisting_torque)
+    rows = [(slope, rate, acceleration, stepper.current.resisting_torque, load)]
     for before, now, shake in zip(time[:-1], time[1:], ground[1:], strict=True):
         step, found, change = now - before, acceleration, np.inf
         while abs(change) > 1e-9 * GRAVITY / platform.length:

@@ -22,9 +22,9 @@ using cplx = std::complex<double>;
 /// Return a Python callable as a modulus. The library copies the modulus on threads that do not hold the GIL; therefore
 /// a shared pointer holds the callable, and its deleter takes the GIL.
 CustomModulus custom_modulus(const py::typing::Callable<py::object(py::array_t<double>)>& function) {
-  const std::shared_ptr<py::function> callable(new py::function(function), [](py::function* held) {
+  const std::shared_ptr<py::function> callable(new py::function(function), [](py::function* owned) {
     const py::gil_scoped_acquire gil;
-    delete held;
+    delete owned;
   });
   return {[callable](std::span<const double> omega, std::span<cplx> modulus) {
     const py::gil_scoped_acquire gil;
@@ -134,7 +134,7 @@ void bind_inputs(py::module_& m) {
       .finalize();
   py::native_enum<Sides>(m, "Sides", "enum.Enum", "Lateral ends of a tread.")
       .value("FREE", Sides::free, "stress-free faces at half the width, which bulge")
-      .value("ENDLESS", Sides::endless, "no faces; the tread continues, but is loaded only within the width")
+      .value("UNBOUNDED", Sides::unbounded, "no faces; the tread continues, but is loaded only within the width")
       .finalize();
   py::classh<CoatedWheel>(m, "CoatedWheel")
       .def(py::init([](double core_radius, std::vector<Layer> layers, double width, double crown_radius, Hub hub,

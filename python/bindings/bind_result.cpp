@@ -93,10 +93,10 @@ void bind_result(py::module_& m) {
              "the error estimate of the largest pressure exceeds the accuracy, or 0.1 on a given mesh")
       .value("LARGE_STRAIN", WarningKind::large_strain, "the strain exceeds the range of linear theory")
       .value("CONTACT_AT_SIDE", WarningKind::contact_at_side,
-             "the contact of a crowned wheel reaches a face or, with endless sides, is closer to it than the tread "
+             "the contact of a crowned wheel reaches a face or, with unbounded sides, is closer to it than the tread "
              "thickness")
       .value("EDGE_PRESSURE", WarningKind::edge_pressure,
-             "the pressure is singular at the edges of a flat wheel with endless sides or on a wider deformable "
+             "the pressure is singular at the edges of a flat wheel with unbounded sides or on a wider deformable "
              "counterbody")
       .value("TIGHT_CROWN", WarningKind::tight_crown, "the crown radius is smaller than the tread thickness")
       .finalize();

@@ -104,7 +104,7 @@ auto field(std::vector<T> ContactField::* member) {
 void bind_roll(py::module_& m) {
   py::native_enum<Start>(m, "Start", "enum.Enum", "Load history of the coating before the first instant.")
       .value("RELAXED", Start::relaxed, "the coating has relaxed fully under the load")
-      .value("FRESH", Start::fresh, "the load is applied instantaneously to an undeformed coating")
+      .value("UNDEFORMED", Start::undeformed, "the load is applied instantaneously to an undeformed coating")
       .finalize();
 
   py::classh<HistoryOptions>(m, "HistoryOptions")
@@ -147,7 +147,7 @@ void bind_roll(py::module_& m) {
              const RollingState state = self.state();
              return py::array_t<double>(static_cast<py::ssize_t>(state.numbers.size()), state.numbers.data());
            })
-      .def("now", &RollingHistory::now)
+      .def("current", &RollingHistory::current)
       .def("contact", &RollingHistory::contact)
       .def_property_readonly("steps", &RollingHistory::steps)
       .def_property_readonly("mesh", &RollingHistory::mesh)

@@ -66,7 +66,7 @@ def on_a_wheel(
         width=width,
         crown_radius=crown_radius,
         hub=enums.Hub.STRAIGHT if rng.random() < 0.5 else enums.Hub.CROWNED,
-        sides=enums.Sides.FREE if rng.random() < 0.3 else enums.Sides.ENDLESS,
+        sides=enums.Sides.FREE if rng.random() < 0.3 else enums.Sides.UNBOUNDED,
     )
     wider = min(math.sqrt(crown_radius / ball.outer_radius), 0.5 * width / contact_radius)
     mesh = arguments.get("mesh")

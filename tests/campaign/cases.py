@@ -33,15 +33,15 @@ class Case:
         The rolling body.
     arguments : dict
         The other arguments.
-    absurd : str
-        Name of the argument that must be refused, or the empty text.
+    unphysical_argument : str
+        Name of the argument that must be rejected, or the empty text.
     """
 
     call: ClassVar[str] = "solve"
     name: str
     body: vr.bodies.RollingBody
     arguments: dict[str, Any] = field(default_factory=dict)
-    absurd: str = ""
+    unphysical_argument: str = ""
 
     @property
     def on(self) -> vr.bodies.Counterbody | None:
@@ -114,7 +114,7 @@ def draw(seed: int, number: int) -> Case:
         members = list(enums.Curvature)
         arguments["curvature"] = members[np.random.default_rng([seed, number, 1]).integers(len(members))]
     arguments |= _resolution(rng, geometry.radius / contact_radius)
-    absurd = _make_absurd(rng, arguments)
+    unphysical_argument = _make_unphysical(rng, arguments)
     drawn: dict[str, Any] = {"body": ball, "arguments": arguments}
     apart = np.random.default_rng([seed, number, 2])  # separate, as above
     if apart.random() < _WHEELS and geometry.inner_boundary is enums.InnerBoundary.RIGID:
@@ -124,8 +124,8 @@ def draw(seed: int, number: int) -> Case:
     # with 4 and 5, cases that are cited elsewhere would change
     apart = np.random.default_rng([seed, number, 6])
     if "on" not in drawn["arguments"] and apart.random() < _ELSEWHERE:
-        drawn = _elsewhere(apart, contact_radius, time, absurd, **drawn)
-    return Case(name=f"{seed}:{number}", absurd=absurd, **drawn)
+        drawn = _elsewhere(apart, contact_radius, time, unphysical_argument, **drawn)
+    return Case(name=f"{seed}:{number}", unphysical_argument=unphysical_argument, **drawn)
 
 
 #: Share of the balls and wheels on the rigid plane that become rollers, or get another counterbody, or both.
@@ -142,7 +142,7 @@ def _elsewhere(
     rng: np.random.Generator,
     contact_radius: float,
     time: float,
-    absurd: str,
+    unphysical_argument: str,
     body: vr.CoatedSphere | vr.CoatedWheel,
     arguments: dict[str, Any],
 ) -> dict[str, Any]:
@@ -152,7 +152,7 @@ def _elsewhere(
     if is_roller:
         drawn = as_roller(body, contact_radius, arguments)
     # A slope under the pressure adds force, so drives that are impossible on the rigid plane may be possible elsewhere.
-    if absurd not in ("drive.force", "drive.torque") and not (is_roller and rng.random() < 0.3):
+    if unphysical_argument not in ("drive.force", "drive.torque") and not (is_roller and rng.random() < 0.3):
         drawn = elsewhere(rng, drawn["body"], contact_radius, time, drawn["arguments"])
     drive = drawn["arguments"]["drive"]
     if not is_roller and arguments["friction"] > 0.0 and drive.creepage is not None and rng.random() < 0.5:
@@ -203,7 +203,7 @@ def _resolution(rng: np.random.Generator, radii_per_contact: float) -> dict[str,
     return {"mesh": vr.Mesh(nodes_per_revolution=nodes, theta_nodes_per_revolution=theta, max_order=order)}
 
 
-def _make_absurd(rng: np.random.Generator, arguments: dict[str, Any]) -> str:
+def _make_unphysical(rng: np.random.Generator, arguments: dict[str, Any]) -> str:
     """Sometimes make one argument impossible, or the load tiny.
 
     Returns

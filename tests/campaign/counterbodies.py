@@ -139,7 +139,7 @@ class _Ground:
         # A crowned hub, and a width independent of that of the other wheel.
         width = self._body.width * (1.0 if rng.random() < 0.3 else 10.0 ** rng.uniform(-0.3, 0.5))
         crown_radius = np.inf if rng.random() < 0.5 else max(width, thickness) * float(10.0 ** rng.uniform(0.0, 2.0))
-        sides = enums.Sides.FREE if layers and rng.random() < 0.2 else enums.Sides.ENDLESS
+        sides = enums.Sides.FREE if layers and rng.random() < 0.2 else enums.Sides.UNBOUNDED
         return vr.CoatedWheel(
             core_radius=core_radius,
             layers=layers,

@@ -153,7 +153,7 @@ def _wheels():
         wheel("wheel, order 1/2", fractional(0.5), crown_radius=60e-3),
         wheel("wheel", RUBBER, 1.0, crown_radius=60e-3),
         wheel("wheel, flat, Prony", SPECTRUM),
-        wheel("wheel, endless, Prony", SPECTRUM, crown_radius=60e-3, sides=enums.Sides.ENDLESS),
+        wheel("wheel, unbounded, Prony", SPECTRUM, crown_radius=60e-3, sides=enums.Sides.UNBOUNDED),
     ]
 
 

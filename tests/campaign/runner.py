@@ -121,9 +121,9 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
     outcome.nodes = int(result.contact.sum())
     outcome.violations |= violations(case, result)
     # the coating just supports this load
-    warned = case.absurd == "load" and enums.WarningKind.LARGE_STRAIN in result.warnings
-    if case.absurd and not warned:
-        outcome.violations[f"unphysical {case.absurd} accepted"] = math.inf
+    warned = case.unphysical_argument == "load" and enums.WarningKind.LARGE_STRAIN in result.warnings
+    if case.unphysical_argument and not warned:
+        outcome.violations[f"unphysical {case.unphysical_argument} accepted"] = math.inf
     for twin in twins(case) if outcome.seconds < SLOW else ():
         outcome.stage = twin.kind
         before_each(outcome)
@@ -174,7 +174,7 @@ def _judge_refusal(case: Case, outcome: Outcome, before_each: Callable[[Outcome]
     radius grows with the power 1/3. For line contacts, the powers are 1 and 1/2. Shells that bend are left out.
     """
     shell = getattr(case.body, "inner_boundary", None) is enums.InnerBoundary.HOLLOW
-    if not outcome.message.startswith("load ") or case.absurd or shell:
+    if not outcome.message.startswith("load ") or case.unphysical_argument or shell:
         return
     outcome.stage = "smaller load"
     depth_power, radius_power = (1.0, 1.0 / 2.0) if case.body.line_contact else (2.0 / 3.0, 1.0 / 3.0)

@@ -16,7 +16,7 @@ inline CoatedSphere paper_sphere(double density = 1000.0) {
 }
 
 /// Two layers with different relaxation functions.
-inline CoatedSphere unlike_layers(double density = 0.0) {
+inline CoatedSphere dissimilar_layers(double density = 0.0) {
   return {.core_radius = 20e-3,
           .layers = {{.thickness = 2e-3, .shear_modulus = rubber(), .poisson_ratio = 0.45, .density = density},
                      {.thickness = 1e-3, .shear_modulus = Elastic{2e6}, .bulk_modulus = 1e9, .density = density}}};

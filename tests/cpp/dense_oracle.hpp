@@ -104,11 +104,12 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
   const detail::DriveRow drive =
       friction.drive->row({*problem.surface, friction.arms, state.force, own_displacement(state)}, 1.0);
   matrix.row(creepage).setZero();
-  matrix.row(creepage).head(penetration) = drive.on_force.matrix().reshaped().transpose();
-  if (drive.on_displacement.rows() > 0) {
-    matrix.row(creepage).head(penetration) += drive.on_displacement.matrix().reshaped().transpose() * compliance;
+  matrix.row(creepage).head(penetration) = drive.force_coefficients.matrix().reshaped().transpose();
+  if (drive.displacement_coefficients.rows() > 0) {
+    matrix.row(creepage).head(penetration) +=
+        drive.displacement_coefficients.matrix().reshaped().transpose() * compliance;
   }
-  matrix(creepage, creepage) = drive.on_creepage;
+  matrix(creepage, creepage) = drive.creepage_coefficient;
   right[creepage] = drive.value;
   // Displacements are about 1e-6 of forces, so rows are scaled to equal size.
   for (Index row = 0; row <= creepage; ++row) {

@@ -56,7 +56,7 @@ class NormalContactTest : public testing::TestWithParam<std::tuple<bool, Complia
 
 TEST_P(NormalContactTest, AgreesWithADenseSolution) {
   const auto& [lossless, compliance, patch_load] = GetParam();
-  const Model model(lossless ? elastic_sphere() : cases::unlike_layers(),
+  const Model model(lossless ? elastic_sphere() : cases::dissimilar_layers(),
                     {.compliance = compliance, .patch_load = patch_load, .tangential = false}, {{-10, 10}, {-9, 9}});
   const ContactProblem problem = model.problem(60.0);
   const NormalContactGuess guess{.contact = {model.nodes.window().number_of(0, 0)},
@@ -104,7 +104,7 @@ class CoarserSelfTest : public testing::TestWithParam<std::tuple<bool, double>> 
 /// nodes, it has the mean of two fine displacements.
 TEST_P(CoarserSelfTest, IsTheSameSurface) {
   const auto& [tangential, collocation] = GetParam();
-  const Model model(cases::unlike_layers(), {Compliance::radial, PatchLoad::flat, tangential, collocation},
+  const Model model(cases::dissimilar_layers(), {Compliance::radial, PatchLoad::flat, tangential, collocation},
                     {{-9, 11}, {-10, 10}});
   LocatedContact coarse{.problem = coarsened(model.problem(1.0)), .contact = {}};
   const Window& window = coarse.window();

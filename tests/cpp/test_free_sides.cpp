@@ -1,4 +1,4 @@
-// Contribution of the faces of treads to the influence of an endless tread.
+// Contribution of the faces of treads to the influence of an unbounded tread.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,7 +17,7 @@
 #include "influence/side_sum.hpp"
 #include "influence/table.hpp"
 #include "section/side_difference.hpp"
-#include "section/tread_store.hpp"
+#include "section/tread_cache.hpp"
 #include "viscoroll/solve.hpp"
 
 namespace viscoroll::detail {
@@ -191,7 +191,7 @@ CoatedWheel thick_wheel(double width, double crown, Sides sides = Sides::free) {
 }
 
 /// The store distinguishes treads that differ only in the radius of the crown, one of which is infinite.
-TEST(TreadStore, TellsCrownedTreadsFromFlatOnes) {
+TEST(TreadCache, TellsCrownedTreadsFromFlatOnes) {
   const Observer silent;
   Watch watch(silent);
   const auto of_tread = [&](double crown, auto find) {
@@ -230,7 +230,7 @@ TEST(FreeSides, FlatWheelIsThatOfElementsAlone) {
   EXPECT_NEAR(*fast.penetration, 0.5674e-3, kMesh * 0.5674e-3);
 }
 
-/// The faces are at 20 mm, and the contact ends 2.5 mm before them. By the same program, the torque of an endless
+/// The faces are at 20 mm, and the contact ends 2.5 mm before them. By the same program, the torque of an unbounded
 /// tread, 247.49 mN m, grows by 8.0 % due to the faces and falls by 2.2 % due to the thinner sides; the penetration,
 /// 0.58429 mm, changes by 7.6 and 2.0 %.
 TEST(FreeSides, CrownedWheelOnAStraightHub) {
@@ -286,9 +286,9 @@ TEST(FreeSides, WideTreadsAreCutNoWider) {
   }
 }
 
-/// For a crown radius much smaller than the tread thickness, the first order in its curvature gives endless sides a
+/// For a crown radius much smaller than the tread thickness, the first order in its curvature gives unbounded sides a
 /// negative compliance.
-TEST(FreeSides, KnowCrownsThatEndlessSidesRefuse) {
+TEST(FreeSides, KnowCrownsThatUnboundedSidesRefuse) {
   const auto pressed = [](Sides sides) {
     const CoatedWheel wheel = tread(2.2e-3, 30e-6,
                                     {{.thickness = 120e-6, .shear_modulus = Elastic{1e4}, .poisson_ratio = 0.43},
@@ -300,7 +300,7 @@ TEST(FreeSides, KnowCrownsThatEndlessSidesRefuse) {
   };
   EXPECT_GT(*pressed(Sides::free).penetration, 0.0);
   try {
-    std::ignore = pressed(Sides::endless);
+    std::ignore = pressed(Sides::unbounded);
     ADD_FAILURE() << "a crown that rises where it is pressed was accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(std::string(error.what()).rfind("crown_radius must be at least the tread thickness, 0.00029 m", 0), 0U)
@@ -310,12 +310,12 @@ TEST(FreeSides, KnowCrownsThatEndlessSidesRefuse) {
 
 TEST(FreeSides, AreFarAwayFromSmallContacts) {
   const Result free = rolled(thick_wheel(90e-3, INFINITY, Sides::free), 500.0, 2.5);
-  const Result endless = rolled(thick_wheel(90e-3, INFINITY, Sides::endless), 500.0, 2.5);
-  EXPECT_GT(free.resisting_torque, endless.resisting_torque);
+  const Result unbounded = rolled(thick_wheel(90e-3, INFINITY, Sides::unbounded), 500.0, 2.5);
+  EXPECT_GT(free.resisting_torque, unbounded.resisting_torque);
   CoatedWheel crowned = thick_wheel(90e-3, 300e-3);
   crowned.hub = Hub::crowned;
   const Result far = rolled(crowned, 300.0, 2.5);
-  crowned.sides = Sides::endless;
+  crowned.sides = Sides::unbounded;
   // Crown by the section, compared with the crown to first order.
   EXPECT_NEAR(far.resisting_torque / rolled(crowned, 300.0, 2.5).resisting_torque, 1.0, 2e-3);
 }
@@ -340,16 +340,16 @@ TEST(FreeSides, AreNotFeltInTheSlipOfSmallContacts) {
     return solve(wheel, {.load = 5.0, .angular_speed = 2.5, .friction = 0.1}, {.mesh = mesh});
   };
   const Result free = result(Sides::free);
-  const Result endless = result(Sides::endless);
-  ASSERT_EQ(free.pressure.size(), endless.pressure.size());
+  const Result unbounded = result(Sides::unbounded);
+  ASSERT_EQ(free.pressure.size(), unbounded.pressure.size());
   // Both curvatures together change the part of the crown by h / R_c = 1/30 of itself, and the elongation due to
   // rolling as well.
-  EXPECT_LT(sideways_difference(free, endless), 1e-2);
-  EXPECT_NEAR(*free.creepage / *endless.creepage, 1.0, 3e-2);
-  EXPECT_NEAR(free.slip_power / endless.slip_power, 1.0, 1e-2);
-  EXPECT_NEAR(free.resisting_torque / endless.resisting_torque, 1.0, 1e-3);
+  EXPECT_LT(sideways_difference(free, unbounded), 1e-2);
+  EXPECT_NEAR(*free.creepage / *unbounded.creepage, 1.0, 3e-2);
+  EXPECT_NEAR(free.slip_power / unbounded.slip_power, 1.0, 1e-2);
+  EXPECT_NEAR(free.resisting_torque / unbounded.resisting_torque, 1.0, 1e-3);
   // 14 nodes leave 2e-2 in both
-  EXPECT_NEAR(free.energy_balance_error, endless.energy_balance_error, 1e-3);
+  EXPECT_NEAR(free.energy_balance_error, unbounded.energy_balance_error, 1e-3);
 }
 
 TEST(FreeSides, PowerIsBalancedWithFrictionToo) {
@@ -359,7 +359,7 @@ TEST(FreeSides, PowerIsBalancedWithFrictionToo) {
 }
 
 /// Layers with different relaxation functions have complex sections at each speed.
-TEST(FreeSides, UnlikeLayersLoseWhatTheTorquePays) {
+TEST(FreeSides, DissimilarLayersLoseWhatTheTorquePays) {
   const CoatedWheel wheel =
       tread(40e-3, 40e-3,
             {{.thickness = 6e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5},
@@ -367,7 +367,7 @@ TEST(FreeSides, UnlikeLayersLoseWhatTheTorquePays) {
             300e-3);
   const Result result = rolled(wheel, 300.0, 2.5);
   EXPECT_LT(result.energy_balance_error, 3e-3);
-  // Endless sides: 451.6 mN m. Faces 0.3 mm from the contact add more than the thinner sides subtract.
+  // Unbounded sides: 451.6 mN m. Faces 0.3 mm from the contact add more than the thinner sides subtract.
   EXPECT_GT(result.resisting_torque, 451.6e-3);
 }
 

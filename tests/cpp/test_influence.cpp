@@ -52,7 +52,7 @@ TEST(Patch, SphericalWeightsGiveTheInverseSine) {
 class CoatingTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, bool>> {
  protected:
   CoatingTest() {
-    const CoatingSum orders(layered_body(cases::unlike_layers()), 2.5, mesh_, 2, watch_);
+    const CoatingSum orders(layered_body(cases::dissimilar_layers()), 2.5, mesh_, 2, watch_);
     const auto tables = [&](const std::vector<TableRequest>& requests) {
       return std::make_shared<const std::vector<Table>>(orders.tables(requests, 8, 10, 2, watch_));
     };
@@ -281,10 +281,10 @@ INSTANTIATE_TEST_SUITE_P(Coatings, OctavesTest,
                          testing::Values(OctaveCase{"Measured", measured_sphere(), 2.5, 32, 32},
                                          OctaveCase{"SmoothFunction", springpot_sphere(), 2.5, 32, 32},
                                          OctaveCase{"Paper", cases::paper_sphere(), 2.5, 32, 32},
-                                         OctaveCase{"UnlikeSpacings", cases::paper_sphere(), 2.5, 40, 24},
+                                         OctaveCase{"DifferentSpacings", cases::paper_sphere(), 2.5, 40, 24},
                                          OctaveCase{"LongMemory", cases::paper_sphere(), 200.0, 32, 32},
                                          OctaveCase{"ShortMemory", cases::paper_sphere(), 0.01, 32, 32},
-                                         OctaveCase{"UnlikeLayers", cases::unlike_layers(), 2.5, 24, 24}),
+                                         OctaveCase{"DissimilarLayers", cases::dissimilar_layers(), 2.5, 24, 24}),
                          [](const auto& info) { return info.param.name; });
 
 TEST(MeshOnBody, NodesAtTheArcsOfAnotherBodyAreThoseOfAMeshOfItsOwn) {
@@ -296,7 +296,7 @@ TEST(MeshOnBody, NodesAtTheArcsOfAnotherBodyAreThoseOfAMeshOfItsOwn) {
   Watch watch(observer);
   const std::vector<TableRequest> requests{
       {.entry = Entry::rr}, {.entry = Entry::rphi}, {.entry = Entry::rr, .power = true}};
-  const LayeredBody body = layered_body(cases::unlike_layers());
+  const LayeredBody body = layered_body(cases::dissimilar_layers());
   const auto expected = CoatingSum(body, 2.5, own, 1, watch).tables(requests, 8, 8, 1, watch);
   const auto tables = CoatingSum(body, 2.5, of_other, 1, watch).tables(requests, 8, 8, 1, watch);
   for (std::size_t k = 0; k < requests.size(); ++k) {

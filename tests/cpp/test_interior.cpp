@@ -34,7 +34,7 @@ struct Rolling {
 };
 
 TEST(Interior, StatesAtTheSurfaceAreTheCompliance) {
-  const detail::HarmonicBody coating(detail::layered_body(cases::unlike_layers(1000.0)), 20.0, {0.0, 3.0, 40.0});
+  const detail::HarmonicBody coating(detail::layered_body(cases::dissimilar_layers(1000.0)), 20.0, {0.0, 3.0, 40.0});
   for (std::size_t i = 0; i < coating.orders().size(); ++i) {
     const auto layers = coating.layers_at(i);
     for (const double n : {-7.0, 0.0, 12.5}) {
@@ -51,7 +51,7 @@ TEST(Interior, StatesAtTheSurfaceAreTheCompliance) {
 }
 
 TEST(Interior, PlacesKnowBothSidesOfABoundary) {
-  const CoatedSphere sphere = cases::unlike_layers();
+  const CoatedSphere sphere = cases::dissimilar_layers();
   const std::vector<double> radii{22e-3, 20e-3, 22.5e-3};
   const auto places = places_at(sphere, radii);
   ASSERT_EQ(places.size(), 4U);
@@ -72,7 +72,7 @@ TEST(Interior, FieldsAndLossDoNotDependOnThreads) {
 }
 
 TEST(Interior, LossInTheVolumeIsWhatTheSurfacePutsIn) {
-  const Rolling rolling(cases::unlike_layers(1000.0));
+  const Rolling rolling(cases::dissimilar_layers(1000.0));
   const LossDensity loss = loss_density(rolling.sphere, 2.5, rolling.tractions, {}, 120);
   // Errors of the radial nodes of the volume integral, and of the series of the fields.
   EXPECT_NEAR(loss.volume_power / loss.surface_power, 1.0, 1e-9);
@@ -92,7 +92,7 @@ TEST(Interior, ColumnsOfAWheelAreItsOwn) {
                           .layers = {{.thickness = 10e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.45}},
                           .width = 30e-3,
                           .crown_radius = 0.2,
-                          .sides = Sides::endless};
+                          .sides = Sides::unbounded};
   const LoadCase load_case{.load = 100.0, .angular_speed = 2.5};
   const Options options{.mesh = Mesh{.nodes_per_revolution = 200}};
   const Result result = solve(wheel, load_case, options);

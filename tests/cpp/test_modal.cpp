@@ -116,9 +116,9 @@ INSTANTIATE_TEST_SUITE_P(Coatings, SpectrumTest,
                                          SpectrumCase{"Auxetic", 20e-3, 5e-3, -0.5, 1000.0, 2.5}),
                          [](const auto& info) { return info.param.name; });
 
-TEST(Spectrum, OrderByOrderTakesUnlikeLayersAndHighSpeeds) {
+TEST(Spectrum, OrderByOrderTakesDissimilarLayersAndHighSpeeds) {
   for (const double speed : {2.5, 300.0}) {
-    const HarmonicBody coating(layered_body(cases::unlike_layers(1000.0)), speed, some_orders());
+    const HarmonicBody coating(layered_body(cases::dissimilar_layers(1000.0)), speed, some_orders());
     EXPECT_LT(
         worst_spectrum_error(OrderByOrderSpectrum(std::make_shared<const HarmonicBody>(coating), kHighestN), coating),
         1e-11)
@@ -139,7 +139,7 @@ TEST(Spectrum, SelfSimilarityIsRecognized) {
                         .poisson_ratio = 0.3,
                         .density = 500.0});
   EXPECT_TRUE(is_shared(two, 2.5));
-  EXPECT_FALSE(is_shared(cases::unlike_layers(), 2.5));
+  EXPECT_FALSE(is_shared(cases::dissimilar_layers(), 2.5));
   EXPECT_FALSE(is_shared(cases::paper_sphere(), 1000.0)) << "inertia beyond its series";
 }
 

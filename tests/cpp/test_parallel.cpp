@@ -159,7 +159,7 @@ TEST(ParallelFor, IsCancelledWhileItWaitsForAHelper) {
 
 TEST(LockWatched, IsCancelledWhileAnotherThreadHoldsTheMutex) {
   std::timed_mutex mutex;
-  std::unique_lock held(mutex);
+  std::unique_lock lock_of_test(mutex);
   std::atomic<int> polls = 0;
   const Observer observer{.cancelled = [&] { return ++polls == 2; }};
   std::thread([&] {
@@ -167,7 +167,7 @@ TEST(LockWatched, IsCancelledWhileAnotherThreadHoldsTheMutex) {
     EXPECT_THROW((void)lock_watched(mutex, watch, ""), Canceled);
     EXPECT_EQ(polls, 2);
   }).join();
-  held.unlock();
+  lock_of_test.unlock();
   Watch watch(observer);
   EXPECT_TRUE(lock_watched(mutex, watch, "").owns_lock());
 }

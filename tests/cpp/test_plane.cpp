@@ -70,7 +70,7 @@ FlatCompliance flat_compliance(std::span<const FlatLayer> layers, double k, doub
           .pp = (across.transpose() * y * across).value()};
 }
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 double difference(const FlatCompliance& a, const FlatCompliance& b) {
   const double normal = std::abs(a.uu);
@@ -132,7 +132,7 @@ TEST(FlatLayers, ThinLayerOnARigidBase) {
 
 TEST(FlatLayers, LayerOnAHalfSpace) {
   for (const double kh : {1e-4, 0.01, 0.3, 1.0, 4.0, 15.0, 50.0}) {
-    const std::array layers{flat(kEndless, kStiff, 0.3), flat(2e-3, kRubber, 0.45)};
+    const std::array layers{flat(kInfinite, kStiff, 0.3), flat(2e-3, kRubber, 0.45)};
     const double k = kh / 2e-3;
     const cplx exact = layer_on_half_space(2e-3, kRubber, 0.45, kStiff, 0.3, k);
     EXPECT_LT(std::abs(flat_compliance(layers, k, 0.3).uu / exact - 1.0), 1e-12) << kh;
@@ -145,7 +145,7 @@ TEST(FlatLayers, LayersOnAHalfSpaceOfTheirOwnMaterialAreThatHalfSpace) {
     for (const double inertia : {0.0, 0.4e6, 2e6}) {
       for (const double k : {1.0, 100.0, 2e3, 1e5}) {
         for (const double cosine : {0.0, 0.7, 1.0}) {
-          const std::array half_space{flat(kEndless, kRubber, nu, inertia)};
+          const std::array half_space{flat(kInfinite, kRubber, nu, inertia)};
           const std::array layers{half_space.front(), flat(3e-4, kRubber, nu, inertia),
                                   flat(2e-2, kRubber, nu, inertia)};
           EXPECT_LT(difference(flat_compliance(half_space, k, cosine), flat_compliance(layers, k, cosine)), 1e-12)
@@ -158,7 +158,7 @@ TEST(FlatLayers, LayersOnAHalfSpaceOfTheirOwnMaterialAreThatHalfSpace) {
 
 TEST(FlatLayers, StaticHalfSpace) {
   const double nu = 0.3;
-  const std::array half_space{flat(kEndless, kRubber, nu)};
+  const std::array half_space{flat(kInfinite, kRubber, nu)};
   const double k = 250.0;
   const cplx unit = 1.0 / (kRubber * k);
   const FlatCompliance exact{
@@ -240,7 +240,7 @@ double spectrum_error(const CoatedPlane& plane) {
 
 TEST(PlaneSpectrum, OneRelaxationFunction) { EXPECT_LT(spectrum_error({.layers = {layer(1e-3, 0.0)}}), 1e-10); }
 
-TEST(PlaneSpectrum, UnlikeLayersWithInertia) {
+TEST(PlaneSpectrum, DissimilarLayersWithInertia) {
   const CoatedPlane plane{
       .layers = {{.thickness = 2e-3, .shear_modulus = Elastic{2e6}, .bulk_modulus = 2e8}, layer(1e-3, 1000.0)},
       .base =
@@ -346,7 +346,7 @@ TEST_F(PlaneTable, MeasuredModulusIsNearlyThatOfItsModel) {
   }
 }
 
-TEST_F(PlaneTable, UnlikeLayersAreSummedLikeOneByOne) {
+TEST_F(PlaneTable, DissimilarLayersAreSummedLikeOneByOne) {
   // The same two layers with identical materials, and with materials that differ in the last digits, which use another
   // branch of the spectrum.
   const auto plane = [](double modulus) {

@@ -75,7 +75,7 @@ TEST(Section, MiddleOfAWideTreadIsARoller) {
   const CoatedWheel wheel = tread(3.0, 16.0,
                                   {{.thickness = 0.6, .shear_modulus = Elastic{1.0}, .poisson_ratio = 0.45},
                                    {.thickness = 0.4, .shear_modulus = Elastic{1.0}, .poisson_ratio = 0.5}});
-  const SectionCompliance section(SectionMesh(wheel, SectionEnd::endless, kFine), true);
+  const SectionCompliance section(SectionMesh(wheel, SectionEnd::unbounded, kFine), true);
   const auto lines = static_cast<Index>(section.mesh().loaded_lines());
   const Eigen::VectorXd load = uniform_load(section.mesh(), 4.0);
   const std::array<cplx, 2> moduli{cplx(1.0, 0.3), cplx(0.5, 0.05)};
@@ -100,10 +100,10 @@ TEST(Section, MiddleOfAWideTreadIsARoller) {
 }
 
 /// Uniform along the axis: p h/(G d) of a bonded strip under a flat punch, by tests/reference/bonded_strip.py: free
-/// sides by scikit-fem, extrapolated in the size of its elements; an endless strip by Fourier integrals.
+/// sides by scikit-fem, extrapolated in the size of its elements; an unbounded strip by Fourier integrals.
 struct Strip {
   double width;  ///< width / thickness
-  double free, endless;
+  double free, unbounded;
 };
 
 class StripUnderPunch : public testing::TestWithParam<Strip> {};
@@ -111,7 +111,7 @@ class StripUnderPunch : public testing::TestWithParam<Strip> {};
 TEST_P(StripUnderPunch, IsAsStiffAsByAnotherCode) {
   // radius / thickness; the effect of curvature is of the order of its inverse
   constexpr double kStraight = 1e4;
-  const auto [width, free, endless] = GetParam();
+  const auto [width, free, unbounded] = GetParam();
   const auto stiffness = [&](SectionEnd end, const SectionFineness& fineness) {
     const SectionCompliance section(SectionMesh(plain_tread(kStraight, width), end, fineness), false);
     const Eigen::MatrixXd moved = section.at(0.0, Media{{.shear = 1.0, .lame = kIncompressible}})[kEvenPart];
@@ -121,7 +121,7 @@ TEST_P(StripUnderPunch, IsAsStiffAsByAnotherCode) {
   EXPECT_NEAR(stiffness(SectionEnd::face, kFine), free, 1e-3 * free);
   EXPECT_NEAR(stiffness(SectionEnd::face, {}), free, 2e-3 * free);
   // the edge of a punch is singular there
-  EXPECT_NEAR(stiffness(SectionEnd::endless, kFine), endless, 4e-3 * endless);
+  EXPECT_NEAR(stiffness(SectionEnd::unbounded, kFine), unbounded, 4e-3 * unbounded);
 }
 
 INSTANTIATE_TEST_SUITE_P(Widths, StripUnderPunch,
@@ -160,7 +160,7 @@ TEST(Section, WideTreadsNeedNoMoreElements) {
   const auto difference = [&](const SectionFineness& fineness) {
     CoatedWheel flat = wheel(36.0);
     flat.crown_radius = INFINITY;
-    return compliance(wheel(36.0), SectionEnd::face, fineness) - compliance(flat, SectionEnd::endless, fineness);
+    return compliance(wheel(36.0), SectionEnd::face, fineness) - compliance(flat, SectionEnd::unbounded, fineness);
   };
   const double fine = difference(everywhere);
   EXPECT_NEAR(difference({}), fine, 1e-3 * std::abs(fine));

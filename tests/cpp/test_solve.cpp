@@ -63,7 +63,7 @@ TEST(SolveKept, RefusesAStateOfAnotherMesh) {
 
 TEST(Solve, ManyThreadsSolveAtOnce) {
   const auto torque = [] {
-    return solve(cases::unlike_layers(), {.load = 50.0, .angular_speed = 2.5}, kCoarse).resisting_torque;
+    return solve(cases::dissimilar_layers(), {.load = 50.0, .angular_speed = 2.5}, kCoarse).resisting_torque;
   };
   const double expected = torque();
   constexpr int kThreads = 8;
@@ -91,7 +91,7 @@ TEST(Solve, FrictionDoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(RollingModel, ThreadsShareIt) {
-  const RollingModel model(cases::unlike_layers(), 2.5, *kCoarse.mesh);
+  const RollingModel model(cases::dissimilar_layers(), 2.5, *kCoarse.mesh);
   // Each load needs wider tables than the previous one.
   const std::vector<double> loads{1.0, 10.0, 50.0, 100.0};
   std::vector<detail::JoinedThread> threads;
@@ -99,7 +99,7 @@ TEST(RollingModel, ThreadsShareIt) {
   for (const double load : loads) {
     threads.emplace_back([&model, load] {
       const LoadCase load_case{.load = load, .angular_speed = 2.5, .friction = 0.1};
-      const Result alone = solve(cases::unlike_layers(), load_case, kCoarse);
+      const Result alone = solve(cases::dissimilar_layers(), load_case, kCoarse);
       const Result shared = model.solve(load_case);
       EXPECT_NEAR(shared.resisting_torque, alone.resisting_torque, 1e-10 * alone.resisting_torque);
     });

@@ -58,14 +58,14 @@ TEST(CreepSpectrum, OfManyDecadesIsExact) {
   double sum = spectrum.instantaneous;
   for (std::size_t j = 0; j < 24; ++j) {
     EXPECT_GT(spectrum.weights[j], 0.0);
-    EXPECT_GT(spectrum.retardation_times[j], series.relaxation_times[j]);  // they interlace
+    EXPECT_GT(spectrum.retardation_times[j], series.relaxation_times[j]);  // the two sets of times interlace
     sum += spectrum.weights[j];
   }
   EXPECT_NEAR(sum, 1.0, 1e-11);
   EXPECT_LT(error_of(spectrum, series, 1e-8, 1e8), 1e-11);
 }
 
-TEST(CreepSpectrum, OfTimesClosePairsKeepsItsDigits) {
+TEST(CreepSpectrum, OfNearlyEqualRelaxationTimesIsAccurate) {
   const Prony series{.instantaneous_modulus = 6e6,
                      .weights = {0.2, 0.3, 0.1},
                      .relaxation_times = {0.125, 0.125 * (1.0 + 1e-9), 0.125}};
@@ -78,21 +78,21 @@ TEST(CreepSpectrum, OfAFractionalZenerSolidConverges) {
   for (const double order : {0.3, 0.5, 0.7, 0.9, 0.97}) {
     const FractionalZener solid{6e6, 3e6, 0.125, order};
     const CreepSpectrum spectrum = creep_spectrum(solid, kRange);
-    // Outside the range, the rest responds instantaneously or never.
+    // Retardation outside the range is treated as instantaneous, or as that of the slowest term.
     EXPECT_LT(error_of(spectrum, solid, 1e-4, 1e4), 1e-3) << order;
     EXPECT_LT(spectrum.size(), 70U) << order;
   }
 }
 
-TEST(CreepSpectrum, OfAKelvinVoigtSolidYieldsNothingAtOnce) {
+TEST(CreepSpectrum, OfAKelvinVoigtSolidHasNoInstantaneousCompliance) {
   const CreepSpectrum spectrum = creep_spectrum(KelvinVoigt{1e6, 1e4}, kRange);
   EXPECT_EQ(spectrum.instantaneous, 0.0);
   EXPECT_NEAR(spectrum.retardation_times.at(0), 1e-2, 1e-16);
 }
 
-TEST(CreepSpectrum, FitsATableAndTellsHowWell) {
-  // The fractional solid as a table of nine decades; docs/theory/transient.md. With three times per decade, the
-  // function itself is accurate within 6.5e-5; a table has the kinks of its interpolation.
+TEST(CreepSpectrum, FitsATableAndEstimatesTheError) {
+  // Table of the fractional solid over nine decades; docs/theory/transient.md. With three retardation times per decade,
+  // a fit of the exact modulus has an error of 6.5e-5; the table has a larger one because its interpolation has kinks.
   const FractionalZener solid{6e6, 3e6, 0.125, 0.5};
   MasterCurve curve{.frequency = {0.0}, .storage = {3e6}, .loss = {0.0}, .extrapolation = Extrapolation::hold};
   for (int i = 0; i <= 180; ++i) {
@@ -108,7 +108,7 @@ TEST(CreepSpectrum, FitsATableAndTellsHowWell) {
   EXPECT_LT(error_of(spectrum, solid, 1e-2, 1e2), 2e-3);
 }
 
-TEST(NonnegativeLeastSquares, LeavesOutWhatWouldBeNegative) {
+TEST(NonnegativeLeastSquares, SetsNegativeUnknownsToZero) {
   Eigen::MatrixXd matrix(3, 2);
   matrix << 1.0, 1.0, 1.0, 2.0, 1.0, 3.0;
   const Eigen::VectorXd falling = nonnegative_least_squares(matrix, Eigen::Vector3d(3.0, 2.0, 1.0));
@@ -119,12 +119,14 @@ TEST(NonnegativeLeastSquares, LeavesOutWhatWouldBeNegative) {
   EXPECT_NEAR(rising[1], 1.0, 1e-12);
 }
 
-TEST(TimeStep, SeriesAndClosedFormsMeet) {
+TEST(TimeStep, SeriesAgreesWithTheClosedForm) {
   const CreepSpectrum one{.instantaneous = 0.25, .weights = {0.75}, .retardation_times = {1.0}};
   const TimeStep below(one, 0.999e-3);
   const TimeStep above(one, 1.001e-3);
-  const auto ratio = [&](double TimeStep::Term::* share) { return above.terms[0].*share / below.terms[0].*share; };
-  // Each weight is proportional to the step here, up to a share of its square.
+  const auto ratio = [&](double TimeStep::Term::* coefficient) {
+    return above.terms[0].*coefficient / below.terms[0].*coefficient;
+  };
+  // For such short steps, each coefficient is proportional to the step, with a correction of the order of the step.
   EXPECT_NEAR(ratio(&TimeStep::Term::on_new), 1.001 / 0.999, 1e-6);
   EXPECT_NEAR(ratio(&TimeStep::Term::lost_change), 1.001 / 0.999, 3e-6);
   const TimeStep jump(one, 0.0);
@@ -134,23 +136,23 @@ TEST(TimeStep, SeriesAndClosedFormsMeet) {
   EXPECT_NEAR(long_step.compliance, 1.0, 1e-8);
 }
 
-TEST(StepChoice, GrowsAtStandstillAndFollowsTheSpacing) {
+TEST(StepChoice, StepsGrowAtStandstillAndFollowTheSpacing) {
   const StepChoice choice(0.01, 4, 0.25);
-  EXPECT_EQ(choice.shares({.duration = 0.1, .turn = 0.25, .relative_load = 0.0}, 0.001).size(), 100U);
-  const auto stand = choice.shares({.duration = 1000.0, .turn = 0.0, .relative_load = 0.0}, 0.01);
+  EXPECT_EQ(choice.fractions({.duration = 0.1, .turn = 0.25, .relative_load = 0.0}, 0.001).size(), 100U);
+  const auto stand = choice.fractions({.duration = 1000.0, .turn = 0.0, .relative_load = 0.0}, 0.01);
   EXPECT_LT(stand.size(), 130U);
   EXPECT_EQ(stand.back(), 1.0);
-  EXPECT_EQ(StepChoice(0.01, std::nullopt, 0.25).shares({.duration = 1.0, .turn = 9.0, .relative_load = 0.0}, 0.0),
+  EXPECT_EQ(StepChoice(0.01, std::nullopt, 0.25).fractions({.duration = 1.0, .turn = 9.0, .relative_load = 0.0}, 0.0),
             std::vector{1.0});
 }
 
-/// Nodes join one by one and in groups, and leave; some lie in the middle, where nothing moves laterally.
+/// The contact gains nodes one by one and in groups, and loses nodes. Nodes in the middle do not move laterally.
 TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
   const Observer silent;
   Watch watch(silent);
   const Mesh mesh{.nodes_per_revolution = 200};
-  const CoatingSum sum(layered_body(std::get<CoatedSphere>(at_rest(RollingBody(cases::paper_sphere())))), 1.0, mesh, 1,
-                       watch);
+  const CoatingSum sum(layered_body(std::get<CoatedSphere>(with_relaxed_moduli(RollingBody(cases::paper_sphere())))),
+                       1.0, mesh, 1, watch);
   const MirroredTables tables(sum, {.components = 3, .half_nodes = 5, .ring = 200, .most = 100}, 1, watch);
   const auto nodes = [](Eigen::Index first, Eigen::Index last) {
     std::vector<Eigen::Index> range;
@@ -165,13 +167,13 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
   EXPECT_TRUE(stiffness.cover(surface, nodes(7, 50)));
   EXPECT_FALSE(stiffness.cover(surface, nodes(12, 49)));
   EXPECT_EQ(stiffness.nodes().size(), 43U);
-  EXPECT_EQ(stiffness.matrix(), stiffness.matrix().transpose().eval()) << "sums of forces take rows for columns";
+  EXPECT_EQ(stiffness.matrix(), stiffness.matrix().transpose().eval()) << "the solver uses columns in place of rows";
   const auto largest_error = [&] {
     Eigen::MatrixXd product = stiffness.matrix() * tables.compliance(stiffness.nodes(), stiffness.nodes());
     for (Eigen::Index i = 0; i < product.rows(); ++i) {
-      const bool still = i % 3 == 2 && stiffness.nodes()[static_cast<std::size_t>(i / 3)] % 5 == 0;
-      EXPECT_EQ(product(i, i) == 0.0, still);
-      product(i, i) -= still ? 0.0 : 1.0;
+      const bool is_fixed = i % 3 == 2 && stiffness.nodes()[static_cast<std::size_t>(i / 3)] % 5 == 0;
+      EXPECT_EQ(product(i, i) == 0.0, is_fixed);
+      product(i, i) -= is_fixed ? 0.0 : 1.0;
     }
     return product.cwiseAbs().maxCoeff();
   };
@@ -182,33 +184,33 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
   EXPECT_LT(largest_error(), 1e-11);
 }
 
-/// Long products are split by offsets along the path, so that they can be stopped.
-TEST(MirroredTables, LongProductsListenAndAreThoseOfTheCompliance) {
+/// Long products are split by offsets along the path, so that they can be canceled.
+TEST(MirroredTables, LongProductsPollAndAgreeWithTheCompliance) {
   const Observer silent;
   Watch watch(silent);
   const Mesh mesh{.nodes_per_revolution = 1000};
-  const CoatingSum sum(layered_body(std::get<CoatedSphere>(at_rest(RollingBody(cases::paper_sphere())))), 1.0, mesh, 1,
-                       watch);
-  constexpr Eigen::Index kAside = 150;
+  const CoatingSum sum(layered_body(std::get<CoatedSphere>(with_relaxed_moduli(RollingBody(cases::paper_sphere())))),
+                       1.0, mesh, 1, watch);
+  constexpr Eigen::Index kHalfNodes = 150;
   constexpr Eigen::Index kRows = 45;
-  const MirroredTables tables(sum, {.components = 3, .half_nodes = kAside, .ring = 1000, .most = 40}, 1, watch);
-  const std::vector<Eigen::Index> loaded{3 * kAside, 20 * kAside + 77, 40 * kAside + 149};
-  const std::vector<Eigen::Index> displaced{5, 3 * kAside, 12 * kAside + 60, 44 * kAside + 149};
-  HalfField loads = HalfField::Zero(3 * kAside, kRows);
+  const MirroredTables tables(sum, {.components = 3, .half_nodes = kHalfNodes, .ring = 1000, .most = 40}, 1, watch);
+  const std::vector<Eigen::Index> loaded{3 * kHalfNodes, 20 * kHalfNodes + 77, 40 * kHalfNodes + 149};
+  const std::vector<Eigen::Index> displaced{5, 3 * kHalfNodes, 12 * kHalfNodes + 60, 44 * kHalfNodes + 149};
+  HalfField loads = HalfField::Zero(3 * kHalfNodes, kRows);
   Eigen::VectorXd forces(9);
   for (Eigen::Index i = 0; i < 9; ++i) {
     forces[i] = 1.0 + static_cast<double>(i);
     const Eigen::Index node = loaded[static_cast<std::size_t>(i / 3)];
-    loads(i % 3 * kAside + node % kAside, node / kAside) = forces[i];
+    loads(i % 3 * kHalfNodes + node % kHalfNodes, node / kHalfNodes) = forces[i];
   }
   int polled = 0;
   const HalfField found = tables.displacement(loads, 3, 40, [&polled] { ++polled; });
-  // at most twice 32 rows, each in three pieces
+  // one block of at most 64 rows of loads, with 41 offsets in batches of 7
   EXPECT_GE(polled, 6);
   const Eigen::VectorXd expected = tables.compliance(displaced, loaded) * forces;
   for (Eigen::Index i = 0; i < expected.size(); ++i) {
     const Eigen::Index node = displaced[static_cast<std::size_t>(i / 3)];
-    EXPECT_NEAR(found(i % 3 * kAside + node % kAside, node / kAside), expected[i],
+    EXPECT_NEAR(found(i % 3 * kHalfNodes + node % kHalfNodes, node / kHalfNodes), expected[i],
                 1e-13 * expected.cwiseAbs().maxCoeff());
   }
 }
@@ -217,22 +219,22 @@ TEST(RollingHistory, ResultsDoNotDependOnThreads) {
   const Mesh mesh{.nodes_per_revolution = 120};
   std::vector<double> torques;
   for (const int threads : {1, 3}) {
-    RollingHistory history(cases::paper_sphere(), 100.0, Start::fresh, {.mesh = mesh, .threads = threads});
+    RollingHistory history(cases::paper_sphere(), 100.0, Start::undeformed, {.mesh = mesh, .threads = threads});
     torques.push_back(history.advance(0.1, 0.25, 120.0).resisting_torque);
   }
   EXPECT_EQ(torques[0], torques[1]);
 }
 
-TEST(RollingHistory, AFailedStepLeavesItAsItWas) {
+TEST(RollingHistory, AFailedStepLeavesTheHistoryUnchanged) {
   RollingHistory history(cases::paper_sphere(), 100.0, Start::relaxed, {.mesh = Mesh{.nodes_per_revolution = 100}});
   history.advance(0.1, 0.1, 100.0);
-  const RollingInstant before = history.now();
+  const RollingInstant before = history.current();
   EXPECT_THROW(history.advance(0.2, 0.2, 1e7), std::invalid_argument);
-  EXPECT_EQ(history.now().time, before.time);
-  EXPECT_EQ(history.now().load, before.load);
+  EXPECT_EQ(history.current().time, before.time);
+  EXPECT_EQ(history.current().load, before.load);
   const Observer stopping{.cancelled = [] { return true; }, .progress = {}};
   EXPECT_THROW(history.advance(1000.0, 3000.0, 100.0, std::nullopt, stopping), Canceled);
-  EXPECT_EQ(history.now().time, before.time);
+  EXPECT_EQ(history.current().time, before.time);
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ class TransientStickSlipTest : public testing::Test {
     const Observer silent;
     Watch watch(silent);
     const Mesh mesh{.nodes_per_revolution = 200};
-    const CoatingSum sum(layered_body(std::get<CoatedSphere>(at_rest(RollingBody(cases::paper_sphere())))), 1.0, mesh,
-                         1, watch);
+    const CoatingSum sum(layered_body(std::get<CoatedSphere>(with_relaxed_moduli(RollingBody(cases::paper_sphere())))),
+                         1.0, mesh, 1, watch);
     tables_ = std::make_unique<const MirroredTables>(
         sum, RowShape{.components = 3, .half_nodes = kHalfNodes, .ring = 200, .most = 100}, 1, watch);
     const HalfField zero = HalfField::Zero(kHalfNodes, kRows);
@@ -50,13 +50,13 @@ class TransientStickSlipTest : public testing::Test {
     StickSlipProblem problem{.surface = *surface_,
                              .gap = ArrayXd(kSize),
                              .known_slip = Eigen::ArrayX2d::Zero(kSize, 2),
-                             .by_center = Eigen::ArrayX2d::Zero(kSize, 2),
+                             .slip_per_center_displacement = Eigen::ArrayX2d::Zero(kSize, 2),
                              .weights = weights_,
                              .load = 1.0,
                              .friction = 0.3,
-                             .center = {},
-                             .center_moves = false};
-    const double instantaneous = surface_->own_compliance();
+                             .center_row = {},
+                             .center_row_needs_displacements = false};
+    const double instantaneous = surface_->diagonal_compliance();
     for (Index node = 0; node < kSize; ++node) {
       const Index row = node / kHalfNodes;
       const double x = static_cast<double>(row) - 12.0;
@@ -65,10 +65,10 @@ class TransientStickSlipTest : public testing::Test {
       problem.known_slip.row(node) << weights_[node] * 1e-4 * instantaneous * x,
           weights_[node] * 2e-4 * instantaneous * z;
     }
-    problem.by_center.col(0) = weights_;
-    CenterRow center{.on_force = VectorField::Zero(kSize, 3), .displacement = 0.0, .value = 0.1};
-    center.on_force.col(kForward) = weights_;
-    problem.center = [center](const std::vector<HalfField>&) { return center; };
+    problem.slip_per_center_displacement.col(0) = weights_;
+    CenterRow center{.force_coefficients = VectorField::Zero(kSize, 3), .displacement = 0.0, .value = 0.1};
+    center.force_coefficients.col(kForward) = weights_;
+    problem.center_row = [center](const std::vector<HalfField>&) { return center; };
     return problem;
   }
 

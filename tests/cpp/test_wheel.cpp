@@ -94,7 +94,7 @@ CoatedWheel crowned(double crown_radius, double width = 0.08) {
           .layers = {{.thickness = 0.01, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5}},
           .width = width,
           .crown_radius = crown_radius,
-          .sides = Sides::endless};
+          .sides = Sides::unbounded};
 }
 
 TEST(WheelOrders, BothCurvaturesCountAlike) {
@@ -258,7 +258,7 @@ TEST(WheelRolling, IsThatOfAnotherProgram) {
   }
 }
 
-TEST(WheelRolling, UnlikeLayersAreThatOfAnotherProgram) {
+TEST(WheelRolling, DissimilarLayersAreThatOfAnotherProgram) {
   CoatedWheel wheel = crowned(0.3);
   wheel.layers = {{.thickness = 0.006, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5},
                   {.thickness = 0.004, .shear_modulus = standard_linear_solid(4e6, 1e6, 0.02), .poisson_ratio = 0.45}};

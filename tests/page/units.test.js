@@ -3,7 +3,16 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { SI, UNITS, fromSI, handy, resultUnit, shown, toSI, unitNamed } from "../../python/viscoroll/app/page/units.js";
+import {
+  SI,
+  UNITS,
+  fromSI,
+  numberText,
+  quantityText,
+  resultUnit,
+  toSI,
+  unitNamed,
+} from "../../python/viscoroll/app/page/units.js";
 
 test("the SI unit of every quantity is one of its units, or empty", () => {
   for (const [quantity, units] of Object.entries(UNITS)) {
@@ -39,16 +48,16 @@ test("speeds of the center are converted to angular speeds with the radius", () 
 });
 
 test("results are displayed in the usual units", () => {
-  assert.equal(handy(0.0113962, "N m"), "11.4 mN m");
-  assert.equal(handy(8.46e6, "Pa"), "8.46 MPa");
-  assert.equal(handy(3.2e5, "Pa"), "0.32 MPa");
-  assert.equal(handy(1.475e-4, "m"), "0.1475 mm");
-  assert.equal(handy(2.2e-5, "m^2"), "22 mm²");
-  assert.equal(handy(-0.25, "N"), "−250 mN");
-  assert.equal(handy(0.0054, "1"), "0.0054");
-  assert.equal(handy(null, "m"), "–");
-  assert.equal(shown(6e6), "6·10⁶");
-  assert.equal(shown(2.5e-7), "2.5·10⁻⁷");
+  assert.equal(quantityText(0.0113962, "N m"), "11.4 mN m");
+  assert.equal(quantityText(8.46e6, "Pa"), "8.46 MPa");
+  assert.equal(quantityText(3.2e5, "Pa"), "0.32 MPa");
+  assert.equal(quantityText(1.475e-4, "m"), "0.1475 mm");
+  assert.equal(quantityText(2.2e-5, "m^2"), "22 mm²");
+  assert.equal(quantityText(-0.25, "N"), "−250 mN");
+  assert.equal(quantityText(0.0054, "1"), "0.0054");
+  assert.equal(quantityText(null, "m"), "–");
+  assert.equal(numberText(6e6), "6·10⁶");
+  assert.equal(numberText(2.5e-7), "2.5·10⁻⁷");
 });
 
 test("units in line contact are per length", () => {

@@ -89,7 +89,7 @@ class SteelWheel:
             layers=[layer],
             width=1.0,
             crown_radius=CROWN_RADIUS,
-            sides=enums.Sides.ENDLESS,
+            sides=enums.Sides.UNBOUNDED,
         )
         mesh = vr.Mesh(
             nodes_per_revolution=round(44 * finer * math.pi * WHEEL_RADIUS / a),

@@ -23,7 +23,7 @@ CREEP_TIMES = {
     "creep time 9 ms": 9e-3,
     "creep time 45 ms": 45e-3,
     "creep time 2 s": 2.0,
-    "endless creep time (as stiff as it gets)": None,
+    "infinite creep time (as stiff as it gets)": None,
 }
 
 

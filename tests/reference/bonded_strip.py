@@ -1,8 +1,8 @@
 """A strip of thickness 1 on a rigid base, incompressible, in plane strain, under a flat frictionless punch.
 
 With free sides, another finite-element code solves the strip by Taylor-Hood elements, Q2 and Q1 (incompressible without
-a large bulk modulus), on meshes refined towards the sides and extrapolated. For a part of an endless strip, Galerkin's
-method uses its closed compliance
+a large bulk modulus), on meshes refined towards the sides and extrapolated. For a part of an unbounded strip,
+Galerkin's method uses its closed compliance
 
     C(k) = (sinh 2k - 2k) / (cosh 2k + 1 + 2k^2) / (2 G k)
 
@@ -56,7 +56,7 @@ def extrapolated_free_stiffness(width, elements=24):
     return fine, fine + (fine - coarse) / 3.0
 
 
-def endless_stiffness(width, terms=8, longest=400.0, panels=1600):
+def unbounded_stiffness(width, terms=8, longest=400.0, panels=1600):
     """Return p/(G d) if the strip continues on both sides of the punch."""
     half = 0.5 * width
     points, weights = leggauss(20)
@@ -75,4 +75,4 @@ def endless_stiffness(width, terms=8, longest=400.0, panels=1600):
 
 if __name__ == "__main__":
     for width in (1.0, 2.0, 3.0, 4.0, 6.0):
-        print(width, *extrapolated_free_stiffness(width), endless_stiffness(width))
+        print(width, *extrapolated_free_stiffness(width), unbounded_stiffness(width))

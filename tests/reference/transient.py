@@ -92,7 +92,7 @@ def main(*meshes: int) -> None:
         for angular_speed, relaxed in ((2.5, False), (2.5, True), (0.5, False), (0.5, True)):
             angle, torque = start(angular_speed, 0.35, relaxed, nodes)
             found = [*np.interp([0.05, 0.1, 0.2, 0.3], angle, torque), torque.max()]
-            print(f"{nodes} nodes, {'relaxed' if relaxed else 'fresh'}, {angular_speed} rad/s:", end=" ")
+            print(f"{nodes} nodes, {'relaxed' if relaxed else 'undeformed'}, {angular_speed} rad/s:", end=" ")
             print(", ".join(f"{1e3 * value:.2f}" for value in found), "mN m", flush=True)
 
 

@@ -61,7 +61,7 @@ export interface Wheel {
   /** Flat where it is left out. */
   crown_radius?: number;
   hub?: "straight" | "crowned";
-  sides?: "free" | "endless";
+  sides?: "free" | "unbounded";
 }
 
 /** Without layers and base it is rigid. */

@@ -1,37 +1,42 @@
 /**
- * The library in one classic script, which may run in a page, in a worker and in node, from http: as from file:
- * addresses. It sets `viscoroll`, whose functions viscoroll.d.ts describes; viscoroll.js exports them.
+ * The whole library as one classic script. It runs in pages, workers and Node.js, and can be loaded from http: and
+ * file: URLs. It defines the global variable `viscoroll`; viscoroll.d.ts documents its functions, and viscoroll.js
+ * exports them as a module.
  */
 (() => {
   "use strict";
 
-  /** The module of WebAssembly: zipped, as base64. */
+  /** WebAssembly module, compressed by gzip and encoded in base64. The build inserts it. */
   const MODULE = "";
 
-  /** What a system says to calls that it does not know [errno of WASI]. */
+  /** WASI error code (errno) returned by system functions that are not implemented. */
   const NOT_SUPPORTED = 52;
 
-  /** Where a process of WASI writes why it ends. */
+  /** WASI file descriptor of the standard error stream. */
   const STANDARD_ERROR = 2;
 
-  async function unzipped(base64) {
-    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  async function decompress(base64) {
+    const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
     return new Response(stream).arrayBuffer();
   }
 
-  /** The little that the library wants of a system: the time, which it tells its observers, and to say why it ends. */
-  function system(memory) {
+  /**
+   * WASI functions that the library imports: the clock, for its progress reports, and error output and exit, for fatal
+   * errors. Pointers and lengths are in bytes of the module's memory, which `memory` returns.
+   */
+  function systemFunctions(memory) {
     const view = () => new DataView(memory());
     return {
-      clock_time_get(_clock, _precision, to) {
-        view().setBigUint64(to, BigInt(Math.round(performance.now() * 1e6)), true);
+      clock_time_get(_clock, _precision, time) {
+        view().setBigUint64(time, BigInt(Math.round(performance.now() * 1e6)), true);
         return 0;
       },
-      fd_write(file, parts, count, written) {
+      /** Each of the `count` buffers is described by its address and its length, in 8 bytes. */
+      fd_write(file, buffers, count, written) {
         let [text, length] = ["", 0];
-        for (let part = parts; part < parts + 8 * count; part += 8) {
-          const bytes = new Uint8Array(memory(), view().getUint32(part, true), view().getUint32(part + 4, true));
+        for (let buffer = buffers; buffer < buffers + 8 * count; buffer += 8) {
+          const bytes = new Uint8Array(memory(), view().getUint32(buffer, true), view().getUint32(buffer + 4, true));
           text += new TextDecoder().decode(bytes);
           length += bytes.length;
         }
@@ -40,64 +45,70 @@
         return 0;
       },
       proc_exit(code) {
-        throw new Error(`viscoroll ended with ${code}`);
+        throw new Error(`viscoroll exited with code ${code}`);
       },
     };
   }
 
-  async function instance() {
-    const module = await WebAssembly.compile(await unzipped(MODULE));
+  async function instantiate() {
+    const module = await WebAssembly.compile(await decompress(MODULE));
     let exports = null;
-    const known = system(() => exports.memory.buffer);
+    const provided = systemFunctions(() => exports.memory.buffer);
     const imports = {};
     for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-      (imports[from] ??= {})[name] = known[name] ?? (() => NOT_SUPPORTED);
+      (imports[from] ??= {})[name] = provided[name] ?? (() => NOT_SUPPORTED);
     }
     ({ exports } = await WebAssembly.instantiate(module, imports));
     exports._initialize();
     return exports;
   }
 
-  let started = null;
+  /** Promise of the module's exports; null before the first call. */
+  let instance = null;
 
-  /** Call a function of texts. One that breaks off, which none should, leaves a memory that cannot be relied on. */
+  /**
+   * Call a function of the module with a text, if there is one, and parse the JSON text that it returns. After an
+   * exception, the memory of the module may be corrupt, so the next call makes a new instance.
+   */
   async function call(name, text) {
-    started ??= instance();
-    const library = await started;
+    instance ??= instantiate();
+    const library = await instance;
     try {
-      const given = text === undefined ? [] : [written(library, text)];
-      const answer = read(library, library[name](...given));
-      given.forEach(library.free);
+      const addresses = text === undefined ? [] : [writeText(library, text)];
+      const answer = readText(library, library[name](...addresses));
+      addresses.forEach(library.free);
       return JSON.parse(answer);
     } catch (error) {
-      started = null;
+      instance = null;
       throw error;
     }
   }
 
-  function written(library, text) {
+  /** Copy a text to newly allocated memory of the module, with a final zero; return its address. */
+  function writeText(library, text) {
     const bytes = new TextEncoder().encode(`${text}\0`);
-    const place = library.malloc(bytes.length) >>> 0;
-    if (place === 0) throw new RangeError("no memory for the request");
-    new Uint8Array(library.memory.buffer).set(bytes, place);
-    return place;
+    const address = library.malloc(bytes.length) >>> 0;
+    if (address === 0) throw new RangeError(`not enough memory for a request of ${bytes.length} bytes`);
+    new Uint8Array(library.memory.buffer).set(bytes, address);
+    return address;
   }
 
-  function read(library, place) {
+  /** Return the text at an address, which ends with a zero. */
+  function readText(library, address) {
     const memory = new Uint8Array(library.memory.buffer);
-    const start = place >>> 0;
+    const start = address >>> 0;
     return new TextDecoder().decode(memory.subarray(start, memory.indexOf(0, start)));
   }
 
-  /** JSON has no numbers for these: they go by their names in case files. */
-  const NOT_FINITE = new Map([
+  /** Numbers that JSON cannot represent, and the names of them that the library reads. */
+  const NON_FINITE_NAMES = new Map([
     [Infinity, "inf"],
     [-Infinity, "-inf"],
     [NaN, "nan"],
   ]);
 
   async function solve(request) {
-    return call("solve", JSON.stringify(request, (_key, value) => NOT_FINITE.get(value) ?? value));
+    return call("solve", JSON.stringify(request, (_key, value) => NON_FINITE_NAMES.get(value) ?? value));
   }
 
   async function scalars() {

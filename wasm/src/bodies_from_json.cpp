@@ -18,7 +18,7 @@ constexpr auto kInnerBoundaries = std::to_array<Name<InnerBoundary>>({
 #undef VISCOROLL_INNER_BOUNDARY
 });
 constexpr auto kHubs = std::to_array<Name<Hub>>({{"straight", Hub::straight}, {"crowned", Hub::crowned}});
-constexpr auto kSides = std::to_array<Name<Sides>>({{"free", Sides::free}, {"endless", Sides::endless}});
+constexpr auto kSides = std::to_array<Name<Sides>>({{"free", Sides::free}, {"unbounded", Sides::unbounded}});
 
 ShearModulus take_modulus(Table& table) {
   const Json& given = table.require("shear_modulus");

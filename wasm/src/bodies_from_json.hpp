@@ -15,7 +15,7 @@ struct Pair {
 
 /// @brief Take the tables of the bodies from a case.
 /// @param[in,out] file all tables of a case
-/// @throws std::invalid_argument for unknown and missing keys, values out of range, and unless exactly one rolling body
+/// @throws InvalidInput for unknown and missing keys, values out of range, and unless exactly one rolling body
 /// is given
 [[nodiscard]] Pair pair_from_json(Table& file);
 

@@ -8,7 +8,7 @@ namespace viscoroll {
 
 /// @brief Largest number of nodes per revolution. On finer meshes the height difference over a spacing is lost in the
 /// round-off of the radius.
-inline constexpr int kMostNodesPerRevolution = 1000000;
+inline constexpr int kMaxNodesPerRevolution = 1000000;
 
 /// @brief Surface mesh: nodes at equal spacings in phi and theta, one of them at the lowest point.
 struct Mesh {

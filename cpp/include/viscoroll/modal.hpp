@@ -113,7 +113,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
                                                              std::span<const double> k_xi,
                                                              std::span<const double> k_zeta);
 
-/// @brief Surface compliance of the endless tread of a wheel, with inertia: displacement [m] per surface stress [Pa].
+/// @brief Surface compliance of the unbounded tread of a wheel, with inertia: displacement [m] per surface stress [Pa].
 ///
 /// The directions are the outward normal, the circumference (phi) and the axis (z). The compliance contains the
 /// curvature of the crown to first order. See docs/theory/wheels.md.

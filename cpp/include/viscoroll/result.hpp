@@ -30,9 +30,9 @@ enum class WarningKind {
   power_balance,         ///< the power balance has an error above 5 %, on a given mesh that is not coarse
   pressure_peak,         ///< the relative error of the largest pressure exceeds `accuracy`, or 10 % on a given mesh
   large_strain,          ///< the strain is beyond the range of linear theory
-  contact_at_side,  ///< the contact reaches the faces of a crowned wheel, or with endless sides ends closer to them
+  contact_at_side,  ///< the contact reaches the faces of a crowned wheel, or with unbounded sides ends closer to them
                     ///< than the thickness of the tread
-  edge_pressure,    ///< the pressure is unbounded at the edges of a flat tread with endless sides, or of a flat
+  edge_pressure,    ///< the pressure is singular at the edges of a flat tread with unbounded sides, or of a flat
                     ///< wheel on a deformable counterbody
   tight_crown,      ///< the crown radius is smaller than the thickness of the tread
 };

@@ -21,8 +21,8 @@ namespace viscoroll {
 
 /// @brief Load history before the first instant. It affects the first revolution.
 enum class Start {
-  relaxed,  ///< the load has acted for an infinite time
-  fresh,    ///< the load is applied instantaneously at the first instant
+  relaxed,     ///< the load has acted for an infinite time
+  undeformed,  ///< the load is applied instantaneously at the first instant
 };
 
 /// @brief Options of a transient computation.
@@ -125,7 +125,7 @@ class RollingHistory {
   /// @brief Advance to an instant. Angle and load change linearly in time; the library chooses the time steps.
   ///
   /// After an exception the history is unchanged.
-  /// @param[in] time time at the end [s], not before `now()`; equal to it for a jump
+  /// @param[in] time time at the end [s], not before `current()`; equal to it for a jump
   /// @param[in] angle angle at the end [rad]
   /// @param[in] load load at the end [N], >= 0; at 0 the body has lifted off
   /// @param[in] center_displacement distance traveled by the center since the first instant [m]; requires friction;
@@ -139,7 +139,7 @@ class RollingHistory {
                          std::optional<double> center_displacement = std::nullopt, const Observer& observer = {});
 
   /// @return scalars at the current instant
-  [[nodiscard]] const RollingInstant& now() const;
+  [[nodiscard]] const RollingInstant& current() const;
   /// @return contact pressure on the first of the phase-shifted meshes at the current instant
   [[nodiscard]] ContactField contact() const;
   /// @return number of time steps since the first instant

@@ -1,5 +1,5 @@
 /// @file
-/// @brief A ball: a core, a cavity or nothing, covered by bonded viscoelastic layers.
+/// @brief A ball with bonded viscoelastic layers on a rigid core, around a cavity, or down to the center.
 #pragma once
 
 #include <optional>
@@ -39,8 +39,8 @@ struct CoatedSphere {
 
 /// @brief Curvature terms that the layer equations of a sphere contain. See docs/theory/layers.md.
 enum class Curvature {
-  sphere,  ///< the paper's orders (m, n) with the membrane stiffness of a sphere, (k^2 - 2) mu
-  paper,   ///< equation (26) as printed, with k^2 mu; the paper's tables were computed with it
+  sphere,  ///< orders (m, n) of the paper, with the membrane stiffness of a sphere, (k^2 - 2) mu
+  paper,   ///< equation (26) of the paper as printed, with k^2 mu; its tables of results were computed with k^2 mu
   exact,   ///< spherical harmonics in place of the orders (m, n): for thick coatings, hollow and solid balls
 };
 

@@ -17,8 +17,8 @@ enum class Hub {
 
 /// @brief Lateral ends of the tread.
 enum class Sides {
-  free,     ///< the tread ends at faces at half the width, which can bulge
-  endless,  ///< the tread continues without end, but supports pressure only within the width
+  free,       ///< the tread ends at faces at half the width, which can bulge
+  unbounded,  ///< the tread has no faces and continues to infinity, but supports pressure only within the width
 };
 
 /// @brief Layers that are bonded to one another and to a rigid hub.

@@ -67,7 +67,7 @@ std::size_t add_overclosed(PressedNodes& contact, double tolerance) {
 PressedNodes find_contact(PressedSurface& surface, PressedNodes contact, const ActiveSetOptions& options) {
   double tolerance = std::max(options.first_tolerance, options.tolerance);
   if (contact.penetration.value_or(1.0) > 0.0) predict_nodes(surface, contact);
-  while (contact.passes < options.most_passes && !contact.converged) {
+  while (contact.passes < options.max_passes && !contact.converged) {
     ++contact.passes;
     surface.press(contact, tolerance);
     const bool rough = tolerance > options.tolerance;

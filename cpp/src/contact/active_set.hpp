@@ -42,7 +42,7 @@ class PressedSurface {
 
 /// @brief Limits and tolerances of the active set.
 struct ActiveSetOptions {
-  int most_passes;
+  int max_passes;
   double first_tolerance;  ///< residual while the set still changes much
   double tightening;       ///< factor on the tolerance from pass to pass
   double tolerance;        ///< residual of the last passes

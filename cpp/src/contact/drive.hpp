@@ -24,10 +24,9 @@ struct ContactState {
 /// linearized.
 struct SlopeForce {
   double force;  ///< [N]
-  VectorField
-      /// Derivative of the force [-], without the part of `SurfaceOperator::slope_force`, which is kept constant; may
-      /// have no rows.
-      on_force;
+  /// Derivative of the slope force with respect to the nodal forces [-], without the part of
+  /// `SurfaceOperator::slope_force`, which is kept constant; may have no rows.
+  VectorField derivative;
 };
 
 /// @brief Sum of `SurfaceOperator::slope_force` and the force due to the slope of the undeformed surface.
@@ -36,19 +35,19 @@ struct SlopeForce {
 [[nodiscard]] SlopeForce slope_force(const ContactState& state);
 
 /// @brief Moment of the contact forces about the center of the rolling body, at displaced points.
-/// It is the sum of (y + u_y) F_x - (x + pressure_share u_x) F_y, where u is the displacement of the rolling body
+/// It is the sum of (y + u_y) F_x - (x + pressure_work_factor u_x) F_y, where u is the displacement of the rolling body
 /// alone, minus the radius times the slope force.
 /// @param[in] state state of the contact
-/// @param[in] pressure_share 0 if pressure does no work along the plane, else 1
+/// @param[in] pressure_work_factor 0 if pressure does no work along the plane, else 1
 /// @return moment [N m]
-[[nodiscard]] double moment_about_center(const ContactState& state, double pressure_share);
+[[nodiscard]] double moment_about_center(const ContactState& state, double pressure_work_factor);
 
-/// @brief Linear condition on forces F, displacements u and creepage c, in the form of a force [N]: sum of on_force F +
-/// sum of on_displacement u + on_creepage c = value.
+/// @brief Linear condition on nodal forces F, displacements u and creepage c, in the form of a force [N]:
+/// sum of force_coefficients F + sum of displacement_coefficients u + creepage_coefficient c = value.
 struct DriveRow {
-  VectorField on_force;
-  VectorField on_displacement;  ///< no rows if the condition does not depend on displacements
-  double on_creepage;
+  VectorField force_coefficients;
+  VectorField displacement_coefficients;  ///< no rows if the condition does not depend on displacements
+  double creepage_coefficient;
   double value;
 
   /// @return left side of the condition
@@ -83,15 +82,16 @@ class GivenForce : public DriveCondition {
 class GivenMoment : public DriveCondition {
  public:
   /// @param[in] moment moment [N m]
-  /// @param[in] pressure_share same as in `moment_about_center`
-  GivenMoment(double moment, double pressure_share) : moment_(moment), pressure_share_(pressure_share) {}
+  /// @param[in] pressure_work_factor same as in `moment_about_center`
+  GivenMoment(double moment, double pressure_work_factor)
+      : moment_(moment), pressure_work_factor_(pressure_work_factor) {}
   [[nodiscard]] DriveRow row(const ContactState& state, double creepage_force) const override;
 
  private:
   [[nodiscard]] DriveRow row_of_pair(const ContactState& state, double arm) const;
 
   double moment_;
-  double pressure_share_;
+  double pressure_work_factor_;
 };
 
 /// @brief Given creepage: the excess of the speed of the center over that of the undeformed surface, relative to the

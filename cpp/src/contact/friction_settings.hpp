@@ -23,7 +23,7 @@ struct FrictionSettings {
   /// randomized tests allow. On meshes of a million nodes the residual alone left 1e-4.
   double largest_creep = 2e-7;
   /// Largest number of further steps that reduce this slip.
-  int steps_of_rest = 3;
+  int max_slip_reduction_steps = 3;
 
   /// Residual at one instant of a motion, which direct solutions reach; its errors carry over to later instants.
   double instant_tolerance = 1e-12;
@@ -35,19 +35,20 @@ struct FrictionSettings {
   /// Residual at which an iteration stops as diverged, relative to that of the start if that is above 1. The limit is
   /// large because a node that is displaced by the whole lag of a spacing has forces far above a small load, which one
   /// step corrects.
-  double hopeless = 1e3;
+  double divergence_residual = 1e3;
   /// Steps of an iteration: two or three times what a state takes from full stick. Only 4 of 10 000 states needed more.
   int steps = 25;
   /// Largest number of steps of an iteration that continues because its residual halves ...
-  int most_steps = 60;
+  int max_steps = 60;
   /// ... in this number of steps. Tried: half costs 1 % in operator applications, twice makes no difference.
   int halving = 12;
-  /// Operations in operator applications that a search may perform (some seconds).
-  double effort = 1e10;
-  /// Number of operator applications that a search may perform instead, eight times that of most states ...
-  double products = 800;
-  /// ... if they cost at most this multiple of `effort`.
-  double costly = 4.0;
+  /// Largest number of floating-point operations in the operator applications of a search (some seconds).
+  double max_operations = 1e10;
+  /// Number of operator applications up to which a search may exceed `max_operations`, eight times that of most states
+  /// ...
+  double operator_applications = 800;
+  /// ... by at most this factor.
+  double excess_factor = 4.0;
 
   // Newton steps
 
@@ -57,16 +58,16 @@ struct FrictionSettings {
   int full_steps = 8;
   /// Same from a coarser mesh, whose sets are nearly correct.
   int full_steps_nearby = 3;
-  /// Multiple of the least residual above which the search returns to the state with the least residual after the free
-  /// steps. Without this, 79 cases of the friction grid, all at friction of at most 0.01, took 72 steps on average
-  /// instead of 23.
-  double astray = 2.0;
+  /// Ratio of the residual to the least residual above which, after the full steps, the search returns to the state
+  /// with the least residual. Without this, 79 cases of the friction grid, all at friction of at most 0.01, took 72
+  /// steps on average instead of 23.
+  double max_residual_growth = 2.0;
   /// Shortest fraction of a step; shorter ones do not end cycles of nodes either. Tried: 0.25 costs 30 % more operator
   /// applications, 0.01 makes no difference.
   double shortest_step = 0.05;
   /// Largest creepage [-]. Beyond it, a body that slides as a whole hardly changes and steps diverge; drives are met
   /// below it.
-  double most_creepage = 1.0;
+  double max_creepage = 1.0;
   /// Relative residual of a step with an iterative linear solver. Greater accuracy does not pay while the sets change;
   /// steps after the full ones use a tenth of it. Tried: 1e-3 to 0.1 agree within 6 % of the operator applications.
   /// With accurate steps only, contacts of up to 300 nodes took a fifth fewer steps but a fifth to a third more

@@ -26,13 +26,14 @@ struct CreepageTrial {
 /// @param[in] start state from which the search starts
 SearchLimits limits_of(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options) {
   const double share = std::clamp(problem.friction->coefficient, kFrictionSettings.least_friction, 1.0);
-  const double affordable = kFrictionSettings.effort / problem.surface->operations();
-  const double most = std::max(affordable, std::min(kFrictionSettings.products, kFrictionSettings.costly * affordable));
+  const double affordable = kFrictionSettings.max_operations / problem.surface->operations();
+  const double most = std::max(
+      affordable, std::min(kFrictionSettings.operator_applications, kFrictionSettings.excess_factor * affordable));
   return {.tolerance = std::max(kFrictionSettings.tolerance * share, options.tolerance),
           .round_off = kFrictionSettings.round_off * share,
           .full_steps = start.creepage ? kFrictionSettings.full_steps_nearby : kFrictionSettings.full_steps,
-          .most_systems = options.max_iterations - start.iterations,
-          .most_products = most - start.operator_applications};
+          .max_systems = options.max_iterations - start.iterations,
+          .max_products = most - start.operator_applications};
 }
 
 class StateSearch {
@@ -74,7 +75,8 @@ class StateSearch {
   bool iterate(const StepLimits& limits = {}) {
     const bool is_found = newton_.iterate(wanted_.coefficient, limits);
     const double residual = newton_.state().residual;
-    if (problem_.friction->drive == wanted_.drive && residual < kFrictionSettings.hopeless) residual_ = residual;
+    if (problem_.friction->drive == wanted_.drive && residual < kFrictionSettings.divergence_residual)
+      residual_ = residual;
     return is_found;
   }
 
@@ -160,7 +162,7 @@ class StateSearch {
     const bool is_above = near->excess > 0.0;
     double here = 0.0;
     double there =
-        (is_above ? 1.0 : -1.0) * std::asinh(kFrictionSettings.most_creepage / kFrictionSettings.small_creepage);
+        (is_above ? 1.0 : -1.0) * std::asinh(kFrictionSettings.max_creepage / kFrictionSettings.small_creepage);
     std::optional<CreepageTrial> far = find_at(there, start_);
     if (!far || (far->excess > 0.0) == is_above) return false;
     for (int halving = 0; halving < kFrictionSettings.halvings && !newton_.is_exhausted(); ++halving) {
@@ -203,7 +205,7 @@ class StateSearch {
   [[nodiscard]] ContactSolution finished() {
     ContactSolution state = newton_.state();
     ContactSets sets = newton_.sets();
-    const int most = is_start_ ? 0 : kFrictionSettings.steps_of_rest;
+    const int most = is_start_ ? 0 : kFrictionSettings.max_slip_reduction_steps;
     for (int step = 0; step < most && system_.creep(state, sets) > kFrictionSettings.largest_creep; ++step) {
       newton_.take_step(wanted_.coefficient, sets, kFrictionSettings.exact_step);
       if (!(newton_.state().residual < state.residual)) break;

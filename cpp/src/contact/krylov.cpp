@@ -11,9 +11,9 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index kMostDirections = 120;  // before a restart, for large systems
-constexpr int kMostProducts = 360;      // some ten are usually enough
-constexpr double kStagnation = 0.5;     // reduction of the residual over a restart that is too small to go on
+constexpr Index kMaxDirections = 120;  // before a restart, for large systems
+constexpr int kMaxProducts = 360;      // some ten are usually enough
+constexpr double kStagnation = 0.5;    // reduction of the residual over a restart that is too small to go on
 
 /// Orthonormal basis of a Krylov space and the least residual over it.
 class Arnoldi {
@@ -95,8 +95,8 @@ class Arnoldi {
 KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner, const VectorXd& right,
                             const VectorXd& guess, const KrylovTolerance& tolerance) {
   // Systems that no preconditioner suits, such as those of shells that bend, take as many directions as unknowns.
-  const Index most_directions = right.size() > tolerance.small_system ? kMostDirections : right.size();
-  const Index most_products = std::max<Index>(kMostProducts, most_directions);
+  const Index max_directions = right.size() > tolerance.small_system ? kMaxDirections : right.size();
+  const Index max_products = std::max<Index>(kMaxProducts, max_directions);
   KrylovSolution solution{.unknowns = guess, .products = 0, .residual = 0.0};
   double small = tolerance.absolute;
   for (;;) {
@@ -107,9 +107,9 @@ KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& 
     solution.residual = residual.norm();
     if (solution.products == 1) small = std::max(small, tolerance.relative * solution.residual);
     const bool stagnates = solution.products > 1 && !(solution.residual < kStagnation * before);
-    if (!(solution.residual > small) || stagnates || solution.products >= most_products) return solution;
+    if (!(solution.residual > small) || stagnates || solution.products >= max_products) return solution;
     Arnoldi space(std::move(residual));
-    for (bool adds = true; adds && space.residual() > small && space.count() < most_directions;) {
+    for (bool adds = true; adds && space.residual() > small && space.count() < max_directions;) {
       VectorXd step = preconditioner(space.last());
       VectorXd image = matrix(step);
       adds = space.extend(std::move(step), std::move(image));

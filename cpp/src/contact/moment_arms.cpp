@@ -2,12 +2,12 @@
 
 namespace viscoroll::detail {
 
-MomentArms added_arms(const VectorField& displacement, double pressure_share) {
-  return {.x = pressure_share * displacement.col(kForward), .y = displacement.col(kDown), .radius = 0.0};
+MomentArms added_arms(const VectorField& displacement, double pressure_work_factor) {
+  return {.x = pressure_work_factor * displacement.col(kForward), .y = displacement.col(kDown), .radius = 0.0};
 }
 
-MomentArms displaced(MomentArms arms, const VectorField& displacement, double pressure_share) {
-  arms.x += pressure_share * displacement.col(kForward);
+MomentArms displaced(MomentArms arms, const VectorField& displacement, double pressure_work_factor) {
+  arms.x += pressure_work_factor * displacement.col(kForward);
   arms.y += displacement.col(kDown);
   return arms;
 }

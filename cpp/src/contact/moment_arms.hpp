@@ -20,11 +20,11 @@ struct MomentArms {
 
 /// @brief Change of moment arms by displacements.
 /// @param[in] displacement displacement of every node [m]
-/// @param[in] pressure_share factor on the change along x: 0 if pressure does no work along the plane, else 1
-[[nodiscard]] MomentArms added_arms(const VectorField& displacement, double pressure_share);
+/// @param[in] pressure_work_factor factor on the change along x: 0 if pressure does no work along the plane, else 1
+[[nodiscard]] MomentArms added_arms(const VectorField& displacement, double pressure_work_factor);
 
 /// @return moment arms of displaced points; parameters same as in `added_arms`
-[[nodiscard]] MomentArms displaced(MomentArms arms, const VectorField& displacement, double pressure_share);
+[[nodiscard]] MomentArms displaced(MomentArms arms, const VectorField& displacement, double pressure_work_factor);
 
 /// @return moment y F_x - x F_y per unit of each force component [m]
 [[nodiscard]] VectorField moment_per_force(const MomentArms& arms);

@@ -79,10 +79,11 @@ LocatedContact press(ContactProblem problem, const NormalContactGuess& guess, co
   return {.problem = std::move(problem), .contact = std::move(contact)};
 }
 
-LocatedContact press_multilevel(const ContactProblem& problem, double likely_depth, const ContactOptions& options) {
+LocatedContact press_multilevel(const ContactProblem& problem, double contact_gap_limit,
+                                const ContactOptions& options) {
   const Window& window = problem.surface->window();
-  if (!is_worth_coarsening(window)) return press(problem, guess_within(problem, likely_depth), options);
-  const LocatedContact coarse = press_multilevel(coarsened(problem), likely_depth, rough(options));
+  if (!is_worth_coarsening(window)) return press(problem, guess_within(problem, contact_gap_limit), options);
+  const LocatedContact coarse = press_multilevel(coarsened(problem), contact_gap_limit, rough(options));
   if (window.shape().size() <= kSmallWindow) return press(problem, prolonged_guess(coarse, window), options);
   Window box = box_around(coarse, 2, window);
   NormalContactGuess guess = prolonged_guess(coarse, box);
@@ -96,14 +97,14 @@ LocatedContact press_multilevel(const ContactProblem& problem, double likely_dep
 }
 
 /// Return the frictionless contact, which another solution may have found already.
-LocatedContact pressed(const ContactProblem& problem, double likely_depth, const ContactOptions& options) {
+LocatedContact pressed(const ContactProblem& problem, double contact_gap_limit, const ContactOptions& options) {
   const auto& shared = problem.friction->shared;
   // A small window is solved as a whole, so the contact is on the window itself.
   const bool is_shared = shared && problem.initial_gap.size() <= kSmallFrictionalWindow;
   if (is_shared) {
     if (const auto kept = shared->pressed()) return {.problem = problem, .contact = *kept};
   }
-  LocatedContact located = press_multilevel(problem, likely_depth, options);
+  LocatedContact located = press_multilevel(problem, contact_gap_limit, options);
   if (is_shared) shared->keep(located.contact);
   return located;
 }
@@ -124,15 +125,16 @@ LocatedContact refine(const LocatedContact& coarse, const ContactProblem& proble
 
 }  // namespace
 
-LocatedContact solve_multilevel(const ContactProblem& problem, double likely_depth, const ContactOptions& options) {
-  if (!problem.friction) return press_multilevel(problem, likely_depth, options);
-  const auto from_full_stick = [&] { return add_friction(pressed(problem, likely_depth, options), options); };
+LocatedContact solve_multilevel(const ContactProblem& problem, double contact_gap_limit,
+                                const ContactOptions& options) {
+  if (!problem.friction) return press_multilevel(problem, contact_gap_limit, options);
+  const auto from_full_stick = [&] { return add_friction(pressed(problem, contact_gap_limit, options), options); };
   if (problem.initial_gap.size() <= kSmallFrictionalWindow) return from_full_stick();
   const ContactProblem coarse = coarsened(problem);
   const auto from_coarse = [&] {
     ContactOptions settled = rough(options);
     settled.tolerance = kCoarseFrictionalTolerance;
-    return refine(solve_multilevel(coarse, likely_depth, settled), problem, options);
+    return refine(solve_multilevel(coarse, contact_gap_limit, settled), problem, options);
   };
   // A problem that failed on two meshes is not tried on finer ones.
   if (coarse.initial_gap.size() > kSmallFrictionalWindow) return from_coarse();

@@ -12,10 +12,10 @@ namespace viscoroll::detail {
 /// recursively, and then a box around that contact, so that the number of Krylov iterations does not grow with the
 /// mesh. If friction fails on the coarsest level, the next level starts from its own frictionless contact.
 /// @param[in] problem problem on the window of all candidate nodes
-/// @param[in] likely_depth initial gap below which nodes are assumed to be in contact at first [m]
+/// @param[in] contact_gap_limit undeformed gap below which nodes are assumed to be in contact at first [m]
 /// @param[in] options limits
 /// @throws ConvergenceError if no state was found
-[[nodiscard]] LocatedContact solve_multilevel(const ContactProblem& problem, double likely_depth,
+[[nodiscard]] LocatedContact solve_multilevel(const ContactProblem& problem, double contact_gap_limit,
                                               const ContactOptions& options);
 
 /// @brief Solve a contact on the whole window of the problem, from a state on that window.

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 /// Limits of the mean rigidity, which represents all slipping nodes in one symbol.
 constexpr double kLeastRigidity = 0.02;
-constexpr double kMostRigidity = 0.9;
+constexpr double kMaxRigidity = 0.9;
 
 /// Sticking nodes, and the runs along phi that contain them.
 struct StickRuns {
@@ -117,7 +117,7 @@ class Equations {
         drive_(friction_.drive->row({*problem.surface, friction_.arms, state.force, own_displacement(state)},
                                     scales.tangential * friction_.step)) {
     if (slip_.count() > 0) {
-      const double rigidity = std::clamp(slip_.rigidity.mean(), kLeastRigidity, kMostRigidity);
+      const double rigidity = std::clamp(slip_.rigidity.mean(), kLeastRigidity, kMaxRigidity);
       turning_symbol_ = preconditioner.turning_symbol(rigidity, scales.tangential);
     }
     prepare_border();
@@ -243,7 +243,7 @@ class Equations {
   [[nodiscard]] Eigen::Vector2d border_conditions(const VectorXd& forces) const {
     VectorXd unknowns = VectorXd::Zero(forces_ + 2);
     unknowns.head(forces_) = forces;
-    return {forces.head(contacts_).sum(), (drive_.on_force * force(unknowns)).sum()};
+    return {forces.head(contacts_).sum(), (drive_.force_coefficients * force(unknowns)).sum()};
   }
 
   /// Compute the response of the forces to penetration and creepage, and the remaining 2 x 2 system for these two.
@@ -261,7 +261,7 @@ class Equations {
     Eigen::Matrix2d border;
     border.col(0) = -border_conditions(border_response_.col(0));
     border.col(1) = -border_conditions(border_response_.col(1));
-    border(1, 1) += drive_.on_creepage / creepage_force();
+    border(1, 1) += drive_.creepage_coefficient / creepage_force();
     border_inverse_ = border.inverse();
   }
 

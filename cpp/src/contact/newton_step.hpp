@@ -2,15 +2,18 @@
 /// @brief One Newton step of frictional contact: the linear system for given sets of sticking and slipping nodes,
 /// solved iteratively.
 ///
-/// Unknowns are the pressing forces p of the nodes in contact, the forces t_x and t_z of the sticking nodes, the forces
-/// s of the slipping nodes across their traction mu p e, the penetration and the creepage. The conditions are
+/// The unit vector e is the direction of the traction of a slipping node, and e' is normal to e. S is the slip of a
+/// node relative to its upstream neighbor; kappa is `TangentialState::rigidity`, k_t is `ConditionScales::tangential`.
+///
+/// Unknowns are the normal forces p of the nodes in contact, the tangential forces t_x and t_z of the sticking nodes,
+/// the components s = t . e' of the slipping nodes, the penetration and the creepage. The conditions are
 ///
 /// - Contact: gap = 0.
-/// - Stick: S = 0, summed along phi over every run of neighboring sticking nodes. The symbol of a difference vanishes
-///   for loads that are uniform along phi. The sum is the displacement itself, minus that of the node upstream of the
-///   run, so the inverse symbol of the compliance preconditions it as well as the gaps.
-/// - Slip: t . e = mu p, and along e', normal to e, (1 - kappa) t . e' + kappa k_t S . e' = 0, which turns e towards
-///   -S.
+/// - Stick: the sum of S along phi is 0, from the start of a run of neighboring sticking nodes to each node.
+///   The sums are used because the symbol of S itself, a difference, vanishes for loads that are uniform along phi. A
+///   sum is the displacement of a node minus that of the node upstream of the run. The inverse symbol of the compliance
+///   therefore preconditions the sums as well as the gaps.
+/// - Slip: t . e = mu p, and (1 - kappa) t . e' + kappa k_t S . e' = 0. The second condition rotates e towards -S.
 #pragma once
 
 #include "contact/contact_problem.hpp"
@@ -19,12 +22,12 @@
 
 namespace viscoroll::detail {
 
-/// @brief Solve the conditions linearized at `state` approximately for new forces, penetration and creepage.
+/// @brief Solve the conditions, linearized at `state`, for new forces, penetration and creepage, to a tolerance.
 /// @param[in] problem surface, friction and drive
 /// @param[in] coefficient coefficient of friction mu [-], used instead of the problem's
 /// @param[in] scales weights of the conditions
 /// @param[in] sets nodes in contact and their states of stick or slip
-/// @param[in] preconditioner preconditioner of the surface on this window
+/// @param[in] preconditioner preconditioner for the surface and its window
 /// @param[in] tolerance residual relative to that of `state`
 /// @param[in,out] state forces, penetration and creepage are replaced
 /// @return number of operator applications

@@ -229,7 +229,7 @@ PressedNodes start_of(const NormalContactGuess& guess) {
 template <class Surface>
 ContactSolution press(Surface&& surface, PressedNodes start, const ContactOptions& options, double first_tolerance) {
   PressedNodes contact = find_contact(surface, std::move(start),
-                                      {.most_passes = options.max_iterations,
+                                      {.max_passes = options.max_iterations,
                                        .first_tolerance = first_tolerance,
                                        .tightening = kTightening,
                                        .tolerance = options.tolerance,

@@ -16,10 +16,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMostNodes = 600;  // up to which factors take less time than the transforms of the window
-constexpr double kExact = 1e-14;         // residual at which no error of the previous pass remains
-constexpr double kOfRound = 1e-5;        // reduction of the residual before a restart
-constexpr int kMostRounds = 5;
+constexpr std::size_t kMaxNodes = 600;  // up to which factors take less time than the transforms of the window
+constexpr double kExact = 1e-14;        // residual at which no error of the previous pass remains
+constexpr double kOfRound = 1e-5;       // reduction of the residual before a restart
+constexpr int kMaxRounds = 5;
 constexpr std::size_t kChanged = 6;  // factors are renewed if one node in this many has changed
 
 }  // namespace
@@ -30,7 +30,7 @@ PressedByMatrix::PressedByMatrix(const ContactProblem& problem)
       weights_(ArrayXd::Ones(problem.initial_gap.size())) {}
 
 bool PressedByMatrix::serves(const ContactProblem& problem, const std::vector<Index>& nodes) {
-  return !nodes.empty() && nodes.size() <= kMostNodes &&
+  return !nodes.empty() && nodes.size() <= kMaxNodes &&
          problem.surface->normal_compliance({nodes.front()}, {nodes.front()}).has_value();
 }
 
@@ -136,7 +136,7 @@ void PressedByMatrix::press(PressedNodes& contact, double tolerance) {
   // A preconditioner in single precision is linear to six digits, so GMRES restarts after five.
   const KrylovTolerance round{.absolute = kExact * right.norm(), .relative = kOfRound, .small_system = count + 1};
   KrylovSolution solution{.unknowns = guess, .products = 0, .residual = right.norm()};
-  for (int i = 0; i < kMostRounds && solution.residual > round.absolute; ++i) {
+  for (int i = 0; i < kMaxRounds && solution.residual > round.absolute; ++i) {
     solution = solve_krylov(times, precondition, right, solution.unknowns, round);
     products_ += solution.products;
   }

@@ -41,7 +41,8 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
   ContactSets best_sets = sets_;
   for (int step = 0;; ++step) {
     const double start = residuals.empty() ? state_.residual : residuals.front();
-    if (!(state_.residual < kFrictionSettings.hopeless * std::max(start, 1.0)) || sets_.contact.empty()) return false;
+    if (!(state_.residual < kFrictionSettings.divergence_residual * std::max(start, 1.0)) || sets_.contact.empty())
+      return false;
     residuals.push_back(state_.residual);
     if (is_reached(residuals)) {
       if (state_.displacement.rows() > 0) return true;
@@ -62,7 +63,7 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
       best = state_;
       best_sets = sets_;
     }
-    if (step == limits_.full_steps && state_.residual > kFrictionSettings.astray * best.residual) {
+    if (step == limits_.full_steps && state_.residual > kFrictionSettings.max_residual_growth * best.residual) {
       state_ = best;
       sets_ = best_sets;
       residuals.back() = best.residual;
@@ -90,7 +91,7 @@ void SemismoothNewton::take_step(double friction, const ContactSets& sets, doubl
 void SemismoothNewton::find_sets(double friction) { sets_ = detail::find_sets(system_, friction, state_); }
 
 bool SemismoothNewton::is_exhausted() const {
-  return systems_ >= limits_.most_systems || system_.products() >= limits_.most_products;
+  return systems_ >= limits_.max_systems || system_.products() >= limits_.max_products;
 }
 
 bool SemismoothNewton::is_reached(const std::vector<double>& residuals) const {
@@ -100,7 +101,7 @@ bool SemismoothNewton::is_reached(const std::vector<double>& residuals) const {
 
 bool SemismoothNewton::is_in_vain(const std::vector<double>& residuals, const StepLimits& limits) const {
   const int step = static_cast<int>(residuals.size()) - 1;
-  if (step == kFrictionSettings.most_steps || is_exhausted()) return true;
+  if (step == kFrictionSettings.max_steps || is_exhausted()) return true;
   const bool progresses = step >= kFrictionSettings.halving && is_halved(residuals, kFrictionSettings.halving);
   if (step >= limits.most && !progresses) return true;
   return step >= limits.patience && !is_halved(residuals, residuals.size() - 1);

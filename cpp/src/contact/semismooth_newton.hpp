@@ -17,8 +17,8 @@ struct SearchLimits {
   double tolerance;  ///< residual of a state
   double round_off;  ///< residual of a state if steps no longer halve it
   int full_steps;    ///< number of first steps, which are not shortened if they increase the residual
-  int most_systems = std::numeric_limits<int>::max();
-  double most_products = std::numeric_limits<double>::infinity();
+  int max_systems = std::numeric_limits<int>::max();
+  double max_products = std::numeric_limits<double>::infinity();
 };
 
 /// @brief Limits of one iteration.

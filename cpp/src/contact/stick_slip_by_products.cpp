@@ -31,7 +31,7 @@ void StickSlipByProducts::find_displacements(ContactSolution& state) {
 void StickSlipByProducts::solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) {
   products_ += take_newton_step(problem_, friction, scales_, sets, preconditioner_, tolerance, state);
   if (!problem_.friction->drive->given_creepage()) {
-    const double most = kFrictionSettings.most_creepage;
+    const double most = kFrictionSettings.max_creepage;
     state.creepage = std::clamp(*state.creepage, -most, most);
   }
   find_displacements(state);

@@ -19,7 +19,7 @@ std::vector<double> scaled(std::vector<double> orders, double factor) {
 
 /// Check the body before bands are made from it: arguments in braces are evaluated in order.
 LayeredBody checked(LayeredBody body, double angular_speed) {
-  require_rolling(body, angular_speed);
+  require_layers_and_speed(body, angular_speed);
   return body;
 }
 

@@ -32,7 +32,7 @@ cplx value(const Eigen::Matrix3cd& compliance, Entry entry) {
 
 std::vector<Eigen::Matrix3cd> line_spectrum(const HarmonicBody& body, int threads, Watch& watch) {
   constexpr std::size_t kBlock = 16;  // orders that are solved together
-  std::vector<OrderAt> orders;
+  std::vector<IndexedOrder> orders;
   orders.reserve(body.orders().size());
   for (std::size_t i = 0; i < body.orders().size(); ++i) orders.push_back({.i = i, .n = 0.0});
   std::vector<Eigen::Matrix3cd> spectrum(orders.size());

@@ -25,9 +25,9 @@ void validate(const Mesh& mesh) {
                      std::to_string(value));
     }
   };
-  in_range("mesh.nodes_per_revolution", mesh.nodes_per_revolution, kFewestNodes, kMostNodesPerRevolution, "");
+  in_range("mesh.nodes_per_revolution", mesh.nodes_per_revolution, kFewestNodes, kMaxNodesPerRevolution, "");
   const int theta_nodes = theta_nodes_per_revolution(mesh);
-  in_range("mesh.theta_nodes_per_revolution", theta_nodes, kFewestNodes, kMostNodesPerRevolution, "");
+  in_range("mesh.theta_nodes_per_revolution", theta_nodes, kFewestNodes, kMaxNodesPerRevolution, "");
   constexpr int kLargestRatio = 100;  // ratio of spacings; beyond it, many orders would be summed for few offsets
   in_range("mesh.theta_nodes_per_revolution", theta_nodes, mesh.nodes_per_revolution / kLargestRatio,
            mesh.nodes_per_revolution * kLargestRatio, " (between 1/100 and 100 times nodes_per_revolution)");

@@ -28,7 +28,7 @@ constexpr double kLastOctave = 16.0;
 constexpr double kSharpnessOfMeasured = 13.0;
 
 /// Highest order up to which a measured modulus is summed order by order; beyond, it is treated as smooth.
-constexpr double kMostRoughOrders = 2000.0;
+constexpr double kMaxRoughOrders = 2000.0;
 
 /// Smooth step from 1 to 0.
 struct Step {
@@ -100,10 +100,10 @@ double spacing_of(int nodes_per_revolution) { return 2.0 * std::numbers::pi / no
 double highest_order(int nodes_per_revolution, double finest_order) {
   // The number of orders, and with it the work, is proportional to this ratio. A mesh of fewer nodes does not resolve a
   // contact on the layer.
-  constexpr double kMostPerNode = 5000.0;
-  if (finest_order > kMostPerNode * nodes_per_revolution) {
+  constexpr double kMaxPerNode = 5000.0;
+  if (finest_order > kMaxPerNode * nodes_per_revolution) {
     reject("mesh.nodes_per_revolution",
-           "at least " + rounded(std::ceil(finest_order / kMostPerNode)) +
+           "at least " + rounded(std::ceil(finest_order / kMaxPerNode)) +
                ", because the thinnest layer of one material is 1/" + rounded(finest_order) + " of the radius",
            std::to_string(nodes_per_revolution));
   }
@@ -228,7 +228,7 @@ void require_all_orders(const Metric& metric, const Mesh& mesh) {
 
 // Tables are interpolated with kinks, and users' functions may have kinks.
 double material_rough_orders(const LayeredBody& body, double angular_speed, const Mesh& mesh) {
-  const double asked = std::min(kMostRoughOrders, measured_order(mesh));
+  const double asked = std::min(kMaxRoughOrders, measured_order(mesh));
   double highest = 0.0;
   for (const Layer& layer : body.layers) {
     if (const auto* curve = std::get_if<MasterCurve>(&layer.shear_modulus)) {
@@ -238,7 +238,7 @@ double material_rough_orders(const LayeredBody& body, double angular_speed, cons
           std::max(highest, highest_kink(layer.shear_modulus, angular_speed, asked * angular_speed) / angular_speed);
     }
   }
-  return std::min({highest, kMostRoughOrders, 2.0 * measured_order(mesh)});  // `measured_order` is approached slowly
+  return std::min({highest, kMaxRoughOrders, 2.0 * measured_order(mesh)});  // `measured_order` is approached slowly
 }
 
 double exact_share(double wave_number, double middle) {

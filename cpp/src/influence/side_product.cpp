@@ -45,8 +45,8 @@ SideProduct::SideProduct(WindowShape shape, const TreadColumns& columns, const S
     Part& part = parts_[p];
     for (Index component = 0; component < components_; ++component) {
       const bool odd = (component == 2) == (p == kEvenPart);
-      part.gathered.push_back(mean_shares(difference.z, columns, shape.theta_nodes, odd));
-      part.read.push_back(average ? part.gathered.back() : node_shares(difference.z, columns, shape.theta_nodes, odd));
+      part.gathered.push_back(patch_mean_weights(difference.z, columns, shape.theta_nodes, odd));
+      part.read.push_back(average ? part.gathered.back() : node_weights(difference.z, columns, shape.theta_nodes, odd));
     }
     // Re(factors samples) is the sum of two products, each of which is real before the transform.
     const MatrixXd samples_real = difference.parts[p].real();

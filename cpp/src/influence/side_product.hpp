@@ -10,7 +10,7 @@
 #include "influence/fft.hpp"
 #include "influence/side_sum.hpp"
 #include "influence/spectral_product.hpp"
-#include "influence/tread_shares.hpp"
+#include "influence/tread_weights.hpp"
 
 namespace viscoroll::detail {
 

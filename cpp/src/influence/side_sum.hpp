@@ -1,5 +1,5 @@
 /// @file
-/// @brief Tables along phi of the effect of free faces on the influence of an endless tread.
+/// @brief Tables along phi of the effect of free faces on the influence of an unbounded tread.
 ///
 /// Between the sampled orders the difference is a spline, which is linear in the samples. A table is therefore the sum
 /// of the samples times one factor per offset, which contains all orders, patches and moduli. A further speed requires

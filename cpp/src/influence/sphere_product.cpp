@@ -18,8 +18,8 @@ constexpr double kWorthThreads = 4e6;
 
 /// Limits of operations for joint products, whose table takes time to make: 16 MB of matrices with tangential
 /// components, 2 MB for r by r, which saves fewer operations.
-constexpr double kMostJointOperations = 8e6;
-constexpr double kMostRadialJointOperations = 1e6;
+constexpr double kMaxJointOperations = 8e6;
+constexpr double kMaxRadialJointOperations = 1e6;
 
 constexpr Index kOrdersAtOnce = 8;
 constexpr Index kPhisAtOnce = 32;
@@ -100,7 +100,7 @@ std::unique_ptr<const SphereProduct> make_sphere_product(WindowShape shape, int 
                                                          std::shared_ptr<const SphereInfluence> influence, int threads,
                                                          Watch& watch) {
   const double joint = JointSphereProduct::operations(shape, influence->components());
-  const double most = influence->tangential ? kMostJointOperations : kMostRadialJointOperations;
+  const double most = influence->tangential ? kMaxJointOperations : kMaxRadialJointOperations;
   const bool pays =
       joint < most && joint < harmonic_operations(shape, first_theta, *influence) + local_operations(shape, *influence);
   if (pays) return std::make_unique<const JointSphereProduct>(shape, first_theta, *influence, threads, watch);

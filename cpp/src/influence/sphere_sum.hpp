@@ -45,7 +45,7 @@ struct SphereInfluence {
 
 /// @brief Largest number of values of harmonics and tables for the nodes of a window: 4 GB. Larger windows are
 /// rejected.
-constexpr double kMostSphereValues = 5e8;
+constexpr double kMaxSphereValues = 5e8;
 
 /// @brief Quantity and components of an influence.
 struct SphereRequest {

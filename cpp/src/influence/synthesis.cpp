@@ -99,14 +99,14 @@ class BandWaves {
   /// nor is the last band if it is truncated.
   static std::size_t count_long(const std::vector<OrderBand>& bands, double spacing, int reach) {
     std::size_t best = 0;
-    double most_saved = 0.0;
+    double max_saved = 0.0;
     double orders = 0.0;
     for (std::size_t i = 0; i + 1 < bands.size() && bands[i].reach >= reach; ++i) {
       orders += static_cast<double>(bands[i].orders.size());
       const double few = SampledOffsets::count(reach, spacing, end_of(bands[i]));
       const double saved = orders * (reach + 1.0 - few) - few * (reach + 1.0);
-      if (saved <= most_saved) continue;
-      most_saved = saved;
+      if (saved <= max_saved) continue;
+      max_saved = saved;
       best = i + 1;
     }
     return best;

@@ -67,14 +67,14 @@ enum Basis : Eigen::Index {
 
 /// @brief Compute the basis of all components.
 /// @param[in] metric metric of the body
-/// @param[in] place position along the normal [m]
+/// @param[in] position position along the normal [m]
 /// @param[in] m,n orders
 /// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; one column per n
 /// @param[out] basis kBasisRows rows
-inline void field_basis(const Metric& metric, double place, double m, const Eigen::ArrayXd& n,
+inline void field_basis(const Metric& metric, double position, double m, const Eigen::ArrayXd& n,
                         const ComponentRows& state, ComponentRows& basis) {
   using Row = Eigen::Array<std::complex<double>, 1, Eigen::Dynamic>;
-  const Eigen::Array<double, 1, Eigen::Dynamic> across = metric.shrinkage(place) * n.transpose();
+  const Eigen::Array<double, 1, Eigen::Dynamic> across = metric.shrinkage(position) * n.transpose();
   // The membrane stiffness applies to the part of the tangential strain that does not change the area.
   const Eigen::Array<double, 1, Eigen::Dynamic> k2 = m * m + across.square();
   const Eigen::Array<double, 1, Eigen::Dynamic> membrane = k2.unaryExpr(
@@ -84,9 +84,9 @@ inline void field_basis(const Metric& metric, double place, double m, const Eige
   const Row along_theta = orders * state.row(2);
   basis.resize(kBasisRows, n.size());
   basis.topRows(6) = state;
-  basis.row(kSpread) = along_phi + along_theta - metric.bends() * state.row(0);
+  basis.row(kSpread) = along_phi + along_theta - metric.curved_axes() * state.row(0);
   basis.row(kShape) = 0.5 * membrane * (along_theta - along_phi);
-  if (!metric.is_sphere()) basis.row(kShape) += 0.5 * metric.bends() * state.row(0);
+  if (!metric.is_sphere()) basis.row(kShape) += 0.5 * metric.curved_axes() * state.row(0);
   basis.row(kTwist) = -membrane * (m * state.row(2) + orders * state.row(1));
 }
 

@@ -39,7 +39,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double kMostColumns = 2.0 * kMostNodesPerRevolution;  // two revolutions
+constexpr double kMaxColumns = 2.0 * kMaxNodesPerRevolution;  // two revolutions
 
 /// Forces on the rolling body along x, y and z [N].
 VectorField nodal_forces(const Tractions& tractions, const SurfaceWindow& window) {
@@ -121,7 +121,7 @@ void validate(const Tractions& tractions) {
   if (tractions.theta_spacing) {
     require_positive("tractions.theta_spacing", *tractions.theta_spacing, "rad");
     require_odd("tractions.theta_nodes", tractions.theta_nodes,
-                static_cast<int>(std::min(4.0 * std::numbers::pi / *tractions.theta_spacing, kMostColumns)),
+                static_cast<int>(std::min(4.0 * std::numbers::pi / *tractions.theta_spacing, kMaxColumns)),
                 "at most two revolutions");
   } else {
     require_odd("tractions.theta_nodes", tractions.theta_nodes, theta_nodes_per_revolution(tractions.mesh) / 2, kHalf);

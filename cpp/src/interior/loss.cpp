@@ -72,14 +72,15 @@ WeightedPlaces volume_nodes(const LayeredBody& body, double lowest, double max_o
     const double highest = above > 0.0 ? std::min(max_order, kSeen / above) : max_order;
     if (std::isfinite(body.boundaries[j])) {
       const double inner = body.boundaries[j];
-      const double extent = metric.depth(outer, std::max(inner, metric.below(outer, kCenter)));
+      const double extent = metric.depth(outer, std::max(inner, metric.deeper_position(outer, kCenter)));
       append_nodes(outer, inner, layer, 2.0 * highest * extent, nodes);
       continue;
     }
     // Each order decays over its own wavelength; the growing parts cover all orders, down to the lowest.
     double from = 0.0;
     for (double to = kPart / highest; from < kSeen / lowest; from = to, to *= kPart) {
-      append_nodes(metric.below(outer, from), metric.below(outer, to), layer, 2.0 * kSeen * kPart, nodes);
+      append_nodes(metric.deeper_position(outer, from), metric.deeper_position(outer, to), layer, 2.0 * kSeen * kPart,
+                   nodes);
     }
   }
   return nodes;
@@ -332,7 +333,7 @@ LossDensity loss_density(const LayeredShape& shape, double angular_speed, const 
                          std::span<const Place> places, int max_order, int threads, const Observer& observer) {
   constexpr int kHighestOrder = 20000;
   const detail::Inside inside = detail::inside_of(shape, angular_speed, tractions);
-  detail::require_rolling(inside.body, inside.angular_speed);
+  detail::require_layers_and_speed(inside.body, inside.angular_speed);
   detail::require_thread_count(threads);
   if (max_order < 1 || max_order > kHighestOrder) {
     detail::reject("max_order", "in [1, " + std::to_string(kHighestOrder) + "]", std::to_string(max_order));

@@ -144,8 +144,8 @@ class WindowSum {
   void sum(double* values, int threads, Watch& watch) const {
     const auto columns = static_cast<double>(kFieldComponents * mirrors().size()) *
                          static_cast<double>(across_.magnitudes.size() * 2 * m_.orders.size());
-    constexpr double kMostNumbers = 3e7;
-    const auto share = std::max<std::size_t>(1, static_cast<std::size_t>(kMostNumbers / std::max(columns, 1.0)));
+    constexpr double kMaxNumbers = 3e7;
+    const auto share = std::max<std::size_t>(1, static_cast<std::size_t>(kMaxNumbers / std::max(columns, 1.0)));
     const auto field = kFieldComponents * phi_.size() * theta_.size();
     for (std::size_t first = 0; first < places_.size(); first += share) {
       const std::size_t last = std::min(first + share, places_.size());
@@ -180,8 +180,8 @@ class WindowSum {
       // In sums that also run across the path, the waves below an order contribute in proportion to it: here 1e-6 of an
       // octave. This also holds for a line contact on a rigid base. The displacement of a half-plane has no longest
       // wave.
-      const bool is_endless = !std::isfinite(inside.body.boundaries.front());
-      const LowestOrder lowest = inside.body.metric.across == AxisKind::nothing && is_endless
+      const bool is_unbounded = !std::isfinite(inside.body.boundaries.front());
+      const LowestOrder lowest = inside.body.metric.across == AxisKind::nothing && is_unbounded
                                      ? LowestOrder{}
                                      : LowestOrder{.share = 1e-6, .stands_for_longer = true};
       return unbounded_octaves_within(spacing, highest_order(), largest, lowest, refinement_of(inside.body.layers));
@@ -369,7 +369,7 @@ class WindowSum {
     const LayeredBody& body = body_.body();
     const bool is_light = std::ranges::all_of(body.layers, [](const Layer& layer) { return layer.density == 0.0; });
     if (is_light || !body.metric.is_curved()) return;
-    const auto layers = body_at_rest(body, body_.angular_speed()).layers_at(0);
+    const auto layers = body_at_order_zero(body, body_.angular_speed()).layers_at(0);
     const auto states = centrifugal_states(cuts_.pieces(layers));
     const auto size = phi_.size() * theta_.size();
     ComponentRows fields;

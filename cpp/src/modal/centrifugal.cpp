@@ -41,9 +41,10 @@ RadialState advance(const Eigen::Matrix2d& elastic, double q, double load_radius
 
 /// Matrix of the equations of u_r and r sigma_rr without inertia, those of layer_step.hpp at k = 0.
 Eigen::Matrix2d elastic_matrix(const Metric& metric, double mu, double b) {
-  const double bends = metric.bends();
+  const double curved_axes = metric.curved_axes();
   const double gamma = (metric.is_sphere() ? 3.0 : 4.0) - 4.0 * b;
-  return Eigen::Matrix2d{{-bends * (1.0 - 2.0 * b), b / mu}, {bends * bends * mu * gamma, 1.0 - 2.0 * bends * b}};
+  return Eigen::Matrix2d{{-curved_axes * (1.0 - 2.0 * b), b / mu},
+                         {curved_axes * curved_axes * mu * gamma, 1.0 - 2.0 * curved_axes * b}};
 }
 
 }  // namespace
@@ -105,7 +106,7 @@ std::vector<Eigen::Vector2d> centrifugal_states(const LayerStack<std::complex<do
 
 double centrifugal_displacement(const LayeredBody& body, double angular_speed) {
   if (!body.metric.is_curved()) return 0.0;
-  return centrifugal_states(body_at_rest(body, angular_speed).layers_at(0)).back()(0);
+  return centrifugal_states(body_at_order_zero(body, angular_speed).layers_at(0)).back()(0);
 }
 
 }  // namespace detail

@@ -43,14 +43,14 @@ template <class Scalar>
 class Batch {
  public:
   explicit Batch(std::span<const OrderInLayers<Scalar>> orders, double depth = kDepth) : orders_(orders) {
-    step_.along = Metric::bend(metric().along);
-    step_.across = Metric::bend(metric().across);
+    step_.along = Metric::curvature_flag(metric().along);
+    step_.across = Metric::curvature_flag(metric().across);
     step_.area = metric().is_sphere() ? 3.0 : 4.0;
     step_.is_wheel = metric().is_wheel();
     for (std::size_t l = 0; l < kLanes; ++l) {
       const double m = at(l).m;
       const double n = at(l).n;
-      deepest_[l] = deepest_place(at(l).layers, m, n, depth);
+      deepest_[l] = deepest_position(at(l).layers, m, n, depth);
       step_.k.set(l, step_.is_wheel ? m : order(l));
       const double stiffness = metric().membrane_stiffness(m * m + n * n);
       step_.membrane.set(l, metric().is_sphere() ? stiffness : 0.0);
@@ -147,10 +147,12 @@ class Batch {
   [[nodiscard]] const Metric& metric() const { return at(0).layers.metric; }
   /// k at the surface.
   [[nodiscard]] double order(std::size_t l) const { return std::hypot(at(l).m, at(l).n); }
-  /// Order across at a place.
-  [[nodiscard]] double kappa(std::size_t l, double place) const { return at(l).n * metric().shrinkage(place); }
-  /// k at a place.
-  [[nodiscard]] double order_at(std::size_t l, double place) const { return std::hypot(at(l).m, kappa(l, place)); }
+  /// Order across at a position.
+  [[nodiscard]] double kappa(std::size_t l, double position) const { return at(l).n * metric().shrinkage(position); }
+  /// k at a position.
+  [[nodiscard]] double order_at(std::size_t l, double position) const {
+    return std::hypot(at(l).m, kappa(l, position));
+  }
   /// Cosine and sine of the angle between phi and the first tangential direction of the equations.
   [[nodiscard]] std::array<double, 2> direction(std::size_t l) const {
     const double k = order(l);
@@ -239,8 +241,8 @@ class Batch {
   std::span<const OrderInLayers<Scalar>> orders_;
   StepLanes<Scalar> step_;
   SymmetricLanes<Scalar> compliance_;
-  std::array<double, kLanes> deepest_{};  // place below which material does not affect the surface
-  std::array<double, kLanes> inner_{};    // place at which the recursion enters the layer
+  std::array<double, kLanes> deepest_{};  // position below which material does not affect the surface
+  std::array<double, kLanes> inner_{};    // position at which the recursion enters the layer
   std::array<double, kLanes> extent_{};   // from there to the outer boundary, in e-folds of an order 1
   std::array<bool, kLanes> at_free_surface_{};
   std::array<bool, kLanes> started_{};
@@ -271,7 +273,7 @@ struct KeptOrder {
 /// States of one order in the directions r, k and across k, from the surface down.
 std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrder& kept) {
   const auto& media = order.layers.media;
-  const auto [held, free_inside] = inner_surface(order.layers.inner_boundary);
+  const auto [has_core, free_inside] = inner_surface(order.layers.inner_boundary);
   const bool uniform = order.m == 0.0 && order.n == 0.0;
   std::vector<DepthState> states(media.size() + 1, DepthState::Zero());
   Matrix3<cplx> stress = Matrix3<cplx>::Identity();
@@ -291,7 +293,7 @@ std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrde
   } else {
     inner.bottomRows<3>() = stress;
   }
-  if (!held && uniform) {
+  if (!has_core && uniform) {
     // Subtract the mean rotation of the surface.
     const Eigen::Matrix<cplx, 2, 3> turning = states.back().middleRows<2>(1) / media.back().outer;
     inner.middleRows<2>(1) -= media.front().inner * turning;

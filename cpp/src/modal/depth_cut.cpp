@@ -24,36 +24,36 @@ class DepthDecay {
   /// @param[in] least smallest decay rate of all orders, relative to that of an order 1
   DepthDecay(const Metric& metric, double m, double n, double least)
       : metric_(metric),
-        around_(std::max(metric.fall(metric.is_wheel() ? m : std::hypot(m, n)), least)),
+        around_(std::max(metric.decay_exponent(metric.is_wheel() ? m : std::hypot(m, n)), least)),
         across_(metric.is_wheel() ? n : 0.0) {}
 
-  /// @return e-folds between two places; on a wheel the integral of sqrt(m^2 + kappa^2) d ln r
+  /// @return e-folds between two positions; on a wheel the integral of sqrt(m^2 + kappa^2) d ln r
   [[nodiscard]] double e_folds(double outer, double inner) const {
     const double folds = around_ * metric_.depth(outer, inner);
     if (across_ == 0.0) return folds;
     const double high = root(outer);
     const double low = root(inner);
-    // difference of sqrt(m^2 + kappa^2) - m asinh(m / kappa) between both places
+    // difference of sqrt(m^2 + kappa^2) - m asinh(m / kappa) between both positions
     return high - low - around_ * std::log((around_ + high) / (around_ + low)) + folds;
   }
 
-  /// @return place that lies `folds` e-folds below another one
-  [[nodiscard]] double below(double place, double folds) const {
-    if (across_ == 0.0) return metric_.below(place, folds / around_);
-    // The rate decreases with depth, so that a step with the rate at its start ends above the wanted place.
-    double deep = place;
-    for (double left = folds; left > kCloseEnough * folds; left = folds - e_folds(place, deep)) {
-      deep = metric_.below(deep, left / root(deep));
-      if (deep < kCenter * place) return 0.0;
+  /// @return position that lies `folds` e-folds below another one
+  [[nodiscard]] double deeper_position(double position, double folds) const {
+    if (across_ == 0.0) return metric_.deeper_position(position, folds / around_);
+    // The rate decreases with depth, so that a step with the rate at its start ends above the wanted position.
+    double deep = position;
+    for (double left = folds; left > kCloseEnough * folds; left = folds - e_folds(position, deep)) {
+      deep = metric_.deeper_position(deep, left / root(deep));
+      if (deep < kCenter * position) return 0.0;
     }
     return deep;
   }
 
  private:
   static constexpr double kCloseEnough = 1e-3;
-  static constexpr double kCenter = 1e-9;  // relative to the starting place; no hub is smaller
+  static constexpr double kCenter = 1e-9;  // relative to the starting position; no hub is smaller
 
-  [[nodiscard]] double root(double place) const { return std::hypot(around_, across_ * place / metric_.radius); }
+  [[nodiscard]] double root(double position) const { return std::hypot(around_, across_ * position / metric_.radius); }
 
   Metric metric_;
   double around_;  // decay exponent of the order around the center
@@ -63,20 +63,20 @@ class DepthDecay {
 }  // namespace
 
 template <class Scalar>
-double deepest_place(const LayerStack<Scalar>& layers, double m, double n, double exponent) {
+double deepest_position(const LayerStack<Scalar>& layers, double m, double n, double exponent) {
   // At order 0 a rigid core affects the surface from any depth. Without a core only the uniform expansion does, whose
   // two solutions differ by the third power of the radius.
-  const bool held = inner_surface(layers.inner_boundary).is_core;
-  const DepthDecay fall(layers.metric, m, n, held ? 1e-300 : 0.5);
+  const bool has_core = inner_surface(layers.inner_boundary).is_core;
+  const DepthDecay decay(layers.metric, m, n, has_core ? 1e-300 : 0.5);
   const double k = std::hypot(m, n);
   const double cosine = k > 0.0 ? m / k : 0.0;
   double left = exponent;
   for (auto medium = layers.media.rbegin(); medium != layers.media.rend(); ++medium) {
     const bool still = medium->inertia == 0.0;
     const double share = still ? 1.0 : shear_decay(layers.mach2(*medium) * (cosine * cosine));
-    const double reach = fall.below(medium->outer, left / share);
+    const double reach = decay.deeper_position(medium->outer, left / share);
     if (reach >= medium->inner) return reach;
-    left -= share * fall.e_folds(medium->outer, medium->inner);
+    left -= share * decay.e_folds(medium->outer, medium->inner);
   }
   return -std::numeric_limits<double>::infinity();
 }
@@ -89,14 +89,15 @@ DepthLimit::DepthLimit(const LayeredBody& body, double angular_speed) : metric_(
   }
 }
 
-double DepthLimit::operator()(double place, double exponent) const {
+double DepthLimit::operator()(double position, double exponent) const {
   // On a wheel the decay of orders across counts, which is slower than that of orders along.
   const double depth =
-      metric_.is_wheel() ? (metric_.radius - place) / metric_.radius : metric_.depth(metric_.surface(), place);
-  return depth > 0.0 ? exponent / (depth * decay_) - metric_.fall(0.0) : std::numeric_limits<double>::infinity();
+      metric_.is_wheel() ? (metric_.radius - position) / metric_.radius : metric_.depth(metric_.surface(), position);
+  return depth > 0.0 ? exponent / (depth * decay_) - metric_.decay_exponent(0.0)
+                     : std::numeric_limits<double>::infinity();
 }
 
-template double deepest_place(const LayerStack<double>&, double, double, double);
-template double deepest_place(const LayerStack<std::complex<double>>&, double, double, double);
+template double deepest_position(const LayerStack<double>&, double, double, double);
+template double deepest_position(const LayerStack<std::complex<double>>&, double, double, double);
 
 }  // namespace viscoroll::detail

@@ -18,7 +18,7 @@ namespace viscoroll::detail {
 
 using cplx = std::complex<double>;
 
-void require_rolling(const LayeredBody& body, double angular_speed) {
+void require_layers_and_speed(const LayeredBody& body, double angular_speed) {
   if (body.layers.empty()) {
     const bool is_curved = body.metric.is_curved();
     reject("layers", is_curved ? "a list of at least one layer" : "a list of at least one layer unless base is given",
@@ -53,7 +53,7 @@ void require_resolved_waves(const HarmonicBody& body) {
 
 HarmonicBody::HarmonicBody(LayeredBody body, double angular_speed, std::vector<double> orders, double measured_order)
     : body_(std::move(body)), angular_speed_(angular_speed), orders_(std::move(orders)) {
-  require_rolling(body_, angular_speed);
+  require_layers_and_speed(body_, angular_speed);
   moduli_ = harmonic_moduli(body_.layers, angular_speed, orders_, measured_order);
   require_subcritical(body_, angular_speed, highest_frequency(angular_speed, orders_, measured_order));
   require_damped_waves(*this);
@@ -92,7 +92,7 @@ void solve(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown, st
 
 /// Compute the compliances of a wheel without inertia whose layers share one relaxation function, with real numbers.
 /// @param[in] layers layers in units of the modulus of the innermost one
-void solve_real(const HarmonicBody& body, const LayerStack<double>& layers, std::span<const OrderAt> orders,
+void solve_real(const HarmonicBody& body, const LayerStack<double>& layers, std::span<const IndexedOrder> orders,
                 std::span<Eigen::Matrix3cd> compliances) {
   std::vector<OrderInLayers<double>> in_layers;
   in_layers.reserve(orders.size());
@@ -106,7 +106,7 @@ void solve_real(const HarmonicBody& body, const LayerStack<double>& layers, std:
 
 }  // namespace
 
-void HarmonicBody::compliances(std::span<const OrderAt> orders, std::span<Eigen::Matrix3cd> compliances) const {
+void HarmonicBody::compliances(std::span<const IndexedOrder> orders, std::span<Eigen::Matrix3cd> compliances) const {
   const bool is_light = std::ranges::all_of(body_.layers, [](const Layer& layer) { return layer.density == 0.0; });
   const auto shared = metric().is_wheel() && is_light ? layers_per_modulus(*this, 0, 0.0) : std::nullopt;
   if (shared) return solve_real(*this, *shared, orders, compliances);
@@ -121,13 +121,13 @@ void HarmonicBody::compliances(std::span<const OrderAt> orders, std::span<Eigen:
   solve<cplx>(in_layers, body_.crown, compliances);
 }
 
-Eigen::Matrix3cd HarmonicBody::compliance(const OrderAt& order) const {
+Eigen::Matrix3cd HarmonicBody::compliance(const IndexedOrder& order) const {
   Eigen::Matrix3cd compliance;
   compliances(std::span(&order, 1), std::span(&compliance, 1));
   return compliance;
 }
 
-HarmonicBody body_at_rest(LayeredBody body, double angular_speed) {
+HarmonicBody body_at_order_zero(LayeredBody body, double angular_speed) {
   return {std::move(body), angular_speed, std::vector<double>{0.0}};
 }
 

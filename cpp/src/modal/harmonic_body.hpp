@@ -13,15 +13,15 @@
 
 namespace viscoroll::detail {
 
-/// @brief An order (m, n).
-struct OrderAt {
-  std::size_t i;  ///< index of m in the list of the body
-  double n;
+/// @brief Order (m, n), with m given by its index.
+struct IndexedOrder {
+  std::size_t i;  ///< index of m in `HarmonicBody::orders`
+  double n;       ///< order n itself
 };
 
 /// @brief Check that a body has at least one layer and that its speed is positive.
 /// @throws InvalidInput for a body without layers, and for Omega <= 0 rad/s
-void require_rolling(const LayeredBody& body, double angular_speed);
+void require_layers_and_speed(const LayeredBody& body, double angular_speed);
 
 /// @brief A body whose material crosses the contact at the speed Omega r, where r is the radius of its metric. Order m
 /// then has the frequency m Omega.
@@ -31,7 +31,7 @@ class HarmonicBody {
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] orders orders m >= 0, on a plane > 0, not necessarily whole numbers
   /// @param[in] measured_order highest order at which measured moduli, `MasterCurve` and `CustomModulus`, are
-  /// evaluated; from about half of it on the frequencies approach this limit smoothly
+  /// evaluated; orders above about half of it are replaced by lower ones that approach it smoothly
   /// @throws InvalidInput for invalid input, for a speed at or above the critical one, and for a modulus that
   /// is not passive at an order
   HarmonicBody(LayeredBody body, double angular_speed, std::vector<double> orders,
@@ -45,7 +45,7 @@ class HarmonicBody {
 
   /// @return complex shear modulus of a layer at the i-th order [Pa]
   [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const { return moduli_[layer][i]; }
-  /// @return complex shear modulus of the outermost layer at the i-th order [Pa], the scale of compliances
+  /// @return complex shear modulus of the outermost layer at the i-th order [Pa]; it makes compliances dimensionless
   [[nodiscard]] std::complex<double> outer_modulus(std::size_t i) const { return moduli_.back()[i]; }
   /// @return largest magnitude of the layers' moduli at the highest order [Pa]
   [[nodiscard]] double stiffest_modulus() const;
@@ -59,12 +59,12 @@ class HarmonicBody {
   [[nodiscard]] LayerStack<std::complex<double>> layers_at(std::size_t i) const;
 
   /// @brief Surface compliances, displacement per surface stress, in the real form of layer_system.hpp.
-  /// @param[in] orders orders (m, n); neighbors with similar m^2 + n^2 are fastest
+  /// @param[in] orders orders (m, n); the computation is fastest if consecutive orders have similar m^2 + n^2
   /// @param[out] compliances one for each order [m/Pa]
-  void compliances(std::span<const OrderAt> orders, std::span<Eigen::Matrix3cd> compliances) const;
+  void compliances(std::span<const IndexedOrder> orders, std::span<Eigen::Matrix3cd> compliances) const;
 
   /// @return compliance of one order [m/Pa]
-  [[nodiscard]] Eigen::Matrix3cd compliance(const OrderAt& order) const;
+  [[nodiscard]] Eigen::Matrix3cd compliance(const IndexedOrder& order) const;
 
  private:
   LayeredBody body_;
@@ -73,8 +73,8 @@ class HarmonicBody {
   std::vector<std::vector<std::complex<double>>> moduli_;  // [layer][order]
 };
 
-/// @return the body with order 0 only
-[[nodiscard]] HarmonicBody body_at_rest(LayeredBody body, double angular_speed);
+/// @return the body with order m = 0 only, at which the moduli are the relaxed ones
+[[nodiscard]] HarmonicBody body_at_order_zero(LayeredBody body, double angular_speed);
 
 /// @brief Reject the exact sphere for computations with orders (m, n).
 /// @throws InvalidInput for `Curvature::exact`

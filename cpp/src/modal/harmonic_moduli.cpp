@@ -9,7 +9,8 @@ namespace {
 
 using cplx = std::complex<double>;
 
-/// Order that approaches a limit smoothly, so that series in ln m stay smooth.
+/// Order below a limit that replaces a given order: nearly the same for low orders, and approaching the limit smoothly
+/// for high ones, so that series in ln m converge fast.
 double limited(double order, double limit) { return order / std::pow(1.0 + std::pow(order / limit, 4), 0.25); }
 
 }  // namespace

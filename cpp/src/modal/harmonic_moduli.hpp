@@ -16,7 +16,7 @@ namespace viscoroll::detail {
 /// @param[in] angular_speed Omega [rad/s]
 /// @param[in] orders orders m >= 0, not necessarily whole numbers
 /// @param[in] measured_order highest order at which measured moduli, `MasterCurve` and `CustomModulus`, are evaluated;
-/// from about half of it on the frequencies approach this limit smoothly
+/// orders above about half of it are replaced by lower ones that approach it smoothly
 /// @return moduli [Pa], [layer][order]
 [[nodiscard]] std::vector<std::vector<std::complex<double>>> harmonic_moduli(const std::vector<Layer>& layers,
                                                                              double angular_speed,

@@ -30,17 +30,17 @@ VISCOROLL_PART_OF_CALLER auto turned_rates(const StepLanes<Scalar>& step, double
   const auto& [z, before, earlier, spread, l] = terms;
   const double along = step.along;
   const double across = step.across;
-  const double bends = along + across;
+  const double curved_axes = along + across;
   const double k = step.k[l];
-  const auto t = k * z[1][l] - bends * z[0][l];
+  const auto t = k * z[1][l] - curved_axes * z[0][l];
   const auto bt = step.b[l] * t;
   const auto bs = step.b[l] * z[3][l];
   const auto gamma_t = step.area * t - 4.0 * bt;
   return std::array{t - 2.0 * bt + bs - order * z[0][l],
                     (along - order) * z[1][l] - k * z[0][l] + z[4][l],
                     (across - order) * z[2][l] + z[5][l],
-                    k * z[4][l] - bends * gamma_t + (along - order) * z[3][l] - 2.0 * bends * bs,
-                    k * (gamma_t - z[3][l] + 2.0 * bs) + step.membrane[l] * z[1][l] - (bends + order) * z[4][l],
+                    k * z[4][l] - curved_axes * gamma_t + (along - order) * z[3][l] - 2.0 * curved_axes * bs,
+                    k * (gamma_t - z[3][l] + 2.0 * bs) + step.membrane[l] * z[1][l] - (curved_axes + order) * z[4][l],
                     step.shear[l] * z[2][l] - (2.0 * across + order) * z[5][l]};
 }
 

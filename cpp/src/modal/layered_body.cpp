@@ -24,9 +24,9 @@ constexpr double kLeastRadius = 3.0;
 /// Radius of the reference for smaller crown radii, in thicknesses; the effect is proportional to the curvature.
 constexpr double kLinearRadius = 20.0;
 
-/// Least radius of the reference with free sides, in thicknesses. The section contains the actual crown, and an endless
-/// section that is crowned to first order is subtracted from it. The reference must be linear in the curvature like
-/// that endless section.
+/// Least radius of the reference with free sides, in thicknesses. The section contains the actual crown, and an
+/// unbounded section that is crowned to first order is subtracted from it. The reference must be linear in the
+/// curvature like that unbounded section.
 constexpr double kLinearRadiusOfSection = 100.0;
 
 Crown crown_of(const CoatedWheel& wheel) {

@@ -65,7 +65,7 @@ struct LayeredBody {
 /// @throws InvalidInput for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedCylinder& cylinder);
 
-/// @brief Check a wheel and describe its endless tread, with layers of the same thickness everywhere. The folder
+/// @brief Check a wheel and describe its unbounded tread, with layers of the same thickness everywhere. The folder
 /// `section` adds the effects of faces and hub.
 /// @throws InvalidInput for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedWheel& wheel);

@@ -14,7 +14,7 @@ constexpr double kModulusTolerance = 1e-13;
 }  // namespace
 
 std::optional<MeasuredModuli> MeasuredModuli::try_make(const HarmonicBody& body, std::span<const std::size_t> orders,
-                                                       int most_terms) {
+                                                       int max_terms) {
   const std::vector<std::size_t> layers = measured_layers(body.body().layers);
   const auto count = static_cast<Eigen::Index>(orders.size());
   MeasuredModuli moduli;
@@ -35,7 +35,7 @@ std::optional<MeasuredModuli> MeasuredModuli::try_make(const HarmonicBody& body,
   Eigen::ArrayXd product = Eigen::ArrayXd::Ones(count);  // product of twice the distances to the nodes
   while (!(rest.abs() <= limit).all()) {
     Eigen::Index node = 0;
-    if (std::cmp_equal(moduli.nodes_.size(), most_terms) || product.abs().maxCoeff(&node) == 0.0) return {};
+    if (std::cmp_equal(moduli.nodes_.size(), max_terms) || product.abs().maxCoeff(&node) == 0.0) return {};
     moduli.nodes_.push_back(points[node]);
     moduli.coefficients_.emplace_back(rest.row(node).transpose() / product[node]);
     rest -= (product.matrix().cast<std::complex<double>>() * moduli.coefficients_.back().matrix().transpose()).array();

@@ -27,10 +27,10 @@ class MeasuredModuli {
   /// @brief Interpolate the moduli of a run.
   /// @param[in] body layers at the orders m
   /// @param[in] orders indices of the orders of the run, at least one, with m > 0 ascending
-  /// @param[in] most_terms largest number of terms of a polynomial
-  /// @return polynomials; none if `most_terms` terms do not agree with the moduli at every order of the run
+  /// @param[in] max_terms largest number of terms of a polynomial
+  /// @return polynomials; none if `max_terms` terms do not agree with the moduli at every order of the run
   [[nodiscard]] static std::optional<MeasuredModuli> try_make(const HarmonicBody& body,
-                                                              std::span<const std::size_t> orders, int most_terms);
+                                                              std::span<const std::size_t> orders, int max_terms);
 
   /// @brief Evaluate the polynomials.
   /// @param[in] orders orders m within the run

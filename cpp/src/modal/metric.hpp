@@ -20,8 +20,8 @@ enum class AxisKind {
 /// sphere start with its rigid motions, L = 2.
 constexpr double kLowOrders = 4.0;
 
-/// @brief Metric of a surface: conversion of orders to wave numbers and of angles to lengths. Places along the normal
-/// are radii if an axis is a ring, else heights above the surface.
+/// @brief Metric of a surface: conversion of orders to wave numbers and of angles to lengths. Positions along the
+/// normal are radii if an axis is a ring, else heights above the surface.
 struct Metric {
   double radius;                            ///< r [m]; order k has the wave number k / r at the surface
   AxisKind along = AxisKind::ring;          ///< axis phi, in which material crosses the contact
@@ -32,35 +32,37 @@ struct Metric {
   [[nodiscard]] constexpr bool is_sphere() const { return is_curved() && across == AxisKind::ring; }
   [[nodiscard]] constexpr bool is_wheel() const { return is_curved() && across == AxisKind::line; }
   /// @return 1 if the surface is curved along an axis, else 0
-  static constexpr double bend(AxisKind kind) { return kind == AxisKind::ring ? 1.0 : 0.0; }
+  static constexpr double curvature_flag(AxisKind kind) { return kind == AxisKind::ring ? 1.0 : 0.0; }
   /// @return number of curved axes; multiplied by u_r / r, the relative change of area due to an outward displacement
-  [[nodiscard]] constexpr double bends() const { return bend(along) + bend(across); }
+  [[nodiscard]] constexpr double curved_axes() const { return curvature_flag(along) + curvature_flag(across); }
 
-  /// @return place of the surface [m]
+  /// @return position of the surface [m]
   [[nodiscard]] constexpr double surface() const { return is_curved() ? radius : 0.0; }
 
-  /// @return number of e-folds of an order 1 between two places
+  /// @return number of e-folds of an order 1 between two positions
   [[nodiscard]] double depth(double outer, double inner) const {
     return is_curved() ? std::log1p((outer - inner) / inner) : (outer - inner) / radius;
   }
-  /// @return place that lies `depth` e-folds of an order 1 deeper [m]
-  [[nodiscard]] double below(double place, double depth) const {
-    return is_curved() ? place * std::exp(-depth) : place - depth * radius;
+  /// @return position that lies `depth` e-folds of an order 1 deeper than another position [m]
+  [[nodiscard]] double deeper_position(double position, double depth) const {
+    return is_curved() ? position * std::exp(-depth) : position - depth * radius;
   }
 
-  /// @return ratio of the order across at a place to that at the surface; on a wheel the wave number across is the same
-  /// at all radii, so that the order is proportional to the radius
-  [[nodiscard]] constexpr double shrinkage(double place) const { return is_wheel() ? place / radius : 1.0; }
+  /// @return ratio of the order across at a position to that at the surface; on a wheel the wave number across is the
+  /// same at all radii, so that the order is proportional to the radius
+  [[nodiscard]] constexpr double shrinkage(double position) const { return is_wheel() ? position / radius : 1.0; }
 
-  /// @return length of a radian of an axis at a place [m]; 1 if nothing varies along the axis
-  [[nodiscard]] constexpr double length(AxisKind kind, double place) const {
-    return kind == AxisKind::ring ? place : kind == AxisKind::line ? radius : 1.0;
+  /// @return length of a radian of an axis at a position [m]; 1 if nothing varies along the axis
+  [[nodiscard]] constexpr double length(AxisKind kind, double position) const {
+    return kind == AxisKind::ring ? position : kind == AxisKind::line ? radius : 1.0;
   }
   /// @return length of a radian of phi [m]: a wave number is an order divided by it, and the stresses of a state are
   /// multiplied by it
-  [[nodiscard]] constexpr double length(double place) const { return length(along, place); }
-  /// @return area per dphi dtheta at a place, so that the volume element is measure dr dphi dtheta
-  [[nodiscard]] constexpr double measure(double place) const { return length(along, place) * length(across, place); }
+  [[nodiscard]] constexpr double length(double position) const { return length(along, position); }
+  /// @return area per dphi dtheta at a position, so that the volume element is measure dr dphi dtheta
+  [[nodiscard]] constexpr double measure(double position) const {
+    return length(along, position) * length(across, position);
+  }
 
   /// @return area of a period of the surface, over which the work of the waves of whole orders is summed [m^2], or [m]
   /// in plane strain
@@ -71,7 +73,7 @@ struct Metric {
 
   /// @return decay exponent with depth of the slowest solution of an order. On cylinders and wheels it is k - 1,
   /// because the directions turn with the material and order 1 is a translation.
-  [[nodiscard]] constexpr double fall(double k) const { return is_curved() && !is_sphere() ? k - 1.0 : k; }
+  [[nodiscard]] constexpr double decay_exponent(double k) const { return is_curved() && !is_sphere() ? k - 1.0 : k; }
 
   /// @brief Membrane stiffness of the surface against tangential displacements, per mu (docs/theory/layers.md).
   ///

@@ -9,7 +9,7 @@ namespace {
 
 using cplx = std::complex<double>;
 
-/// Whether the last two terms of each entry are negligible.
+/// Whether the last two terms of the series of each entry are negligible.
 bool is_resolved(const Panel<cplx>& panel, double m, double tolerance) {
   const auto largest = [&](Entry entry) { return panel.series.row(static_cast<int>(entry)).cwiseAbs().maxCoeff(); };
   const double highest_n = std::sqrt(panel.high - m * m);
@@ -24,24 +24,26 @@ bool is_resolved(const Panel<cplx>& panel, double m, double tolerance) {
 }  // namespace
 
 void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
-  const double order = body_->orders()[i];
+  // The nodes and bounds of the panels are values of k^2 = m^2 + n^2.
+  const double m = body_->orders()[i];
   const auto sample = [&](const std::array<double, kPanelNodes>& nodes) {
-    std::array<OrderAt, kPanelNodes> orders{};
-    std::array<Eigen::Matrix3cd, kPanelNodes> solved;
-    for (std::size_t j = 0; j < orders.size(); ++j) orders[j] = {.i = i, .n = std::sqrt(nodes[j] - order * order)};
-    body_->compliances(orders, solved);
+    std::array<IndexedOrder, kPanelNodes> orders{};
+    std::array<Eigen::Matrix3cd, kPanelNodes> compliances;
+    for (std::size_t j = 0; j < orders.size(); ++j) orders[j] = {.i = i, .n = std::sqrt(nodes[j] - m * m)};
+    body_->compliances(orders, compliances);
     Eigen::Matrix<cplx, kEntries, kPanelNodes> entries;
     for (std::size_t j = 0; j < orders.size(); ++j) {
-      const Eigen::Matrix3cd& y = solved[j];
+      const Eigen::Matrix3cd& y = compliances[j];
       const double n = orders[j].n;
       entries.col(static_cast<Eigen::Index>(j)) << y(0, 0), y(0, 1), y(0, 2) / n, y(1, 1), y(1, 2) / n, y(2, 2);
     }
     return entries;
   };
   series.clear();
-  double lowest = order * order;
-  if (order == 0.0) {
-    const OrderAt zero{.i = i, .n = 0.0};
+  double lowest = m * m;
+  if (m == 0.0) {
+    // Constant up to the end of order (0, 0), in which the entries between different directions are 0.
+    const IndexedOrder zero{.i = i, .n = 0.0};
     Eigen::Matrix3cd y;
     body_->compliances(std::span(&zero, 1), std::span(&y, 1));
     Eigen::VectorXcd entries(kEntries);
@@ -49,12 +51,12 @@ void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
     lowest = end_of_zero_order(body_->metric());
     append_constants(lowest, entries, series);
   }
-  const double highest = order * order + highest_n_ * highest_n_;
+  const double highest = m * m + highest_n_ * highest_n_;
   const double tolerance = series_tolerance(*body_);
   const auto append = [&](double low, double high) {
     append_panels(
-        low, high, sample,
-        [order, tolerance](const Panel<cplx>& panel) { return is_resolved(panel, order, tolerance); }, series);
+        low, high, sample, [m, tolerance](const Panel<cplx>& panel) { return is_resolved(panel, m, tolerance); },
+        series);
   };
   if (lowest < kLowOrders && kLowOrders < highest) {
     append(lowest, kLowOrders);

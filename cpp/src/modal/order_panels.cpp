@@ -20,7 +20,7 @@ using SmoothRun = OrderPanels::SmoothRun;
 using CellTerms = decltype(Cell::series);
 
 constexpr int kLeastOrderNodes = 6;  // Chebyshev nodes and terms in ln m
-constexpr int kMostOrderNodes = 24;
+constexpr int kMaxOrderNodes = 24;
 // Distances of singularities from the real axis of ln m.
 constexpr double kNearestPole = 0.5 * std::numbers::pi;   // poles and branch cuts of a modulus
 constexpr double kNearestBend = 0.25 * std::numbers::pi;  // limited frequencies of measured moduli
@@ -36,7 +36,7 @@ auto k_transform() { return panel_transform().cast<cplx>(); }
 int order_terms(double lowest_m, double highest_m, double distance) {
   const double reach = 2.0 * distance / std::log(highest_m / lowest_m);  // per half the range
   const double terms = -std::log(kSeriesTolerance) / std::asinh(reach);
-  return std::clamp(static_cast<int>(std::ceil(terms)) + 1, kLeastOrderNodes, kMostOrderNodes);
+  return std::clamp(static_cast<int>(std::ceil(terms)) + 1, kLeastOrderNodes, kMaxOrderNodes);
 }
 
 /// Compliance at the nodes of a cell, multiplied by m and the modulus of the outer layer. Entries that are odd in n are
@@ -127,7 +127,7 @@ class CellSamples {
 
   void solve(const std::vector<int>& m_nodes, const std::vector<int>& k_nodes) {
     // Orders with the same k^2 / m^2 are adjacent.
-    std::vector<OrderAt> orders;
+    std::vector<IndexedOrder> orders;
     for (const int j : k_nodes) {
       for (const int i : m_nodes) {
         const auto place = static_cast<std::size_t>(i);
@@ -212,7 +212,7 @@ SmoothRun first_smooth_run(const HarmonicBody& body, std::span<const std::size_t
     const double highest = order(orders[count - 1]);
     auto measured = MeasuredModuli::try_make(body, orders.first(count), order_terms(lowest, highest, kNearestPole));
     if (!measured) return false;
-    const int nodes = has_measured ? order_terms(lowest, highest, kNearestBend) : kMostOrderNodes;
+    const int nodes = has_measured ? order_terms(lowest, highest, kNearestBend) : kMaxOrderNodes;
     run = {.lowest_m = lowest, .highest_m = highest, .count = count, .measured = std::move(*measured), .nodes = nodes};
     return true;
   };

@@ -41,7 +41,7 @@ Friction make_friction(const SurfaceWindow& window, const ContactSetup& given) {
           .counterbody_rigid_displacement = std::move(rigid.counterbody),
           .step = window.grid().radius * window.grid().phi_spacing,
           .arms = given.moment_arms(window),
-          .drive = condition_of(load_case.drive, given.pressure_share()),
+          .drive = condition_of(load_case.drive, given.pressure_work_factor()),
           .shared = given.model.starts->of(load_case, given.options, window.window())};
 }
 

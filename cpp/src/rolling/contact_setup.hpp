@@ -21,13 +21,14 @@ struct ContactSetup {
   Formulation formulation;
   Nodes nodes;
   ContactReach contact;    ///< estimated size of the contact; rather too large than too small
-  double estimated_depth;  ///< initial gap up to which nodes are likely to touch, from the estimated contact [m]
+  double estimated_depth;  ///< undeformed gap at the edge of the estimated contact [m]
 
   [[nodiscard]] const RollingPair& pair() const { return model.pair; }
-  /// @return `estimated_depth`, scaled by the centrifugal growth of the rolling body [m]
-  [[nodiscard]] double likely_depth() const { return model.growth.own * estimated_depth; }
+  /// @return undeformed gap below which nodes are assumed to touch at first: `estimated_depth`, scaled by the
+  /// centrifugal growth of the rolling body [m]
+  [[nodiscard]] double contact_gap_limit() const { return model.growth.own * estimated_depth; }
   /// @return 0 with the radial compliance, whose pressure does no work along the plane, else 1
-  [[nodiscard]] double pressure_share() const { return options.compliance == Compliance::vertical ? 1.0 : 0.0; }
+  [[nodiscard]] double pressure_work_factor() const { return options.compliance == Compliance::vertical ? 1.0 : 0.0; }
   /// @return whether one of the two bodies ends at side faces
   [[nodiscard]] bool has_sides() const;
   /// @return whether displacements are relative to a place at rest, so that the approach of the bodies is defined

@@ -13,7 +13,7 @@ using Condition = std::shared_ptr<const DriveCondition>;
 
 GivenMotion given(const DriveForce& drive) { return {.force = drive.force, .torque = {}, .creepage = {}}; }
 
-Condition condition(const DriveForce& drive, double /*pressure_share*/) {
+Condition condition(const DriveForce& drive, double /*pressure_work_factor*/) {
   return std::make_shared<GivenForce>(drive.force);
 }
 
@@ -31,8 +31,8 @@ void validate(const DriveForce& drive, const LoadCase& load_case, const RoundBod
 
 GivenMotion given(const DriveTorque& drive) { return {.force = {}, .torque = drive.torque, .creepage = {}}; }
 
-Condition condition(const DriveTorque& drive, double pressure_share) {
-  return std::make_shared<GivenMoment>(drive.torque, pressure_share);
+Condition condition(const DriveTorque& drive, double pressure_work_factor) {
+  return std::make_shared<GivenMoment>(drive.torque, pressure_work_factor);
 }
 
 void validate(const DriveTorque& drive, const LoadCase& load_case, const RoundBody& body) {
@@ -50,7 +50,7 @@ GivenMotion given(const DriveCreepage& drive) {
           .spin = drive.spin};
 }
 
-Condition condition(const DriveCreepage& drive, double /*pressure_share*/) {
+Condition condition(const DriveCreepage& drive, double /*pressure_work_factor*/) {
   return std::make_shared<GivenCreepage>(drive.creepage);
 }
 
@@ -66,8 +66,8 @@ GivenMotion given_motion(const Drive& drive) {
   return std::visit([](const auto& kind) { return given(kind); }, drive);
 }
 
-std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_share) {
-  return std::visit([pressure_share](const auto& kind) { return condition(kind, pressure_share); }, drive);
+std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_work_factor) {
+  return std::visit([pressure_work_factor](const auto& kind) { return condition(kind, pressure_work_factor); }, drive);
 }
 
 void validate_drive(const LoadCase& load_case, const RoundBody& body) {

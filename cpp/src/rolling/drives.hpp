@@ -28,8 +28,8 @@ struct GivenMotion {
 
 /// @brief Condition of a drive, which is a row of the system.
 /// @param[in] drive closes the equations for the speed
-/// @param[in] pressure_share same as in `moment_about_center`
-[[nodiscard]] std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_share);
+/// @param[in] pressure_work_factor same as in `moment_about_center`
+[[nodiscard]] std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_work_factor);
 
 /// @throws InvalidInput for numbers that are not finite, and for a force or torque that friction cannot
 /// balance

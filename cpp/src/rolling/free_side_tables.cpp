@@ -3,14 +3,14 @@
 #include <utility>
 #include <vector>
 
-#include "section/tread_store.hpp"
+#include "section/tread_cache.hpp"
 #include "surface/free_sides_operator.hpp"
 
 namespace viscoroll::detail {
 
-FreeSideTables::FreeSideTables(std::unique_ptr<const SurfaceTables> endless, CoatedWheel wheel, LayeredBody layers,
+FreeSideTables::FreeSideTables(std::unique_ptr<const SurfaceTables> unbounded, CoatedWheel wheel, LayeredBody layers,
                                const ContactKinematics& kinematics)
-    : endless_(std::move(endless)),
+    : unbounded_(std::move(unbounded)),
       wheel_(std::move(wheel)),
       layers_(std::move(layers)),
       rolling_{.mesh = kinematics.mesh_at(layers_.metric.radius),
@@ -24,7 +24,7 @@ std::shared_ptr<const SurfaceOperator> FreeSideTables::operator_on(const Surface
   SideFactors factors = sum->factors({.phi_reach = nodes.shape().phi_nodes - 1, .phi_shift = formulation.collocation});
   auto difference = sum->difference();
   return std::make_shared<FreeSidesOperator>(
-      endless_->operator_on(nodes, formulation, execution), std::move(difference), std::move(factors),
+      unbounded_->operator_on(nodes, formulation, execution), std::move(difference), std::move(factors),
       [kept = std::move(sum)](int phi_reach) { return kept->factors({.phi_reach = phi_reach, .power = true}); },
       nodes.grid().radius * nodes.grid().theta_spacing);
 }

@@ -28,14 +28,14 @@ struct MeshAtSpeed {
 [[nodiscard]] SideSum sum_of_sides(const CoatedWheel& wheel, const LayeredBody& layers, const MeshAtSpeed& rolling,
                                    bool tangential, const Execution& execution);
 
-/// @brief Tables of the endless tread, and sums of the effect of the faces, computed when they are first needed.
+/// @brief Tables of the unbounded tread, and sums of the effect of the faces, computed when they are first needed.
 class FreeSideTables final : public SurfaceTables {
  public:
-  /// @param[in] endless tables of the same layers without faces
+  /// @param[in] unbounded tables of the same layers without faces
   /// @param[in] wheel at least one layer
   /// @param[in] layers layers of the wheel
   /// @param[in] kinematics motion of the material through the contact
-  FreeSideTables(std::unique_ptr<const SurfaceTables> endless, CoatedWheel wheel, LayeredBody layers,
+  FreeSideTables(std::unique_ptr<const SurfaceTables> unbounded, CoatedWheel wheel, LayeredBody layers,
                  const ContactKinematics& kinematics);
 
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_on(const SurfaceWindow& nodes,
@@ -45,7 +45,7 @@ class FreeSideTables final : public SurfaceTables {
  private:
   [[nodiscard]] std::shared_ptr<const SideSum> sum(bool tangential, const Execution& execution) const;
 
-  std::unique_ptr<const SurfaceTables> endless_;
+  std::unique_ptr<const SurfaceTables> unbounded_;
   CoatedWheel wheel_;
   LayeredBody layers_;
   MeshAtSpeed rolling_;

@@ -16,7 +16,7 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr int kMostNodes = 25000000;  // in a window; as many nodes need about 10 GB
+constexpr int kMaxNodes = 25000000;  // in a window; as many nodes need about 10 GB
 
 /// Layer whose modulus relaxes most between the contact frequency and rest.
 struct Relaxation {
@@ -48,10 +48,10 @@ std::array<SlidingDrive, 2> sliding_drives(const ContactSetup& setup, ContactPro
   std::array<SlidingDrive, 2> drives{};
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
     problem.friction->drive = std::make_shared<GivenCreepage>(side == 0 ? 1.0 : -1.0);
-    const auto [boxed, contact] = solve_multilevel(problem, setup.likely_depth(), setup.limits);
+    const auto [boxed, contact] = solve_multilevel(problem, setup.contact_gap_limit(), setup.limits);
     const ContactState state{*boxed.surface, boxed.friction->arms, contact.force, own_displacement(contact)};
     drives[side] = {.force = slope_force(state).force - contact.force.col(kForward).sum(),
-                    .moment = moment_about_center(state, setup.pressure_share())};
+                    .moment = moment_about_center(state, setup.pressure_work_factor())};
   }
   return drives;
 }
@@ -115,8 +115,8 @@ void require_relaxed_stiffness(const ContactSetup& setup) {
 
 void require_node_limit(const Window& window, const Mesh& mesh) {
   const double nodes = static_cast<double>(window.phi.count()) * static_cast<double>(window.theta.count());
-  if (nodes <= kMostNodes) return;
-  throw MeshTooFine(mesh.nodes_per_revolution, std::to_string(kMostNodes) + " nodes around the contact",
+  if (nodes <= kMaxNodes) return;
+  throw MeshTooFine(mesh.nodes_per_revolution, std::to_string(kMaxNodes) + " nodes around the contact",
                     text(nodes) + " nodes");
 }
 

@@ -22,9 +22,10 @@ namespace {
 double stable_collocation(std::complex<double> normal, std::complex<double> along) {
   const double halved = std::atan(1.0 / std::sqrt(8.0)) / std::numbers::pi;
   constexpr double kOnset = 4.0;  // slope of a ramp to a / pi at 4/3 of that phase: torques do not jump
-  constexpr double kMost = 0.25;  // a larger shift increases the error of the power balance of nearly viscous materials
+  constexpr double kMaxShift =
+      0.25;  // a larger shift increases the error of the power balance of nearly viscous materials
   const double full = std::max(-std::arg(normal), -std::arg(along)) / std::numbers::pi;
-  return std::clamp(std::min(full, kOnset * (full - halved)), 0.0, kMost);
+  return std::clamp(std::min(full, kOnset * (full - halved)), 0.0, kMaxShift);
 }
 
 /// @throws InvalidInput if the rolling body would grow to fill the counterbody in which it rolls

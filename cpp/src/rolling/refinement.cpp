@@ -21,20 +21,20 @@ namespace viscoroll::detail {
 namespace {
 
 constexpr int kFewestNodesPerRevolution = 64;
-constexpr double kMostContactNodes = 3e6;  // fields of a third of a gigabyte
-constexpr double kInertiaShare = 1e-3;     // relative error of the inertia terms, as a fraction of the accuracy
-constexpr double kMostFrictionalContactNodes = 4e5;  // their Krylov methods store some tens of vectors
-constexpr double kMostFurtherEffort = 6e6;           // nodes in contact times operator applications
-constexpr double kMostNodesForPressure = 5e4;        // in contact, after all other results have settled: 1 to 2 s
-constexpr double kMostLineNodesForPressure = 4e3;    // in line contact, after all other results have settled
-constexpr double kMostEffortForPressure = 1e6;       // nodes of a line contact times operator applications: 0.5 s
-constexpr double kFruitful = 0.9;                    // a mesh that leaves more of the error has not reduced it
-constexpr int kMostFruitlessMeshes = 2;              // the first of them may only have detected a narrow peak
+constexpr double kMaxContactNodes = 3e6;  // fields of a third of a gigabyte
+constexpr double kInertiaShare = 1e-3;    // relative error of the inertia terms, as a fraction of the accuracy
+constexpr double kMaxFrictionalContactNodes = 4e5;  // their Krylov methods store some tens of vectors
+constexpr double kMaxFurtherEffort = 6e6;           // nodes in contact times operator applications
+constexpr double kMaxNodesForPressure = 5e4;        // in contact, after all other results have settled: 1 to 2 s
+constexpr double kMaxLineNodesForPressure = 4e3;    // in line contact, after all other results have settled
+constexpr double kMaxEffortForPressure = 1e6;       // nodes of a line contact times operator applications: 0.5 s
+constexpr double kFruitful = 0.9;                   // a mesh that leaves more of the error has not reduced it
+constexpr int kMaxFruitlessMeshes = 2;              // the first of them may only have detected a narrow peak
 constexpr double kLeftByMesh = 0.25;  // fraction of an error that remains on the next mesh if it falls as expected
 
 int whole_nodes(double nodes_per_revolution) {
   const double nodes = std::round(nodes_per_revolution);
-  return static_cast<int>(std::clamp<double>(nodes, kFewestNodesPerRevolution, kMostNodesPerRevolution));
+  return static_cast<int>(std::clamp<double>(nodes, kFewestNodesPerRevolution, kMaxNodesPerRevolution));
 }
 
 /// Ratio of the spacing across to that along, for a contact that is longer in one direction.
@@ -53,12 +53,12 @@ double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 
 /// Largest number of nodes in contact. A mesh that the accuracy itself requires may have many. Further meshes, which
 /// are needed if results change by more than they should, may take at most some seconds with the operator applications
 /// of the previous mesh.
-double most_contact_nodes(const LoadCase& load_case, const Options& options, double planned, int applications) {
+double max_contact_nodes(const LoadCase& load_case, const Options& options, double planned, int applications) {
   const bool has_friction = load_case.friction > 0.0;
   const bool costly = has_friction || options.curvature == Curvature::exact;
   double cheap = costly ? 5e4 : 1e6;
-  if (has_friction) cheap = std::min(cheap, kMostFurtherEffort / applications);
-  return std::min(has_friction ? kMostFrictionalContactNodes : kMostContactNodes, std::max(planned, cheap));
+  if (has_friction) cheap = std::min(cheap, kMaxFurtherEffort / applications);
+  return std::min(has_friction ? kMaxFrictionalContactNodes : kMaxContactNodes, std::max(planned, cheap));
 }
 
 /// A result that the caller did not prescribe, and the size relative to which its error is measured.
@@ -171,13 +171,13 @@ class Refiner {
   [[nodiscard]] bool may_settle_pressure() const {
     const bool is_line = best_->theta_nodes == 1;
     const double nodes = refinements_.back().contact_nodes;
-    const double most = std::min(is_line ? kMostLineNodesForPressure : kMostNodesForPressure,
-                                 most_contact_nodes(load_case_, options_, 0.0, best_->operator_applications));
+    const double most = std::min(is_line ? kMaxLineNodesForPressure : kMaxNodesForPressure,
+                                 max_contact_nodes(load_case_, options_, 0.0, best_->operator_applications));
     const double per_mesh = is_line ? 2.0 : 4.0;
     const double meshes = std::floor(std::log(most / nodes) / std::log(per_mesh));
-    const bool is_cheap = !is_line || nodes * best_->operator_applications < kMostEffortForPressure;
+    const bool is_cheap = !is_line || nodes * best_->operator_applications < kMaxEffortForPressure;
     return best_->max_pressure_error > options_.accuracy && meshes >= 1.0 && is_cheap &&
-           fruitless_ < kMostFruitlessMeshes &&
+           fruitless_ < kMaxFruitlessMeshes &&
            best_->max_pressure_error * std::pow(kLeftByMesh, meshes) <= options_.accuracy;
   }
 
@@ -185,9 +185,9 @@ class Refiner {
   [[nodiscard]] bool is_finest() const {
     constexpr double kPlanned = 16.0;  // for the second mesh, whose contact may be somewhat larger than on the first
     const double next = 4.0 * refinements_.back().contact_nodes;
-    return mesh_.nodes_per_revolution == kMostNodesPerRevolution ||
-           next > most_contact_nodes(load_case_, options_, kPlanned * refinements_.front().contact_nodes,
-                                     best_->operator_applications);
+    return mesh_.nodes_per_revolution == kMaxNodesPerRevolution ||
+           next > max_contact_nodes(load_case_, options_, kPlanned * refinements_.front().contact_nodes,
+                                    best_->operator_applications);
   }
 
   /// Rethrow the failure that occurred on every mesh, in terms of the caller's input.

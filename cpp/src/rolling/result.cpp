@@ -37,12 +37,12 @@ std::vector<double> columns(Index rows, const Function& function) {
 }
 
 /// Moment arms of the nodes in contact, displaced by the rolling body's own displacement.
-MomentArms displaced_arms(const ContactSetup& given, const WindowContact& held) {
-  const double share = given.pressure_share();
-  const std::vector<Index>& contact = held.contact.contact;
+MomentArms displaced_arms(const ContactSetup& given, const WindowContact& solved) {
+  const double share = given.pressure_work_factor();
+  const std::vector<Index>& contact = solved.contact.contact;
   const MomentArms arms =
-      displaced(given.moment_arms(held.nodes, contact), held.contact.displacement(contact, Eigen::all), share);
-  const VectorField& counterbody = held.contact.counterbody_displacement;
+      displaced(given.moment_arms(solved.nodes, contact), solved.contact.displacement(contact, Eigen::all), share);
+  const VectorField& counterbody = solved.contact.counterbody_displacement;
   return counterbody.rows() == 0 ? arms : displaced(arms, -counterbody(contact, Eigen::all), share);
 }
 
@@ -63,33 +63,34 @@ double settled(double sum, double largest_summand, std::optional<double> given =
 
 /// D_2 = sum of p dw_2/dxi: force of the pressure along the counterbody's deformed surface. Under a rigid ball it
 /// follows from the surface of the ball.
-double deformed_slope_force(const ContactSetup& given, const WindowContact& held) {
-  switch (held.problem.surface->deforming()) {
+double deformed_slope_force(const ContactSetup& given, const WindowContact& solved) {
+  switch (solved.problem.surface->deforming()) {
     case Deforming::rolling:
       return 0.0;
     case Deforming::counterbody: {
-      const std::vector<Index>& contact = held.contact.contact;
-      const ArrayXd slope = counterbody_slope(held.nodes, given.model.growth, given.pair(), contact);
-      return -(held.contact.force.col(kDown)(contact) * (held.nodes.x()(contact) / held.nodes.grid().radius - slope))
+      const std::vector<Index>& contact = solved.contact.contact;
+      const ArrayXd slope = counterbody_slope(solved.nodes, given.model.growth, given.pair(), contact);
+      return -(solved.contact.force.col(kDown)(contact) *
+               (solved.nodes.x()(contact) / solved.nodes.grid().radius - slope))
                   .sum();
     }
     default:
-      return held.problem.surface->slope_force(held.contact.force);
+      return solved.problem.surface->slope_force(solved.contact.force);
   }
 }
 
 class Summary {
  public:
-  Summary(const ContactSetup& given, const WindowContact& held)
+  Summary(const ContactSetup& given, const WindowContact& solved)
       : given_(given),
-        window_(held.nodes),
-        contact_(held.contact),
-        losses_(held.losses),
+        window_(solved.nodes),
+        contact_(solved.contact),
+        losses_(solved.losses),
         size_(window_.shape().size()),
         force_(contact_.force(contact_.contact, Eigen::all)),
-        arms_(displaced_arms(given, held)),
+        arms_(displaced_arms(given, solved)),
         curvature_(given.model.growth.met() * given.pair().on->curvatures().along),
-        slope_force_(deformed_slope_force(given, held)),
+        slope_force_(deformed_slope_force(given, solved)),
         flat_area_(std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing),
         area_(window_.patch_area(contact_.contact)) {}
 
@@ -287,8 +288,8 @@ ContactReach contact_reach(const Result& result) {
   return reach;
 }
 
-Result make_result(const ContactSetup& given, const WindowContact& held) {
-  const Summary summary(given, held);
+Result make_result(const ContactSetup& given, const WindowContact& solved) {
+  const Summary summary(given, solved);
   Result r;
   summary.add_status(r);
   summary.add_shape(r);
@@ -298,7 +299,7 @@ Result make_result(const ContactSetup& given, const WindowContact& held) {
   summary.add_limits(r);
   r.error_estimate = r.energy_balance_error;
   r.refinements = {{.mesh = given.model.mesh,
-                    .contact_nodes = static_cast<int>(held.contact.contact.size()),
+                    .contact_nodes = static_cast<int>(solved.contact.contact.size()),
                     .resisting_torque = r.resisting_torque,
                     .penetration = r.penetration,
                     .energy_balance_error = r.energy_balance_error,

@@ -16,6 +16,6 @@ inline constexpr double kErrorPerStrain = 0.75;
 [[nodiscard]] ContactReach contact_reach(const Result& result);
 
 /// @brief Compute torques, powers and fields of a solved contact.
-[[nodiscard]] Result make_result(const ContactSetup& given, const WindowContact& held);
+[[nodiscard]] Result make_result(const ContactSetup& given, const WindowContact& solved);
 
 }  // namespace viscoroll::detail

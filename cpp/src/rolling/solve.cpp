@@ -67,7 +67,7 @@ Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCa
   detail::Watch watch(options.observer);
   const detail::MeshModel model =
       detail::make_model(pair, load_case.angular_speed, *options.mesh, options.curvature, {options.threads, watch});
-  return with_warnings(detail::solve_kept_case(model, load_case, options, watch, state), options, true);
+  return with_warnings(detail::solve_frozen_case(model, load_case, options, watch, state), options, true);
 }
 
 struct RollingModel::Impl {

@@ -65,8 +65,8 @@ Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const 
   return make_result(setup, find_contact_in_window(setup, coarse_contact));
 }
 
-Result solve_kept_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
-                       const FrozenContact& state) {
+Result solve_frozen_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
+                         const FrozenContact& state) {
   require_formulation(model, options);
   const ContactSetup setup = assemble(model, load_case, options, watch);
   const SurfaceWindow nodes(setup.nodes.grid, window_of(state, setup.nodes.widest));

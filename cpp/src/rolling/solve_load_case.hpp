@@ -29,7 +29,7 @@ namespace viscoroll::detail {
 /// @brief Solve one load case with the sets of contacting, sticking and slipping nodes of a state on the same mesh.
 /// @throws InvalidInput if the state belongs to another mesh
 /// @throws ConvergenceError if there is no solution near the state
-[[nodiscard]] Result solve_kept_case(const MeshModel& model, const LoadCase& load_case, const Options& options,
-                                     Watch& watch, const FrozenContact& state);
+[[nodiscard]] Result solve_frozen_case(const MeshModel& model, const LoadCase& load_case, const Options& options,
+                                       Watch& watch, const FrozenContact& state);
 
 }  // namespace viscoroll::detail

@@ -18,7 +18,7 @@ namespace {
 /// rejected.
 CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
   constexpr double kNegligible = 1e-3;  // of rho (Omega r_o)^2 / |modulus|; the torque changes by less
-  const HarmonicBody body = body_at_rest(layered_body(sphere), angular_speed);
+  const HarmonicBody body = body_at_order_zero(layered_body(sphere), angular_speed);
   const double speed = angular_speed * body.radius();
   for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
     const double share = sphere.layers[l].density * speed * speed / std::abs(body.modulus(l, 0));

@@ -33,8 +33,8 @@ std::shared_ptr<const SurfaceOperator> SphereTables::operator_on(const SurfaceWi
 
 void SphereTables::require_few_values(const SphereRequest& request, int phi_reach, int half_theta) const {
   const double values = sum_.values(request, phi_reach, half_theta);
-  if (values <= kMostSphereValues) return;
-  const std::string most = text(kMostSphereValues) + " values of harmonics and tables";
+  if (values <= kMaxSphereValues) return;
+  const std::string most = text(kMaxSphereValues) + " values of harmonics and tables";
   const std::string made = text(values) + " with curvature EXACT";
   if (mesh_.max_order) {
     reject("mesh.max_order", "so small that the mesh needs at most " + most,

@@ -28,7 +28,7 @@ void require_curvature_of_wheel(Curvature curvature) {
 
 bool has_free_sides(const CoatedWheel& wheel) { return wheel.sides == Sides::free && !wheel.layers.empty(); }
 
-/// Surface of the endless tread, with the effect of the faces if these are free.
+/// Surface of the unbounded tread, with the effect of the faces if these are free.
 BodySurface surface_of(const CoatedWheel& wheel, const ContactKinematics& kinematics) {
   require_curvature_of_wheel(kinematics.curvature);
   if (wheel.layers.empty()) return {};
@@ -69,8 +69,8 @@ Nodes nodes_of(const CoatedWheel& wheel, const Mesh& mesh, const Body& on) {
           .widest = {{-phi, phi}, {-aside, aside}}};
 }
 
-/// Relative error of the torque of an endless tread, as a function of the distance from the contact to the side faces,
-/// from finite elements of the section at Poisson's ratio 1/2 (docs/theory/wheels.md).
+/// Relative error of the torque of an unbounded tread, as a function of the distance from the contact to the side
+/// faces, from finite elements of the section at Poisson's ratio 1/2 (docs/theory/wheels.md).
 double error_of_sides(const CoatedWheel& wheel, double across) {
   constexpr double kAtSides = 0.11;
   constexpr double kFall = 2.2;  // decay exponent per thickness
@@ -96,13 +96,14 @@ double error_of_crown(const CoatedWheel& wheel, const ContactReach& contact) {
 
 double error_of(const CoatedWheel& wheel, const ContactReach& contact) {
   if (wheel.layers.empty()) return 0.0;
-  return error_of_crown(wheel, contact) + (wheel.sides == Sides::endless ? error_of_sides(wheel, contact.across) : 0.0);
+  return error_of_crown(wheel, contact) +
+         (wheel.sides == Sides::unbounded ? error_of_sides(wheel, contact.across) : 0.0);
 }
 
 std::string contact_near_sides(const CoatedWheel& wheel, double across) {
   const double clear = 0.5 * wheel.width - across;
   return "the contact ends " + rounded(clear) + " m from the faces, closer than the tread thickness of " +
-         rounded(coating_thickness(wheel)) + " m: with endless sides the torque may be too small by a fraction of " +
+         rounded(coating_thickness(wheel)) + " m: with unbounded sides the torque may be too small by a fraction of " +
          rounded(error_of_sides(wheel, across));
 }
 
@@ -114,17 +115,17 @@ std::vector<Warning> warnings_of(const CoatedWheel& wheel, const ContactReach& c
   const double thickness = coating_thickness(wheel);
   const double clear = 0.5 * wheel.width - contact.across;
   const bool is_crowned = std::isfinite(wheel.crown_radius);
-  const bool is_endless = wheel.sides == Sides::endless && !wheel.layers.empty();
+  const bool is_unbounded = wheel.sides == Sides::unbounded && !wheel.layers.empty();
   const bool reaches_sides = clear < 1e-9 * wheel.width;
-  if (!is_crowned && reaches_sides && (is_endless || other_deforms)) {
-    const std::string punch = is_endless ? "tread with endless sides" : "wheel on a wider deformable counterbody";
+  if (!is_crowned && reaches_sides && (is_unbounded || other_deforms)) {
+    const std::string punch = is_unbounded ? "tread with unbounded sides" : "wheel on a wider deformable counterbody";
     add(WarningKind::edge_pressure, "the pressure of a flat " + punch + " is singular at its edges, z = +-" +
                                         rounded(0.5 * wheel.width) + " m: max_pressure depends on the mesh");
   }
   if (is_crowned && reaches_sides) {
     add(WarningKind::contact_at_side,
         "the contact reaches the faces of the crowned tread, z = +-" + rounded(0.5 * wheel.width) + " m");
-  } else if (is_crowned && is_endless && clear < thickness) {
+  } else if (is_crowned && is_unbounded && clear < thickness) {
     add(WarningKind::contact_at_side, contact_near_sides(wheel, contact.across));
   }
   if (wheel.crown_radius < thickness) {
@@ -141,7 +142,7 @@ void require_gentle_crown(const CoatedWheel& wheel) {
   reject(
       "crown_radius",
       "at least the tread thickness, " + rounded(thickness) +
-          " m: sides = ENDLESS includes the crown to first order only, in which a rounder crown rises under pressure "
+          " m: sides = UNBOUNDED includes the crown to first order only, in which a rounder crown rises under pressure "
           "(sides = FREE includes it fully)",
       text(wheel.crown_radius) + " m");
 }

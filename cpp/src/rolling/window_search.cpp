@@ -55,11 +55,11 @@ double least_gap_outside(const Window& box, const Eigen::ArrayXd& gap, const Win
 }
 
 /// Solve the contact without friction within a window, which may cut it off.
-/// @param[in] most_nodes the mesh is coarsened to at most this number of nodes
-LocatedContact press(const ContactSetup& setup, ContactProblem problem, Eigen::Index most_nodes) {
+/// @param[in] max_nodes the mesh is coarsened to at most this number of nodes
+LocatedContact press(const ContactSetup& setup, ContactProblem problem, Eigen::Index max_nodes) {
   problem.friction.reset();
-  while (problem.initial_gap.size() > most_nodes) problem = coarsened(problem);
-  LocatedContact pressed = solve_multilevel(problem, setup.likely_depth(), setup.limits);
+  while (problem.initial_gap.size() > max_nodes) problem = coarsened(problem);
+  LocatedContact pressed = solve_multilevel(problem, setup.contact_gap_limit(), setup.limits);
   pressed.contact = extended(pressed, problem);
   pressed.problem = std::move(problem);
   return pressed;
@@ -97,7 +97,7 @@ bool holds_pressed_contact(const ContactSetup& setup, const ContactProblem& prob
 
 LocatedContact solve_contact(const ContactSetup& setup, const ContactProblem& problem) {
   try {
-    return solve_multilevel(problem, setup.likely_depth(), setup.limits);
+    return solve_multilevel(problem, setup.contact_gap_limit(), setup.limits);
   } catch (const ConvergenceError&) {
     require_reachable_drive(setup, problem);
     throw;
@@ -204,7 +204,7 @@ WindowContact find_contact_in_window(const ContactSetup& setup, const std::optio
     const Window window = half.window();
     const bool is_widest = window == widest;
     if (is_likely || holds_rough_contact(setup, half, is_widest)) {
-      if (auto held = solve_in_window(setup, window, is_widest, is_seen)) return *std::move(held);
+      if (auto solved = solve_in_window(setup, window, is_widest, is_seen)) return *std::move(solved);
     }
     is_seen = false;
     if (is_widest) {

@@ -37,19 +37,19 @@ template <class Scalar>
 constexpr int kReals = std::is_same_v<Scalar, double> ? 1 : 2;
 
 /// Stiffness of the last unknowns after the elimination of all others.
-MatrixXd condensed(const Triplets& lower, Index size, Index within) {
+MatrixXd condensed(const Triplets& lower, Index size, Index eliminated) {
   Sparse matrix(size, size);
   matrix.setFromTriplets(lower.begin(), lower.end());
   const Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> factors(matrix);
   assert(factors.info() == Eigen::Success);
   const Sparse& below = factors.matrixL().nestedExpression();
-  MatrixXd corner = MatrixXd::Identity(size - within, size - within);
-  for (Index column = within; column < size; ++column) {
+  MatrixXd corner = MatrixXd::Identity(size - eliminated, size - eliminated);
+  for (Index column = eliminated; column < size; ++column) {
     for (Sparse::InnerIterator entry(below, column); entry; ++entry) {
-      if (entry.row() > column) corner(entry.row() - within, column - within) = entry.value();
+      if (entry.row() > column) corner(entry.row() - eliminated, column - eliminated) = entry.value();
     }
   }
-  return corner * factors.vectorD().tail(size - within).asDiagonal() * corner.transpose();
+  return corner * factors.vectorD().tail(size - eliminated).asDiagonal() * corner.transpose();
 }
 
 MatrixXd inverse(const MatrixXd& stiffness, double /*kind*/) { return dense_inverse(stiffness); }
@@ -81,12 +81,12 @@ SectionCompliance::SectionCompliance(SectionMesh mesh, bool tangential)
       nodes_.push_back(nodes);
       elements_.push_back(element_stiffness(r, z));
     }
-    turn_surface(column, elements_.back());
+    rotate_surface_unknowns(column, elements_.back());
   }
-  for (const Parity part : kBothParts) parts_[part] = elimination(part);
+  for (const Parity part : kBothParts) eliminations_[part] = elimination(part);
 }
 
-void SectionCompliance::turn_surface(std::size_t column, ElementStiffness& stiffness) const {
+void SectionCompliance::rotate_surface_unknowns(std::size_t column, ElementStiffness& stiffness) const {
   ElementMatrix turned = ElementMatrix::Identity();
   for (std::size_t n = 0; n < 3; ++n) {
     const double slope = mesh_.slope(2 * column + n);
@@ -112,7 +112,7 @@ Eigen::VectorXd SectionCompliance::lengths() const {
 
 SectionCompliance::Elimination SectionCompliance::elimination(Parity part) const {
   Elimination result;
-  result.place.assign(3 * mesh_.lines() * mesh_.rows(), -1);
+  result.position.assign(3 * mesh_.lines() * mesh_.rows(), -1);
   std::vector<std::size_t> surface;
   for (std::size_t line = 0; line < mesh_.lines(); ++line) {
     for (std::size_t row = 1; row < mesh_.rows(); ++row) {  // the hub is fixed
@@ -124,7 +124,7 @@ SectionCompliance::Elimination SectionCompliance::elimination(Parity part) const
           surface.push_back(unknown);
           result.loaded.push_back(static_cast<int>(component * mesh_.loaded_lines() + line));
         } else {
-          result.place[unknown] = result.within++;
+          result.position[unknown] = result.eliminated++;
         }
       }
     }
@@ -134,23 +134,24 @@ SectionCompliance::Elimination SectionCompliance::elimination(Parity part) const
     for (const std::size_t a : nodes) {
       for (const std::size_t b : nodes) {
         for (std::size_t c = 0; c < 9; ++c) {
-          const int row = result.place[3 * a + c % 3];
-          const int column = result.place[3 * b + c / 3];
+          const int row = result.position[3 * a + c % 3];
+          const int column = result.position[3 * b + c / 3];
           if (row >= 0 && column >= 0) neighbors.emplace_back(row, column, 1.0);
         }
       }
     }
   }
-  Sparse pattern(result.within, result.within);
+  Sparse pattern(result.eliminated, result.eliminated);
   pattern.setFromTriplets(neighbors.begin(), neighbors.end());
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  Eigen::AMDOrdering<int>()(pattern, order);  // unknown order.indices()[n] has place n
-  Eigen::VectorXi place(result.within);
-  for (int n = 0; n < result.within; ++n) place[order.indices()[n]] = n;
-  for (int& unknown : result.place) {
-    if (unknown >= 0) unknown = place[unknown];
+  Eigen::AMDOrdering<int>()(pattern, order);  // unknown order.indices()[n] has position n
+  Eigen::VectorXi position(result.eliminated);
+  for (int n = 0; n < result.eliminated; ++n) position[order.indices()[n]] = n;
+  for (int& unknown : result.position) {
+    if (unknown >= 0) unknown = position[unknown];
   }
-  for (std::size_t n = 0; n < surface.size(); ++n) result.place[surface[n]] = result.within + static_cast<int>(n);
+  for (std::size_t n = 0; n < surface.size(); ++n)
+    result.position[surface[n]] = result.eliminated + static_cast<int>(n);
   return result;
 }
 
@@ -164,11 +165,11 @@ std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCompliance::at(double m,
     const ElementMatrix shear = at_order(elements_[e].shear, m);
     const ElementMatrix volumetric = at_order(elements_[e].volumetric, m);
     for (const Parity part : parts) {
-      const std::vector<int>& place = parts_[part].place;
+      const std::vector<int>& position = eliminations_[part].position;
       for (Index i = 0; i < kElementUnknowns; ++i) {
-        const int row = place[3 * nodes_[e][static_cast<std::size_t>(i / 3)] + static_cast<std::size_t>(i % 3)];
+        const int row = position[3 * nodes_[e][static_cast<std::size_t>(i / 3)] + static_cast<std::size_t>(i % 3)];
         for (Index j = 0; j < kElementUnknowns; ++j) {
-          const int column = place[3 * nodes_[e][static_cast<std::size_t>(j / 3)] + static_cast<std::size_t>(j % 3)];
+          const int column = position[3 * nodes_[e][static_cast<std::size_t>(j / 3)] + static_cast<std::size_t>(j % 3)];
           if (column < 0 || row < column) continue;
           add_entry(row, column, medium.shear * shear(i, j) + medium.lame * volumetric(i, j), lower[part]);
         }
@@ -179,10 +180,10 @@ std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCompliance::at(double m,
   const Eigen::VectorXd lengths = this->lengths();
   const Index rows = lengths.size();
   for (const Parity part : parts) {
-    const auto& [place, within, loaded] = parts_[part];
-    const Index all = within + static_cast<Index>(loaded.size());
+    const auto& [position, eliminated, loaded] = eliminations_[part];
+    const Index all = eliminated + static_cast<Index>(loaded.size());
     const Matrix<Scalar> moved =
-        inverse(condensed(lower[part], kReals<Scalar> * all, kReals<Scalar> * within), Scalar());
+        inverse(condensed(lower[part], kReals<Scalar> * all, kReals<Scalar> * eliminated), Scalar());
     result[part] = Matrix<Scalar>::Zero(rows, rows);
     result[part](loaded, loaded) = moved;
     result[part] = lengths.asDiagonal() * result[part] * lengths.asDiagonal();

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Compliance of the surface of a tread's section, at one order around the axis.
+/// @brief Surface compliance of the cross-section of a tread, at one order around the axis.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,15 +25,16 @@ struct SectionMedium {
 /// the odd part it is the reverse.
 enum Parity : std::size_t { kEvenPart, kOddPart };
 
-/// @brief Parts for arbitrary loads. Loads that are symmetric about the middle displace the even part only.
+/// @brief Parts for arbitrary loads. Loads that are symmetric about the middle cause even displacements only.
 inline constexpr std::array kBothParts{kEvenPart, kOddPart};
 
-/// @brief Stiffness of the section, condensed onto the lines of nodes that can be loaded, and its inverse.
+/// @brief Compliance of the section at the surface nodes that can be loaded: the inverse of its condensed stiffness.
 ///
-/// The unknowns of the loaded surface are eliminated last, so that their stiffness is the last corner of the factors;
-/// no system is solved. Loads and displacements at the surface are along its normal, phi and its tangent. With the
-/// slope s of the surface these directions are (1, s) in (r, z), 1 in phi, and (-s, 1) in (r, z). Pressure acts along
-/// the normal, and a displacement along the crown does not change the gap.
+/// The unknowns of these nodes come last in the factorization L D L^T of the stiffness matrix. Their condensed
+/// stiffness is therefore the product of the trailing blocks of L, D and L^T, without a solve for the other unknowns.
+/// Loads and displacements at the surface are along its normal, phi and its tangent. With the slope s of the surface
+/// these directions are (1, s) in (r, z), 1 in phi, and (-s, 1) in (r, z). Pressure acts along the normal, and a
+/// displacement along the crown does not change the gap.
 class SectionCompliance {
  public:
   template <class Scalar>
@@ -49,8 +50,9 @@ class SectionCompliance {
   /// @param[in] m order, >= 0, not necessarily a whole number
   /// @param[in] layers material of each layer, from the hub outwards
   /// @param[in] parts requested parts
-  /// @return for each part, displacements per load on half of the section and per radian [1/(unit of stress)/m]; rows
-  /// and columns are component (U, V, W) * `loaded_lines()` + line; zero where symmetry fixes the middle of the tread
+  /// @return for each part, displacements [m] under unit loads; a load acts on half of the section, per radian
+  /// [1/(unit of stress)/m]. Rows and columns are component (U, V, W) * `loaded_lines()` + line. Entries are zero where
+  /// symmetry fixes the middle of the tread.
   template <class Scalar>
   [[nodiscard]] std::array<Matrix<Scalar>, 2> at(double m, const std::vector<SectionMedium<Scalar>>& layers,
                                                  std::span<const Parity> parts = kBothParts) const;
@@ -58,13 +60,13 @@ class SectionCompliance {
  private:
   /// Order in which the unknowns are eliminated.
   struct Elimination {
-    std::vector<int> place;   // [3 * node + component] position in this order; < 0 for a fixed displacement
-    int within = 0;           // number of eliminated unknowns
-    std::vector<int> loaded;  // [place - within] row of the result
+    std::vector<int> position;  // [3 * node + component] position in this order; < 0 for a fixed displacement
+    int eliminated = 0;         // number of eliminated unknowns, which precede those of the loaded surface
+    std::vector<int> loaded;    // [position - eliminated] row of the result
   };
   [[nodiscard]] Elimination elimination(Parity part) const;
   /// Replace the unknowns along r and z at the surface of a column's last element by those along normal and tangent.
-  void turn_surface(std::size_t column, ElementStiffness& stiffness) const;
+  void rotate_surface_unknowns(std::size_t column, ElementStiffness& stiffness) const;
   /// Length of the direction vector of each row of the result.
   [[nodiscard]] Eigen::VectorXd lengths() const;
 
@@ -72,7 +74,7 @@ class SectionCompliance {
   std::size_t components_;
   std::vector<std::array<std::size_t, kElementNodes>> nodes_;  // [element]
   std::vector<ElementStiffness> elements_;
-  std::array<Elimination, 2> parts_;
+  std::array<Elimination, 2> eliminations_;
 };
 
 }  // namespace viscoroll::detail

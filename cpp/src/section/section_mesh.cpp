@@ -9,10 +9,10 @@ namespace {
 
 using Size = std::function<double(double)>;
 
-/// Distance of the end of an endless section from the width, in thicknesses. The effect of the end of a bonded tread
+/// Distance of the end of an unbounded section from the width, in thicknesses. The effect of the end of a bonded tread
 /// decays by e^-1.4 per thickness if the tread is incompressible, and faster otherwise; it changes the stiffness under
 /// a punch by 2e-4.
-constexpr double kEndlessReach = 6.0;
+constexpr double kUnboundedSectionReach = 6.0;
 
 /// Edges of elements from `first` to `last` with about the given size.
 std::vector<double> edges(double first, double last, const Size& size) {
@@ -66,9 +66,9 @@ SectionMesh::SectionMesh(const CoatedWheel& wheel, SectionEnd end, const Section
 
   std::vector<double> across = edges(0.0, half, [&](double z) { return std::min(away(half - z), widest); });
   loaded_lines_ = 2 * across.size() - 1;
-  if (end == SectionEnd::endless) {
-    const std::vector<double> beyond =
-        edges(half, half + kEndlessReach * thickness, [&](double z) { return std::min(away(z - half), thickness); });
+  if (end == SectionEnd::unbounded) {
+    const std::vector<double> beyond = edges(half, half + kUnboundedSectionReach * thickness,
+                                             [&](double z) { return std::min(away(z - half), thickness); });
     across.insert(across.end(), beyond.begin() + 1, beyond.end());
   }
   z_ = with_middles(across);

@@ -1,6 +1,6 @@
 /// @file
 /// @brief Mesh of half of a tread's section: from the middle of the tread to its face, or beyond half the width if the
-/// tread is endless.
+/// tread is unbounded.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +14,8 @@ namespace viscoroll::detail {
 
 /// @brief End of a tread at half its width.
 enum class SectionEnd {
-  face,     ///< the tread ends
-  endless,  ///< the tread continues with the same crown, until the effect of its end is negligible
+  face,       ///< the tread ends
+  unbounded,  ///< the tread continues with the same crown, until the effect of its end is negligible
 };
 
 /// @brief Sizes of the elements, relative to the thickness of the tread or its width, whichever is less.

@@ -114,9 +114,9 @@ std::vector<SectionMedium<cplx>> section_media(const HarmonicBody& body, std::si
 }
 
 SectionCrown::SectionCrown(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness)
-    : straight_(SectionMesh(straight_along(wheel, kFlat), SectionEnd::endless, fineness), tangential),
+    : straight_(SectionMesh(straight_along(wheel, kFlat), SectionEnd::unbounded, fineness), tangential),
       crown_radius_(std::max(wheel.crown_radius, kLinearRadius * length(straight_.mesh()))),
-      crowned_(SectionMesh(straight_along(wheel, crown_radius_), SectionEnd::endless, fineness), tangential),
+      crowned_(SectionMesh(straight_along(wheel, crown_radius_), SectionEnd::unbounded, fineness), tangential),
       proportion_(crown_radius_ / wheel.crown_radius),
       lengthening_(outer_radius(straight_along(wheel, kFlat)) / outer_radius(wheel)) {}
 
@@ -136,7 +136,7 @@ std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCrown::at(double m,
 SideDifference::SideDifference(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness)
     : left_out_(0.5 * (wheel.width - felt_part(wheel).width)),
       face_(SectionMesh(felt_part(wheel), SectionEnd::face, fineness), tangential),
-      endless_(SectionMesh(straight_across(felt_part(wheel)), SectionEnd::endless, fineness), tangential),
+      unbounded_(SectionMesh(straight_across(felt_part(wheel)), SectionEnd::unbounded, fineness), tangential),
       tangential_(tangential) {
   if (std::isfinite(wheel.crown_radius)) crown_.emplace(wheel, tangential, fineness);
 }
@@ -157,15 +157,15 @@ std::array<Eigen::MatrixXcd, 2> SideDifference::at(double m, const std::vector<S
   const auto solved = [&](const auto& media) {
     const auto face = face_.at(m, media, parts);
     worker.checkpoint();
-    auto endless = endless_.at(m, media, parts);
+    auto unbounded = unbounded_.at(m, media, parts);
     if (crown_) {
       const auto crown = crown_->at(m, media, parts);
-      for (const Parity part : parts) endless[part] += crown[part];
+      for (const Parity part : parts) unbounded[part] += crown[part];
     }
     worker.checkpoint();
     std::array<Eigen::MatrixXcd, 2> difference;
     for (const Parity part : parts) {
-      difference[part] = (0.5 * (face[part] - endless[part])).template cast<cplx>();
+      difference[part] = (0.5 * (face[part] - unbounded[part])).template cast<cplx>();
     }
     return difference;
   };

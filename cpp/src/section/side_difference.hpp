@@ -1,6 +1,6 @@
 /// @file
-/// @brief Difference between the compliance of a tread with faces and that of an endless tread that is crowned to first
-/// order, for each order around the axis. See docs/theory/wheels.md.
+/// @brief Difference between the compliance of a tread with faces and that of an unbounded tread that is crowned to
+/// first order, for each order around the axis. See docs/theory/wheels.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -45,7 +45,7 @@ template <class Scalar>
 [[nodiscard]] std::vector<SectionMedium<std::complex<double>>> section_media(const HarmonicBody& body,
                                                                              std::size_t order);
 
-/// @brief Effect of a crown on finite elements, to first order in its curvature, on an endless tread that is straight
+/// @brief Effect of a crown on finite elements, to first order in its curvature, on an unbounded tread that is straight
 /// along the path. It corresponds to modal/crown.hpp, but contains only the waves that the elements resolve.
 class SectionCrown {
  public:
@@ -72,7 +72,7 @@ class SectionCrown {
   double lengthening_;  // length of a radian relative to that of the wheel
 };
 
-/// @brief Sections of a wheel's tread with faces and of an endless one, with the same elements.
+/// @brief Sections of a wheel's tread with faces and of an unbounded one, with the same elements.
 ///
 /// The errors of the elements for short waves cancel in the difference: those of the flat tread, and to first order
 /// those of the crown.
@@ -106,7 +106,7 @@ class SideDifference {
  private:
   double left_out_;  // omitted part of half the width, in the middle [m]
   SectionCompliance face_;
-  SectionCompliance endless_;
+  SectionCompliance unbounded_;
   std::optional<SectionCrown> crown_;
   bool tangential_;
 };

@@ -4,9 +4,9 @@
 
 namespace viscoroll::detail {
 
-FreeSidesOperator::FreeSidesOperator(std::shared_ptr<const SurfaceOperator> endless, Difference difference,
+FreeSidesOperator::FreeSidesOperator(std::shared_ptr<const SurfaceOperator> unbounded, Difference difference,
                                      SideFactors factors, DissipationSource dissipation_source, double column_distance)
-    : CorrectedOperator(std::move(endless)),
+    : CorrectedOperator(std::move(unbounded)),
       difference_(std::move(difference)),
       factors_(std::move(factors)),
       dissipation_source_(std::move(dissipation_source)),
@@ -50,8 +50,8 @@ std::shared_ptr<const SurfaceOperator> FreeSidesOperator::within(const Window& w
 Losses FreeSidesOperator::dissipation(const VectorField& force) const {
   const Eigen::ArrayXXd loads = local().loads(force);
   const SideProduct product = this->product(dissipation_source_(shape().phi_nodes - 1), true);
-  const Losses endless = nearby().dissipation(force);
-  return losses(endless.sum() + (loads * product.apply(loads)).sum());
+  const Losses unbounded = nearby().dissipation(force);
+  return losses(unbounded.sum() + (loads * product.apply(loads)).sum());
 }
 
 }  // namespace viscoroll::detail

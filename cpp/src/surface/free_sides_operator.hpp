@@ -11,20 +11,20 @@
 
 namespace viscoroll::detail {
 
-/// @brief Operator of an endless tread plus the effect of the faces. Scales and preconditioners are those of the
-/// endless tread.
+/// @brief Operator of an unbounded tread plus the effect of the faces. Scales and preconditioners are those of the
+/// unbounded tread.
 class FreeSidesOperator : public CorrectedOperator {
  public:
   using Difference = std::shared_ptr<const SampledDifference>;
   /// Function that returns the factors of the dissipated power.
   using DissipationSource = std::function<SideFactors(int phi_reach)>;
 
-  /// @param[in] endless operator of the endless tread on the same window
-  /// @param[in] difference difference between the section with faces and the endless section
+  /// @param[in] unbounded operator of the unbounded tread on the same window
+  /// @param[in] difference difference between the section with faces and the unbounded section
   /// @param[in] factors factors of the displacements, which reach across the window
   /// @param[in] dissipation_source factors of the dissipated power
   /// @param[in] column_distance distance between neighbors across the path [m]
-  FreeSidesOperator(std::shared_ptr<const SurfaceOperator> endless, Difference difference, SideFactors factors,
+  FreeSidesOperator(std::shared_ptr<const SurfaceOperator> unbounded, Difference difference, SideFactors factors,
                     DissipationSource dissipation_source, double column_distance);
 
   [[nodiscard]] double operations() const override { return nearby().operations() + product_.operations(); }

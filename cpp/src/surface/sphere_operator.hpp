@@ -13,15 +13,14 @@
 namespace viscoroll::detail {
 
 /// @brief Displacements on the exact sphere, of the rolling body or of the counterbody. The influence depends on theta
-/// of both nodes. Scales and preconditioners use translation-invariant tables of the same coating, with the membrane
-/// stiffness of a sphere.
+/// of both nodes. Scales and preconditioners use translation-invariant tables of the influence near the equator.
 class SphereOperator : public CorrectedOperator {
  public:
   using Influence = std::shared_ptr<const SphereInfluence>;
   /// Function that returns the influence for the dissipated power, for theta from -half_theta to half_theta.
   using DissipationSource = std::function<Influence(int phi_reach, int half_theta)>;
 
-  /// @param[in] nearby operator on the same window, with `Curvature::sphere`
+  /// @param[in] nearby operator on the same window with the tables of `tables_around_equator`
   /// @param[in] influence influence for displacements, which reaches across the window
   /// @param[in] dissipation_source influence for the dissipated power
   SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, Influence influence,

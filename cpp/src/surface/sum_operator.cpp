@@ -6,7 +6,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Sum of two tables, up to the smaller reach.
+/// Return first + sign * second, for the offsets that both tables contain.
 std::shared_ptr<const Table> sum_of(const Table& first, const Table& second, double sign) {
   const int phi_reach = std::min(first.phi_reach(), second.phi_reach());
   const int theta_reach = std::min(first.theta_reach(), second.theta_reach());
@@ -18,7 +18,8 @@ std::shared_ptr<const Table> sum_of(const Table& first, const Table& second, dou
   return sum;
 }
 
-/// Normal and tangential compliances add up; mixed ones are subtracted, because the tangents reverse with the normal.
+/// Sign of an entry of the counterbody in the sum of compliances. The compliances between normal and tangential
+/// directions are subtracted, because the shear tractions on the two bodies have opposite signs in their own frames.
 double sign_of(std::size_t entry) {
   const auto mixed = static_cast<Entry>(entry);
   return mixed == Entry::rphi || mixed == Entry::rtheta ? -1.0 : 1.0;
@@ -29,10 +30,10 @@ double sign_of(std::size_t entry) {
 SumOperator::SumOperator(std::shared_ptr<const SurfaceOperator> rolling,
                          std::shared_ptr<const SurfaceOperator> counterbody)
     : rolling_(std::move(rolling)), counterbody_(std::move(counterbody)), local_(rolling_->local()) {
-  const auto& others = counterbody_->local().tables;
-  for (std::size_t entry = 0; entry < others.size(); ++entry) {
+  const auto& counterbody_tables = counterbody_->local().tables;
+  for (std::size_t entry = 0; entry < counterbody_tables.size(); ++entry) {
     auto& table = local_.tables[entry];
-    if (table) table = sum_of(*table, *others[entry], sign_of(entry));
+    if (table) table = sum_of(*table, *counterbody_tables[entry], sign_of(entry));
   }
 }
 

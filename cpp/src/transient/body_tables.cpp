@@ -15,7 +15,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Add the effect of free faces as far as the tables of the endless tread reach; beyond is only the round-off of
+/// Add the effect of free faces as far as the tables of the unbounded tread reach; beyond is only the round-off of
 /// elements and splines.
 void add_sides(std::span<const SampledDifference> differences, const SideSum& sum, const ContactKinematics& kinematics,
                const RowShape& shape, std::vector<MirroredTables>& tables) {
@@ -25,7 +25,7 @@ void add_sides(std::span<const SampledDifference> differences, const SideSum& su
   }
 }
 
-CreepTables tables_alike(const Body& at_rest, const ContactKinematics& kinematics, const RowShape& shape) {
+CreepTables tables_of_similar_layers(const Body& at_rest, const ContactKinematics& kinematics, const RowShape& shape) {
   const auto& [threads, watch] = kinematics.execution;
   const LayeredBody layers = at_rest.layered(kinematics);
   const auto sum = kinematics.form.is_line() ? sum_under_line(layers, kinematics) : sum_under_spot(layers, kinematics);
@@ -42,8 +42,8 @@ CreepTables tables_alike(const Body& at_rest, const ContactKinematics& kinematic
   return CreepTables(std::move(tables));
 }
 
-CreepTables tables_unlike(const Body& at_rest, const LayerSpectrum& layers, const ContactKinematics& kinematics,
-                          const RowShape& shape) {
+CreepTables tables_of_dissimilar_layers(const Body& at_rest, const LayerSpectrum& layers,
+                                        const ContactKinematics& kinematics, const RowShape& shape) {
   const auto& [threads, watch] = kinematics.execution;
   const MeshOnBody mesh = kinematics.mesh_at(layers.metric().radius);
   const auto sums = kinematics.form.is_line() ? weights_under_line(layers, mesh, threads, watch)
@@ -58,11 +58,11 @@ CreepTables tables_unlike(const Body& at_rest, const LayerSpectrum& layers, cons
 
 }  // namespace
 
-CreepTables tables_of(const Body& at_rest, const LayerSpectrum* unlike, const ContactKinematics& kinematics,
+CreepTables tables_of(const Body& at_rest, const LayerSpectrum* dissimilar_layers, const ContactKinematics& kinematics,
                       const RowShape& shape) {
-  if (unlike == nullptr) return tables_alike(at_rest, kinematics, shape);
+  if (dissimilar_layers == nullptr) return tables_of_similar_layers(at_rest, kinematics, shape);
   const double radius = at_rest.layered(kinematics).metric.radius;
-  return tables_unlike(at_rest, unlike->with_orders_of(radius), kinematics, shape);
+  return tables_of_dissimilar_layers(at_rest, dissimilar_layers->with_orders_of(radius), kinematics, shape);
 }
 
 }  // namespace viscoroll::detail

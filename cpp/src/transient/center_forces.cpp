@@ -82,12 +82,13 @@ VectorField counterbody_slopes(const ActingPlaces& at) {
 }
 
 CenterRow center_row(const ActingPlaces& at, const CenterCondition& condition) {
-  CenterRow row{.on_force = VectorField::Zero(at.place.lever.size(), 3),
+  CenterRow row{.force_coefficients = VectorField::Zero(at.place.lever.size(), 3),
                 .displacement = condition.displacement,
                 .value = condition.value};
-  if (condition.force != 0.0) row.on_force -= condition.force * force_on_center(at);
-  if (condition.torque != 0.0) row.on_force += condition.torque / at.pair.nodes.grid.radius * moment_about_center(at);
-  row.on_force.colwise() *= node_weights(at);
+  if (condition.force != 0.0) row.force_coefficients -= condition.force * force_on_center(at);
+  if (condition.torque != 0.0)
+    row.force_coefficients += condition.torque / at.pair.nodes.grid.radius * moment_about_center(at);
+  row.force_coefficients.colwise() *= node_weights(at);
   return row;
 }
 

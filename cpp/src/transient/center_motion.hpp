@@ -21,10 +21,10 @@ struct CenterCondition {
   double coasted = 0.0;
 };
 
-/// @brief Same condition for nodal forces: sum of on_force F + displacement * (displacement of the center - coasted)
-/// = value.
+/// @brief Same condition for nodal forces F: sum of force_coefficients F + displacement * (displacement of the center -
+/// coasted) = value.
 struct CenterRow {
-  VectorField on_force;
+  VectorField force_coefficients;
   double displacement;
   double value;
 };

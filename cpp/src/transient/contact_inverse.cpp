@@ -30,7 +30,7 @@ MatrixXd compliance(const StepOperator& surface, const std::vector<Index>& displ
   if (displaced != loaded) return matrix;
   for (std::size_t i = 0; i < loaded.size(); ++i) {
     const auto sideways = static_cast<Index>(3 * i + 2);
-    if (loaded[i] % surface.half_nodes() == 0) matrix(sideways, sideways) = surface.own_compliance();
+    if (loaded[i] % surface.half_nodes() == 0) matrix(sideways, sideways) = surface.diagonal_compliance();
   }
   return matrix;
 }

@@ -37,8 +37,8 @@ ArrayXd mean_delay(const ViscoelasticPair& pair, const SurfaceWindow& from, cons
 
 /// Slip of nodes over the counterbody in a step, along x and z.
 struct StepSlip {
-  Eigen::ArrayX2d known;      ///< without the contributions of the new forces and of the center
-  Eigen::ArrayX2d by_center;  ///< per unit displacement of the center
+  Eigen::ArrayX2d known;                         ///< without the contributions of the new forces and of the center
+  Eigen::ArrayX2d slip_per_center_displacement;  ///< per unit displacement of the center
 };
 
 /// Slip of nodes over the counterbody. Rows of the counterbody stay matched with those of the rolling body,
@@ -48,20 +48,21 @@ StepSlip step_slip(const ViscoelasticPair& pair, const ContactPlace& before, con
                    const Departure& departure) {
   const ContactPlace& place = instant.place;
   const ArrayXd delay = mean_delay(pair, before.nodes, place.nodes);
-  StepSlip slip{.known = Eigen::ArrayX2d::Zero(delay.size(), 2), .by_center = Eigen::ArrayX2d::Zero(delay.size(), 2)};
+  StepSlip slip{.known = Eigen::ArrayX2d::Zero(delay.size(), 2),
+                .slip_per_center_displacement = Eigen::ArrayX2d::Zero(delay.size(), 2)};
   slip.known.col(0) = place.nodes.rolled() - before.nodes.rolled();
   slip.known.col(1) = place.nodes.z() - before.nodes.z();
-  slip.by_center.col(0) = 1.0 - delay;
+  slip.slip_per_center_displacement.col(0) = 1.0 - delay;
   const VectorField slopes = counterbody_slopes({pair, before, departure.loaded_displacements});
   const double rolled = pair.nodes.grid.radius * departure.turned;
   const ArrayXd weights = half_weights(pair.half_nodes()).replicate(place.count, 1);
   for (const auto& [column, axis] : {std::pair{0, kForward}, std::pair{1, kSideways}}) {
     if (slopes.rows() > 0) {
       slip.known.col(column) -= rolled * slopes.col(axis);
-      slip.by_center.col(column) += slopes.col(axis);
+      slip.slip_per_center_displacement.col(column) += slopes.col(axis);
     }
     slip.known.col(column) *= weights;
-    slip.by_center.col(column) *= weights;
+    slip.slip_per_center_displacement.col(column) *= weights;
     slip.known.col(column) -= against(axis, place.axes, instant.known).reshaped().array();
     slip.known.col(column) += against(axis, before.axes, departure.loaded_displacements).reshaped().array();
   }
@@ -101,7 +102,7 @@ StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& i
       place_of(pair, place.first,
                SurfaceWindow(grid, place.nodes.window(), place.nodes.shift() - departure.turned / grid.phi_spacing));
   StepSlip slip = step_slip(pair, before, instant, departure);
-  slip.known += center.coasted * slip.by_center;
+  slip.known += center.coasted * slip.slip_per_center_displacement;
   const std::vector<Axes> level_axes = axes_at(pair, SurfaceWindow(grid, place.nodes.window()));
   const StepOperator surface = surface_of(instant, level_axes);
   const CenterCondition scaled{.force = center.force,
@@ -119,12 +120,12 @@ StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& i
   const StickSlipProblem problem{.surface = surface,
                                  .gap = weights * place.gap + known_gap(pair, instant).reshaped().array(),
                                  .known_slip = std::move(slip.known),
-                                 .by_center = std::move(slip.by_center),
+                                 .slip_per_center_displacement = std::move(slip.slip_per_center_displacement),
                                  .weights = weights,
                                  .load = compliance * load,
                                  .friction = pair.friction,
-                                 .center = row,
-                                 .center_moves = depends_on_displacements(pair, center)};
+                                 .center_row = row,
+                                 .center_row_needs_displacements = depends_on_displacements(pair, center)};
   StickSlip result = solve_stick_slip(problem, carried_forces(pair, place, last, problem.load), stiffness);
   result.center_displacement += center.coasted;
   return result;

@@ -2,9 +2,9 @@
 
 namespace viscoroll::detail {
 
-double CreepTables::own_compliance() const {
+double CreepTables::diagonal_compliance() const {
   double sum = 0.0;
-  for (const MirroredTables& tables : *tables_) sum += tables.own_compliance();
+  for (const MirroredTables& tables : *tables_) sum += tables.diagonal_compliance();
   return sum;
 }
 

@@ -38,7 +38,7 @@ class CreepTables {
   [[nodiscard]] Eigen::Index reach() const { return tables_->front().reach(); }
   [[nodiscard]] bool dies_out() const { return tables_->front().dies_out(); }
   /// @return relaxed displacement of a node in the middle under a unit force along r [m/N]
-  [[nodiscard]] double own_compliance() const;
+  [[nodiscard]] double diagonal_compliance() const;
 
   /// @brief Combine the tables with a compliance factor for each.
   /// @param[in] parts compliance factor of each table

@@ -18,7 +18,7 @@ Eigen::ArrayX2d along_plane(const VectorField& displacement) {
 bool has_excess(const StickSlipProblem& problem) { return problem.surface.parts().size() > 1; }
 
 std::vector<HalfField> displaced_by(const StickSlipProblem& problem, const VectorField& guess) {
-  if (!problem.center_moves && !has_excess(problem)) return {};
+  if (!problem.center_row_needs_displacements && !has_excess(problem)) return {};
   return problem.surface.displaced(guess);
 }
 
@@ -30,7 +30,7 @@ DirectStickSlip::DirectStickSlip(const StickSlipProblem& problem, const VectorFi
 DirectStickSlip::DirectStickSlip(const StickSlipProblem& problem, const VectorField& guess,
                                  const std::vector<HalfField>& displaced, ContactStiffness& stiffness)
     : TransientStickSlipSystem(problem, displaced), equations_(problem, 1.0 / scales().tangential, stiffness) {
-  equations_.drive(center());
+  equations_.set_center_condition(center());
   if (!has_excess(problem)) return;
   const VectorField excess = problem.surface.excess(guess, displaced);
   std::vector<Index> all(static_cast<std::size_t>(problem.gap.size()));
@@ -41,7 +41,8 @@ DirectStickSlip::DirectStickSlip(const StickSlipProblem& problem, const VectorFi
 void DirectStickSlip::solve(double friction, const ContactSets& sets, double, ContactSolution& state) {
   problem().surface.checkpoint();
   equations_.cover(sets.contact);
-  const auto [forces, moves, penetration, center_displacement] = equations_.solve(conditions(friction, sets));
+  const auto [forces, free_displacements, penetration, center_displacement] =
+      equations_.solve(conditions(friction, sets));
   state.penetration = penetration;
   state.creepage = center_displacement;
   imbalance_ = 0.0;
@@ -51,7 +52,7 @@ void DirectStickSlip::solve(double friction, const ContactSets& sets, double, Co
   state.displacement.resize(0, 3);
   for (std::size_t i = 0; i < equations_.covered().size(); ++i) {
     const Index node = equations_.covered()[i];
-    const auto move = moves.segment<3>(static_cast<Index>(3 * i)).array();
+    const auto move = free_displacements.segment<3>(static_cast<Index>(3 * i)).array();
     state.gap[node] = -move[kDown];
     state.slip.row(node) << move[kForward], move[kSideways];
     if (std::ranges::binary_search(sets.contact, node)) {
@@ -66,8 +67,8 @@ void DirectStickSlip::find_displacements(ContactSolution& state) {
   const Eigen::ArrayX2d slip = std::move(state.slip);
   TransientStickSlipSystem::find_displacements(state);
   equations_.correct(equations_.covered(), state.gap - gap, state.slip - slip);
-  if (!problem().center_moves) return;
-  equations_.drive(center());
+  if (!problem().center_row_needs_displacements) return;
+  equations_.set_center_condition(center());
   imbalance_ = center_excess(state);
 }
 
@@ -77,8 +78,10 @@ std::vector<Condition> DirectStickSlip::conditions(double friction, const Contac
   std::vector<Condition> conditions;
   for (std::size_t i = 0; i < equations_.covered().size(); ++i) {
     const Index node = equations_.covered()[i];
-    const auto add = [&](Axis axis, const Eigen::Vector3d& on_force, const Eigen::Vector3d& on_move) {
-      conditions.push_back({static_cast<Index>(i), axis, on_force / scales().tangential, on_move});
+    const auto add = [&](Axis axis, const Eigen::Vector3d& force_coefficients,
+                         const Eigen::Vector3d& displacement_coefficients) {
+      conditions.push_back(
+          {static_cast<Index>(i), axis, force_coefficients / scales().tangential, displacement_coefficients});
     };
     const auto found = std::ranges::lower_bound(sets.contact, node);
     if (found == sets.contact.end() || *found != node) {

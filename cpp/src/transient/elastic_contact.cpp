@@ -15,15 +15,15 @@ using Eigen::VectorXd;
 
 constexpr double kFirstTolerance = 1e-4;  // of displacements relative to the penetration, in the first pass
 constexpr double kTolerance = 1e-11;      // in all other passes
-constexpr int kMostPasses = 200;
-constexpr int kMostProducts = 400;  // of one pass
+constexpr int kMaxPasses = 200;
+constexpr int kMaxProducts = 400;  // of one pass
 
 /// Largest number of contact nodes for which an inverse is kept. A larger one does not fit into the cache and takes
 /// seconds to compute.
-constexpr std::size_t kMostKept = 1000;
+constexpr std::size_t kMaxKept = 1000;
 
 /// Largest number of contact nodes that a matrix displaces in less time than the tables.
-constexpr std::size_t kMostDense = 150;
+constexpr std::size_t kMaxDense = 150;
 
 constexpr int kFewProducts = 12;  // of a pass with a current inverse; more show that it is outdated
 
@@ -37,10 +37,10 @@ class CoatingSurface : public PressedSurface {
   /// steps keep the sum of the forces.
   void press(PressedNodes& contact, double tolerance) override {
     const auto& nodes = contact.nodes;
-    is_kept_ = nodes.size() <= kMostKept;
+    is_kept_ = nodes.size() <= kMaxKept;
     if (is_kept_) inverse_.follow(problem_.surface, nodes);
     matrix_.resize(0, 0);
-    if (nodes.size() <= kMostDense) matrix_ = problem_.surface.normal_compliance(nodes, nodes);
+    if (nodes.size() <= kMaxDense) matrix_ = problem_.surface.normal_compliance(nodes, nodes);
     const VectorXd weight = weights_(nodes);
     const VectorXd gap = problem_.gap.reshaped()(nodes);
     const VectorXd by_weight = about_forces(weight);  // forces that displace all nodes equally
@@ -55,7 +55,7 @@ class CoatingSurface : public PressedSurface {
     VectorXd direction;
     double product = 0.0;
     int products = 0;
-    for (; products < kMostProducts && !is_solved(); ++products) {
+    for (; products < kMaxProducts && !is_solved(); ++products) {
       VectorXd step = about_forces(residual);
       penetration = -weight.dot(step) / weight.dot(by_weight);
       if (is_solved()) break;
@@ -84,13 +84,13 @@ class CoatingSurface : public PressedSurface {
   }
 
   [[nodiscard]] const ArrayXd& weights() const override { return weights_; }
-  [[nodiscard]] double stiffness() const override { return 1.0 / problem_.surface.own_compliance(); }
+  [[nodiscard]] double stiffness() const override { return 1.0 / problem_.surface.diagonal_compliance(); }
 
  private:
   /// Approximate forces for displacements. Without an inverse, the own compliance of each node serves, at the cost of
   /// some tens of products.
   [[nodiscard]] VectorXd about_forces(const VectorXd& displacements) const {
-    return is_kept_ ? inverse_.times(displacements) : VectorXd(displacements / problem_.surface.own_compliance());
+    return is_kept_ ? inverse_.times(displacements) : VectorXd(displacements / problem_.surface.diagonal_compliance());
   }
 
   /// Displacements of the nodes in contact, by a matrix, or by a product with the tables, which also gives those of the
@@ -129,11 +129,11 @@ PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const A
     if (start.pressing[node] > 0.0) start.nodes.push_back(node);
   }
   // With an inverse, full accuracy has no further cost.
-  const double first_tolerance = start.nodes.size() <= kMostKept ? kTolerance : kFirstTolerance;
+  const double first_tolerance = start.nodes.size() <= kMaxKept ? kTolerance : kFirstTolerance;
   PressedNodes contact = find_contact(
       surface, std::move(start),
-      {.most_passes = kMostPasses, .first_tolerance = first_tolerance, .tightening = 0.0, .tolerance = kTolerance});
-  if (!contact.converged) throw ConvergenceError("the set of nodes in contact did not converge", kMostPasses, 1.0);
+      {.max_passes = kMaxPasses, .first_tolerance = first_tolerance, .tightening = 0.0, .tolerance = kTolerance});
+  if (!contact.converged) throw ConvergenceError("the set of nodes in contact did not converge", kMaxPasses, 1.0);
   return contact;
 }
 

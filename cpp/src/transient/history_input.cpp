@@ -13,7 +13,7 @@ namespace viscoroll {
 namespace detail {
 namespace {
 
-constexpr int kMostStepsPerSpacing = 64;
+constexpr int kMaxStepsPerSpacing = 64;
 
 }  // namespace
 
@@ -22,21 +22,21 @@ constexpr int kMostStepsPerSpacing = 64;
 Mesh chosen_mesh(double outer_radius, double contact_radius, bool is_line) {
   const double across = is_line ? 48.0 : 16.0;
   constexpr double kFewest = 64.0;
-  constexpr double kMost = 4000.0;
+  constexpr double kMaxNodes = 4000.0;
   const double nodes = std::numbers::pi * outer_radius / contact_radius * across;
-  return {.nodes_per_revolution = 2 * static_cast<int>(std::lround(0.5 * std::clamp(nodes, kFewest, kMost)))};
+  return {.nodes_per_revolution = 2 * static_cast<int>(std::lround(0.5 * std::clamp(nodes, kFewest, kMaxNodes)))};
 }
 
 void validate(const HistoryOptions& options) {
   if (options.mesh) viscoroll::validate(*options.mesh);
   require_orders(options.curvature);
-  if (options.averaged_meshes < 1 || options.averaged_meshes > kMostAveragedMeshes) {
-    reject("averaged_meshes", "in [1, " + std::to_string(kMostAveragedMeshes) + "]",
+  if (options.averaged_meshes < 1 || options.averaged_meshes > kMaxAveragedMeshes) {
+    reject("averaged_meshes", "in [1, " + std::to_string(kMaxAveragedMeshes) + "]",
            std::to_string(options.averaged_meshes));
   }
   if (options.steps_per_spacing &&
-      (*options.steps_per_spacing < 1 || *options.steps_per_spacing > kMostStepsPerSpacing)) {
-    reject("steps_per_spacing", "in [1, " + std::to_string(kMostStepsPerSpacing) + "]",
+      (*options.steps_per_spacing < 1 || *options.steps_per_spacing > kMaxStepsPerSpacing)) {
+    reject("steps_per_spacing", "in [1, " + std::to_string(kMaxStepsPerSpacing) + "]",
            std::to_string(*options.steps_per_spacing));
   }
   require_friction(options.friction);

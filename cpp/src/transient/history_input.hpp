@@ -6,7 +6,7 @@
 
 namespace viscoroll::detail {
 
-inline constexpr int kMostAveragedMeshes = 16;
+inline constexpr int kMaxAveragedMeshes = 16;
 
 /// @brief Check options.
 /// @throws InvalidInput with parameter, value, unit and range

@@ -22,7 +22,7 @@ class IterativeStickSlip::Equations {
   Equations(const StickSlipProblem& problem, const ConditionScales& scales, const CenterRow& center, double friction,
             const ContactSets& sets)
       : problem_(problem), scales_(scales), center_(center), friction_(friction), sets_(sets) {
-    const double largest = center.on_force.abs().maxCoeff();
+    const double largest = center.force_coefficients.abs().maxCoeff();
     center_scale_ = 1.0 / std::max(largest, std::abs(center.displacement) / scales.tangential);
     prepare_border();
   }
@@ -72,9 +72,10 @@ class IterativeStickSlip::Equations {
     VectorXd left(size());
     for (Index i = 0; i < nodes(); ++i) {
       const Index node = contact(i);
-      const Vector3d moves(moved(node, kForward) + center_displacement * problem_.by_center(node, 0),
-                           -moved(node, kDown) - penetration * problem_.weights[node],
-                           moved(node, kSideways) + center_displacement * problem_.by_center(node, 1));
+      const Vector3d moves(
+          moved(node, kForward) + center_displacement * problem_.slip_per_center_displacement(node, 0),
+          -moved(node, kDown) - penetration * problem_.weights[node],
+          moved(node, kSideways) + center_displacement * problem_.slip_per_center_displacement(node, 1));
       left.segment<3>(3 * i) = conditions(i, unknowns.segment<3>(3 * i), moves);
     }
     left.tail<2>() = sums(unknowns);
@@ -115,7 +116,7 @@ class IterativeStickSlip::Equations {
     for (Index i = 0; i < nodes(); ++i) {
       const auto force = unknowns.segment<3>(3 * i);
       sums[0] -= problem_.weights[contact(i)] * force[kDown];
-      sums[1] += center_.on_force.row(contact(i)).matrix().dot(force.transpose());
+      sums[1] += center_.force_coefficients.row(contact(i)).matrix().dot(force.transpose());
     }
     sums[1] *= center_scale_;
     return sums;
@@ -144,8 +145,10 @@ class IterativeStickSlip::Equations {
       const Vector3d none = Vector3d::Zero();
       const Index node = contact(i);
       given.col(0).segment<3>(3 * i) = conditions(i, none, {0.0, -problem_.weights[node] / scales_.normal, 0.0});
-      given.col(1).segment<3>(3 * i) = conditions(
-          i, none, Vector3d(problem_.by_center(node, 0), 0.0, problem_.by_center(node, 1)) / scales_.tangential);
+      given.col(1).segment<3>(3 * i) = conditions(i, none,
+                                                  Vector3d(problem_.slip_per_center_displacement(node, 0), 0.0,
+                                                           problem_.slip_per_center_displacement(node, 1)) /
+                                                      scales_.tangential);
     }
     border_.resize(size(), 2);
     Eigen::Matrix2d schur;
@@ -169,8 +172,8 @@ class IterativeStickSlip::Equations {
 };
 
 IterativeStickSlip::IterativeStickSlip(const StickSlipProblem& problem, const VectorField& guess)
-    : TransientStickSlipSystem(problem,
-                               problem.center_moves ? problem.surface.displaced(guess) : std::vector<HalfField>()) {}
+    : TransientStickSlipSystem(problem, problem.center_row_needs_displacements ? problem.surface.displaced(guess)
+                                                                               : std::vector<HalfField>()) {}
 
 double IterativeStickSlip::imbalance(const ContactSolution& state) const {
   const double load = -(problem().weights * state.force.col(kDown)).sum() - problem().load;

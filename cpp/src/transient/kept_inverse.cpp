@@ -15,26 +15,26 @@ using Eigen::MatrixXd;
 
 /// Largest number of nodes of the inverse per node in contact. Nodes that join and leave at the edge while a spacing
 /// passes stay in the inverse.
-constexpr double kMostNodes = 1.5;
+constexpr double kMaxNodeRatio = 1.5;
 
 /// Number of unknowns that are added at once, for fast products.
 constexpr Index kTogether = 48;
 
-bool are_near(const std::vector<double>& a, const std::vector<double>& b, double most_change) {
-  return std::ranges::equal(a, b, [&](double x, double y) { return std::abs(x - y) <= most_change * std::abs(y); });
+bool are_near(const std::vector<double>& a, const std::vector<double>& b, double max_change) {
+  return std::ranges::equal(a, b, [&](double x, double y) { return std::abs(x - y) <= max_change * std::abs(y); });
 }
 
 }  // namespace
 
 bool KeptInverse::cover(const StepOperator& surface, const std::vector<Index>& contact) {
-  if (inverse_ && !are_near(surface.shares(), inverse_->shares, most_change_)) inverse_.reset();
+  if (inverse_ && !are_near(surface.shares(), inverse_->shares, max_change_)) inverse_.reset();
   std::vector<Index> known;
   if (inverse_) known = inverse_->nodes;
   std::ranges::sort(known);
   std::vector<Index> missing;
   std::ranges::set_difference(contact, known, std::back_inserter(missing));
   const auto count = static_cast<double>(known.size() + missing.size());
-  const bool is_wide = count > kMostNodes * static_cast<double>(contact.size());
+  const bool is_wide = count > kMaxNodeRatio * static_cast<double>(contact.size());
   if (missing.empty() && !is_wide) return false;
   Inverse inverse{.nodes = {}, .matrix = {}, .shares = surface.shares()};
   if (is_wide) {

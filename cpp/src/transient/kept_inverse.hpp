@@ -23,9 +23,9 @@ class KeptInverse {
 
   /// @param[in] components unknowns of a node
   /// @param[in] compliance between two sets of nodes
-  /// @param[in] most_change largest relative change of the surface's shares for which an inverse is kept
-  KeptInverse(Eigen::Index components, Compliance compliance, double most_change)
-      : components_(components), compliance_(compliance), most_change_(most_change) {}
+  /// @param[in] max_change largest relative change of the surface's shares for which an inverse is kept
+  KeptInverse(Eigen::Index components, Compliance compliance, double max_change)
+      : components_(components), compliance_(compliance), max_change_(max_change) {}
 
   /// @brief Include all nodes of a contact, and few others.
   /// @param[in] surface surface of the same parts as before; the inverse keeps the shares with which it was begun
@@ -59,7 +59,7 @@ class KeptInverse {
 
   Eigen::Index components_;
   Compliance compliance_;
-  double most_change_;
+  double max_change_;
   std::shared_ptr<const Inverse> inverse_;
 };
 

@@ -70,7 +70,7 @@ class MirroredTables {
   [[nodiscard]] bool dies_out() const { return extent_.dies_out; }
 
   /// @return displacement of a node in the middle along r under a unit force on it [m/N]
-  [[nodiscard]] double own_compliance() const { return ahead_(0, 0); }
+  [[nodiscard]] double diagonal_compliance() const { return ahead_(0, 0); }
 
   /// @brief Displacements of some nodes of a window under forces on other nodes.
   /// @param[in] displaced,loaded numbers of nodes in the window, row by row

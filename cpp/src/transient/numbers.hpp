@@ -14,7 +14,7 @@
 namespace viscoroll::detail {
 
 /// @brief Largest row index to either side; positions of rows beyond it are lost in round-off.
-inline constexpr double kMostRows = 1e15;
+inline constexpr double kMaxRows = 1e15;
 
 /// @brief Writer that appends numbers to a sequence.
 class NumberWriter {
@@ -64,7 +64,7 @@ class NumberReader {
   /// @return a row index of either sign
   [[nodiscard]] Eigen::Index row() {
     const double number = get();
-    if (!(std::abs(number) <= kMostRows && number == std::floor(number))) refuse();
+    if (!(std::abs(number) <= kMaxRows && number == std::floor(number))) refuse();
     return static_cast<Eigen::Index>(number);
   }
 

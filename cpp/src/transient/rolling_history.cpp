@@ -58,7 +58,7 @@ struct RollingHistory::Impl {
   std::shared_ptr<const ViscoelasticPair> pair;
   std::vector<ShiftedMesh> meshes;
   Trial trial;
-  RollingInstant now;
+  RollingInstant current;
   double last_step = 0.0;                         // [s]
   std::optional<detail::StartedSegment> started;  // has begun and not ended
   std::int64_t steps = 0;
@@ -80,7 +80,7 @@ struct RollingHistory::Impl {
 
   void widen(detail::Watch& watch) {
     const Index half_nodes = pair->half_nodes();
-    if (half_nodes == pair->most_half_nodes()) {
+    if (half_nodes == pair->max_half_nodes()) {
       reject("load", "small enough for the coating",
              "a load with which the contact extends beyond 60 degrees to either side");
     }
@@ -88,7 +88,7 @@ struct RollingHistory::Impl {
   }
 
   void lengthen(detail::Watch& watch) {
-    const Index reach = std::min(2 * pair->track_reach, pair->most_track_reach());
+    const Index reach = std::min(2 * pair->track_reach, pair->max_track_reach());
     enlarge({.half_nodes = pair->half_nodes(), .track_reach = reach}, watch);
   }
 
@@ -129,8 +129,8 @@ struct RollingHistory::Impl {
   void restore(const RollingState& state, detail::Watch& watch);
   void require_step(const StepEnd& to) const;
   void require_forces(const StepEnd& to) const;
-  [[nodiscard]] double most_turn() const {
-    return detail::most_turn(pair->nodes.grid.phi_spacing, options.steps_per_spacing);
+  [[nodiscard]] double max_turn() const {
+    return detail::max_turn(pair->nodes.grid.phi_spacing, options.steps_per_spacing);
   }
   [[nodiscard]] std::vector<StepEnd> path_to(const StepEnd& end);
 };
@@ -142,7 +142,7 @@ detail::ContactReach RollingHistory::Impl::prepare(const RollingBody& body, cons
   detail::validate(options);
   detail::require_followed(given, options);
   detail::require_positive("load", load, given.body->form().load_unit);
-  at_rest = detail::rolling_pair(detail::at_rest(body), detail::at_rest(on));
+  at_rest = detail::rolling_pair(detail::with_relaxed_moduli(body), detail::with_relaxed_moduli(on));
   const detail::ContactReach contact = detail::estimate_contact(at_rest, 1.0, load);
   if (!options.mesh)
     options.mesh = detail::chosen_mesh(given.body->radius(), contact.along, given.body->form().is_line());
@@ -210,31 +210,31 @@ void RollingHistory::Impl::require_forces(const StepEnd& to) const {
 void RollingHistory::Impl::require_step(const StepEnd& to) const {
   detail::require_finite("time", to.time);
   detail::require_finite("angle", to.angle);
-  const double farthest = detail::kMostRows * pair->nodes.grid.phi_spacing;
+  const double farthest = detail::kMaxRows * pair->nodes.grid.phi_spacing;
   if (std::abs(to.angle) > farthest) reject("angle", "in +-" + detail::rounded(farthest) + " rad", to.angle);
-  if (!(to.time >= now.time)) {
-    reject("time", ">= the current time, " + text(now.time) + " s", text(to.time) + " s");
+  if (!(to.time >= current.time)) {
+    reject("time", ">= the current time, " + text(current.time) + " s", text(to.time) + " s");
   }
   detail::require_nonnegative("load", to.load, pair->pair.body->form().load_unit);
   require_forces(to);
-  if (std::abs(to.angle - now.angle) > most_turn()) {
-    reject("angle", "within " + detail::rounded(most_turn()) + " rad of the previous angle (ten million steps)",
+  if (std::abs(to.angle - current.angle) > max_turn()) {
+    reject("angle", "within " + detail::rounded(max_turn()) + " rad of the previous angle (ten million steps)",
            to.angle);
   }
-  const double duration = to.time - now.time;
+  const double duration = to.time - current.time;
   if (duration == 0.0) {
-    const bool moves = to.angle != now.angle || to.load != now.load ||
-                       to.center_displacement.value_or(now.center_displacement) != now.center_displacement;
+    const bool moves = to.angle != current.angle || to.load != current.load ||
+                       to.center_displacement.value_or(current.center_displacement) != current.center_displacement;
     if (moves && instantaneous() == 0.0) {
       reject("time",
-             "> the current time, " + text(now.time) +
+             "> the current time, " + text(current.time) +
                  " s, because a coating without instantaneous compliance (KelvinVoigt) cannot jump",
              text(to.time) + " s");
     }
     return;
   }
   constexpr double kNegligible = 0.01;
-  const double speed = (to.angle - now.angle) / duration;
+  const double speed = (to.angle - current.angle) / duration;
   if (inertia * speed * speed > kNegligible) {
     reject("angle",
            "changed so slowly that inertia is negligible, at most " +
@@ -246,10 +246,10 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
 /// Steps to the end of a segment; for a segment that has begun, the remaining steps.
 std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
   if (!started || started->taken == 0 || started->end != end) {
-    started = detail::StartedSegment{.begin = {.time = now.time,
-                                               .angle = now.angle,
-                                               .load = now.load,
-                                               .center_displacement = now.center_displacement},
+    started = detail::StartedSegment{.begin = {.time = current.time,
+                                               .angle = current.angle,
+                                               .load = current.load,
+                                               .center_displacement = current.center_displacement},
                                      .end = end,
                                      .last_step = last_step,
                                      .taken = 0};
@@ -260,13 +260,13 @@ std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
     for (const double time : body.spectrum.retardation_times) shortest = std::min(shortest, time);
   }
   const detail::StepChoice choice(pair->nodes.grid.phi_spacing, options.steps_per_spacing, shortest);
-  const auto shares = choice.shares({.duration = end.time - begin.time,
-                                     .turn = end.angle - begin.angle,
-                                     .relative_load = detail::relative_change(begin.load, end.load)},
-                                    started->last_step);
+  const auto fractions = choice.fractions({.duration = end.time - begin.time,
+                                           .turn = end.angle - begin.angle,
+                                           .relative_load = detail::relative_change(begin.load, end.load)},
+                                          started->last_step);
   std::vector<StepEnd> path;
-  path.reserve(shares.size());
-  for (const double share : shares) path.push_back(started->at(share));
+  path.reserve(fractions.size());
+  for (const double fraction : fractions) path.push_back(started->at(fraction));
   path.back() = end;
   const std::size_t taken = std::min(started->taken, path.size() - 1);
   path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(taken));
@@ -278,7 +278,7 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
   const std::size_t count = meshes.size();
   std::vector<RollingInstant> instants(path.size() * count);
   std::vector<detail::PairStep> steps_ahead;
-  double before = now.time;
+  double before = current.time;
   for (const StepEnd& end : path) {
     detail::PairStep step{.duration = end.time - before, .parts = {}};
     for (const detail::BodySpectrum& body : spectra) step.parts.emplace_back(body.spectrum, step.duration);
@@ -295,7 +295,7 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
       [&](std::size_t l, ShiftedMesh& mesh, const detail::Worker& worker) {
         for (std::size_t i = 0; i < path.size(); ++i) {
           mesh.advance(steps_ahead[i], path[i], worker.checkpoint);
-          instants[i * count + l] = mesh.now();
+          instants[i * count + l] = mesh.current();
           ++done;
           worker.checkpoint();
         }
@@ -306,9 +306,9 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
   for (std::size_t i = 0; i < path.size(); ++i) {
     means.push_back(mean(std::span(instants).subspan(i * count, count), path[i].time));
   }
-  last_step = path.back().time - (path.size() > 1 ? path[path.size() - 2].time : now.time);
+  last_step = path.back().time - (path.size() > 1 ? path[path.size() - 2].time : current.time);
   steps += static_cast<std::int64_t>(path.size());
-  now = means.back();
+  current = means.back();
   started->taken += path.size();
   if (path.back() == started->end) started.reset();
   return means;
@@ -321,10 +321,10 @@ RollingState RollingHistory::Impl::state() const {
   numbers.put(static_cast<double>(pair->track_reach));
   numbers.put(static_cast<double>(meshes.size()));
   for (const detail::ViscoelasticBody& body : pair->bodies) {
-    numbers.put(body.tables.own_compliance());
+    numbers.put(body.tables.diagonal_compliance());
     detail::write(body.spectrum, numbers);
   }
-  for (const double number : {now.time, last_step, static_cast<double>(steps)}) numbers.put(number);
+  for (const double number : {current.time, last_step, static_cast<double>(steps)}) numbers.put(number);
   detail::write(started, numbers);
   for (const ShiftedMesh& mesh : meshes) mesh.write(numbers);
   return state;
@@ -334,15 +334,15 @@ void RollingHistory::Impl::restore(const RollingState& state, detail::Watch& wat
   constexpr double kSame = 1e-9;
   detail::NumberReader numbers(state.numbers);
   const Index half_nodes = numbers.count(options.mesh->nodes_per_revolution);
-  const Index track_reach = numbers.count(static_cast<double>(pair->most_track_reach()));
-  if (numbers.count(detail::kMostAveragedMeshes) != static_cast<Index>(meshes.size())) {
+  const Index track_reach = numbers.count(static_cast<double>(pair->max_track_reach()));
+  if (numbers.count(detail::kMaxAveragedMeshes) != static_cast<Index>(meshes.size())) {
     reject("start", "a state with the same number of averaged meshes (" + std::to_string(meshes.size()) + ")",
            "a state with another number");
   }
   Impl next(*this);
   for (std::size_t b = 0; b < spectra.size(); ++b) {
     const double compliance = numbers.get();
-    if (!(std::abs(compliance / pair->bodies[b].tables.own_compliance() - 1.0) < kSame)) {
+    if (!(std::abs(compliance / pair->bodies[b].tables.diagonal_compliance() - 1.0) < kSame)) {
       reject("start", "a state of the same bodies and mesh", "a state with another compliance");
     }
     next.spectra[b].spectrum = detail::read_spectrum(numbers);
@@ -352,23 +352,23 @@ void RollingHistory::Impl::restore(const RollingState& state, detail::Watch& wat
     }
   }
   next.pair = next.with({.half_nodes = half_nodes, .track_reach = track_reach}, watch);
-  next.now.time = numbers.get();
+  next.current.time = numbers.get();
   next.last_step = numbers.get();
   next.steps = numbers.count(1e15);
   next.started = detail::read_started_segment(numbers);
   if (next.started) {
     const auto& [begin, end, last_step_before, taken] = *next.started;
-    detail::NumberReader::require(begin.time <= next.now.time && next.now.time <= end.time &&
-                                  std::abs(end.angle - begin.angle) <= most_turn());
+    detail::NumberReader::require(begin.time <= next.current.time && next.current.time <= end.time &&
+                                  std::abs(end.angle - begin.angle) <= max_turn());
   }
   std::vector<RollingInstant> instants;
   for (std::size_t l = 0; l < meshes.size(); ++l) {
     next.meshes[l] = ShiftedMesh(next.pair, static_cast<double>(l) / static_cast<double>(meshes.size()), 1);
     next.meshes[l].read(numbers, [&watch] { watch.poll("restoring", 0.0); });
-    instants.push_back(next.meshes[l].now());
+    instants.push_back(next.meshes[l].current());
   }
   numbers.finish();
-  next.now = next.mean(instants, next.now.time);
+  next.current = next.mean(instants, next.current.time);
   *this = std::move(next);
 }
 
@@ -385,8 +385,8 @@ RollingHistory::RollingHistory(const RollingBody& body, const Counterbody& on, d
   Impl& impl = *impl_;
   impl.options = options;
   const detail::ContactReach contact = impl.prepare(body, on, load, watch);
-  if (start == Start::fresh && impl.instantaneous() == 0.0) {
-    reject("start", "RELAXED for a coating without instantaneous compliance (KelvinVoigt)", "FRESH");
+  if (start == Start::undeformed && impl.instantaneous() == 0.0) {
+    reject("start", "RELAXED for a coating without instantaneous compliance (KelvinVoigt)", "UNDEFORMED");
   }
   impl.create_meshes(contact, watch);
   const StepEnd first{.time = time, .angle = angle, .load = load, .center_displacement = {}};
@@ -395,8 +395,8 @@ RollingHistory::RollingHistory(const RollingBody& body, const Counterbody& on, d
   });
   std::vector<RollingInstant> instants;
   instants.reserve(impl.meshes.size());
-  for (const ShiftedMesh& shifted : impl.meshes) instants.push_back(shifted.now());
-  impl.now = impl.mean(instants, time);
+  for (const ShiftedMesh& shifted : impl.meshes) instants.push_back(shifted.current());
+  impl.current = impl.mean(instants, time);
 }
 
 RollingHistory::RollingHistory(const RollingBody& body, const Counterbody& on, double load, const RollingState& state,
@@ -425,10 +425,10 @@ RollingInstant RollingHistory::advance(double time, double angle, double load,
   return impl_->follow(impl_->path_to(end), watch).back();
 }
 
-const RollingInstant& RollingHistory::now() const { return impl_->now; }
+const RollingInstant& RollingHistory::current() const { return impl_->current; }
 ContactField RollingHistory::contact() const {
   ContactField field = impl_->meshes.front().field();
-  field.time = impl_->now.time;
+  field.time = impl_->current.time;
   return field;
 }
 std::int64_t RollingHistory::steps() const { return impl_->steps; }
@@ -454,13 +454,14 @@ StepEnd waypoint_of(const Motion& motion, std::size_t k) {
 }
 
 /// Next waypoint. Of several waypoints at the present time, it is the one after the waypoint that has been reached.
-std::size_t next_waypoint(const Motion& motion, const RollingInstant& now) {
+std::size_t next_waypoint(const Motion& motion, const RollingInstant& current) {
   std::size_t next = 0;
-  while (motion.time[next] < now.time) ++next;
-  for (std::size_t k = next; k < motion.time.size() && motion.time[k] == now.time; ++k) {
+  while (motion.time[next] < current.time) ++next;
+  for (std::size_t k = next; k < motion.time.size() && motion.time[k] == current.time; ++k) {
     const StepEnd waypoint = waypoint_of(motion, k);
-    const bool reached = waypoint.center_displacement.value_or(now.center_displacement) == now.center_displacement;
-    if (waypoint.angle == now.angle && waypoint.load == now.load && reached) next = k + 1;
+    const bool reached =
+        waypoint.center_displacement.value_or(current.center_displacement) == current.center_displacement;
+    if (waypoint.angle == current.angle && waypoint.load == current.load && reached) next = k + 1;
   }
   return next;
 }
@@ -471,16 +472,16 @@ std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, 
   validate(motion);
   detail::Watch watch(observer);
   RollingHistory::Impl& impl = *history.impl_;
-  if (!(impl.now.time >= motion.time.front() && impl.now.time <= motion.time.back())) {
-    reject("time", "a list whose range contains the current time, " + text(impl.now.time) + " s",
+  if (!(impl.current.time >= motion.time.front() && impl.current.time <= motion.time.back())) {
+    reject("time", "a list whose range contains the current time, " + text(impl.current.time) + " s",
            text(motion.time.front()) + " s to " + text(motion.time.back()) + " s");
   }
   const auto share_at = [&motion](double time) {
     const double duration = motion.time.back() - motion.time.front();
     return duration > 0.0 ? (time - motion.time.front()) / duration : 1.0;
   };
-  std::vector<RollingInstant> instants{impl.now};
-  for (std::size_t k = next_waypoint(motion, impl.now); k < motion.time.size(); ++k) {
+  std::vector<RollingInstant> instants{impl.current};
+  for (std::size_t k = next_waypoint(motion, impl.current); k < motion.time.size(); ++k) {
     const StepEnd end = waypoint_of(motion, k);
     impl.require_step(end);
     const std::vector<StepEnd> path = impl.path_to(end);
@@ -488,7 +489,7 @@ std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, 
     for (std::size_t first = 0; first < path.size(); first += kTogether) {
       const auto piece = std::span(path).subspan(first, std::min(kTogether, path.size() - first));
       const auto means =
-          impl.follow(piece, watch, {.from = share_at(impl.now.time), .to = share_at(piece.back().time)});
+          impl.follow(piece, watch, {.from = share_at(impl.current.time), .to = share_at(piece.back().time)});
       instants.insert(instants.end(), means.begin(), means.end());
     }
   }

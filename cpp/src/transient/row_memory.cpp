@@ -20,7 +20,8 @@ std::vector<double> sizes_of(const ViscoelasticBody& body) {
   std::vector<double> sizes;
   sizes.reserve(body.spectrum.size());
   for (std::size_t j = 0; j < body.spectrum.size(); ++j) {
-    sizes.push_back(body.spectrum.weights[j] * std::abs(body.tables.all()[body.tables.of_term(j)].own_compliance()));
+    sizes.push_back(body.spectrum.weights[j] *
+                    std::abs(body.tables.all()[body.tables.of_term(j)].diagonal_compliance()));
   }
   return sizes;
 }

@@ -172,7 +172,7 @@ std::vector<HalfField> ShiftedMesh::displacements(const ContactPlace& place) con
 
 /// If displacements do not decay, as on a half-space, the whole memory of a track displaces the contact.
 void ShiftedMesh::require_reach(const ContactPlace& place) const {
-  if (pair_->track_reach >= pair_->most_track_reach()) return;
+  if (pair_->track_reach >= pair_->max_track_reach()) return;
   for (std::size_t b = 0; b < memories_.size(); ++b) {
     const CreepTables& tables = pair_->bodies[b].tables;
     const auto alive = memories_[b].living();
@@ -261,7 +261,7 @@ void ShiftedMesh::start(Start start, const StepEnd& at, double center_speed, con
   const bool relaxed = start == Start::relaxed;
   const auto parts_in = [&](std::size_t b) {
     const ViscoelasticBody& body = pair_->bodies[b];
-    return relaxed ? body.parts_at_rest() : body.parts_at_once();
+    return relaxed ? body.relaxed_factors() : body.instantaneous_factors();
   };
   const InstantaneousCompliance instantaneous = this->instantaneous(parts_in, checkpoint);
   now_.angle = at.angle;
@@ -292,7 +292,7 @@ void ShiftedMesh::advance(const PairStep& step, const StepEnd& end, const Checkp
   const RollingInstant before = now_;
   const CenterPower power = power_;
   const double duration = step.duration;
-  const auto parts_in = [&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); };
+  const auto parts_in = [&](std::size_t b) { return pair_->bodies[b].step_factors(step.parts[b]); };
   const InstantaneousCompliance instantaneous = this->instantaneous(parts_in, checkpoint);
   const CenterCondition center = center_condition(*pair_, now_, duration, end);
   const InstantContact contact = explaining_failure({&step, instantaneous, end, center, checkpoint}, [&] {

@@ -51,7 +51,7 @@ class ShiftedMesh {
   ShiftedMesh(std::shared_ptr<const ViscoelasticPair> pair, double shift, Eigen::Index half_rows);
 
   /// @brief Solve the first contact, at rest.
-  /// @param[in] start fresh or relaxed
+  /// @param[in] start undeformed or relaxed
   /// @param[in] at angle and load
   /// @param[in] center_speed initial speed of the center [m/s]
   /// @param[in] checkpoint called every few milliseconds, here and below
@@ -70,7 +70,7 @@ class ShiftedMesh {
   /// @brief Restore the state that a mesh of the same bodies has written.
   void read(NumberReader& numbers, const Checkpoint& checkpoint);
 
-  [[nodiscard]] const RollingInstant& now() const { return now_; }
+  [[nodiscard]] const RollingInstant& current() const { return now_; }
   [[nodiscard]] ContactField field() const;
 
  private:

@@ -41,7 +41,7 @@ void ShiftedMesh::read(NumberReader& numbers, const Checkpoint& checkpoint) {
     now_.*member = member == &RollingInstant::semi_axis_z ? numbers.get_if_any() : numbers.get();
   }
   const double spacing = pair_->nodes.grid.phi_spacing;
-  NumberReader::require(std::abs(now_.angle) <= kMostRows * spacing && now_.load >= 0.0);
+  NumberReader::require(std::abs(now_.angle) <= kMaxRows * spacing && now_.load >= 0.0);
   center_acceleration_ = numbers.get();
   power_ = {.along_track = numbers.get(), .creeping = numbers.get()};
   half_rows_ = numbers.count(static_cast<double>(pair_->nodes.widest.phi.last));

@@ -1,7 +1,7 @@
 #include "transient/side_influence.hpp"
 
 #include "dense_products.hpp"
-#include "influence/tread_shares.hpp"
+#include "influence/tread_weights.hpp"
 
 namespace viscoroll::detail {
 
@@ -21,8 +21,8 @@ HalfField side_influence(const SampledDifference& difference, const SideFactors&
       return shares.block(p * lines, p * shape.half_nodes, lines, shape.half_nodes);
     };
     const bool odd = p == 2;
-    of_component(gathered) = mean_shares(difference.z, columns, shape.half_nodes, odd) * weights.asDiagonal();
-    of_component(read) = node_shares(difference.z, columns, shape.half_nodes, odd) * weights.asDiagonal();
+    of_component(gathered) = patch_mean_weights(difference.z, columns, shape.half_nodes, odd) * weights.asDiagonal();
+    of_component(read) = node_weights(difference.z, columns, shape.half_nodes, odd) * weights.asDiagonal();
   }
   const Index offsets = factors.phi_reach + 1;
   const Eigen::MatrixXcd ahead = factors.values.bottomRows(offsets);

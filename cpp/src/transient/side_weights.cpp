@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "section/tread_store.hpp"
+#include "section/tread_cache.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -14,7 +14,7 @@ namespace viscoroll::detail {
 
 /// @brief Weights in the form of `LayerSpectrum::weights_of`: the sums over retardation times use sections solved at
 /// complex moduli around these times. The process keeps the results of the last few treads.
-/// @param[in] layers layers of the endless tread
+/// @param[in] layers layers of the unbounded tread
 /// @param[in] tread at least one layer
 /// @param[in] tangential whether forces along phi and z occur, or forces along r only
 /// @param[in] threads number of threads, 0 for all cores

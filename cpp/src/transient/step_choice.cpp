@@ -9,14 +9,14 @@ namespace {
 
 constexpr double kGrowth = 1.1;
 constexpr double kLargestLoadChange = 0.05;
-constexpr double kFirstShare = 1e-3;  // of a segment, if the material has even shorter times
-constexpr double kFirstTime = 0.05;   // of the shortest retardation time
+constexpr double kFirstFraction = 1e-3;  // of a segment, if the material has even shorter times
+constexpr double kFirstTime = 0.05;      // of the shortest retardation time
 
 }  // namespace
 
-double most_turn(double spacing, std::optional<int> steps_per_spacing) {
-  constexpr double kMostSteps = 1e7;  // their instants take some two gigabytes
-  return steps_per_spacing ? kMostSteps * spacing / *steps_per_spacing : std::numeric_limits<double>::infinity();
+double max_turn(double spacing, std::optional<int> steps_per_spacing) {
+  constexpr double kMaxSteps = 1e7;  // their instants take some two gigabytes
+  return steps_per_spacing ? kMaxSteps * spacing / *steps_per_spacing : std::numeric_limits<double>::infinity();
 }
 
 double relative_change(double before, double after) {
@@ -24,13 +24,13 @@ double relative_change(double before, double after) {
   return larger > 0.0 ? (after - before) / larger : 0.0;
 }
 
-std::vector<double> StepChoice::shares(const Segment& segment, double last) const {
+std::vector<double> StepChoice::fractions(const Segment& segment, double last) const {
   if (!steps_per_spacing_ || segment.duration == 0.0) return {1.0};
   constexpr double kRoundOff = 1e-9;
   const double by_turn = std::ceil(std::abs(segment.turn) * *steps_per_spacing_ / spacing_ - kRoundOff);
   const double by_load = std::ceil(std::abs(segment.relative_load) / kLargestLoadChange - kRoundOff);
   const double longest = segment.duration / std::max({by_turn, by_load, 1.0});
-  const double first = std::max(kFirstTime * shortest_time_, kFirstShare * segment.duration);
+  const double first = std::max(kFirstTime * shortest_time_, kFirstFraction * segment.duration);
 
   std::vector<double> ends;
   double end = 0.0;
@@ -40,7 +40,7 @@ std::vector<double> StepChoice::shares(const Segment& segment, double last) cons
     ends.push_back(end);
     step = std::min(kGrowth * step, longest);
   }
-  for (double& share : ends) share /= end;
+  for (double& fraction : ends) fraction /= end;
   ends.back() = 1.0;
   return ends;
 }

@@ -16,7 +16,7 @@ struct Segment {
 
 /// @param[in] spacing,steps_per_spacing same as in `StepChoice`
 /// @return largest turn of a segment whose steps fit into memory [rad]
-[[nodiscard]] double most_turn(double spacing, std::optional<int> steps_per_spacing);
+[[nodiscard]] double max_turn(double spacing, std::optional<int> steps_per_spacing);
 
 /// @return change relative to the larger of two values, neither of them negative [-]
 [[nodiscard]] double relative_change(double before, double after);
@@ -34,7 +34,7 @@ class StepChoice {
   /// @param[in] segment next segment
   /// @param[in] last previous step [s], 0 after a jump and at the start
   /// @return ends of the steps as fractions of the segment, ascending to 1
-  [[nodiscard]] std::vector<double> shares(const Segment& segment, double last) const;
+  [[nodiscard]] std::vector<double> fractions(const Segment& segment, double last) const;
 
  private:
   double spacing_;

@@ -69,9 +69,9 @@ void add_displacement(double share, const Axes& axes, const HalfField& displaced
 
 }  // namespace
 
-double StepOperator::own_compliance() const {
+double StepOperator::diagonal_compliance() const {
   double sum = 0.0;
-  for (const Part& part : parts_) sum += part.share * part.tables->own_compliance();
+  for (const Part& part : parts_) sum += part.share * part.tables->diagonal_compliance();
   return sum;
 }
 

@@ -31,7 +31,7 @@ class StepOperator {
   void checkpoint() const { checkpoint_(); }
   [[nodiscard]] Eigen::Index half_nodes() const { return parts_.front().tables->half_nodes(); }
   /// @return displacement of a node in the middle along r under a unit force on it
-  [[nodiscard]] double own_compliance() const;
+  [[nodiscard]] double diagonal_compliance() const;
   /// @return displacement of a node of the window along the plane under a unit force on it
   [[nodiscard]] double compliance_along(Eigen::Index node) const;
 

@@ -20,11 +20,11 @@ constexpr Index kColumns = 100;  // of the largest systems between two checkpoin
 
 }  // namespace
 
-StickSlipEquations::StickSlipEquations(const StickSlipProblem& problem, double own_compliance,
+StickSlipEquations::StickSlipEquations(const StickSlipProblem& problem, double tangential_compliance,
                                        ContactStiffness& stiffness)
     : problem_(problem),
       stiffness_(stiffness),
-      own_compliance_(own_compliance),
+      tangential_compliance_(tangential_compliance),
       gap_(problem.gap),
       known_slip_(problem.known_slip) {}
 
@@ -36,8 +36,8 @@ void StickSlipEquations::cover(const std::vector<Index>& contact) {
   to_frame_.clear();
   factored_.clear();
   for (const Index node : covered()) to_frame_.push_back(problem_.surface.to_frame(node));
-  close();
-  weigh_center();
+  set_sticking_state();
+  set_center_row();
 }
 
 void StickSlipEquations::correct(const std::vector<Index>& nodes, const Eigen::ArrayXd& gap,
@@ -49,35 +49,35 @@ void StickSlipEquations::correct(const std::vector<Index>& nodes, const Eigen::A
   if (to_frame_.empty()) return;
   Index place = 0;
   for (const Index node : covered()) {
-    closed_.col(0).segment<3>(3 * place++) << -known_slip_(node, 0), gap_[node], -known_slip_(node, 1);
+    sticking_displacements_.col(0).segment<3>(3 * place++) << -known_slip_(node, 0), gap_[node], -known_slip_(node, 1);
   }
-  by_closed_.col(0) = forces_by(closed_.col(0));
+  sticking_forces_.col(0) = forces_by(sticking_displacements_.col(0));
 }
 
-void StickSlipEquations::close() {
-  closed_ = Eigen::MatrixX3d::Zero(3 * static_cast<Index>(covered().size()), 3);
+void StickSlipEquations::set_sticking_state() {
+  sticking_displacements_ = Eigen::MatrixX3d::Zero(3 * static_cast<Index>(covered().size()), 3);
   Index place = 0;
   for (const Index node : covered()) {
-    const auto& by_center = problem_.by_center;
-    Eigen::Matrix3d closed;
-    closed << -known_slip_(node, 0), 0.0, -by_center(node, 0),  //
-        gap_[node], -problem_.weights[node], 0.0,               //
-        -known_slip_(node, 1), 0.0, -by_center(node, 1);
-    closed_.middleRows<3>(3 * place++) = closed;
+    const auto& slip_per_center_displacement = problem_.slip_per_center_displacement;
+    Eigen::Matrix3d displacements;
+    displacements << -known_slip_(node, 0), 0.0, -slip_per_center_displacement(node, 0),  //
+        gap_[node], -problem_.weights[node], 0.0,                                         //
+        -known_slip_(node, 1), 0.0, -slip_per_center_displacement(node, 1);
+    sticking_displacements_.middleRows<3>(3 * place++) = displacements;
   }
-  by_closed_ = forces_by(closed_);
+  sticking_forces_ = forces_by(sticking_displacements_);
 }
 
-void StickSlipEquations::drive(CenterRow row) {
+void StickSlipEquations::set_center_condition(CenterRow row) {
   center_ = std::move(row);
-  if (!to_frame_.empty()) weigh_center();
+  if (!to_frame_.empty()) set_center_row();
 }
 
-void StickSlipEquations::weigh_center() {
-  VectorXd row(closed_.rows());
+void StickSlipEquations::set_center_row() {
+  VectorXd row(sticking_displacements_.rows());
   Index place = 0;
-  for (const Index node : covered()) row.segment<3>(3 * place++) = center_.on_force.row(node).transpose();
-  by_center_ = forces_by(row);
+  for (const Index node : covered()) row.segment<3>(3 * place++) = center_.force_coefficients.row(node).transpose();
+  center_row_ = forces_by(row);
 }
 
 /// Forces along x, down and z for displacements along them [3 * nodes + axis].
@@ -101,12 +101,12 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
   MatrixXd matrix(free + 2, free + 2);
   VectorXd right(free + 2);
   // In the frame of the stiffness.
-  Eigen::Matrix3Xd on_force(3, free);
+  Eigen::Matrix3Xd force_coefficients(3, free);
   for (Index i = 0; i < free; ++i) {
     const Condition& condition = conditions[static_cast<std::size_t>(i)];
-    on_force.col(i) = to_frame_[static_cast<std::size_t>(condition.place)] * condition.on_force;
+    force_coefficients.col(i) = to_frame_[static_cast<std::size_t>(condition.place)] * condition.force_coefficients;
   }
-  VectorXd by_move(closed_.rows());
+  VectorXd by_move(sticking_displacements_.rows());
   for (Index column = 0; column < free; ++column) {
     if (column % kColumns == 0) problem_.surface.checkpoint();
     const Condition& moved = conditions[static_cast<std::size_t>(column)];
@@ -117,53 +117,56 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
     }
     for (Index row = 0; row < free; ++row) {
       const Condition& condition = conditions[static_cast<std::size_t>(row)];
-      matrix(row, column) = on_force.col(row).dot(by_move.segment<3>(3 * condition.place));
-      if (condition.place == moved.place) matrix(row, column) += condition.on_move[moved.axis];
+      matrix(row, column) = force_coefficients.col(row).dot(by_move.segment<3>(3 * condition.place));
+      if (condition.place == moved.place) matrix(row, column) += condition.displacement_coefficients[moved.axis];
     }
   }
   for (Index row = 0; row < free; ++row) {
     const Condition& condition = conditions[static_cast<std::size_t>(row)];
-    const Eigen::RowVector3d given = condition.on_force.transpose() * by_closed_.middleRows<3>(3 * condition.place);
+    const Eigen::RowVector3d given =
+        condition.force_coefficients.transpose() * sticking_forces_.middleRows<3>(3 * condition.place);
     right[row] = -given[0];
     matrix.row(row).tail<2>() = given.tail<2>();
-    matrix(depth, row) = by_closed_(3 * condition.place + condition.axis, 1);
-    matrix(center, row) = by_center_[3 * condition.place + condition.axis];
+    matrix(depth, row) = sticking_forces_(3 * condition.place + condition.axis, 1);
+    matrix(center, row) = center_row_[3 * condition.place + condition.axis];
   }
-  // Rows of load and center: sums of forces, with the weights that `closed_` and the row of the center give
-  // displacements.
-  const Eigen::RowVector3d pressing = closed_.col(1).transpose() * by_closed_;
+  // Rows of load and center: sums of forces, with the weights that `sticking_displacements_` and the row of the center
+  // give displacements.
+  const Eigen::RowVector3d pressing = sticking_displacements_.col(1).transpose() * sticking_forces_;
   matrix.row(depth).tail<2>() = pressing.tail<2>();
   right[depth] = problem_.load - pressing[0];
-  matrix.row(depth) *= own_compliance_;
-  right[depth] *= own_compliance_;
-  const Eigen::RowVector3d of_center = by_center_.transpose() * closed_;
+  matrix.row(depth) *= tangential_compliance_;
+  right[depth] *= tangential_compliance_;
+  const Eigen::RowVector3d of_center = center_row_.transpose() * sticking_displacements_;
   matrix.row(center).tail<2>() = of_center.tail<2>();
   matrix(center, center) += center_.displacement;
   right[center] = center_.value - of_center[0];
   // Scale forces and displacements equally: a heavy center must be the pivot of its own displacement only.
-  const double largest = center_.on_force.abs().maxCoeff();
-  const double share = own_compliance_ / std::max(largest, std::abs(center_.displacement) * own_compliance_);
+  const double largest = center_.force_coefficients.abs().maxCoeff();
+  const double share =
+      tangential_compliance_ / std::max(largest, std::abs(center_.displacement) * tangential_compliance_);
   matrix.row(center) *= share;
   right[center] *= share;
 
-  const VectorXd unknowns = solved(conditions, matrix, right);
+  const VectorXd unknowns = solve_system(conditions, matrix, right);
   StickSlipForces result{.forces = {},
-                         .moves = VectorXd::Zero(closed_.rows()),
+                         .free_displacements = VectorXd::Zero(sticking_displacements_.rows()),
                          .penetration = unknowns[depth],
                          .center_displacement = unknowns[center]};
   for (Index i = 0; i < free; ++i) {
     const Condition& condition = conditions[static_cast<std::size_t>(i)];
-    result.moves[3 * condition.place + condition.axis] = unknowns[i];
+    result.free_displacements[3 * condition.place + condition.axis] = unknowns[i];
   }
   result.forces =
-      forces_by(closed_ * Eigen::Vector3d(1.0, result.penetration, result.center_displacement) + result.moves);
+      forces_by(sticking_displacements_ * Eigen::Vector3d(1.0, result.penetration, result.center_displacement) +
+                result.free_displacements);
   return result;
 }
 
 /// Solve a system. If the same displacements are free as before, only tractions turn, and the last factors precondition
 /// a Krylov method.
-VectorXd StickSlipEquations::solved(const std::vector<Condition>& conditions, const MatrixXd& matrix,
-                                    const VectorXd& right) {
+VectorXd StickSlipEquations::solve_system(const std::vector<Condition>& conditions, const MatrixXd& matrix,
+                                          const VectorXd& right) {
   std::vector<std::pair<Index, Axis>> free;
   free.reserve(conditions.size());
   for (const Condition& condition : conditions) free.emplace_back(condition.place, condition.axis);

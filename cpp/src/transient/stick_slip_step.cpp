@@ -21,11 +21,11 @@ using Eigen::Index;
 /// Largest number of contact nodes for which dense factors pay. Two deformable balls take twice as long by products
 /// with 300 nodes, equally long with 550 (two thirds with dissimilar layers), and half as long with 1500. Factors also
 /// need nine numbers for each pair of nodes.
-constexpr Index kMostDense = 500;
+constexpr Index kMaxDense = 500;
 
 std::unique_ptr<StickSlipSystem> system_of(const StickSlipProblem& problem, const VectorField& guess,
                                            ContactStiffness& stiffness) {
-  if ((guess.col(kDown) < 0.0).count() > kMostDense) return std::make_unique<IterativeStickSlip>(problem, guess);
+  if ((guess.col(kDown) < 0.0).count() > kMaxDense) return std::make_unique<IterativeStickSlip>(problem, guess);
   return std::make_unique<DirectStickSlip>(problem, guess, stiffness);
 }
 
@@ -59,13 +59,13 @@ class OneSticks : public StickSlipSystem {
   [[nodiscard]] int products() const override { return system_.products(); }
 
   void solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) override {
-    ContactSets held = sets;
-    if (held.states.empty() || std::ranges::any_of(held.states, &TangentialState::stick)) {
-      held_node_ = kNone;
+    ContactSets modified = sets;
+    if (modified.states.empty() || std::ranges::any_of(modified.states, &TangentialState::stick)) {
+      sticking_node_ = kNone;
     } else {
-      hold_one(held);
+      make_one_stick(modified);
     }
-    system_.solve(friction, held, tolerance, state);
+    system_.solve(friction, modified, tolerance, state);
   }
 
  private:
@@ -73,21 +73,21 @@ class OneSticks : public StickSlipSystem {
 
   /// Select the node that sticks. If the node that stuck in the last step slips again, sticking took more traction than
   /// friction allows: the other nodes move the center on, until one of those that slip in the other direction sticks.
-  void hold_one(ContactSets& sets) {
+  void make_one_stick(ContactSets& sets) {
     Eigen::Array2d exceeded(0.0, 0.0);
-    const auto last = std::ranges::find(sets.contact, held_node_);
+    const auto last = std::ranges::find(sets.contact, sticking_node_);
     if (last != sets.contact.end()) {
       exceeded = sets.states[static_cast<std::size_t>(last - sets.contact.begin())].direction;
     }
     const auto next = std::ranges::max_element(sets.states, {}, [&](const TangentialState& state) {
       return std::pair((state.direction * exceeded).sum() < 0.0, state.rigidity);
     });
-    held_node_ = sets.contact[static_cast<std::size_t>(next - sets.states.begin())];
+    sticking_node_ = sets.contact[static_cast<std::size_t>(next - sets.states.begin())];
     *next = sticking();
   }
 
   StickSlipSystem& system_;
-  Index held_node_ = kNone;
+  Index sticking_node_ = kNone;
 };
 
 /// Start from forces and iterate. The first sets follow from the forces alone, because gaps and displacements are those
@@ -127,9 +127,10 @@ class OneSticks : public StickSlipSystem {
 /// @param[in,out] state,sets of a state that was found
 void let_center_rest(const StickSlipProblem& problem, const StickSlipSystem& system, ContactSolution& state,
                      ContactSets& sets) {
-  if (std::ranges::count_if(sets.states, &TangentialState::stick) > 1 || problem.center({}).displacement != 0.0) return;
+  if (std::ranges::count_if(sets.states, &TangentialState::stick) > 1 || problem.center_row({}).displacement != 0.0)
+    return;
   ContactSolution resting = state;
-  resting.slip -= *state.creepage * problem.by_center;
+  resting.slip -= *state.creepage * problem.slip_per_center_displacement;
   resting.creepage = 0.0;
   ContactSets slipping = find_sets(system, problem.friction, resting);
   if (std::ranges::any_of(slipping.states, &TangentialState::stick)) return;
@@ -147,7 +148,7 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
   const std::unique_ptr<StickSlipSystem> system = system_of(problem, guess, stiffness);
   OneSticks one_sticks(*system);
   SemismoothNewton plain(*system, kLimits);
-  SemismoothNewton held(one_sticks, kLimits);
+  SemismoothNewton with_one_sticking(one_sticks, kLimits);
   VectorField pressing = VectorField::Zero(guess.rows(), 3);
   pressing.col(kDown) = guess.col(kDown);
   const auto found = [&]() -> const SemismoothNewton& {
@@ -155,9 +156,11 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
     if (finds_from(pressing, problem.friction, *system, plain)) return plain;
     const VectorField smooth = without_friction(problem, guess);
     if (finds_from(smooth, problem.friction, *system, plain)) return plain;
-    if (descends_from(smooth, problem.friction, one_sticks, held)) return held;
+    if (descends_from(smooth, problem.friction, one_sticks, with_one_sticking)) {
+      return with_one_sticking;
+    }
     throw ConvergenceError("the stick-slip solver did not converge: friction may be too small for the drive",
-                           plain.systems() + held.systems(), held.state().residual);
+                           plain.systems() + with_one_sticking.systems(), with_one_sticking.state().residual);
   };
   const SemismoothNewton& newton = found();
   ContactSolution state = newton.state();

@@ -16,14 +16,14 @@ namespace {
 std::vector<Layer> layers_of(const std::vector<NamedLayer>& named) {
   std::vector<Layer> layers;
   layers.reserve(named.size());
-  for (const NamedLayer& one : named) layers.push_back(one.layer);
+  for (const NamedLayer& layer : named) layers.push_back(layer.layer);
   return layers;
 }
 
 double relaxed_modulus(const ShearModulus& modulus) { return complex_modulus(modulus, std::array{0.0}).front().real(); }
 
 /// Largest relative difference of two moduli, each divided by its relaxed value.
-double difference(const ShearModulus& a, const ShearModulus& b, std::span<const double> frequencies) {
+double relative_difference(const ShearModulus& a, const ShearModulus& b, std::span<const double> frequencies) {
   const auto values_a = complex_modulus(a, frequencies);
   const auto values_b = complex_modulus(b, frequencies);
   const double ratio = relaxed_modulus(a) / relaxed_modulus(b);
@@ -34,64 +34,65 @@ double difference(const ShearModulus& a, const ShearModulus& b, std::span<const 
   return largest;
 }
 
-void rest(Layer& layer) {
+/// Replace a modulus by its relaxed value, and remove inertia.
+void relax(Layer& layer) {
   layer.shear_modulus = Elastic{relaxed_modulus(layer.shear_modulus)};
   layer.density = 0.0;
 }
 
-void rest(CoatedPlane& plane) {
-  for (Layer& layer : plane.layers) rest(layer);
+void relax(CoatedPlane& plane) {
+  for (Layer& layer : plane.layers) relax(layer);
   if (!plane.base) return;
   plane.base->shear_modulus = Elastic{relaxed_modulus(plane.base->shear_modulus)};
   plane.base->density = 0.0;
 }
 
-void rest(Groove& groove) { rest(groove.surface); }
+void relax(Groove& groove) { relax(groove.surface); }
 
 /// Relax the layers of a ball, a roller or a wheel.
-template <class Round>
-void rest(Round& body) {
-  for (Layer& layer : body.layers) rest(layer);
+template <class Body>
+void relax(Body& body) {
+  for (Layer& layer : body.layers) relax(layer);
 }
 
-template <class Any>
-Any rested(Any any) {
-  std::visit([](auto& body) { rest(body); }, any);
-  return any;
+template <class BodyVariant>
+BodyVariant relaxed(BodyVariant any_body) {
+  std::visit([](auto& body) { relax(body); }, any_body);
+  return any_body;
 }
 
 }  // namespace
 
-bool creep_alike(const std::vector<NamedLayer>& layers, const TimeRange& range) {
-  constexpr double kSame = 1e-6;
+bool creep_identically(const std::vector<NamedLayer>& layers, const TimeRange& range) {
+  constexpr double kMaxDifference = 1e-6;
   const ShearModulus& outermost = layers.back().layer.shear_modulus;
   const std::vector<double> frequencies = compared_frequencies(layers_of(layers), range);
   return std::ranges::all_of(layers, [&](const NamedLayer& named) {
     const Layer& layer = named.layer;
     const bool has_elastic_bulk = layer.bulk_modulus && !std::holds_alternative<Elastic>(layer.shear_modulus);
-    return !has_elastic_bulk && difference(outermost, layer.shear_modulus, frequencies) <= kSame;
+    return !has_elastic_bulk && relative_difference(outermost, layer.shear_modulus, frequencies) <= kMaxDifference;
   });
 }
 
-std::vector<double> ViscoelasticBody::parts_at_once() const {
-  std::vector<double> parts(tables.count(), 0.0);
-  parts.front() = spectrum.instantaneous;
-  return parts;
+std::vector<double> ViscoelasticBody::instantaneous_factors() const {
+  std::vector<double> factors(tables.count(), 0.0);
+  factors.front() = spectrum.instantaneous;
+  return factors;
 }
 
-std::vector<double> ViscoelasticBody::parts_at_rest() const { return std::vector(tables.count(), 1.0); }
+std::vector<double> ViscoelasticBody::relaxed_factors() const { return std::vector(tables.count(), 1.0); }
 
-std::vector<double> ViscoelasticBody::parts_after(const TimeStep& step) const {
+std::vector<double> ViscoelasticBody::step_factors(const TimeStep& step) const {
   if (tables.count() == 1) return {step.compliance};
-  std::vector<double> parts = parts_at_once();
+  std::vector<double> factors = instantaneous_factors();
   for (std::size_t j = 0; j < step.terms.size(); ++j) {
-    parts[tables.of_term(j)] = step.terms[j].weight * step.terms[j].on_new;
+    factors[tables.of_term(j)] = step.terms[j].weight * step.terms[j].on_new;
   }
-  return parts;
+  return factors;
 }
 
-RollingBody at_rest(const RollingBody& body) { return rested(body); }
+RollingBody with_relaxed_moduli(const RollingBody& body) { return relaxed(body); }
 
-Counterbody at_rest(const Counterbody& on) { return rested(on); }
+Counterbody with_relaxed_moduli(const Counterbody& on) { return relaxed(on); }
 
 }  // namespace viscoroll::detail

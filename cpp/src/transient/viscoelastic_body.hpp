@@ -20,22 +20,22 @@ struct ViscoelasticBody {
   CreepTables tables;
 
   /// @return compliance factor of each table for a force that has just been applied
-  [[nodiscard]] std::vector<double> parts_at_once() const;
+  [[nodiscard]] std::vector<double> instantaneous_factors() const;
   /// @return compliance factor of each table for a force that has acted for an infinite time
-  [[nodiscard]] std::vector<double> parts_at_rest() const;
+  [[nodiscard]] std::vector<double> relaxed_factors() const;
   /// @return compliance factor of each table for the change of a force in a step, at the end of the step
-  [[nodiscard]] std::vector<double> parts_after(const TimeStep& step) const;
+  [[nodiscard]] std::vector<double> step_factors(const TimeStep& step) const;
 };
 
 /// @brief Whether all orders of the layers creep in the same way: the layers share one relaxation function, and no
 /// viscoelastic layer has a bulk modulus.
 /// @param[in] layers at least one
 /// @param[in] range times at which they are compared
-[[nodiscard]] bool creep_alike(const std::vector<NamedLayer>& layers, const TimeRange& range);
+[[nodiscard]] bool creep_identically(const std::vector<NamedLayer>& layers, const TimeRange& range);
 
 /// @return the rolling body with relaxed moduli, without inertia
-[[nodiscard]] RollingBody at_rest(const RollingBody& body);
+[[nodiscard]] RollingBody with_relaxed_moduli(const RollingBody& body);
 /// @return the counterbody with relaxed moduli, without inertia
-[[nodiscard]] Counterbody at_rest(const Counterbody& on);
+[[nodiscard]] Counterbody with_relaxed_moduli(const Counterbody& on);
 
 }  // namespace viscoroll::detail

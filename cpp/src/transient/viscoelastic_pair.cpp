@@ -40,7 +40,7 @@ BodySpectrum checked_spectrum(const Body& body, std::string_view prefix, const C
                               const HistoryOptions& options) {
   const TimeRange range{.shortest = options.shortest_time, .longest = options.longest_time};
   BodySpectrum result;
-  if (creep_alike(body.layers(), range)) {
+  if (creep_identically(body.layers(), range)) {
     result.spectrum = creep_spectrum(body.layers().back().layer.shear_modulus, range);
   } else {
     require_yielding_at_once(body, prefix, range);
@@ -91,14 +91,14 @@ ContactKinematics on_track(ContactKinematics kinematics, Index reach) {
 
 }  // namespace
 
-Index ViscoelasticPair::most_track_reach() const {
-  constexpr Index kMostValues = 16777216;  // of a table: 128 MB
+Index ViscoelasticPair::max_track_reach() const {
+  constexpr Index kMaxValues = 16777216;  // of a table: 128 MB
   const Index height = bodies.front().tables.height();
-  return std::min(kMostValues / (height * height), kLongestTrack);
+  return std::min(kMaxValues / (height * height), kLongestTrack);
 }
 
 bool ViscoelasticPair::ends_at_sides() const {
-  return half_nodes() == most_half_nodes() && (pair.body->form().is_line() || std::isfinite(width(pair)));
+  return half_nodes() == max_half_nodes() && (pair.body->form().is_line() || std::isfinite(width(pair)));
 }
 
 std::vector<BodySpectrum> creep_spectra(const RollingPair& pair, const HistoryOptions& options, Watch& watch) {
@@ -164,7 +164,7 @@ ViscoelasticPair viscoelastic_pair(const RollingPair& at_rest, const std::vector
                             .bodies = {}};
   const bool along_plane = options.compliance == Compliance::vertical || options.friction > 0.0;
   RowShape shape{.components = along_plane ? 3 : 1,
-                 .half_nodes = std::min(size.half_nodes, creeping.most_half_nodes()),
+                 .half_nodes = std::min(size.half_nodes, creeping.max_half_nodes()),
                  .ring = {},
                  .most = 0};
   const ContactKinematics kinematics = kinematics_at_rest(at_rest, options, watch);

@@ -45,9 +45,9 @@ struct ViscoelasticPair {
   /// @return nodes of a row on one side, including the middle
   [[nodiscard]] Eigen::Index half_nodes() const { return bodies.front().tables.half_nodes(); }
   /// @return largest possible number of these nodes
-  [[nodiscard]] Eigen::Index most_half_nodes() const { return nodes.widest.theta.last + 1; }
+  [[nodiscard]] Eigen::Index max_half_nodes() const { return nodes.widest.theta.last + 1; }
   /// @return largest number of rows that tables reach along a track; influence beyond is left out
-  [[nodiscard]] Eigen::Index most_track_reach() const;
+  [[nodiscard]] Eigen::Index max_track_reach() const;
   /// @return whether a contact may end at the last node of a row
   [[nodiscard]] bool ends_at_sides() const;
 };

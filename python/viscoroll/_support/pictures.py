@@ -14,7 +14,7 @@ with extra("plot"):
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["Picture", "drawn"]
+__all__ = ["Picture", "draw_picture"]
 
 
 class Picture(Figure):
@@ -30,7 +30,7 @@ class Picture(Figure):
         return file.getvalue()
 
 
-def drawn(
+def draw_picture(
     draw: Callable[[Axes], object],
     ax: Axes | None,
     *,

@@ -38,16 +38,16 @@ class ClosedForm:
         Function torque(load, angular_speed) that returns the resisting torque T [N m] for loads P [N] and angular
         speeds Ω [rad/s], which may be arrays. For rollers, T [N] and P [N/m] are per unit length. Calling the
         `ClosedForm` itself is equivalent.
-    holds : callable
-        Function holds(load, angular_speed) that returns an array of bool: whether the contact and the speed are within
-        the range of validity. Within this range, their finite size adds at most about 10 % to the other errors of the
-        form.
+    is_valid : callable
+        Function is_valid(load, angular_speed) that returns an array of bool: whether the contact and the speed are
+        within the range of validity. Within this range, their finite size adds at most about 10 % to the other errors
+        of the form.
     validity : str
-        Description of the condition that `holds` evaluates.
+        Description of the condition that `is_valid` evaluates.
     """
 
     torque: Callable[[ArrayLike, ArrayLike], Floats]
-    holds: Callable[[ArrayLike, ArrayLike], NDArray[np.bool_]]
+    is_valid: Callable[[ArrayLike, ArrayLike], NDArray[np.bool_]]
     validity: str
 
     def __call__(self, load: ArrayLike, angular_speed: ArrayLike) -> Floats:

@@ -24,7 +24,7 @@ from ._closed_form import (
     shared_loss_time,
 )
 from ._inputs import Floats, float_if_scalar, positives
-from ._torques import Reach, slow_form, thin_form
+from ._torques import ContactSize, low_speed_form, thin_coating_form
 from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
 from .ellipse import hertz_ellipse
 from .half_space import greenwood_tabor_torque, persson_torque
@@ -66,7 +66,7 @@ def applicable(body: RollingBody, *, on: CoatedSphere | None = None) -> dict[str
     Returns
     -------
     dict of str to ClosedForm
-        Valid closed forms by name; the dict may be empty. The `holds` of each form checks loads and speeds.
+        Valid closed forms by name; the dict may be empty. The `is_valid` of each form checks loads and speeds.
 
     Raises
     ------
@@ -150,10 +150,10 @@ def _faster(form: ClosedForm, turns: float) -> ClosedForm:
     def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
         return form.torque(load, turns * as_float_array("angular_speed", angular_speed))
 
-    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        return form.holds(load, turns * as_float_array("angular_speed", angular_speed))
+    def is_valid(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+        return form.is_valid(load, turns * as_float_array("angular_speed", angular_speed))
 
-    return ClosedForm(torque=torque, holds=holds, validity=form.validity)
+    return ClosedForm(torque=torque, is_valid=is_valid, validity=form.validity)
 
 
 def _of_ball(ball: _BallCoating) -> dict[str, ClosedForm | None]:
@@ -162,17 +162,17 @@ def _of_ball(ball: _BallCoating) -> dict[str, ClosedForm | None]:
     )
     time = _loss_time(ball)
     forms: dict[str, ClosedForm | None] = {
-        "low_speed": None if time is None else slow_form(ball, time, contact_radius, "contact radius")
+        "low_speed": None if time is None else low_speed_form(ball, time, contact_radius, "contact radius")
     }
     if is_homogeneous(ball.layers):
         forms |= _half_space(ball, contact_radius, room=ball.thickness)
         if ball.inner_boundary is InnerBoundary.RIGID:
-            forms["winkler"] = thin_form(ball, winkler_torque, contact_radius, "contact radius")
+            forms["winkler"] = thin_coating_form(ball, winkler_torque, contact_radius, "contact radius")
     return forms
 
 
 def _half_space(
-    body: Coating, reach: Reach, *, room: float, crown_radius: float | None = None
+    body: Coating, contact_size: ContactSize, *, room: float, crown_radius: float | None = None
 ) -> dict[str, ClosedForm | None]:
     """Return the half-space forms, valid for contacts up to a fifth of the size `room` of the layer [m]."""
     layer, radius = body.layers[0], body.outer_radius
@@ -195,9 +195,9 @@ def _half_space(
             crown_radius=crown_radius,
         )
 
-    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+    def is_valid(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
         any_speed = positives("angular_speed", angular_speed, "rad/s") > 0.0
-        met: NDArray[np.bool_] = (reach(load) <= 0.2 * room) & any_speed
+        met: NDArray[np.bool_] = (contact_size(load) <= 0.2 * room) & any_speed
         return met
 
     small = (
@@ -205,10 +205,10 @@ def _half_space(
         if crown_radius is None
         else "longer semi-axis at most a fifth of the thickness and of half the width; no inertia"
     )
-    lagging = ClosedForm(torque=persson, holds=holds, validity=f"pressure distribution at rest; {small}")
+    lagging = ClosedForm(torque=persson, is_valid=is_valid, validity=f"pressure distribution at rest; {small}")
     return {
         "greenwood_tabor": ClosedForm(
-            torque=greenwood_tabor, holds=holds, validity=f"all deformation work dissipated; {small}"
+            torque=greenwood_tabor, is_valid=is_valid, validity=f"all deformation work dissipated; {small}"
         ),
         "persson": lagging if is_defined_at_all_frequencies(layer.shear_modulus) else None,
     }
@@ -230,9 +230,9 @@ def _of_roller(roller: CoatedCylinder) -> dict[str, ClosedForm | None]:
     time = shared_loss_time(roller.layers) if have_real_poisson_ratios(roller.layers) else None
     one_material = is_homogeneous(roller.layers)
     return {
-        "low_speed": None if time is None else slow_form(roller, time, half_width, "contact half-width"),
+        "low_speed": None if time is None else low_speed_form(roller, time, half_width, "contact half-width"),
         "hunter": _hunter(roller, half_width) if one_material else None,
-        "winkler_line": thin_form(roller, winkler_torque_line, half_width, "contact half-width")
+        "winkler_line": thin_coating_form(roller, winkler_torque_line, half_width, "contact half-width")
         if one_material
         else None,
     }
@@ -248,7 +248,7 @@ def _half_width(roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:
     )
 
 
-def _hunter(roller: CoatedCylinder, half_width: Reach) -> ClosedForm | None:
+def _hunter(roller: CoatedCylinder, half_width: ContactSize) -> ClosedForm | None:
     layer, radius = roller.layers[0], roller.outer_radius
     material, nu = layer.shear_modulus, layer.poisson_ratio
     if not isinstance(material, StandardLinearSolid) or nu is None:
@@ -260,7 +260,7 @@ def _hunter(roller: CoatedCylinder, half_width: Reach) -> ClosedForm | None:
         speed = positives("angular_speed", angular_speed, "rad/s") * radius
         return hunter(load=load, speed=speed, radius=radius, shear_modulus=material, poisson_ratio=nu).moment
 
-    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+    def is_valid(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
         # The wake of the contact, with the length f V τ, must not reach the core either.
         wake = positives("angular_speed", angular_speed, "rad/s") * radius * retardation
         met: NDArray[np.bool_] = (half_width(load) <= 0.2 * roller.thickness) & (wake <= 0.5 * roller.thickness)
@@ -270,14 +270,14 @@ def _hunter(roller: CoatedCylinder, half_width: Reach) -> ClosedForm | None:
         "contact half-width at most a fifth of the thickness, distance rolled within the retardation time at most half "
         "the thickness; no inertia"
     )
-    return ClosedForm(torque=torque, holds=holds, validity=small)
+    return ClosedForm(torque=torque, is_valid=is_valid, validity=small)
 
 
 def _of_wheel(wheel: CoatedWheel) -> dict[str, ClosedForm | None]:
     roller = CoatedCylinder(core_radius=wheel.core_radius, layers=wheel.layers)
     time = shared_loss_time(wheel.layers) if have_real_poisson_ratios(wheel.layers) else None
-    reach = partial(_along_path, wheel, roller)
-    slow = None if time is None else slow_form(wheel, time, reach, "contact half-length")
+    half_length = partial(_along_path, wheel, roller)
+    slow = None if time is None else low_speed_form(wheel, time, half_length, "contact half-length")
     if math.isinf(wheel.crown_radius):
         of_roller = _of_roller(roller).items()
         return {name: form and _over_width(form, wheel) for name, form in of_roller} | {"low_speed": slow}
@@ -294,11 +294,13 @@ def _over_width(form: ClosedForm, wheel: CoatedWheel) -> ClosedForm:
     def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
         return form(np.asarray(load) / wheel.width, angular_speed) * wheel.width
 
-    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        met: NDArray[np.bool_] = form.holds(np.asarray(load) / wheel.width, angular_speed)
+    def is_valid(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+        met: NDArray[np.bool_] = form.is_valid(np.asarray(load) / wheel.width, angular_speed)
         return met & (wheel.width >= _WIDE * wheel.thickness)
 
-    return ClosedForm(torque=torque, holds=holds, validity=f"{form.validity}; width at least {_WIDE:g} thicknesses")
+    return ClosedForm(
+        torque=torque, is_valid=is_valid, validity=f"{form.validity}; width at least {_WIDE:g} thicknesses"
+    )
 
 
 def _along_path(wheel: CoatedWheel, roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:

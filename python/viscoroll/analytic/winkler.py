@@ -16,10 +16,10 @@ from ._inputs import Floats, float_if_scalar, poisson, positives, require_one_vo
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["KNOWN_IN_TIME", "longest_time", "winkler_torque", "winkler_torque_line"]
+__all__ = ["EXPONENTIAL_RELAXATION", "longest_time", "winkler_torque", "winkler_torque_line"]
 
 #: Materials whose relaxation function is a sum of exponentials.
-KNOWN_IN_TIME = (Elastic, KelvinVoigt, StandardLinearSolid, Prony)
+EXPONENTIAL_RELAXATION = (Elastic, KelvinVoigt, StandardLinearSolid, Prony)
 
 #: Strips across half of the contact, by Gauss's rule in the angle ψ; bisections for the length of a strip; and
 #: iterations for the size of the contact, each of which divides the error by at least four.
@@ -259,7 +259,7 @@ def _shear_springs(modulus: ShearModulus) -> _Springs:
             shares = np.append(weights, 1.0 - np.sum(weights))
             return _Springs(stiff * shares, np.append(times, np.inf), 0.0)
     require_type("shear_modulus", modulus, ShearModulus)
-    names = ", ".join(kind.__name__ for kind in KNOWN_IN_TIME)
+    names = ", ".join(kind.__name__ for kind in EXPONENTIAL_RELAXATION)
     raise InvalidInput(
         "shear_modulus", f"must be one of {names}, which have closed-form relaxation functions", shown(modulus)
     )

@@ -49,7 +49,7 @@ _LENGTH = re.compile("[0-9]{1,18}")
 _LONGEST_TRANSFER = 10.0
 
 #: Largest number of simultaneous connections. A browser opens up to six for each window.
-_MOST_CONNECTIONS = 32
+_MAX_CONNECTIONS = 32
 
 #: Script element of the page with the solver and the initial case.
 _START = '<script type="application/json" id="start">{}</script>'
@@ -106,7 +106,7 @@ class PageServer(ThreadingHTTPServer):
         self.hosts = {f"{name}:{self.server_port}" for name in (_HOST, "localhost")}
         self.files = _page_files(case)
         self._open: set[socket.socket] = set()
-        self._free = threading.BoundedSemaphore(_MOST_CONNECTIONS)
+        self._free = threading.BoundedSemaphore(_MAX_CONNECTIONS)
         self._private: Path | None = None
 
     def redirect_file(self) -> Path:

@@ -39,7 +39,7 @@ class CoatedWheel(RoundBody):
         Hub of a crowned tread. "straight": a cylinder, on which the tread is thinner at the faces. "crowned": a hub
         that follows the profile, so that the tread has the same thickness everywhere.
     sides : Sides or str, default Sides.FREE
-        Ends of the tread. "free": faces that bulge, as those of real wheels. "endless": no faces; the tread continues
+        Ends of the tread. "free": faces that bulge, as those of real wheels. "unbounded": no faces; the tread continues
         beyond the width, where it carries no pressure. This is faster, and correct to 1 % if the contact ends one
         thickness before the faces; but a tread of three thicknesses in width is then a quarter too stiff.
 

@@ -12,7 +12,7 @@ from .._core import Compliance, Status
 from .._support.arguments import Floats
 from .._support.errors import InvalidInput
 from .._support.files import write_csv
-from .._support.pictures import drawn
+from .._support.pictures import draw_picture
 from .._support.plotting import plots
 from .._support.progress import ProgressLike
 from .._support.text import parsed_range
@@ -82,7 +82,7 @@ class Comparison:
     @plots("the torques")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw all torques; closed forms are dashed outside their range of validity."""
-        return drawn(self._draw, ax, figsize=(8.4, 5.2))
+        return draw_picture(self._draw, ax, figsize=(8.4, 5.2))
 
     def _draw(self, axes: Axes) -> None:
         axes.errorbar(
@@ -94,13 +94,13 @@ class Comparison:
             linewidth=1.0,
             label="solver, radial compliance",
         )
-        for place, (name, (torque, holds)) in enumerate(self.forms.items()):
+        for place, (name, (torque, valid)) in enumerate(self.forms.items()):
             color, label = f"C{place}", _LABELS.get(name, name)
             axes.plot(
                 self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, outside its range of validity"
             )
-            if holds.any():
-                axes.plot(self.speeds, np.where(holds, torque, np.nan), color=color, linewidth=2.5, label=label)
+            if valid.any():
+                axes.plot(self.speeds, np.where(valid, torque, np.nan), color=color, linewidth=2.5, label=label)
         axes.set(
             xscale="log",
             yscale="log",
@@ -121,9 +121,9 @@ class Comparison:
             "error_estimate [1]": self.errors.tolist(),
             "status": [status.name for status in self.statuses],
         }
-        for name, (torque, holds) in self.forms.items():
+        for name, (torque, valid) in self.forms.items():
             columns[f"{name} [{self._unit()}]"] = torque.tolist()
-            columns[f"{name}_holds"] = holds.tolist()
+            columns[f"{name}_is_valid"] = valid.tolist()
         write_csv(columns, path)
 
 
@@ -184,7 +184,7 @@ def compare_torques(
 
     results = run_all(point, omega.tolist(), progress=progress)
     forms = {
-        name: (np.asarray(form(case.load, omega)), np.asarray(form.holds(case.load, omega)))
+        name: (np.asarray(form(case.load, omega)), np.asarray(form.is_valid(case.load, omega)))
         for name, form in _forms(case).items()
     }
     return Comparison(

@@ -73,9 +73,9 @@ class Design:
     @plots("only the power")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the power loss against the number, and the ratio of each limited result to its limit."""
-        from .._support.pictures import drawn
+        from .._support.pictures import draw_picture
 
-        return drawn(self._draw_power, ax, figsize=(7.0, 5.0), compose=self._compose)
+        return draw_picture(self._draw_power, ax, figsize=(7.0, 5.0), compose=self._compose)
 
     def _compose(self, figure: Figure) -> None:
         above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))

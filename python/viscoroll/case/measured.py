@@ -11,7 +11,7 @@ from .._core import Status
 from .._support.arguments import Floats
 from .._support.errors import InvalidInput
 from .._support.files import write_csv
-from .._support.pictures import drawn
+from .._support.pictures import draw_picture
 from .._support.plotting import plots
 from .._support.progress import ProgressLike
 from .._support.text import shown
@@ -138,7 +138,7 @@ class Trial:
     @plots("the values")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw measured and computed values with their error bands."""
-        return drawn(self._draw, ax, figsize=(8.4, 5.2))
+        return draw_picture(self._draw, ax, figsize=(8.4, 5.2))
 
     def _draw(self, axes: Axes) -> None:
         order = np.argsort(self.measured.places, kind="stable")

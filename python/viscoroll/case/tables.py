@@ -280,7 +280,7 @@ _IN_FILES = {
 }
 
 #: Largest number of further errors that a message lists.
-_MOST_TOLD = 3
+_MAX_LISTED = 3
 
 
 def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iterable[str]) -> InvalidInput:
@@ -318,8 +318,8 @@ def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iter
         for number, one in enumerate(errors)
         if number != chosen and not (one["type"] == "missing" and one["loc"][-1] == named)
     ]
-    more += rest if len(rest) <= _MOST_TOLD else [f"and {len(rest)} more errors"]
-    if set(missing) - {named} and "sweep" in others and len(rest) <= _MOST_TOLD:
+    more += rest if len(rest) <= _MAX_LISTED else [f"and {len(rest)} more errors"]
+    if set(missing) - {named} and "sweep" in others and len(rest) <= _MAX_LISTED:
         more.append("only `viscoroll sweep` uses the values of [sweep]")
     return _invalid(errors[chosen], more="; ".join(more))
 

@@ -4,7 +4,7 @@ The moduli of layer j are those at its temperature T_j, μ*(a_T(T_j) ω). The un
 by the loss. A given T̄ determines the moduli, and with them torque, loss and the rise ΔT. A steady state is a root of
 excess(T̄) = ambient + ΔT - T̄. The excess is a single-valued function of T̄, also near folds, so a sweep of T̄ finds
 every state. At a given T̄ the heat increases with speed and with load; there is thus one speed for a given load, and
-one load for a given speed. The cold state ends at the first maximum of either over T̄.
+one load for a given speed. The cold state ends at the first maximum of this speed or load as a function of T̄.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ __all__ = ["SelfHeating", "self_heating"]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class SelfHeating:
-    """All steady states of a load case, and the speeds and loads of others.
+    """All steady states of a load case, with methods for the speeds and loads of other steady states.
 
     Attributes
     ----------
@@ -87,9 +87,16 @@ class SelfHeating:
         Returns
         -------
         ndarray
-            Angular speeds Ω [rad/s]. No speed above the largest of them has a state within these temperatures.
+            Angular speeds Ω [rad/s]. Above the largest of them there is no steady state with one of these temperatures.
+
+        Raises
+        ------
+        ValueError
+            If a temperature is not above that of the surroundings.
+        ConvergenceError
+            If the search finds no speed with a steady state at a temperature.
         """
-        return self._at_all(temperatures, self._search.speed_at, progress)
+        return self._values_at(temperatures, self._search.speed_at, progress)
 
     def loads(self, temperatures: Sequence[float], *, progress: ProgressLike = None) -> NDArray[np.float64]:
         """Return the loads at which given mean temperatures are steady states, at this speed.
@@ -107,9 +114,11 @@ class SelfHeating:
         Raises
         ------
         ValueError
-            If no load that the layers support gives a temperature.
+            If a temperature is not above that of the surroundings, or requires a load that the layers cannot support.
+        ConvergenceError
+            If the search finds no load with a steady state at a temperature.
         """
-        return self._at_all(temperatures, self._search.load_at, progress)
+        return self._values_at(temperatures, self._search.load_at, progress)
 
     def largest_load(self) -> Fold | None:
         """Return the load at which the cold state ends, at this speed; above it the temperature runs away.
@@ -152,13 +161,13 @@ class SelfHeating:
         )
 
     @staticmethod
-    def _at_all(
-        temperatures: Sequence[float], found_at: Callable[[float], float], progress: ProgressLike
+    def _values_at(
+        temperatures: Sequence[float], value_at: Callable[[float], float], progress: ProgressLike
     ) -> NDArray[np.float64]:
         found = []
         with counted(progress, total=len(temperatures), unit="temperature") as one_more:
             for value in temperatures:
-                found.append(found_at(as_float("temperatures", value)))
+                found.append(value_at(as_float("temperatures", value)))
                 one_more()
         return np.array(found)
 
@@ -210,8 +219,8 @@ def self_heating(
         Number of parts into which every layer is divided, in [1, 20]. Each part has its own temperature and strain
         amplitude.
     points : int, default 24
-        Number of mean temperatures in the sweep from the surroundings to the limit, in [4, 1000]. Between them, states
-        are found to 1e-3 of the rise. The sweep may miss two states that lie between two neighboring temperatures.
+        Number of mean temperatures in the sweep from the surroundings to the limit, in [4, 1000]. Between neighboring
+        temperatures, the search finds a state to 1e-3 of the rise; it may miss a pair of states there.
     progress : bool or callable, optional
         True shows a progress bar; a callable is called as progress(stage, fraction) after every temperature.
     **options
@@ -239,8 +248,8 @@ def self_heating(
 
     Notes
     -----
-    A state is stable if R dP/dT < 1: with temperature, the dissipated power increases more slowly than the heat that
-    leaves.
+    A state is stable if R dP/dT < 1, with the dissipated power P and the thermal resistance R between layers and
+    surroundings: the power then increases more slowly with temperature than the heat flow to the surroundings.
 
     Examples
     --------
@@ -254,7 +263,7 @@ def self_heating(
     >>> [state.stable for state in hot.states]
     [True]
     """
-    with extra("studies"):  # before the first solve
+    with extra("studies"):  # imported here to report a missing extra before the first contact is solved
         from scipy.optimize import brentq
 
     require_type("body", body, RollingBody)
@@ -270,7 +279,7 @@ def self_heating(
     if not highest > surroundings:
         raise InvalidInput("limit", f"must be > ambient = {surroundings:g} K", f"{highest:g} K")
     search = StateSearch(
-        body=_cut(body, parts),
+        body=_with_sublayers(body, parts),
         shifts=[each for each in shifts for _ in range(parts)],
         vertical=vertical_shift,
         load=as_float("load", load),
@@ -319,7 +328,7 @@ def _shifts(body: RollingBody, shift: Shift | Sequence[Shift]) -> list[Shift]:
     return several
 
 
-def _cut(body: RollingBody, parts: int) -> RollingBody:
+def _with_sublayers(body: RollingBody, parts: int) -> RollingBody:
     if parts == 1:
         return body
     layers = [replace(layer, thickness=layer.thickness / parts) for layer in body.layers for _ in range(parts)]

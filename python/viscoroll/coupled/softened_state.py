@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 __all__ = ["LayerState", "Setting", "SofteningLayer", "State", "look"]
 
 #: Elements for the loss of the network (error of c: 4e-4), and the fraction of the loss at whose points χ is computed.
-_ELEMENTS, _MOST = (12, 4), 0.999
+_ELEMENTS, _LOSS_FRACTION = (12, 4), 0.999
 
 #: Largest number of steps to the loss scale for given strain, and their relative tolerance.
 _SCALE_STEPS, _SCALE_TOLERANCE = 20, 1e-6
@@ -80,7 +80,7 @@ class LayerState:
     def scale(self) -> float:
         """Scale with which the harmonics of these paths dissipate as much as the network [-]."""
         loops = _loops(self.layer, self.amplitudes) * self.path.volumes
-        most = _most(loops)
+        most = _largest_losses(loops)
         strain = self.layer.modulus.network.yield_strain
         turning = turning_ratio(self.path.p[most], self.amplitudes[most], strain, elements=_ELEMENTS)
         lost = float(loops.sum() * np.average(turning, weights=loops[most])) if loops.any() else 0.0
@@ -148,11 +148,11 @@ def look(inside: Inside, path: StrainPath, layer: SofteningLayer, solved: Settin
     )
 
 
-def _most(losses: Floats) -> NDArray[np.intp]:
+def _largest_losses(losses: Floats) -> NDArray[np.intp]:
     """Return the points with the largest losses, which together contain most of the loss."""
     largest = np.argsort(losses)[::-1]
-    held = np.cumsum(losses[largest])
-    return largest[: 1 + int(np.searchsorted(held, _MOST * held[-1]))]
+    cumulative = np.cumsum(losses[largest])
+    return largest[: 1 + int(np.searchsorted(cumulative, _LOSS_FRACTION * cumulative[-1]))]
 
 
 def _loops(layer: SofteningLayer, amplitudes: Floats) -> Floats:

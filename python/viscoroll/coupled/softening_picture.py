@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.pictures import Picture, drawn
+from .._support.pictures import Picture, draw_picture
 from ..materials.networks import Network
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def plot_softening(work: Sequence[Work], section: xarray.Dataset, ax: Axes | Non
         _draw_networks(left, work)
         _draw_section(right, section)
 
-    return drawn(lambda axes: _draw_networks(axes, work), ax, figsize=(11.0, 4.5), compose=compose)
+    return draw_picture(lambda axes: _draw_networks(axes, work), ax, figsize=(11.0, 4.5), compose=compose)
 
 
 def _draw_networks(axes: Axes, work: Sequence[Work]) -> None:

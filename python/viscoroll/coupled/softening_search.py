@@ -41,7 +41,7 @@ _FREQUENCY_PASSES = 3
 #: Passes after which the mesh chosen by the solver is kept: the first contact, of unstrained layers, is the smallest.
 _MESH_PASSES = 2
 
-_MOST_PASSES = 40
+_MAX_PASSES = 40
 
 #: Start of the search on a mesh of half the nodes: fewest nodes of that mesh, largest number of passes on it, and
 #: relative change of the amplitudes at which they end.
@@ -115,9 +115,9 @@ class SofteningSearch:
             change = max(_change(state.amplitudes, state.next_amplitudes), _change(state.scales, scales))
             if change <= tolerance:
                 return state
-            if len(self.history) >= _MOST_PASSES:
+            if len(self.history) >= _MAX_PASSES:
                 raise ConvergenceError(
-                    f"strain softening did not converge in {_MOST_PASSES} passes: the relative change of amplitudes "
+                    f"strain softening did not converge in {_MAX_PASSES} passes: the relative change of amplitudes "
                     f"or losses in the last one was {change:.2g}"
                 )
             state = self.at(self._ahead(state, scales) if change < before else state.next_amplitudes, scales)
@@ -164,7 +164,7 @@ class SofteningSearch:
             self.options |= {"mesh": result.mesh, "accuracy": None}
         self._learn(state)
         if self.report is not None:
-            self.report("passes", len(self.history) / _MOST_PASSES)
+            self.report("passes", len(self.history) / _MAX_PASSES)
         return state
 
     def solved(self, amplitudes: Floats, scales: Floats, **options: Any) -> Result:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 
-from .contact import OperatingPoint, Stiffness, Style, Written
+from .contact import ContactModel, OperatingPoint, Stiffness, Style
 
 __all__ = ["STYLES"]
 
 
-def _nsc(point: OperatingPoint, stiffness: Stiffness) -> Written:  # noqa: ARG001  (contacts are rigid)
+def _nsc(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:  # noqa: ARG001  (contacts are rigid)
     """Return input for non-smooth contacts, which limit the rolling torque to ρ F_n on each ball, with a length ρ.
 
     For two materials the smaller value counts, so both need it. Source: ChContactNSCrolling.cpp (the cone of Rx with
@@ -17,7 +17,7 @@ def _nsc(point: OperatingPoint, stiffness: Stiffness) -> Written:  # noqa: ARG00
     Meccanica 48 (2013) 1643. (The smooth contacts of Chrono's core, SMC, read the value and never use it.)
     """
     rho = point.torque / point.load
-    return Written(
+    return ContactModel(
         lines=(
             "auto material = chrono_types::make_shared<ChContactMaterialNSC>();  "
             f"// {'both balls' if point.balls.are_two else 'ball and floor'}: the smaller value counts",
@@ -30,7 +30,7 @@ def _nsc(point: OperatingPoint, stiffness: Stiffness) -> Written:  # noqa: ARG00
     )
 
 
-def _multicore(point: OperatingPoint, stiffness: Stiffness) -> Written:
+def _multicore(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for smooth contacts of Chrono::Multicore, T = muRoll P R at any speed; not for two balls.
 
     The torque acts immediately along r × v_rot with v_rot = ω₂ × r₂ - ω₁ × r₁, the sliding speed that the rotation
@@ -45,7 +45,7 @@ def _multicore(point: OperatingPoint, stiffness: Stiffness) -> Written:
             "whose torque is 0 between two balls that roll on each other"
         )
     mu = point.coefficient
-    return Written(
+    return ContactModel(
         lines=(
             "auto material = chrono_types::make_shared<ChContactMaterialSMC>();  // in a ChSystemMulticoreSMC",
             f"material->SetYoungModulus({2.0 * (1.0 - 0.3**2) * stiffness.effective_modulus!r}f);",
@@ -59,7 +59,7 @@ def _multicore(point: OperatingPoint, stiffness: Stiffness) -> Written:
     )
 
 
-def _dem(point: OperatingPoint, stiffness: Stiffness) -> Written:
+def _dem(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for Chrono::DEM, T = μ_r P R at any speed above a threshold, where all balls have one radius R.
 
     Source: src/chrono_dem/cuda/ChDemHelpers.cuh, computeRollingAngAcc, mode SCHWARTZ: torque = (rolling_coeff |F_n| /
@@ -72,7 +72,7 @@ def _dem(point: OperatingPoint, stiffness: Stiffness) -> Written:
             "style of chrono must be nsc for two balls of different radii, got dem, which has one radius for all balls"
         )
     mu, contact = point.torque / (point.load * radius), "SPH" if point.balls.are_two else "WALL"
-    return Written(
+    return ContactModel(
         lines=(
             "dem_sys.SetRollingMode(CHDEM_ROLLING_MODE::SCHWARTZ);",
             f"dem_sys.SetKn_SPH2{contact}({stiffness.hertz * math.sqrt(point.radius * radius)!r}f);",

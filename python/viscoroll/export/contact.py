@@ -20,7 +20,7 @@ from .balls import Balls, balls_of, balls_of_study
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["OperatingPoint", "Stiffness", "Style", "Written", "operating_points"]
+__all__ = ["ContactModel", "OperatingPoint", "Stiffness", "Style", "operating_points"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,8 +110,8 @@ class Stiffness:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Written:
-    """Input for one code and the torque law that it implies.
+class ContactModel:
+    """Contact model of one code: its input lines, and the torque law that they imply.
 
     Attributes
     ----------
@@ -135,7 +135,7 @@ class Written:
 
 
 #: Function that writes the input for one model of a code.
-Style: TypeAlias = Callable[[OperatingPoint, Stiffness], Written]
+Style: TypeAlias = Callable[[OperatingPoint, Stiffness], ContactModel]
 
 
 def operating_points(source: Result | StrainSoftening | xarray.Dataset) -> list[OperatingPoint]:

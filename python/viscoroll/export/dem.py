@@ -17,7 +17,7 @@ from ..coupled import StrainSoftening
 from ..coupled.softening_result import BOUNDS
 from ..rolling import Result
 from . import chrono, lammps, lethe, liggghts, mercurydpm, yade
-from .contact import OperatingPoint, Stiffness, Style, Written, operating_points
+from .contact import ContactModel, OperatingPoint, Stiffness, Style, operating_points
 
 if TYPE_CHECKING:
     import xarray
@@ -49,7 +49,7 @@ class DemInput:
         Load, speed and radius at which the torque is exact.
     stiffness : Stiffness
         Load as a function of penetration.
-    written : Written
+    contact_model : ContactModel
         Lines, parameters, torque law and source.
     points : list of OperatingPoint
         All points of the result or study.
@@ -61,20 +61,20 @@ class DemInput:
     style: str
     point: OperatingPoint
     stiffness: Stiffness
-    written: Written
+    contact_model: ContactModel
     points: list[OperatingPoint]
     error: float
 
     @property
     def parameters(self) -> dict[str, float]:
         """Numbers in the lines, by the names that the code uses."""
-        return self.written.parameters
+        return self.contact_model.parameters
 
     @property
     def text(self) -> str:
         """Input lines, preceded by a comment that states load, speed, law, source and error."""
         mark = _COMMENT.get(self.code, "#")
-        return "\n".join([*(f"{mark} {line}" for line in self._comment()), *self.written.lines]) + "\n"
+        return "\n".join([*(f"{mark} {line}" for line in self._comment()), *self.contact_model.lines]) + "\n"
 
     def save(self, path: str | Path) -> Path:
         """Write the input lines to a file, and the torques T(P, Ω) of all points to a CSV file beside it.
@@ -125,8 +125,8 @@ class DemInput:
             f"torque T = {p.torque:.6g} N m (power dissipated per {'relative ' * p.balls.are_two}angular speed), "
             f"T/(P R) = {p.coefficient:.6g}",
             *self._bounds(),
-            f"law: {self.written.torque_law}",
-            f"source: {self.written.source}",
+            f"law: {self.contact_model.torque_law}",
+            f"source: {self.contact_model.source}",
         ]
         if len(self.points) > 1:
             loads, speeds = [q.load for q in self.points], [q.angular_speed for q in self.points]
@@ -200,15 +200,15 @@ def dem(
     points = operating_points(source)
     point = _nearest(points, load, angular_speed)
     stiffness = Stiffness.fitted([q for q in points if q.angular_speed == point.angular_speed])
-    written = styles[chosen](point, stiffness)
+    contact_model = styles[chosen](point, stiffness)
     loads, speeds = np.array([p.load for p in points]), np.array([p.relative_speed for p in points])
-    ratio = written.law(loads, speeds) / np.array([p.torque for p in points])
+    ratio = contact_model.law(loads, speeds) / np.array([p.torque for p in points])
     return DemInput(
         code=code,
         style=chosen,
         point=point,
         stiffness=stiffness,
-        written=written,
+        contact_model=contact_model,
         points=points,
         error=float(np.abs(ratio - 1.0).max()) if len(points) > 1 else math.nan,
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .contact import OperatingPoint, Stiffness, Style, Written
+from .contact import ContactModel, OperatingPoint, Stiffness, Style
 
 __all__ = ["STYLES"]
 
@@ -10,7 +10,7 @@ __all__ = ["STYLES"]
 _TURN = 1e-3
 
 
-def _sds(point: OperatingPoint, stiffness: Stiffness) -> Written:
+def _sds(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for a spring, dashpot and slider: T = μ P R after a small rotation.
 
     The rolling "pseudo-force" is a spring on R_eff∫Ω_rel dt, limited to μ F_n. The torque on both balls, in opposite
@@ -19,7 +19,7 @@ def _sds(point: OperatingPoint, stiffness: Stiffness) -> Written:
     """
     mu = point.coefficient
     spring = mu * point.load / (point.radius * _TURN)
-    return Written(
+    return ContactModel(
         lines=_command(point, stiffness, f"rolling sds {spring!r} 0.0 {mu!r}"),
         parameters={"k_roll": spring, "gamma_roll": 0.0, "mu_roll": mu},
         law=lambda load, speed: mu * load * point.radius + 0.0 * speed,
@@ -28,14 +28,14 @@ def _sds(point: OperatingPoint, stiffness: Stiffness) -> Written:
     )
 
 
-def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
+def _viscous(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for a dashpot alone: T = γ R² Ω_rel, as long as this is below P R.
 
     Without a spring, and with a slider that is not reached, the pseudo-force is -γ R Ω. It does not depend on the load.
     The source is the same as in `_sds`.
     """
     gamma = point.torque / (point.radius**2 * point.relative_speed)
-    return Written(
+    return ContactModel(
         lines=_command(point, stiffness, f"rolling sds 0.0 {gamma!r} 1.0"),
         parameters={"k_roll": 0.0, "gamma_roll": gamma, "mu_roll": 1.0},
         law=lambda load, speed: gamma * point.radius**2 * speed + 0.0 * load,

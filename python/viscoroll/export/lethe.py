@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from .balls import Balls
-from .contact import OperatingPoint, Stiffness, Style, Written
+from .contact import ContactModel, OperatingPoint, Stiffness, Style
 
 __all__ = ["STYLES"]
 
 _SOURCE = "Lethe include/dem/particle_particle_contact_force.h and its rolling resistance torque models"
 
 
-def _constant(point: OperatingPoint, stiffness: Stiffness) -> Written:
+def _constant(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for T = μ_r P R, immediately and at any speed.
 
     The law is M_r = -μ_r R_eff |F_n| ω̂_rel. R_eff is the radius on a wall, and R₁R₂/(R₁+R₂) for two balls. The value
@@ -18,12 +18,12 @@ def _constant(point: OperatingPoint, stiffness: Stiffness) -> Written:
     `constant_rolling_resistance_torque`.
     """
     mu = point.coefficient
-    return _written(
+    return _contact_model(
         point, stiffness, "constant", mu, lambda load, speed: mu * load * point.radius + 0.0 * speed, "T = mu_r P R"
     )
 
 
-def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
+def _viscous(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for T = μ_r P R² Ω; not for two balls.
 
     The law has the form of the low-speed limit of a coated ball, T = P Ω R Σ g_k τ_k / g_∞. It is M_r = -μ_r R_eff
@@ -36,7 +36,7 @@ def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
             "whose torque is 0 between two balls that roll on each other"
         )
     mu = point.torque / (point.load * point.radius**2 * point.angular_speed)
-    return _written(
+    return _contact_model(
         point,
         stiffness,
         "viscous",
@@ -46,16 +46,16 @@ def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
     )
 
 
-def _written(
+def _contact_model(
     point: OperatingPoint, stiffness: Stiffness, method: str, mu: float, law: object, torque_law: str
-) -> Written:
+) -> ContactModel:
     young = 2.0 * (1.0 - 0.3**2) * stiffness.effective_modulus
     wall = (
         f"  set young modulus wall    = {young!r}",
         "  set poisson ratio wall    = 0.3",
         f"  set rolling friction wall = {mu!r}",
     )
-    return Written(
+    return ContactModel(
         lines=(
             "subsection model parameters",
             f"  set rolling resistance torque method = {method}  # {method}_resistance in older versions",

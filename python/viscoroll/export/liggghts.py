@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .contact import OperatingPoint, Stiffness, Style, Written
+from .contact import ContactModel, OperatingPoint, Stiffness, Style
 
 __all__ = ["STYLES"]
 
@@ -10,17 +10,17 @@ __all__ = ["STYLES"]
 _POISSON = 0.45
 
 
-def _cdt(point: OperatingPoint, stiffness: Stiffness) -> Written:
+def _cdt(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for constant directional torque: T = rmu |F_n| R, immediately and at any speed.
 
     Source: rolling_model_cdt.h (r_torque = rmu Fn wr/|wr| cri). By its formula cri is R - δ/2, but on a wall it is R: a
     ball in a run of LIGGGHTS 3.8 has the torque of R to 1e-6 (`tests/python/export/test_dem.py`). For two balls the
     radius is reff = R₁R₂/(R₁+R₂).
     """
-    return _written(point, stiffness, "cdt", "immediately")
+    return _contact_model(point, stiffness, "cdt", "immediately")
 
 
-def _epsd(point: OperatingPoint, stiffness: Stiffness) -> Written:
+def _epsd(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for an elastic-plastic spring-dashpot: T = rmu |F_n| R once its spring has reached its limit.
 
     The spring is 2.25 k_n rmu² R², so the limit is reached after a rotation of δ / (2.25 rmu R), over which the torque
@@ -30,7 +30,7 @@ def _epsd(point: OperatingPoint, stiffness: Stiffness) -> Written:
     return _limited(point, stiffness, "epsd", turn=point.penetration / (2.25 * point.coefficient * point.radius))
 
 
-def _epsd2(point: OperatingPoint, stiffness: Stiffness) -> Written:
+def _epsd2(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for a spring k_t R² without a dashpot: T = rmu |F_n| R after a rotation of rmu P / (k_t R).
 
     Source: rolling_model_epsd2.h (kr = kt reff², r_torque_max = |Fn| reff rmu; reff is the radius on a wall, otherwise
@@ -40,11 +40,11 @@ def _epsd2(point: OperatingPoint, stiffness: Stiffness) -> Written:
     return _limited(point, stiffness, "epsd2", turn=point.coefficient * point.load / (secant * point.radius))
 
 
-def _limited(point: OperatingPoint, stiffness: Stiffness, style: str, *, turn: float) -> Written:
-    return _written(point, stiffness, style, f"after a rotation of about {turn:.2g} rad")
+def _limited(point: OperatingPoint, stiffness: Stiffness, style: str, *, turn: float) -> ContactModel:
+    return _contact_model(point, stiffness, style, f"after a rotation of about {turn:.2g} rad")
 
 
-def _written(point: OperatingPoint, stiffness: Stiffness, style: str, when: str) -> Written:
+def _contact_model(point: OperatingPoint, stiffness: Stiffness, style: str, when: str) -> ContactModel:
     rmu, young = point.coefficient, _young(stiffness)
     # For two dissimilar balls, the user supplies the values for contacts between balls of one type.
     types = 2 if point.balls.are_two and not point.balls.alike else 1
@@ -65,7 +65,7 @@ def _written(point: OperatingPoint, stiffness: Stiffness, style: str, when: str)
         if point.balls.are_two
         else [f"fix floor all wall/gran {model} primitive type 1 zplane 0.0"]
     )
-    return Written(
+    return ContactModel(
         lines=(*properties, *command),
         parameters={"coefficientRollingFriction": rmu, "youngsModulus": young},
         law=lambda load, speed: rmu * load * point.radius + 0.0 * speed,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .contact import OperatingPoint, Stiffness, Style, Written
+from .contact import ContactModel, OperatingPoint, Stiffness, Style
 
 __all__ = ["STYLES"]
 
@@ -10,7 +10,7 @@ __all__ = ["STYLES"]
 _WHICH = "  // for both balls; if they differ, set it for the mixed species (getMixedObject)"
 
 
-def _friction(point: OperatingPoint, stiffness: Stiffness) -> Written:
+def _friction(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for a rolling spring and slider on the *diameter*: T = μ P · 2R after a small rotation.
 
     The rolling force is limited to μ F_n. Its moment arm is the effective diameter, twice the effective radius, which
@@ -20,7 +20,7 @@ def _friction(point: OperatingPoint, stiffness: Stiffness) -> Written:
     addTorque(effectiveDiameter n × rollingForce)).
     """
     mu = point.torque / (2.0 * point.load * point.radius)
-    return Written(
+    return ContactModel(
         lines=(
             f"LinearViscoelasticFrictionSpecies species;{_WHICH if point.balls.are_two else ''}",
             f"species.setStiffness({stiffness.hooke!r});",

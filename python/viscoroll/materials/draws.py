@@ -28,7 +28,7 @@ class Draws(Sequence[T], Generic[T]):
 
     Parameters
     ----------
-    middle : object
+    best_estimate : object
         Best estimate.
     members : iterable
         The draws, at least two.
@@ -42,11 +42,11 @@ class Draws(Sequence[T], Generic[T]):
     Elastic(modulus=3200000.0)
     """
 
-    middle: T
+    best_estimate: T
     members: Sequence[T]
 
-    def __init__(self, middle: T, members: Iterable[T]) -> None:
-        object.__setattr__(self, "middle", middle)
+    def __init__(self, best_estimate: T, members: Iterable[T]) -> None:
+        object.__setattr__(self, "best_estimate", best_estimate)
         object.__setattr__(self, "members", tuple(members))
         if len(self.members) < _FEWEST:
             raise InvalidInput("members", f"must be at least {_FEWEST} draws", len(self.members))
@@ -77,8 +77,8 @@ class Draws(Sequence[T], Generic[T]):
         function : callable
             Function of one draw. It is applied to the best estimate and to every draw.
         """
-        return Draws(function(self.middle), map(function, self.members))
+        return Draws(function(self.best_estimate), map(function, self.members))
 
     def __repr__(self) -> str:
         """Return the number of draws and a short description of the best estimate."""
-        return f"{len(self.members)} draws of {shown(self.middle)}"
+        return f"{len(self.members)} draws of {shown(self.best_estimate)}"

@@ -391,7 +391,7 @@ def _hint_for_a_modulus(rejected: object) -> str:
         "series": "its series",
         "isotherms": "superpose(...).at(temperature=...) of the data",
         "storage": "fit_prony(...).series of the curve",
-        "middle": "its middle, or pass all draws to sweep",
+        "best_estimate": "its best_estimate, or pass all draws to sweep",
         "value": "its value",
     }
     return next((f"; give {hint}" for name, hint in hints.items() if hasattr(rejected, name)), "")

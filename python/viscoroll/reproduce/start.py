@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 __all__ = ["Figure6", "Figure8", "compute_figure6", "compute_figure8"]
 
 #: Starting states, with their titles in the plots.
-_STARTS = {Start.FRESH: "load applied at the start", Start.RELAXED: "relaxed under the load"}
+_STARTS = {Start.UNDEFORMED: "load applied at the start", Start.RELAXED: "relaxed under the load"}
 
 #: Angular speeds Ω of figure 6 [rad/s]. The paper's text states the smallest and the largest one.
 _SPEEDS, _COARSE_SPEEDS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0), (0.5, 2.5, 4.0)
@@ -123,12 +123,12 @@ class Figure6(SuddenStarts):
                     agrees=all(np.isfinite(settling)),
                 )
             )
-        fresh, relaxed = ([self.overshoot(start, s) for s in speeds] for start in _STARTS)
+        undeformed, relaxed = ([self.overshoot(start, s) for s in speeds] for start in _STARTS)
         verdicts.append(
             Verdict(
                 statement="the load is applied before rolling starts",
                 found="the peak exceeds the steady torque by "
-                f"{fresh[0]:.1%} to {fresh[-1]:.1%} if the load is applied as rolling starts, "
+                f"{undeformed[0]:.1%} to {undeformed[-1]:.1%} if the load is applied as rolling starts, "
                 f"{relaxed[0]:.0%} to {relaxed[-1]:.0%} if the ball has relaxed under the load",
                 agrees=False,
                 unclear="unclear: neither the text nor the figure gives numbers",

@@ -25,7 +25,7 @@ _LEAST = 0.1
 
 
 #: Largest number of copies. Each is fitted, which takes some milliseconds; 1000 give the ends of an interval to 5 %.
-_MOST_COPIES = 100_000
+_MAX_COPIES = 100_000
 
 
 def wild_copies(data: Floats, expected: Floats, columns: Floats, *, count: int, seed: int) -> Iterator[Floats]:
@@ -52,8 +52,8 @@ def wild_copies(data: Floats, expected: Floats, columns: Floats, *, count: int, 
     ValueError
         If `seed` is negative or `count` is out of range.
     """
-    if not 2 <= as_int("count", count) <= _MOST_COPIES:
-        raise InvalidInput("count", f"must be in [2, {_MOST_COPIES}]", count)
+    if not 2 <= as_int("count", count) <= _MAX_COPIES:
+        raise InvalidInput("count", f"must be in [2, {_MAX_COPIES}]", count)
     if as_int("seed", seed) < 0:
         raise InvalidInput("seed", "must be >= 0", seed)
     q, _ = np.linalg.qr(columns)

@@ -109,7 +109,7 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
             f"{passive.loss_rms:.2%} (loss), largest {worst:.1%}{against}",
         ),
         Check(
-            name="monotony",
+            name="monotonicity",
             value=drop,
             limit=most,
             message=f"largest decrease of the storage modulus with frequency {drop:.2%}; scatter of the points "

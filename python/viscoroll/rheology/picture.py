@@ -9,7 +9,7 @@ import numpy as np
 
 from .._support.arguments import Floats
 from .._support.celsius import ZERO_CELSIUS, celsius_text
-from .._support.pictures import Picture, drawn
+from .._support.pictures import Picture, draw_picture
 from ..materials import Prony
 from .shift_laws import ShiftFactors, ShiftLaw
 
@@ -38,7 +38,7 @@ def plot_fit(
         below.axhline(0.0, color="gray", linewidth=0.8)
         below.set(xlabel="angular frequency [rad/s]", ylabel="fit / data - 1 [%]")
 
-    return drawn(lambda axes: _draw_moduli(axes, measured, series), ax, figsize=(7.0, 6.0), compose=compose)
+    return draw_picture(lambda axes: _draw_moduli(axes, measured, series), ax, figsize=(7.0, 6.0), compose=compose)
 
 
 def _draw_moduli(axes: Axes, measured: _Measured, series: Prony) -> None:
@@ -66,7 +66,7 @@ def plot_strain_sweep(measured: _Measured, fitted: _Measured, *, ax: Axes | None
         axes.set(xlabel="amplitude of shear strain [%]", ylabel="shear modulus [Pa]")
         axes.legend()
 
-    return drawn(draw, ax, figsize=(7.0, 4.0))
+    return draw_picture(draw, ax, figsize=(7.0, 4.0))
 
 
 def plot_superposition(
@@ -87,7 +87,7 @@ def plot_superposition(
         _draw_sweeps(left, sweeps, reference)
         _draw_factors(right, factors, laws)
 
-    return drawn(lambda axes: _draw_sweeps(axes, sweeps, reference), ax, figsize=(11.0, 4.5), compose=compose)
+    return draw_picture(lambda axes: _draw_sweeps(axes, sweeps, reference), ax, figsize=(11.0, 4.5), compose=compose)
 
 
 def _draw_sweeps(axes: Axes, sweeps: list[_Measured], reference: float) -> None:

@@ -26,8 +26,9 @@ __all__ = ["PronyFit", "fit_prony"]
 #: Smallest relaxed modulus, relative to the lowest measured storage modulus.
 _FLOOR = 1e-2
 
-#: Number of positions of the grid of times; the best is used. They matter for materials with few sharp relaxations.
-_PLACES = 8
+#: Number of shifted grids of relaxation times; the fit uses the best one. The shift matters for materials with few
+#: sharp relaxations.
+_SHIFTS = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
@@ -45,8 +46,8 @@ class PronyFit:
     storage_error, loss_error : ndarray
         Fit / data - 1 at each point [-].
     scatter : float
-        Root mean square of both errors per degree of freedom [-]: an estimate of the noise, if a passive material fits
-        the data.
+        Root mean square of both errors per degree of freedom [-]. It estimates the noise of the data if a passive
+        material fits them.
     """
 
     series: Prony
@@ -77,11 +78,11 @@ class PronyFit:
         return float(np.sqrt(np.mean(self.loss_error**2)))
 
     def draws(self, count: int = 100, *, seed: int = 0) -> Draws[Prony]:
-        """Return equally likely alternative series, fitted to the data with random signs of the errors.
+        """Return equally likely alternative series, fitted to copies of the data with errors of random sign.
 
         The method is a wild bootstrap (`docs/theory/materials.md`). It does not include errors that all points share,
-        such as those of the dimensions of the specimen, and no errors of shift factors. `Superposition.draws` includes
-        the latter.
+        such as those of the dimensions of the specimen, or errors of shift factors. `Superposition.draws` includes the
+        errors of shift factors.
 
         Parameters
         ----------
@@ -110,7 +111,7 @@ class PronyFit:
     def _refitted(self, moduli: Floats) -> PronyFit:
         """Return the fit of other data at the same frequencies: all storage moduli, then all loss moduli [Pa]."""
         storage, loss = np.split(moduli, 2)
-        fit = _best(self.frequency, storage, loss, self._per_decade, self._floor)
+        fit = _fit_on_best_grid(self.frequency, storage, loss, self._per_decade, self._floor)
         if self._most_terms is not None:
             fit = fit_sparse(fit, self.frequency, storage, loss, terms=self._most_terms, floor=self._floor)
         return _result(fit, self.frequency, storage, loss, self._floor, self._per_decade, self._most_terms)
@@ -144,7 +145,8 @@ class PronyFit:
     def sparse(self, terms: int) -> PronyFit:
         """Return a fit with few terms, whose times are fitted too, for programs that limit the number of terms.
 
-        The errors of this fit are larger, and its draws do not include them. Use the full series for intervals.
+        With fewer terms, the fit deviates more from the data, and the draws do not include this deviation. Use the
+        full series for intervals.
 
         Parameters
         ----------
@@ -229,15 +231,15 @@ def fit_prony(curve: MeasuredModulus, *, terms_per_decade: float = 2.0, relaxed_
     floor = _FLOOR * float(storage.min()) if relaxed_floor is None else as_float("relaxed_floor", relaxed_floor)
     if not 0.0 < floor < np.inf:
         raise InvalidInput("relaxed_floor", "must be > 0 Pa", repr(floor))
-    fit = _best(frequency, storage, loss, per_decade, floor)
+    fit = _fit_on_best_grid(frequency, storage, loss, per_decade, floor)
     return _result(fit, frequency, storage, loss, floor, per_decade, None)
 
 
-def _best(frequency: Floats, storage: Floats, loss: Floats, per_decade: float, floor: float) -> SeriesFit:
-    """Return the best fit among the positions of the grid of times."""
+def _fit_on_best_grid(frequency: Floats, storage: Floats, loss: Floats, per_decade: float, floor: float) -> SeriesFit:
+    """Return the fit with the smallest scatter among the shifted grids of times."""
     times = time_grid(frequency, per_decade, margin=MARGIN)
-    moved = (times * 10.0 ** (place / (_PLACES * per_decade)) for place in range(_PLACES))
-    return min((fit_series(frequency, storage, loss, t, floor=floor) for t in moved), key=lambda fit: fit.scatter)
+    grids = (times * 10.0 ** (shift / (_SHIFTS * per_decade)) for shift in range(_SHIFTS))
+    return min((fit_series(frequency, storage, loss, t, floor=floor) for t in grids), key=lambda fit: fit.scatter)
 
 
 def _result(

@@ -17,10 +17,11 @@ __all__ = ["TemperatureRamp"]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class TemperatureRamp:
-    """Moduli over temperature at one frequency, the most common file of a laboratory.
+    """Moduli over temperature at one frequency, the most common measurement of a laboratory.
 
-    A ramp contains modulus and loss factor at its frequency, for any temperature. It does not contain their dependence
-    on frequency, and no shift can be determined from it, because no two points overlap. A master curve needs a shift
+    A ramp contains modulus and loss factor at its frequency, for any temperature in its range. It does not contain
+    their dependence on frequency, and no shift can be determined from it: a shift requires isotherms whose frequency
+    ranges overlap. A master curve needs a shift
     law from another source, measured or typical of the polymer: ``superpose(data, reference=..., factors=law)``.
 
     Attributes
@@ -85,7 +86,7 @@ class TemperatureRamp:
         )
 
     def __repr__(self) -> str:
-        """Return frequency and range of the ramp, and the ways to use it."""
+        """Return a summary: frequency and ranges of the ramp, what it provides, and how to obtain a master curve."""
         tan_delta = self.loss / self.storage
         return "\n".join(
             [
@@ -94,9 +95,9 @@ class TemperatureRamp:
                 f"{kelvin_range(self.temperature[0], self.temperature[-1])}",
                 f"  storage {self.storage.min():.4g} to {self.storage.max():.4g} Pa, tan δ {tan_delta.min():.3g} to "
                 f"{tan_delta.max():.3g}, largest at {kelvin_text(self.loss_peak)}",
-                "  available      modulus and loss factor at this frequency, by temperature: ramp.at(temperature=...)",
+                "  available      modulus and loss factor at this frequency: ramp.at(temperature=...)",
                 "  unavailable    dependence on frequency: data at a single frequency do not determine a shift",
-                "  master curve   with a law of the shift, measured or typical of the polymer: "
+                "  master curve   with a shift law, measured or typical of the polymer: "
                 "superpose(data, reference=..., factors=law)",
             ]
         )

@@ -31,7 +31,7 @@ _GAS_CONSTANT = 8.314462618  # [J/(mol K)]
 
 #: Largest absolute value of log₁₀ a_T: five times the shifts of polymers across the glass transition. Beyond it, times
 #: and frequencies may exceed the range of floats.
-_MOST_DECADES = 100.0
+_MAX_DECADES = 100.0
 
 #: Highest temperature of a table, and smallest difference between two of its entries [K].
 _HOTTEST, _CLOSEST = 1e4, 1e-6
@@ -65,8 +65,8 @@ class ShiftFactors:
             if not as_kelvin(f"temperature[{index}]", value) <= _HOTTEST:
                 raise InvalidInput(f"temperature[{index}]", f"must be <= {_HOTTEST:g} K", f"{value:g} K")
         for index, value in enumerate(self.log10_factor):
-            if not abs(value) <= _MOST_DECADES:
-                allowed = f"[-{_MOST_DECADES:g}, {_MOST_DECADES:g}]"
+            if not abs(value) <= _MAX_DECADES:
+                allowed = f"[-{_MAX_DECADES:g}, {_MAX_DECADES:g}]"
                 raise InvalidInput(f"log10_factor[{index}]", f"must be in {allowed}", f"{value:g}")
         if not (np.diff(self.temperature) >= _CLOSEST).all():
             raise InvalidInput("temperature", f"must increase from entry to entry, by at least {_CLOSEST:g} K")

@@ -29,13 +29,13 @@ if TYPE_CHECKING:
 __all__ = ["Superposition", "aligned"]
 
 #: Residual of the shift factors below which a law counts as adequate [decades].
-_ENOUGH = 0.01
+_ADEQUATE_RESIDUAL = 0.01
 
 #: Largest number of undetermined steps that are printed.
-_MOST_TOLD = 4
+_MAX_LISTED = 4
 
 #: Ratio of frequencies in a difference quotient.
-_NEAR = 1.001
+_FREQUENCY_RATIO = 1.001
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -55,8 +55,8 @@ class Superposition:
     scatter : float
         Relative root-mean-square residual of the best nonnegative series, per degree of freedom [-].
     undetermined : tuple of str
-        Steps between sweeps whose shift is undetermined by half a decade or more, with the range of equally good
-        shifts.
+        Steps between neighboring sweeps that do not overlap, or for which all shifts in a range of at least half a
+        decade fit about equally well, with this range.
     covariance : ndarray or None
         Covariance of the factors, without that of `anchor`; None for given shift factors.
     anchor : int
@@ -111,12 +111,12 @@ class Superposition:
 
     @property
     def law(self) -> ShiftLaw:
-        """Recommended law: Arrhenius, which has one constant less, unless its residual is clearly larger; else WLF."""
-        enough = max(_ENOUGH, 1.5 * self.wlf.residual)
-        return self.arrhenius if self.arrhenius.residual <= enough else self.wlf
+        """Recommended law: Arrhenius, with one constant less, or WLF if the Arrhenius residual is clearly larger."""
+        largest_residual = max(_ADEQUATE_RESIDUAL, 1.5 * self.wlf.residual)
+        return self.arrhenius if self.arrhenius.residual <= largest_residual else self.wlf
 
     def at(self, *, temperature: float) -> MasterCurve:
-        """Return the modulus at a temperature, as a table with its end values held.
+        """Return the modulus at a temperature, as a table that is constant beyond its ends.
 
         Parameters
         ----------
@@ -136,12 +136,12 @@ class Superposition:
         """
         kelvin = as_kelvin("temperature", temperature)
         scale = 10.0 ** -self.factors(kelvin)
-        lift = 10.0 ** float(np.interp(kelvin, self.factors.temperature, self.vertical))
+        vertical_factor = 10.0 ** float(np.interp(kelvin, self.factors.temperature, self.vertical))
         table = self._table
         return MasterCurve(
             np.asarray(table.frequency) * scale,
-            np.asarray(table.storage) * lift,
-            np.asarray(table.loss) * lift,
+            np.asarray(table.storage) * vertical_factor,
+            np.asarray(table.loss) * vertical_factor,
             extrapolation=table.extrapolation,
         )
 
@@ -150,12 +150,12 @@ class Superposition:
         return tabulated(self.frequency, self.storage, self.loss, relaxed=self.fit.relaxed_modulus)
 
     def series_at(self, *, temperature: float) -> Prony:
-        """Return the Prony series of `fit` at a temperature [K]; errors are the same as in `at`."""
+        """Return the Prony series of `fit` at a temperature [K]; parameter and exceptions same as in `at`."""
         kelvin = as_kelvin("temperature", temperature)
         series = self.fit.series
-        lift = 10.0 ** float(np.interp(kelvin, self.factors.temperature, self.vertical))
+        vertical_factor = 10.0 ** float(np.interp(kelvin, self.factors.temperature, self.vertical))
         return Prony(
-            instantaneous_modulus=series.instantaneous_modulus * lift,
+            instantaneous_modulus=series.instantaneous_modulus * vertical_factor,
             weights=series.weights,
             relaxation_times=np.asarray(series.relaxation_times) * 10.0 ** self.factors(kelvin),
         )
@@ -166,7 +166,7 @@ class Superposition:
         return fit_prony(self)
 
     def draws(self, count: int = 100, *, seed: int = 0) -> Draws[Superposition]:
-        """Return equally likely alternatives, fitted to the data with random signs of the errors.
+        """Return equally likely superpositions, each fitted to a copy of the data with random signs of the errors.
 
         The method is a wild bootstrap (`docs/theory/materials.md`). Each draw has its own shift factors, series and
         tables, but given shift factors are kept. The draws do not include errors that all points share, such as those
@@ -187,24 +187,24 @@ class Superposition:
         """
         sweeps = self.data.isotherms
         series = self.fit.series
-        owner = np.concatenate([np.full(sweep.frequency.size, i) for i, sweep in enumerate(sweeps)])
+        sweep_index = np.concatenate([np.full(sweep.frequency.size, i) for i, sweep in enumerate(sweeps)])
         frequency, storage, loss = (np.concatenate(parts) for parts in zip(*self._shifted, strict=True))
         expected = _parts_of(series.complex_modulus(frequency))
         columns = [basis(frequency, np.asarray(series.relaxation_times)) / expected[:, None]]
         if self.covariance is not None:
-            along = np.log(_parts_of(series.complex_modulus(frequency * _NEAR)) / expected)
+            slope = np.log(_parts_of(series.complex_modulus(frequency * _FREQUENCY_RATIO)) / expected)
             columns += [
-                np.tile(owner == i, 2)[:, None] * along[:, None] for i in range(len(sweeps)) if i != self.anchor
+                np.tile(sweep_index == i, 2)[:, None] * slope[:, None] for i in range(len(sweeps)) if i != self.anchor
             ]
         data = np.concatenate([storage, loss])
         copies = wild_copies(data, expected, np.hstack(columns), count=count, seed=seed)
-        return Draws(self, (self._found_anew(np.split(copy, 2), owner) for copy in copies))
+        return Draws(self, (self._refitted(np.split(copy, 2), sweep_index) for copy in copies))
 
-    def _found_anew(self, moduli: Sequence[Floats], owner: NDArray[np.int64]) -> Superposition:
-        """Return the superposition of other storage and loss moduli [Pa] at the same shifted points."""
-        storage, loss = (values * 10.0 ** np.asarray(self.vertical)[owner] for values in moduli)
+    def _refitted(self, moduli: Sequence[Floats], sweep_index: NDArray[np.int64]) -> Superposition:
+        """Return the superposition fitted to other shifted storage and loss moduli [Pa] at the same frequencies."""
+        storage, loss = (values * 10.0 ** np.asarray(self.vertical)[sweep_index] for values in moduli)
         isotherms = tuple(
-            replace(sweep, storage=storage[owner == i], loss=loss[owner == i])
+            replace(sweep, storage=storage[sweep_index == i], loss=loss[sweep_index == i])
             for i, sweep in enumerate(self.data.isotherms)
         )
         data = replace(self.data, isotherms=isotherms)
@@ -236,9 +236,9 @@ class Superposition:
             f"  scatter about one series  {self.scatter:.2%}",
             f"  {self.wlf}",
             f"  {self.arrhenius}",
-            *(f"  undetermined              {text}" for text in self.undetermined[:_MOST_TOLD]),
+            *(f"  undetermined              {text}" for text in self.undetermined[:_MAX_LISTED]),
         ]
-        if (more := len(self.undetermined) - _MOST_TOLD) > 0:
+        if (more := len(self.undetermined) - _MAX_LISTED) > 0:
             lines.append(f"  undetermined              {more} more of {len(self.data.isotherms) - 1} steps")
         return "\n".join(lines)
 
@@ -248,10 +248,10 @@ def aligned(data: RheologyData, reference: float, start: Floats, anchor: int, *,
     temperature = [sweep.temperature for sweep in data.isotherms]
     found = align(data.isotherms, start, reference=anchor, vertical=vertical)
     measured = ShiftFactors(temperature=tuple(temperature), log10_factor=tuple(found.horizontal))
-    lifted = found.vertical - np.interp(reference, temperature, found.vertical)
+    vertical_shifts = found.vertical - np.interp(reference, temperature, found.vertical)
     return {
         "factors": measured.relative_to(reference),
-        "vertical": tuple(lifted.tolist()),
+        "vertical": tuple(vertical_shifts.tolist()),
         "scatter": found.series.scatter,
         "covariance": found.covariance,
     }

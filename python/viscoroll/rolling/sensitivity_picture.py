@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import Floats
-from .._support.pictures import Picture, drawn
+from .._support.pictures import Picture, draw_picture
 from ..materials import MasterCurve
 from ..solution.loss_spectrum import loss_spectrum
 from .perturbed import Given, bands_of, places_of
@@ -72,7 +72,7 @@ def plot_moduli(
         above.label_outer()
         above.legend(fontsize="small")
 
-    return drawn(draw, ax, figsize=(6.4, 5.4), compose=compose)
+    return draw_picture(draw, ax, figsize=(6.4, 5.4), compose=compose)
 
 
 def _losses(result: Solution) -> Iterator[tuple[str, Floats, Floats]]:

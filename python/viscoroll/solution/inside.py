@@ -164,8 +164,8 @@ class Inside:
         distance = max(0.5 * (body.width - across), 0.0)
         if distance < body.thickness * (1.0 - 1e-9):
             near = f"the contact ends {distance:.3g} m from the side faces, less than the thickness of the tread"
-            endless = "stresses and loss near the faces are those of a tread without side faces"
-            warn([f"{near} ({body.thickness:.3g} m): {endless}"])
+            approximation = "stresses and loss near the faces are those of a tread without side faces"
+            warn([f"{near} ({body.thickness:.3g} m): {approximation}"])
 
 
 def inside_of(result: Solution, of: Of | None = None) -> Inside:
@@ -192,7 +192,7 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
             raise InvalidInput("result.body", "must have a layer to be evaluated inside", "a rigid body")
         return Inside(result, of, body, radius)
     if isinstance(on, CoatedCylinder) and on.layers and isinstance(body, CoatedWheel):
-        tread = CoatedWheel(core_radius=on.core_radius, layers=on.layers, width=body.width, sides=Sides.ENDLESS)
+        tread = CoatedWheel(core_radius=on.core_radius, layers=on.layers, width=body.width, sides=Sides.UNBOUNDED)
         return Inside(result, of, tread, on.outer_radius)
     if isinstance(on, CoatedCylinder | CoatedSphere | CoatedWheel) and on.layers:
         return Inside(result, of, on, on.outer_radius)

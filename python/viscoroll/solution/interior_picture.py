@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.pictures import Picture, drawn
+from .._support.pictures import Picture, draw_picture
 from .._support.result_warnings import silenced
 from .inside import Inside, Of, boundaries_of, inside_of
 from .interior_fields import interior
@@ -62,7 +62,7 @@ def plot_loss(result: Solution, ax: Axes | None = None, of: Of | None = None) ->
     inside = inside_of(result, of)
     reach = min(inside.thickness, 6.0 * contact_size(result))
     losses = loss(result, depth=np.linspace(0.0, reach, _DEPTHS), of=inside.of).drop_duplicates("depth")
-    return drawn(lambda axes: _draw_loss(axes, inside, losses), ax, figsize=(10.0, 4.0))
+    return draw_picture(lambda axes: _draw_loss(axes, inside, losses), ax, figsize=(10.0, 4.0))
 
 
 def _draw_loss(axes: Axes, inside: Inside, losses: xarray.Dataset) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.extras import extra
-from .._support.pictures import Picture, drawn
+from .._support.pictures import Picture, draw_picture
 from ..bodies import CoatedWheel
 from .solution import Solution
 
@@ -63,7 +63,7 @@ def plot_contact(result: Solution, ax: Axes | None = None) -> Picture | Axes:
         _draw_profile(profile, result)
 
     width = 7.0 if of_roller else 16.0 if frictional else 11.0
-    return drawn(lambda axes: draw(axes, result), ax, figsize=(width, 4.6), compose=compose)
+    return draw_picture(lambda axes: draw(axes, result), ax, figsize=(width, 4.6), compose=compose)
 
 
 def _headline(result: Solution) -> str:

@@ -38,21 +38,24 @@ _SYMBOLS = {
     "relaxation_time": r"\tau",
 }
 
-#: Units that take a prefix, and the prefixes by their factors.
+#: Units that may have a prefix, and the prefix for each factor.
 _PREFIXED = {"m", "N", "N m", "Pa", "Pa s", "W", "s"}
 _PREFIXES = {1e-9: "n", 1e-6: "μ", 1e-3: "m", 1.0: "", 1e3: "k", 1e6: "M", 1e9: "G"}
 
-#: Largest number of numeric values with a legend (more have a color bar), and of texts, which need distinct colors.
-_MOST_IN_LEGEND, _MOST_TEXTS = 8, 10
-_SHADES = ListedColormap(colormaps["viridis"](np.linspace(0.0, 0.92, 256)))
+#: Largest number of numeric values in a legend (more values get a color bar), and largest number of texts, each of
+#: which needs a distinct color.
+_MAX_IN_LEGEND, _MAX_TEXTS = 8, 10
+_COLORMAP = ListedColormap(colormaps["viridis"](np.linspace(0.0, 0.92, 256)))
 
-#: Largest number of characters of horizontal texts below an axis, and largest number of slanted texts.
-_CHARACTERS, _MOST_SLANTED = 70, 12
+#: Largest total number of characters of horizontal texts below an axis, and largest number of slanted texts. More
+#: texts are vertical.
+_MAX_CHARACTERS, _MAX_SLANTED = 70, 12
 
 #: Ratio of the largest to the smallest number above which an axis is logarithmic.
-_WIDE = 20.0
+_MIN_LOGARITHMIC_RATIO = 20.0
 
-#: Ratio below which a logarithmic axis also has numbers at 2 and 5, and no powers of ten.
+#: Ratio below which a logarithmic axis also has numbers at 2 and 5 of each decade, all in decimal notation (20, not
+#: 2×10¹).
 _FEW_DECADES = 200.0
 
 
@@ -65,7 +68,7 @@ class Scale:
 
     @classmethod
     def of(cls, values: xarray.DataArray) -> Scale:
-        """Return the scale that suits the largest of some numbers."""
+        """Return the scale that suits the largest absolute value."""
         unit = str(values.attrs.get("units", "1"))
         numbers = np.abs(values.to_numpy())
         largest = float(np.nanmax(numbers, initial=0.0, where=np.isfinite(numbers)))
@@ -75,12 +78,12 @@ class Scale:
         return cls(factor, _PREFIXES[factor] + unit)
 
     def text(self, name: str) -> str:
-        """Return a name with the unit, for an axis."""
+        """Return the label of an axis: a name with the unit."""
         return f"{name} [{self.unit}]" if self.unit else name
 
 
 class Abscissa:
-    """Horizontal axis for the first dimension: numbers, or texts side by side."""
+    """Horizontal axis for the first dimension: numeric, or categorical with a text for each value."""
 
     def __init__(self, coordinate: xarray.DataArray) -> None:
         self._name = quantity_name(coordinate)
@@ -91,7 +94,7 @@ class Abscissa:
         )
 
     def draw(self, axes: Axes, values: Floats, *, style: str, color: Any) -> None:
-        """Draw a curve over numbers, or points over texts."""
+        """Draw a curve on a numeric axis, or points on a categorical one."""
         axes.plot(self.positions, values, "o" if self._texts else f".{style}", color=color)
 
     def draw_band(self, axes: Axes, lower: Floats, upper: Floats, *, color: Any) -> None:
@@ -102,17 +105,17 @@ class Abscissa:
             axes.fill_between(self.positions, lower, upper, color=color, alpha=0.2, linewidth=0.0)
 
     def finish(self, axes: Axes) -> None:
-        """Write the name and the numbers or texts below the axis; texts that would overlap are slanted."""
+        """Write the name and the numbers or texts below the axis; rotate texts that would overlap."""
         axes.set_xlabel(self._scale.text(self._name))
         if not self._texts:
             choose_scale(axes, "x", self.positions)
             return
         axes.set_xlim(-0.5, self.positions.size - 0.5)
         longest = max(len(line) for text in self._texts for line in text.split("\n"))
-        if longest * self.positions.size <= _CHARACTERS:
+        if longest * self.positions.size <= _MAX_CHARACTERS:
             axes.set_xticks(self.positions, self._texts)
             return
-        if len(self._texts) > _MOST_SLANTED:
+        if len(self._texts) > _MAX_SLANTED:
             texts = [text.replace("\n", ", ") for text in self._texts]
             axes.set_xticks(self.positions, texts, fontsize="small", rotation=90)
         else:
@@ -127,26 +130,26 @@ class Colors:
     def __init__(self, coordinate: xarray.DataArray) -> None:
         self._name = quantity_name(coordinate)
         self._texts = [text.replace("\n", ", ") for text in _texts_of(coordinate)]
-        self.has_bar = not self._texts and coordinate.size > _MOST_IN_LEGEND
-        if len(self._texts) > _MOST_TEXTS:
-            message = f"study must have at most {_MOST_TEXTS} values of {coordinate.name}, got {coordinate.size}"
+        self.has_bar = not self._texts and coordinate.size > _MAX_IN_LEGEND
+        if len(self._texts) > _MAX_TEXTS:
+            message = f"study must have at most {_MAX_TEXTS} values of {coordinate.name}, got {coordinate.size}"
             raise ValueError(f"{message}; select some of them")
-        self._shades: list[Any] = [f"C{i}" for i in range(len(self._texts))]
+        self._colors: list[Any] = [f"C{i}" for i in range(len(self._texts))]
         if not self._texts:
             self._scale = Scale.of(coordinate)
             numbers = coordinate.to_numpy() / self._scale.factor
             self._norm = (LogNorm if _spans_decades(numbers) else Normalize)(numbers.min(), numbers.max())
-            self._shades = list(_SHADES(self._norm(numbers)))
+            self._colors = list(_COLORMAP(self._norm(numbers)))
             self._texts = [f"{_symbol(self._name)} = {number:.4g} {self._scale.unit}".rstrip() for number in numbers]
 
     def __getitem__(self, i: int) -> Any:
         """Return the color of a value."""
-        return self._shades[i]
+        return self._colors[i]
 
     def draw_bar(self, axes: Axes) -> None:
         """Draw the color bar."""
         figure = axes.figure
-        figure.colorbar(ScalarMappable(self._norm, _SHADES), ax=axes, label=self._scale.text(self._name))
+        figure.colorbar(ScalarMappable(self._norm, _COLORMAP), ax=axes, label=self._scale.text(self._name))
 
     def handles(self, drawn: set[int]) -> list[Line2D]:
         """Return legend entries for the values that have a curve."""
@@ -158,37 +161,37 @@ def choose_scale(axes: Axes, axis: str, numbers: Floats) -> None:
     finite = np.unique(numbers[np.isfinite(numbers)])
     if _spans_decades(finite):
         axes.set(**{f"{axis}scale": "log"})
-        line: Axis = getattr(axes, f"{axis}axis")
+        axis_object: Axis = getattr(axes, f"{axis}axis")
         if finite[-1] < _FEW_DECADES * finite[0]:
-            line.set_minor_locator(LogLocator(subs=(2.0, 5.0)))
-            line.set_minor_formatter(StrMethodFormatter("{x:g}"))
-            line.set_major_formatter(StrMethodFormatter("{x:g}"))
+            axis_object.set_minor_locator(LogLocator(subs=(2.0, 5.0)))
+            axis_object.set_minor_formatter(StrMethodFormatter("{x:g}"))
+            axis_object.set_major_formatter(StrMethodFormatter("{x:g}"))
     elif finite.size > 2 and finite[0] == 0.0 and _spans_decades(finite[1:]):
         (axes.set_xscale if axis == "x" else axes.set_yscale)("symlog", linthresh=float(finite[1]))
         axes.set(**{f"{axis}lim": (0.0, None)})
 
 
 def _spans_decades(numbers: Floats) -> bool:
-    """Whether numbers are positive and either equally spaced in logarithms or different by a large factor."""
+    """Whether numbers are positive, and either geometrically spaced or spread over a large ratio."""
     if numbers.size < 2 or not numbers.min() > 0.0:
         return False
     steps = np.diff(np.log(numbers))
     is_geometric = numbers.size > 2 and bool(np.allclose(steps, steps[0], rtol=1e-6))
-    return is_geometric or bool(numbers.max() > _WIDE * numbers.min())
+    return is_geometric or bool(numbers.max() > _MIN_LOGARITHMIC_RATIO * numbers.min())
 
 
 def _texts_of(coordinate: xarray.DataArray) -> list[str]:
     """Return the texts of a coordinate, with one line for each quantity; an empty list for numbers."""
     if coordinate.dtype.kind in "fiu":
         return []
-    return ["\n".join(map(_spelled, str(text).split(", "))) for text in coordinate.to_numpy().tolist()]
+    return ["\n".join(map(_with_unit, str(text).split(", "))) for text in coordinate.to_numpy().tolist()]
 
 
-def _spelled(text: str) -> str:
-    """Return "name=value" in words with the unit, and any other text as it is."""
-    name, found, value = text.partition("=")
+def _with_unit(text: str) -> str:
+    """Return "name=value" with spaces and the unit, and any other text unchanged."""
+    name, separator, value = text.partition("=")
     unit = UNITS.get(name, "1")
-    return f"{name.replace('_', ' ')} = {value}{'' if unit == '1' else f' {unit}'}" if found else text
+    return f"{name.replace('_', ' ')} = {value}{'' if unit == '1' else f' {unit}'}" if separator else text
 
 
 def value_text(coordinate: xarray.DataArray) -> str:

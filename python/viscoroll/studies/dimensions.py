@@ -161,7 +161,7 @@ def checked(name: str, value: object) -> object:
     if name == "max_iterations":
         return as_int(name, value)
     if name == "on":
-        for one in (value.middle, *value) if isinstance(value, Draws) else (value,):
+        for one in (value.best_estimate, *value) if isinstance(value, Draws) else (value,):
             require_type(name, one, Counterbody)
         return value
     if name in _TYPES:

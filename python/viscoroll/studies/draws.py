@@ -51,7 +51,7 @@ def as_draw_method(method: object) -> DrawMethod:
 
 
 def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
-    """Return the parameters with the middle of each set of draws, and the parameters with each draw in turn.
+    """Return the parameters with the best estimate of each set of draws, and the parameters with each draw in turn.
 
     Raises
     ------
@@ -62,9 +62,9 @@ def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], lis
     if len({len(value) for value in sets.values()}) > 1:
         told = ", ".join(f"{len(value)} for {name}" for name, value in sets.items())
         raise InvalidInput("draws", "must be equally many for each parameter", told)
-    middle = {**parameters, **{name: value.middle for name, value in sets.items()}}
+    best = {**parameters, **{name: value.best_estimate for name, value in sets.items()}}
     drawn = zip(*sets.values(), strict=True)
-    return middle, [{**parameters, **dict(zip(sets, members, strict=True))} for members in drawn]
+    return best, [{**parameters, **dict(zip(sets, members, strict=True))} for members in drawn]
 
 
 def drawn_answers(
@@ -81,7 +81,7 @@ def drawn_answers(
     Parameters
     ----------
     result : Result
-        Result for the middle of the draws.
+        Result for the best estimates.
     draws : sequence of pairs
         Body and counterbody of each draw.
     method : "linear" or "solve"
@@ -113,7 +113,7 @@ def drawn_answers(
 
 
 def _require_near(penetrations: Floats | tuple[()], result: Result) -> None:
-    """Raise a ValueError if a draw is too far from the middle for a first-order result."""
+    """Raise a ValueError if a draw is too far from the best estimate for a first-order result."""
     farthest = max((abs(value / result.penetration - 1.0) for value in penetrations), default=0.0)
     if farthest > _FARTHEST:
         raise InvalidInput(
@@ -145,7 +145,7 @@ def interval_variables(
     table : sequence of mapping
         For each point, the results of its draws by name; empty if it has none.
     middles : mapping of str to ndarray, shape (points,)
-        Results for the middle of the draws.
+        Results for the best estimates.
     confidence : float
         Probability that an interval contains the true value [-].
 

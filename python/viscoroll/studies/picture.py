@@ -11,7 +11,7 @@ import numpy as np
 from .._support.arguments import Floats
 from .._support.errors import InvalidInput
 from .._support.extras import extra
-from .._support.pictures import drawn
+from .._support.pictures import draw_picture
 from .axes import Abscissa, Colors, Scale, choose_scale, quantity_name, value_text
 
 with extra("plot"):
@@ -64,7 +64,7 @@ def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque", ax:
         styles than there are.
     """
     values = _checked_variable(study, variable)
-    return drawn(lambda axes: _draw_study(axes, study, values), ax, figsize=(7.6, 5.0))
+    return draw_picture(lambda axes: _draw_study(axes, study, values), ax, figsize=(7.6, 5.0))
 
 
 def _draw_study(axes: Axes, study: xarray.Dataset, values: xarray.DataArray) -> None:

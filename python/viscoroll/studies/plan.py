@@ -229,9 +229,9 @@ class _Pairs:
 
 def _case(pairs: _Pairs, numbers: Mapping[str, int], parameters: dict[str, Any]) -> LoadCase | str:
     """Return the case of a point, or the message of the exception that one of its bodies raises."""
-    middle, drawn = drawn_parameters(parameters)
+    best, drawn = drawn_parameters(parameters)
     of_draws = [name for name, value in parameters.items() if isinstance(value, Draws)]
-    solved = pairs(numbers, middle)
+    solved = pairs(numbers, best)
     draws = []
     for i, given in enumerate(drawn):
         pair = pairs({**numbers, **{name: (numbers.get(name), i) for name in of_draws}}, given)
@@ -241,7 +241,7 @@ def _case(pairs: _Pairs, numbers: Mapping[str, int], parameters: dict[str, Any])
     if isinstance(solved, str):
         return solved
     body, on = solved
-    arguments = {name: value for name, value in middle.items() if name in LOAD_CASE}
+    arguments = {name: value for name, value in best.items() if name in LOAD_CASE}
     if on is not None:
         arguments["on"] = on
     return LoadCase(body=body, arguments=arguments, draws=tuple(draws))

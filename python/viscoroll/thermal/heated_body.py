@@ -44,7 +44,7 @@ __all__ = ["HeatedBody", "heated_body"]
 
 #: Modes divided by r_o/a, with the contact's semi-axis a, along a ball or across a wheel: 1e-5 of the temperature.
 _DEGREES_PER_CONTACT = 15.0
-_MOST_DEGREES = 400
+_MAX_DEGREES = 400
 
 #: Number of modes between side faces: those left out contain 1e-6 of the heat.
 _SIDE_MODES = 40
@@ -150,7 +150,7 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     refuse(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
     ball = inside.body
     assert isinstance(ball, CoatedSphere)
-    degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MOST_DEGREES)
+    degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MAX_DEGREES)
     if ball.inner_boundary is not InnerBoundary.RIGID and given.core is not Core.INSULATED:
         raise InvalidInput("core", "must be INSULATED in a ball without a rigid core", shown(given.core))
     rise = held_rise(given)
@@ -223,7 +223,7 @@ def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> 
     side = _side(given, conductivities)
     narrowest = 0.5 * result.contact_width if result.contact_width else contact_size(result)
     wanted = int(_DEGREES_PER_CONTACT * width / (np.pi * narrowest))
-    modes = modes_of_wheel(width, side / conductivities[0], min(max(wanted, 2 * _SIDE_MODES), _MOST_DEGREES))
+    modes = modes_of_wheel(width, side / conductivities[0], min(max(wanted, 2 * _SIDE_MODES), _MAX_DEGREES))
     bounds = boundaries_of(inside.body)
     inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * width)
     film = (
@@ -273,7 +273,7 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     period = as_positive("period", given.period, "s")
     result = inside.result
     track = None if inside.line_contact else _between_tracks(inside)
-    degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(result)) + 2, _MOST_DEGREES)
+    degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(result)) + 2, _MAX_DEGREES)
     modes = modes_of_slab(track, degrees)
     base = (
         None

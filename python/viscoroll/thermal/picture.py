@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.pictures import Picture, drawn
+from .._support.pictures import Picture, draw_picture
 
 if TYPE_CHECKING:
     import xarray
@@ -19,7 +19,7 @@ _MM = 1e3
 
 def plot_temperature(rise: xarray.DataArray, title: str, ax: Axes | None = None) -> Picture | Axes:
     """Draw the temperature rise over the cross-section of the layers."""
-    return drawn(lambda axes: _draw(axes, rise, title), ax, figsize=(7.0, 6.0))
+    return draw_picture(lambda axes: _draw(axes, rise, title), ax, figsize=(7.0, 6.0))
 
 
 def _draw(axes: Axes, rise: xarray.DataArray, title: str) -> None:

@@ -52,8 +52,8 @@ class HistoryOptions:
     curvature : Curvature or str, default Curvature.SPHERE
         Curvature terms in the equations of the layers of balls: SPHERE or PAPER.
     friction : float, default 0
-        Coulomb's coefficient of friction μ between the two bodies [-], in [0, 4]. With friction, a step takes six to
-        twelve times as long.
+        Coulomb's coefficient of friction μ between the two bodies [-], in [0, 4]. With friction, a step takes several
+        times as long (docs/theory/transient-friction.md).
     drive : Drive, default Drive(force=0.0)
         Horizontal force on the center, or driving torque about it; with a torque of 0 the body is towed. A given
         creepage is not allowed; use `center_displacement` instead.

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.pictures import Picture, drawn
+from .._support.pictures import Picture, draw_picture
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -46,7 +46,7 @@ def plot_history(series: Series, units: Units, ax: Axes | None = None) -> Pictur
         _draw_others(axes, series, units)
         _draw_loop(axes["loop"], series, units)
 
-    return drawn(lambda axes: _draw_torque(axes, series, units), ax, figsize=(12.0, 6.4), compose=compose)
+    return draw_picture(lambda axes: _draw_torque(axes, series, units), ax, figsize=(12.0, 6.4), compose=compose)
 
 
 def _draw_torque(axes: Axes, series: Series, units: Units) -> None:

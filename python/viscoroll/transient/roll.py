@@ -76,8 +76,8 @@ def roll(
         determine it.
     start : Start or str or RollingState, default Start.RELAXED
         State before the first waypoint: the load has rested on the body until the material has fully relaxed (RELAXED),
-        the load is applied instantaneously (FRESH), or the state of another history, at a time between the waypoints,
-        from which the motion continues.
+        the load is applied instantaneously (UNDEFORMED), or the state of another history, at a time between the
+        waypoints, from which the motion continues.
     **options
         Same as in `HistoryOptions`.
     shortest_time, longest_time : float, optional
@@ -183,7 +183,7 @@ def _follow(
     contacts: list[ContactInstant] = []
     try:
         for stop in _stops(motion["time"], contact_times):
-            if stop < core.now().time:
+            if stop < core.current().time:
                 continue
             with si_hints(stepper.body, stepper.on):
                 piece = core.roll(**_until(stop, motion), progress=report)

@@ -65,7 +65,7 @@ class RollingState:
     >>> state = stepper.state
     >>> later = stepper.advance(time=0.1, angle=0.2, load=100.0)
     >>> again = RollingHistory(paper.ball(), load=100.0, mesh=stepper.mesh, averaged_meshes=1, start=state)
-    >>> again.now.time
+    >>> again.current.time
     0.0
     """
 
@@ -109,7 +109,7 @@ class RollingHistory:
 
     The history only steps forward, which suits integrators with fixed steps, such as Newmark's method. To try a step,
     take it on ``copy.copy(stepper)``, which copies the memory. Integrators that reject steps and go back, such as
-    `scipy.integrate.solve_ivp`, need a torque that depends only on the present instant: `RollingResistance`.
+    `scipy.integrate.solve_ivp`, need a torque that depends only on the current instant: `RollingResistance`.
 
     A pickled history contains the bodies, the arguments of the constructor and the `state`; the copy computes the
     tables again.
@@ -124,7 +124,7 @@ class RollingHistory:
         Normal load P at the first instant [N], for rollers per length [N/m], > 0.
     start : Start or str or RollingState, default Start.RELAXED
         State before the first instant: the load has rested on the body until the material has fully relaxed (RELAXED),
-        the load is applied instantaneously (FRESH), or the state of another history.
+        the load is applied instantaneously (UNDEFORMED), or the state of another history.
     **options
         Same as in `HistoryOptions`.
     shortest_time, longest_time : float
@@ -133,6 +133,9 @@ class RollingHistory:
         First instant [s] and angle at it [rad]; not with a saved state.
     distance : float, optional
         Distance rolled along the track at the first instant [m], in place of the angle; r_o times the angle.
+    progress : bool or callable, optional
+        True shows a progress bar for the computation of the tables; a callable is called as progress(stage, fraction)
+        about every 20 ms.
 
     Raises
     ------
@@ -210,7 +213,7 @@ class RollingHistory:
         Parameters
         ----------
         time : float
-            New time [s], ≥ the present time; equal to the present time for a jump.
+            New time [s], ≥ the current time; equal to the current time for a jump.
         angle : float, optional
             New angle ψ [rad].
         distance : float, optional
@@ -239,17 +242,17 @@ class RollingHistory:
             self._history.advance(
                 time=as_float("time", time), angle=turned, load=as_float("load", load), center_displacement=moved
             )
-            return _instant(self._history.now())
+            return _instant(self._history.current())
 
     @property
-    def now(self) -> Instant:
-        """State at the present instant."""
+    def current(self) -> Instant:
+        """Forces, displacements and powers at the current instant."""
         with self._lock:
-            return _instant(self._history.now())
+            return _instant(self._history.current())
 
     @property
     def state(self) -> RollingState:
-        """Memory of the history at the present instant, from which another history can continue."""
+        """Memory of the history at the current instant, from which another history can continue."""
         with self._lock:
             return RollingState(self._history.state(), _bodies_text(self.body, self.on))
 
@@ -276,7 +279,7 @@ class RollingHistory:
             return self._history.steps
 
     def __copy__(self) -> RollingHistory:
-        """Return an independent history that continues from the present state."""
+        """Return an independent history that continues from the current state."""
         twin = object.__new__(type(self))
         twin.body, twin.on = self.body, self.on
         twin._given, twin._options = self._given, self._options
@@ -297,9 +300,10 @@ class RollingHistory:
 
     def __repr__(self) -> str:
         """Return bodies, time, angle, load and mesh."""
-        now = self.now
         pair = f"{self.body!r}" if self.on is None else f"{self.body!r}, on={self.on!r}"
-        return f"RollingHistory({pair}, time={now.time:g}, angle={now.angle:g}, load={now.load:g}, {self.mesh})"
+        instant = self.current
+        values = f"time={instant.time:g}, angle={instant.angle:g}, load={instant.load:g}"
+        return f"RollingHistory({pair}, {values}, {self.mesh})"
 
 
 def _bodies_text(body: RollingBody, on: Counterbody | None) -> str:
@@ -313,5 +317,5 @@ def _body_text(body: RollingBody | Counterbody) -> str:
     return f"{type(body).__name__}({', '.join(texts)})"
 
 
-def _instant(now: _core.RollingInstant) -> Instant:
-    return Instant(**{name: getattr(now, name) for name in HISTORY_SCALARS})
+def _instant(instant: _core.RollingInstant) -> Instant:
+    return Instant(**{name: getattr(instant, name) for name in HISTORY_SCALARS})

@@ -119,7 +119,7 @@ CASES = tuple(
     )
 )
 
-_OSCILLATION = '\n[motion]\namplitude = 0.09\nfrequency = 1.0\ncycles = 3\nload = 50.0\nstart = "fresh"\n'
+_OSCILLATION = '\n[motion]\namplitude = 0.09\nfrequency = 1.0\ncycles = 3\nload = 50.0\nstart = "undeformed"\n'
 MOTIONS = tuple(
     text.encode()
     for text in (

@@ -37,7 +37,7 @@ _COMPUTATIONS = (
 )
 
 #: Largest number of points of a study; a reader of more points has shown how it uses the file.
-_MOST_POINTS = 100
+_MAX_POINTS = 100
 
 #: Words of internal Python errors, which do not help a user to correct the file.
 _INTERNAL = re.compile(
@@ -62,7 +62,7 @@ def _stopped_computations() -> Iterator[None]:
     def build_case(*arguments: Any) -> Any:
         nonlocal points
         points += 1
-        if points > _MOST_POINTS:
+        if points > _MAX_POINTS:
             raise _Done
         return build(*arguments)
 

@@ -45,7 +45,7 @@ class HistoryCase(Case):
     def is_followed(self) -> bool:
         """Return whether all retardation times are discrete, and no jump meets a missing instantaneous compliance."""
         viscous = any(isinstance(modulus, vr.KelvinVoigt) for modulus in self.moduli)
-        jumps = self.arguments["start"] is enums.Start.FRESH or 0.0 in np.diff(self.arguments["time"])
+        jumps = self.arguments["start"] is enums.Start.UNDEFORMED or 0.0 in np.diff(self.arguments["time"])
         fitted = any(not isinstance(modulus, _DISCRETE) for modulus in self.moduli)
         return not fitted and not (viscous and (jumps or len(self.moduli) > 1))
 
@@ -89,7 +89,7 @@ def _draw(rng: np.random.Generator, name: str) -> HistoryCase:
         "time": motion.time,
         "angle": motion.angle,
         "load": motion.load,
-        "start": enums.Start.RELAXED if rng.random() < 0.5 else enums.Start.FRESH,
+        "start": enums.Start.RELAXED if rng.random() < 0.5 else enums.Start.UNDEFORMED,
         "mesh": given["mesh"],
         "averaged_meshes": int(rng.choice([1, 2, 4], p=[0.5, 0.4, 0.1])),
         "steps_per_spacing": int(rng.choice([2, 4, 8], p=[0.2, 0.6, 0.2])),
@@ -102,8 +102,8 @@ def _draw(rng: np.random.Generator, name: str) -> HistoryCase:
         changed["curvature"] = enums.Curvature.PAPER
     case = HistoryCase(name=name, body=drawn["body"], arguments=changed)
     case.arguments.update(_along(rng, case, motion, depth, time))
-    absurd = _make_absurd(rng, case.arguments)
-    return replace(case, absurd=absurd)
+    unphysical_argument = _make_unphysical(rng, case.arguments)
+    return replace(case, unphysical_argument=unphysical_argument)
 
 
 def _bodies(
@@ -157,7 +157,7 @@ def _along(rng: np.random.Generator, case: HistoryCase, motion: Motion, depth: f
 
 
 #: Changes that must be refused, by the argument that the message names.
-_ABSURD: dict[str, Any] = {
+_UNPHYSICAL: dict[str, Any] = {
     "load": lambda a: {"load": [1e9 * load for load in a["load"]]},
     "load[": lambda a: {"load": [*a["load"][:-1], -a["load"][0]]},
     "time[": lambda a: {"time": [*a["time"][:-1], a["time"][0] - 1.0]},
@@ -171,7 +171,7 @@ _ABSURD: dict[str, Any] = {
 }
 
 
-def _make_absurd(rng: np.random.Generator, arguments: dict[str, Any]) -> str:
+def _make_unphysical(rng: np.random.Generator, arguments: dict[str, Any]) -> str:
     """Sometimes make one argument impossible.
 
     Returns
@@ -181,6 +181,6 @@ def _make_absurd(rng: np.random.Generator, arguments: dict[str, Any]) -> str:
     """
     if rng.random() >= 0.08:
         return ""
-    name = str(rng.choice(list(_ABSURD)))
-    arguments.update(_ABSURD[name](arguments))
+    name = str(rng.choice(list(_UNPHYSICAL)))
+    arguments.update(_UNPHYSICAL[name](arguments))
     return name

@@ -1,4 +1,4 @@
-"""Solution and checks of a history and its twins."""
+"""Compute a history and its twins, which must agree with it, and check them."""
 
 from __future__ import annotations
 
@@ -35,17 +35,16 @@ def run_case(case: HistoryCase, before_each: Callable[[Outcome], object] = lambd
         return outcome
     outcome.nodes = nodes_of(history)
     outcome.violations |= violations(case, history)
-    if case.absurd:
-        outcome.violations[f"unphysical {case.absurd} accepted"] = math.inf
+    if case.unphysical_argument:
+        outcome.violations[f"unphysical {case.unphysical_argument} accepted"] = math.inf
     for twin in twins(case) if outcome.seconds < SLOW else ():
         outcome.stage = twin.kind
         before_each(outcome)
-        other = attempt(twin.roll, twin.case, outcome)
-        # the twin is refused or fails although the case was solved
-        if other is None:
+        twin_history = attempt(twin.roll, twin.case, outcome)
+        if twin_history is None:  # the library rejects the twin, or fails, although it solved the case
             outcome.violations[f"{twin.kind}: no solution"] = math.inf
             return outcome
-        found = twin.differences(history, other)
-        outcome.violations |= {f"{twin.kind}: {name}": error for name, error in found.items()}
+        differences = twin.differences(history, twin_history)
+        outcome.violations |= {f"{twin.kind}: {name}": error for name, error in differences.items()}
     outcome.stage = "case"
     return outcome

@@ -415,7 +415,7 @@ def test_which_forms_a_ball_has(ball, names):
     assert set(forms) == names
     loads, speeds = np.array([[1e-3], [1.0]]), np.array([1e-3, 1.0, 1e3])
     for form in forms.values():
-        assert form(loads, speeds).shape == form.holds(loads, speeds).shape == (2, 3)
+        assert form(loads, speeds).shape == form.is_valid(loads, speeds).shape == (2, 3)
         assert type(form(1.0, 2.0)) is float
         assert form.validity
         assert form(1.0, 2.0) == form.torque(1.0, 2.0)
@@ -449,10 +449,10 @@ def test_forms_hold_for_small_contacts_and_slow_rolling(material):
     forms = analytic.applicable(ball)
     small, large = hertz_load(np.array([0.08, 0.1]) * RADIUS, 0.5)
     for name in ("greenwood_tabor", "persson"):
-        assert forms[name].holds([small, large], 1.0).tolist() == [True, False]
+        assert forms[name].is_valid([small, large], 1.0).tolist() == [True, False]
     # 5 % of the small contact radius is 0.004 R.
-    assert forms["low_speed"].holds(small, np.array([0.3, 0.5])).tolist() == [True, False]
-    assert forms["low_speed"].holds(large, 0.3) == ("poisson_ratio" in material)
+    assert forms["low_speed"].is_valid(small, np.array([0.3, 0.5])).tolist() == [True, False]
+    assert forms["low_speed"].is_valid(large, 0.3) == ("poisson_ratio" in material)
 
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
@@ -462,7 +462,7 @@ def test_low_speed_on_a_thin_coating_is_measured_against_its_contact(poisson_rat
     layer = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=poisson_ratio)
     form = analytic.applicable(vr.CoatedSphere(core_radius=0.249, layers=[layer]))["low_speed"]
     limit = 0.05 * 20e-3 / (0.25 * TAU)
-    assert form.holds(load, np.array([0.99, 1.1]) * limit).tolist() == [True, False]
+    assert form.is_valid(load, np.array([0.99, 1.1]) * limit).tolist() == [True, False]
 
 
 def test_everything_public_is_documented_with_an_example():
@@ -485,7 +485,7 @@ def test_balls_on_balls_have_the_forms_of_their_relative_radius():
         found = vr.solve(first, on=other, load=load, angular_speed=omega, mesh=mesh, threads=1).resisting_torque
         assert set(forms) == {"low_speed", "greenwood_tabor", "persson"}
         for name in ("low_speed", "persson"):
-            assert forms[name].holds(load, omega), name
+            assert forms[name].is_valid(load, omega), name
             assert forms[name](load, omega) == pytest.approx(found, rel=0.1), name
     assert analytic.applicable(ball, on=vr.CoatedSphere(core_radius=10e-3, layers=[gel])) == {}
     with pytest.raises(TypeError, match=r"body must be a viscoroll\.CoatedSphere, got"):

@@ -111,15 +111,15 @@ def test_solver_on_a_thin_coating(slenderness, poisson_ratio, path, ratio, toler
     r = vr.solve(ball, load=load, angular_speed=speed, mesh=mesh, compliance=enums.Compliance.RADIAL)
     form = analytic.applicable(ball)["winkler"]
     assert r.resisting_torque == close(form(load, speed), rel=tolerance)
-    assert form.holds(load, speed) == (slenderness >= 5)
+    assert form.is_valid(load, speed) == (slenderness >= 5)
 
 
-def test_where_the_form_holds():
+def test_range_of_validity():
     layer = vr.Layer(thickness=THICKNESS, shear_modulus=solid(2.0), poisson_ratio=0.45)
     form = analytic.applicable(vr.CoatedSphere(core_radius=RADIUS - THICKNESS, layers=[layer]))["winkler"]
     loads = load_at(np.array([9.0, 11.0, 190.0, 210.0]) * THICKNESS, 0.45)
-    assert form.holds(loads, 1.0).tolist() == [False, True, True, False]
-    assert form.holds(loads[1], np.array([60.0, 70.0])).tolist() == [True, False]
+    assert form.is_valid(loads, 1.0).tolist() == [False, True, True, False]
+    assert form.is_valid(loads[1], np.array([60.0, 70.0])).tolist() == [True, False]
     assert form(loads, 1.0).shape == (4,)
     free = vr.CoatedSphere(core_radius=RADIUS, layers=[layer], inner_boundary=enums.InnerBoundary.HOLLOW)
     assert "winkler" not in analytic.applicable(free)

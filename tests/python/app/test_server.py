@@ -113,8 +113,8 @@ def test_two_windows_are_answered(server):
 
 
 def test_a_solve_ends_with_the_window_that_asked(server):
-    endless = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-4}}
-    body = json.dumps({"case": endless}).encode()
+    demanding = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-4}}
+    body = json.dumps({"case": demanding}).encode()
     host = f"127.0.0.1:{server.server_port}"
     head = f"POST /{server.token}/solve HTTP/1.0\r\nHost: {host}\r\nContent-Length: {len(body)}\r\n\r\n".encode()
     before = threading.active_count()
@@ -134,9 +134,9 @@ def test_ctrl_c_ends_it_with_a_solve_under_way():
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as program:
         address = program.stdout.readline().split()[0]
         port, token = address.removeprefix("http://127.0.0.1:").rstrip("/").split("/")
-        endless = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-4}}
+        demanding = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-4}}
         with closing(http.client.HTTPConnection("127.0.0.1", int(port))) as window:
-            window.request("POST", f"/{token}/solve", json.dumps({"case": endless}))
+            window.request("POST", f"/{token}/solve", json.dumps({"case": demanding}))
             # sends nothing, like the connections that browsers open in advance
             with socket.create_connection(("127.0.0.1", int(port))):
                 time.sleep(0.3)

@@ -127,7 +127,7 @@ def test_connections_are_limited(server):
     with contextlib.ExitStack() as stack:
         silent = [
             stack.enter_context(socket.create_connection(("127.0.0.1", server.server_port)))
-            for _ in range(server_module._MOST_CONNECTIONS)
+            for _ in range(server_module._MAX_CONNECTIONS)
         ]
         deadline = time.monotonic() + 5.0
         while len(server._open) < len(silent) and time.monotonic() < deadline:

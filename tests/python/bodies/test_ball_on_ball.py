@@ -72,7 +72,7 @@ def test_hertz_with_both_radii_and_moduli():
     assert abs(r.bulk_power) < 1e-9 * load * a
 
 
-def test_unlike_ones_beside_two_half_spaces():
+def test_dissimilar_balls_as_two_half_spaces():
     """Both balls are nearly solid; the independent sum uses no transform but the creep of the material that passes."""
     solids = Solid(6e6, 3e6, 0.125, 0.5), Solid(8e6, 2e6, 0.02, 0.3)
     radii, load, speed = (21e-3, 40e-3), 0.03, 5e-3

@@ -198,7 +198,7 @@ def test_a_tread_does_not_swell_along_its_axis():
 
     def semi_axis(density, on):
         layer = vr.Layer(thickness=15e-3, shear_modulus=rubber, poisson_ratio=0.2, density=density)
-        wheel = vr.CoatedWheel(core_radius=10e-3, layers=[layer], width=60e-3, crown_radius=50e-3, sides="ENDLESS")
+        wheel = vr.CoatedWheel(core_radius=10e-3, layers=[layer], width=60e-3, crown_radius=50e-3, sides="UNBOUNDED")
         mesh = vr.Mesh(nodes_per_revolution=600)
         return vr.solve(wheel, on=on, load=50.0, angular_speed=150.0, mesh=mesh).semi_axis_z
 

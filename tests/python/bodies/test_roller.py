@@ -99,7 +99,7 @@ def test_winkler_line_is_near_the_solver_on_a_thin_foam():
     roller = vr.CoatedCylinder(core_radius=49.8e-3, layers=[layer])
     forms = analytic.applicable(roller)
     assert set(forms) == {"low_speed", "hunter", "winkler_line"}
-    assert forms["winkler_line"].holds(1e3, 2.0)
+    assert forms["winkler_line"].is_valid(1e3, 2.0)
     r = vr.solve(roller, load=1e3, angular_speed=2.0, accuracy=1e-3)
     assert forms["winkler_line"](1e3, 2.0) == pytest.approx(r.resisting_torque, rel=0.03)  # h/a = 0.08
 
@@ -109,10 +109,10 @@ def test_compare_knows_hunter_where_layers_are_thick_and_wakes_short():
     roller = vr.CoatedCylinder(core_radius=20e-3, layers=[thick])
     form = analytic.applicable(roller)["hunter"]
     for speed in (0.1, 0.5):
-        assert form.holds(2e3, speed)
+        assert form.is_valid(2e3, speed)
         r = vr.solve(roller, load=2e3, angular_speed=speed, accuracy=3e-3)
         assert form(2e3, speed) == pytest.approx(r.resisting_torque, rel=0.02)
-    assert not form.holds(2e3, 10.0)  # the wake reaches the core: the closed form is 37 % too large
+    assert not form.is_valid(2e3, 10.0)  # the wake reaches the core: the closed form is 37 % too large
 
 
 def test_pictures_of_rollers_are_profiles(tmp_path):
@@ -242,7 +242,7 @@ OTHER = vr.CoatedCylinder(
 )
 
 
-def test_unlike_rollers_lose_the_same_whichever_is_called_the_first():
+def test_exchanged_rollers_dissipate_the_same_power():
     first = vr.solve(ROLLER, on=OTHER, load=5e3, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=6000))
     other = vr.solve(OTHER, on=ROLLER, load=5e3, angular_speed=0.6, mesh=vr.Mesh(nodes_per_revolution=10000))
     assert first.rolling_bulk_power == pytest.approx(other.counterbody_bulk_power, rel=1e-4)

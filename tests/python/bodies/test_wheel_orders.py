@@ -15,7 +15,7 @@ def wheel(hub, layers):
     layers = [
         vr.Layer(thickness=thickness, shear_modulus=modulus, poisson_ratio=nu) for thickness, modulus, nu in layers
     ]
-    return vr.CoatedWheel(core_radius=hub, layers=layers, width=30e-3, sides="endless")
+    return vr.CoatedWheel(core_radius=hub, layers=layers, width=30e-3, sides="unbounded")
 
 
 def error(found, expected):

@@ -19,16 +19,16 @@ TREAD = one_layer(thickness=10e-3)
 WHEEL = {"core_radius": 40e-3, "layers": [TREAD], "width": 30e-3}
 FLAT = vr.CoatedWheel(**WHEEL)
 CROWNED = vr.CoatedWheel(**WHEEL, crown_radius=0.3)
-ENDLESS = replace(CROWNED, sides="endless")
+UNBOUNDED = replace(CROWNED, sides="unbounded")
 
 #: About fifteen nodes across the contact under 100 N.
 MESH = vr.Mesh(nodes_per_revolution=400)
 
 
 def test_parameters():
-    wheel = vr.CoatedWheel(**WHEEL, crown_radius=0.3, hub="crowned", sides="endless")
+    wheel = vr.CoatedWheel(**WHEEL, crown_radius=0.3, hub="crowned", sides="unbounded")
     assert (wheel.outer_radius, wheel.thickness) == pytest.approx((50e-3, 10e-3), rel=1e-15)
-    assert (wheel.hub, wheel.sides, wheel.line_contact) == (enums.Hub.CROWNED, enums.Sides.ENDLESS, False)
+    assert (wheel.hub, wheel.sides, wheel.line_contact) == (enums.Hub.CROWNED, enums.Sides.UNBOUNDED, False)
     assert (FLAT.crown_radius, FLAT.hub, FLAT.sides) == (math.inf, enums.Hub.STRAIGHT, enums.Sides.FREE)
     assert pickle.loads(pickle.dumps(wheel)) == copy.deepcopy(wheel) == wheel != CROWNED
     assert wheel.layers == (TREAD,)  # frozen
@@ -52,7 +52,7 @@ def test_crown():
         ({"crown_radius": -1.0}, "crown_radius must be at least half of the width, .* got -1 m"),
         ({"crown_radius": 15.1e-3}, "crown_radius must be so large that the crown drops at the faces by less than"),
         ({"hub": "round"}, "hub must be one of straight, crowned, got 'round'"),
-        ({"sides": "open"}, "sides must be one of free, endless, got 'open'"),
+        ({"sides": "open"}, "sides must be one of free, unbounded, got 'open'"),
         ({"layers": [replace(TREAD, thickness=1e9)]}, "core_radius must be at least 1e-09 of the radius"),
     ],
 )
@@ -146,7 +146,7 @@ def test_bad_case_files(tmp_path, before, after, message):
 
 def test_studies_tell_wheels_apart():
     """The keys of a cache and the groups that share tables depend on every parameter that changes the result."""
-    changes = [{}, {"width": 29e-3}, {"crown_radius": 0.31}, {"hub": "crowned"}, {"sides": "endless"}]
+    changes = [{}, {"width": 29e-3}, {"crown_radius": 0.31}, {"hub": "crowned"}, {"sides": "unbounded"}]
     keys = []
     for changed in changes:
         plan = plan_sweep(replace(CROWNED, **changed), {"load": [100.0], "angular_speed": 1.0}, fields=())
@@ -163,11 +163,11 @@ def test_flat_wheels_have_the_forms_of_rollers():
     assert forms.keys() == roller.keys() == {"low_speed", "hunter"}
     for name, form in forms.items():
         assert form(40.0, 0.5) == pytest.approx(0.4 * roller[name](100.0, 0.5), rel=1e-14)
-    assert forms["hunter"].holds(40.0, 0.5)
+    assert forms["hunter"].is_valid(40.0, 0.5)
     narrow = analytic.applicable(replace(wide, width=0.2))
     assert narrow["hunter"](20.0, 0.5) == pytest.approx(0.5 * forms["hunter"](40.0, 0.5), rel=1e-14)
-    assert not narrow["hunter"].holds(20.0, 0.5)  # the faces matter
-    assert narrow["low_speed"].holds(20.0, 1e-3)  # but not where the torque does not depend on the contact
+    assert not narrow["hunter"].is_valid(20.0, 0.5)  # the faces matter
+    assert narrow["low_speed"].is_valid(20.0, 1e-3)  # but not where the torque does not depend on the contact
 
 
 def test_crowned_wheels_have_the_forms_of_ellipses():
@@ -177,11 +177,11 @@ def test_crowned_wheels_have_the_forms_of_ellipses():
         load=0.5, radius=50e-3, crown_radius=0.3, shear_modulus=RUBBER.relaxed_modulus, poisson_ratio=0.5
     )
     assert forms["greenwood_tabor"](0.5, 1.0) == pytest.approx(3.0 / 32.0 * contact.semi_axis_x, rel=1e-12)
-    assert forms["persson"].holds(0.1, 1.0)
-    assert not forms["persson"].holds([1.0, 500.0], 1.0).any()  # the longer semi-axis is 2.3 mm or more
+    assert forms["persson"].is_valid(0.1, 1.0)
+    assert not forms["persson"].is_valid([1.0, 500.0], 1.0).any()  # the longer semi-axis is 2.3 mm or more
     slow = forms["low_speed"]
     assert slow(500.0, 0.01) == pytest.approx(500.0 * 0.01 * 50e-3 * 0.125, rel=1e-9)
-    np.testing.assert_array_equal(slow.holds(500.0, [1e-2, 10.0]), [True, False])
+    np.testing.assert_array_equal(slow.is_valid(500.0, [1e-2, 10.0]), [True, False])
 
 
 def test_rigid_bodies_have_no_closed_form():
@@ -207,7 +207,7 @@ def test_frequencies_of_rolling():
 @pytest.fixture(scope="module")
 def rolled():
     """Return a crowned wheel in rolling contact, which ends before the faces."""
-    return vr.solve(ENDLESS, load=100.0, angular_speed=2.5, accuracy=0.05)
+    return vr.solve(UNBOUNDED, load=100.0, angular_speed=2.5, accuracy=0.05)
 
 
 def test_where_the_contact_ends(rolled):
@@ -229,7 +229,7 @@ def test_where_the_contact_ends(rolled):
 def test_columns_are_as_wide_as_the_wheel(rolled):
     """The angles of a dataset are those of the nodes, whose spacing is not the mesh's."""
     theta = rolled.to_xarray().theta.to_numpy()
-    np.testing.assert_allclose(np.abs(theta - 0.5 * np.pi) * ENDLESS.outer_radius, np.abs(rolled.z[0]), atol=1e-15)
+    np.testing.assert_allclose(np.abs(theta - 0.5 * np.pi) * UNBOUNDED.outer_radius, np.abs(rolled.z[0]), atol=1e-15)
     patches = 30e-3 / abs(rolled.z[0, 1] - rolled.z[0, 0])
     assert patches == pytest.approx(round(patches), rel=1e-9)
     spacing = 2.0 * np.pi / rolled.scalars()["theta_nodes_per_revolution"]
@@ -251,7 +251,7 @@ def test_files(rolled, tmp_path):
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 def test_picture_shows_the_faces(rolled, friction):
     case = {"load": 100.0, "angular_speed": 2.5, "friction": friction, "mesh": MESH}
-    result = vr.solve(ENDLESS, **case) if friction else rolled
+    result = vr.solve(UNBOUNDED, **case) if friction else rolled
     maps = result.plot().axes[: 2 if friction else 1]
     for axes in maps:
         heights = {line.get_ydata()[0] for line in axes.lines if len(set(line.get_ydata())) == 1}
@@ -260,8 +260,8 @@ def test_picture_shows_the_faces(rolled, friction):
 
 
 def test_a_model_solves_as_a_single_call(rolled):
-    model = vr.RollingModel(ENDLESS, angular_speed=2.5, mesh=MESH)
-    one = vr.solve(ENDLESS, load=100.0, angular_speed=2.5, mesh=MESH)
+    model = vr.RollingModel(UNBOUNDED, angular_speed=2.5, mesh=MESH)
+    one = vr.solve(UNBOUNDED, load=100.0, angular_speed=2.5, mesh=MESH)
     model.solve(load=50.0)
     # The tables reach as far as the largest load so far, so sums differ in the last digits.
     assert model.solve(load=100.0).resisting_torque == pytest.approx(one.resisting_torque, rel=1e-9)
@@ -269,7 +269,7 @@ def test_a_model_solves_as_a_single_call(rolled):
 
 def test_a_study(tmp_path):
     def wheel(width):
-        return replace(ENDLESS, width=width)
+        return replace(UNBOUNDED, width=width)
 
     study = vr.sweep(
         wheel,
@@ -283,14 +283,14 @@ def test_a_study(tmp_path):
     )
     assert study.width.attrs["units"] == "m"
     assert study.attrs["title"] == "rolling resistance of a coated wheel"
-    assert "crown_radius=0.3, hub=STRAIGHT, sides=ENDLESS" in study.attrs["body"]
+    assert "crown_radius=0.3, hub=STRAIGHT, sides=UNBOUNDED" in study.attrs["body"]
     assert (study.face_distance.sel(width=34e-3) > study.face_distance.sel(width=30e-3)).all()
-    # Both contacts are at least a thickness away from the faces, and an endless tread has no faces.
+    # Both contacts are at least a thickness away from the faces, and an unbounded tread has no faces.
     torque = study.resisting_torque.to_numpy()
     assert torque[0] == pytest.approx(torque[1], rel=0.05)  # the meshes differ by 10 %
     with pytest.raises(ValueError, match="body must be a roller at all points or at none"):
         vr.sweep(
-            lambda ends: ENDLESS if ends else vr.CoatedCylinder(core_radius=40e-3, layers=[TREAD]),
+            lambda ends: UNBOUNDED if ends else vr.CoatedCylinder(core_radius=40e-3, layers=[TREAD]),
             ends=[0, 1],
             load=100.0,
             angular_speed=2.5,
@@ -300,7 +300,7 @@ def test_a_study(tmp_path):
 
 def test_from_the_shell(tmp_path):
     (tmp_path / "case.toml").write_text(CASE + "[numerics]\naccuracy = 0.1\n", encoding="utf-8")
-    text = (tmp_path / "case.toml").read_text().replace('hub = "crowned"', 'sides = "endless"')
+    text = (tmp_path / "case.toml").read_text().replace('hub = "crowned"', 'sides = "unbounded"')
     (tmp_path / "case.toml").write_text(text.replace("load = 500.0", "load = 100.0"))
     done = command("solve", "case.toml", "--plot", "contact.png", "--save", "fields.csv", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
@@ -308,13 +308,13 @@ def test_from_the_shell(tmp_path):
     assert (tmp_path / "contact.png").stat().st_size > 1000
 
 
-@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # the faces of an endless tread
-@pytest.mark.parametrize("wheel", [replace(FLAT, sides="endless"), ENDLESS], ids=["flat", "crowned"])
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # the faces of an unbounded tread
+@pytest.mark.parametrize("wheel", [replace(FLAT, sides="unbounded"), UNBOUNDED], ids=["flat", "crowned"])
 def test_slow_rolling_is_that_of_any_contact(wheel):
     """T = P Ω R t for any shape of the contact, wherever the closed form declares itself valid."""
     form = analytic.applicable(wheel)["low_speed"]
     speed = 0.02
-    assert form.holds(500.0, speed)
+    assert form.is_valid(500.0, speed)
     r = vr.solve(wheel, load=500.0, angular_speed=speed, accuracy=0.02)
     # The torque approaches the limit slowly from below: 9 % remain where the surface travels 5 % of the contact in the
     # loss time.
@@ -325,11 +325,11 @@ def test_small_contacts_see_a_half_space():
     """On a thick tread far from its faces, compare with Hertz's ellipse and the torque of its spectrum."""
     tread = one_layer(vr.StandardLinearSolid(instantaneous_modulus=3.3e6, relaxed_modulus=3e6, relaxation_time=0.125))
     wheel = vr.CoatedWheel(
-        core_radius=1e-3, layers=[replace(tread, thickness=49e-3)], width=60e-3, crown_radius=0.1, sides="endless"
+        core_radius=1e-3, layers=[replace(tread, thickness=49e-3)], width=60e-3, crown_radius=0.1, sides="unbounded"
     )
     load, speed = 2.0, 1.0
     torque = analytic.applicable(wheel)["persson"]
-    assert torque.holds(load, speed)
+    assert torque.is_valid(load, speed)
     r = vr.solve(wheel, load=load, angular_speed=speed, accuracy=0.01)
     contact = analytic.hertz_ellipse(load=load, radius=50e-3, crown_radius=0.1, shear_modulus=3.1e6, poisson_ratio=0.5)
     # The modulus is between 3 and 3.3 MPa: 3 % of a length. The torque is accurate to the loss, a tenth of the modulus.

@@ -1,4 +1,4 @@
-"""Measurements with a case: files, error bands, pictures, and input checks."""
+"""Comparison of a case with measurements: files, error bands, pictures, and input checks."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def case_file(tmp_path):
 
 
 @pytest.fixture
-def measure(tmp_path):
+def measurement_file(tmp_path):
     def write(text):
         path = tmp_path / "measured.csv"
         path.write_text(text, encoding="utf-8")
@@ -30,9 +30,9 @@ def measure(tmp_path):
     return write
 
 
-def test_bands_are_those_of_the_results(case_file, measure):
+def test_bands_are_those_of_the_results(case_file, measurement_file):
     # The loads are unordered, and one occurs twice.
-    path = measure("load,penetration,error\n100,1e-4,1e-6\n50, 8e-5, 2e-6\n100,2e-4,1e-6\n")
+    path = measurement_file("load,penetration,error\n100,1e-4,1e-6\n50, 8e-5, 2e-6\n100,2e-4,1e-6\n")
     case = load_case(case_file)
     trial = compare_measured(case, read_measurements(path))
     r = case.solve(threads=1)
@@ -41,30 +41,31 @@ def test_bands_are_those_of_the_results(case_file, measure):
     assert trial.computed[1] < trial.computed[0]
 
 
-@pytest.mark.parametrize(("share", "agree"), [(0.9, 3), (1.1, 0)])
-def test_bands_that_overlap_agree(case_file, measure, share, agree):
+@pytest.mark.parametrize(("fraction", "agree"), [(0.9, 3), (1.1, 0)])
+def test_bands_that_overlap_agree(case_file, measurement_file, fraction, agree):
     case, head = load_case(case_file), "angular_speed,driving_torque,error\n"
-    found = compare_measured(case, read_measurements(measure(head + "1,0,0\n2,0,0\n4,0,0\n")))
-    off = found.computed + share * (found.bands + 1e-3)
-    rows = [f"{place},{value},1e-3\n" for place, value in zip((1, 2, 4), off, strict=True)]
-    trial = compare_measured(case, read_measurements(measure(head + "".join(rows))))
+    found = compare_measured(case, read_measurements(measurement_file(head + "1,0,0\n2,0,0\n4,0,0\n")))
+    # The bands overlap if the distance of the values is less than the sum of the half-widths.
+    values = found.computed + fraction * (found.bands + 1e-3)
+    rows = [f"{place},{value},1e-3\n" for place, value in zip((1, 2, 4), values, strict=True)]
+    trial = compare_measured(case, read_measurements(measurement_file(head + "".join(rows))))
     assert trial.agrees.sum() == agree
     assert trial.verdict().startswith(f"{agree} of 3 measurements agree within the error bands")
     assert ("are apart by" in trial.verdict()) == (agree < 3)
 
 
-def test_friction_of_the_case_counts(case_file, measure):
+def test_friction_of_the_case_is_used(case_file, measurement_file):
     case_file.write_text(case_file.read_text("utf-8").replace("friction = 0.0", "friction = 0.3"), encoding="utf-8")
     trial = compare_measured(
-        load_case(case_file), read_measurements(measure("angular_speed,slip_power,error\n0.2,1e-5,0\n"))
+        load_case(case_file), read_measurements(measurement_file("angular_speed,slip_power,error\n0.2,1e-5,0\n"))
     )
     assert trial.computed[0] > 0.0
 
 
-def test_command_draws_the_example(case_file, measure, tmp_path):
+def test_command_draws_the_example(case_file, measurement_file, tmp_path):
     assert command("example", "--measured").stdout == example_text("measured")
     output = tmp_path / "both.png"
-    done = command("compare", case_file, "--measured", measure(example_text("measured")), "--output", output)
+    done = command("compare", case_file, "--measured", measurement_file(example_text("measured")), "--output", output)
     assert done.returncode == 0, done.stderr
     assert "of 7 measurements agree within the error bands" in done.stdout
     assert output.stat().st_size > 10_000
@@ -79,7 +80,7 @@ def test_command_draws_the_example(case_file, measure, tmp_path):
     assert [row["agrees"] == "True" for row in rows] == list(np.array(apart) <= 0.0)
 
 
-def test_a_roller_has_units_per_length(case_file, measure):
+def test_a_roller_has_units_per_length(case_file, measurement_file):
     text = case_file.read_text("utf-8").replace("[ball]", "[cylinder]").replace("[[ball.", "[[cylinder.")
     text = (
         text.replace("[ball.", "[cylinder.")
@@ -87,7 +88,7 @@ def test_a_roller_has_units_per_length(case_file, measure):
         .replace("load = 100.0", "load = 1e3")
     )
     case_file.write_text(text, encoding="utf-8")
-    path = measure("load,driving_torque,error\n1e3,1e-2,1e-3\n")
+    path = measurement_file("load,driving_torque,error\n1e3,1e-2,1e-3\n")
     axes = compare_measured(load_case(case_file), read_measurements(path)).plot().axes[0]
     assert axes.get_xlabel() == "load [N/m]"
     assert axes.get_ylabel() == "driving torque T [N]"
@@ -110,20 +111,20 @@ def test_a_roller_has_units_per_length(case_file, measure):
         ("load,driving_torque,error\n1,1,-2\n", "error must be >= 0, got -2"),
     ],
 )
-def test_bad_files_are_refused(measure, text, message):
+def test_bad_files_are_rejected(measurement_file, text, message):
     with pytest.raises(ValueError, match=message):
-        read_measurements(measure(text))
+        read_measurements(measurement_file(text))
 
 
-def test_what_is_undetermined_is_refused(case_file, measure):
+def test_undetermined_results_are_rejected(case_file, measurement_file):
     with pytest.raises(ValueError, match="creepage must be determined by the case, got None"):
-        compare_measured(load_case(case_file), read_measurements(measure("load,creepage,error\n100,0,1\n")))
+        compare_measured(load_case(case_file), read_measurements(measurement_file("load,creepage,error\n100,0,1\n")))
 
 
-def test_missing_files_and_options_that_exclude_each_other(case_file, measure, tmp_path):
+def test_missing_files_and_options_that_exclude_each_other(case_file, measurement_file, tmp_path):
     done = command("compare", case_file, "--measured", tmp_path / "none.csv")
     assert done.returncode == 2
     assert "No such file" in done.stderr
-    path = measure(example_text("measured"))
+    path = measurement_file(example_text("measured"))
     assert "--speeds must be left out" in command("compare", case_file, "--measured", path, "--speeds", "1..2").stderr
     assert "must be given alone, got --motion and --measured" in command("example", "--measured", "--motion").stderr

@@ -1,4 +1,4 @@
-"""Filled rubber in case files: the same results as from Python, in the shell, and over a study."""
+"""Case files with filled rubber give the same results in Python, on the command line and in a study."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ def write(tmp_path):
     rows = [",".join(TABLE), *(",".join(map(str, row)) for row in zip(*TABLE.values(), strict=True))]
     (tmp_path / "sweep.csv").write_text("\n".join(rows), encoding="utf-8")
 
-    def written(network, more=""):
+    def write_case(network, extra=""):
         path = tmp_path / "case.toml"
-        path.write_text(CASE.replace("NETWORK", network) + more, encoding="utf-8")
+        path.write_text(CASE.replace("NETWORK", network) + extra, encoding="utf-8")
         return path
 
-    return written
+    return write_case
 
 
 def test_networks_of_a_case_file(write):
@@ -61,24 +61,24 @@ def test_networks_of_a_case_file(write):
         assert modulus == vr.materials.SofteningModulus(matrix=MATRIX, network=network)
 
 
-def test_the_shell_tells_both_torques(write):
+def test_command_line_reports_both_torques(write):
     case = write(SWEEP)
     found = load_case(case).strain_softening()
-    told = json.loads(command("solve", case, "--json").stdout)
-    assert told["resisting_torque"] == found.torque_bounds[1]
-    assert told["softening"]["harmonic_torque"] == found.torque_bounds[0]
+    printed = json.loads(command("solve", case, "--json").stdout)
+    assert printed["resisting_torque"] == found.torque_bounds[1]
+    assert printed["softening"]["harmonic_torque"] == found.torque_bounds[0]
     assert f"{found.torque_bounds[0]:.6g} (harmonic sum)" in command("solve", case).stdout
 
 
-def test_a_study_of_filled_rubber(write):
+def test_study_of_filled_rubber(write):
     case = load_case(write(SWEEP))
     study = vr.sweep(**case.arguments() | {"load": [1e3, 2e3]})
-    # A study solves each point on one thread, which changes no digit.
+    # A study solves each point on one thread. The number of threads does not affect the result.
     assert study.resisting_torque[1].item() == case.strain_softening().result.resisting_torque
 
 
-def test_studies_tell_networks_apart(write):
-    """Cache keys depend on the law, the matrix, and the values of a matrix that is a function."""
+def test_studies_distinguish_networks(write):
+    """Cache keys depend on the network and the matrix; for a matrix that is a function, on its values."""
     case = load_case(write(SWEEP))
     arguments = {"load": 1e3, "angular_speed": 2.5}
 
@@ -101,13 +101,13 @@ def test_studies_tell_networks_apart(write):
         ('{ type = "strain_sweep", file = "no.csv" }', "strain sweep .*no.csv: No such file"),
     ],
 )
-def test_what_is_refused(write, network, message):
+def test_rejected_networks(write, network, message):
     with pytest.raises(ValueError, match=message):
         load_case(write(network))
 
 
-def test_filled_rubber_that_heats_itself(write):
-    """The shell reports the results of `self_heating`: the coldest state, its strain and both torques."""
+def test_self_heating_of_filled_rubber(write):
+    """The command line reports the coldest state of `self_heating`, with its temperature and both torques."""
     thermal = """
 [thermal]
 convection = 10.0
@@ -120,9 +120,9 @@ shift = { type = "arrhenius", activation_energy = 60e3, reference_temperature = 
     masing = '{ type = "masing", storage = 6e6, critical_strain = 0.01 }'
     path = write(masing, thermal)
     path.write_text(path.read_text(encoding="utf-8").replace("= 800", "= 200"), encoding="utf-8")
-    told = json.loads(command("solve", path, "--json").stdout)
-    hot = load_case(path).self_heating().states[0]
-    assert hot.softening.loss == "harmonic"
-    assert told["resisting_torque"] == hot.softening.torque_bounds[0] == told["softening"]["harmonic_torque"]
-    assert told["softening"]["network_torque"] == hot.softening.torque_bounds[1]
-    assert told["thermal"][0]["mean_temperature"] == pytest.approx(hot.mean_temperature)
+    printed = json.loads(command("solve", path, "--json").stdout)
+    state = load_case(path).self_heating().states[0]
+    assert state.softening.loss == "harmonic"
+    assert printed["resisting_torque"] == state.softening.torque_bounds[0] == printed["softening"]["harmonic_torque"]
+    assert printed["softening"]["network_torque"] == state.softening.torque_bounds[1]
+    assert printed["thermal"][0]["mean_temperature"] == pytest.approx(state.mean_temperature)

@@ -59,10 +59,12 @@ def test_degrees_celsius_are_told(make, temperature):
 
 
 def test_names_serve_in_transient_rolling_as_in_steady():
-    named = vr.roll(paper.ball(), **MOTION, compliance="vertical", curvature="paper", start="fresh", averaged_meshes=1)
+    named = vr.roll(
+        paper.ball(), **MOTION, compliance="vertical", curvature="paper", start="undeformed", averaged_meshes=1
+    )
     assert (named.compliance, named.curvature) == (enums.Compliance.VERTICAL, enums.Curvature.PAPER)
-    assert named.start is enums.Start.FRESH
-    with pytest.raises(ValueError, match="start must be one of relaxed, fresh, got 'cold'"):
+    assert named.start is enums.Start.UNDEFORMED
+    with pytest.raises(ValueError, match="start must be one of relaxed, undeformed, got 'cold'"):
         vr.roll(paper.ball(), **MOTION, start="cold")
     with pytest.raises(TypeError, match=r"compliance must be a viscoroll\.enums\.Compliance, or one of"):
         vr.RollingHistory(paper.ball(), load=50.0, compliance=1)

@@ -1,4 +1,7 @@
-"""Equivalent linear rolling compared with columns of exact network, `tests/reference/network_columns.py`."""
+"""Equivalent linear rolling compared with a roller on columns with an exact network.
+
+The columns are computed by `tests/reference/network_columns.py`.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ import pytest
 import viscoroll as vr
 from reference.network_columns import Columns
 
-#: Results of another program by peak strain: load [N/m], moment [N], and permanent set / peak strain.
+#: Results of another program for each peak strain: load [N/m], moment [N], and permanent set / peak strain.
 ROWS = {
     0.001: (2.53478, 6.63585e-6, 0.0307),
     0.003: (11.46052, 9.47594e-5, 0.0794),
@@ -20,23 +23,24 @@ ROWS = {
 
 
 @pytest.mark.parametrize("peak", ROWS)
-def test_columns_of_two_programs(peak):
-    """Compare to the digits of the table."""
-    load, moment, left = ROWS[peak]
+def test_columns_agree_with_another_program(peak):
+    """Both programs agree to the digits printed in ROWS."""
+    load, moment, permanent_set = ROWS[peak]
     found = Columns().pass_of(peak)
     assert found[:2] == pytest.approx((load, moment), rel=2e-6)
-    assert found[2] == pytest.approx(left, abs=6e-5)
+    assert found[2] == pytest.approx(permanent_set, abs=6e-5)
 
 
 @pytest.mark.parametrize(
     ("peak", "bound"),
-    # errors of one modulus for all strains of a pass, and of neglected interaction of columns: h/a
+    # Sources of the deviation: the library uses one modulus for all strains of a pass, and the columns neglect their
+    # interaction, which is of order h/a.
     [(0.01, 0.02), (0.1, 0.045)],
 )
-def test_matched_torque_is_that_of_the_columns(peak, bound):
-    """A thin layer with ν = 0 acts as columns: E = 2 G, and the shear of a column's strain is 2/√3 of the strain."""
+def test_network_torque_agrees_with_columns(peak, bound):
+    """A thin layer with ν = 0 deforms as columns: E = 2 G, and the equivalent shear is 2/√3 of the axial strain."""
     columns = Columns()
-    load, moment, left = columns.pass_of(peak)
+    load, moment, permanent_set = columns.pass_of(peak)
     matrix = vr.StandardLinearSolid(
         instantaneous_modulus=0.5 * (columns.spring + columns.arm),
         relaxed_modulus=0.5 * columns.spring,
@@ -55,9 +59,10 @@ def test_matched_torque_is_that_of_the_columns(peak, bound):
         angular_speed=columns.speed / radius,
         mesh=vr.Mesh(nodes_per_revolution=62500),
     )
-    harmonic, matched = np.array(found.torque_bounds) / moment
-    assert matched == pytest.approx(1.0, abs=bound)
-    assert harmonic > 1.2  # the harmonics of a parabola dissipate 1.62 times as much as the network
-    # measured from the actual track, without its set
-    assert found.result.penetration == pytest.approx(height * peak * (1.0 - left), rel=bound)
-    assert found.layer_amplitudes[0] == pytest.approx(peak * (1.0 - left) / math.sqrt(3.0), rel=bound)
+    harmonic_torque, network_torque = np.array(found.torque_bounds) / moment
+    assert network_torque == pytest.approx(1.0, abs=bound)
+    # Summed over the harmonics of a parabolic strain history, the loss is 1.62 times that of the network.
+    assert harmonic_torque > 1.2
+    # The penetration is measured from the surface of the track, which its permanent set has lowered.
+    assert found.result.penetration == pytest.approx(height * peak * (1.0 - permanent_set), rel=bound)
+    assert found.layer_amplitudes[0] == pytest.approx(peak * (1.0 - permanent_set) / math.sqrt(3.0), rel=bound)

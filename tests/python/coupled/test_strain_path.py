@@ -13,7 +13,7 @@ from viscoroll.coupled.network_loss import iwan_loss, turning_ratio
 from viscoroll.coupled.strain_path import StrainPath, deviatoric_path, half_range, harmonic_squares, strain_paths
 from viscoroll.solution.inside import inside_of
 
-TURN = np.linspace(0.0, 2.0 * np.pi, 1000, endpoint=False)
+ANGLES = np.linspace(0.0, 2.0 * np.pi, 1000, endpoint=False)
 
 
 def path_of(*components):
@@ -25,11 +25,11 @@ def path_of(*components):
 
 
 def circle(x):
-    return path_of(x * np.cos(TURN), x * np.sin(TURN))
+    return path_of(x * np.cos(ANGLES), x * np.sin(ANGLES))
 
 
 def line(x):
-    return path_of(x * np.cos(TURN))
+    return path_of(x * np.cos(ANGLES))
 
 
 @pytest.mark.parametrize(
@@ -40,16 +40,16 @@ def line(x):
         ([1, 0, 0, 0, 0, 0], 2.0 / math.sqrt(3.0)),  # compression between walls
     ],
 )
-def test_length_of_a_strain(strain, expected):
+def test_length_of_the_strain_vector(strain, expected):
     p = deviatoric_path(np.array(strain, dtype=float))
     assert np.linalg.norm(p) == pytest.approx(expected, rel=1e-14)
 
 
-def test_amplitude_is_half_of_the_largest_distance():
+def test_amplitude_is_half_of_the_largest_distance_between_two_strains():
     assert half_range(circle(0.3)) == pytest.approx(0.3, rel=1e-12)
     assert half_range(line(0.3) + 5.0) == pytest.approx(0.3, rel=1e-12)
-    # a pulse from 0 to 1, to the error of the nodes
-    assert half_range(path_of(np.maximum(np.sin(TURN), 0.0))) == pytest.approx(0.5, rel=1e-5)
+    # A pulse from 0 to 1; one of the nodes is at its maximum.
+    assert half_range(path_of(np.maximum(np.sin(ANGLES), 0.0))) == pytest.approx(0.5, rel=1e-12)
 
 
 #: Loss of the harmonics / (π g² N'') for pulses of one component, in closed form; docs/theory/filled-rubber.md.
@@ -76,8 +76,8 @@ def test_harmonics_of_a_pulse(name):
 
 
 @pytest.mark.parametrize(("x", "expected"), [(0.3, 0.0241628073), (1.0, 0.454822556), (3.0, 3.90964511)])
-def test_network_on_a_line_loses_its_loop(x, expected):
-    """Compare 30 elements with π x² N''(x) in closed form."""
+def test_network_on_a_straight_path(x, expected):
+    """Compare the dissipation of 30 elements with π x² N''(x), the area of the hysteresis loop in closed form."""
     assert iwan_loss(line(x), np.array([x])) == pytest.approx(expected, rel=1e-7)
     assert turning_ratio(0.01 * line(x), np.array([0.01 * x]), 0.01) == pytest.approx(1.0, rel=1e-7)
 
@@ -94,15 +94,16 @@ def test_network_on_a_circle(x, expected):
     steady = (weight * 2.0 * np.pi * y * (x * np.cos(angle)) ** 2 * 2.0 / (1.0 + y) ** 3).sum()
     assert steady / loop == pytest.approx(expected, rel=1e-6)
     found = iwan_loss(circle(x)[:, ::4], np.array([x]), rounds=20)[0]
-    assert found == pytest.approx(steady, rel=2e-4)  # 250 chords: (2π/250)²/6 = 1e-4; 1e-5 remains after 20 rounds
+    assert found == pytest.approx(steady, rel=2e-4)  # 250 chords: (2π/250)²/6 = 1e-4; transient after 20 rounds: 1e-5
 
 
-def test_network_at_small_strain_has_the_limit_of_little_yield():
-    assert turning_ratio(circle(1e-6), np.array([1e-6]), math.inf)[0] == pytest.approx(math.pi, rel=0.02)  # two rounds
+def test_turning_ratio_on_a_circle_tends_to_pi_at_small_strain():
+    found = turning_ratio(circle(1e-6), np.array([1e-6]), math.inf)[0]
+    assert found == pytest.approx(math.pi, rel=0.02)  # the transient after two rounds
 
 
 #: Positions along a half-plane in half-widths, dense in the loaded part.
-WAY = np.unique(
+POSITIONS = np.unique(
     np.concatenate([np.linspace(-1.4, 1.4, 561), 40.0 * np.sinh(np.linspace(-6.0, 6.0, 401)) / math.sinh(6.0)])
 )
 
@@ -115,7 +116,7 @@ def half_plane(depth, x):
     along = -(m * (1.0 + (depth**2 + n**2) / (m**2 + n**2)) - 2.0 * depth)
     normal = -m * (1.0 - (depth**2 + n**2) / (m**2 + n**2))
     shear = -n * (m**2 - depth**2) / (m**2 + n**2)
-    # e = s/2G; in plane strain at constant volume, it is half of the difference.
+    # e = s/2G; in plane strain at constant volume, the normal components of s are ± (normal - along)/2.
     difference = 0.25 * (normal - along)
     return path_of(math.sqrt(2.0) * difference, -math.sqrt(2.0) * difference, np.zeros(len(x)), shear)
 
@@ -125,20 +126,21 @@ def half_plane(depth, x):
     [(0.05, 0.12195), (0.2, 0.2124), (0.4, 0.2471), (0.786, 0.2363), (1.0, 0.2180), (1.5, 0.1756), (4.0, 0.0785)],
 )
 def test_amplitude_below_a_line_contact(depth, expected):
-    p = half_plane(depth, WAY)
+    p = half_plane(depth, POSITIONS)
     assert half_range(p)[0] == pytest.approx(expected, abs=1e-4)  # the maximum is between two nodes of the path
     if depth == 0.786:
-        assert np.linalg.norm(p[0], axis=1).max() == pytest.approx(0.3003, abs=1e-4)  # largest shear of the literature
+        # Largest shear stress in the literature.
+        assert np.linalg.norm(p[0], axis=1).max() == pytest.approx(0.3003, abs=1e-4)
 
 
-def test_paths_of_a_half_plane_are_mcewen(inside_half_plane):
-    """A hard roller on an elastic half-plane; its mesh and the flat contact contribute 1 %."""
+def test_paths_of_a_half_plane_agree_with_mcewen(inside_half_plane):
+    """Rigid roller on an elastic half-plane; the mesh and the approximation of a flat contact contribute 1 %."""
     result, path = inside_half_plane
     half_width, pressure = result.semi_axis_x, result.max_pressure
     found = half_range(path.p) * 1e7 / pressure
     for depth, amplitude in zip(path.depth, found, strict=True):
         if 0.1 * half_width < depth < 3.0 * half_width:
-            assert amplitude == pytest.approx(half_range(half_plane(depth / half_width, WAY))[0], rel=0.02)
+            assert amplitude == pytest.approx(half_range(half_plane(depth / half_width, POSITIONS))[0], rel=0.02)
 
 
 @pytest.fixture(scope="module")
@@ -169,7 +171,7 @@ BODIES = {
         2000,
     ),
     "crowned wheel": (
-        vr.CoatedWheel(core_radius=50e-3, layers=[LAYER], width=60e-3, crown_radius=0.1, sides=enums.Sides.ENDLESS),
+        vr.CoatedWheel(core_radius=50e-3, layers=[LAYER], width=60e-3, crown_radius=0.1, sides=enums.Sides.UNBOUNDED),
         300.0,
         500,
     ),
@@ -177,8 +179,8 @@ BODIES = {
 
 
 @pytest.mark.parametrize("name", BODIES)
-def test_paths_lose_what_the_layers_lose(name):
-    """Compare over a whole revolution to 1e-3: 6 depths, and `loss` sums orders up to 0.9999 of it."""
+def test_dissipation_along_paths_is_that_of_the_layers(name):
+    """Compare with `loss` over a whole revolution, to the errors of 6 depths and of the orders that `loss` omits."""
     body, load, nodes = BODIES[name]
     result = vr.solve(body, load=load, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=nodes))
     path = strain_paths(inside_of(result), [0], depths=6, reach=1e3, orders=40.0)[0]
@@ -187,7 +189,7 @@ def test_paths_lose_what_the_layers_lose(name):
     assert power == pytest.approx(result.loss().attrs["power"], rel=1e-3)
 
 
-def test_paths_under_friction_that_is_no_mirror_image():
+def test_paths_with_spin_cover_both_sides():
     """With spin, the paths of both sides are computed; without spin, one side represents both."""
     options = {"load": 100.0, "angular_speed": 2.5, "friction": 0.3, "mesh": vr.Mesh(nodes_per_revolution=400)}
     for drive, count in ((vr.Drive(creepage=0.0, spin=10.0), 2), (vr.Drive(torque=0.0), 1)):
@@ -196,4 +198,4 @@ def test_paths_under_friction_that_is_no_mirror_image():
         assert (path.theta < 0.5 * np.pi).sum() == (count - 1) * len(path.theta) // 2
         orders, squares = harmonic_squares(path)
         power = 2.5 * path.volumes @ squares @ RUBBER.complex_modulus(2.5 * orders).imag
-        assert power == pytest.approx(result.loss().attrs["power"], rel=2e-3)  # ten nodes in half a contact
+        assert power == pytest.approx(result.loss().attrs["power"], rel=2e-3)  # ten nodes per half-width of the contact

@@ -236,7 +236,7 @@ def test_run_in_lammps(result, tmp_path):
     radius, mass, speed = result.body.outer_radius, 0.3, 2.5
     inertia = 0.4 * mass * radius**2
     exported = vr.export.dem(result, code="lammps")
-    fix = exported.written.lines[0]
+    fix = exported.contact_model.lines[0]
     for name, value in (("gamma_n", 0.0), ("k_t", 0.0), ("gamma_t", 0.0), ("mu_t", 0.0)):
         fix = fix.replace(f"${{{name}}}", repr(value))
     depth = (100.0 / (exported.stiffness.hertz * radius**0.5)) ** (2.0 / 3.0)
@@ -272,7 +272,7 @@ def test_run_in_liggghts(result, tmp_path, style):
         pytest.skip("liggghts is not installed")
     radius, mass, speed = result.body.outer_radius, 0.3, 2.5
     exported = vr.export.dem(result, code="liggghts", style=style)
-    *properties, floor = exported.written.lines
+    *properties, floor = exported.contact_model.lines
     depth = liggghts_overlap(exported.text, 100.0, radius)
     density = mass / (4.0 / 3.0 * np.pi * radius**3)
     (tmp_path / "ball.data").write_text(
@@ -332,7 +332,7 @@ def test_run_in_yade(result, tmp_path):
         pytest.skip("yade is not installed")
     exported = vr.export.dem(result, code="yade")
     given = f"RADIUS, LOAD, SPEED = {result.body.outer_radius!r}, 100.0, 2.5\nfriction_angle, density = 0.0, 2500.0\n"
-    (tmp_path / "ball.py").write_text(given + "\n".join(exported.written.lines) + YADE)
+    (tmp_path / "ball.py").write_text(given + "\n".join(exported.contact_model.lines) + YADE)
     done = subprocess.run([program, "-n", "-x", "ball.py"], cwd=tmp_path, capture_output=True, text=True, timeout=120)
     assert (tmp_path / "found.json").exists(), done.stdout + done.stderr
     found = json.loads((tmp_path / "found.json").read_text())
@@ -343,7 +343,7 @@ def test_run_in_yade(result, tmp_path):
 def test_wheels_are_rejected():
     """Discrete-element codes have no wheels, so `dem` rejects results and studies of wheels."""
     tread = vr.Layer(thickness=10e-3, shear_modulus=3e6, poisson_ratio=0.45)
-    wheel = vr.CoatedWheel(core_radius=40e-3, layers=[tread], width=30e-3, crown_radius=0.3, sides="endless")
+    wheel = vr.CoatedWheel(core_radius=40e-3, layers=[tread], width=30e-3, crown_radius=0.3, sides="unbounded")
     case = {"load": 100.0, "angular_speed": 1.0, "accuracy": 0.2}
     with pytest.raises(ValueError, match=r"source must be for a ball .*, got a CoatedWheel"):
         vr.export.dem(vr.solve(wheel, **case), code="lammps")

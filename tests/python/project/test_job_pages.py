@@ -53,9 +53,9 @@ def run(name: str, folder: Path) -> str:
 
 
 @pytest.mark.parametrize("page", JOBS, ids=lambda page: page.stem)
-def test_every_application_has_a_picture_and_states_its_limits(page):
+def test_every_application_has_a_plot_and_states_its_limits(page):
     text = page.read_text(encoding="utf-8")
-    assert re.search(r"^## (The picture|Sliders)$", text, re.MULTILINE)
+    assert re.search(r"^## (Plot of .+|Sliders)$", text, re.MULTILINE)
     assert "## Limits of the result" in text
     assert "model_error" in text
 
@@ -103,8 +103,8 @@ def test_particles_have_lines_of_a_wall_and_of_a_pair(tmp_path):
     printed = run("particles", tmp_path)
     assert "fix floor all wall/gran granular hertz" in printed
     assert "pair_style granular\npair_coeff 1 1 hertz" in printed
-    assert (tmp_path / "floor.lammps").read_text(encoding="utf-8").count("\n") == 7
-    assert len((tmp_path / "floor.csv").read_text(encoding="utf-8").splitlines()) == 29  # 4 loads by 7 speeds
+    assert (tmp_path / "wall.lammps").read_text(encoding="utf-8").count("\n") == 7
+    assert len((tmp_path / "wall.csv").read_text(encoding="utf-8").splitlines()) == 29  # 4 loads by 7 speeds
 
 
 def test_table_of_codes_is_whole():

@@ -33,9 +33,9 @@ def test_a_fall_that_scatter_does_not_explain_is_found():
     omega = np.logspace(-1, 2, 31)
     falling = 1e6 * np.linspace(1.0, 0.8, omega.size)
     for seed in range(40):
-        monotony = vr.rheology.check_modulus(scattered(omega, falling, np.full(omega.size, 1e5), seed))[2]
-        assert not monotony.passed
-        assert "scatter of the points" in monotony.message
+        monotonicity = vr.rheology.check_modulus(scattered(omega, falling, np.full(omega.size, 1e5), seed))[2]
+        assert not monotonicity.passed
+        assert "scatter of the points" in monotonicity.message
 
 
 def test_limits_without_scatter_are_as_they_were():

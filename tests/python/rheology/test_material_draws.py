@@ -25,20 +25,20 @@ def sampled(storage_noise, loss_noise, seed=0):
 
 def scatter(draws):
     """Return standard deviations of storage and loss at some frequencies, relative to the middle."""
-    middle = draws.middle.complex_modulus(PROBE)
+    middle = draws.best_estimate.complex_modulus(PROBE)
     values = np.array([draw.complex_modulus(PROBE) for draw in draws])
     return values.real.std(axis=0) / middle.real, values.imag.std(axis=0) / middle.imag
 
 
 def test_draws_scatter_as_fits_to_other_data():
-    """Compare, to a third, 60 fits to fresh noise with 60 draws of each of 4 data sets.
+    """Compare, to a third, 60 fits to new noise with 60 draws of each of 4 data sets.
 
     The standard deviations themselves have errors of about 10 % and 20 %.
     """
     fits = [vr.rheology.fit_prony(sampled(0.03, 0.03, seed)) for seed in range(60)]
-    fresh = scatter(vr.materials.Draws(RUBBER, [fit.series for fit in fits]))
+    refitted = scatter(vr.materials.Draws(RUBBER, [fit.series for fit in fits]))
     drawn = np.mean([scatter(fit.draws(60)) for fit in fits[:4]], axis=0)
-    np.testing.assert_allclose(drawn.mean(axis=1), np.mean(fresh, axis=1), rtol=0.35)
+    np.testing.assert_allclose(drawn.mean(axis=1), np.mean(refitted, axis=1), rtol=0.35)
 
 
 def test_copies_keep_errors_but_for_signs_and_leverage():
@@ -58,7 +58,7 @@ def test_draws_are_those_of_seed_and_data():
     fit = vr.rheology.fit_prony(sampled(0.03, 0.03))
     first, again, other = (fit.draws(3, seed=seed) for seed in (0, 0, 1))
     assert first[0] == again[0] != other[0]
-    assert first.middle == fit.series
+    assert first.best_estimate == fit.series
     # Materials measured at the same frequencies have independent draws.
     of_others = vr.rheology.fit_prony(sampled(0.03, 0.03, seed=1)).draws(100)
     of_these = fit.draws(100)
@@ -68,7 +68,7 @@ def test_draws_are_those_of_seed_and_data():
 
 def test_a_sparse_fit_draws_sparse_series():
     draws = vr.rheology.fit_prony(sampled(0.02, 0.02)).sparse(4).draws(3)
-    assert all(len(series.weights) <= 4 for series in (draws.middle, *draws))
+    assert all(len(series.weights) <= 4 for series in (draws.best_estimate, *draws))
 
 
 @pytest.fixture(scope="module")
@@ -99,7 +99,7 @@ def test_factors_of_the_user_are_kept():
 
 def test_vertical_shifts_are_found_anew():
     draws = vr.rheology.superpose(measured(2, Noise()), reference=REFERENCE, vertical=True).draws(3)
-    assert len({draw.vertical for draw in (draws.middle, *draws)}) == 4
+    assert len({draw.vertical for draw in (draws.best_estimate, *draws)}) == 4
 
 
 def test_bias_of_the_shifts_is_small(curve):

@@ -281,12 +281,12 @@ def test_checks_tell_what_is_wrong():
     modulus = RUBBER.complex_modulus(omega)
     good = vr.rheology.check_modulus(SimpleNamespace(frequency=omega, storage=modulus.real, loss=modulus.imag))
     assert all(check.passed for check in good)
-    causal, passive, monotony = vr.rheology.check_modulus(
+    causal, passive, monotonicity = vr.rheology.check_modulus(
         SimpleNamespace(frequency=omega, storage=modulus.real, loss=2.0 * modulus.imag)
     )
     assert not causal.passed
     assert not passive.passed
-    assert monotony.passed
+    assert monotonicity.passed
     falling = vr.rheology.check_modulus(SimpleNamespace(frequency=omega, storage=modulus.real[::-1], loss=modulus.imag))
     assert not falling[2].passed
 

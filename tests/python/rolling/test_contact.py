@@ -188,7 +188,7 @@ def test_large_contacts_without_a_matrix(paper_ball, compliance, patch_load):
         assert r.resisting_torque == pytest.approx(limit, rel=3e-3)
 
 
-def test_unlike_spacings_agree(paper_ball):
+def test_different_spacings_in_both_directions_agree(paper_ball):
     """Meshes that are finer in theta than in phi, or coarser, have the same limit."""
     torques = [
         vr.solve(

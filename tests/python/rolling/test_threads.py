@@ -86,10 +86,10 @@ def test_history_is_read_and_copied_while_it_advances():
 
     def watch():
         while not ended.is_set():
-            state, now, copied = shared.state, shared.now, copy.copy(shared)
+            state, now, copied = shared.state, shared.current, copy.copy(shared)
             assert state.numbers.size
             assert shared.contact.pressure.max() > 0.0
-            observed.append((now.time, copied.now.time))
+            observed.append((now.time, copied.current.time))
 
     with ThreadPoolExecutor(3) as pool:
         watchers = [pool.submit(watch) for _ in range(3)]

@@ -146,7 +146,7 @@ def test_a_material_that_relaxes_to_next_to_nothing_is_refused_by_its_name():
         vr.solve(slow_ball(0.6, 1e4), load=100.0, angular_speed=2.5)
 
 
-def test_contacts_of_slow_materials_are_sized_by_what_rolls():
+def test_mesh_of_slowly_relaxing_materials_uses_the_stiffness_during_rolling():
     """A hundredth of the modulus remains after a day: the mesh is chosen for the stiff coating during rolling."""
     r = vr.solve(slow_ball(6e4, 1e5), load=10.0, angular_speed=2.5, accuracy=0.05)
     across = np.count_nonzero(r.contact.any(axis=1))

@@ -16,9 +16,9 @@ from viscoroll.solution.interior_files import save_interior
 SOFT = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
 HUB, SPEED = 40e-3, 2.5
 TREAD = one_layer(thickness=10e-3)
-FLAT = vr.CoatedWheel(core_radius=HUB, layers=[TREAD], width=30e-3, sides="endless")
+FLAT = vr.CoatedWheel(core_radius=HUB, layers=[TREAD], width=30e-3, sides="unbounded")
 CROWNED = replace(FLAT, crown_radius=0.2)
-UNLIKE = replace(
+DISSIMILAR = replace(
     FLAT, layers=[one_layer(thickness=6e-3), one_layer(SOFT, thickness=4e-3, poisson_ratio=0.45)], width=50e-3
 )
 RADII = [HUB, 43e-3, 46e-3, 48e-3, 50e-3]  # both ends and the middle of each of two layers
@@ -43,16 +43,16 @@ def largest_error(found, expected):
 
 @pytest.mark.parametrize(("m", "n"), [(0, 1), (0, 15), (1, 1), (2, 3), (13, 20), (60, 7)])
 def test_orders_are_bessels(m, n):
-    positions, numbers = vr._core.places_at(UNLIKE._to_core(), np.array(RADII))
+    positions, numbers = vr._core.places_at(DISSIMILAR._to_core(), np.array(RADII))
     places = list(zip(positions.tolist(), numbers.tolist(), strict=True))
     assert len(places) == len(RADII) + 1
     moduli = [complex(modulus.complex_modulus(m * SPEED)) for modulus in (RUBBER, SOFT)]
     given = [(6e-3, moduli[0], 0.5), (4e-3, moduli[1], 0.45)]
     expected = reference.order_fields(HUB, given, m, n / 50e-3, places)
-    found = order_fields(UNLIKE, SPEED, [m], [n], radius=RADII)
+    found = order_fields(DISSIMILAR, SPEED, [m], [n], radius=RADII)
     assert largest_error(found, expected) < 1e-11
     # A mirror plane normal to the axis changes the sign of u_z and of components with one index z.
-    mirrored = order_fields(UNLIKE, SPEED, [m], [-n], radius=RADII)
+    mirrored = order_fields(DISSIMILAR, SPEED, [m], [-n], radius=RADII)
     flips = [np.array([1, 1, -1]), *[np.array([1, 1, 1, 1, -1, -1])] * 2]
     for kind, flip in enumerate(flips):
         expected = flip[:, None] * flips[0] * found[kind]
@@ -61,8 +61,8 @@ def test_orders_are_bessels(m, n):
 
 @pytest.mark.parametrize("m", [1, 2, 13, 150])
 def test_without_waves_across_it_is_a_roller(m):
-    roller = vr.CoatedCylinder(core_radius=HUB, layers=UNLIKE.layers)
-    found = order_fields(UNLIKE, SPEED, [m], [0], radius=RADII)
+    roller = vr.CoatedCylinder(core_radius=HUB, layers=DISSIMILAR.layers)
+    found = order_fields(DISSIMILAR, SPEED, [m], [0], radius=RADII)
     expected = order_fields(roller, SPEED, [m], [0], radius=RADII)
     assert largest_error(found, [tuple(kind[0, place] for kind in expected) for place in range(len(RADII) + 1)]) < 1e-10
 
@@ -70,10 +70,10 @@ def test_without_waves_across_it_is_a_roller(m):
 def test_a_large_wheel_is_a_plane():
     """The difference is linear in h/R."""
     depth = np.array([0.0, 2e-3, 4e-3, 7e-3, 10e-3])
-    plane = vr.CoatedPlane(layers=UNLIKE.layers)
+    plane = vr.CoatedPlane(layers=DISSIMILAR.layers)
     errors = []
     for radius in (10.0, 100.0):
-        wheel = replace(UNLIKE, core_radius=radius - 10e-3)
+        wheel = replace(DISSIMILAR, core_radius=radius - 10e-3)
         m, n = round(100.0 * radius), round(70.0 * radius)
         found = order_fields(wheel, 0.1 / radius, [m], [n], depth=depth)
         flat = order_fields(plane, 0.1 / radius, [m], [n], depth=depth, rolling_radius=radius)
@@ -114,7 +114,7 @@ def test_every_order_loses_what_is_put_in(density):
 
 @pytest.fixture(scope="module")
 def flat():
-    """Return a flat wheel with endless sides in rolling contact: solver and inner fields use the same orders."""
+    """Return a flat wheel with unbounded sides in rolling contact: solver and inner fields use the same orders."""
     return vr.solve(FLAT, load=300.0, angular_speed=SPEED, friction=0.3, mesh=MESH)
 
 

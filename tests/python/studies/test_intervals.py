@@ -94,7 +94,7 @@ def test_draws_can_be_stopped(material):
             raise KeyboardInterrupt
 
     given = {name: value for name, value in CASE.items() if name != "progress"}
-    result = vr.solve(roller(material.middle), **given)
+    result = vr.solve(roller(material.best_estimate), **given)
     with pytest.raises(KeyboardInterrupt):
         drawn_answers(result, [(roller(one), None) for one in material], "linear", given, progress=stop)
 
@@ -111,12 +111,12 @@ def test_draws_of_two_materials_go_together(material):
         return (found.resisting_torque_upper - found.resisting_torque_lower).item()
 
     together = width(inner=material, outer=other)
-    alone = np.hypot(width(inner=material, outer=other.middle), width(inner=material.middle, outer=other))
+    alone = np.hypot(width(inner=material, outer=other.best_estimate), width(inner=material.best_estimate, outer=other))
     assert together == pytest.approx(alone, rel=0.4)  # the correlation of 20 draws has a standard deviation of 0.2
     with pytest.raises(
         ValueError, match="draws must be equally many for each parameter, got 20 for inner, 2 for outer"
     ):
-        width(inner=material, outer=vr.materials.Draws(other.middle, other[:2]))
+        width(inner=material, outer=vr.materials.Draws(other.best_estimate, other[:2]))
 
 
 def test_draws_of_a_mat(material):
@@ -147,7 +147,7 @@ def test_a_cache_keeps_draws(tmp_path, material, monkeypatch):
 
 def test_draws_that_fail_leave_no_interval(material):
     """The result remains, with a warning; an interval without the failed draws would be biased."""
-    soft = vr.materials.Draws(material.middle, [material[0], vr.Elastic(modulus=1e3)])
+    soft = vr.materials.Draws(material.best_estimate, [material[0], vr.Elastic(modulus=1e3)])
     with pytest.warns(vr.ResultWarning, match=r"among 1 points: .*1 NO_INTERVAL"):
         found = vr.sweep(roller, modulus=soft, draws="solve", **CASE)
     assert found.resisting_torque > 0.0
@@ -155,7 +155,7 @@ def test_draws_that_fail_leave_no_interval(material):
     assert found.error.item().startswith("draws: InvalidInput: load must be")
     thick = vr.materials.Draws(2e-3, [2e-3, 2.1e-3])
     with pytest.warns(vr.ResultWarning, match="1 NO_INTERVAL"):
-        found = vr.sweep(roller, modulus=material.middle, thickness=thick, **CASE)
+        found = vr.sweep(roller, modulus=material.best_estimate, thickness=thick, **CASE)
     assert "draws must differ only in shear moduli for draws='linear'" in found.error.item()
 
 
@@ -181,13 +181,13 @@ def test_a_largest_pressure_at_the_edge_has_no_linear_interval():
 def test_draws_of_anything_can_be_solved(material):
     """The thickness may vary as well if each draw is solved."""
     thick = vr.materials.Draws(2e-3, [1.9e-3, 2.1e-3])
-    found = vr.sweep(roller, modulus=material.middle, thickness=thick, draws="solve", **CASE)
+    found = vr.sweep(roller, modulus=material.best_estimate, thickness=thick, draws="solve", **CASE)
     assert found.resisting_torque_lower < found.resisting_torque < found.resisting_torque_upper
 
 
 def test_draws_of_what_softens_are_solved(material):
     network = vr.materials.KrausNetwork(storage=1e6, loss=2e5, critical_strain=0.02)
-    filled = vr.materials.Draws(material.middle, material[:2]).map(
+    filled = vr.materials.Draws(material.best_estimate, material[:2]).map(
         lambda matrix: vr.materials.SofteningModulus(matrix=matrix, network=network)
     )
     found = vr.sweep(roller, modulus=filled, draws="solve", **CASE)
@@ -203,7 +203,7 @@ def test_bad_questions(material):
         vr.sweep(roller, modulus=material, confidence=95, **CASE)
     with pytest.raises(TypeError, match=r"load must be a real number, got .*2 draws of 20"):
         vr.sweep(roller, modulus=material, **CASE | {"load": vr.materials.Draws(20.0, [19.0, 21.0])})
-    with pytest.raises(TypeError, match="give its middle, or pass all draws to sweep"):
+    with pytest.raises(TypeError, match="give its best_estimate, or pass all draws to sweep"):
         roller(material)
     network = vr.materials.KrausNetwork(storage=1e6, loss=2e5, critical_strain=0.02)
     filled = material.map(lambda matrix: vr.materials.SofteningModulus(matrix=matrix, network=network))

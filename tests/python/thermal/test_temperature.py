@@ -87,7 +87,7 @@ def test_one_degree(degree, core):
     np.testing.assert_allclose(rises[degree], expected, rtol=1e-7, atol=1e-9 * np.abs(expected).max())
 
 
-def test_unlike_layers_on_an_insulated_core():
+def test_dissimilar_layers_on_an_insulated_core():
     """The mean heat flows only outwards, so the temperature drops of the layers add up."""
     radii, conductivities, heats = (15e-3, 18e-3, 21e-3), (0.5, 0.1), (2e4, 7e4)
     layers = shell(radii=radii, conductivities=conductivities)
@@ -114,7 +114,7 @@ def test_thin_shell_is_a_fin():
         assert rises[degree, -1] == pytest.approx(fin, rel=2e-3)  # errors of h/R and of the Biot number
 
 
-def test_varying_convection_joins_the_degrees():
+def test_varying_convection_conserves_heat():
     """A uniform coefficient given as a function equals the number; a varying one keeps the balance of heat."""
     uniform = shell(convection=lambda theta: np.full(theta.shape, H))
     source = np.random.default_rng(1).uniform(0.5, 1.0, (9, uniform.coordinate.size)) * Q

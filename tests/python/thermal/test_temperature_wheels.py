@@ -22,7 +22,7 @@ HUB, OUTER, WIDTH, K, H, SIDE = 40e-3, 50e-3, 36e-3, 0.25, 15.0, 12.0
 CAPACITY = 2e6
 AIR = {"conductivity": K, "convection": H, "ambient": 293.15}
 TREAD = one_layer(thickness=10e-3)
-FLAT = vr.CoatedWheel(core_radius=HUB, layers=[TREAD], width=WIDTH, sides="endless")
+FLAT = vr.CoatedWheel(core_radius=HUB, layers=[TREAD], width=WIDTH, sides="unbounded")
 CROWNED = replace(FLAT, width=50e-3, crown_radius=0.1)
 MESH = vr.Mesh(nodes_per_revolution=300)
 
@@ -334,7 +334,7 @@ def test_what_is_refused_of_a_wheel(flat, options, message):
         flat.temperature(**AIR | options)
 
 
-def test_unlike_layers_have_no_films_at_their_faces():
+def test_dissimilar_layers_have_no_films_at_their_faces():
     two = replace(FLAT, layers=[one_layer(thickness=4e-3), one_layer(thickness=6e-3)])
     r = vr.solve(two, load=300.0, angular_speed=10.0, mesh=MESH)
     t = r.temperature(max_order=60, **AIR | {"conductivity": [0.2, 0.3]})

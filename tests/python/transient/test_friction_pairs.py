@@ -75,7 +75,7 @@ def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes)
 MOVED = {
     "ball on mat": 5e-3, "soft ball on mat": 3e-3, "soft ball in dish": 5e-3, "soft ball in rigid dish": 5e-3,
     "ball on ball": 3e-3, "roller on mat": 2e-3, "soft roller on roller": 2e-3, "soft roller in ring": 2e-3,
-    "ball on unlike layers": 3e-3, "wheel": 5e-3, "wheel on mat": 5e-3,
+    "ball on dissimilar layers": 3e-3, "wheel": 5e-3, "wheel on mat": 5e-3,
 }  # fmt: skip
 
 
@@ -203,8 +203,8 @@ def test_rollers_are_pressed_on_one_another(on, modulus, load, friction, nodes):
     options = {"on": counterbody, "load": load, "mesh": vr.Mesh(nodes_per_revolution=nodes), "averaged_meshes": 2}
     pressed = vr.RollingHistory(roller, friction=friction, **options)
     # Tolerance of the solution at each instant.
-    assert abs(pressed.now.driving_force) < 1e-9 * load
-    assert abs(pressed.now.center_displacement) < 1e-9 * pressed.now.semi_axis_x
+    assert abs(pressed.current.driving_force) < 1e-9 * load
+    assert abs(pressed.current.center_displacement) < 1e-9 * pressed.current.semi_axis_x
 
 
 def test_friction_too_small_to_push_a_ball_over_its_mat():

@@ -54,8 +54,8 @@ def test_what_rolling_takes_is_lost_and_stored_in_the_rubber():
         distance=platform.distance(motion.slope[0]),
         mesh=MESH,
         averaged_meshes=2,
-    ).now
-    end = history.now
+    ).current
+    end = history.current
     stored = end.stored_energy - start.stored_energy
     pressed = platform.mass * 9.81 / platform.balls * (end.penetration - start.penetration)
     taken = 2 * platform.balls * (end.dissipated_energy + stored - pressed)

@@ -47,7 +47,7 @@ def test_bad_input(change, message):
 def test_kelvin_voigt_cannot_jump():
     ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1e5))
     with pytest.raises(ValueError, match=r"start must be RELAXED for a coating without instantaneous compliance"):
-        vr.roll(ball, **GOOD, start=enums.Start.FRESH)
+        vr.roll(ball, **GOOD, start=enums.Start.UNDEFORMED)
     jump = {"time": [0, 0.5, 0.5, 1], "angle": [0, 0.1, 0.1, 0.2], "load": [100, 100, 120, 120]}
     with pytest.raises(ValueError, match=r"time must be > the current time, 0.5 s, because a coating"):
         vr.roll(ball, **GOOD | jump)
@@ -95,5 +95,5 @@ def test_results_are_saved_and_drawn(tmp_path):
     with pytest.raises(ValueError, match=r"path must end in \.csv or \.nc"):
         h.save(tmp_path / "h.txt")
     h.plot().savefig(tmp_path / "h.png")
-    assert "FRESH" not in repr(h)
+    assert "UNDEFORMED" not in repr(h)
     assert "RELAXED start" in repr(h)

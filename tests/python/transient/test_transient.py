@@ -1,8 +1,8 @@
-"""Transient rolling: exact checks, and an independent program, tests/reference/transient.py.
+"""Transient rolling: exact checks, and comparison with the independent program tests/reference/transient.py.
 
-On the same mesh and with the same steps, it gives the same history. The limits of fine meshes and their error bars come
-from such a program (single meshes at π/150, π/250 and π/400, extrapolated, with the paper's curvature):
-docs/theory/transient.md.
+On the same mesh and with the same steps, the library and the program give the same history. The limits of fine meshes
+and their error bars are results of the program, extrapolated from single meshes at π/150, π/250 and π/400 with the
+paper's curvature (docs/theory/transient.md).
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ FINE = {"mesh": vr.Mesh(nodes_per_revolution=500), "curvature": enums.Curvature.
 COARSE = vr.Mesh(nodes_per_revolution=100)
 
 
-def speed(omega: float, turn: float, **options: object) -> vr.History:
+def roll_at_speed(omega: float, turn: float, **options: object) -> vr.History:
     return vr.roll(options.pop("ball", BALL), time=[0.0, turn / omega], angle=[0.0, turn], load=100.0, **options)
 
 
@@ -34,9 +34,9 @@ def speed(omega: float, turn: float, **options: object) -> vr.History:
 
 @pytest.mark.parametrize("compliance", list(enums.Compliance))
 def test_standing_follows_lee_and_radok(compliance):
-    """While the contact grows, the penetration is that of an elastic ball under the load ∫J dP, in units of G₀."""
+    """While the contact grows, the penetration is that of an elastic ball of modulus G₀ under the load G₀ ∫J dP."""
     h = vr.roll(
-        BALL, time=[0, 0.3, 0.6], angle=[0, 0, 0], load=[100, 100, 130], start=enums.Start.FRESH, mesh=COARSE,
+        BALL, time=[0, 0.3, 0.6], angle=[0, 0, 0], load=[100, 100, 130], start=enums.Start.UNDEFORMED, mesh=COARSE,
         compliance=compliance, averaged_meshes=2,
     )  # fmt: skip
     retardation = 0.25  # τ G₀/G_∞
@@ -48,13 +48,16 @@ def test_standing_follows_lee_and_radok(compliance):
 
     elastic = coated_ball(vr.Elastic(modulus=6e6))
     for i in (0, len(h.time) // 3, -1):
-        alone = vr.RollingHistory(elastic, load=creep(h.time[i]), mesh=COARSE, compliance=compliance, averaged_meshes=2)
-        assert h.penetration[i] == pytest.approx(alone.now.penetration, rel=1e-9)  # tolerance of the solver
-    assert np.abs(h.resisting_torque).max() < 1e-10  # nodes at whole and half positions: symmetric
+        expected = vr.RollingHistory(
+            elastic, load=creep(h.time[i]), mesh=COARSE, compliance=compliance, averaged_meshes=2
+        )
+        assert h.penetration[i] == pytest.approx(expected.current.penetration, rel=1e-9)  # tolerance of the solver
+    # Nodes at whole and half multiples of the spacing are symmetric about the center.
+    assert np.abs(h.resisting_torque).max() < 1e-10
 
 
-def steady_whole_nodes(nodes: int, omega: float) -> float:
-    """Return the steady torque of whole-node stepping, solved directly: C(j) = Σ w_k K(j - k)."""
+def steady_torque_of_one_node_steps(nodes: int, omega: float) -> float:
+    """Return the steady torque of rolling in steps of one node, from the steady compliance C(j) = Σ w_k K(j - k)."""
     elastic = coated_ball(vr.Elastic(modulus=3e6))
     half = 14
     table = vr.modal.influence_tables(
@@ -75,38 +78,38 @@ def steady_whole_nodes(nodes: int, omega: float) -> float:
     radius = 21e-3
     x = radius * np.cos(k * spacing) * np.sin(-i * spacing)
     drop = radius * (1 - np.cos(k * spacing) * np.cos(i * spacing))
-    touching = drop < 1e-4
+    in_contact = drop < 1e-4
     for _ in range(100):
-        nodes_in = np.flatnonzero(touching)
-        system = np.block([[matrix[np.ix_(nodes_in, nodes_in)], -np.ones((len(nodes_in), 1))],
-                           [np.ones((1, len(nodes_in))), np.zeros((1, 1))]])  # fmt: skip
-        *force, depth = np.linalg.solve(system, [*-drop[nodes_in], 100.0])
+        contact = np.flatnonzero(in_contact)
+        system = np.block([[matrix[np.ix_(contact, contact)], -np.ones((len(contact), 1))],
+                           [np.ones((1, len(contact))), np.zeros((1, 1))]])  # fmt: skip
+        *force, depth = np.linalg.solve(system, [*-drop[contact], 100.0])
         p = np.zeros(len(x))
-        p[nodes_in] = force
+        p[contact] = force
         gap = matrix @ p + drop - depth
-        new = np.where(touching, p > 0, gap < 0)
-        if (new == touching).all():
+        new = np.where(in_contact, p > 0, gap < 0)
+        if (new == in_contact).all():
             return float(x @ p)
-        touching = new
-    raise AssertionError("no settled contact")
+        in_contact = new
+    raise AssertionError("the set of contact nodes does not converge")
 
 
-def test_whole_nodes_end_in_their_table():
+def test_steps_of_one_node_end_in_the_steady_torque():
     nodes, omega = 100, 2.5
     steps = np.arange(3 * nodes + 1)
     h = vr.roll(
         BALL, time=steps * 2 * np.pi / nodes / omega, angle=steps * 2 * np.pi / nodes, load=100.0, mesh=COARSE,
         averaged_meshes=1, steps_per_spacing=None,
     )  # fmt: skip
-    # After three turns, 1e-13 of the start remains; the contact is solved to 1e-11.
-    assert h.resisting_torque[-1] == pytest.approx(steady_whole_nodes(nodes, omega), rel=1e-8)
+    # After three turns, the effect of the start has decayed to 1e-13; the contact is solved to 1e-11.
+    assert h.resisting_torque[-1] == pytest.approx(steady_torque_of_one_node_steps(nodes, omega), rel=1e-8)
 
 
-def test_a_term_split_in_two_is_the_same():
+def test_splitting_a_prony_term_changes_nothing():
     one = vr.Prony(instantaneous_modulus=6e6, weights=[0.5], relaxation_times=[0.125])
     two = vr.Prony(instantaneous_modulus=6e6, weights=[0.2, 0.3], relaxation_times=[0.125, 0.125 * (1 + 1e-9)])
     a, b = (
-        speed(2.5, 0.2, ball=coated_ball(m), mesh=COARSE, averaged_meshes=1, start=enums.Start.FRESH)
+        roll_at_speed(2.5, 0.2, ball=coated_ball(m), mesh=COARSE, averaged_meshes=1, start=enums.Start.UNDEFORMED)
         for m in (one, two)
     )
     np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-9 * a.resisting_torque.max())
@@ -126,28 +129,28 @@ def test_start_at_another_node_changes_nothing():
         vr.roll(BALL, time=[0, 0.1], angle=[s * spacing, s * spacing + 0.2], load=100.0, mesh=COARSE, averaged_meshes=1)
         for s in (0, 1000007)
     )
-    # The position of a node a million spacings away has ten digits.
+    # Round-off: at a million spacings, node positions are accurate to ten digits of a spacing.
     np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-9)
 
 
 def test_elastic_torque_has_mean_zero():
-    """T is the derivative of a periodic energy: zero at whole and half positions, and on average."""
+    """T is the derivative of a periodic energy: zero at whole and half multiples of the spacing, and on average."""
     ball = coated_ball(vr.Elastic(modulus=3e6))
     spacing = COARSE.spacing
     torque = []
     for place in np.arange(32) / 32:
         stepper = vr.RollingHistory(ball, load=100.0, mesh=COARSE, averaged_meshes=1, angle=place * spacing)
-        torque.append(stepper.now.resisting_torque)
+        torque.append(stepper.current.resisting_torque)
     size = np.sqrt(np.mean(np.square(torque)))
     assert size * MILLI > 0.1  # the discrete nodes have an effect
     assert abs(torque[0]) < 1e-8 * size
     assert abs(torque[16]) < 1e-8 * size
-    # Its harmonics decay slowly, because nodes join and leave: sampling at 32 positions aliases some of them.
+    # Nodes enter and leave the contact, so the harmonics of the torque decay slowly: 32 samples alias some of them.
     assert abs(np.mean(torque)) < 1e-2 * size
 
 
 def test_units_scale_out():
-    """Scale time, load with modulus, and length: the torque scales with G L³ at P ~ G L²."""
+    """If modulus G, length L and time are scaled, and the load with G L², the torque scales with G L³."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=60e6, relaxed_modulus=30e6, relaxation_time=1.25)
     big = coated_ball(rubber, core_radius=40e-3, thickness=2e-3)
     a = vr.roll(BALL, time=[0, 0.1, 0.2], angle=[0, 0.2, 0.2], load=100.0, mesh=COARSE)
@@ -165,7 +168,7 @@ def ring():
 
 
 @pytest.mark.parametrize("start", list(enums.Start))
-def test_agrees_with_the_program(ring, start):
+def test_agrees_with_the_reference_program(ring, start):
     """The ball starts, stops, reverses, and rolls on under a load that jumps and rises."""
     step = 2.0 * np.pi / 120 / 4
     angle = step * np.concatenate([np.arange(33), np.full(6, 32), np.arange(31, 19, -1), [20], np.arange(21, 29)])
@@ -188,9 +191,9 @@ def test_agrees_with_the_program(ring, start):
 
 #: (start, Ω [rad/s]): torques at ψ = 0.05, 0.1, 0.2, 0.3 and their maximum [mN m], with error bars.
 STARTS = {
-    (enums.Start.FRESH, 2.5): ([3.00, 7.97, 12.15, 11.67, 12.16], [0.02, 0.02, 0.02, 0.02, 0.03]),
+    (enums.Start.UNDEFORMED, 2.5): ([3.00, 7.97, 12.15, 11.67, 12.16], [0.02, 0.02, 0.02, 0.02, 0.03]),
     (enums.Start.RELAXED, 2.5): ([50.5, 47.04, 15.05, 9.28, 52.57], [0.1, 0.05, 0.03, 0.03, 0.1]),
-    (enums.Start.FRESH, 0.5): ([11.57, 24.27, 31.41, 31.84, 31.84], [0.03, 0.03, 0.03, 0.03, 0.03]),
+    (enums.Start.UNDEFORMED, 0.5): ([11.57, 24.27, 31.41, 31.84, 31.84], [0.03, 0.03, 0.03, 0.03, 0.03]),
     (enums.Start.RELAXED, 0.5): ([42.0, 41.33, 33.25, 31.87, 43.38], [0.1, 0.04, 0.03, 0.03, 0.1]),
 }
 
@@ -198,7 +201,7 @@ STARTS = {
 @pytest.mark.parametrize(("start", "omega"), STARTS)
 def test_starts(start, omega):
     values, bars = STARTS[start, omega]
-    h = speed(omega, 0.5, start=start, **FINE)
+    h = roll_at_speed(omega, 0.5, start=start, **FINE)
     torque = h.resisting_torque * MILLI
     found = [*np.interp([0.05, 0.1, 0.2, 0.3], h.angle, torque), torque.max()]
     assert (np.abs(np.subtract(found, values)) <= bars).all(), found
@@ -208,7 +211,7 @@ def test_starts(start, omega):
 
 def test_change_of_speed():
     t, psi = [0, 1.0, 1.6], [0, 2.5, 2.8]
-    h = vr.roll(BALL, time=t, angle=psi, load=100.0, start=enums.Start.FRESH, **FINE)
+    h = vr.roll(BALL, time=t, angle=psi, load=100.0, start=enums.Start.UNDEFORMED, **FINE)
     for rolled_angle, value in {0.05: 16.92, 0.1: 25.76, 0.2: 31.41, 0.3: 31.81}.items():
         assert np.interp(2.5 + rolled_angle, h.angle, h.resisting_torque) * MILLI == pytest.approx(value, abs=0.03)
 
@@ -216,7 +219,7 @@ def test_change_of_speed():
 @pytest.mark.parametrize(("stand", "torque", "bar"), [(0.1, 28.33, 0.05), (1.0, 52.1, 0.1), (10.0, 52.57, 0.1)])
 def test_break_away_after_standing(stand, torque, bar):
     t = np.cumsum([0, 0.8, stand, 0.1])
-    h = vr.roll(BALL, time=t, angle=[0, 2.0, 2.0, 2.25], load=100.0, start=enums.Start.FRESH, **FINE)
+    h = vr.roll(BALL, time=t, angle=[0, 2.0, 2.0, 2.25], load=100.0, start=enums.Start.UNDEFORMED, **FINE)
     assert h.resisting_torque[h.time > t[2]].max() * MILLI == pytest.approx(torque, abs=bar)
     if stand == 0.1:
         at = np.searchsorted(h.time, t[2])
@@ -224,15 +227,15 @@ def test_break_away_after_standing(stand, torque, bar):
         assert h.penetration[at] * MILLI == pytest.approx(0.1620, abs=2e-5)
 
 
-def test_oscillation_loses_what_it_should():
+def test_energy_dissipated_in_an_oscillation():
     time = np.linspace(0.0, 4.0, 4 * 160 + 1)
     h = vr.roll(BALL, time=time, angle=np.radians(5.0) * np.sin(2 * np.pi * time), load=100.0, **FINE)
-    lost = np.interp([3.0, 4.0], h.time, h.dissipated_energy)
-    assert np.diff(lost)[0] * MILLI == pytest.approx(9.46, abs=0.03)
+    dissipated = np.interp([3.0, 4.0], h.time, h.dissipated_energy)
+    assert np.diff(dissipated)[0] * MILLI == pytest.approx(9.46, abs=0.03)
 
 
 def test_vertical_compliance():
-    h = speed(2.5, 0.35, compliance=enums.Compliance.VERTICAL, start=enums.Start.FRESH, **FINE)
+    h = roll_at_speed(2.5, 0.35, compliance=enums.Compliance.VERTICAL, start=enums.Start.UNDEFORMED, **FINE)
     assert h.resisting_torque.max() * MILLI == pytest.approx(12.34, abs=0.03)
     assert h.driving_torque.max() * MILLI == pytest.approx(14.36, abs=0.03)
 
@@ -245,13 +248,13 @@ PENETRATIONS = {
 
 @pytest.mark.parametrize("compliance", PENETRATIONS)
 def test_pressed_and_left_standing(compliance):
-    """Penetrations of Lee and Radok hold for steps of any length, so a fine mesh needs one contact per instant."""
+    """The penetration by Lee and Radok is exact for steps of any length, so one step per instant is enough."""
     times = [0.0, 0.05, 0.1, 0.25, 0.5, 50.0]
     h = vr.roll(
-        BALL, time=times, angle=np.zeros(6), load=100.0, start="fresh", mesh=vr.Mesh(nodes_per_revolution=1600),
+        BALL, time=times, angle=np.zeros(6), load=100.0, start="undeformed", mesh=vr.Mesh(nodes_per_revolution=1600),
         compliance=compliance, curvature=enums.Curvature.PAPER, averaged_meshes=1, steps_per_spacing=None,
     )  # fmt: skip
-    # Limits of the mesh, to 2e-5 mm: the error decreases with the square of the spacing, 4e-5 at π/400, 1e-5 here.
+    # Limits of fine meshes [mm]. The error decreases with the square of the spacing: 4e-5 mm at π/400, 1e-5 mm here.
     np.testing.assert_allclose(h.penetration * MILLI, PENETRATIONS[compliance], rtol=0, atol=2e-5)
 
 
@@ -273,7 +276,7 @@ def steady_torque(ball: vr.CoatedSphere, omega: float) -> float:
 def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
     steady = steady_torque(BALL, omega)
     turn = 0.8 if omega < 3.0 else 8.0  # at 4 rad/s, the effect of the last turn, e^(-2π/(Ωλ)), is 0.2 %
-    h = speed(omega, turn, start=enums.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=nodes))
+    h = roll_at_speed(omega, turn, start=enums.Start.UNDEFORMED, mesh=vr.Mesh(nodes_per_revolution=nodes))
     last = h.angle > h.angle[-1] - h.mesh.spacing
     assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=bound)
 
@@ -283,10 +286,12 @@ def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
     [(300, 0.005, 0.5), (300, 0.005, 2.5), (300, 0.005, 4.0), (500, 0.0015, 0.5), (500, 0.0015, 2.5)],
 )
 def test_fractional_zener_ends_in_the_steady_torque(omega, nodes, bound):
-    """Its memory is unlimited: the effect of the start falls from 0.15 % after 1 s at 4 rad/s to 0.05 % here."""
+    """Memory is unlimited: at 4 rad/s the effect of the start is 0.15 % after 1 s, and 0.05 % after the 2 s here."""
     ball = coated_ball(ZENER)
     steady = steady_torque(ball, omega)
-    h = speed(omega, 2.0 * omega, ball=ball, start=enums.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=nodes))
+    h = roll_at_speed(
+        omega, 2.0 * omega, ball=ball, start=enums.Start.UNDEFORMED, mesh=vr.Mesh(nodes_per_revolution=nodes)
+    )
     last = h.angle > h.angle[-1] - h.mesh.spacing
     assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=bound)
 
@@ -294,19 +299,21 @@ def test_fractional_zener_ends_in_the_steady_torque(omega, nodes, bound):
 def test_kelvin_voigt_ends_in_the_steady_torque():
     ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1.5e5))
     steady = vr.solve(ball, load=100.0, angular_speed=1.0, accuracy=2e-3).resisting_torque
-    h = speed(1.0, 2.0, ball=ball, mesh=vr.Mesh(nodes_per_revolution=300))
+    h = roll_at_speed(1.0, 2.0, ball=ball, mesh=vr.Mesh(nodes_per_revolution=300))
     assert h.resisting_torque[-1] == pytest.approx(steady, rel=0.01)
 
 
-def test_a_table_is_fitted_and_says_how_well():
+def test_fit_of_a_table_reports_its_error():
     omega = np.geomspace(1e-4, 1e6, 201)
     values = ZENER.complex_modulus(omega)
     curve = vr.MasterCurve([0.0, *omega], [3e6, *values.real], [0.0, *values.imag], enums.Extrapolation.HOLD)
-    a, b = (speed(2.5, 0.3, ball=coated_ball(m), mesh=COARSE, start=enums.Start.FRESH) for m in (ZENER, curve))
+    a, b = (
+        roll_at_speed(2.5, 0.3, ball=coated_ball(m), mesh=COARSE, start=enums.Start.UNDEFORMED) for m in (ZENER, curve)
+    )
     assert 0.0 < b.spectrum_error < 2e-3
     np.testing.assert_allclose(b.resisting_torque, a.resisting_torque, rtol=0, atol=5e-3 * a.resisting_torque.max())
     with pytest.raises(ValueError, match="spectrum_tolerance = 1e-05"):
-        speed(2.5, 0.3, ball=coated_ball(curve), mesh=COARSE, spectrum_tolerance=1e-5)
+        roll_at_speed(2.5, 0.3, ball=coated_ball(curve), mesh=COARSE, spectrum_tolerance=1e-5)
 
 
 # --- energy ---------------------------------------------------------------------------------------------------------
@@ -319,14 +326,14 @@ def test_energy_balance(varying):
     time = np.unique(np.concatenate([waypoints, np.linspace(0, 1.8, 181)]))
     load = 100.0 * (1 + 0.3 * varying * np.sin(10 * np.pi * time))
     h = vr.roll(
-        BALL, time=time, angle=np.interp(time, waypoints, angles), load=load, start=enums.Start.FRESH,
+        BALL, time=time, angle=np.interp(time, waypoints, angles), load=load, start=enums.Start.UNDEFORMED,
         mesh=vr.Mesh(nodes_per_revolution=300),
     )  # fmt: skip
     assert h.energy_balance_error[-1] < 1e-3
     assert (np.diff(h.dissipated_energy) > -1e-15).all()
 
 
-def test_a_jump_takes_what_it_stores():
+def test_work_of_a_load_jump_is_stored():
     h = vr.roll(
         BALL, time=[0, 0.1, 0.1, 0.2], angle=[0, 0.2, 0.2, 0.4], load=[100, 100, 150, 150], mesh=COARSE,
     )  # fmt: skip
@@ -342,33 +349,33 @@ def test_a_flat_spot_returns_each_turn():
     """λ = 10 s: one peak per turn, which decays by e^(-2π/(Ωλ)) each turn."""
     slow = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=5.0)
     omega = 2.5
-    h = speed(omega, 8 * np.pi, ball=coated_ball(slow), mesh=COARSE)
+    h = roll_at_speed(omega, 8 * np.pi, ball=coated_ball(slow), mesh=COARSE)
     turn = (h.angle / (2 * np.pi) + 0.5).astype(int)
     peaks = np.array([h.resisting_torque[turn == k].max() for k in range(4)]) * MILLI
-    np.testing.assert_allclose(peaks, [53.8, 41.8, 32.6, 25.3], rtol=0.03)  # at π/150; this is π/50
+    np.testing.assert_allclose(peaks, [53.8, 41.8, 32.6, 25.3], rtol=0.03)  # values at π/150; the mesh here has π/50
     np.testing.assert_allclose(peaks[1:] / peaks[:-1], np.exp(-2 * np.pi / (omega * 10.0)), rtol=0.02)
 
 
 # --- saved states ----------------------------------------------------------------------------------------------------
 
 
-def test_a_copy_tries_a_step():
+def test_a_step_of_a_copy_leaves_the_original_unchanged():
     stepper = vr.RollingHistory(BALL, load=100.0, mesh=COARSE)
     twin = copy.copy(stepper)
     tried = twin.advance(time=0.1, angle=0.2, load=110.0)
-    assert stepper.now.time == 0.0
+    assert stepper.current.time == 0.0
     assert astuple(stepper.advance(time=0.1, angle=0.2, load=110.0)) == astuple(tried)
 
 
-def test_a_pickled_history_goes_on():
-    """The copy keeps the mesh that the first load has chosen, and all options."""
+def test_a_pickled_history_continues():
+    """The unpickled history has the same mesh, which was chosen for the first load, and the same options."""
     mat = vr.CoatedPlane(layers=BALL.layers)
     first = vr.RollingHistory(
         vr.CoatedSphere(core_radius=21e-3), on=mat, load=80.0, averaged_meshes=1, steps_per_spacing=2
     )
     first.advance(time=0.1, distance=4e-3, load=100.0)
     second = pickle.loads(pickle.dumps(first))
-    assert astuple(second.now)[:3] == astuple(first.now)[:3]
+    assert astuple(second.current)[:3] == astuple(first.current)[:3]
     assert (second.mesh, second.steps, second.on) == (first.mesh, first.steps, mat)
     ends = [stepper.advance(time=0.15, distance=3e-3, load=90.0) for stepper in (first, second)]
     np.testing.assert_array_equal(astuple(ends[0]), astuple(ends[1]))
@@ -419,41 +426,41 @@ def test_a_state_of_another_ball_is_refused():
         vr.RollingHistory(BALL, load=100.0, mesh=COARSE, averaged_meshes=1, start=vr.RollingState(state.numbers[:100]))
 
 
-def test_a_state_goes_on_though_the_load_is_not_borne_for_ever():
+def test_a_state_continues_under_a_load_that_cannot_be_supported_permanently():
     """Material that almost flows cannot support this load permanently, but a brief history continues from its state."""
     putty = vr.FractionalZener(instantaneous_modulus=1e7, relaxed_modulus=5e3, relaxation_time=100.0, order=0.5)
     ball = vr.CoatedSphere(core_radius=2e-3, layers=[vr.Layer(thickness=1e-3, shear_modulus=putty, poisson_ratio=0.3)])
     given = {"load": 0.3, "mesh": vr.Mesh(nodes_per_revolution=100), "averaged_meshes": 1, "longest_time": 1e3}
     with pytest.raises(ValueError, match="load must be small enough for the coating"):
         vr.RollingHistory(ball, **given)
-    fresh = vr.RollingHistory(ball, **given, start="fresh")
-    fresh.advance(time=1e-3, angle=0.05, load=0.3)
-    others = [vr.RollingHistory(ball, **given, start=fresh.state), pickle.loads(pickle.dumps(fresh))]
-    expected = astuple(fresh.advance(time=2e-3, angle=0.1, load=0.25))
+    undeformed = vr.RollingHistory(ball, **given, start="undeformed")
+    undeformed.advance(time=1e-3, angle=0.05, load=0.3)
+    others = [vr.RollingHistory(ball, **given, start=undeformed.state), pickle.loads(pickle.dumps(undeformed))]
+    expected = astuple(undeformed.advance(time=2e-3, angle=0.1, load=0.25))
     for other in others:
         np.testing.assert_array_equal(astuple(other.advance(time=2e-3, angle=0.1, load=0.25)), expected)
 
 
 @pytest.mark.parametrize("on", [None, vr.CoatedPlane(layers=BALL.layers)], ids=["ball", "mat"])
 @pytest.mark.parametrize("wrong", [np.nan, np.inf, -1.5, 1e9, 1e300])
-def test_a_spoiled_state_is_refused_or_goes_on(wrong, on):
+def test_a_corrupted_state_is_refused_or_continues(wrong, on):
     """If any number of a state is wrong, the state is refused or continues; the program does not crash."""
     body = BALL if on is None else vr.CoatedSphere(core_radius=21e-3)
     given = {"on": on, "load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=60), "averaged_meshes": 1}
     stepper = vr.RollingHistory(body, **given)
     stepper.advance(time=0.01, angle=0.02, load=100.0)
     numbers = stepper.state.numbers
-    whole = np.flatnonzero(numbers == np.floor(numbers))  # counts and positions, among zeros
+    whole = np.flatnonzero(numbers == np.floor(numbers))  # counts and positions are integers; so are zeros
     refused = 0
     for place in [*range(60), *whole[-40:]]:
-        spoiled = numbers.copy()
-        spoiled[place] = wrong
+        corrupted = numbers.copy()
+        corrupted[place] = wrong
         try:
-            other = vr.RollingHistory(body, **given, start=vr.RollingState(spoiled))
-            other.advance(time=other.now.time + 0.01, angle=other.now.angle + 0.02, load=100.0)
+            other = vr.RollingHistory(body, **given, start=vr.RollingState(corrupted))
+            other.advance(time=other.current.time + 0.01, angle=other.current.angle + 0.02, load=100.0)
         except (ValueError, vr.ConvergenceError):
             refused += 1
-    assert refused >= (99 if not np.isfinite(wrong) else 10)  # of a hundred; a width may be undefined
+    assert refused >= (99 if not np.isfinite(wrong) else 10)  # of 100; the half-width of the contact may be NaN
 
 
 @pytest.mark.parametrize(
@@ -463,15 +470,15 @@ def test_a_spoiled_state_is_refused_or_goes_on(wrong, on):
         ([[1.0, 2.0]], ValueError, "numbers must be one-dimensional"),
     ],
 )
-def test_a_state_is_numbers_in_a_row(numbers, error, message):
+def test_a_state_requires_a_one_dimensional_array_of_numbers(numbers, error, message):
     with pytest.raises(error, match=message):
         vr.RollingState(numbers)
 
 
 def test_a_rising_load_widens_the_tables():
     h = vr.roll(BALL, time=[0, 1.0], angle=[0, 0.5], load=[5.0, 400.0], mesh=vr.Mesh(nodes_per_revolution=200))
-    alone = vr.RollingHistory(BALL, load=400.0, mesh=vr.Mesh(nodes_per_revolution=200))
-    assert 0.7 < h.penetration[-1] / alone.now.penetration < 1.0
+    applied_at_once = vr.RollingHistory(BALL, load=400.0, mesh=vr.Mesh(nodes_per_revolution=200))
+    assert 0.7 < h.penetration[-1] / applied_at_once.current.penetration < 1.0
     assert h.energy_balance_error[-1] < 2e-2
 
 

@@ -76,7 +76,7 @@ def test_a_spinning_ball_catches_up():
     """Started at once, the ball slips and accelerates its mass by μP until the center reaches the speed of rolling."""
     omega, mass, friction = 0.5, 1000.0, 0.3
     time = np.linspace(0.0, 0.8, 161)
-    h = follow(time, omega * time, mass=mass, friction=friction, start=enums.Start.FRESH)
+    h = follow(time, omega * time, mass=mass, friction=friction, start=enums.Start.UNDEFORMED)
     grows = friction * LOAD / mass
     slipping = (time > 0.1) & (time < 0.3)
     np.testing.assert_array_equal(h.stick_share[slipping], 0.0)
@@ -96,7 +96,7 @@ def test_a_spinning_ball_catches_up():
     # Hertz's pressure on Mindlin's half-space, and 0.9 for (1 - r²/a²)² on a foundation of springs; the thin
     # incompressible coating is between them.
     delay = 0.3 - np.interp(0.3, time, h.center_speed) / grows
-    shear = friction * LOAD / pushed_stiffness(enums.Start.FRESH, friction=friction)
+    shear = friction * LOAD / pushed_stiffness(enums.Start.UNDEFORMED, friction=friction)
     assert 0.6 < delay / (shear / (omega * RADIUS)) < 0.9
     assert h.center_speed[-1] == pytest.approx(omega * RADIUS, rel=0.05)
     # The momentum is the impulse of all forces, by the trapezoidal rule.
@@ -106,8 +106,8 @@ def test_a_spinning_ball_catches_up():
 
 def test_a_light_center_rolls_freely():
     time = np.linspace(0.0, 0.3, 31)
-    light = follow(time, time, mass=1e-9, start=enums.Start.FRESH)
-    none = follow(time, time, start=enums.Start.FRESH)
+    light = follow(time, time, mass=1e-9, start=enums.Start.UNDEFORMED)
+    none = follow(time, time, start=enums.Start.UNDEFORMED)
     np.testing.assert_allclose(
         light.center_displacement, none.center_displacement, rtol=0, atol=1e-9 * none.center_displacement[-1]
     )
@@ -171,7 +171,7 @@ def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
     mass, speed = 1e4, 1.0 * RADIUS
     mesh = vr.Mesh(nodes_per_revolution=150)
     stepper = vr.RollingHistory(
-        BALL, load=LOAD, start=enums.Start.FRESH, mesh=mesh, friction=0.3, mass=mass, center_speed=speed,
+        BALL, load=LOAD, start=enums.Start.UNDEFORMED, mesh=mesh, friction=0.3, mass=mass, center_speed=speed,
         averaged_meshes=4, steps_per_spacing=None, threads=1,
     )  # fmt: skip
     step = 0.5 * mesh.spacing * RADIUS / speed
@@ -182,7 +182,7 @@ def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
         def torque(angle: float, time: float = i * step) -> float:
             return copy.copy(stepper).advance(time=time, angle=angle, load=LOAD).driving_torque
 
-        before = stepper.now.angle
+        before = stepper.current.angle
         found = root_scalar(torque, method="secant", x0=before + turn, x1=before + 0.99 * turn, xtol=1e-10)
         instants.append(stepper.advance(time=i * step, angle=found.root, load=LOAD))
         turn = found.root - before
@@ -212,7 +212,11 @@ def test_a_given_displacement_ends_in_the_steady_state_of_that_creepage(creepage
     )
     angle = np.arange(31) * mesh.spacing
     h = follow(
-        angle / 0.2, angle, mesh=mesh, center_displacement=(1.0 + creepage) * RADIUS * angle, start=enums.Start.FRESH
+        angle / 0.2,
+        angle,
+        mesh=mesh,
+        center_displacement=(1.0 + creepage) * RADIUS * angle,
+        start=enums.Start.UNDEFORMED,
     )
     assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=0.01)
     assert h.driving_force[-1] == pytest.approx(steady.driving_force, rel=0.01)
@@ -225,7 +229,7 @@ def test_a_given_displacement_ends_in_the_steady_state_of_that_creepage(creepage
 
 @pytest.mark.parametrize("compliance", list(enums.Compliance))
 def test_a_lifted_ball_forgets(compliance):
-    """Off the plane, no work is done, so the ball dissipates its stored energy; pressed again, it is fresh."""
+    """Off the plane, no work is done, so the ball dissipates its stored energy; pressed again, it is undeformed."""
     given = {"friction": 0.0, "compliance": compliance, "averaged_meshes": 2}
     time = [0.0, 0.1, 0.1, 0.2, 20.0, 20.0]
     h = follow(time, np.linspace(0.0, 0.1, 6), load=[LOAD, LOAD, 0.0, 0.0, 0.0, LOAD], **given)
@@ -236,10 +240,10 @@ def test_a_lifted_ball_forgets(compliance):
     np.testing.assert_allclose(np.diff(h.dissipated_energy[lifted]), -np.diff(stored), rtol=1e-12)
     assert stored[0] > 1e-4  # J
     assert stored[-1] < 1e-30
-    fresh = vr.RollingHistory(
-        BALL, load=LOAD, start=enums.Start.FRESH, mesh=COARSE, compliance=compliance, averaged_meshes=2, angle=0.1
+    undeformed = vr.RollingHistory(
+        BALL, load=LOAD, start=enums.Start.UNDEFORMED, mesh=COARSE, compliance=compliance, averaged_meshes=2, angle=0.1
     )
-    assert h.penetration[-1] == pytest.approx(fresh.now.penetration, rel=1e-9)
+    assert h.penetration[-1] == pytest.approx(undeformed.current.penetration, rel=1e-9)
     assert h.penetration[4] == pytest.approx(0.0, abs=1.1e-5)  # the lowest node is at most half a spacing aside
 
 

@@ -24,7 +24,7 @@ THEIR_BARS = [0.2, 0.2, 0.15, 0.1]
 
 def starting_torques(nodes: int, steps_per_spacing: int) -> np.ndarray:
     h = start(
-        0.2, 0.4, start="fresh", compliance="vertical", curvature="paper", friction=0.3,
+        0.2, 0.4, start="undeformed", compliance="vertical", curvature="paper", friction=0.3,
         mesh=vr.Mesh(nodes_per_revolution=nodes), steps_per_spacing=steps_per_spacing,
     )  # fmt: skip
     return np.interp([0.05, 0.1, 0.2, 0.4], h.angle, h.resisting_torque * MILLI)
@@ -50,7 +50,13 @@ def test_friction_ends_in_the_steady_state(friction, compliance):
     steady = vr.solve(BALL, angular_speed=0.2, **given)
     angle = np.arange(41) * mesh.spacing
     h = vr.roll(
-        BALL, time=angle / 0.2, angle=angle, averaged_meshes=1, steps_per_spacing=None, start=enums.Start.FRESH, **given
+        BALL,
+        time=angle / 0.2,
+        angle=angle,
+        averaged_meshes=1,
+        steps_per_spacing=None,
+        start=enums.Start.UNDEFORMED,
+        **given,
     )
     # Whole nodes on the same mesh: slip and memory move from node to node, unlike in the steady solver.
     assert h.resisting_torque[-1] == pytest.approx(steady.resisting_torque, rel=3e-3)
@@ -61,8 +67,8 @@ def test_friction_ends_in_the_steady_state(friction, compliance):
 @pytest.mark.parametrize("compliance", list(enums.Compliance))
 def test_energy_balance_with_friction(compliance):
     h = vr.roll(
-        BALL, time=[0.0, 1.0, 1.5, 2.0], angle=[0.0, 0.3, 0.3, 0.2], load=100.0, start=enums.Start.FRESH, friction=0.3,
-        compliance=compliance, mesh=vr.Mesh(nodes_per_revolution=200), averaged_meshes=1,
+        BALL, time=[0.0, 1.0, 1.5, 2.0], angle=[0.0, 0.3, 0.3, 0.2], load=100.0, start=enums.Start.UNDEFORMED,
+        friction=0.3, compliance=compliance, mesh=vr.Mesh(nodes_per_revolution=200), averaged_meshes=1,
     )  # fmt: skip
     assert h.slip_energy[-1] > 0.0
     assert (np.diff(h.slip_energy) > -1e-12).all()
@@ -79,7 +85,7 @@ def test_a_load_that_a_single_node_bears(load, friction):
         vr.RollingHistory(BALL, load=load, mesh=mesh, averaged_meshes=1, friction=mu) for mu in (friction, 0.0)
     )
     assert np.count_nonzero(pressed.contact.pressure) == 1
-    assert pressed.now.penetration == pytest.approx(smooth.now.penetration, rel=1e-9)
+    assert pressed.current.penetration == pytest.approx(smooth.current.penetration, rel=1e-9)
 
 
 @pytest.mark.parametrize("averaged_meshes", [2, 3, 4])
@@ -92,8 +98,8 @@ def test_a_roller_is_pressed_with_little_friction(load, nodes, averaged_meshes):
         vr.RollingHistory(roller, load=load, mesh=mesh, averaged_meshes=averaged_meshes, friction=mu)
         for mu in (0.01, 0.0)
     )
-    assert pressed.now.penetration == pytest.approx(smooth.now.penetration, rel=0.02)
-    assert abs(pressed.now.driving_force) < 1e-9 * load
+    assert pressed.current.penetration == pytest.approx(smooth.current.penetration, rel=0.02)
+    assert abs(pressed.current.driving_force) < 1e-9 * load
 
 
 @pytest.mark.parametrize("start", enums.Start)
@@ -134,10 +140,10 @@ UNSETTLED = {
         "time": [0.0, 0.3, 0.8, 0.812], "angle": [0.0, 0.14, 0.14, 0.14], "load": [100.0, 196.0, 128.0, 175.0],
         "friction": 0.01, "mesh": vr.Mesh(nodes_per_revolution=108), "start": enums.Start.RELAXED,
     },
-    "fresh and fast": {
+    "undeformed and fast": {
         "time": [0.0, 0.0173, 0.2234, 0.2778], "angle": [0.0, 0.06472, 0.09477, 0.09477],
         "load": [33.97, 18.83, 11.354, 34.25], "friction": 0.024, "mesh": vr.Mesh(nodes_per_revolution=124),
-        "start": enums.Start.FRESH,
+        "start": enums.Start.UNDEFORMED,
     },
 }  # fmt: skip
 

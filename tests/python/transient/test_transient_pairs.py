@@ -17,11 +17,11 @@ SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, 
 STEEL, BALL = vr.CoatedSphere(core_radius=21e-3), paper.ball(density=0.0)
 MAT, SOFT_MAT = (vr.CoatedPlane(layers=[one_layer(rubber)]) for rubber in (RUBBER, SOFTER))
 ROLLER = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)])
-TYRE = {"core_radius": 50e-3, "layers": ROLLER.layers, "width": 30e-3, "sides": enums.Sides.ENDLESS}
+TYRE = {"core_radius": 50e-3, "layers": ROLLER.layers, "width": 30e-3, "sides": enums.Sides.UNBOUNDED}
 WHEEL = vr.CoatedWheel(**TYRE, crown_radius=0.1)
 THICK_MAT = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=5e-3)])
-UNLIKE = [one_layer(SOFTER, thickness=0.5e-3), one_layer(thickness=0.5e-3)]
-UNLIKE_MAT = vr.CoatedPlane(layers=UNLIKE)
+DISSIMILAR = [one_layer(SOFTER, thickness=0.5e-3), one_layer(thickness=0.5e-3)]
+DISSIMILAR_MAT = vr.CoatedPlane(layers=DISSIMILAR)
 EARTH = vr.HalfSpace(
     shear_modulus=vr.StandardLinearSolid(instantaneous_modulus=2e7, relaxed_modulus=1e7, relaxation_time=0.05),
     poisson_ratio=0.4,
@@ -42,12 +42,12 @@ PAIRS = {
         ROLLER, vr.CoatedCylinder(core_radius=70e-3, layers=THICK_MAT.layers), 5e3, 800,
     ),
     "soft roller in ring": (ROLLER, vr.Groove(path_radius=0.2, layers=THICK_MAT.layers), 5e3, 800),
-    "ball on unlike layers": (STEEL, UNLIKE_MAT, 100.0, 300),
-    "ball of unlike layers": (vr.CoatedSphere(core_radius=20e-3, layers=UNLIKE), None, 100.0, 400),
-    "ball on layers on a half-space": (STEEL, vr.CoatedPlane(layers=UNLIKE, base=EARTH), 100.0, 300),
-    "roller of unlike layers": (vr.CoatedCylinder(core_radius=50e-3, layers=THICK), UNLIKE_MAT, 5e3, 800),
+    "ball on dissimilar layers": (STEEL, DISSIMILAR_MAT, 100.0, 300),
+    "ball of dissimilar layers": (vr.CoatedSphere(core_radius=20e-3, layers=DISSIMILAR), None, 100.0, 400),
+    "ball on layers on a half-space": (STEEL, vr.CoatedPlane(layers=DISSIMILAR, base=EARTH), 100.0, 300),
+    "roller of dissimilar layers": (vr.CoatedCylinder(core_radius=50e-3, layers=THICK), DISSIMILAR_MAT, 5e3, 800),
     "wheel": (WHEEL, None, 300.0, 300),
-    "wheel of unlike layers": (vr.CoatedWheel(**TYRE | {"layers": TREAD}, crown_radius=0.1), None, 200.0, 300),
+    "wheel of dissimilar layers": (vr.CoatedWheel(**TYRE | {"layers": TREAD}, crown_radius=0.1), None, 200.0, 300),
     "wheel on mat": (WHEEL, THICK_MAT, 300.0, 300),
     "wheel on wheel": (WHEEL, vr.CoatedWheel(**TYRE, crown_radius=0.2), 300.0, 300),
 }  # fmt: skip
@@ -102,7 +102,7 @@ def test_ends_as_the_steady_solver_has_it(body, on, load, nodes):
 
 
 #: Tests in which "wheel on mat" represents these pairs.
-WHEELS = {"wheel", "wheel on wheel", "wheel of unlike layers"}
+WHEELS = {"wheel", "wheel on wheel", "wheel of dissimilar layers"}
 
 
 @pytest.mark.parametrize("pair", sorted(PAIRS.keys() - WHEELS))
@@ -162,7 +162,7 @@ def test_standing_follows_lee_and_radok():
         time=[0.0, 0.5],
         distance=[0.0, 0.0],
         load=100.0,
-        start=enums.Start.FRESH,
+        start=enums.Start.UNDEFORMED,
         mesh=mesh,
         averaged_meshes=1,
     )
@@ -170,7 +170,7 @@ def test_standing_follows_lee_and_radok():
     for i in (0, len(h.time) // 2, -1):
         load = 100.0 * (2.0 - np.exp(-h.time[i] / 0.25))
         alone = vr.RollingHistory(STEEL, on=stiff, load=load, mesh=mesh, averaged_meshes=1)
-        assert h.penetration[i] == pytest.approx(alone.now.penetration, rel=1e-9)
+        assert h.penetration[i] == pytest.approx(alone.current.penetration, rel=1e-9)
     assert np.abs(h.resisting_torque).max() < 1e-10
 
 
@@ -181,7 +181,7 @@ def test_long_after_a_stop_it_is_as_pressed_for_ever(pair):
     distance = round(20e-3 / (21e-3 * options["mesh"].spacing)) * 21e-3 * options["mesh"].spacing  # whole nodes
     h = vr.roll(body, time=[0.0, 0.4, 10.4], distance=[0.0, distance, distance], load=load, **options)
     still = vr.RollingHistory(body, load=load, distance=distance, **options)
-    assert h.penetration[-1] == pytest.approx(still.now.penetration, rel=1e-9)  # e^(-40) remains
+    assert h.penetration[-1] == pytest.approx(still.current.penetration, rel=1e-9)  # e^(-40) remains
     assert abs(h.resisting_torque[-1]) < 1e-9 * h.resisting_torque.max()
 
 
@@ -191,7 +191,7 @@ def test_elastic_moment_has_mean_zero():
     torque = [
         vr.RollingHistory(
             STEEL, on=mat, load=100.0, mesh=mesh, averaged_meshes=1, distance=place * spacing
-        ).now.resisting_torque
+        ).current.resisting_torque
         for place in np.arange(32) / 32
     ]
     size = np.sqrt(np.mean(np.square(torque)))
@@ -216,7 +216,9 @@ def test_a_saved_state_goes_on_to_the_last_bit(body, on, load, nodes):
             )
 
 
-@pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft roller on roller", "ball of unlike layers"])
+@pytest.mark.parametrize(
+    "pair", ["ball on mat", "soft ball on mat", "soft roller on roller", "ball of dissimilar layers"]
+)
 def test_an_interrupted_motion_goes_on_to_the_last_bit(pair):
     """Ctrl-C within a segment between waypoints, whose steps must not be divided again."""
     body, on, load, nodes = PAIRS[pair]
@@ -261,9 +263,9 @@ def test_a_ball_lifts_off_in_one_dish_place_and_lands_in_another():
     flying = stepper.advance(time=0.2, distance=-45e-3, load=0.0)
     assert (flying.resisting_torque, flying.driving_force, flying.contact_area) == (0.0, 0.0, 0.0)
     landed = stepper.advance(time=0.2, distance=-45e-3, load=100.0)
-    fresh = vr.RollingHistory(STEEL, load=100.0, start="fresh", distance=-45e-3, **options).now
-    assert landed.penetration == pytest.approx(fresh.penetration, rel=1e-9)
-    assert landed.resisting_torque == pytest.approx(fresh.resisting_torque, abs=1e-9)
+    undeformed = vr.RollingHistory(STEEL, load=100.0, start="undeformed", distance=-45e-3, **options).current
+    assert landed.penetration == pytest.approx(undeformed.penetration, rel=1e-9)
+    assert landed.resisting_torque == pytest.approx(undeformed.resisting_torque, abs=1e-9)
 
 
 def test_steps_follow_a_distance_or_an_angle():

@@ -40,7 +40,7 @@ def test_out_of_the_flat_spot():
 
 
 def test_pressed_on_in_no_time():
-    h = turned(1.0, 0.5, start=enums.Start.FRESH)
+    h = turned(1.0, 0.5, start=enums.Start.UNDEFORMED)
     assert h.penetration[0] * MILLI == pytest.approx(0.1744, abs=5e-5)
     assert h.resisting_torque.max() == pytest.approx(2.5373, rel=1e-3)
     found = np.interp([0.05, 0.1, 0.2, 0.3], h.angle, h.resisting_torque)

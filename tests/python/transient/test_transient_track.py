@@ -156,12 +156,12 @@ def test_contact_elsewhere_after_a_lift():
     """The ball leaves a dent when it is lifted (load 0). At a distance from the dent, the plane is undeformed."""
     h = roll([0.0, 0.1, 0.1, 0.2, 0.2, 0.2], [0.0, 5e-3, 5e-3, 45e-3, 45e-3, 45e-3], load=[100, 100, 0, 0, 0, 100],
              averaged_meshes=1)  # fmt: skip
-    fresh = vr.RollingHistory(
-        STEEL, on=MAT, load=100.0, start=enums.Start.FRESH, distance=45e-3, mesh=MESH, averaged_meshes=1
+    undeformed = vr.RollingHistory(
+        STEEL, on=MAT, load=100.0, start=enums.Start.UNDEFORMED, distance=45e-3, mesh=MESH, averaged_meshes=1
     )
     assert h.resisting_torque[-2] == 0.0
     # In a layer of 1 mm, the dent has no effect at a distance of 40 mm.
-    assert h.penetration[-1] == pytest.approx(fresh.now.penetration, rel=1e-9)
+    assert h.penetration[-1] == pytest.approx(undeformed.current.penetration, rel=1e-9)
     assert h.energy_balance_error[-1] < 1e-3
 
 

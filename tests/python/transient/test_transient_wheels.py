@@ -17,7 +17,7 @@ SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, 
 TREAD = one_layer(thickness=10e-3)
 #: Layers of half the thickness; the inner one is twice as stiff at every frequency, or has other relaxation times.
 LIKE = vr.StandardLinearSolid(instantaneous_modulus=12e6, relaxed_modulus=6e6, relaxation_time=0.125)
-TWO_LIKE, TWO_UNLIKE = (
+TWO_SIMILAR, TWO_DISSIMILAR = (
     [one_layer(inner, thickness=5e-3), one_layer(thickness=5e-3)] for inner in (LIKE, SOFTER)
 )  # fmt: skip
 FLAT = vr.CoatedWheel(core_radius=50e-3, layers=[TREAD], width=30e-3)
@@ -25,14 +25,14 @@ CROWNED = replace(FLAT, crown_radius=0.1)
 NARROW = replace(FLAT, width=8e-3)
 MAT = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=5e-3)])
 
-#: Rolling body, counterbody, load [N], and the least relative difference of the torque with endless sides.
+#: Rolling body, counterbody, load [N], and the least relative difference of the torque with unbounded sides.
 WHEELS = {
     "flat": (FLAT, None, 300.0, 0.1),
-    "flat, of two like layers": (replace(FLAT, layers=TWO_LIKE), None, 300.0, 0.1),
-    "flat, of two unlike layers": (replace(FLAT, layers=TWO_UNLIKE), None, 200.0, 0.1),
+    "flat, of two like layers": (replace(FLAT, layers=TWO_SIMILAR), None, 300.0, 0.1),
+    "flat, of two dissimilar layers": (replace(FLAT, layers=TWO_DISSIMILAR), None, 200.0, 0.1),
     "crowned, on a straight hub": (CROWNED, None, 300.0, 0.02),
     "crowned, on a crowned hub": (replace(CROWNED, hub=enums.Hub.CROWNED), None, 300.0, 0.02),
-    "crowned, of two unlike layers": (replace(CROWNED, layers=TWO_UNLIKE), None, 200.0, 0.02),
+    "crowned, of two dissimilar layers": (replace(CROWNED, layers=TWO_DISSIMILAR), None, 200.0, 0.02),
     "narrower than thick": (NARROW, None, 100.0, 0.3),
     "crowned on a mat": (CROWNED, MAT, 300.0, 0.01),
     "flat under another wheel": (FLAT, replace(CROWNED, core_radius=40e-3, width=25e-3), 200.0, 0.03),
@@ -41,15 +41,15 @@ EVERY = pytest.mark.parametrize(
     ("body", "on", "load", "apart"),
     [
         # Sections and orders of dissimilar layers are solved for all their times, and again by the steady solver.
-        pytest.param(*wheel, id=name, marks=[pytest.mark.slow] if "unlike" in name else [])
+        pytest.param(*wheel, id=name, marks=[pytest.mark.slow] if "dissimilar" in name else [])
         for name, wheel in WHEELS.items()
     ],
 )
 COARSE = vr.Mesh(nodes_per_revolution=100)
 
 
-def endless(body):
-    return replace(body, sides=enums.Sides.ENDLESS) if isinstance(body, vr.CoatedWheel) else body
+def unbounded(body):
+    return replace(body, sides=enums.Sides.UNBOUNDED) if isinstance(body, vr.CoatedWheel) else body
 
 
 def solved(body, on, **case):
@@ -60,14 +60,14 @@ def solved(body, on, **case):
 
 @EVERY
 def test_ends_as_the_steady_solver_has_it(body, on, load, apart):
-    """Free sides agree, and differ from endless ones; the work stored and dissipated and the penetration are compared.
+    """Compare work stored and dissipated and penetration: free sides agree, and differ from unbounded ones.
 
     At 400 nodes per revolution, the history differs from its limit by 7e-4, and the steady solver by as much.
     """
     omega, turn, mesh = 2.5, 1.4, vr.Mesh(nodes_per_revolution=400)
     h = vr.roll(body, on=on, time=[0.0, turn / omega], angle=[0.0, turn], load=load, mesh=mesh)
     r = solved(body, on, load=load, angular_speed=omega, accuracy=2e-3)
-    far = solved(endless(body), endless(on), load=load, angular_speed=omega, mesh=vr.Mesh(nodes_per_revolution=400))
+    far = solved(unbounded(body), unbounded(on), load=load, angular_speed=omega, mesh=vr.Mesh(nodes_per_revolution=400))
     last = h.angle > 0.7 * turn
     power = np.ptp((h.dissipated_energy + h.stored_energy)[last]) / np.ptp(h.time[last])
     assert power == pytest.approx(r.bulk_power, rel=2e-3)
@@ -108,12 +108,12 @@ def test_mirrored_motion_has_mirrored_torque(body):
 
 def test_standing_follows_lee_and_radok():
     """While the contact grows, the approach is that of an elastic tread under the load ∫J dP, in units of G₀."""
-    h = vr.roll(FLAT, time=[0.0, 0.5], angle=[0.0, 0.0], load=200.0, start="fresh", mesh=COARSE, averaged_meshes=1)
+    h = vr.roll(FLAT, time=[0.0, 0.5], angle=[0.0, 0.0], load=200.0, start="undeformed", mesh=COARSE, averaged_meshes=1)
     stiff = replace(FLAT, layers=[one_layer(vr.Elastic(modulus=6e6), thickness=10e-3)])
     for i in (0, len(h.time) // 2, -1):
         load = 200.0 * (2.0 - np.exp(-h.time[i] / 0.25))
         alone = vr.RollingHistory(stiff, load=load, mesh=COARSE, averaged_meshes=1)
-        assert h.penetration[i] == pytest.approx(alone.now.penetration, rel=1e-9)
+        assert h.penetration[i] == pytest.approx(alone.current.penetration, rel=1e-9)
     assert np.abs(h.resisting_torque).max() < 1e-10
 
 
@@ -122,7 +122,7 @@ def test_elastic_wheels_are_those_of_the_steady_solver(body):
     """On the same nodes, symmetrized influence and truncated tables change the penetration by 2e-6."""
     wheel = replace(body, layers=[one_layer(vr.Elastic(modulus=3e6), thickness=10e-3)])
     mesh = vr.Mesh(nodes_per_revolution=300)
-    depth = vr.RollingHistory(wheel, load=300.0, mesh=mesh, averaged_meshes=1).now.penetration
+    depth = vr.RollingHistory(wheel, load=300.0, mesh=mesh, averaged_meshes=1).current.penetration
     steady = solved(wheel, None, load=300.0, angular_speed=1.0, mesh=mesh)
     assert depth == pytest.approx(steady.penetration, rel=3e-6)
 
@@ -159,13 +159,13 @@ def test_a_rising_load_widens_the_tables():
     alone = vr.RollingHistory(CROWNED, load=900.0, angle=0.5, mesh=COARSE, averaged_meshes=1)
     assert h.semi_axis_z[0] < 0.5 * h.semi_axis_z[-1]
     assert h.semi_axis_z[-1] == pytest.approx(0.5 * CROWNED.width, rel=0.05)
-    assert h.penetration[-1] == pytest.approx(alone.now.penetration, rel=1e-6)
+    assert h.penetration[-1] == pytest.approx(alone.current.penetration, rel=1e-6)
 
 
-def test_a_state_of_endless_sides_is_refused():
+def test_a_state_of_unbounded_sides_is_refused():
     options = {"load": 100.0, "mesh": COARSE, "averaged_meshes": 1}
-    state = vr.RollingHistory(endless(FLAT), **options).state
-    with pytest.raises(ValueError, match=r"start must be a state of .*sides=FREE.*, got a state of .*sides=ENDLESS"):
+    state = vr.RollingHistory(unbounded(FLAT), **options).state
+    with pytest.raises(ValueError, match=r"start must be a state of .*sides=FREE.*, got a state of .*sides=UNBOUNDED"):
         vr.RollingHistory(FLAT, **options, start=state)
     # the core compares the influence of both treads
     unnamed = vr.RollingState(state.numbers)

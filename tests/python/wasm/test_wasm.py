@@ -87,7 +87,7 @@ CASES = {
         numerics={"max_order": 300, "compliance": "vertical", "curvature": "paper", "patch_load": "spherical"},
         ball=BALL,
     ),
-    "unlike layers": case(
+    "dissimilar layers": case(
         ball={
             "core_radius": 20e-3,
             "layers": [
@@ -118,7 +118,7 @@ CASES = {
         friction=0.3,
     ),
     "wheel": case(nodes=200, wheel=WHEEL, load=300.0, angular_speed=20.0),
-    "crowned hub, endless sides": case(wheel=WHEEL | {"hub": "crowned", "sides": "endless"}, load=300.0),
+    "crowned hub, unbounded sides": case(wheel=WHEEL | {"hub": "crowned", "sides": "unbounded"}, load=300.0),
     "ball on a coated plane": case(
         ball={"core_radius": 20e-3},
         plane={"layers": [layer(thickness=3e-3)], "base": {"shear_modulus": 5e7, "poisson_ratio": 0.3}},

@@ -2,7 +2,7 @@
 
 import { svg } from "./dom.js";
 import { ABOVE, BESIDE, decadeTicks, roundTicks } from "./ticks.js";
-import { shown } from "./units.js";
+import { numberText } from "./units.js";
 
 const LEFT = 52;
 const RIGHT = 14;
@@ -45,8 +45,8 @@ export function chart({ width, lines, xLabel, yLabel, logX = false, xRange, yRan
     svg("clipPath", { id: frame }, svg("rect", around([LEFT, right], [TOP, bottom]))),
     ...x.ticks.map((tick) => svg("line", { class: "grid", x1: x.at(tick), x2: x.at(tick), y1: TOP, y2: bottom })),
     ...y.ticks.map((tick) => svg("line", { class: "grid", x1: LEFT, x2: right, y1: y.at(tick), y2: y.at(tick) })),
-    ...x.ticks.map((tick) => label(x.at(tick), bottom + 18, "middle", shown(tick))),
-    ...y.ticks.map((tick) => label(LEFT - 7, y.at(tick) + 4, "end", shown(tick))),
+    ...x.ticks.map((tick) => label(x.at(tick), bottom + 18, "middle", numberText(tick))),
+    ...y.ticks.map((tick) => label(LEFT - 7, y.at(tick) + 4, "end", numberText(tick))),
     label((LEFT + right) / 2, height - 8, "middle", xLabel, "name"),
     label(2, 16, "start", yLabel, "name"),
     svg("g", { "clip-path": `url(#${frame})` }, ...lines.flatMap((line) => curve(line, x, y))),
@@ -73,7 +73,7 @@ function curve({ x: xs, y: ys, kind, fill, points, name }, x, y) {
         svg(
           "circle",
           { class: `dot ${kind}`, cx, cy, r: DOT },
-          svg("title", {}, `${name}: ${shown(xs[i])}, ${shown(ys[i])}`),
+          svg("title", {}, `${name}: ${numberText(xs[i])}, ${numberText(ys[i])}`),
         ),
       )
     : [];

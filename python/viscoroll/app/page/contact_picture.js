@@ -3,7 +3,7 @@
 import { chart } from "./chart.js";
 import { el } from "./dom.js";
 import { PRESSURE_GRADIENT, drawMap } from "./map.js";
-import { handy, handyUnit } from "./units.js";
+import { quantityText, suitableUnit } from "./units.js";
 
 /** Descriptions of the maps for screen readers. */
 const MAPS = { pressure: "pressure in the contact", stick: "areas of stick and slip in the contact" };
@@ -42,7 +42,7 @@ function caption(what, scalars) {
   if (what === "stick") return ["Areas of ", key("stick"), " and ", key("slip")];
   const ramp = el("span", { class: "ramp" });
   ramp.style.background = PRESSURE_GRADIENT; // the server's content security policy forbids style attributes
-  return ["Pressure: 0 ", ramp, ` ${handy(scalars.max_pressure, "Pa")}`];
+  return ["Pressure: 0 ", ramp, ` ${quantityText(scalars.max_pressure, "Pa")}`];
 }
 
 const key = (name) => el("span", { class: `key ${name}` }, name);
@@ -62,7 +62,7 @@ function reach(fields) {
 }
 
 function pressureChart(fields, { max_pressure: largest }, width) {
-  const [unit, one] = handyUnit(largest, "Pa");
+  const [unit, one] = suitableUnit(largest, "Pa");
   const line = {
     x: millimeters(fields.x),
     y: pressed(fields).map((p) => p / one),

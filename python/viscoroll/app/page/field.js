@@ -1,7 +1,7 @@
 /** One row of the form: label, input, unit, SI value, slider, and error message. */
 
 import { el } from "./dom.js";
-import { SI, UNITS, fromSI, shown, tidy, toSI, unitNamed } from "./units.js";
+import { SI, UNITS, fromSI, numberText, tidy, toSI, unitNamed } from "./units.js";
 
 const STEPS = 300; // of a slider: over three decades, each changes the number by some 2 %
 
@@ -78,7 +78,7 @@ export function numberField({
     slider.disabled = number === null;
     const shownSI = number === null ? null : si([number, unit]);
     beside.textContent =
-      shownSI === null || !quantity || SI[quantity] === unit ? "" : `= ${shown(shownSI, 5)} ${SI[quantity]}`;
+      shownSI === null || !quantity || SI[quantity] === unit ? "" : `= ${numberText(shownSI, 5)} ${SI[quantity]}`;
     if (shownSI !== null) slider.value = position(shownSI);
     slider.setAttribute("aria-valuetext", `${number} ${unit}`.trim());
   }

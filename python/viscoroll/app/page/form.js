@@ -4,7 +4,7 @@ import { BODIES, coreRadius, groundsOf, outerRadius, quantity, sizedBy, withBody
 import { el } from "./dom.js";
 import { choiceField, numberField } from "./field.js";
 import { layerRow, layerRows } from "./layer_rows.js";
-import { handy, shown } from "./units.js";
+import { numberText, quantityText } from "./units.js";
 
 /** Fields at which warnings appear, by the kind of the warning; other warnings appear with the results. */
 const WARNED = { large_strain: "load", contact_at_side: "width", edge_pressure: "sides", tight_crown: "crown_radius" };
@@ -178,8 +178,8 @@ export class Form {
       const { given, body, inner_boundary: inside } = this.#state;
       const byCore = given === "core_radius" || (body === "ball" && inside === "solid");
       text.textContent = byCore
-        ? `outer diameter ${handy(2 * outerRadius(this.#state), "m", 6)}`
-        : `core radius ${handy(coreRadius(this.#state), "m", 6)}`;
+        ? `outer diameter ${quantityText(2 * outerRadius(this.#state), "m", 6)}`
+        : `core radius ${quantityText(coreRadius(this.#state), "m", 6)}`;
     };
     refresh();
     return this.#add({ root: text, parameter: "outer_radius", say: () => {}, refresh });
@@ -195,7 +195,7 @@ export class Form {
         note: "Radius of the profile across the path, at least half of the width; empty: flat.",
       }),
       this.#shownWhile(() => this.#state.crown_radius !== null, this.#choice("hub", "hub", hubs)),
-      this.#choice("sides", "sides", { free: "free faces", endless: "endless tread (no faces)" }),
+      this.#choice("sides", "sides", { free: "free faces", unbounded: "unbounded tread (no faces)" }),
     ];
   }
 
@@ -212,7 +212,7 @@ export class Form {
     const fields = {
       rigid: () => [],
       plane: () => layerRows(this.#rowsOf("ground", "on.")),
-      half_space: () => [layerRow({ ...this.#rowsOf("ground", "on."), index: 0, endless: true })],
+      half_space: () => [layerRow({ ...this.#rowsOf("ground", "on."), index: 0, halfSpace: true })],
       groove: () => [
         this.#number("radius", "radius across the path", {
           parameter: "on.radius",
@@ -249,7 +249,7 @@ export class Form {
       paper: "as printed in the paper",
     };
     const own = this.#state.accuracy; // it may be that of a case file
-    const accuracies = { [own]: `${shown(100 * own)} %`, 0.03: "3 %", 0.01: "1 %", 0.003: "0.3 %" };
+    const accuracies = { [own]: `${numberText(100 * own)} %`, 0.03: "3 %", 0.01: "1 %", 0.003: "0.3 %" };
     return el(
       "details",
       { class: "group", open: this.#modelIsOpen, ontoggle: (event) => (this.#modelIsOpen = event.target.open) },

@@ -22,8 +22,8 @@ export function layerRows(of) {
   ];
 }
 
-/** Row for one layer; `endless`: a half-space, which has no thickness. */
-export function layerRow({ layers, prefix, add, change, index, endless = false }) {
+/** Row for one layer; `halfSpace`: a half-space, which has no thickness. */
+export function layerRow({ layers, prefix, add, change, index, halfSpace = false }) {
   const layer = () => layers()[index];
   const update = (part, redraw = false) =>
     change(
@@ -57,8 +57,8 @@ export function layerRow({ layers, prefix, add, change, index, endless = false }
   const head = el(
     "div",
     { class: "head" },
-    el("h3", {}, endless ? "Material" : `Layer ${index + 1}`),
-    endless
+    el("h3", {}, halfSpace ? "Material" : `Layer ${index + 1}`),
+    halfSpace
       ? null
       : el("button", { type: "button", onclick: remove, "aria-label": `remove layer ${index + 1}` }, "Remove"),
   );
@@ -66,7 +66,7 @@ export function layerRow({ layers, prefix, add, change, index, endless = false }
     "div",
     { class: "layer" },
     head,
-    endless
+    halfSpace
       ? null
       : number({
           name: "thickness",

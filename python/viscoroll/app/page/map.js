@@ -1,7 +1,7 @@
 /** Map of the contact on a canvas: pressure, or with friction the areas of stick and slip. */
 
 import { ABOVE, BESIDE, roundTicks } from "./ticks.js";
-import { shown } from "./units.js";
+import { numberText } from "./units.js";
 
 /** Colors of pressure from 0 to the largest, interpolated linearly: some of matplotlib's "magma", reversed. */
 const PRESSURE = [
@@ -115,10 +115,12 @@ function drawAxes(context, frame, window, style) {
   const down = (mm) => top + ((window.z[1] - mm * 1e-3) / (window.z[1] - window.z[0])) * height;
   const ticks = ([low, high], most) => roundTicks(1e3 * low, 1e3 * high, most);
   context.textAlign = "center";
-  for (const tick of ticks(window.x, width / BESIDE)) context.fillText(shown(tick), across(tick), top + height + 16);
+  for (const tick of ticks(window.x, width / BESIDE)) {
+    context.fillText(numberText(tick), across(tick), top + height + 16);
+  }
   context.fillText(width > 180 ? "x [mm], rolling to the right →" : "x [mm] →", left + width / 2, top + height + 34);
   context.textAlign = "right";
-  for (const tick of ticks(window.z, height / ABOVE)) context.fillText(shown(tick), left - 6, down(tick) + 4);
+  for (const tick of ticks(window.z, height / ABOVE)) context.fillText(numberText(tick), left - 6, down(tick) + 4);
   context.save();
   context.translate(left - MARGIN.left + 13, top + height / 2);
   context.rotate(-Math.PI / 2);

@@ -2,7 +2,7 @@
 
 import { drawContact } from "./contact_picture.js";
 import { el } from "./dom.js";
-import { handy, handyUnit, resultUnit, shown } from "./units.js";
+import { numberText, quantityText, resultUnit, suitableUnit } from "./units.js";
 
 /** Main numbers, and further ones with friction; the table contains all numbers. */
 const FIRST = [
@@ -69,15 +69,15 @@ export class Results {
 
   /** Text of a scalar result in a suitable unit. */
   text(name, value) {
-    if (value === null || value === undefined) return shown(value);
+    if (value === null || value === undefined) return numberText(value);
     const [unit, one] = this.unit(name, value);
-    return `${shown(value / one, PERCENTS.includes(name) ? 4 : 5)} ${unit}`.trim();
+    return `${numberText(value / one, PERCENTS.includes(name) ? 4 : 5)} ${unit}`.trim();
   }
 
   /** Suitable unit for a value of a scalar result, and the SI value of this unit. */
   unit(name, value) {
     if (PERCENTS.includes(name)) return ["%", 1e-2];
-    return handyUnit(value, resultUnit(this.#scalar(name).unit, this.#last?.line));
+    return suitableUnit(value, resultUnit(this.#scalar(name).unit, this.#last?.line));
   }
 
   /** The name of a scalar result in words. */
@@ -103,7 +103,7 @@ export class Results {
   /** Note below a number, for example the force that corresponds to the coefficient. */
   #note(name, scalars, { rolling }) {
     if (name === "rolling_resistance_coefficient" && scalars[name] !== null) {
-      return `resisting force ${handy(scalars[name] * rolling.load, this.#last.line ? "N/m" : "N")}`;
+      return `resisting force ${quantityText(scalars[name] * rolling.load, this.#last.line ? "N/m" : "N")}`;
     }
     if (name === "strain") return "penetration divided by thickness";
     if (name === "model_error") return "estimated error of linear theory";

@@ -2,7 +2,7 @@
 
 const TURN = 2 * Math.PI;
 
-/** SI values of the units, by quantity; the first unit is the default. */
+/** SI values of the units, by quantity; the first unit is the default. Where null, `factor` uses the radius. */
 export const UNITS = {
   length: { mm: 1e-3, cm: 1e-2, m: 1, in: 0.0254 },
   modulus: { MPa: 1e6, kPa: 1e3, GPa: 1e9, Pa: 1, psi: 6894.757293168 },
@@ -18,8 +18,8 @@ export const UNITS = {
   percent: { "%": 1e-2 },
 };
 
-/** SI values of the zeros of units, where they are not 0. */
-const ZEROS = { "°C": 273.15 };
+/** SI value of 0 in a unit, for units whose zero is not that of the SI unit. */
+const OFFSETS = { "°C": 273.15 };
 
 /** SI unit of each quantity, as in messages of the solver. */
 export const SI = {
@@ -53,14 +53,14 @@ const ALIASES = {
   c: "°C",
 };
 
-/** The unit with the name that a text gives, in upper or lower case, or undefined. */
+/** The unit of a quantity that a text names, regardless of case; undefined if there is none. */
 export function unitNamed(text, quantity) {
   const name = text.toLowerCase();
   const wanted = (ALIASES[name] ?? name).toLowerCase();
   return Object.keys(UNITS[quantity]).find((unit) => unit.toLowerCase() === wanted);
 }
 
-/** Units for speeds of the center [m/s]; divided by the outer radius, they give angular speeds. */
+/** SI values [m/s] of the units for the speed of the center, which is the angular speed times the outer radius. */
 const CENTER_SPEEDS = { "km/h": 1 / 3.6, "m/s": 1, mph: 0.44704 };
 
 /**
@@ -70,12 +70,12 @@ const CENTER_SPEEDS = { "km/h": 1 / 3.6, "m/s": 1, mph: 0.44704 };
  * @param {number} [radius] outer radius [m], for speeds of the center
  */
 export function toSI([value, unit], quantity, radius) {
-  return tidy(value * factor(unit, quantity, radius) + (ZEROS[unit] ?? 0));
+  return tidy(value * factor(unit, quantity, radius) + (OFFSETS[unit] ?? 0));
 }
 
 /** Number and unit for an SI value. */
 export function fromSI(value, unit, quantity, radius) {
-  return [tidy((value - (ZEROS[unit] ?? 0)) / factor(unit, quantity, radius)), unit];
+  return [tidy((value - (OFFSETS[unit] ?? 0)) / factor(unit, quantity, radius)), unit];
 }
 
 function factor(unit, quantity, radius) {
@@ -88,7 +88,7 @@ export function tidy(value) {
 }
 
 /** Text of a number, with at most `digits` significant digits. */
-export function shown(value, digits = 4) {
+export function numberText(value, digits = 4) {
   if (value === null || value === undefined) return "–";
   const rounded = Number(value.toPrecision(digits));
   const size = Math.abs(rounded);
@@ -111,14 +111,14 @@ const PREFIXES = [
   ["n", 1e-9],
 ];
 
-/** Units that take prefixes, and their usual prefixes; meters have none above 1. */
+/** Units that take prefixes, and their usual prefixes (no km). */
 const PREFIXED = { m: "mµn", N: "kmµ", "N m": "kmµ", "N m/m": "kmµ", W: "kmµ", Pa: "GMk", "N/m": "kM", "W/m": "kmµ", "m/s": "mµ" };
 
 /**
  * Suitable unit for a result, and the SI value of this unit.
  * @returns {[string, number]}
  */
-export function handyUnit(value, unit) {
+export function suitableUnit(value, unit) {
   if (unit === "1") return ["", 1];
   if (unit === "m^2") return ["mm²", 1e-6];
   const allowed = PREFIXED[unit];
@@ -127,18 +127,18 @@ export function handyUnit(value, unit) {
   if (unit === "Pa" && size >= 1e5 && size < 1e9) return ["MPa", 1e6]; // 0.3 MPa, not 300 kPa, as in the input of moduli
   if (unit === "m" && size >= 1e-5) return size < 1 ? ["mm", 1e-3] : ["m", 1]; // as in the input of lengths
   const fitting = PREFIXES.filter(([prefix]) => prefix === "" || allowed.includes(prefix));
-  const [prefix, one] = fitting.find(([, step]) => size >= step) ?? fitting.at(-1);
-  return [prefix + unit, one];
+  const [prefix, scale] = fitting.find(([, scale]) => size >= scale) ?? fitting.at(-1);
+  return [prefix + unit, scale];
 }
 
 /** Text of a result with a suitable unit. */
-export function handy(value, unit, digits = 4) {
+export function quantityText(value, unit, digits = 4) {
   if (value === null || value === undefined) return "–";
-  const [name, one] = handyUnit(value, unit);
-  return `${shown(value / one, digits)} ${name}`.trim();
+  const [name, scale] = suitableUnit(value, unit);
+  return `${numberText(value / scale, digits)} ${name}`.trim();
 }
 
-/** Units in line contact of quantities that are per length there. */
+/** Units of results in line contact, by their units in point contact: in line contact these results are per length. */
 const PER_LENGTH = { "N m": "N m/m", N: "N/m", W: "W/m", "m^2": "m" };
 
 /** The unit of a scalar result; `unit` is its unit in point contact. */

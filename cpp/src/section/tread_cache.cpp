@@ -1,4 +1,4 @@
-#include "section/tread_store.hpp"
+#include "section/tread_cache.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ bool are_equal(const Key& first, const Key& second) {
 
 using Differences = std::shared_ptr<const std::vector<SampledDifference>>;
 
-class TreadStore {
+class TreadCache {
  public:
   [[nodiscard]] Differences find(const Key& key) {
     const std::scoped_lock lock(mutex_);
@@ -71,8 +71,8 @@ class TreadStore {
   std::deque<Entry> entries_;  // the most recently added first
 };
 
-TreadStore& treads() {
-  static TreadStore store;
+TreadCache& treads() {
+  static TreadCache store;
   return store;
 }
 

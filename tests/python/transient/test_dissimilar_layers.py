@@ -55,7 +55,7 @@ def test_more_times_change_little():
     assert 0.0 < np.abs(few - many).max() < 1e-3 * many.max()
 
 
-def test_layers_told_apart_by_next_to_nothing_are_one():
+def test_nearly_identical_layers_act_as_one_layer():
     """A time longer by 2e-5 is enough to make the layers dissimilar."""
     other = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125 * (1 + 2e-5))
     two = vr.CoatedSphere(core_radius=20e-3, layers=[one_layer(m, thickness=0.5e-3) for m in (other, RUBBER)])

@@ -1,4 +1,4 @@
-#include "influence/tread_shares.hpp"
+#include "influence/tread_weights.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ double side(double z, bool odd) { return odd && z < 0.0 ? -1.0 : 1.0; }
 
 }  // namespace
 
-MatrixXd mean_shares(const ArrayXd& lines, const TreadColumns& columns, Index count, bool odd) {
+MatrixXd patch_mean_weights(const ArrayXd& lines, const TreadColumns& columns, Index count, bool odd) {
   MatrixXd shares = MatrixXd::Zero(lines.size(), count);
   const auto [abscissas, weights] = gauss_legendre(2);  // exact for polynomials of third degree
   const double face = lines[lines.size() - 1];
@@ -64,7 +64,7 @@ MatrixXd mean_shares(const ArrayXd& lines, const TreadColumns& columns, Index co
   return shares;
 }
 
-MatrixXd node_shares(const ArrayXd& lines, const TreadColumns& columns, Index count, bool odd) {
+MatrixXd node_weights(const ArrayXd& lines, const TreadColumns& columns, Index count, bool odd) {
   MatrixXd shares = MatrixXd::Zero(lines.size(), count);
   for (Index k = 0; k < count; ++k) {
     const double z = columns.spacing * static_cast<double>(columns.first + k);
