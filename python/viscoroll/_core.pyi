@@ -33,6 +33,12 @@ class Prony:
         weights: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         relaxation_times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     ) -> None: ...
+    @property
+    def instantaneous_modulus(self) -> float: ...
+    @property
+    def relaxation_times(self) -> list[float]: ...
+    @property
+    def weights(self) -> list[float]: ...
 
 class KelvinVoigt:
     def __init__(
@@ -905,6 +911,12 @@ def core_count() -> int:
     Cores that this process may use.
     """
 
+def creep_compliance(
+    *,
+    instantaneous_compliance: typing.SupportsFloat | typing.SupportsIndex,
+    compliances: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    retardation_times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+) -> Prony: ...
 @typing.overload
 def critical_speed(
     sphere: CoatedSphere, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex, curvature: Curvature

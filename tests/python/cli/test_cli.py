@@ -125,6 +125,10 @@ MATERIALS = {
         'type = "prony"\ninstantaneous_modulus = 6e6\nweights = [0.3]\nrelaxation_times = [1.0]',
         vr.Prony(instantaneous_modulus=6e6, weights=[0.3], relaxation_times=[1.0]),
     ),
+    "creep_compliance": (
+        'type = "creep_compliance"\ninstantaneous_compliance = 1e-6\ncompliances = [2e-6]\nretardation_times = [1.0]',
+        vr.CreepCompliance(instantaneous_compliance=1e-6, compliances=[2e-6], retardation_times=[1.0]),
+    ),
     "kelvin_voigt": (
         'type = "kelvin_voigt"\nmodulus = 1e6\nviscosity = 10',
         vr.KelvinVoigt(modulus=1e6, viscosity=10.0),

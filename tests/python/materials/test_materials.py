@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from reference import layers
 from viscoroll import enums
+from viscoroll.materials.shift import scaled, shifted
 
 OMEGA = np.array([0.0, 1e-3, 0.3, 8.0, 8.1, 500.0, 1e7])
 
@@ -18,6 +19,70 @@ def test_prony_is_equation_65():
     series = vr.Prony(instantaneous_modulus=5e6, weights=[0.3, 0.25, 0.05], relaxation_times=[1e-3, 0.2, 30.0])
     expected = layers.prony(5e6, [0.3, 0.25, 0.05], [1e-3, 0.2, 30.0], OMEGA)
     np.testing.assert_allclose(series.complex_modulus(OMEGA), expected, rtol=1e-14)
+
+
+def compliance_modulus(instantaneous, compliances, times):
+    """Return 1/J* over OMEGA, evaluated with 50 digits."""
+    with mpmath.workdps(50):
+        values = []
+        for omega in OMEGA:
+            terms = (j / (1 + 1j * mpmath.mpf(omega) * tau) for j, tau in zip(compliances, times, strict=True))
+            values.append(complex(1 / (mpmath.mpf(instantaneous) + sum(terms))))
+    return np.array(values)
+
+
+@pytest.mark.parametrize(
+    ("compliances", "times"),
+    [
+        ([], []),
+        ([2e-6], [0.3]),
+        ([1e-7, 2e-6, 3e-8, 5e-4], [1e-6, 0.1, 30.0, 2e4]),
+        ([1e-6, 1e-6], [0.1, 0.1]),  # one term
+        ([1e-6, 1e-6], [0.1, 0.1 * (1 + 1e-12)]),
+        ([1e-30, 1e-6, 0.0], [1.0, 0.5, 2.0]),
+        ((1e-6 * 10.0 ** -np.arange(40.0)).tolist(), np.geomspace(1e-8, 1e8, 40).tolist()),
+    ],
+)
+def test_creep_compliance_is_its_prony_series(compliances, times):
+    solid = vr.CreepCompliance(instantaneous_compliance=1e-6, compliances=compliances, retardation_times=times)
+    expected = compliance_modulus(1e-6, compliances, times)
+    np.testing.assert_allclose(solid.complex_modulus(OMEGA), expected, rtol=1e-12)
+    np.testing.assert_array_equal(solid.prony().complex_modulus(OMEGA), solid.complex_modulus(OMEGA))
+
+
+def test_creep_compliance_of_one_term_is_the_standard_linear_solid():
+    # J_0 = 1/G_0, J_1 = 1/G_inf - 1/G_0, and the retardation time is tau G_0 / G_inf.
+    solid = vr.CreepCompliance(
+        instantaneous_compliance=1 / 6e6, compliances=[1 / 3e6 - 1 / 6e6], retardation_times=[0.25]
+    )
+    rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    np.testing.assert_allclose(solid.complex_modulus(OMEGA), rubber.complex_modulus(OMEGA), rtol=1e-14)
+
+
+MODULI = {
+    "elastic": vr.Elastic(modulus=2e6),
+    "prony": vr.Prony(instantaneous_modulus=5e6, weights=[0.3, 0.2], relaxation_times=[1e-3, 0.2]),
+    "standard linear solid": vr.StandardLinearSolid(
+        instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125
+    ),
+    "creep": vr.CreepCompliance(instantaneous_compliance=1e-6, compliances=[1e-6], retardation_times=[0.2]),
+    "Kelvin-Voigt": vr.KelvinVoigt(modulus=2e6, viscosity=1e4),
+    "fractional": vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.4),
+    "master curve": vr.MasterCurve([1e-3, 1.0, 1e6], [1e6, 2e6, 4e6], [1e5, 2e5, 1e5]),
+    "loss factor": vr.LossFactor(modulus=1e6, loss_factor=0.2, reference_frequency=10.0),
+    "function": lambda omega: 1e6 + 1e5j * np.sign(omega),
+}
+
+
+@pytest.mark.parametrize("name", MODULI)
+def test_shifted_and_scaled_moduli_keep_their_type(name):
+    modulus, omega = MODULI[name], np.array([0.3, 8.0, 500.0])
+    faster, stiffer = shifted(modulus, 0.25), scaled(modulus, 3.0)
+    assert type(faster) is type(stiffer) is type(modulus)
+    value = modulus if callable(modulus) else modulus.complex_modulus
+    for changed, expected in ((faster, value(0.25 * omega)), (stiffer, 3.0 * value(omega))):
+        found = (changed if callable(changed) else changed.complex_modulus)(omega)
+        np.testing.assert_allclose(found, expected, rtol=1e-12)
 
 
 def test_standard_linear_solid_is_a_prony_series(rubber):

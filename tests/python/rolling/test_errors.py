@@ -13,6 +13,7 @@ from viscoroll import enums, paper
 SLS = {"instantaneous_modulus": 6e6, "relaxed_modulus": 3e6, "relaxation_time": 0.125}
 PRONY = {"instantaneous_modulus": 6e6, "weights": [0.3, 0.2], "relaxation_times": [0.1, 1.0]}
 ZENER = SLS | {"order": 0.5}
+CREEP = {"instantaneous_compliance": 1e-6, "compliances": [1e-6, 2e-6], "retardation_times": [0.1, 1.0]}
 CURVE = {"frequency": [1.0, 10.0, 100.0], "storage": [1e6, 2e6, 3e6], "loss": [1e5, 2e5, 1e5]}
 LAYER = {"thickness": 1e-3, "shear_modulus": vr.Elastic(modulus=3e6), "poisson_ratio": 0.5, "density": 1000.0}
 BALL = {"core_radius": 20e-3, "layers": [vr.Layer(**LAYER)]}
@@ -32,6 +33,7 @@ POSITIVE = [
     (vr.StandardLinearSolid, SLS, "relaxed_modulus", "Pa"),
     (vr.StandardLinearSolid, SLS, "relaxation_time", "s"),
     (vr.Prony, PRONY, "instantaneous_modulus", "Pa"),
+    (vr.CreepCompliance, CREEP, "instantaneous_compliance", "1/Pa"),
     (vr.KelvinVoigt, {"modulus": 1.0, "viscosity": 1.0}, "modulus", "Pa"),
     (vr.FractionalZener, ZENER, "relaxed_modulus", "Pa"),
     (vr.FractionalZener, ZENER, "relaxation_time", "s"),
@@ -139,6 +141,9 @@ def test_numpy_scalars_are_numbers():
         (vr.StandardLinearSolid, SLS, {"relaxed_modulus": 7e6}, "relaxed_modulus must be <= instantaneous_modulus = 6e.06 Pa"),
         (vr.StandardLinearSolid, SLS, {"instantaneous_modulus": 3e20, "relaxed_modulus": 3.0}, r"^relaxed_modulus must be >= 1e-12 instantaneous_modulus = 3e\+08 Pa, got 3$"),
         (vr.Prony, PRONY, {"weights": [0.3]}, r"relaxation_times must be as many as weights \(1\), got 2"),
+        (vr.CreepCompliance, CREEP, {"compliances": [1.0]}, r"retardation_times must be as many as compliances \(1\), got 2"),
+        (vr.CreepCompliance, CREEP, {"compliances": [1.0, -1.0]}, r"compliances\[1\] must be >= 0 1/Pa, got -1"),
+        (vr.CreepCompliance, CREEP, {"retardation_times": [0.0, 1.0]}, r"retardation_times\[0\] must be > 0 s, got 0"),
         (vr.Prony, PRONY, {"weights": [0.3, -0.1]}, r"weights\[1\] must be in \[0, 1\], got -0.1"),
         (vr.Prony, PRONY, {"weights": [0.5, 0.6]}, "weights must be such that their sum is <= 1 .*, got 1.1"),
         (vr.Prony, PRONY, {"weights": [0.3, math.nan]}, r"weights\[1\] must be in \[0, 1\], got nan"),

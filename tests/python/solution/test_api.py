@@ -348,7 +348,7 @@ LONG_CALLS = {
     "contact": (SOLVE.format(24000, 12000, ""), 3.0),
     "friction": (SOLVE.format(16000, None, ", friction=0.1"), 2.0),
     "a history": (ROLL, 2.0),
-    "single orders": ("vr.modal.surface_compliance(paper.ball(), 2.5, np.arange(4000)[:, None], np.arange(4000))", 2.0),
+    "single orders": ("vr.modal.surface_compliance(paper.ball(), 2.5, np.arange(4000)[:, None], np.arange(4000))", 0.5),
 }
 
 

@@ -37,6 +37,12 @@ RUBBER = {
     "relaxation_time": 0.125,
 }
 PRONY = {"type": "prony", "instantaneous_modulus": 4e6, "weights": [0.3, 0.4], "relaxation_times": [1e-3, 0.1]}
+CREEP = {
+    "type": "creep_compliance",
+    "instantaneous_compliance": 2e-7,
+    "compliances": [5e-8, 1e-7],
+    "retardation_times": [1e-3, 0.1],
+}
 FRACTIONAL = {
     "type": "fractional_zener",
     "instantaneous_modulus": 1e8,
@@ -124,7 +130,7 @@ CASES = {
         plane={"layers": [layer(thickness=3e-3)], "base": {"shear_modulus": 5e7, "poisson_ratio": 0.3}},
     ),
     "ball in a groove": case(ball=BALL | {"layers": [layer(CURVE)]}, groove={"radius": 30e-3, "path_radius": -0.2}),
-    "ball on a ball": case(ball=BALL, other_ball={"core_radius": 15e-3, "layers": [layer(PRONY)]}),
+    "ball on a ball": case(ball=BALL, other_ball={"core_radius": 15e-3, "layers": [layer(CREEP)]}),
 }
 
 #: Faults of cases.
