@@ -35,7 +35,7 @@ class InvalidInput(ValueError):  # noqa: N818 - the name of the C++ exception
         self.more = more
         self.source = source
         got = f", got {self.value}" if self.value else ""
-        super().__init__(f"{source and f'{source}: '}{self.parameter} {rule}{got}{more and f'; {more}'}")
+        super().__init__(one_line(f"{source and f'{source}: '}{self.parameter} {rule}{got}{more and f'; {more}'}"))
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what pickle needs: studies send errors between processes."""
@@ -56,8 +56,14 @@ class InvalidInput(ValueError):  # noqa: N818 - the name of the C++ exception
         return type(self)(path, self.rule, self.value, more=self.more, source=self.source)
 
     def of_file(self, source: object) -> InvalidInput:
-        """Return the same error with the name of the file that contains the value."""
-        return type(self)(self.parameter, self.rule, self.value, more=self.more, source=str(source))
+        """Return the same error with the name of the file that contains the value, or that names such a file."""
+        path = f"{source}: {self.source}" if self.source else str(source)
+        return type(self)(self.parameter, self.rule, self.value, more=self.more, source=path)
+
+    def with_more(self, more: str) -> InvalidInput:
+        """Return the same error with another text after its message."""
+        text = "; ".join(filter(None, [self.more, more]))
+        return type(self)(self.parameter, self.rule, self.value, more=text, source=self.source)
 
 
 class InvalidType(InvalidInput, TypeError):  # noqa: N818 - as above
@@ -67,7 +73,7 @@ class InvalidType(InvalidInput, TypeError):  # noqa: N818 - as above
 def in_file(error: Exception, source: object) -> ValueError:
     """Return an error about the content of a file as a ValueError whose message of one line names the file."""
     if isinstance(error, InvalidInput):
-        return error.of_file(one_line(str(source)))
+        return error.of_file(source)
     return ValueError(one_line(f"{source}: {error}"))
 
 

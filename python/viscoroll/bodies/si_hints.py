@@ -10,6 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from .._core import ConvergenceError, complex_modulus
+from .._support.errors import InvalidInput
 from ..materials.moduli import ShearModulusLike, to_core
 from .layers import Layer, at_rest
 
@@ -30,8 +31,8 @@ _LARGEST_THICKNESS = 0.5  # [m]
 _SMALLEST_MODULUS = 1e3  # [Pa]
 _FAST = 100.0  # [rad/s]
 
-#: Beginnings of the messages that wrong units may cause.
-_TELLING = ("load must be small enough", "angular_speed must be below", "angular_speed must be such")
+#: Parameters that are rejected if other lengths or moduli have wrong units.
+_AFFECTED = ("load", "angular_speed")
 
 
 def si_hint(body: _Layered, on: _Layered | None = None) -> str:
@@ -56,15 +57,15 @@ def si_hints(body: _Layered, on: _Layered | None = None, *, angular_speed: float
     """Append a hint to messages about too large loads and speeds if the input is implausible in SI units."""
     try:
         yield
-    except (ValueError, ConvergenceError) as error:
-        message = str(error)
-        hints = [si_hint(body, on)]
-        if message.startswith("angular_speed") and angular_speed >= _FAST:
-            hints.append(f"{angular_speed:g} rad/s are {angular_speed * 30.0 / math.pi:.0f} revolutions per minute")
-        told = [hint for hint in hints if hint]
-        if not told or not (isinstance(error, ConvergenceError) or message.startswith(_TELLING)):
+    except ConvergenceError as error:
+        raise ConvergenceError("; ".join(filter(None, [str(error), si_hint(body, on)]))) from None
+    except InvalidInput as error:
+        if error.parameter not in _AFFECTED:
             raise
-        raise type(error)("; ".join([message, *told])) from None
+        hints = [si_hint(body, on)]
+        if error.parameter == "angular_speed" and angular_speed >= _FAST:
+            hints.append(f"{angular_speed:g} rad/s are {angular_speed * 30.0 / math.pi:.0f} revolutions per minute")
+        raise error.with_more("; ".join(filter(None, hints))) from None
 
 
 def _doubtful(body: _Layered, where: str) -> Iterator[str]:

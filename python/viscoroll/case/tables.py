@@ -341,8 +341,7 @@ def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") ->
     if error["type"] == "value_error":
         found = context["error"]
         if isinstance(found, InvalidInput):
-            inside = found.inside(place)
-            return type(inside)(inside.parameter, inside.rule, inside.value, more=more, source=inside.source)
+            return found.inside(place).with_more(more)
         return InvalidInput(place, f"is invalid: {found}", more=more)
     if error["type"] == "missing":
         return InvalidInput(place, "must be given" + (f" for the type {kind}" if kind else ""), more=more)

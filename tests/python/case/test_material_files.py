@@ -202,7 +202,7 @@ def test_studies_vary_the_temperature(curve, saved, tmp_path):
             '{ type = "hardness", hardness = 85, decades = 2.0 }',
             "decades must be left out without a rebound",
         ),
-        ('"b.toml"', r"ball.layers\[0\].shear_modulus: material .*b.toml: No such file"),
+        ('"b.toml"', r"ball.layers\[0\].shear_modulus is invalid: material .*b.toml: No such file"),
         ('{ type = "measured" }', "shear_modulus.file must be given for the type measured"),
         ('{ type = "measured", file = "a.toml", at = 3 }', "shear_modulus.at is not a parameter of the type measured"),
         (

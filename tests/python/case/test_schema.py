@@ -114,7 +114,7 @@ WRONG = [
     (f"{MODULUS}.type", "elastik"),
     (f"{MODULUS}.modulus", 1e6),
     (f"{MODULUS}.relaxation_time", None),
-    (f"{MODULUS}.relaxed_modulus", 0.0),
+    (f"{MODULUS}.instantaneous_modulus", 0.0),
     (f"{MODULUS}.weights[0]", PRONY | {"weights": [-0.5]}),
     (f"{MODULUS}.relaxation_times[0]", PRONY | {"relaxation_times": [0.0]}),
     (f"{MODULUS}.relaxation_times", {name: value for name, value in PRONY.items() if name != "relaxation_times"}),

@@ -19,7 +19,7 @@ def parts(error: InvalidInput) -> tuple[str, str, str]:
     [
         (lambda: vr.Layer(thickness=-1.0, shear_modulus=1e6), ("thickness", "must be > 0 m", "-1")),  # by the core
         (lambda: vr.Drive(), ("drive", "must have exactly one of force, torque and creepage", "none")),  # in Python
-        (lambda: vr.Elastic(modulus="stiff"), ("modulus", "must be a real number", "'stiff'")),
+        (lambda: vr.Elastic(modulus="stiff"), ("modulus", "must be a real number", "str 'stiff'")),
     ],
     ids=["core", "Python", "type"],
 )
