@@ -49,7 +49,7 @@ TEST(ComplexModulus, TakesWeightsThatSumToOneButForRoundOff) {
 
 TEST(InvalidInput, NamesTheParameterByItsPathInATable) {
   try {
-    validate(Prony{1e6, {-0.1}, {1.0}});
+    validate(Prony{1e6, {-0.1}, {1.0}}, "");
     FAIL();
   } catch (const InvalidInput& error) {
     EXPECT_EQ(error.parameter(), "weights[0]");
