@@ -63,7 +63,7 @@ def si_hints(body: _Layered, on: _Layered | None = None, *, angular_speed: float
         if error.parameter not in _AFFECTED:
             raise
         hints = [si_hint(body, on)]
-        if error.parameter == "angular_speed" and angular_speed >= _FAST:
+        if error.parameter == "angular_speed" and _FAST <= angular_speed < math.inf:
             hints.append(f"{angular_speed:g} rad/s are {angular_speed * 30.0 / math.pi:.0f} revolutions per minute")
         raise error.with_more("; ".join(filter(None, hints))) from None
 

@@ -87,7 +87,7 @@ UNBOUNDED = [
     (
         lambda: coated(layers=(DAMPED,)),
         {"angular_speed": 2e9},
-        "angular_speed must be so low .* 2.28e.03 times its shear-wave speed$",
+        "angular_speed must be so low .* 2.28e.03 times its shear-wave speed;",
     ),
     (lambda: coated(vr.CoatedWheel, width=1e-9), {}, "width must be at least 0.001 of the thickness .* got 1e-09 m"),
     (lambda: coated(vr.CoatedWheel, width=1e9), {}, "width must be at most 1000 times the outer radius, 5"),

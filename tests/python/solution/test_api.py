@@ -75,8 +75,8 @@ def test_options_of_histories_are_the_same_everywhere():
         assert {name: parameters[name].default for name in options} == options
         assert all(f"\n{name} : " in function.__doc__ for name in options)
         assert "options" not in function.__doc__
-    numerics = motion._Numerics().arguments()
-    in_files = set(motion._Motion.model_fields) | {"drive", *numerics}
+    numerics = motion.Numerics().arguments()
+    in_files = set(motion.Motion.model_fields) | {"drive", *numerics}
     assert options.keys() - in_files == {"threads"}
     assert numerics == {name: options[name] for name in numerics}
 

@@ -38,7 +38,7 @@ def test_a_ball_at_rest_is_that_of_zonal_harmonics():
     """The limit of zonal harmonics is 0.24343 mm."""
     expected = penetration(20e-3, [(0.5e-3, 1e6), (0.5e-3, 3e6)], 100.0, rings=50)
     still = vr.RollingHistory(BALL, load=100.0, mesh=mesh(500), averaged_meshes=4)
-    assert still.now.penetration == pytest.approx(expected, rel=5e-4)  # error of the mesh 4e-4
+    assert still.current.penetration == pytest.approx(expected, rel=5e-4)  # error of the mesh 4e-4
 
 
 def test_more_times_change_little():
