@@ -1,6 +1,7 @@
 #include <pybind11/pybind11.h>
 
 #include <exception>
+#include <utility>
 
 #include "bindings.hpp"
 #include "viscoroll/cores.hpp"
@@ -17,7 +18,7 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
   // The Python class has the same attributes; it is defined in Python for its documentation and for pickle.
   py::register_local_exception_translator([](std::exception_ptr raised) {
     try {
-      if (raised) std::rethrow_exception(raised);
+      if (raised) std::rethrow_exception(std::move(raised));
     } catch (const viscoroll::InvalidInput& error) {
       const py::object kind = py::module_::import("viscoroll._support.errors").attr("InvalidInput");
       py::set_error(kind, kind(error.parameter(), error.rule(), error.value()));

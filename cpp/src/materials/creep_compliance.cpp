@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <ranges>
 #include <string>
 
 #include "validate.hpp"
@@ -70,9 +71,9 @@ Prony creep_compliance(double instantaneous_compliance, std::span<const double> 
   }
 
   Rates rates;
-  for (auto term = by_time.rbegin(); term != by_time.rend(); ++term) {
-    rates.retardation.push_back(1.0 / term->first);
-    rates.squares.push_back(term->second / instantaneous_compliance / term->first);
+  for (const auto& [time, compliance] : by_time | std::views::reverse) {
+    rates.retardation.push_back(1.0 / time);
+    rates.squares.push_back(compliance / instantaneous_compliance / time);
   }
   const double total = std::accumulate(rates.squares.begin(), rates.squares.end(), 0.0);
   Prony series{.instantaneous_modulus = 1.0 / instantaneous_compliance};

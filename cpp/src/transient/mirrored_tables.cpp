@@ -247,13 +247,13 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, const 
 
 HalfField MirroredTables::displaced(const HalfField& loads, Index first, Index last, const Frame& frame,
                                     const std::function<void()>& checkpoint) const {
-  constexpr Index kTogether = 64;  // rows, for fast products and intermediate fields of moderate size
-  const Index offsets = std::max<Index>(1, kAtOnce / (kTogether * height() * height()));
+  constexpr Index kRowsTogether = 64;  // rows, for fast products and intermediate fields of moderate size
+  const Index offsets = std::max<Index>(1, kAtOnce / (kRowsTogether * height() * height()));
   HalfField result = HalfField::Zero(height(), loads.cols() + 2 * frame.shift);
-  for (Index row = first; row <= last; row += kTogether) {
+  for (Index row = first; row <= last; row += kRowsTogether) {
     for (Index offset = 0; offset <= frame.reach; offset += offsets) {
       checkpoint();
-      add(loads, row, std::min(row + kTogether - 1, last), frame,
+      add(loads, row, std::min(row + kRowsTogether - 1, last), frame,
           {.first = offset, .count = std::min(offsets, frame.reach + 1 - offset)}, result);
     }
   }
