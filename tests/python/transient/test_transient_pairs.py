@@ -54,7 +54,7 @@ PAIRS = {
 EVERY = pytest.mark.parametrize(
     ("body", "on", "load", "nodes"),
     [
-        pytest.param(*pair, id=name, marks=[pytest.mark.slow] if name == "wheel of unlike layers" else [])
+        pytest.param(*pair, id=name, marks=[pytest.mark.slow] if name == "wheel of dissimilar layers" else [])
         for name, pair in PAIRS.items()
     ],
 )
