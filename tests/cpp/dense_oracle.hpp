@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "base/dense_solvers.hpp"
 #include "contact/contact_problem.hpp"
 #include "contact/stick_slip_system.hpp"
-#include "dense_solvers.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::oracle {

@@ -6,8 +6,8 @@
 #include <complex>
 #include <type_traits>
 
-#include "dense_products.hpp"
-#include "dense_solvers.hpp"
+#include "base/dense_products.hpp"
+#include "base/dense_solvers.hpp"
 #include "transient/bordered_inverse.hpp"
 
 namespace viscoroll::detail {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "dense_solvers.hpp"
+#include "base/dense_solvers.hpp"
 #include "influence/coating_sum.hpp"
 #include "influence/line_sum.hpp"
 #include "modal/layered_body.hpp"

@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "joined_thread.hpp"
-#include "parallel.hpp"
 #include "viscoroll/cores.hpp"
 #include "viscoroll/errors.hpp"
 

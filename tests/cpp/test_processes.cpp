@@ -21,9 +21,9 @@
 #include <string>
 #include <thread>
 
-#include "cores.hpp"
+#include "base/cores.hpp"
+#include "base/parallel.hpp"
 #include "joined_thread.hpp"
-#include "parallel.hpp"
 #include "viscoroll/cores.hpp"
 
 namespace viscoroll::detail {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "dense_solvers.hpp"
+#include "base/dense_solvers.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "section/section_compliance.hpp"
 #include "section/section_element.hpp"

@@ -9,9 +9,9 @@
 #include <tuple>
 #include <utility>
 
+#include "base/validate.hpp"
 #include "contact/semismooth_newton.hpp"
 #include "contact/stick_slip_by_products.hpp"
-#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {

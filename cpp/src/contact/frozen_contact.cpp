@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/validate.hpp"
 #include "contact/normal_contact.hpp"
 #include "contact/stick_slip_by_products.hpp"
 #include "contact/stick_slip_conditions.hpp"
-#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {

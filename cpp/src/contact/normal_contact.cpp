@@ -7,12 +7,12 @@
 #include <optional>
 #include <utility>
 
+#include "base/validate.hpp"
 #include "contact/active_set.hpp"
 #include "contact/krylov.hpp"
 #include "contact/pressed_by_matrix.hpp"
 #include "influence/fft.hpp"
 #include "influence/inverse_convolution.hpp"
-#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/validate.hpp"
 #include "contact/krylov.hpp"
-#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {

@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "base/dense_solvers.hpp"
 #include "contact/active_set.hpp"
 #include "contact/contact_problem.hpp"
-#include "dense_solvers.hpp"
 
 namespace viscoroll::detail {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/synthesis.hpp"
 #include "modal/harmonic_body.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 

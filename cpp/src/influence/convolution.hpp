@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/spectral_product.hpp"
 #include "influence/table.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 

@@ -11,9 +11,9 @@
 #include <cstddef>
 #include <memory>
 
+#include "base/instruction_sets.hpp"
 #include "influence/fft.hpp"
 #include "influence/fft_cost.hpp"
-#include "instruction_sets.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <string>
 
+#include "base/parallel.hpp"
+#include "base/validate.hpp"
 #include "influence/coating_sum.hpp"
-#include "parallel.hpp"
-#include "validate.hpp"
 
 namespace viscoroll {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 #include "modal/chebyshev_panels.hpp"
 
 namespace viscoroll::detail {

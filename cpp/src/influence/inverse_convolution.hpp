@@ -5,11 +5,11 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/convolution.hpp"
 #include "influence/node_rows.hpp"
 #include "influence/spectral_product.hpp"
 #include "influence/table.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 
 namespace viscoroll::detail {
 namespace {

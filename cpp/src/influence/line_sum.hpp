@@ -4,12 +4,12 @@
 
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/mesh_on_body.hpp"
 #include "influence/order_bands.hpp"
 #include "influence/table_sum.hpp"
 #include "influence/waves.hpp"
 #include "modal/harmonic_body.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 

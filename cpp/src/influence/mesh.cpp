@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "validate.hpp"
+#include "base/validate.hpp"
 
 namespace viscoroll {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <variant>
 
+#include "base/validate.hpp"
 #include "modal/harmonic_moduli.hpp"
 #include "modal/kinks.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 #include "modal/chebyshev_panels.hpp"
 
 namespace viscoroll::detail {

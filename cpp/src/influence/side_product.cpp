@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "dense_solvers.hpp"
+#include "base/dense_solvers.hpp"
 #include "influence/patch.hpp"
 #include "influence/table.hpp"
 #include "influence/waves.hpp"

@@ -5,7 +5,7 @@
 #include <complex>
 #include <optional>
 
-#include "instruction_sets.hpp"
+#include "base/instruction_sets.hpp"
 
 namespace viscoroll::detail {
 namespace {

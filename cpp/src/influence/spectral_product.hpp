@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/column_blocks.hpp"
 #include "influence/fft.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 

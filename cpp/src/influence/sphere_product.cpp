@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 #include "influence/joint_sphere_product.hpp"
 
 namespace viscoroll::detail {

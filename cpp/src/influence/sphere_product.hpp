@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/convolution.hpp"
 #include "influence/sphere_sum.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 

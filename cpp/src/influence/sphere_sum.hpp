@@ -10,9 +10,9 @@
 #include <complex>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/spherical_order.hpp"
 #include "influence/synthesis.hpp"
-#include "parallel.hpp"
 #include "viscoroll/formulation.hpp"
 
 namespace viscoroll::detail {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 #include "influence/gauss_legendre.hpp"
 #include "influence/legendre.hpp"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 #include "influence/interpolated_orders.hpp"
 #include "influence/patch.hpp"
 #include "influence/sampled_angles.hpp"

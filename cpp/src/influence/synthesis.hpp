@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/mesh_on_body.hpp"
 #include "influence/order_bands.hpp"
 #include "influence/table_sum.hpp"
 #include "modal/spectrum.hpp"
-#include "parallel.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "instruction_sets.hpp"
+#include "base/instruction_sets.hpp"
 
 namespace viscoroll::detail {
 namespace {

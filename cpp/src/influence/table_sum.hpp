@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/table.hpp"
 #include "modal/spectrum.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 #include "modal/lanes.hpp"
 #include "modal/spectrum.hpp"
 

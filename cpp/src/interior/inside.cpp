@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "base/validate.hpp"
 #include "interior/load_spectrum.hpp"
 #include "modal/harmonic_body.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

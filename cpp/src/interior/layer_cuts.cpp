@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "validate.hpp"
+#include "base/validate.hpp"
 
 namespace viscoroll {
 namespace {

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <string>
 
+#include "base/validate.hpp"
 #include "influence/patch.hpp"
 #include "surface/table_operator.hpp"
-#include "validate.hpp"
 
 namespace viscoroll {
 

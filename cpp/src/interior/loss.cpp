@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
+#include "base/validate.hpp"
 #include "influence/fft.hpp"
 #include "influence/gauss_legendre.hpp"
 #include "influence/order_bands.hpp"
@@ -14,8 +16,6 @@
 #include "interior/inside.hpp"
 #include "interior/load_spectrum.hpp"
 #include "modal/depth_cut.hpp"
-#include "parallel.hpp"
-#include "validate.hpp"
 #include "viscoroll/interior.hpp"
 
 namespace viscoroll {

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <string>
 
+#include "base/parallel.hpp"
+#include "base/validate.hpp"
 #include "interior/field_components.hpp"
 #include "interior/inside.hpp"
 #include "interior/layer_cuts.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
-#include "parallel.hpp"
-#include "validate.hpp"
 #include "viscoroll/interior.hpp"
 
 namespace viscoroll {

@@ -9,15 +9,15 @@
 #include <string>
 #include <utility>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
+#include "base/parallel.hpp"
+#include "base/validate.hpp"
 #include "influence/order_bands.hpp"
 #include "interior/depth_transfer.hpp"
 #include "interior/inside.hpp"
 #include "interior/load_spectrum.hpp"
 #include "modal/centrifugal.hpp"
 #include "modal/depth_cut.hpp"
-#include "parallel.hpp"
-#include "validate.hpp"
 #include "viscoroll/interior.hpp"
 
 namespace viscoroll {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/validate.hpp"
 #include "materials/master_curve.hpp"
-#include "validate.hpp"
 #include "viscoroll/materials.hpp"
 
 namespace viscoroll {

@@ -6,7 +6,7 @@
 #include <ranges>
 #include <string>
 
-#include "validate.hpp"
+#include "base/validate.hpp"
 #include "viscoroll/materials.hpp"
 
 namespace viscoroll {

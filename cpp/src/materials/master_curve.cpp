@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "validate.hpp"
+#include "base/validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "base/validate.hpp"
 #include "modal/compliance_recursion.hpp"
-#include "validate.hpp"
 #include "viscoroll/modal.hpp"
 
 namespace viscoroll {

@@ -1,7 +1,7 @@
 #include "viscoroll/cylinder.hpp"
 
+#include "base/validate.hpp"
 #include "modal/layer_checks.hpp"
-#include "validate.hpp"
 
 namespace viscoroll {
 

@@ -7,12 +7,12 @@
 #include <optional>
 #include <utility>
 
+#include "base/validate.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/critical_speed.hpp"
 #include "modal/crown.hpp"
 #include "modal/harmonic_moduli.hpp"
 #include "modal/shared_relaxation.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <complex>
 
-#include "instruction_sets.hpp"
+#include "base/instruction_sets.hpp"
 
 namespace viscoroll::detail {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "validate.hpp"
+#include "base/validate.hpp"
 
 namespace viscoroll {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "validate.hpp"
+#include "base/validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -8,12 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "base/parallel.hpp"
+#include "base/validate.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/degree_compliance.hpp"
 #include "modal/harmonic_body.hpp"
 #include "modal/layer_system.hpp"
-#include "parallel.hpp"
-#include "validate.hpp"
 
 namespace viscoroll {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "base/validate.hpp"
 #include "modal/layer_checks.hpp"
-#include "validate.hpp"
 
 namespace viscoroll {
 namespace {

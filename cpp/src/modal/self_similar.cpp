@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "dense_solvers.hpp"
+#include "base/dense_solvers.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/shared_relaxation.hpp"
 

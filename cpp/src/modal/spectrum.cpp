@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "instruction_sets.hpp"
+#include "base/instruction_sets.hpp"
 #include "modal/order_panels.hpp"
 #include "modal/self_similar.hpp"
 

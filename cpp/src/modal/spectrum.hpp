@@ -12,9 +12,9 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "modal/chebyshev_panels.hpp"
 #include "modal/harmonic_body.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 

@@ -1,8 +1,8 @@
 #include "viscoroll/sphere.hpp"
 
+#include "base/validate.hpp"
 #include "modal/inner_boundary.hpp"
 #include "modal/layer_checks.hpp"
-#include "validate.hpp"
 
 namespace viscoroll {
 

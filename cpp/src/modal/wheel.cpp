@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "base/validate.hpp"
 #include "modal/circle.hpp"
 #include "modal/layer_checks.hpp"
-#include "validate.hpp"
 
 namespace viscoroll {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "base/validate.hpp"
 #include "contact/multilevel.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
-#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "validate.hpp"
+#include "base/validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

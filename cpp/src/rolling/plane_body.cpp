@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "base/validate.hpp"
 #include "rolling/body.hpp"
 #include "rolling/line_contact_surface.hpp"
 #include "rolling/point_contact_surface.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/validate.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/result.hpp"
 #include "rolling/solve_load_case.hpp"
-#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {

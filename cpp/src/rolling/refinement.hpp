@@ -2,7 +2,7 @@
 /// @brief Choice of the mesh: refine until the error estimate is small enough.
 #pragma once
 
-#include "parallel.hpp"
+#include "base/parallel.hpp"
 #include "rolling/rolling_pair.hpp"
 #include "viscoroll/load_case.hpp"
 #include "viscoroll/options.hpp"

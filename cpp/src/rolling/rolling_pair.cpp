@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "validate.hpp"
+#include "base/validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "validate.hpp"
+#include "base/validate.hpp"
 
 namespace viscoroll {
 namespace {

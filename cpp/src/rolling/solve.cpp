@@ -6,14 +6,14 @@
 #include <string_view>
 #include <utility>
 
-#include "parallel.hpp"
+#include "base/parallel.hpp"
+#include "base/validate.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/refinement.hpp"
 #include "rolling/rolling_pair.hpp"
 #include "rolling/solve_load_case.hpp"
 #include "rolling/warnings.hpp"
-#include "validate.hpp"
 
 namespace viscoroll {
 namespace {

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/validate.hpp"
 #include "contact/frozen_contact.hpp"
 #include "rolling/input_checks.hpp"
 #include "rolling/result.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "parallel.hpp"
+#include "base/parallel.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/window_search.hpp"
 #include "viscoroll/load_case.hpp"

@@ -4,12 +4,12 @@
 #include <memory>
 #include <string>
 
+#include "base/validate.hpp"
 #include "modal/centrifugal.hpp"
 #include "modal/harmonic_body.hpp"
 #include "rolling/body.hpp"
 #include "rolling/point_contact_surface.hpp"
 #include "rolling/sphere_tables.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

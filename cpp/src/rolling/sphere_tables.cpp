@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "base/validate.hpp"
 #include "surface/sphere_operator.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-#include "parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace viscoroll::detail {
 namespace {

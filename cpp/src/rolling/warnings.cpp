@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/validate.hpp"
 #include "rolling/result.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

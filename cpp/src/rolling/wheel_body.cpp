@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "base/validate.hpp"
 #include "rolling/body.hpp"
 #include "rolling/free_side_tables.hpp"
 #include "rolling/point_contact_surface.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

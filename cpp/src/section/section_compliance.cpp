@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "dense_solvers.hpp"
+#include "base/dense_solvers.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "modal/harmonic_body.hpp"
-#include "parallel.hpp"
 #include "section/section_compliance.hpp"
 
 namespace viscoroll::detail {

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/node_rows.hpp"
 #include "influence/table.hpp"
 #include "modal/spectrum.hpp"
-#include "parallel.hpp"
 #include "surface/surface_window.hpp"
 #include "surface/window.hpp"
 

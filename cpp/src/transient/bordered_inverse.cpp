@@ -1,7 +1,7 @@
 #include "transient/bordered_inverse.hpp"
 
-#include "dense_products.hpp"
-#include "dense_solvers.hpp"
+#include "base/dense_products.hpp"
+#include "base/dense_solvers.hpp"
 
 namespace viscoroll::detail {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "dense_solvers.hpp"
+#include "base/dense_solvers.hpp"
 #include "transient/kept_inverse.hpp"
 
 namespace viscoroll::detail {

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <string>
 
+#include "base/parallel.hpp"
+#include "base/validate.hpp"
 #include "influence/coating_sum.hpp"
-#include "parallel.hpp"
-#include "validate.hpp"
 
 namespace viscoroll {
 namespace detail {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -15,8 +15,8 @@
 #include <span>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/table_sum.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "validate.hpp"
+#include "base/validate.hpp"
 
 namespace viscoroll::detail {
 

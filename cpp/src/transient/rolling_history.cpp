@@ -9,7 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "parallel.hpp"
+#include "base/parallel.hpp"
+#include "base/validate.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "transient/history_input.hpp"
 #include "transient/shifted_mesh.hpp"
@@ -17,7 +18,6 @@
 #include "transient/started_segment.hpp"
 #include "transient/step_choice.hpp"
 #include "transient/viscoelastic_pair.hpp"
-#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll {

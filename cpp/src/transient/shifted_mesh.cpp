@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/validate.hpp"
 #include "rolling/input_checks.hpp"
 #include "transient/center_motion.hpp"
-#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {

@@ -1,6 +1,6 @@
 #include "transient/side_influence.hpp"
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 #include "influence/tread_weights.hpp"
 
 namespace viscoroll::detail {

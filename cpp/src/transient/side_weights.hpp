@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/side_sum.hpp"
-#include "parallel.hpp"
 #include "section/side_difference.hpp"
 #include "transient/layer_spectrum.hpp"
 

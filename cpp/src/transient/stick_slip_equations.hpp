@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "dense_solvers.hpp"
+#include "base/dense_solvers.hpp"
 #include "transient/contact_inverse.hpp"
 #include "transient/stick_slip_problem.hpp"
 

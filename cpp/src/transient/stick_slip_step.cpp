@@ -5,12 +5,12 @@
 #include <memory>
 #include <utility>
 
+#include "base/validate.hpp"
 #include "contact/semismooth_newton.hpp"
 #include "contact/stick_slip_conditions.hpp"
 #include "transient/direct_stick_slip.hpp"
 #include "transient/elastic_contact.hpp"
 #include "transient/iterative_stick_slip.hpp"
-#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {

@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "base/validate.hpp"
 #include "modal/spectrum.hpp"
 #include "transient/body_tables.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {

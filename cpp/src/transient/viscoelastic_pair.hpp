@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "parallel.hpp"
+#include "base/parallel.hpp"
 #include "rolling/rolling_pair.hpp"
 #include "transient/layer_spectrum.hpp"
 #include "transient/viscoelastic_body.hpp"

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "influence/mesh_on_body.hpp"
 #include "influence/table_sum.hpp"
-#include "parallel.hpp"
 #include "transient/layer_spectrum.hpp"
 
 namespace viscoroll::detail {

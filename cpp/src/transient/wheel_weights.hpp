@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "parallel.hpp"
+#include "base/parallel.hpp"
 #include "transient/layer_spectrum.hpp"
 #include "transient/weight_spectrum.hpp"
 

@@ -11,7 +11,7 @@ CPP = Path(__file__).parents[3] / "cpp"
 
 #: Stages in the order of the method; stages of the same set do not include each other.
 STAGES = (
-    {"shared"},
+    {"base"},
     {"materials"},
     {"modal"},
     {"section"},
@@ -24,7 +24,7 @@ STAGES = (
 
 #: Public headers of each stage: the first stage that may include them.
 PUBLIC = {
-    "shared": {"cores", "errors", "observer"},
+    "base": {"cores", "errors", "observer"},
     "materials": {"materials"},
     "modal": {"cylinder", "inner_boundaries", "plane", "rolling_body", "sphere", "wheel", "modal"},
     "influence": {"formulation", "influence", "mesh"},
@@ -45,7 +45,7 @@ def stage_of(path):
     """Return the stage of a file from its path in cpp/src or cpp/include."""
     if path.startswith("viscoroll/"):
         return STAGE_OF_HEADER[Path(path).stem]
-    return path.split("/")[0] if "/" in path else "shared"
+    return path.split("/")[0]
 
 
 def may_include(stage, other):

@@ -1,8 +1,8 @@
-#include "dense_solvers.hpp"
+#include "base/dense_solvers.hpp"
 
 #include <Eigen/LU>
 
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 
 namespace viscoroll::detail {
 

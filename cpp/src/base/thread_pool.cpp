@@ -1,4 +1,4 @@
-#include "thread_pool.hpp"
+#include "base/thread_pool.hpp"
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <pthread.h>

@@ -10,7 +10,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "dense_views.hpp"
+#include "base/dense_views.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "dense_views.hpp"
+#include "base/dense_views.hpp"
 
 namespace viscoroll::detail {
 

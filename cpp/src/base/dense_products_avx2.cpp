@@ -1,5 +1,5 @@
 #define VISCOROLL_EIGEN EigenAvx2
-#include "dense_products_for.hpp"
+#include "base/dense_products_for.hpp"
 
 namespace viscoroll::detail {
 

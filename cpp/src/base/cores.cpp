@@ -1,4 +1,4 @@
-#include "cores.hpp"
+#include "base/cores.hpp"
 
 #ifdef __linux__
 #include <sched.h>

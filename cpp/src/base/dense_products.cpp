@@ -1,4 +1,4 @@
-#include "dense_products.hpp"
+#include "base/dense_products.hpp"
 
 namespace viscoroll::detail {
 

@@ -1,4 +1,4 @@
-#include "parallel.hpp"
+#include "base/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -6,8 +6,8 @@
 #include <mutex>
 #include <string>
 
-#include "thread_pool.hpp"
-#include "validate.hpp"
+#include "base/thread_pool.hpp"
+#include "base/validate.hpp"
 #include "viscoroll/cores.hpp"
 #include "viscoroll/errors.hpp"
 
