@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "surface/surface_window.hpp"
-#include "transient/plane_frame.hpp"
+#include "transient/step_operator.hpp"
 #include "transient/viscoelastic_pair.hpp"
 
 namespace viscoroll::detail {

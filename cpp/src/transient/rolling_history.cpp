@@ -12,11 +12,10 @@
 #include "base/parallel.hpp"
 #include "base/validate.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "transient/creep_spectrum.hpp"
 #include "transient/history_input.hpp"
 #include "transient/shifted_mesh.hpp"
-#include "transient/spectrum_numbers.hpp"
-#include "transient/started_segment.hpp"
-#include "transient/step_choice.hpp"
+#include "transient/time_step.hpp"
 #include "transient/viscoelastic_pair.hpp"
 #include "viscoroll/errors.hpp"
 

@@ -9,11 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "transient/contact_numbers.hpp"
-#include "transient/contact_search.hpp"
 #include "transient/instant_contact.hpp"
 #include "transient/row_memory.hpp"
-#include "transient/step_end.hpp"
+#include "transient/time_step.hpp"
 #include "viscoroll/rolling_history.hpp"
 
 namespace viscoroll::detail {

@@ -10,7 +10,7 @@
 
 #include "base/validate.hpp"
 #include "modal/spectrum.hpp"
-#include "transient/body_tables.hpp"
+#include "transient/viscoelastic_body.hpp"
 
 namespace viscoroll::detail {
 namespace {

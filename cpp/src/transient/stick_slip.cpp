@@ -1,4 +1,4 @@
-#include "transient/stick_slip_step.hpp"
+#include "transient/stick_slip.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,9 +8,7 @@
 #include "base/validate.hpp"
 #include "contact/semismooth_newton.hpp"
 #include "contact/stick_slip_conditions.hpp"
-#include "transient/direct_stick_slip.hpp"
 #include "transient/elastic_contact.hpp"
-#include "transient/iterative_stick_slip.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
@@ -18,15 +16,21 @@ namespace {
 
 using Eigen::Index;
 
+ConditionScales scales_of(const StickSlipProblem& problem) {
+  const StepOperator& surface = problem.surface;
+  const Index in_the_middle = problem.gap.size() / surface.half_nodes() / 2 * surface.half_nodes();
+  return {.normal = 1.0 / surface.diagonal_compliance(), .tangential = 1.0 / surface.compliance_along(in_the_middle)};
+}
+
 /// Largest number of contact nodes for which dense factors pay. Two deformable balls take twice as long by products
 /// with 300 nodes, equally long with 550 (two thirds with dissimilar layers), and half as long with 1500. Factors also
 /// need nine numbers for each pair of nodes.
-constexpr Index kMaxDense = 500;
+constexpr Index kMaxDirect = 500;
 
 std::unique_ptr<StickSlipSystem> system_of(const StickSlipProblem& problem, const VectorField& guess,
                                            ContactStiffness& stiffness) {
-  if ((guess.col(kDown) < 0.0).count() > kMaxDense) return std::make_unique<IterativeStickSlip>(problem, guess);
-  return std::make_unique<DirectStickSlip>(problem, guess, stiffness);
+  if ((guess.col(kDown) < 0.0).count() > kMaxDirect) return iterative_stick_slip(problem, guess);
+  return direct_stick_slip(problem, guess, stiffness);
 }
 
 /// Normal forces of the same contact without friction, whose search converges from any guess. Steps of stick and slip
@@ -140,6 +144,25 @@ void let_center_rest(const StickSlipProblem& problem, const StickSlipSystem& sys
 }
 
 }  // namespace
+
+TransientStickSlipSystem::TransientStickSlipSystem(const StickSlipProblem& problem,
+                                                   const std::vector<HalfField>& displaced)
+    : problem_(problem), scales_(scales_of(problem)), center_(problem.center_row(displaced)) {}
+
+void TransientStickSlipSystem::find_displacements(ContactSolution& state) {
+  ++products_;
+  const std::vector<HalfField> displaced = problem_.surface.displaced(state.force);
+  state.displacement = problem_.surface.displacement(displaced);
+  state.gap = problem_.gap - state.displacement.col(kDown) - state.penetration * problem_.weights;
+  state.slip = problem_.known_slip + *state.creepage * problem_.slip_per_center_displacement;
+  state.slip.col(0) += state.displacement.col(kForward);
+  state.slip.col(1) += state.displacement.col(kSideways);
+  if (problem_.center_row_needs_displacements) center_ = problem_.center_row(displaced);
+}
+
+double TransientStickSlipSystem::center_excess(const ContactSolution& state) const {
+  return (center_.force_coefficients * state.force).sum() + center_.displacement * *state.creepage - center_.value;
+}
 
 StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& guess, ContactStiffness& stiffness) {
   constexpr SearchLimits kLimits{.tolerance = kFrictionSettings.instant_tolerance,

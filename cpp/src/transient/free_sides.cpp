@@ -1,4 +1,4 @@
-#include "transient/side_weights.hpp"
+#include "transient/free_sides.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,14 +6,17 @@
 #include <complex>
 #include <numbers>
 
+#include "base/dense_products.hpp"
+#include "influence/tread_weights.hpp"
 #include "section/tread_cache.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
-using cplx = std::complex<double>;
 using Eigen::Index;
+using Eigen::MatrixXd;
 using WeighedContour = LayerSpectrum::WeighedContour;
+using cplx = std::complex<double>;
 
 /// -ln of the error of the sums. They leave 3e-5 of the difference at any frequency; the elements leave a thousandth.
 constexpr double kLeft = 14.0;
@@ -107,6 +110,36 @@ SideSum sum_of_side_weights(const std::shared_ptr<const std::vector<SampledDiffe
   const auto count = static_cast<Index>(all_orders(bands).size());
   const std::shared_ptr<const SampledDifference> first{weights, &weights->front()};
   return {first, std::move(bands), Eigen::VectorXcd::Ones(count), mesh};  // already per Pa
+}
+
+HalfField side_influence(const SampledDifference& difference, const SideFactors& factors, const RowShape& shape,
+                         double column_distance) {
+  const TreadColumns columns{.first = 0, .spacing = column_distance};
+  const Index lines = difference.z.size();
+  const Index height = shape.components * shape.half_nodes;
+  const Eigen::VectorXd weights = half_weights(shape.half_nodes);
+  MatrixXd gathered = MatrixXd::Zero(difference.amplitudes(), height);
+  MatrixXd read = gathered;
+  for (Index p = 0; p < shape.components; ++p) {
+    const auto of_component = [&](MatrixXd& shares) {
+      return shares.block(p * lines, p * shape.half_nodes, lines, shape.half_nodes);
+    };
+    const bool odd = p == 2;
+    of_component(gathered) = patch_mean_weights(difference.z, columns, shape.half_nodes, odd) * weights.asDiagonal();
+    of_component(read) = node_weights(difference.z, columns, shape.half_nodes, odd) * weights.asDiagonal();
+  }
+  const Index offsets = factors.phi_reach + 1;
+  const Eigen::MatrixXcd ahead = factors.values.bottomRows(offsets);
+  const Eigen::MatrixXcd& samples = difference.parts[kEvenPart];
+  const MatrixXd tables = product(MatrixXd(ahead.real()), MatrixXd(samples.real())) -
+                          product(MatrixXd(ahead.imag()), MatrixXd(samples.imag()));
+  HalfField influence(offsets * height, height);
+  for (Index j = 0; j < offsets; ++j) {
+    const MatrixXd of_lines = tables.row(j).reshaped(difference.amplitudes(), difference.amplitudes());
+    influence.middleRows(j * height, height) = 0.5 * (product(read.transpose(), product(of_lines, gathered)) +
+                                                      product(gathered.transpose(), product(of_lines, read)));
+  }
+  return influence;
 }
 
 }  // namespace viscoroll::detail

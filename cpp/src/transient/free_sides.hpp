@@ -1,5 +1,6 @@
 /// @file
-/// @brief Effect of free sides on the weights of layers with different relaxation functions, order by order.
+/// @brief Effect of the free side faces of a tread on its influence: the difference between the influence of the tread
+/// and that of an unbounded one.
 #pragma once
 
 #include <memory>
@@ -9,6 +10,7 @@
 #include "influence/side_sum.hpp"
 #include "section/side_difference.hpp"
 #include "transient/layer_spectrum.hpp"
+#include "transient/mirrored_tables.hpp"
 
 namespace viscoroll::detail {
 
@@ -31,5 +33,18 @@ namespace viscoroll::detail {
 /// @param[in] mesh mesh of the tread
 [[nodiscard]] SideSum sum_of_side_weights(const std::shared_ptr<const std::vector<SampledDifference>>& weights,
                                           const LayerSpectrum& layers, const MeshOnBody& mesh);
+
+/// @brief Influence in the form of `MirroredTables`, for mirror-symmetric forces, to which the even part of the section
+/// responds.
+///
+/// Forces are gathered by means over patches, and displacements are read at nodes. Half the sum of this and of the
+/// reverse is symmetric and does the same work.
+/// @param[in] difference difference of the section for as many components; its even part is used
+/// @param[in] factors factors at offsets along phi
+/// @param[in] shape rows of nodes
+/// @param[in] column_distance distance between neighboring nodes across [m]
+/// @return influence of a row on the rows 0, 1, ... ahead, up to the reach of the factors, one below the other [m/N]
+[[nodiscard]] HalfField side_influence(const SampledDifference& difference, const SideFactors& factors,
+                                       const RowShape& shape, double column_distance);
 
 }  // namespace viscoroll::detail
