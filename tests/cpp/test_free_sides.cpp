@@ -17,7 +17,6 @@
 #include "influence/side_sum.hpp"
 #include "influence/table.hpp"
 #include "section/side_difference.hpp"
-#include "section/tread_cache.hpp"
 #include "viscoroll/solve.hpp"
 
 namespace viscoroll::detail {

@@ -3,7 +3,7 @@
 #include <complex>
 #include <numbers>
 
-#include "influence/periodic_table.hpp"
+#include "influence/convolution.hpp"
 
 namespace viscoroll::detail {
 namespace {

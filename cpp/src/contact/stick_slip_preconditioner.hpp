@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "influence/inverse_convolution.hpp"
+#include "influence/convolution.hpp"
 #include "influence/spectral_product.hpp"
 #include "surface/surface_operator.hpp"
 

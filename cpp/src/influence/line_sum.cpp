@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "influence/patch.hpp"
+#include "influence/waves.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/parallel.hpp"
 #include "influence/mesh_on_body.hpp"
 #include "influence/order_bands.hpp"
-#include "influence/table_sum.hpp"
+#include "influence/table.hpp"
 #include "influence/waves.hpp"
 #include "modal/harmonic_body.hpp"
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/dense_solvers.hpp"
-#include "influence/patch.hpp"
 #include "influence/table.hpp"
 #include "influence/waves.hpp"
 

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "influence/coating_sum.hpp"
-#include "influence/patch.hpp"
 #include "influence/sampled_angles.hpp"
+#include "influence/waves.hpp"
 
 namespace viscoroll::detail {
 namespace {

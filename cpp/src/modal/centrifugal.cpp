@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "modal/harmonic_body.hpp"
-#include "modal/inner_boundary.hpp"
+#include "modal/layer_stack.hpp"
 #include "viscoroll/modal.hpp"
 
 namespace viscoroll {

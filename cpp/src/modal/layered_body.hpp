@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "modal/medium.hpp"
+#include "modal/layer_stack.hpp"
 #include "viscoroll/cylinder.hpp"
 #include "viscoroll/plane.hpp"
 #include "viscoroll/sphere.hpp"
@@ -17,7 +17,8 @@
 namespace viscoroll::detail {
 
 /// @brief Crown of the layers of a wheel: the radius of a cylinder, and a factor on the change of the compliance that
-/// its curvature causes (crown.hpp). The effect of a strong crown is extrapolated from a flatter reference.
+/// its curvature causes (compliance_recursion.hpp). The effect of a strong crown is extrapolated from a flatter
+/// reference.
 struct Crown {
   double radius = std::numeric_limits<double>::infinity();  ///< radius of the reference [m]; infinite: straight across
   double proportion = 1.0;                                  ///< curvature of the crown relative to the reference

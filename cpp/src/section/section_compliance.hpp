@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "section/section_element.hpp"
 #include "section/section_mesh.hpp"
 
 namespace viscoroll::detail {

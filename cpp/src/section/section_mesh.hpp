@@ -1,6 +1,6 @@
 /// @file
-/// @brief Mesh of half of a tread's section: from the middle of the tread to its face, or beyond half the width if the
-/// tread is unbounded.
+/// @brief Finite elements of half of a tread's section: their mesh, from the middle of the tread to its face, or beyond
+/// half the width if the tread is unbounded, and their stiffness matrices.
 #pragma once
 
 #include <Eigen/Core>
@@ -67,5 +67,33 @@ class SectionMesh {
   std::vector<std::size_t> layer_of_row_;  // from the hub outwards
   std::size_t loaded_lines_ = 0;
 };
+
+constexpr Eigen::Index kElementNodes = 9;
+constexpr Eigen::Index kElementUnknowns = 3 * kElementNodes;  ///< U, V and W of the first node, then of the second, ...
+
+using ElementMatrix = Eigen::Matrix<double, kElementUnknowns, kElementUnknowns>;
+
+/// @brief A matrix with one term for each power of m: 0, 1 and 2.
+using PowersOfOrder = std::array<ElementMatrix, 3>;
+
+/// @brief Stiffness of an element per radian [m]: mu * shear + lambda * volumetric.
+struct ElementStiffness {
+  PowersOfOrder shear;       ///< from the square of the strain tensor
+  PowersOfOrder volumetric;  ///< from the square of the volumetric strain
+};
+
+/// @brief Stiffness matrices of an element.
+/// @param[in] r,z coordinates of the nodes [m], 3 along the first coordinate (z) for each of 3 along the second (r)
+/// @return the matrices
+[[nodiscard]] ElementStiffness element_stiffness(const std::array<double, kElementNodes>& r,
+                                                 const std::array<double, kElementNodes>& z);
+
+/// @return value of a matrix at an order m
+[[nodiscard]] ElementMatrix at_order(const PowersOfOrder& powers, double m);
+
+/// @brief Quadratic shape functions of an edge.
+/// @param[in] x coordinate on the edge, in [-1, 1]
+/// @return shape functions of the first end, the middle and the other end
+[[nodiscard]] std::array<double, 3> quadratic_shares(double x);
 
 }  // namespace viscoroll::detail

@@ -1,7 +1,7 @@
 #include "transient/center_motion.hpp"
 
 #include "contact/moment_arms.hpp"
-#include "surface/patch_slope.hpp"
+#include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {
 namespace {

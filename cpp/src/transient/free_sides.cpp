@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "base/dense_products.hpp"
-#include "influence/tread_weights.hpp"
-#include "section/tread_cache.hpp"
+#include "influence/side_product.hpp"
+#include "section/side_difference.hpp"
 
 namespace viscoroll::detail {
 namespace {

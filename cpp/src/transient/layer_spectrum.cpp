@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "modal/crown.hpp"
+#include "modal/compliance_recursion.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -148,8 +148,7 @@ LayerStack<Scalar> stack_at(const LayeredBody& body, const std::vector<CreepFunc
 template <class Scalar>
 std::vector<Matrix3<Scalar>> solved(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown) {
   std::vector<Matrix3<Scalar>> compliances(orders.size());
-  surface_compliances<Scalar>(orders, compliances);
-  if (!crown.is_flat()) add_crown<Scalar>(orders, crown, compliances);
+  crowned_compliances<Scalar>(orders, crown, compliances);
   return compliances;
 }
 

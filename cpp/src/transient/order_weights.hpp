@@ -8,7 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "influence/mesh_on_body.hpp"
-#include "influence/table_sum.hpp"
+#include "influence/table.hpp"
 #include "modal/spectrum.hpp"
 #include "transient/layer_spectrum.hpp"
 

@@ -1,9 +1,11 @@
 /// @file
-/// @brief Curvature of the surface of a layered body and of the parallel surfaces below it.
+/// @brief Layers of a body at the frequency of one Fourier order: the metric of their surface, the condition at their
+/// inner boundary, and their moduli.
 #pragma once
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "viscoroll/sphere.hpp"
 
@@ -86,5 +88,63 @@ struct Metric {
     return curvature == Curvature::sphere && k2 < kLowOrders ? 0.5 * k2 : k2 - 2.0;
   }
 };
+
+/// @brief Properties of an inner boundary, from inner_boundaries.def.
+struct InnerSurface {
+  bool is_core;  ///< the layer is bonded to a rigid core, which excludes rigid motions
+  bool is_free;  ///< the inner surface of the layer is free of stress
+
+  /// @return whether there is a core or a cavity, and with it an inner radius
+  [[nodiscard]] constexpr bool exists() const { return is_core || is_free; }
+};
+
+[[nodiscard]] constexpr InnerSurface inner_surface(InnerBoundary boundary) {
+#define VISCOROLL_INNER_BOUNDARY(name, NAME, details, is_core, is_free) \
+  case InnerBoundary::name:                                             \
+    return {is_core, is_free};
+  switch (boundary) {
+#include "viscoroll/inner_boundaries.def"
+  }
+#undef VISCOROLL_INNER_BOUNDARY
+  return {true, false};
+}
+
+/// @brief A layer at one frequency. `Scalar` is double if all moduli are real, else std::complex<double>.
+template <class Scalar>
+struct Medium {
+  double inner;    ///< radius or height of the inner boundary, see `Metric` [m]; -infinity for a half-space
+  double outer;    ///< radius or height of the outer boundary [m]
+  Scalar mu;       ///< shear modulus [Pa]
+  Scalar b;        ///< mu / (lambda + 2 mu), see `shear_ratio`
+  double inertia;  ///< rho Omega^2 [Pa/m^2]
+
+  [[nodiscard]] bool is_half_space() const { return std::isinf(inner); }
+};
+
+/// @brief The layers of a body at one frequency.
+template <class Scalar>
+struct LayerStack {
+  Metric metric;
+  InnerBoundary inner_boundary = InnerBoundary::rigid;  ///< condition below the innermost layer
+  std::vector<Medium<Scalar>> media;                    ///< layers from the inside out; a half-space is the first
+
+  /// @return rho (Omega length)^2 / modulus, square of the ratio of the speed of the material to its shear wave speed
+  [[nodiscard]] Scalar mach2(const Medium<Scalar>& medium) const {
+    const double length = metric.length(medium.outer);
+    return medium.inertia * length * length / medium.mu;
+  }
+};
+
+/// @brief Ratio b of the shear modulus to the confined modulus.
+///
+/// b = mu / (lambda + 2 mu) = (1 - 2 nu) / (2 (1 - nu)) = mu / (K + 4/3 mu); 0 for an incompressible layer.
+/// @param[in] layer layer with a Poisson's ratio nu or a bulk modulus K
+/// @param[in] mu shear modulus [Pa]
+/// @return ratio [-]
+template <class Scalar>
+[[nodiscard]] Scalar shear_ratio(const Layer& layer, Scalar mu) {
+  if (layer.bulk_modulus) return mu / (*layer.bulk_modulus + 4.0 / 3.0 * mu);
+  return Scalar((1.0 - 2.0 * *layer.poisson_ratio) / (2.0 * (1.0 - *layer.poisson_ratio)));
+}
 
 }  // namespace viscoroll::detail

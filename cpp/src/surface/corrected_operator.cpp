@@ -1,5 +1,6 @@
-#include "surface/free_sides_operator.hpp"
+#include "surface/corrected_operator.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace viscoroll::detail {
@@ -52,6 +53,47 @@ Losses FreeSidesOperator::dissipation(const VectorField& force) const {
   const SideProduct product = this->product(dissipation_source_(shape().phi_nodes - 1), true);
   const Losses unbounded = nearby().dissipation(force);
   return losses(unbounded.sum() + (loads * product.apply(loads)).sum());
+}
+
+SphereOperator::SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, Influence influence,
+                               DissipationSource dissipation_source)
+    : CorrectedOperator(std::move(nearby)),
+      influence_(std::move(influence)),
+      dissipation_source_(std::move(dissipation_source)),
+      product_(make_sphere_product(shape(), window().theta.first, influence_, execution().threads, execution().watch)) {
+}
+
+VectorField SphereOperator::displacement(const VectorField& force) const {
+  return local().displacements(product_->apply(local().loads(force), execution().threads, execution().watch));
+}
+
+Eigen::VectorXd SphereOperator::normal_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const {
+  VectorField force = VectorField::Zero(shape().size(), 3);
+  for (Eigen::Index i = 0; i < pressing.size(); ++i) force(nodes.node(i), kDown) = pressing[i];
+  const Eigen::ArrayXd moved = displacement(force).col(kDown);
+  return Eigen::VectorXd::NullaryExpr(pressing.size(), [&](Eigen::Index i) { return moved[nodes.node(i)]; });
+}
+
+std::shared_ptr<const SurfaceOperator> SphereOperator::coarsened() const {
+  return std::make_shared<SphereOperator>(
+      nearby().coarsened(),
+      std::make_shared<const SphereInfluence>(with_wide_patches(*influence_, collocation(), false)),
+      [source = dissipation_source_](int phi_reach, int half_theta) {
+        const Influence fine = source(2 * phi_reach + 2, 2 * half_theta + 2);
+        return std::make_shared<const SphereInfluence>(with_wide_patches(*fine, 0.0, true));
+      });
+}
+
+std::shared_ptr<const SurfaceOperator> SphereOperator::within(const Window& window) const {
+  return std::make_shared<SphereOperator>(nearby().within(window), influence_, dissipation_source_);
+}
+
+Losses SphereOperator::dissipation(const VectorField& force) const {
+  const int half_theta = std::max(-window().theta.first, window().theta.last);
+  const Influence influence = dissipation_source_(shape().phi_nodes - 1, half_theta);
+  const FactoredSphereProduct product(shape(), window().theta.first, influence, execution().threads, execution().watch);
+  const Eigen::ArrayXXd loads = local().loads(force);
+  return losses((loads * product.apply(loads, execution().threads, execution().watch)).sum());
 }
 
 }  // namespace viscoroll::detail
