@@ -8,8 +8,6 @@ namespace {
 
 using Eigen::ArrayXd;
 
-ArrayXd node_weights(const ActingPlaces& at) { return half_weights(at.pair.half_nodes()).replicate(at.place.count, 1); }
-
 /// Displacement of the nodes of a body along an axis, opposite to the direction of the forces.
 ArrayXd displaced(const ActingPlaces& at, std::size_t body, Axis axis) {
   const HalfField& deformed = at.deformed[body];
@@ -17,7 +15,7 @@ ArrayXd displaced(const ActingPlaces& at, std::size_t body, Axis axis) {
       at.pair.coating().components() == 1
           ? ArrayXd(deformed.reshaped())
           : ArrayXd(along(at.place.axes[body][static_cast<std::size_t>(axis)], deformed).reshaped());
-  return along_axis / node_weights(at);
+  return along_axis / at.place.weights;
 }
 
 ArrayXd slope(const ActingPlaces& at, const ArrayXd& values) {
@@ -30,8 +28,8 @@ ArrayXd slope(const ActingPlaces& at, const ArrayXd& values) {
 ArrayXd pushing_slope(const ActingPlaces& at) {
   const auto& bodies = at.pair.bodies;
   if (bodies.size() > 1) return slope(at, displaced(at, 1, kDown));
-  if (bodies.front().rolls) return ArrayXd::Zero(at.place.lever.size());
-  return at.place.lever / relative_radius(at.pair.pair);
+  if (bodies.front().rolls) return ArrayXd::Zero(at.place.moment_arm.size());
+  return at.place.moment_arm / relative_radius(at.pair.pair);
 }
 
 /// Depth below the center at which tangential forces act.
@@ -43,16 +41,16 @@ ArrayXd depth_below_center(const ActingPlaces& at) {
 }  // namespace
 
 VectorField force_on_center(const ActingPlaces& at) {
-  VectorField row = VectorField::Zero(at.place.lever.size(), 3);
+  VectorField row = VectorField::Zero(at.place.moment_arm.size(), 3);
   row.col(kForward).setConstant(-1.0);
-  row.col(kDown) = at.pair.pair.on->curvatures().along * at.place.lever - pushing_slope(at);
+  row.col(kDown) = at.pair.pair.on->curvatures().along * at.place.moment_arm - pushing_slope(at);
   return row;
 }
 
 VectorField moment_about_center(const ActingPlaces& at) {
   const double radius = at.pair.nodes.grid.radius;
-  MomentArms arms{.x = radius * (at.place.lever / relative_radius(at.pair.pair) - pushing_slope(at)),
-                  .y = ArrayXd::Zero(at.place.lever.size()),
+  MomentArms arms{.x = radius * (at.place.moment_arm / relative_radius(at.pair.pair) - pushing_slope(at)),
+                  .y = ArrayXd::Zero(at.place.moment_arm.size()),
                   .radius = radius};
   if (at.pair.coating().components() > 1) {
     arms.y = depth_below_center(at);
@@ -65,7 +63,7 @@ VectorField force_along_track(const ActingPlaces& at, double penetration) {
   const double turning = at.pair.pair.on->curvatures().along;
   VectorField row = force_on_center(at);
   if (turning == 0.0) return row;
-  row.col(kDown) -= turning * at.place.lever;
+  row.col(kDown) -= turning * at.place.moment_arm;
   if (!approach_exists(at.pair.pair)) return row;
   row.col(kForward) += turning * (depth_below_center(at) - (at.pair.nodes.grid.radius - penetration));
   return row;
@@ -74,7 +72,7 @@ VectorField force_along_track(const ActingPlaces& at, double penetration) {
 VectorField counterbody_slopes(const ActingPlaces& at) {
   const auto& bodies = at.pair.bodies;
   if (bodies.back().rolls) return {};
-  VectorField slopes(at.place.lever.size(), 3);
+  VectorField slopes(at.place.moment_arm.size(), 3);
   for (const Axis axis : {kForward, kDown, kSideways}) {
     slopes.col(axis) = -slope(at, displaced(at, bodies.size() - 1, axis));
   }
@@ -82,13 +80,13 @@ VectorField counterbody_slopes(const ActingPlaces& at) {
 }
 
 CenterRow center_row(const ActingPlaces& at, const CenterCondition& condition) {
-  CenterRow row{.force_coefficients = VectorField::Zero(at.place.lever.size(), 3),
+  CenterRow row{.force_coefficients = VectorField::Zero(at.place.moment_arm.size(), 3),
                 .displacement = condition.displacement,
                 .value = condition.value};
   if (condition.force != 0.0) row.force_coefficients -= condition.force * force_on_center(at);
   if (condition.torque != 0.0)
     row.force_coefficients += condition.torque / at.pair.nodes.grid.radius * moment_about_center(at);
-  row.force_coefficients.colwise() *= node_weights(at);
+  row.force_coefficients.colwise() *= at.place.weights;
   return row;
 }
 

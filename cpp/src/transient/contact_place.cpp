@@ -64,13 +64,14 @@ ContactPlace place_at(const ViscoelasticPair& pair, double shift, Index half_row
 
 ContactPlace place_of(const ViscoelasticPair& pair, Index first, SurfaceWindow nodes) {
   Eigen::ArrayXd gap = initial_gap(nodes, {}, pair.pair);
-  Eigen::ArrayXd lever = pressure_lever(nodes, pair.pair);
+  Eigen::ArrayXd moment_arm = pressure_lever(nodes, pair.pair);
   std::vector<Axes> axes = axes_at(pair, nodes);
   return {.first = first,
           .count = nodes.shape().phi_nodes,
+          .weights = half_weights(pair.half_nodes()).replicate(nodes.shape().phi_nodes, 1),
           .nodes = std::move(nodes),
           .gap = std::move(gap),
-          .lever = std::move(lever),
+          .moment_arm = std::move(moment_arm),
           .axes = std::move(axes)};
 }
 

@@ -254,11 +254,11 @@ CreepSpectrum creep_spectrum(const ShearModulus& modulus, const TimeRange& range
 
 double difference(const CreepSpectrum& a, const CreepSpectrum& b) {
   const auto creep = [](const CreepSpectrum& spectrum, double time) {
-    double yielded = spectrum.instantaneous;
+    double value = spectrum.instantaneous;
     for (std::size_t j = 0; j < spectrum.size(); ++j) {
-      yielded -= spectrum.weights[j] * std::expm1(-time / spectrum.retardation_times[j]);
+      value -= spectrum.weights[j] * std::expm1(-time / spectrum.retardation_times[j]);
     }
-    return yielded;
+    return value;
   };
   double largest = 0.0;
   for (const auto* spectrum : {&a, &b}) {

@@ -68,8 +68,7 @@ VectorField carried_forces(const ViscoelasticPair& pair, const ContactPlace& pla
   if (!(guess.col(kDown) < 0.0).any()) {
     guess.col(kDown) = -(kContactShare * kContactShare * place.gap[0] - place.gap).max(0.0);
   }
-  const ArrayXd weights = half_weights(pair.half_nodes()).replicate(place.count, 1);
-  return load / -(weights * guess.col(kDown)).sum() * guess;
+  return load / -(place.weights * guess.col(kDown)).sum() * guess;
 }
 
 /// Compliance of all bodies for the forces of the contact.
@@ -116,14 +115,13 @@ StepSlip step_slip(const ViscoelasticPair& pair, const ContactPlace& before, con
   slip.slip_per_center_displacement.col(0) = 1.0 - delay;
   const VectorField slopes = counterbody_slopes({pair, before, departure.loaded_displacements});
   const double rolled = pair.nodes.grid.radius * departure.turned;
-  const ArrayXd weights = half_weights(pair.half_nodes()).replicate(place.count, 1);
   for (const auto& [column, axis] : {std::pair{0, kForward}, std::pair{1, kSideways}}) {
     if (slopes.rows() > 0) {
       slip.known.col(column) -= rolled * slopes.col(axis);
       slip.slip_per_center_displacement.col(column) += slopes.col(axis);
     }
-    slip.known.col(column) *= weights;
-    slip.slip_per_center_displacement.col(column) *= weights;
+    slip.known.col(column) *= place.weights;
+    slip.slip_per_center_displacement.col(column) *= place.weights;
     slip.known.col(column) -= against(axis, place.axes, instant.known).reshaped().array();
     slip.known.col(column) += against(axis, before.axes, departure.loaded_displacements).reshaped().array();
   }
@@ -135,11 +133,10 @@ StepSlip step_slip(const ViscoelasticPair& pair, const ContactPlace& before, con
 StickSlip solve_frictionless(const ViscoelasticPair& pair, const InstantContact& instant, const LastForces& last,
                              double load, ContactInverse& inverse) {
   const Index half_nodes = pair.half_nodes();
-  const ArrayXd weights = half_weights(half_nodes);
   const StepOperator surface = surface_of(instant, instant.place.axes);
   ElasticContactProblem problem{.surface = surface,
-                                .gap = weights.matrix().asDiagonal() * as_field(instant.place.gap, half_nodes),
-                                .weights = weights.matrix().replicate(1, instant.place.count),
+                                .gap = as_field(instant.place.weights * instant.place.gap, half_nodes),
+                                .weights = as_field(instant.place.weights, half_nodes),
                                 .load = load};
   problem.gap += known_gap(pair, instant);
   PressedNodes contact =
@@ -158,7 +155,6 @@ StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& i
   const ContactPlace& place = instant.place;
   const SurfaceGrid& grid = pair.nodes.grid;
   const double compliance = instant.instantaneous.sum;
-  const ArrayXd weights = half_weights(pair.half_nodes()).replicate(place.count, 1);
   const ContactPlace before =
       place_of(pair, place.first,
                SurfaceWindow(grid, place.nodes.window(), place.nodes.shift() - departure.turned / grid.phi_spacing));
@@ -179,10 +175,10 @@ StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& i
     return center_row({pair, place, deformed}, scaled);
   };
   const StickSlipProblem problem{.surface = surface,
-                                 .gap = weights * place.gap + known_gap(pair, instant).reshaped().array(),
+                                 .gap = place.weights * place.gap + known_gap(pair, instant).reshaped().array(),
                                  .known_slip = std::move(slip.known),
                                  .slip_per_center_displacement = std::move(slip.slip_per_center_displacement),
-                                 .weights = weights,
+                                 .weights = place.weights,
                                  .load = compliance * load,
                                  .friction = pair.friction,
                                  .center_row = row,
@@ -194,7 +190,7 @@ StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& i
 
 StickSlip solve_lifted(const ViscoelasticPair& pair, const InstantContact& instant, const CenterCondition& center) {
   const Index half_nodes = pair.half_nodes();
-  const HalfField weights = half_weights(half_nodes).matrix().replicate(1, instant.place.count);
+  const HalfField weights = as_field(instant.place.weights, half_nodes);
   StickSlip result;
   result.force = VectorField::Zero(weights.size(), 3);
   result.penetration =
@@ -249,7 +245,7 @@ double flat_patch(const SurfaceGrid& grid) { return std::pow(grid.radius, 2) * g
 
 void set_extent(const ViscoelasticPair& pair, const InstantContact& instant, RollingInstant& now) {
   const SurfaceWindow& nodes = instant.place.nodes;
-  const ArrayXd weights = half_weights(pair.half_nodes()).replicate(instant.place.count, 1);
+  const ArrayXd& weights = instant.place.weights;
   const ArrayXd forces = -instant.contact.force.col(kDown) / instant.instantaneous.sum;
   now.penetration = instant.contact.penetration;
   if (!std::isnan(now.penetration)) require_depth(pair.pair, now.load, now.penetration);
@@ -263,11 +259,11 @@ void set_extent(const ViscoelasticPair& pair, const InstantContact& instant, Rol
 }
 
 CenterPower set_moments(const ViscoelasticPair& pair, const InstantContact& instant, RollingInstant& now) {
-  const ArrayXd weights = half_weights(pair.half_nodes()).replicate(instant.place.count, 1);
+  const ArrayXd& weights = instant.place.weights;
   const VectorField force = instant.contact.force.colwise() * weights / instant.instantaneous.sum;
   const std::vector<HalfField> deformed = detail::deformed(pair, instant);
   const ActingPlaces at{pair, instant.place, deformed};
-  now.resisting_torque = -(instant.place.lever * force.col(kDown)).sum();
+  now.resisting_torque = -(instant.place.moment_arm * force.col(kDown)).sum();
   now.driving_force = (force_on_center(at) * force).sum();
   now.driving_torque = (moment_about_center(at) * force).sum();
   CenterPower power{.along_track = (force_along_track(at, instant.contact.penetration) * force).sum()};

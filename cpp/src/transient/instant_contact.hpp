@@ -56,7 +56,8 @@ struct Departure {
   std::vector<HalfField> loaded_displacements;  ///< earlier displacement of every body, on the rows of the window
 };
 
-/// @brief Solve the contact with friction of docs/theory/transient-friction.md, in which nodes that met stay matched.
+/// @brief Solve the contact with friction of docs/theory/transient-friction.md, in which nodes of the two bodies that
+/// met in the contact stay together.
 /// @param[in] pair,instant,last same as in `solve_frictionless`
 /// @param[in] departure motion of the nodes in the step
 /// @param[in] load [N]

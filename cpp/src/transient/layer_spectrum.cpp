@@ -233,16 +233,16 @@ Eigen::VectorXcd shares(std::span<const double> times, const cplx& lambda) {
   return shares;
 }
 
-Contour contour_around(std::span<const TimeRange> intervals, double left) {
+Contour contour_around(std::span<const TimeRange> intervals, double e_folds) {
   // The functions phi_j grow with the angle of lambda up to a quarter of a turn and have their poles at half a turn. A
   // third of half a turn requires few points and loses few digits.
   constexpr double kHeight = pi / 3.0;
   const double half_width = 0.5 * std::log(intervals.back().longest / intervals.front().shortest);
   const cplx center = 0.5 * std::log(intervals.back().longest * intervals.front().shortest);
   const double half_length = std::hypot(half_width, kHeight);
-  const double decay = half_width > 0.0 ? std::asinh(kHeight / half_width) : left;
+  const double decay = half_width > 0.0 ? std::asinh(kHeight / half_width) : e_folds;
   constexpr double kFewest = 0.4;  // for the poles outside, three times as far from a single time as the contour
-  const int count = static_cast<int>(std::ceil(std::max(0.5 * left / decay, kFewest * left)));
+  const int count = static_cast<int>(std::ceil(std::max(0.5 * e_folds / decay, kFewest * e_folds)));
   Contour contour;
   for (int q = 0; q < count; ++q) {
     const double angle = pi * (q + 0.5) / count;  // the lower half is the conjugate of the upper one
@@ -267,8 +267,8 @@ LayerSpectrum::LayerSpectrum(LayeredBody body, const TimeRange& range, double to
   sums_ = std::move(contour.sums);
 }
 
-LayerSpectrum::WeighedContour LayerSpectrum::contour(double left) const {
-  Contour contour = contour_around(intervals_of(body_, moduli_), left);
+LayerSpectrum::WeighedContour LayerSpectrum::contour(double e_folds) const {
+  Contour contour = contour_around(intervals_of(body_, moduli_), e_folds);
   WeighedContour weighed{.times = std::move(contour.times), .sums = {}};
   weighed.sums.resize(static_cast<Index>(times_.size()), static_cast<Index>(weighed.times.size()));
   for (std::size_t q = 0; q < weighed.times.size(); ++q) {

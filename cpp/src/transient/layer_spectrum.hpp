@@ -38,11 +38,11 @@ struct CreepFunction {
   /// @return mu*(s) at s = -1/time [Pa]
   template <class Scalar>
   [[nodiscard]] Scalar at(const Scalar& time) const {
-    Scalar yielded = creep.instantaneous;
+    Scalar compliance = creep.instantaneous;
     for (std::size_t j = 0; j < creep.size(); ++j) {
-      yielded += creep.weights[j] * time / (time - creep.retardation_times[j]);
+      compliance += creep.weights[j] * time / (time - creep.retardation_times[j]);
     }
-    return relaxed / yielded;
+    return relaxed / compliance;
   }
 
   /// @return mu*(infinity) [Pa]
@@ -87,8 +87,8 @@ struct Contour {
 
 /// @brief Points of the trapezoidal rule on an ellipse in the plane of ln(lambda).
 /// @param[in] intervals intervals that the ellipse encloses
-/// @param[in] left -ln of the relative error of the sums
-[[nodiscard]] Contour contour_around(std::span<const TimeRange> intervals, double left);
+/// @param[in] e_folds -ln of the relative error of the sums
+[[nodiscard]] Contour contour_around(std::span<const TimeRange> intervals, double e_folds);
 
 /// @brief An order of a surface, not necessarily an integer.
 struct SurfaceOrder {
@@ -129,8 +129,8 @@ class LayerSpectrum {
     std::vector<std::complex<double>> times;  ///< in place of -1/s [s]
     Eigen::MatrixXcd sums;                    ///< [time][point], of which the real part is used
   };
-  /// @param[in] left -ln of the relative error of the sums
-  [[nodiscard]] WeighedContour contour(double left) const;
+  /// @param[in] e_folds -ln of the relative error of the sums
+  [[nodiscard]] WeighedContour contour(double e_folds) const;
   /// @return the layers at a point of the contour
   [[nodiscard]] LayerStack<std::complex<double>> layers_at(const std::complex<double>& time) const;
   /// @return the layers with their instantaneous moduli

@@ -325,9 +325,9 @@ void ShiftedMesh::advance(const PairStep& step, const StepEnd& end, const Checkp
   now_.energy_balance_residual += work - used;
 }
 
-void ShiftedMesh::lose(double energy, bool in_what_rolls) {
+void ShiftedMesh::lose(double energy, bool in_rolling_body) {
   now_.dissipated_energy += energy;
-  if (!in_what_rolls) now_.counterbody_dissipated_energy += energy;
+  if (!in_rolling_body) now_.counterbody_dissipated_energy += energy;
 }
 
 void ShiftedMesh::take_stored_energy() {

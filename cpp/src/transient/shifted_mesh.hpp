@@ -107,7 +107,7 @@ class ShiftedMesh {
   void take_friction(const InstantContact& instant);
   void take_stored_energy();
   [[nodiscard]] double slip_work(const InstantContact& instant) const;
-  void lose(double energy, bool in_what_rolls);
+  void lose(double energy, bool in_rolling_body);
   /// Displacements of every body on the rows of a window.
   [[nodiscard]] std::vector<HalfField> displacements(const ContactPlace& place) const;
   void forget_contact();
