@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "influence/side_product.hpp"
-#include "influence/side_sum.hpp"
+#include "influence/side_influence.hpp"
 #include "influence/table.hpp"
 #include "section/side_difference.hpp"
 #include "viscoroll/solve.hpp"

@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "base/dense_solvers.hpp"
-#include "influence/coating_sum.hpp"
-#include "influence/line_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/layered_body.hpp"
 #include "transient/layer_spectrum.hpp"
 #include "transient/order_weights.hpp"

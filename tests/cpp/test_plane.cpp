@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
 #include "modal/order_panels.hpp"

@@ -12,7 +12,6 @@
 #include "base/dense_solvers.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "section/section_compliance.hpp"
-#include "section/section_mesh.hpp"
 
 namespace viscoroll::detail {
 namespace {

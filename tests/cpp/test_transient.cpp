@@ -8,7 +8,7 @@
 
 #include "base/dense_solvers.hpp"
 #include "cases.hpp"
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/layered_body.hpp"
 #include "transient/contact_inverse.hpp"
 #include "transient/creep_spectrum.hpp"

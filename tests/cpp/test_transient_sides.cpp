@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "influence/side_product.hpp"
+#include "influence/side_influence.hpp"
 #include "section/section_compliance.hpp"
 #include "section/side_difference.hpp"
 #include "transient/free_sides.hpp"

@@ -9,7 +9,7 @@
 #include "cases.hpp"
 #include "contact/semismooth_newton.hpp"
 #include "contact/stick_slip_conditions.hpp"
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/layered_body.hpp"
 #include "transient/stick_slip.hpp"
 

@@ -11,8 +11,8 @@
 #include "contact/active_set.hpp"
 #include "contact/krylov.hpp"
 #include "contact/pressed_by_matrix.hpp"
-#include "influence/convolution.hpp"
 #include "influence/fft.hpp"
+#include "influence/table_product.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {

@@ -3,7 +3,7 @@
 #include <complex>
 #include <numbers>
 
-#include "influence/convolution.hpp"
+#include "influence/table_product.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "influence/convolution.hpp"
 #include "influence/fft.hpp"
 #include "influence/sphere_sum.hpp"
+#include "influence/table_product.hpp"
 
 namespace viscoroll::detail {
 

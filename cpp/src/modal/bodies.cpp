@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "base/validate.hpp"
-#include "modal/circle.hpp"
 #include "modal/layer_stack.hpp"
+#include "modal/layered_body.hpp"
 #include "viscoroll/cylinder.hpp"
 #include "viscoroll/plane.hpp"
 #include "viscoroll/sphere.hpp"

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "influence/side_product.hpp"
-#include "influence/side_sum.hpp"
+#include "influence/side_influence.hpp"
 #include "influence/sphere_product.hpp"
 #include "surface/surface_operator.hpp"
 #include "surface/table_operator.hpp"

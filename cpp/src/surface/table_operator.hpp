@@ -9,7 +9,6 @@
 #include <optional>
 #include <vector>
 
-#include "influence/convolution.hpp"
 #include "influence/synthesis.hpp"
 #include "influence/table_product.hpp"
 #include "surface/surface_operator.hpp"

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/dense_products.hpp"
-#include "influence/side_product.hpp"
+#include "influence/side_influence.hpp"
 #include "section/side_difference.hpp"
 
 namespace viscoroll::detail {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "influence/side_sum.hpp"
+#include "influence/side_influence.hpp"
 #include "section/side_difference.hpp"
 #include "transient/layer_spectrum.hpp"
 #include "transient/mirrored_tables.hpp"

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "influence/line_sum.hpp"
 #include "influence/synthesis.hpp"
+#include "influence/table_sums.hpp"
 
 namespace viscoroll::detail {
 namespace {
