@@ -30,7 +30,7 @@ constexpr double kLastPhase = 3.4;
 
 /// Ratio of successive orders. In ln m the difference behaves like a rational function with poles pi/2 off the real
 /// axis.
-constexpr double kLargestRatio = 1.3;
+constexpr double kMaxOrderRatio = 1.3;
 
 /// Width of a flat tread, in thicknesses, above which its faces do not affect the middle. Their effect decays like
 /// e^(-2.2 e/h) with the distance e, to 2e-8 in the middle of this width.
@@ -38,7 +38,7 @@ constexpr double kWide = 16.0;
 
 /// Radius of the reference crown, in lengths of the straight section. Its slopes stay below the inverse of this number,
 /// so that its effect is linear in the curvature.
-constexpr double kLinearRadius = 20.0;
+constexpr double kLinearCrownRadius = 20.0;
 
 /// Radius of a section that is straight along the path, in thicknesses. The relative effect of its curvature is the
 /// inverse of this number.
@@ -149,7 +149,7 @@ TreadCache& treads() {
 ArrayXd sampled_orders(const CoatedWheel& wheel, const SectionFineness& fineness) {
   const double element = fineness.finest * std::min(coating_thickness(wheel), wheel.width);
   const double last = std::log(std::max(kLastPhase * outer_radius(wheel) / element, 2.0));
-  const auto steps = static_cast<Index>(std::max(3.0, std::ceil(last / std::log(kLargestRatio))));
+  const auto steps = static_cast<Index>(std::max(3.0, std::ceil(last / std::log(kMaxOrderRatio))));
   ArrayXd orders(steps + 2);
   orders << 0.0, ArrayXd::LinSpaced(steps + 1, 0.0, last).exp();
   return orders;
@@ -185,7 +185,7 @@ std::vector<SectionMedium<cplx>> section_media(const HarmonicBody& body, std::si
 
 SectionCrown::SectionCrown(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness)
     : straight_(SectionMesh(straight_along(wheel, kFlat), SectionEnd::unbounded, fineness), tangential),
-      crown_radius_(std::max(wheel.crown_radius, kLinearRadius * length(straight_.mesh()))),
+      crown_radius_(std::max(wheel.crown_radius, kLinearCrownRadius * length(straight_.mesh()))),
       crowned_(SectionMesh(straight_along(wheel, crown_radius_), SectionEnd::unbounded, fineness), tangential),
       proportion_(crown_radius_ / wheel.crown_radius),
       lengthening_(outer_radius(straight_along(wheel, kFlat)) / outer_radius(wheel)) {}
