@@ -23,7 +23,7 @@ HalfField against(Axis axis, const std::vector<Axes>& axes, const std::vector<Ha
   return sum;
 }
 
-/// Remembered displacements of all bodies, which open the gap.
+/// Displacements of all bodies that remain from earlier loads; they open the gap.
 HalfField known_gap(const ViscoelasticPair& pair, const InstantContact& instant) {
   if (pair.coating().components() > 1) return against(kDown, instant.place.axes, instant.known);
   HalfField known = instant.known.front();

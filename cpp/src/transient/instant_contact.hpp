@@ -17,7 +17,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief Compliance of the bodies for the new forces.
+/// @brief Compliance of the bodies for the forces at the end of a step.
 struct InstantaneousCompliance {
   std::vector<InstantaneousTables> of_bodies;
   double sum;  ///< of the shares of their tables
@@ -34,7 +34,7 @@ struct InstantContact {
   std::function<void()> checkpoint;  ///< to be called every few milliseconds
 };
 
-/// @brief Forces of the last window.
+/// @brief Forces of the previous contact.
 struct LastForces {
   const VectorField& force;  ///< at the nodes of the contact, row by row
   Eigen::Index count;        ///< number of rows
@@ -44,22 +44,23 @@ struct LastForces {
 /// @brief Solve the frictionless contact.
 /// @param[in] pair both bodies
 /// @param[in] instant place and known displacements
-/// @param[in] last starting forces
+/// @param[in] last forces of the previous contact, from which the search starts
 /// @param[in] load load times the compliance factor `instant.instantaneous.sum`
 /// @param[in,out] inverse of an earlier contact
 [[nodiscard]] StickSlip solve_frictionless(const ViscoelasticPair& pair, const InstantContact& instant,
                                            const LastForces& last, double load, ContactInverse& inverse);
 
-/// @brief Motion of the nodes before a step with friction ends.
+/// @brief State from which a step with friction begins.
 struct Departure {
-  double turned;                                ///< angle by which the rolling body turns in the step [rad]
-  std::vector<HalfField> loaded_displacements;  ///< earlier displacement of every body, on the rows of the window
+  double turned;  ///< angle by which the rolling body turns in the step [rad]
+  /// Displacement of every body before the step, on the rows of the window.
+  std::vector<HalfField> loaded_displacements;
 };
 
 /// @brief Solve the contact with friction of docs/theory/transient-friction.md, in which nodes of the two bodies that
 /// met in the contact stay together.
 /// @param[in] pair,instant,last same as in `solve_frictionless`
-/// @param[in] departure motion of the nodes in the step
+/// @param[in] departure state before the step, and angle turned in it
 /// @param[in] load [N]
 /// @param[in] center condition for the displacement of the center
 /// @param[in,out] stiffness of an earlier contact
@@ -67,7 +68,8 @@ struct Departure {
                                          const LastForces& last, const Departure& departure, double load,
                                          const CenterCondition& center, ContactStiffness& stiffness);
 
-/// @brief Position of bodies that just touch with their remembered displacements and support no load.
+/// @brief Find the position in which bodies that support no load just touch, with the displacements that remain from
+/// earlier loads.
 [[nodiscard]] StickSlip solve_lifted(const ViscoelasticPair& pair, const InstantContact& instant,
                                      const CenterCondition& center);
 
