@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import assert_never
 
 import numpy as np
 
 from .._support.arguments import Floats, as_float
-from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, RollingBody
+from ..bodies import RollingBody
 from ..materials.moduli import to_core
 from .measured import MeasuredModulus, measured
 from .prony_fit import fit_prony
@@ -21,6 +20,10 @@ __all__ = ["Check", "check_modulus", "check_range", "rolling_range"]
 
 #: Limit of the checks for data without scatter [-].
 _TOLERANCE = 0.02
+
+#: Largest plausible scatter [-]. Rheometers repeat a modulus within a few percent. A larger scatter means that the
+#: points belong to different temperatures, strains or specimens.
+_LARGEST_SCATTER = 0.1
 
 #: Terms per decade of the passive and of the causal fit. More terms of either sign would fit the noise.
 _DENSE, _SIGNED = 4.0, 2.0
@@ -71,6 +74,7 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
     * Passivity: the residual of the best dense series of *positive* terms. This is the best single check of data.
     * Monotony: the storage modulus of a passive solid never decreases with frequency. The check compares means over
       one, two, four ... tenths of a decade and reports the decrease that is largest relative to its limit.
+    * Scatter from point to point: at most 10 %, because the limits of the other checks follow from it.
 
     The limits of the first two are twice the scatter from point to point, or 2 % if this is larger. The limit of the
     third is the largest decrease that scatter alone is likely to cause, or 2 %.
@@ -83,7 +87,7 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
     Returns
     -------
     tuple of Check
-        The three checks, in this order.
+        The four checks, in this order.
     """
     frequency, storage, loss = measured(curve)
     noise = _scatter(curve)
@@ -114,6 +118,12 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
             limit=most,
             message=f"largest decrease of the storage modulus with frequency {drop:.2%}; scatter of the points "
             f"{noise:.2%} (limit {most:.2%})",
+        ),
+        Check(
+            name="scatter",
+            value=noise,
+            limit=_LARGEST_SCATTER,
+            message=f"scatter of the points {noise:.2%} (limit {_LARGEST_SCATTER:.0%})",
         ),
     )
 
@@ -194,15 +204,11 @@ def _half_length(body: RollingBody, load: float, compliance: float) -> float:
     def on_spot(radius_ratio: float) -> float:
         return float(np.cbrt(0.375 * compliance * load * body.outer_radius * np.sqrt(radius_ratio)))
 
-    match body:
-        case CoatedSphere():
-            return on_spot(1.0)
-        case CoatedCylinder():
-            return on_line(load)
-        case CoatedWheel():
-            return max(on_line(load / body.width), on_spot(body.outer_radius / body.crown_radius))
-        case _:
-            assert_never(body)
+    if body.line_contact:
+        return on_line(load)
+    if body.width is None or body.crown_radius is None:
+        return on_spot(1.0)
+    return max(on_line(load / body.width), on_spot(body.outer_radius / body.crown_radius))
 
 
 def _signed_residual(frequency: Floats, storage: Floats, loss: Floats) -> float:
