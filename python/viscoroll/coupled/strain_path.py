@@ -211,7 +211,7 @@ def _phi(inside: Inside, reach: float) -> Floats:
     """Return places along the path, at nodes of the mesh, at which the steps of the pressure have little effect."""
     spacing = inside.node_spacings()[0]
     half_width = max((inside.result.semi_axis_x or 0.0) / inside.radius, spacing)
-    limit = _HALF_TURN if inside.turns else _THIRD
+    limit = _HALF_TURN if inside.has_radius else _THIRD
     return 0.5 * math.pi + spacing * _steps(half_width / spacing, _ALONG, min(reach * half_width, limit) / spacing)
 
 
@@ -308,4 +308,4 @@ def _measure(inside: Inside, depth: Floats) -> Floats:
 
 
 def _period(inside: Inside, phi: Floats) -> float:
-    return 2.0 * math.pi if inside.turns else _PADDING * float(phi[-1] - phi[0])
+    return 2.0 * math.pi if inside.has_radius else _PADDING * float(phi[-1] - phi[0])

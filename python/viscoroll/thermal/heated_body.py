@@ -300,7 +300,7 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
         inner_rise=held_rise(given),
         along="z",
         unit="W/m²" if inside.line_contact else "W/m",
-        power=inside.bulk_power / (inside.passes * inside.radius * period),
+        power=inside.bulk_power / (inside.passing_speed * inside.radius * period),
         project=project,
     )
 

@@ -312,7 +312,7 @@ def _field(
 ) -> xarray.DataArray:
     across, place = body.along, body.conduction.coordinate
     unit = {"units": "rad" if across == "theta" else "m"}
-    turns = body.inside.turns
+    turns = body.inside.has_radius
     normal = "radius" if turns else "depth"
     return array(
         rise,
