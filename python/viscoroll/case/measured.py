@@ -209,11 +209,11 @@ def compare_measured(case: Case, measured: Measurements, *, progress: ProgressLi
     if None in values:
         raise InvalidInput(measured.quantity, "must be determined by the case", "None: compare another result")
     computed = np.array(values, dtype=float)
-    doubts = np.array([result.error_estimate + (result.model_error or 0.0) for result in results])
+    estimates = np.array([result.error_estimate + (result.model_error or 0.0) for result in results])
     return Trial(
         case=case,
         measured=measured,
         computed=computed,
-        bands=np.abs(computed) * doubts,
+        bands=np.abs(computed) * estimates,
         statuses=[result.status for result in results],
     )

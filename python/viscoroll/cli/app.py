@@ -120,7 +120,7 @@ def solve(
     loaded = load_case(case)
     _tell_skipped(case, "viscoroll solve")
     heated, softened = None, None
-    with progress_bar() as report, warnings.catch_warnings(record=True) as doubts:
+    with progress_bar() as report, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", ResultWarning)
         if loaded.thermal is not None and loaded.thermal.shift is not None:
             heated = loaded.self_heating(progress=report)
@@ -147,7 +147,7 @@ def solve(
         if softened is not None:
             for line in repr(softened).splitlines():
                 write_line(line)
-    said = [str(doubt.message) for doubt in doubts if issubclass(doubt.category, ResultWarning)]
+    said = [str(warning.message) for warning in caught if issubclass(warning.category, ResultWarning)]
     for message in dict.fromkeys([*result_warnings(result), *said]):
         write_message(f"warning: {message}")
     if plot is not None:
@@ -210,7 +210,7 @@ def sweep(
 ) -> None:
     """Solve all combinations of the parameters that a file varies, except the points that the cache holds."""
     from ..case.study import load_study
-    from ..studies.study import doubts, run_plan
+    from ..studies.study import run_plan, study_warnings
     from ..studies.table import save_table
 
     check_target("--output", output, (".nc",))
@@ -224,7 +224,7 @@ def sweep(
         save_table(dataset, table)
     for message in sorted(set(dataset.error.values.ravel()) - {""}):
         write_message(f"warning: a point failed: {message}")
-    for message in doubts(dataset):
+    for message in study_warnings(dataset):
         write_message(f"warning: {message}")
     sizes = " x ".join(f"{dataset.sizes[name]} {name}" for name in dataset.error.dims)
     summary = f"{dataset.error.size} points ({sizes}), {int((dataset.error != '').sum())} failed: {path}"

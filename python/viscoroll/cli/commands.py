@@ -129,7 +129,7 @@ def export(
 ) -> None:
     """Write rolling friction as a discrete-element code defines it, and a CSV table of T(P, Ω)."""
     from ..export import dem
-    from ..studies.study import doubts
+    from ..studies.study import study_warnings
 
     if not 1.0 < span <= 100.0:
         raise ValueError(f"--span must be in (1, 100], got {span:g}")
@@ -137,7 +137,7 @@ def export(
     if path.is_dir() or not path.parent.is_dir():
         raise ValueError(f"--output must be a file in a folder that exists, got {shown(str(path))}")
     study, load, speed = _study_around(case, span)
-    for message in doubts(study):
+    for message in study_warnings(study):
         write_message(f"warning: {message}")
     written = dem(study, code=code.value, style=style, load=load, angular_speed=speed)
     table = written.save(path)
