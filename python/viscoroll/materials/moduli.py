@@ -212,7 +212,8 @@ class CreepCompliance(ShearModulus):
     Notes
     -----
     The modulus is 1/J* with J*(ω) = J₀ + Σ J_k / (1 + iωτ_k). It equals a Prony series of as many terms as there are
-    different retardation times; the relaxation times are found from the zeros of J*, one between each two poles.
+    different retardation times. The relaxation times follow from the zeros of J*: each lies between a retardation time
+    and the next shorter one.
 
     Examples
     --------
@@ -233,7 +234,7 @@ class CreepCompliance(ShearModulus):
         ShearModulus.__post_init__(self)
 
     def prony(self) -> Prony:
-        """Return the equal Prony series of the modulus."""
+        """Return the Prony series that equals this modulus."""
         series = self._to_core()
         return Prony(
             instantaneous_modulus=series.instantaneous_modulus,

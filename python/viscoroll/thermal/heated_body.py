@@ -18,8 +18,8 @@ from ..solution.loss import contact_size
 from .conduction import Conduction
 from .heat_modes import (
     HeatModes,
-    film_across,
-    film_matrix,
+    film_matrix_of_ball,
+    film_matrix_of_wheel,
     modes_of_ball,
     modes_of_roller,
     modes_of_slab,
@@ -29,11 +29,11 @@ from .surroundings import (
     Core,
     Surroundings,
     conductivities_of,
-    even_film,
-    held_rise,
+    core_rise,
     inner_coefficients,
-    refuse,
-    require_sink,
+    require_heat_sink,
+    require_omitted,
+    uniform_film,
 )
 
 if TYPE_CHECKING:
@@ -42,12 +42,15 @@ if TYPE_CHECKING:
 
 __all__ = ["HeatedBody", "heated_body"]
 
-#: Modes divided by r_o/a, with the contact's semi-axis a, along a ball or across a wheel: 1e-5 of the temperature.
+#: Number of modes along a ball or across a wheel in units of r_o/a, with the semi-axis a of the contact (the relative
+#: error of the temperature is 1e-5), and largest number.
 _DEGREES_PER_CONTACT = 15.0
 _MAX_DEGREES = 400
 
-#: Number of modes between side faces: those left out contain 1e-6 of the heat.
+#: Number of modes between side faces: the neglected modes contain 1e-6 of the heat.
 _SIDE_MODES = 40
+
+#: Smallest number of places across a roller or wheel at which temperatures are returned.
 _PLACES_ACROSS = 41
 
 
@@ -93,7 +96,7 @@ class HeatedBody:
         return self.conduction.modes.values(np.cos(places) if self.along == "theta" else places)
 
     def source(self, loss: xarray.Dataset) -> NDArray[np.float64]:
-        """Return q_j at the points of the layers, interpolated from the Gauss points of the loss in √depth."""
+        """Return q_j at the points of the layers [W/m³], interpolated over √depth from the Gauss points of the loss."""
         by_mode = self.project(loss)
         source = np.empty((by_mode.shape[0], self.conduction.coordinate.size))
         bounds = boundaries_of(self.inside.body)
@@ -147,13 +150,13 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
 
 
 def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    refuse(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
+    require_omitted(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
     ball = inside.body
     assert isinstance(ball, CoatedSphere)
     degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MAX_DEGREES)
     if ball.inner_boundary is not InnerBoundary.RIGID and given.core is not Core.INSULATED:
         raise InvalidInput("core", "must be INSULATED in a ball without a rigid core", shown(given.core))
-    rise = held_rise(given)
+    rise = core_rise(given)
     inner: NDArray[np.float64] | None
     if isinstance(given.core, Core):
         inner = None if given.core is Core.ISOTHERMAL else np.zeros(degrees)
@@ -163,8 +166,8 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
             * np.arange(degrees, dtype=np.float64)
             / ball.core_radius
         )
-    film = film_matrix(given.convection, degrees) if callable(given.convection) else even_film(given)
-    require_sink(inside, film, inner is None)
+    film = film_matrix_of_ball(given.convection, degrees) if callable(given.convection) else uniform_film(given)
+    require_heat_sink(inside, film, inner is None)
     modes = modes_of_ball(degrees)
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
@@ -185,7 +188,7 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
 
 
 def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    refuse(given, ("base_convection", "period"), "a roller")
+    require_omitted(given, ("base_convection", "period"), "a roller")
     width = None if given.width is None else as_positive("width", given.width, "m")
     for name in ("side_convection", "hub_conductance"):
         if width is None and getattr(given, name) is not None:
@@ -194,12 +197,12 @@ def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) ->
     modes = modes_of_roller(width, side / conductivities[0], _SIDE_MODES)
     bounds = boundaries_of(inside.body)
     inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
-    film = even_film(given)
-    require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    film = uniform_film(given)
+    require_heat_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
     return HeatedBody(
         inside=inside,
         conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
-        inner_rise=held_rise(given),
+        inner_rise=core_rise(given),
         along="z",
         unit="W/m" if width is None else "W",
         power=inside.bulk_power * (width or 1.0),
@@ -213,12 +216,12 @@ def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> 
     assert isinstance(inside.body, CoatedWheel)
     result = inside.result
     if isinstance(result.on if inside.of == "counterbody" else result.body, CoatedCylinder):
-        refuse(given, ("base_convection", "period"), "a roller")
+        require_omitted(given, ("base_convection", "period"), "a roller")
         if given.width is None:
             raise InvalidInput("width", "must be given for a roller under a wheel: the width of the roller [m]")
         width = as_positive("width", given.width, "m")
     else:
-        refuse(given, ("width", "base_convection", "period"), "a wheel")
+        require_omitted(given, ("width", "base_convection", "period"), "a wheel")
         width = inside.body.width
     side = _side(given, conductivities)
     narrowest = 0.5 * result.contact_width if result.contact_width else contact_size(result)
@@ -227,9 +230,11 @@ def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> 
     bounds = boundaries_of(inside.body)
     inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * width)
     film = (
-        film_across(given.convection, modes, width, inside.radius) if callable(given.convection) else even_film(given)
+        film_matrix_of_wheel(given.convection, modes, width, inside.radius)
+        if callable(given.convection)
+        else uniform_film(given)
     )
-    require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    require_heat_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
     points, weights = np.polynomial.legendre.leggauss(2 * modes.count)
     z = 0.5 * width * points
     # `square` contains the factor 2π of the circumference.
@@ -242,7 +247,7 @@ def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> 
     return HeatedBody(
         inside=inside,
         conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
-        inner_rise=held_rise(given),
+        inner_rise=core_rise(given),
         along="z",
         unit="W",
         power=inside.bulk_power,
@@ -267,7 +272,7 @@ def _side(given: Surroundings, conductivities: list[float]) -> float:
 
 
 def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
+    require_omitted(given, ("width", "side_convection", "hub_conductance"), "a plane")
     if given.period is None:
         raise InvalidInput("period", "must be given for a plane: the time from one pass to the next [s]")
     period = as_positive("period", given.period, "s")
@@ -283,8 +288,8 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     if base is not None and given.core is not Core.INSULATED:
         raise InvalidInput("core", "must be INSULATED with base_convection", shown(given.core))
     inner = inner_coefficients(given, modes, lambda: 1.0) if base is None else np.full(modes.count, base)
-    film = even_film(given)
-    require_sink(inside, film, inner is None or bool(inner[0] > 0.0))
+    film = uniform_film(given)
+    require_heat_sink(inside, film, inner is None or bool(inner[0] > 0.0))
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
         density = loss.loss_density.to_numpy() / period
@@ -297,7 +302,7 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     return HeatedBody(
         inside=inside,
         conduction=Conduction(boundaries_of(inside.body).tolist(), conductivities, modes, film=film, inner=inner),
-        inner_rise=held_rise(given),
+        inner_rise=core_rise(given),
         along="z",
         unit="W/m²" if inside.line_contact else "W/m",
         power=inside.bulk_power / (inside.passing_speed * inside.radius * period),
@@ -306,7 +311,7 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
 
 
 def _between_tracks(inside: Inside) -> float:
-    """Return the distance between parallel tracks on a plane [m], a number of circumferences as in the loss."""
+    """Return the distance between parallel tracks on a plane [m]: whole circumferences, same as in `Result.loss`."""
     result = inside.result
     width = result.body.width if isinstance(result.body, CoatedWheel) else 0.0
     return 2.0 * np.pi * inside.radius * max(1, int(np.ceil(width / (np.pi * inside.radius))))
