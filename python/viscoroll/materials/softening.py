@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 __all__ = ["SoftenedModulus", "SofteningModulus"]
 
 #: Decades above and below ω₀ = Ω R/a over which the network has a constant loss factor. The frequencies of a contact
-#: lie within a few decades of ω₀; the lowest is Ω, once per revolution. The static modulus is the value below the range.
+#: lie within a few decades of ω₀; the lowest is Ω. The static modulus is the value below the range.
 _DECADES = 4.0
 
-#: Range of loss factors of `LossFactor`. Only a network that has lost all but a few percent of its modulus at rest has a
-#: larger loss factor; the upper limit replaces it. A network with a smaller loss factor is treated as elastic.
+#: Range of loss factors of `LossFactor`. Only a network with a few percent of its modulus at rest has a larger loss
+#: factor; the upper limit replaces it. A network with a smaller loss factor is treated as elastic.
 _LOSS_FACTORS = (1e-6, 2.0)
 
 
