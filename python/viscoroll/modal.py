@@ -6,7 +6,7 @@ order m at the angular frequency mΩ. Components are in the order (r, φ, θ).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeVar, assert_never
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from ._support.arguments import as_float, as_float_array, as_int, as_member, as_
 from ._support.errors import InvalidInput
 from ._support.progress import ProgressLike, reporting
 from ._support.text import shown
-from .bodies import CoatedCylinder, CoatedSphere, CoatedWheel, Layer, Mesh, RollingBody
+from .bodies import CoatedSphere, CoatedWheel, Layer, Mesh, RollingBody
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -85,14 +85,18 @@ def surface_compliance(
     """
     require_type("body", body, CoatedSphere | CoatedWheel)
     curvature = as_member("curvature", curvature, Curvature)
-    speed, orders = as_float("angular_speed", angular_speed), as_orders("m", m)
-    if isinstance(body, CoatedWheel):
-        orders, waves = _broadcast("m and n", orders, as_float_array("n", n))
-        compliance = _core.surface_compliance(body._to_core(), _flat(orders), _flat(waves), angular_speed=speed)
-    else:
-        orders, others = _broadcast("m and n", orders, as_orders("n", n))
-        given = (_flat(orders), _flat(others))
-        compliance = _core.surface_compliance(body._to_core(), *given, angular_speed=speed, curvature=curvature)
+    # Across a ball, orders are integers as along the path; across a wheel, they are wavenumbers.
+    is_ball = body.curved_directions == 2
+    given: Any = as_orders("n", n) if is_ball else as_float_array("n", n)
+    orders, across = _broadcast("m and n", as_orders("m", m), given)
+    core: Any = body._to_core()
+    compliance: NDArray[np.complex128] = _core.surface_compliance(
+        core,
+        _flat(orders),
+        _flat(across),
+        angular_speed=as_float("angular_speed", angular_speed),
+        **({"curvature": curvature} if is_ball else {}),
+    )
     return compliance.reshape(*orders.shape, 3, 3)
 
 
@@ -251,13 +255,9 @@ def critical_speed(
     require_type("body", body, RollingBody)
     curvature = as_member("curvature", curvature, Curvature)
     frequency = as_float("highest_frequency", highest_frequency)
-    match body:
-        case CoatedSphere():
-            return _core.critical_speed(body._to_core(), highest_frequency=frequency, curvature=curvature)
-        case CoatedCylinder() | CoatedWheel():
-            return _core.critical_speed(body._to_core(), highest_frequency=frequency)
-        case _:
-            assert_never(body)
+    core: Any = body._to_core()
+    terms = {"curvature": curvature} if body.curved_directions == 2 else {}
+    return float(_core.critical_speed(core, highest_frequency=frequency, **terms))
 
 
 def influence_tables(

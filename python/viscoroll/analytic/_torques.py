@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from ..materials.moduli import relaxation_of
 from ._closed_form import ClosedForm, have_real_poisson_ratios, relaxed_constants
 from ._inputs import Floats, positives
 from .low_speed import low_speed_torque
-from .winkler import EXPONENTIAL_RELAXATION, longest_time
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -50,7 +50,8 @@ def thin_coating_form(
     """
     layer, h = body.layers[0], body.thickness
     material, (_, nu) = layer.shear_modulus, relaxed_constants(layer)
-    if not isinstance(material, EXPONENTIAL_RELAXATION) or nu == 0.5:
+    relaxation = relaxation_of(material)
+    if relaxation is None or nu == 0.5:
         return None
 
     def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
@@ -66,7 +67,7 @@ def thin_coating_form(
 
     def is_valid(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
         a = contact_size(load)
-        slow = positives("angular_speed", angular_speed, "rad/s") * longest_time(material) <= 0.2 * np.pi
+        slow = positives("angular_speed", angular_speed, "rad/s") * relaxation.longest_time <= 0.2 * np.pi
         valid: NDArray[np.bool_] = (a >= 5.0 * h) & ((1.0 - 2.0 * nu) * a >= h) & (a <= 0.2 * body.outer_radius) & slow
         return valid
 

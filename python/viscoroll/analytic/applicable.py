@@ -6,14 +6,14 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, assert_never
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from .._core import InnerBoundary
 from .._support.arguments import as_float_array, require_type
-from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, Layer, RollingBody
-from ..materials import StandardLinearSolid
+from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Counterbody, Layer, RollingBody
+from ..materials.moduli import standard_linear_solid_of
 from ._at_rest import Coating, reach_at_rest
 from ._closed_form import (
     ClosedForm,
@@ -43,6 +43,10 @@ __all__ = ["ClosedForm", "applicable"]
 _WIDE = 10.0
 
 
+#: Closed forms by name, or None for a form that does not apply to the materials.
+_Forms: TypeAlias = "dict[str, ClosedForm | None]"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _BallCoating:
     """Layers between a ball and a plane or between two balls, with the radius of the equivalent ball on a plane."""
@@ -53,25 +57,26 @@ class _BallCoating:
     inner_boundary: InnerBoundary
 
 
-def applicable(body: RollingBody, *, on: CoatedSphere | None = None) -> dict[str, ClosedForm]:
+def applicable(body: RollingBody, *, on: Counterbody | None = None) -> dict[str, ClosedForm]:
     """Return the closed forms of the resisting torque that are valid for the materials and layers of a body.
 
     Parameters
     ----------
     body : CoatedSphere, CoatedCylinder or CoatedWheel
         Rolling body.
-    on : CoatedSphere, optional
-        Ball on which a ball rolls; by default the counterbody is a rigid plane.
+    on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
+        Counterbody; by default the rigid plane.
 
     Returns
     -------
     dict of str to ClosedForm
-        Valid closed forms by name; the dict may be empty. The `is_valid` of each form checks loads and speeds.
+        Valid closed forms by name; empty for counterbodies without one. The `is_valid` of each form checks loads and
+        speeds.
 
     Raises
     ------
     TypeError
-        If `body` is not a rolling body, or if a roller or wheel is combined with `on`.
+        If `body` is not a rolling body, or `on` is not a counterbody.
     ValueError
         If a material is not defined at rest.
 
@@ -101,41 +106,31 @@ def applicable(body: RollingBody, *, on: CoatedSphere | None = None) -> dict[str
     >>> f"{forms['low_speed'](0.01, 0.1) * 1e9:.1f} nN m"
     '20.0 nN m'
     """
-    require_type("on", on, CoatedSphere, optional=True)
-    if on is None:
-        require_type("body", body, RollingBody)
-        return _forms(body) if body.layers else {}
-    require_type("body", body, CoatedSphere)
-    assert isinstance(body, CoatedSphere)
-    return _forms_of_two(body, on)
+    require_type("body", body, RollingBody)
+    require_type("on", on, Counterbody, optional=True)
+    counterbody = CoatedPlane() if on is None else on
+    find = _FORMS.get((type(body), type(counterbody)))
+    forms = {} if find is None else find(body, counterbody)
+    return {name: form for name, form in forms.items() if form is not None}
 
 
-def _forms(body: RollingBody) -> dict[str, ClosedForm]:
-    match body:
-        case CoatedSphere():
-            forms = _of_ball(_coating(body, body.outer_radius))
-        case CoatedCylinder():
-            forms = _of_roller(body)
-        case CoatedWheel():
-            forms = _of_wheel(body)
-        case _:
-            assert_never(body)
-    return _known(forms)
+def _on_rigid_plane(of_body: Callable[[Any], _Forms], body: RollingBody, plane: CoatedPlane) -> _Forms:
+    return of_body(body) if body.layers and not plane.is_deformable else {}
 
 
-def _forms_of_two(ball: CoatedSphere, on: CoatedSphere) -> dict[str, ClosedForm]:
+def _of_lone_ball(ball: CoatedSphere) -> _Forms:
+    return _of_ball(_coating(ball, ball.outer_radius))
+
+
+def _of_two_balls(ball: CoatedSphere, on: CoatedSphere) -> _Forms:
     coated = [sphere for sphere in (ball, on) if sphere.layers]
     if coated and on == ball:
-        return _forms(ball)
+        return _of_lone_ball(ball)
     if len(coated) != 1:
         return {}
     radius = ball.outer_radius * on.outer_radius / (ball.outer_radius + on.outer_radius)
-    forms = _known(_of_ball(_coating(coated[0], radius)))
-    return {name: _faster(form, ball.outer_radius / radius) for name, form in forms.items()}
-
-
-def _known(forms: dict[str, ClosedForm | None]) -> dict[str, ClosedForm]:
-    return {name: form for name, form in forms.items() if form is not None}
+    forms = _of_ball(_coating(coated[0], radius))
+    return {name: form and _faster(form, ball.outer_radius / radius) for name, form in forms.items()}
 
 
 def _coating(ball: CoatedSphere, radius: float) -> _BallCoating:
@@ -156,12 +151,12 @@ def _faster(form: ClosedForm, turns: float) -> ClosedForm:
     return ClosedForm(torque=torque, is_valid=is_valid, validity=form.validity)
 
 
-def _of_ball(ball: _BallCoating) -> dict[str, ClosedForm | None]:
+def _of_ball(ball: _BallCoating) -> _Forms:
     contact_radius = partial(
         reach_at_rest, ball, thick=hertz, squeezed=thin_incompressible_layer, springs=thin_compressible_layer
     )
     time = _loss_time(ball)
-    forms: dict[str, ClosedForm | None] = {
+    forms: _Forms = {
         "low_speed": None if time is None else low_speed_form(ball, time, contact_radius, "contact radius")
     }
     if is_homogeneous(ball.layers):
@@ -171,9 +166,7 @@ def _of_ball(ball: _BallCoating) -> dict[str, ClosedForm | None]:
     return forms
 
 
-def _half_space(
-    body: Coating, contact_size: ContactSize, *, room: float, crown_radius: float | None = None
-) -> dict[str, ClosedForm | None]:
+def _half_space(body: Coating, contact_size: ContactSize, *, room: float, crown_radius: float | None = None) -> _Forms:
     """Return the half-space forms, valid for contacts up to a fifth of the size `room` of the layer [m]."""
     layer, radius = body.layers[0], body.outer_radius
     modulus, nu = relaxed_constants(layer)
@@ -225,7 +218,7 @@ def _loss_time(ball: _BallCoating) -> float | None:
     return sphere_loss_time(shear_modulus=modulus, poisson_ratio=nu, shear_viscosity=time * modulus)
 
 
-def _of_roller(roller: CoatedCylinder) -> dict[str, ClosedForm | None]:
+def _of_roller(roller: CoatedCylinder) -> _Forms:
     half_width = partial(_half_width, roller)
     time = shared_loss_time(roller.layers) if have_real_poisson_ratios(roller.layers) else None
     one_material = is_homogeneous(roller.layers)
@@ -250,8 +243,8 @@ def _half_width(roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:
 
 def _hunter(roller: CoatedCylinder, half_width: ContactSize) -> ClosedForm | None:
     layer, radius = roller.layers[0], roller.outer_radius
-    material, nu = layer.shear_modulus, layer.poisson_ratio
-    if not isinstance(material, StandardLinearSolid) or nu is None:
+    material, nu = standard_linear_solid_of(layer.shear_modulus), layer.poisson_ratio
+    if material is None or nu is None:
         return None
 
     retardation = material.relaxation_time * material.instantaneous_modulus / material.relaxed_modulus
@@ -273,7 +266,7 @@ def _hunter(roller: CoatedCylinder, half_width: ContactSize) -> ClosedForm | Non
     return ClosedForm(torque=torque, is_valid=is_valid, validity=small)
 
 
-def _of_wheel(wheel: CoatedWheel) -> dict[str, ClosedForm | None]:
+def _of_wheel(wheel: CoatedWheel) -> _Forms:
     roller = CoatedCylinder(core_radius=wheel.core_radius, layers=wheel.layers)
     time = shared_loss_time(wheel.layers) if have_real_poisson_ratios(wheel.layers) else None
     half_length = partial(_along_path, wheel, roller)
@@ -329,3 +322,12 @@ def _longer_axis(wheel: CoatedWheel, load: ArrayLike) -> NDArray[np.float64]:
     radii = {"radius": wheel.outer_radius, "crown_radius": wheel.crown_radius}
     contact = hertz_ellipse(load=load, **radii, shear_modulus=modulus, poisson_ratio=nu)
     return np.asarray(np.maximum(contact.semi_axis_x, contact.semi_axis_z))
+
+
+#: Functions that return the closed forms of a pair, by the types of body and counterbody.
+_FORMS: dict[tuple[type, type], Callable[[Any, Any], _Forms]] = {
+    (CoatedSphere, CoatedPlane): partial(_on_rigid_plane, _of_lone_ball),
+    (CoatedCylinder, CoatedPlane): partial(_on_rigid_plane, _of_roller),
+    (CoatedWheel, CoatedPlane): partial(_on_rigid_plane, _of_wheel),
+    (CoatedSphere, CoatedSphere): _of_two_balls,
+}

@@ -10,16 +10,13 @@ import numpy as np
 from .._support.arguments import as_positive, require_type
 from .._support.errors import InvalidInput
 from .._support.text import shown
-from ..materials import Elastic, KelvinVoigt, Prony, ShearModulus, StandardLinearSolid
+from ..materials.moduli import Relaxation, ShearModulus, relaxation_of
 from ._inputs import Floats, float_if_scalar, poisson, positives, require_one_volumetric_constant
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["EXPONENTIAL_RELAXATION", "longest_time", "winkler_torque", "winkler_torque_line"]
-
-#: Materials whose relaxation function is a sum of exponentials.
-EXPONENTIAL_RELAXATION = (Elastic, KelvinVoigt, StandardLinearSolid, Prony)
+__all__ = ["winkler_torque", "winkler_torque_line"]
 
 #: Strips across half of the contact, by Gauss's rule in the angle ψ; bisections for the length of a strip; and
 #: iterations for the size of the contact, each of which divides the error by at least four.
@@ -100,7 +97,7 @@ def winkler_torque(
 
     def torque(force: float, speed: float) -> float:
         # The load grows between a₀³ (dashpots) and a₀⁴ (springs).
-        a0 = (4.0 * force * size * h / (np.pi * springs.moduli.sum())) ** 0.25
+        a0 = (4.0 * force * size * h / (np.pi * springs.relaxation.moduli.sum())) ** 0.25
         for _ in range(_STEPS):
             borne, moment = springs.load_and_moment(a0, speed * size)
             a0 *= (force * size * h / borne) ** 0.25
@@ -158,7 +155,7 @@ def winkler_torque_line(
 
     def torque(force: float, speed: float) -> float:
         # The load grows between a² (dashpots) and a³ (springs).
-        a = float(np.cbrt(1.5 * force * size * h / springs.moduli.sum()))
+        a = float(np.cbrt(1.5 * force * size * h / springs.relaxation.moduli.sum()))
         for _ in range(_STEPS):
             borne, moment = (float(value[0]) for value in springs.strips(np.array([a]), speed * size))
             a *= float(np.cbrt(force * size * h / borne))
@@ -169,11 +166,9 @@ def winkler_torque_line(
 
 @dataclass(frozen=True, slots=True)
 class _Springs:
-    """Relaxation function M(t) of a coating: springs M_k [Pa] with times τ_k [s], the last ∞, and a dashpot [Pa s]."""
+    """Bed of springs and dashpots that represents a coating, with its relaxation function M(t)."""
 
-    moduli: NDArray[np.float64]
-    times: NDArray[np.float64]
-    viscosity: float
+    relaxation: Relaxation
 
     def load_and_moment(self, a0: float, velocity: float) -> tuple[float, float]:
         """Return load and torque of a contact that begins at the radius a₀ [m], times R h."""
@@ -207,12 +202,13 @@ class _Springs:
         self, a: NDArray[np.float64], u: NDArray[np.float64], velocity: float, *, integrals: int = 0
     ) -> NDArray[np.float64]:
         """Return R h p after the distance u, or its first or second integral over u."""
-        rate = 1.0 / (velocity * self.times[:, None])
+        moduli, times = self.relaxation.moduli, self.relaxation.times
+        rate = 1.0 / (velocity * times[:, None])
         phi = _repeated_integrals(u, rate)
         n = 1 + integrals
         free = _repeated_integrals(u, np.zeros((1, 1)))
-        dashpot = self.viscosity * velocity * (a * free[n - 1][0] - free[n][0])
-        return np.asarray(self.moduli @ (a * phi[n] - phi[n + 1]) + dashpot)
+        dashpot = self.relaxation.viscosity * velocity * (a * free[n - 1][0] - free[n][0])
+        return np.asarray(moduli @ (a * phi[n] - phi[n + 1]) + dashpot)
 
 
 def _repeated_integrals(u: NDArray[np.float64], rate: NDArray[np.float64]) -> list[NDArray[np.float64]]:
@@ -235,7 +231,7 @@ def _repeated_integrals(u: NDArray[np.float64], rate: NDArray[np.float64]) -> li
 def _springs(shear_modulus: ShearModulus, poisson_ratio: float | None, bulk_modulus: float | None) -> _Springs:
     """Return M(t) = 2 (1-ν)/(1-2ν) G(t), or K + 4/3 G(t)."""
     require_one_volumetric_constant(poisson_ratio, bulk_modulus)
-    shear = _shear_springs(shear_modulus)
+    shear = _relaxation(shear_modulus)
     factor, bulk = 4.0 / 3.0, 0.0
     if poisson_ratio is not None:
         nu = poisson(poisson_ratio, compressible=True)
@@ -244,28 +240,14 @@ def _springs(shear_modulus: ShearModulus, poisson_ratio: float | None, bulk_modu
         bulk = as_positive("bulk_modulus", bulk_modulus, "Pa")
     moduli = factor * shear.moduli
     moduli[-1] += bulk
-    return _Springs(moduli, shear.times, factor * shear.viscosity)
+    return _Springs(Relaxation(moduli, shear.times, factor * shear.viscosity))
 
 
-def _shear_springs(modulus: ShearModulus) -> _Springs:
-    match modulus:
-        case Elastic(modulus=relaxed):
-            return _Springs(np.array([relaxed]), np.array([np.inf]), 0.0)
-        case KelvinVoigt(modulus=relaxed, viscosity=viscosity):
-            return _Springs(np.array([relaxed]), np.array([np.inf]), viscosity)
-        case StandardLinearSolid(instantaneous_modulus=stiff, relaxed_modulus=relaxed, relaxation_time=time):
-            return _Springs(np.array([stiff - relaxed, relaxed]), np.array([time, np.inf]), 0.0)
-        case Prony(instantaneous_modulus=stiff, weights=weights, relaxation_times=times):
-            shares = np.append(weights, 1.0 - np.sum(weights))
-            return _Springs(stiff * shares, np.append(times, np.inf), 0.0)
+def _relaxation(modulus: ShearModulus) -> Relaxation:
     require_type("shear_modulus", modulus, ShearModulus)
-    names = ", ".join(kind.__name__ for kind in EXPONENTIAL_RELAXATION)
-    raise InvalidInput(
-        "shear_modulus", f"must be one of {names}, which have closed-form relaxation functions", shown(modulus)
-    )
-
-
-def longest_time(modulus: ShearModulus) -> float:
-    """Return the longest relaxation time of a material [s], 0 if it has none."""
-    times = _shear_springs(modulus).times[:-1]
-    return float(times.max(initial=0.0))
+    relaxation = relaxation_of(modulus)
+    if relaxation is None:
+        raise InvalidInput(
+            "shear_modulus", "must be a modulus whose relaxation function is a sum of exponentials", shown(modulus)
+        )
+    return relaxation

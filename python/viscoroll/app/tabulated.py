@@ -6,6 +6,9 @@ tabulates their moduli at the resolution of data sheets, and `page/tabulated.js`
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import fields
+from enum import Enum
 from typing import Any
 
 from .._support.celsius import ZERO_CELSIUS
@@ -73,10 +76,13 @@ def _five_numbers(series: Prony) -> list[float]:
 
 def _table(modulus: MasterCurve | Prony | LossFactor) -> dict[str, Any]:
     """Return the table of a case file for a measured modulus, as a material that the C++ library supports."""
-    if isinstance(modulus, LossFactor):
-        series = modulus.prony()
-        terms = {name: list(map(float, getattr(series, name))) for name in ("weights", "relaxation_times")}
-        return {"type": "prony", "instantaneous_modulus": series.instantaneous_modulus, **terms}
-    assert isinstance(modulus, MasterCurve)
-    columns = {name: list(map(float, getattr(modulus, name))) for name in ("frequency", "storage", "loss")}
-    return {"type": "master_curve", **columns, "extrapolation": modulus.extrapolation.name.lower()}
+    core = modulus.prony() if hasattr(modulus, "prony") else modulus
+    kind = "master_curve" if hasattr(core, "extrapolation") else "prony"
+    return {"type": kind, **{field.name: _plain(getattr(core, field.name)) for field in fields(core)}}
+
+
+def _plain(value: object) -> object:
+    """Return an enum member as its name in case files, and a sequence as a list of floats."""
+    if isinstance(value, Enum):
+        return value.name.lower()
+    return list(map(float, value)) if isinstance(value, Iterable) else value

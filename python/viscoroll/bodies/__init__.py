@@ -8,6 +8,7 @@ from .bodies import (
     Groove,
     RollingBody,
     core_counterbody,
+    is_body,
     require_body,
 )
 from .drive import Drive
@@ -28,5 +29,6 @@ __all__ = [
     "Mesh",
     "RollingBody",
     "core_counterbody",
+    "is_body",
     "require_body",
 ]

@@ -6,15 +6,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from types import UnionType
-from typing import ClassVar, TypeAlias, get_args
+from typing import TYPE_CHECKING, ClassVar, TypeAlias, TypeGuard, get_args
+
+import numpy as np
 
 from .. import _core
-from .._core import InnerBoundary
+from .._core import InnerBoundary, Sides
 from .._support.arguments import as_member, require_type, store_floats
 from .._support.errors import InvalidType
 from .layered import LayeredBody, RoundBody
 from .layers import HalfSpace, Layer, as_layers
 from .wheel import CoatedWheel
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = [
     "CoatedCylinder",
@@ -24,6 +29,7 @@ __all__ = [
     "Groove",
     "RollingBody",
     "core_counterbody",
+    "is_body",
     "require_body",
 ]
 
@@ -56,6 +62,7 @@ class CoatedSphere(RoundBody):
     inner_boundary: InnerBoundary = InnerBoundary.RIGID
 
     noun = "ball"
+    curved_directions = 2
     _choices: ClassVar[dict[str, type[Enum]]] = {"inner_boundary": InnerBoundary}
 
     def __post_init__(self) -> None:
@@ -65,6 +72,16 @@ class CoatedSphere(RoundBody):
         if boundary is InnerBoundary.RIGID and self.core_radius == 0.0 and as_layers(self.layers):
             object.__setattr__(self, "inner_boundary", InnerBoundary.SOLID)
         RoundBody.__post_init__(self)
+
+    @property
+    def curvatures(self) -> tuple[float, float]:
+        """Curvatures of the undeformed surface along the path and across it [1/m]."""
+        return 1.0 / self.outer_radius, 1.0 / self.outer_radius
+
+    @property
+    def is_bonded_inside(self) -> bool:
+        """Whether the innermost layer is bonded to a rigid core."""
+        return self.inner_boundary is InnerBoundary.RIGID
 
     def _to_core(self) -> _core.CoatedSphere:
         return _core.CoatedSphere(
@@ -99,7 +116,19 @@ class CoatedCylinder(RoundBody):
     layers: Sequence[Layer] = ()
 
     noun = "roller"
+    curved_directions = 1
     line_contact = True
+
+    @property
+    def curvatures(self) -> tuple[float, float]:
+        """Curvatures of the undeformed surface along the path and across it [1/m]."""
+        return 1.0 / self.outer_radius, 0.0
+
+    def interior_body(self, partner: LayeredBody) -> LayeredBody:
+        """Return the roller, or under a wheel a tread without side faces: the contact then varies across the path."""
+        if partner.width is None:
+            return self
+        return CoatedWheel(core_radius=self.core_radius, layers=self.layers, width=partner.width, sides=Sides.UNBOUNDED)
 
     def _to_core(self) -> _core.CoatedCylinder:
         return _core.CoatedCylinder(core_radius=self.core_radius, layers=self._core_layers())
@@ -111,6 +140,24 @@ class _Ground(LayeredBody):
     __slots__ = ()
 
     base: HalfSpace | None
+
+    curved_directions = 0
+
+    @property
+    def depth(self) -> float:
+        """Depth of the layers above a rigid base [m]; infinite above a half-space."""
+        return self.thickness if self.base is None else np.inf
+
+    @property
+    def boundaries(self) -> NDArray[np.float64]:
+        """Heights of all layer boundaries above the surface from the base outwards [m]; a half-space starts at -inf."""
+        heights = -np.cumsum([0.0, *(layer.thickness for layer in reversed(self.layers))])[::-1]
+        return heights if self.base is None else np.concatenate([[-np.inf], heights])
+
+    @property
+    def curvatures(self) -> tuple[float, float]:
+        """Curvatures of the undeformed surface along the path and across it [1/m]: none."""
+        return 0.0, 0.0
 
     def _core_plane(self) -> _core.CoatedPlane:
         require_type("base", self.base, HalfSpace, optional=True)
@@ -138,6 +185,8 @@ class CoatedPlane(_Ground):
 
     layers: Sequence[Layer] = ()
     base: HalfSpace | None = None
+
+    noun = "plane"
 
     def _to_core(self) -> _core.CoatedPlane:
         return self._core_plane()
@@ -175,7 +224,19 @@ class Groove(_Ground):
     layers: Sequence[Layer] = ()
     base: HalfSpace | None = None
 
+    noun = "groove"
     _optional_lengths = ("radius", "path_radius")
+
+    @property
+    def curvatures(self) -> tuple[float, float]:
+        """Curvatures of the undeformed surface along the path and across it [1/m], negative if concave."""
+        along, across = (0.0 if one is None else -1.0 / one for one in (self.path_radius, self.radius))
+        return along, across
+
+    def interior_body(self, partner: LayeredBody) -> LayeredBody:
+        """Return a plane with the layers and the base of the groove."""
+        del partner
+        return CoatedPlane(layers=self.layers, base=self.base)
 
     def _to_core(self) -> _core.Groove:
         return _core.Groove(radius=self.radius, path_radius=self.path_radius, surface=self._core_plane())
@@ -186,6 +247,11 @@ RollingBody: TypeAlias = CoatedSphere | CoatedCylinder | CoatedWheel
 
 #: Counterbody: a plane, a groove, or another ball, roller or wheel.
 Counterbody: TypeAlias = CoatedPlane | Groove | CoatedSphere | CoatedCylinder | CoatedWheel
+
+
+def is_body(value: object) -> TypeGuard[Counterbody]:
+    """Return whether a value is a rolling body or a counterbody."""
+    return isinstance(value, Counterbody)
 
 
 def core_counterbody(

@@ -1,17 +1,22 @@
-"""Base classes of the bodies: bodies with layers, and round bodies with a core."""
+"""Base classes of the bodies: bodies with layers, and round bodies with a core. Both describe their geometry."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 from enum import Enum
-from typing import ClassVar, TypeVar
+from typing import TYPE_CHECKING, ClassVar, TypeVar
+
+import numpy as np
 
 from .. import _core
 from .._support.arguments import as_member, store_floats
 from .._support.tables import ParameterTable
 from .layers import HalfSpace, Layer, as_layers, at_rest
 from .si_hints import si_hint
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["LayeredBody", "RoundBody", "materials_of", "with_materials"]
 
@@ -24,6 +29,16 @@ class LayeredBody(ParameterTable):
     __slots__ = ()
 
     layers: Sequence[Layer]
+
+    #: Noun for the body in messages and pictures.
+    noun: ClassVar[str]
+    #: Number of the two directions, along the path and across it, in which the layers are curved.
+    curved_directions: ClassVar[int]
+    #: Whether loads, forces and torques are per length.
+    line_contact: ClassVar[bool] = False
+    #: Width from face to face [m] and radius of the crown across the path [m]; None for bodies without faces.
+    width: float | None = None
+    crown_radius: float | None = None
 
     #: Names of the parameters that are lengths, that are optional lengths, and that are members of an enum.
     _lengths: ClassVar[tuple[str, ...]] = ()
@@ -42,6 +57,51 @@ class LayeredBody(ParameterTable):
     def thickness(self) -> float:
         """Total thickness of all layers [m]."""
         return sum(layer.thickness for layer in self.layers)
+
+    @property
+    def depth(self) -> float:
+        """Distance from the surface to the rigid core or base, or to the innermost point [m]; may be infinite."""
+        return self.thickness
+
+    @property
+    def boundaries(self) -> NDArray[np.float64]:
+        """Positions of all layer boundaries from the inside outwards [m]: radii, or heights above the surface."""
+        raise NotImplementedError
+
+    @property
+    def surface(self) -> float:
+        """Position of the surface in the coordinate of `boundaries` [m]."""
+        return float(self.boundaries[-1])
+
+    @property
+    def curvatures(self) -> tuple[float, float]:
+        """Curvatures of the undeformed surface along the path and across it [1/m], positive if convex."""
+        raise NotImplementedError
+
+    @property
+    def is_flat(self) -> bool:
+        """Whether the layers are those of a plane, whose positions are heights above the surface."""
+        return self.curved_directions == 0
+
+    @property
+    def is_deformable(self) -> bool:
+        """Whether the body has a layer, or a deformable base."""
+        return bool(materials_of(self))
+
+    @property
+    def is_bonded_inside(self) -> bool:
+        """Whether the innermost layer is bonded to a core or a base."""
+        return True
+
+    @property
+    def has_free_faces(self) -> bool:
+        """Whether the layers end at side faces that bulge."""
+        return False
+
+    def interior_body(self, partner: LayeredBody) -> LayeredBody:
+        """Return the body whose fields are those inside this one in contact with a partner: by default itself."""
+        del partner
+        return self
 
     def _core_layers(self) -> list[_core.Layer]:
         return [layer._to_core() for layer in self.layers]
@@ -75,14 +135,20 @@ class RoundBody(LayeredBody):
 
     _lengths: ClassVar[tuple[str, ...]] = ("core_radius",)
 
-    #: Noun for the body in messages and pictures, and whether loads, forces and torques are per length.
-    noun: ClassVar[str]
-    line_contact: ClassVar[bool] = False
-
     @property
     def outer_radius(self) -> float:
         """Outer radius r_o [m]."""
         return self.core_radius + self.thickness
+
+    @property
+    def boundaries(self) -> NDArray[np.float64]:
+        """Radii of all layer boundaries from the inside outwards [m]."""
+        return self.core_radius + np.cumsum([0.0, *(layer.thickness for layer in self.layers)])
+
+    @property
+    def surface(self) -> float:
+        """Outer radius [m]."""
+        return self.outer_radius
 
     def __str__(self) -> str:
         """Return the parameters, followed by a hint if the values are implausible in SI units."""

@@ -72,7 +72,7 @@ def si_hints(body: _Layered, on: _Layered | None = None, *, angular_speed: float
 def _doubtful(body: _Layered, where: str) -> Iterator[str]:
     if (radius := getattr(body, "outer_radius", 0.0)) > _LARGEST_RADIUS:
         yield f"{where}outer_radius = {radius:g} m"
-    if (width := getattr(body, "width", 0.0)) > _LARGEST_RADIUS:
+    if (width := getattr(body, "width", None) or 0.0) > _LARGEST_RADIUS:
         yield f"{where}width = {width:g} m"
     for j, layer in enumerate(body.layers):
         if layer.thickness > _LARGEST_THICKNESS:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import ClassVar
 
@@ -55,15 +55,26 @@ class CoatedWheel(RoundBody):
     """
 
     core_radius: float
-    width: float
+    width: float = field()  # without `field`, the default would be that of the base class, None
     layers: Sequence[Layer] = ()
     crown_radius: float = math.inf
     hub: Hub = Hub.STRAIGHT
     sides: Sides = Sides.FREE
 
     noun = "wheel"
+    curved_directions = 1
     _lengths = ("core_radius", "width", "crown_radius")
     _choices: ClassVar[dict[str, type[Enum]]] = {"hub": Hub, "sides": Sides}
+
+    @property
+    def curvatures(self) -> tuple[float, float]:
+        """Curvatures of the undeformed surface along the path and across it [1/m]."""
+        return 1.0 / self.outer_radius, 1.0 / self.crown_radius
+
+    @property
+    def has_free_faces(self) -> bool:
+        """Whether the tread ends at side faces that bulge."""
+        return self.sides is Sides.FREE
 
     def crown_drop(self, z: float) -> float:
         """Return how far the crown lies below its middle at an axial distance z from the middle [m]."""

@@ -17,8 +17,8 @@ from .._support.plotting import plots
 from .._support.progress import ProgressLike
 from .._support.text import parsed_range
 from .._support.units import unit_in_contact
-from ..analytic import ClosedForm, applicable
-from ..bodies import CoatedSphere, Drive
+from ..analytic import applicable
+from ..bodies import Drive
 from ..modal import critical_speed
 from ..solution.scalars import scalar_units
 from ..studies.dimensions import require_feasible
@@ -127,13 +127,6 @@ class Comparison:
         write_csv(columns, path)
 
 
-def _forms(case: Case) -> dict[str, ClosedForm]:
-    """Return the closed forms for a body on a rigid plane, or for two balls."""
-    if case.on is None:
-        return applicable(case.body)
-    return applicable(case.body, on=case.on) if isinstance(case.on, CoatedSphere) else {}
-
-
 def parse_speeds(text: str) -> tuple[float, float]:
     """Return the two ends of a range of speeds such as "0.05..25" [rad/s], with 0 < from < to < ∞."""
     low, high = parsed_range(text) or (0.0, 0.0)
@@ -185,7 +178,7 @@ def compare_torques(
     results = run_all(point, omega.tolist(), progress=progress)
     forms = {
         name: (np.asarray(form(case.load, omega)), np.asarray(form.is_valid(case.load, omega)))
-        for name, form in _forms(case).items()
+        for name, form in applicable(case.body, on=case.on).items()
     }
     return Comparison(
         case=case,

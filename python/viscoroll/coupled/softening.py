@@ -12,7 +12,7 @@ from .._support.progress import ProgressLike, reporting
 from .._support.result_warnings import warn
 from ..bodies import Counterbody, HalfSpace, Layer, RollingBody
 from ..bodies.layered import materials_of, with_materials
-from ..materials import SofteningModulus
+from ..materials.softening import depends_on_strain
 from ..rolling import solve
 from ..solution.text import result_warnings
 from .softened_state import SofteningLayer, State
@@ -216,7 +216,7 @@ def _with_sublayers(body: Any, parts: int) -> Any:
         return body
     materials: list[Layer | HalfSpace] = []
     for material in materials_of(body):
-        if isinstance(material, Layer) and isinstance(material.shear_modulus, SofteningModulus):
+        if isinstance(material, Layer) and depends_on_strain(material.shear_modulus):
             materials += [replace(material, thickness=material.thickness / parts)] * parts
         else:
             materials.append(material)

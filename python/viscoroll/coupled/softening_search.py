@@ -18,7 +18,8 @@ from .._core import ConvergenceError
 from .._support.result_warnings import silenced
 from ..bodies import Counterbody, Mesh, RollingBody
 from ..bodies.layered import materials_of, with_materials
-from ..materials import SoftenedModulus, SofteningModulus
+from ..materials import SoftenedModulus
+from ..materials.softening import depends_on_strain
 from ..rolling import solve
 from ..solution.inside import Inside, Of, inside_of
 from ..solution.solution import Solution
@@ -263,7 +264,7 @@ def softening_layers(body: RollingBody, on: Counterbody | None) -> tuple[Softeni
         SofteningLayer(of, number, material.shear_modulus)
         for of, side in sides
         for number, material in enumerate(materials_of(side))
-        if isinstance(material.shear_modulus, SofteningModulus)
+        if depends_on_strain(material.shear_modulus)
     )
 
 

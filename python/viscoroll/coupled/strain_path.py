@@ -8,15 +8,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, assert_never
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._core import Sides
 from .._support.arguments import Floats
 from .._support.extras import extra
-from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
-from ..solution.inside import Inside, boundaries_of
+from ..solution.inside import Inside
 from ..solution.interior_fields import strains
 from ..solution.loss import contact_size
 
@@ -226,7 +224,7 @@ def _theta(inside: Inside, reach: float) -> tuple[Floats, Floats]:
         return np.array([0.5 * math.pi]), np.ones(1)
     half_width = max((inside.result.semi_axis_z or 0.0) / inside.radius, inside.node_spacings()[1])
     far = half_width + min(_FAR_IN_THIN * inside.thickness / inside.radius, reach * half_width)
-    if isinstance(inside.body, CoatedWheel) and inside.body.sides is Sides.FREE:
+    if inside.body.has_free_faces and inside.body.width is not None:
         far = min(far, 0.5 * inside.body.width / inside.radius)
     far = min(far, _HALF_TURN)
     inner = min(half_width, far)
@@ -269,7 +267,7 @@ def _gauss(ends: Floats, counts: Sequence[int]) -> tuple[Floats, Floats]:
 def _max_order(inside: Inside, orders: float) -> float:
     """Return the highest order of the strain sum of a contact."""
     spacing = min(inside.node_spacings()[: 1 if inside.line_contact else 2])
-    thinnest = float(np.diff(boundaries_of(inside.body)).min())
+    thinnest = float(np.diff(inside.body.boundaries).min())
     length = min(contact_size(inside.result), thinnest / _OF_THICKNESS)
     return min(orders * inside.radius / length, math.pi / spacing)
 
@@ -286,7 +284,7 @@ def _steps(half_width: float, count: int, reach: float) -> Floats:
 
 def _depths(inside: Inside, layer: int, points: int, reach: float) -> tuple[Floats, Floats]:
     """Return depths in a layer, Gauss points in panels that grow with the depth, and their weights [m]."""
-    edges = inside.depth(boundaries_of(inside.body))
+    edges = inside.depth(inside.body.boundaries)
     below, above = float(edges[layer]), float(edges[layer + 1])
     size = contact_size(inside.result)
     ends = _panels(above, min(below, above + _DEEP * reach * size), max(size, above))
@@ -295,18 +293,9 @@ def _depths(inside: Inside, layer: int, points: int, reach: float) -> tuple[Floa
 
 def _measure(inside: Inside, depth: Floats) -> Floats:
     """Return the volume element at depths without dr and dθ; docs/theory/dissipation.md."""
-    radius = inside.radius
-    match body := inside.body:
-        case CoatedSphere():
-            return (radius - depth) ** 2
-        case CoatedCylinder():
-            return radius - depth
-        case CoatedWheel():
-            return (radius - depth) * radius
-        case CoatedPlane():
-            return np.full(len(depth), radius if inside.line_contact else radius**2)
-        case _:
-            assert_never(body)
+    curved = inside.body.curved_directions
+    directions = 1 if inside.line_contact else 2
+    return (inside.radius - depth) ** curved * inside.radius ** (directions - curved)
 
 
 def _period(inside: Inside, phi: Floats) -> float:

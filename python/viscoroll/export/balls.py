@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from .._support.errors import InvalidInput
-from ..bodies import CoatedPlane, CoatedSphere, Counterbody, RollingBody
+from ..bodies import Counterbody, RollingBody
 from ..studies.rolling_resistance import radius_of
 
 if TYPE_CHECKING:
@@ -52,13 +52,12 @@ def balls_of(ball: RollingBody, on: Counterbody | None) -> Balls:
     ValueError
         If the body is not a ball, or the counterbody is neither a plane nor a ball.
     """
-    if not isinstance(ball, CoatedSphere):
-        raise ValueError(f"{_WANTED}, got a {type(ball).__name__}")
-    if on is None or isinstance(on, CoatedPlane):
-        return Balls(radii=(ball.outer_radius,))
-    if isinstance(on, CoatedSphere):
-        return Balls(radii=(ball.outer_radius, on.outer_radius), alike=ball == on)
-    raise ValueError(f"{_WANTED}, got a ball on a {type(on).__name__}")
+    if ball.curved_directions == 2:
+        if on is None or on.curvatures == (0.0, 0.0):
+            return Balls(radii=(ball.outer_radius,))
+        if on.curved_directions == 2:
+            return Balls(radii=(ball.outer_radius, on.surface), alike=ball == on)
+    raise ValueError(f"{_WANTED}, got a {ball.noun} on a {'plane' if on is None else on.noun}")
 
 
 def balls_of_study(study: xarray.Dataset) -> Balls:

@@ -7,7 +7,7 @@ The loss modulus of a passive material is not negative at ω ≥ 0.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, fields
 from numbers import Complex
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
@@ -39,10 +39,38 @@ __all__ = [
     "KelvinVoigt",
     "MasterCurve",
     "Prony",
+    "Relaxation",
     "ShearModulus",
     "ShearModulusLike",
     "StandardLinearSolid",
+    "measured_range_of",
+    "relaxation_of",
+    "standard_linear_solid_of",
 ]
+
+
+@dataclass(frozen=True, slots=True)
+class Relaxation:
+    """Relaxation function Σ M_k exp(-t/τ_k), in parallel with a dashpot.
+
+    Attributes
+    ----------
+    moduli : ndarray, shape (k,)
+        Moduli M_k [Pa]; the last one is the relaxed modulus.
+    times : ndarray, shape (k,)
+        Relaxation times τ_k [s]; the last one is infinite.
+    viscosity : float
+        Viscosity of the dashpot [Pa s].
+    """
+
+    moduli: NDArray[np.float64]
+    times: NDArray[np.float64]
+    viscosity: float = 0.0
+
+    @property
+    def longest_time(self) -> float:
+        """Longest finite relaxation time [s]; 0 if there is none."""
+        return float(self.times[:-1].max(initial=0.0))
 
 
 class ShearModulus(ParameterTable, ABC):
@@ -85,6 +113,14 @@ class ShearModulus(ParameterTable, ABC):
         omega = as_float_array("angular_frequency", angular_frequency)
         return _core.complex_modulus(self._to_core(), omega.ravel()).reshape(omega.shape)
 
+    def _relaxation(self) -> Relaxation | None:
+        """Return the relaxation function, or None if it is not a sum of exponentials."""
+        return None
+
+    def _standard_linear_solid(self) -> StandardLinearSolid | None:
+        """Return the equal standard linear solid, or None if there is none."""
+        return None
+
 
 #: Types accepted as a shear modulus: a modulus of this package; a number, for an elastic material of this shear modulus
 #: [Pa]; or a function of an array of angular frequencies ω [rad/s] that returns μ*(ω) [Pa] as an array, or as a single
@@ -109,6 +145,9 @@ class Elastic(ShearModulus):
 
     modulus: float
     _units: ClassVar = {"modulus": (1, 0)}
+
+    def _relaxation(self) -> Relaxation:
+        return Relaxation(np.array([self.modulus]), np.array([np.inf]))
 
     def _to_core(self) -> _core.Elastic:
         return _core.Elastic(**_parameters_of(self))
@@ -154,6 +193,10 @@ class Prony(ShearModulus):
         ):
             object.__setattr__(self, name, column)
 
+    def _relaxation(self) -> Relaxation:
+        fractions = np.append(self.weights, 1.0 - np.sum(self.weights))
+        return Relaxation(self.instantaneous_modulus * fractions, np.append(self.relaxation_times, np.inf))
+
     def _to_core(self) -> _core.Prony:
         return _core.Prony(**_parameters_of(self))
 
@@ -182,6 +225,13 @@ class StandardLinearSolid(ShearModulus):
     relaxed_modulus: float
     relaxation_time: float
     _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxed_modulus": (1, 0), "relaxation_time": (0, 1)}
+
+    def _relaxation(self) -> Relaxation:
+        moduli = np.array([self.instantaneous_modulus - self.relaxed_modulus, self.relaxed_modulus])
+        return Relaxation(moduli, np.array([self.relaxation_time, np.inf]))
+
+    def _standard_linear_solid(self) -> StandardLinearSolid:
+        return self
 
     def _to_core(self) -> _core.Prony:
         series = _core.standard_linear_solid(**_parameters_of(self))
@@ -242,6 +292,9 @@ class CreepCompliance(ShearModulus):
             relaxation_times=tuple(series.relaxation_times),
         )
 
+    def _relaxation(self) -> Relaxation:
+        return self.prony()._relaxation()
+
     def _to_core(self) -> _core.Prony:
         return _core.creep_compliance(**_parameters_of(self))
 
@@ -266,6 +319,9 @@ class KelvinVoigt(ShearModulus):
     modulus: float
     viscosity: float
     _units: ClassVar = {"modulus": (1, 0), "viscosity": (1, 1)}
+
+    def _relaxation(self) -> Relaxation:
+        return Relaxation(np.array([self.modulus]), np.array([np.inf]), self.viscosity)
 
     def _to_core(self) -> _core.KelvinVoigt:
         return _core.KelvinVoigt(**_parameters_of(self))
@@ -363,6 +419,33 @@ def to_core(modulus: ShearModulusLike) -> _CoreModulus:
     """
     accepted = as_modulus(modulus)
     return accepted._to_core() if isinstance(accepted, ShearModulus) else _core.CustomModulus(_checked(accepted))
+
+
+def relaxation_of(modulus: ShearModulusLike) -> Relaxation | None:
+    """Return the relaxation function of a modulus, or None if it is not a sum of exponentials."""
+    return modulus._relaxation() if isinstance(modulus, ShearModulus) else None
+
+
+def standard_linear_solid_of(modulus: ShearModulusLike) -> StandardLinearSolid | None:
+    """Return the standard linear solid that equals a modulus, or None if there is none."""
+    return modulus._standard_linear_solid() if isinstance(modulus, ShearModulus) else None
+
+
+def measured_range_of(moduli: Iterable[ShearModulusLike], *, held: bool = False) -> tuple[float, float] | None:
+    """Return the frequency range common to all tables of measured moduli [rad/s], or None without such tables.
+
+    Parameters
+    ----------
+    moduli : iterable of ShearModulus or callable
+        Moduli; those that are not tables have no effect.
+    held : bool, default False
+        Whether to include only tables whose end values are held outside their range.
+    """
+    tables = [modulus for modulus in moduli if isinstance(modulus, MasterCurve)]
+    if held:
+        tables = [table for table in tables if table.extrapolation is _core.Extrapolation.HOLD]
+    ends = [[w for w in table.frequency if w > 0.0] for table in tables]
+    return (max(e[0] for e in ends), min(e[-1] for e in ends)) if ends else None
 
 
 def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]:

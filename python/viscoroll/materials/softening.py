@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeGuard
 
 import numpy as np
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from .moduli import _CoreModulus
 
-__all__ = ["SoftenedModulus", "SofteningModulus"]
+__all__ = ["SoftenedModulus", "SofteningModulus", "depends_on_strain"]
 
 #: Decades above and below ω₀ = Ω R/a over which the network has a constant loss factor. The frequencies of a contact
 #: lie within a few decades of ω₀; the lowest is Ω. The static modulus is the value below the range.
@@ -129,6 +129,11 @@ class SoftenedModulus(ShearModulus):
 
     def _sum(self, angular_frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
         return _core.complex_modulus(to_core(self.matrix), angular_frequency) + self.network_modulus(angular_frequency)
+
+
+def depends_on_strain(modulus: ShearModulusLike) -> TypeGuard[SofteningModulus]:
+    """Return whether a modulus decreases with strain."""
+    return isinstance(modulus, SofteningModulus)
 
 
 def _causal(storage: float, loss: float, reference_frequency: float) -> LossFactor | Elastic | None:

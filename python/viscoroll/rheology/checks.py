@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import assert_never
 
 import numpy as np
 
 from .._support.arguments import Floats, as_float
-from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, RollingBody
+from ..bodies import RollingBody
 from ..materials.moduli import to_core
 from .measured import MeasuredModulus, measured
 from .prony_fit import fit_prony
@@ -194,15 +193,11 @@ def _half_length(body: RollingBody, load: float, compliance: float) -> float:
     def on_spot(radius_ratio: float) -> float:
         return float(np.cbrt(0.375 * compliance * load * body.outer_radius * np.sqrt(radius_ratio)))
 
-    match body:
-        case CoatedSphere():
-            return on_spot(1.0)
-        case CoatedCylinder():
-            return on_line(load)
-        case CoatedWheel():
-            return max(on_line(load / body.width), on_spot(body.outer_radius / body.crown_radius))
-        case _:
-            assert_never(body)
+    if body.line_contact:
+        return on_line(load)
+    if body.width is None or body.crown_radius is None:
+        return on_spot(1.0)
+    return max(on_line(load / body.width), on_spot(body.outer_radius / body.crown_radius))
 
 
 def _signed_residual(frequency: Floats, storage: Floats, loss: Floats) -> float:

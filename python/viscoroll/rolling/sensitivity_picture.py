@@ -9,7 +9,7 @@ import numpy as np
 
 from .._support.arguments import Floats
 from .._support.pictures import Picture, draw_picture
-from ..materials import MasterCurve
+from ..materials.moduli import measured_range_of
 from ..solution.loss_spectrum import loss_spectrum
 from .perturbed import Given, bands_of, material_positions
 
@@ -31,9 +31,7 @@ Range = tuple[float, float]
 def measured_range(result: Solution) -> Range | None:
     """Return the frequency range common to all tables of measured moduli [rad/s], or None without such tables."""
     given = Given.of(result)
-    moduli = (position.material(given).shear_modulus for position in material_positions(given))
-    ends = [[w for w in modulus.frequency if w > 0.0] for modulus in moduli if isinstance(modulus, MasterCurve)]
-    return (max(e[0] for e in ends), min(e[-1] for e in ends)) if ends else None
+    return measured_range_of(position.material(given).shear_modulus for position in material_positions(given))
 
 
 def plot_moduli(

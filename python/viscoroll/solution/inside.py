@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, TypeAlias, assert_never
+from typing import TYPE_CHECKING, Literal, TypeAlias, cast
 
 import numpy as np
 
 from .. import _core
-from .._core import Sides
 from .._support.arguments import as_float_array
 from .._support.errors import InvalidInput
 from .._support.result_warnings import warn
@@ -18,9 +17,10 @@ from ..bodies import (
     CoatedPlane,
     CoatedSphere,
     CoatedWheel,
-    Groove,
+    Counterbody,
     HalfSpace,
     Layer,
+    RollingBody,
 )
 from ..bodies.layered import materials_of
 from .solution import Solution, node_angles, node_spacings
@@ -28,7 +28,7 @@ from .solution import Solution, node_angles, node_spacings
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["BodyInside", "Inside", "Of", "boundaries_of", "finite_line", "inside_of", "places_of"]
+__all__ = ["BodyInside", "Inside", "Of", "finite_line", "inside_of", "places_of"]
 
 #: Types of bodies whose interior can be evaluated.
 BodyInside: TypeAlias = CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel
@@ -61,7 +61,7 @@ class Inside:
     @property
     def has_radius(self) -> bool:
         """Whether positions in the body are radii; in a plane they are heights above its surface."""
-        return not isinstance(self.body, CoatedPlane)
+        return not self.body.is_flat
 
     @property
     def layers(self) -> tuple[Layer | HalfSpace, ...]:
@@ -71,17 +71,25 @@ class Inside:
     @property
     def thickness(self) -> float:
         """Depth of the body [m]; infinite if it has a deformable base."""
-        return _thickness(self.body)
+        return self.body.depth
 
     def depth(self, positions: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the depths of positions below the surface [m]."""
-        return _surface(self.body) - positions
+        return self.body.surface - positions
 
     def bonded(self) -> NDArray[np.float64]:
         """Return the positions of all bonds, to a rigid core or base and between layers [m], outwards."""
-        is_on_core = not isinstance(self.body, CoatedSphere) or self.body.inner_boundary is _core.InnerBoundary.RIGID
-        positions = boundaries_of(self.body)[:-1]
-        return positions[np.isfinite(positions)] if is_on_core else positions[1:]
+        positions = self.body.boundaries[:-1]
+        return positions[np.isfinite(positions)] if self.body.is_bonded_inside else positions[1:]
+
+    @property
+    def selected(self) -> RollingBody | Counterbody:
+        """The body as the user gave it, which may be represented by another one: see `body`."""
+        on = self.result.on
+        if self.of == "body":
+            return self.result.body
+        assert on is not None
+        return on
 
     @property
     def line_contact(self) -> bool:
@@ -109,8 +117,8 @@ class Inside:
         return _core.Tractions(
             mesh=result.mesh._to_core(),
             radius=result.body.outer_radius,
-            theta_spacing=node_spacings(result)[1] if isinstance(result.body, CoatedWheel) else None,
-            crown_radius=result.body.crown_radius if isinstance(result.body, CoatedWheel) else None,
+            theta_spacing=None if result.body.width is None else node_spacings(result)[1],
+            crown_radius=result.body.crown_radius,
             line=self.line_contact,
             pressure=np.ascontiguousarray(result.pressure),
             shear_traction=np.ascontiguousarray(result.shear_traction),
@@ -119,24 +127,8 @@ class Inside:
             curvature=result.curvature,
             patch_load=result.patch_load,
             counterbody=counterbody,
-            counterbody_curvature=self._curvatures() if counterbody else (0.0, 0.0),
+            counterbody_curvature=self.selected.curvatures if counterbody else (0.0, 0.0),
         )
-
-    def _curvatures(self) -> tuple[float, float]:
-        """Return the curvatures of the counterbody along the path and across [1/m]."""
-        match on := self.result.on:
-            case None | CoatedPlane():
-                return 0.0, 0.0
-            case CoatedSphere(outer_radius=radius):
-                return 1.0 / radius, 1.0 / radius
-            case CoatedCylinder(outer_radius=radius):
-                return 1.0 / radius, 0.0
-            case CoatedWheel(outer_radius=radius, crown_radius=crown):
-                return 1.0 / radius, 1.0 / crown
-            case Groove(path_radius=along, radius=across):
-                return (0.0 if along is None else -1.0 / along), (0.0 if across is None else -1.0 / across)
-            case _:
-                assert_never(on)
 
     def places(
         self, depth: ArrayLike | None, radius: ArrayLike | None = None
@@ -159,7 +151,7 @@ class Inside:
     def warn_of_sides(self) -> None:
         """Warn if free side faces are near the contact: the fields are those of a tread that continues beyond them."""
         body, across = self.body, self.result.contact_width
-        if not isinstance(body, CoatedWheel) or body.sides is not Sides.FREE or across is None:
+        if not body.has_free_faces or body.width is None or across is None:
             return
         distance = max(0.5 * (body.width - across), 0.0)
         if distance < body.thickness * (1.0 - 1e-9):
@@ -186,19 +178,14 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
     body, on = result.body, result.on
     if of is None:
         of = "body" if body.layers or on is None else "counterbody"
-    radius = body.outer_radius
     if of == "body":
         if not body.layers:
             raise InvalidInput("result.body", "must have a layer to be evaluated inside", "a rigid body")
-        return Inside(result, of, body, radius)
-    if isinstance(on, CoatedCylinder) and on.layers and isinstance(body, CoatedWheel):
-        tread = CoatedWheel(core_radius=on.core_radius, layers=on.layers, width=body.width, sides=Sides.UNBOUNDED)
-        return Inside(result, of, tread, on.outer_radius)
-    if isinstance(on, CoatedCylinder | CoatedSphere | CoatedWheel) and on.layers:
-        return Inside(result, of, on, on.outer_radius)
-    if isinstance(on, CoatedPlane | Groove) and (on.layers or on.base is not None):
-        return Inside(result, of, CoatedPlane(layers=on.layers, base=on.base), radius)
-    raise InvalidInput("result.on", "must have a layer or a base to be evaluated inside", "a rigid body")
+        return Inside(result, of, body, body.outer_radius)
+    if on is None or not on.is_deformable:
+        raise InvalidInput("result.on", "must have a layer or a base to be evaluated inside", "a rigid body")
+    seen = cast(BodyInside, on.interior_body(body))
+    return Inside(result, of, seen, body.outer_radius if seen.is_flat else seen.surface)
 
 
 def places_of(
@@ -222,34 +209,18 @@ def places_of(
         raise ValueError("exactly one of depth and radius must be given")
     shape = body._to_core()
     if depth is None:
-        if isinstance(body, CoatedPlane):
+        if body.is_flat:
             raise InvalidInput("depth", "must be given instead of radius for a plane")
         assert radius is not None
         return _core.places_at(shape, finite_line("radius", radius))
     below = finite_line("depth", depth)
-    thickness = _thickness(body)
+    thickness = body.depth
     if below.size and not (below.min() >= 0.0 and below.max() <= thickness * (1.0 + 1e-12)):
         raise InvalidInput("depth", f"must be in [0, {thickness:g}] m", f"{below.min():g} to {below.max():g}")
     # The innermost position must equal that of the core to the last bit.
-    innermost = boundaries_of(body)[0]
-    positions = np.where(below >= thickness * (1.0 - 1e-12), innermost, _surface(body) - below)
+    innermost = body.boundaries[0]
+    positions = np.where(below >= thickness * (1.0 - 1e-12), innermost, body.surface - below)
     return _core.places_at(shape, np.clip(positions, innermost, None))
-
-
-def boundaries_of(body: BodyInside) -> NDArray[np.float64]:
-    """Return the positions of all layer boundaries and of the surface [m], from the inside outwards."""
-    if not isinstance(body, CoatedPlane):
-        return body.core_radius + np.cumsum([0.0, *(layer.thickness for layer in body.layers)])
-    heights = -np.cumsum([0.0, *(layer.thickness for layer in reversed(body.layers))])[::-1]
-    return heights if body.base is None else np.concatenate([[-np.inf], heights])
-
-
-def _thickness(body: BodyInside) -> float:
-    return np.inf if isinstance(body, CoatedPlane) and body.base is not None else body.thickness
-
-
-def _surface(body: BodyInside) -> float:
-    return 0.0 if isinstance(body, CoatedPlane) else body.outer_radius
 
 
 def finite_line(name: str, values: ArrayLike) -> NDArray[np.float64]:

@@ -99,7 +99,7 @@ def order_fields(
     """
     require_type("body", body, CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel)
     require_type("curvature", curvature, Curvature)
-    if isinstance(body, CoatedPlane) == (rolling_radius is None):
+    if body.is_flat == (rolling_radius is None):
         raise InvalidInput("rolling_radius", "must be given if and only if the body is a plane")
     places = places_of(body, depth, radius)
     orders = [np.atleast_1d(as_orders(name, values)).ravel() for name, values in (("m", m), ("n", n))]
@@ -109,7 +109,7 @@ def order_fields(
         position=places[0],
         layer=places[1],
         angular_speed=as_float("angular_speed", angular_speed),
-        radius=as_float("rolling_radius", rolling_radius) if isinstance(body, CoatedPlane) else body.outer_radius,
+        radius=as_float("rolling_radius", rolling_radius) if body.is_flat else body.surface,
         curvature=curvature,
     )
     return values[:, :, :3], values[:, :, 3:9], values[:, :, 9:]

@@ -8,7 +8,7 @@ import numpy as np
 
 from .._support.pictures import Picture, draw_picture
 from .._support.result_warnings import silenced
-from .inside import Inside, Of, boundaries_of, inside_of
+from .inside import Inside, Of, inside_of
 from .interior_fields import interior
 from .loss import contact_size, loss
 from .solution import Solution
@@ -87,6 +87,6 @@ def _draw_loss(axes: Axes, inside: Inside, losses: xarray.Dataset) -> None:
 
 def _draw_layers(axes: Axes, inside: Inside) -> None:
     """Draw the boundaries of the layers."""
-    depths = inside.depth(boundaries_of(inside.body))
+    depths = inside.depth(inside.body.boundaries)
     for depth in depths[np.isfinite(depths)]:
         axes.axhline(depth * _MM, color="k", linewidth=2.0 if depth == depths[0] else 1.0)

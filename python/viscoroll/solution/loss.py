@@ -10,7 +10,7 @@ from .. import _core
 from .._support.arguments import as_int
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
-from ..materials import Prony, StandardLinearSolid
+from ..materials.moduli import relaxation_of
 from .inside import Of, inside_of
 from .interior_fields import place_coordinates
 from .solution import Solution, described, given_of
@@ -189,15 +189,11 @@ def loss(
 
 def _term_fractions(modulus: ShearModulusLike, frequency: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the fraction of the loss modulus due to each relaxation time (row) at each frequency."""
-    match modulus:
-        case StandardLinearSolid():
-            times, weights = np.array([modulus.relaxation_time]), np.ones(1)
-        case Prony():
-            times, weights = np.asarray(modulus.relaxation_times), np.asarray(modulus.weights)
-        case _:
-            return np.empty((0, frequency.size))
-    products = frequency * times[:, None]
-    loss = weights[:, None] * products / (1.0 + products**2)
+    relaxation = relaxation_of(modulus)
+    if relaxation is None:
+        return np.empty((0, frequency.size))
+    products = frequency * relaxation.times[:-1, None]
+    loss = relaxation.moduli[:-1, None] * products / (1.0 + products**2)
     total = loss.sum(axis=0)
     fractions: NDArray[np.float64] = np.divide(loss, total, out=np.zeros_like(loss), where=total > 0.0)
     return fractions

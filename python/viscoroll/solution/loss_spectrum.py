@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._core import Curvature, Extrapolation
+from .._core import Curvature
 from .._support.arguments import Floats
 from .._support.errors import InvalidInput
-from ..bodies import CoatedPlane
-from ..materials import MasterCurve
+from ..materials.moduli import measured_range_of
 from .inside import Inside, Of, inside_of
 from .interior_fields import order_fields
 from .solution import Solution
@@ -110,15 +109,8 @@ def extrapolated_loss(result: Solution) -> float | None:
     """
     if result.on is not None:
         return None
-    tables = [
-        layer.shear_modulus
-        for layer in result.body.layers
-        if isinstance(layer.shear_modulus, MasterCurve) and layer.shear_modulus.extrapolation is Extrapolation.HOLD
-    ]
-    if not tables:
-        return None
-    ends = [[w for w in table.frequency if w > 0.0] for table in tables]
-    return loss_spectrum(result).share_outside(max(e[0] for e in ends), min(e[-1] for e in ends))
+    measured = measured_range_of((layer.shear_modulus for layer in result.body.layers), held=True)
+    return None if measured is None else loss_spectrum(result).share_outside(*measured)
 
 
 def _compliance(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArray[np.complex128]:
@@ -129,7 +121,7 @@ def _compliance(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> N
         inside.result.angular_speed * inside.result.body.outer_radius / inside.radius,
         *grid,
         depth=[0.0],
-        rolling_radius=inside.radius if isinstance(inside.body, CoatedPlane) else None,
+        rolling_radius=inside.radius if inside.body.is_flat else None,
         curvature=Curvature.PAPER if inside.result.curvature is Curvature.PAPER else Curvature.SPHERE,
     )[0]
     return displacement.reshape(m.size, n.size, 3, 3)

@@ -8,7 +8,6 @@ import numpy as np
 
 from .._support.extras import extra
 from .._support.pictures import Picture, draw_picture
-from ..bodies import CoatedWheel
 from .solution import Solution
 
 with extra("plot"):
@@ -94,7 +93,7 @@ def _limits(result: Solution) -> tuple[float, float]:
     """Return half of the drawn range along x and z [mm]: the contact with a margin; across a wheel, its width."""
     along, across = (float(np.abs(part[result.contact]).max()) for part in (result.x, result.z))
     margin, ends = 2.0 * _spacing(result), float(result.x.max())
-    if isinstance(result.body, CoatedWheel):
+    if result.body.width is not None:
         return min(1.35 * along + margin, ends) * _MM, 0.54 * result.body.width * _MM
     limit = min(1.35 * max(along, across) + margin, ends) * _MM
     return limit, limit
@@ -106,7 +105,7 @@ def _frame(axes: Axes, result: Solution) -> None:
     axes.set(xlim=(-along, along), ylim=(-across, across), xlabel="x [mm], rolling to the right", ylabel="z [mm]")
     # At equal scales, the contact of a wide wheel would be a thin line.
     axes.set_aspect("equal" if across < _SLENDER * along else "auto")
-    if isinstance(result.body, CoatedWheel):
+    if result.body.width is not None:
         for side in (-0.5, 0.5):
             axes.axhline(side * result.body.width * _MM, color="0.3", linewidth=1.5)
 

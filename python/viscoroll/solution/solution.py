@@ -13,7 +13,7 @@ from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .._support.extras import extra
 from .._support.scalars import with_scalars
 from .._support.units import UNITS, unit_in_contact
-from ..bodies import CoatedWheel, Counterbody, Drive, Mesh, RollingBody
+from ..bodies import Counterbody, Drive, Mesh, RollingBody
 from .scalars import SCALARS, ScalarFields
 
 if TYPE_CHECKING:
@@ -256,7 +256,7 @@ def node_spacings(solution: Solution) -> tuple[float, float]:
 def _theta_nodes_per_revolution(solution: Solution) -> float:
     """Return 2π/Δθ: that of the mesh, or for a wheel the value for which whole columns fill its width."""
     columns = solution.z.shape[1]
-    if isinstance(solution.body, CoatedWheel) and columns > 1:
+    if solution.body.width is not None and columns > 1:
         return float(2.0 * np.pi * solution.body.outer_radius * (columns - 1) / np.ptp(solution.z[0]))
     return solution.mesh.theta_nodes_per_revolution or solution.mesh.nodes_per_revolution
 

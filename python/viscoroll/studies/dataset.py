@@ -16,7 +16,7 @@ import numpy as np
 from .._core import __commit__, __version__
 from .._support.extras import extra
 from .._support.units import UNITS, unit_in_contact
-from ..bodies import CoatedSphere, RollingBody
+from ..bodies import Counterbody, RollingBody, is_body
 from ..bodies.si_hints import unit_doubt
 from ..coupled.softening_result import BOUNDS
 from ..solution import FIELDS, VECTOR_FIELDS
@@ -171,8 +171,8 @@ def _provenance(plan: Plan) -> dict[str, str]:
     }
     if counts := {len(case.draws) for case in plan.cases if isinstance(case, LoadCase)} - {0}:
         attributes |= {"draws": f"{max(counts)}, {plan.method}", "confidence": repr(plan.confidence)}
-    if isinstance(other := plan.fixed.get("on"), CoatedSphere):
-        attributes |= {"other_ball": _parameters(other), "other_radius": repr(other.outer_radius)}
+    if is_body(other := plan.fixed.get("on")) and other.curved_directions == 2:
+        attributes |= {"other_ball": _parameters(other), "other_radius": repr(other.surface)}
     bodies = {(id(c.body), id(c.arguments.get("on"))): c for c in plan.cases if isinstance(c, LoadCase)}.values()
     if doubt := next(filter(None, (unit_doubt(case.body, case.arguments.get("on")) for case in bodies)), ""):
         attributes["unit_hint"] = doubt
@@ -190,7 +190,7 @@ def _kind(body: RollingBody) -> str:
     return type(body).__name__.removeprefix("Coated").lower()
 
 
-def _parameters(body: RollingBody) -> str:
+def _parameters(body: RollingBody | Counterbody) -> str:
     values = {parameter.name: getattr(body, parameter.name) for parameter in fields(body)}
     return ", ".join(f"{name}={v.name if isinstance(v, Enum) else _clean(v)}" for name, v in values.items())
 

@@ -18,7 +18,7 @@ from .._support.errors import InvalidInput
 from .._support.tables import handy
 from .._support.text import shown
 from .._support.units import UNITS
-from ..bodies import Counterbody, Drive, Mesh
+from ..bodies import Counterbody, Drive, Mesh, is_body
 from ..materials import Draws
 
 __all__ = ["LOAD_CASE", "MOST_POINTS", "Dimension", "checked", "label", "require_feasible", "split"]
@@ -197,7 +197,7 @@ def _are_labels(texts: Sequence[str]) -> bool:
 
 def _structure_text(value: object) -> str:
     """Return the type of a body with its core radius and layer thicknesses; an empty text for other values."""
-    if not isinstance(value, Counterbody):
+    if not is_body(value):
         return ""
     core = getattr(value, "core_radius", None)
     parts = [] if core is None else [f"core {handy([core], 'm')[0][0]} {handy([core], 'm')[1]}"]

@@ -5,27 +5,17 @@ from __future__ import annotations
 import hashlib
 import inspect
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, assert_never
+from dataclasses import fields, is_dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..bodies import (
-    CoatedCylinder,
-    CoatedPlane,
-    CoatedSphere,
-    CoatedWheel,
-    Counterbody,
-    Groove,
-    HalfSpace,
-    Layer,
-    RollingBody,
-)
-from ..materials import SofteningModulus, StrainSweep
 from ..rolling import solve
 from .dimensions import LOAD_CASE
 
 if TYPE_CHECKING:
-    from ..bodies import Mesh
+    from ..bodies import Counterbody, Mesh, RollingBody
+    from ..bodies.layered import LayeredBody
     from ..rolling.propagation import Pair
     from .draws import DrawMethod
 
@@ -105,56 +95,25 @@ def _highest_harmonic(mesh: Mesh | None) -> int:
     return mesh.max_order or 2 * mesh.nodes_per_revolution
 
 
-def _body_text(body: RollingBody, speed: float, highest: int) -> str:
+def _body_text(body: LayeredBody, speed: float, highest: int) -> str:
     with np.errstate(over="ignore"):  # the solver rejects such a speed
-        frequencies = [0.0, *(speed * np.geomspace(1.0, highest, _SAMPLES)).tolist()]
-    return "; ".join([_shape_text(body), *(_layer_text(layer, frequencies) for layer in body.layers)])
-
-
-def _shape_text(body: RollingBody) -> str:
-    match body:
-        case CoatedSphere():
-            return f"{body.inner_boundary.name} {body.core_radius!r}"
-        case CoatedCylinder():
-            return f"cylinder {body.core_radius!r}"
-        case CoatedWheel():
-            ends = (body.width, body.crown_radius, body.hub.name, body.sides.name)
-            return f"wheel {body.core_radius!r} {ends!r}"
-        case _:
-            assert_never(body)
+        return _text(body, [0.0, *(speed * np.geomspace(1.0, highest, _SAMPLES)).tolist()])
 
 
 def _counterbody_text(on: Counterbody, surface_speed: float, highest: int) -> str:
-    """Return the text of a counterbody."""
-    if isinstance(on, RollingBody):
-        return _body_text(on, surface_speed / on.outer_radius, highest)
-    match on:
-        case CoatedPlane():
-            kind = "plane"
-        case Groove():
-            kind = f"groove {on.radius!r} {on.path_radius!r}"
-        case _:
-            assert_never(on)
-    frequencies = [0.0, *np.geomspace(1e-6, 1e9, _SAMPLES).tolist()]
-    base = "rigid" if on.base is None else _layer_text(on.base, frequencies)
-    return "; ".join([kind, base, *(_layer_text(layer, frequencies) for layer in on.layers)])
+    if on.is_flat:
+        return _text(on, [0.0, *np.geomspace(1e-6, 1e9, _SAMPLES).tolist()])
+    return _body_text(on, surface_speed / on.surface, highest)
 
 
-def _layer_text(layer: Layer | HalfSpace, frequencies: list[float]) -> str:
-    thickness = layer.thickness if isinstance(layer, Layer) else None
-    properties = (thickness, layer.poisson_ratio, layer.bulk_modulus, layer.density)
-    modulus = layer.shear_modulus
-    return f"{properties!r} {_modulus_text(modulus, frequencies)}"
-
-
-def _modulus_text(modulus: object, frequencies: list[float]) -> str:
-    match modulus:
-        case SofteningModulus(matrix=matrix, network=StrainSweep(matrix=measured) as sweep):
-            table = (sweep.strain, sweep.storage, sweep.loss, sweep.kind.name, sweep.frequency)
-            return f"{_modulus_text(matrix, frequencies)} {table!r} {_modulus_text(measured, frequencies)}"
-        case SofteningModulus(matrix=matrix, network=network):
-            return f"{_modulus_text(matrix, frequencies)} {network!r}"
-    return _sampled(modulus, frequencies) if callable(modulus) else repr(modulus)
+def _text(value: object, frequencies: list[float]) -> str:
+    """Return a text with all parameters of a body, layer, material or network, and of those that it contains."""
+    if is_dataclass(value):
+        parameters = (f"{field.name}={_text(getattr(value, field.name), frequencies)}" for field in fields(value))
+        return f"{type(value).__name__}({', '.join(parameters)})"
+    if isinstance(value, tuple):
+        return f"({', '.join(_text(one, frequencies) for one in value)})"
+    return _sampled(value, frequencies) if callable(value) else repr(value)
 
 
 def _sampled(modulus: Callable[[Any], Any], frequencies: list[float]) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .._support.errors import InvalidInput
-from ..bodies import Counterbody, RollingBody
+from ..bodies import Counterbody, RollingBody, is_body
 from ..coupled.softening_search import softens
 from ..materials import Draws
 from ..rolling.propagation import Pair
@@ -160,7 +160,7 @@ class Plan:
 
 def _hashable(argument: object) -> object:
     """Return a hashable object for an argument: the identity of a body, whose layers may hold lists, else the value."""
-    return id(argument) if isinstance(argument, Counterbody) else argument
+    return id(argument) if is_body(argument) else argument
 
 
 def plan_sweep(

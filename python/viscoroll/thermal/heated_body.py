@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, assert_never
+from functools import singledispatch
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from .._support.arguments import as_not_negative, as_positive
 from .._support.errors import InvalidInput
 from .._support.text import shown
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
-from ..solution.inside import Inside, boundaries_of
+from ..solution.inside import Inside
 from ..solution.loss import contact_size
 from .conduction import Conduction
 from .heat_modes import (
@@ -99,7 +100,7 @@ class HeatedBody:
         """Return q_j at the points of the layers [W/m³], interpolated over √depth from the Gauss points of the loss."""
         by_mode = self.project(loss)
         source = np.empty((by_mode.shape[0], self.conduction.coordinate.size))
-        bounds = boundaries_of(self.inside.body)
+        bounds = self.inside.body.boundaries
         depths = loss.depth.to_numpy()
         for number in range(len(bounds) - 1):
             nodes = loss.place_layer.to_numpy() == number
@@ -136,23 +137,18 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
             "result.on", "must have a finite thickness for a steady temperature", "a half-space: give a thick layer"
         )
     conductivities = conductivities_of(inside, conductivity)
-    match body := inside.body:
-        case CoatedSphere():
-            return _ball(inside, given, conductivities)
-        case CoatedCylinder():
-            return _roller(inside, given, conductivities)
-        case CoatedWheel():
-            return _wheel(inside, given, conductivities)
-        case CoatedPlane():
-            return _slab(inside, given, conductivities)
-        case _:
-            assert_never(body)
+    return _model(inside.body, inside, given, conductivities)
 
 
-def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+@singledispatch
+def _model(body: object, inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+    """Return the thermal model of a body; each type of body registers its own."""
+    raise NotImplementedError(type(body).__name__)
+
+
+@_model.register
+def _ball(ball: CoatedSphere, inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
     require_omitted(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
-    ball = inside.body
-    assert isinstance(ball, CoatedSphere)
     degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MAX_DEGREES)
     if ball.inner_boundary is not InnerBoundary.RIGID and given.core is not Core.INSULATED:
         raise InvalidInput("core", "must be INSULATED in a ball without a rigid core", shown(given.core))
@@ -178,7 +174,7 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
 
     return HeatedBody(
         inside=inside,
-        conduction=Conduction(boundaries_of(ball).tolist(), conductivities, modes, film=film, inner=inner),
+        conduction=Conduction(ball.boundaries.tolist(), conductivities, modes, film=film, inner=inner),
         inner_rise=rise,
         along="theta",
         unit="W",
@@ -187,7 +183,8 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     )
 
 
-def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+@_model.register
+def _roller(body: CoatedCylinder, inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
     require_omitted(given, ("base_convection", "period"), "a roller")
     width = None if given.width is None else as_positive("width", given.width, "m")
     for name in ("side_convection", "hub_conductance"):
@@ -195,7 +192,7 @@ def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) ->
             raise InvalidInput("width", f"must be given with {name}", "none")
     side = _side(given, conductivities)
     modes = modes_of_roller(width, side / conductivities[0], _SIDE_MODES)
-    bounds = boundaries_of(inside.body)
+    bounds = body.boundaries
     inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
     film = uniform_film(given)
     require_heat_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
@@ -211,23 +208,23 @@ def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) ->
     )
 
 
-def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+@_model.register
+def _wheel(tread: CoatedWheel, inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
     """Return the thermal model of a wheel, or of a roller under a wheel: the source varies across the section."""
-    assert isinstance(inside.body, CoatedWheel)
     result = inside.result
-    if isinstance(result.on if inside.of == "counterbody" else result.body, CoatedCylinder):
+    if inside.selected.line_contact:
         require_omitted(given, ("base_convection", "period"), "a roller")
         if given.width is None:
             raise InvalidInput("width", "must be given for a roller under a wheel: the width of the roller [m]")
         width = as_positive("width", given.width, "m")
     else:
         require_omitted(given, ("width", "base_convection", "period"), "a wheel")
-        width = inside.body.width
+        width = tread.width
     side = _side(given, conductivities)
     narrowest = 0.5 * result.contact_width if result.contact_width else contact_size(result)
     wanted = int(_DEGREES_PER_CONTACT * width / (np.pi * narrowest))
     modes = modes_of_wheel(width, side / conductivities[0], min(max(wanted, 2 * _SIDE_MODES), _MAX_DEGREES))
-    bounds = boundaries_of(inside.body)
+    bounds = tread.boundaries
     inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * width)
     film = (
         film_matrix_of_wheel(given.convection, modes, width, inside.radius)
@@ -271,7 +268,8 @@ def _side(given: Surroundings, conductivities: list[float]) -> float:
     return side
 
 
-def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+@_model.register
+def _slab(plane: CoatedPlane, inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
     require_omitted(given, ("width", "side_convection", "hub_conductance"), "a plane")
     if given.period is None:
         raise InvalidInput("period", "must be given for a plane: the time from one pass to the next [s]")
@@ -301,7 +299,7 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
 
     return HeatedBody(
         inside=inside,
-        conduction=Conduction(boundaries_of(inside.body).tolist(), conductivities, modes, film=film, inner=inner),
+        conduction=Conduction(plane.boundaries.tolist(), conductivities, modes, film=film, inner=inner),
         inner_rise=core_rise(given),
         along="z",
         unit="W/m²" if inside.line_contact else "W/m",
@@ -313,7 +311,7 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
 def _between_tracks(inside: Inside) -> float:
     """Return the distance between parallel tracks on a plane [m]: whole circumferences, same as in `Result.loss`."""
     result = inside.result
-    width = result.body.width if isinstance(result.body, CoatedWheel) else 0.0
+    width = result.body.width or 0.0
     return 2.0 * np.pi * inside.radius * max(1, int(np.ceil(width / (np.pi * inside.radius))))
 
 

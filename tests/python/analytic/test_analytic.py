@@ -488,5 +488,6 @@ def test_balls_on_balls_have_the_forms_of_their_relative_radius():
             assert forms[name].is_valid(load, omega), name
             assert forms[name](load, omega) == pytest.approx(found, rel=0.1), name
     assert analytic.applicable(ball, on=vr.CoatedSphere(core_radius=10e-3, layers=[gel])) == {}
-    with pytest.raises(TypeError, match=r"body must be a viscoroll\.CoatedSphere, got"):
-        analytic.applicable(vr.CoatedCylinder(core_radius=0.1, layers=[gel]), on=rigid)
+    assert analytic.applicable(vr.CoatedCylinder(core_radius=0.1, layers=[gel]), on=rigid) == {}
+    assert set(analytic.applicable(ball, on=vr.CoatedPlane())) == {"low_speed", "greenwood_tabor", "persson"}
+    assert analytic.applicable(ball, on=vr.CoatedPlane(layers=[gel])) == {}

@@ -139,7 +139,7 @@ VALID = {"load": 1.0, "angular_speed": 1.0, "shear_modulus": solid(2.0), "poisso
         (
             {"shear_modulus": vr.MasterCurve([1.0, 2.0], [1.0, 1.0], [0.1, 0.1])},
             ValueError,
-            "StandardLinearSolid, Prony, which have closed-form relaxation functions, got MasterCurve",
+            "whose relaxation function is a sum of exponentials, got MasterCurve",
         ),
     ],
 )

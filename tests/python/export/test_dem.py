@@ -345,7 +345,7 @@ def test_wheels_are_rejected():
     tread = vr.Layer(thickness=10e-3, shear_modulus=3e6, poisson_ratio=0.45)
     wheel = vr.CoatedWheel(core_radius=40e-3, layers=[tread], width=30e-3, crown_radius=0.3, sides="unbounded")
     case = {"load": 100.0, "angular_speed": 1.0, "accuracy": 0.2}
-    with pytest.raises(ValueError, match=r"source must be for a ball .*, got a CoatedWheel"):
+    with pytest.raises(ValueError, match=r"source must be for a ball .*, got a wheel"):
         vr.export.dem(vr.solve(wheel, **case), code="lammps")
     with pytest.raises(ValueError, match=r"source must be for a ball .*, got a study of a coated wheel"):
         vr.export.dem(vr.sweep(wheel, **case, progress=False), code="lammps")

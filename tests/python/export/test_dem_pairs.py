@@ -144,13 +144,13 @@ def test_what_is_no_ball_on_a_plane_or_ball_is_refused():
     layer = vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
     wanted = "source must be for a ball on a plane or on another ball"
-    with pytest.raises(ValueError, match=f"{wanted}, got a CoatedCylinder"):
+    with pytest.raises(ValueError, match=f"{wanted}, got a roller on a plane"):
         vr.export.dem(vr.solve(roller, load=5e3, angular_speed=1.0), code="lammps")
     study = vr.sweep(roller, load=[4e3, 5e3], angular_speed=1.0, accuracy=0.1, progress=False)
     with pytest.raises(ValueError, match=f"{wanted}, got a study of a coated cylinder"):
         vr.export.dem(study, code="lammps")
     groove = {"on": vr.Groove(radius=30e-3), "load": 50.0, "angular_speed": 2.5, "mesh": MESH}
-    with pytest.raises(ValueError, match=f"{wanted}, got a ball on a Groove"):
+    with pytest.raises(ValueError, match=f"{wanted}, got a ball on a groove"):
         vr.export.dem(vr.solve(BALL, **groove), code="lammps")
     with pytest.raises(ValueError, match=f"{wanted}, got a ball on a Groove"):
         vr.export.dem(vr.sweep(BALL, **groove | {"load": [50.0]}, progress=False), code="lammps")
@@ -182,7 +182,7 @@ def test_export_from_the_shell(tmp_path):
     path.write_text(f"{unbearable}\n[groove]\nradius = 0.03\n", encoding="utf-8")
     done = command("export", path, "--for", "lammps")
     assert done.returncode == 2
-    assert "got a ball on a Groove" in done.stderr
+    assert "got a ball on a groove" in done.stderr
 
 
 def test_run_in_lammps(dissimilar):
