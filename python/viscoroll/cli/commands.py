@@ -219,7 +219,7 @@ def _own_shift(factors: Path | None, wlf: str | None) -> ShiftFactors | Williams
 
 
 def _write_ramp(ramp: TemperatureRamp, at: float | None, *, wanted: Path | None) -> None:
-    """Print what a temperature ramp gives without a shift law: a modulus for case files at one temperature."""
+    """Print the modulus of a temperature ramp at one temperature, for case files, or how to obtain it."""
     if wanted is not None:
         raise ValueError(
             f"{wanted.name} requires a master curve; a temperature ramp at one frequency has one only with a law "
@@ -255,7 +255,7 @@ def _write_modulus(curve: Superposition | Isotherm, temperature: float) -> None:
 
 
 def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None, float | None]:
-    """Return a study over load and speed, and load and speed of the case; None for a file with a table [sweep]."""
+    """Return a study over load and speed, and load and speed of the case, which are None for a file with [sweep]."""
     import numpy as np
 
     from ..case import load_case

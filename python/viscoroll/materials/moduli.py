@@ -262,8 +262,7 @@ class CreepCompliance(ShearModulus):
     Notes
     -----
     The modulus is 1/J* with J*(ω) = J₀ + Σ J_k / (1 + iωτ_k). It equals a Prony series of as many terms as there are
-    different retardation times. The relaxation times follow from the zeros of J*: each lies between a retardation time
-    and the next shorter one.
+    different retardation times. The relaxation times follow from the zeros of J*, one below each retardation time.
 
     Examples
     --------
