@@ -71,7 +71,7 @@ export interface Plane {
   base?: HalfSpace | null;
 }
 
-/** Surface that is curved across the path (`radius`), along it (`path_radius`), or both [m]; concave for a radius > 0. */
+/** Surface curved across the path (`radius`), along it (`path_radius`), or both [m]; concave if a radius is > 0. */
 export interface Groove extends Plane {
   radius?: number | null;
   path_radius?: number | null;
@@ -165,7 +165,7 @@ export interface Scalar {
   description: string;
 }
 
-/** Solve a case on the calling thread; a page should call it in a worker. Invalid input yields an answer with an error. */
+/** Solve a case on the calling thread; a page should call it in a worker. For invalid input, return an error. */
 export function solve(request: Request): Promise<Answer>;
 
 /** The table of scalar results. */
