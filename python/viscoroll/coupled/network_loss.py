@@ -132,7 +132,7 @@ def _elements(amplitude: Floats, within: int, further: int) -> tuple[Floats, Flo
     """Return yield strains and weights of the elements, (points, elements), for a path amplitude per point.
 
     The weight -F''(y) dy = 2 dy/(1 + y)³ is 2 (1 - t) dt with t = y/(1 + y). As a function of y, the loss has a square
-    root or a kink at the amplitude. Up to the amplitude, t is therefore a sine, whose argument has Gauss points.
+    root or a kink at the amplitude. Up to the amplitude, t is therefore a sine of angles that are Gauss points.
     """
     angle, angle_weight = _gauss(within, 0.5 * math.pi)
     part, part_weight = _gauss(further, 1.0)

@@ -36,7 +36,7 @@ class HeatModes:
     Attributes
     ----------
     measure : callable
-        Dependence of the surface area on r; `area` and `square` contain the other factors: r² [m²], r [m] or 1.
+        Dependence of the surface area on r: r² [m²], r [m] or 1. `area` and `square` contain the other factors.
     rate : callable
         Function of r that returns the eigenvalues λ_j of -∇²Y_j = λ_j Y_j [1/m²], one row per mode.
     values : callable
