@@ -122,8 +122,8 @@ class ShearModulus(ParameterTable, ABC):
         return None
 
 
-#: Types accepted as a shear modulus [Pa]: a modulus of this package; a number, for an elastic material; or a function of
-#: an array of angular frequencies ω [rad/s] that returns μ*(ω) as an array, or as one number for all frequencies.
+#: Types accepted as a shear modulus [Pa]: a modulus of this package; a number, for an elastic material; or a function
+#: of an array of angular frequencies ω [rad/s] that returns μ*(ω) as an array, or as one number for all frequencies.
 ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any] | float
 
 
@@ -234,7 +234,7 @@ class StandardLinearSolid(ShearModulus):
 
     def _to_core(self) -> _core.Prony:
         series = _core.standard_linear_solid(**_parameters_of(self))
-        # For lower ratios, round-off of the stored weight 1 - ratio leaves fewer than four digits of the relaxed modulus.
+        # At lower ratios, round-off of the stored weight, 1 - ratio, leaves fewer than four digits of the modulus.
         if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
             raise InvalidInput(
                 "relaxed_modulus",

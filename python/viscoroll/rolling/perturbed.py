@@ -111,7 +111,7 @@ class MaterialPosition:
         return replace(given, **{self.which: with_materials(body, materials)})  # type: ignore[arg-type]
 
     def rolling_speed(self, result: Solution) -> float:
-        """Return the lowest frequency of the load on the material [rad/s]: the speed of rolling / radius of its body."""
+        """Return the lowest frequency of the load on the material [rad/s]: the rolling speed / radius of its body."""
         if self.which == "body":
             return result.angular_speed
         radius = getattr(result.on, "outer_radius", result.body.outer_radius)

@@ -179,7 +179,7 @@ class Solution(ScalarFields):
         return unit_in_contact(unit, line_contact=self.body.line_contact)
 
     def scalars(self) -> dict[str, float | int | str | None]:
-        """Return scalar results, input and mesh sizes by name in SI units, and names of status, options and warnings."""
+        """Return scalar results, input and mesh sizes by name in SI units, and names of status, options, warnings."""
         values: dict[str, float | int | str | None] = {name: getattr(self, name) for name in SCALARS}
         values |= {
             "load": self.load,
