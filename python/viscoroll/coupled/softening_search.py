@@ -142,7 +142,7 @@ class SofteningSearch:
         return amplitudes, scales
 
     def at(self, amplitudes: Floats, scales: Floats, *, coarse: Mesh | None = None) -> State:
-        """Solve the contact for amplitudes and scales, and evaluate its strain; on a coarse mesh only roughly."""
+        """Solve the contact for amplitudes and scales, and evaluate its strain; at fewer points on a coarse mesh."""
         settings = [
             Setting(amplitude=float(amplitude), scale=float(scale), frequency=self._frequency(layer.of))
             for layer, amplitude, scale in zip(self.layers, amplitudes, scales, strict=True)

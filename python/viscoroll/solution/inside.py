@@ -84,7 +84,7 @@ class Inside:
 
     @property
     def selected(self) -> RollingBody | Counterbody:
-        """The body as the user gave it, which may be represented by another one: see `body`."""
+        """Body of the result as the user gave it; `body` may be another body that represents it."""
         on = self.result.on
         if self.of == "body":
             return self.result.body
@@ -184,8 +184,8 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
         return Inside(result, of, body, body.outer_radius)
     if on is None or not on.is_deformable:
         raise InvalidInput("result.on", "must have a layer or a base to be evaluated inside", "a rigid body")
-    seen = cast(BodyInside, on.interior_body(body))
-    return Inside(result, of, seen, body.outer_radius if seen.is_flat else seen.surface)
+    representative = cast(BodyInside, on.interior_body(body))
+    return Inside(result, of, representative, body.outer_radius if representative.is_flat else representative.surface)
 
 
 def places_of(
