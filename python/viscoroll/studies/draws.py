@@ -57,7 +57,7 @@ def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], lis
     Raises
     ------
     ValueError
-        For sets of different sizes: the i-th draws of all parameters belong together.
+        If the sets differ in size: the i-th draws of all parameters belong together.
     """
     sets = {name: value for name, value in parameters.items() if isinstance(value, Draws)}
     if len({len(value) for value in sets.values()}) > 1:
