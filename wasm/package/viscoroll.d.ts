@@ -1,6 +1,6 @@
 /** Rolling resistance of balls, rollers and wheels with viscoelastic layers. All numbers are in SI units. */
 
-/** A modulus [Pa] over angular frequency, or a number: an elastic one. */
+/** Shear modulus [Pa] as a function of angular frequency; a number is an elastic modulus. */
 export type ShearModulus =
   | number
   | { type: "elastic"; modulus: number }
@@ -28,7 +28,7 @@ export type ShearModulus =
       extrapolation?: "error" | "hold";
     };
 
-/** Exactly one of `poisson_ratio` and `bulk_modulus` is given. */
+/** Material of a layer or half-space, with exactly one of `poisson_ratio` and `bulk_modulus`. */
 export interface HalfSpace {
   shear_modulus: ShearModulus;
   poisson_ratio?: number | null;
@@ -43,12 +43,12 @@ export interface Layer extends HalfSpace {
 
 export interface Ball {
   core_radius?: number;
-  /** From the center outwards. */
+  /** Layers from the center outwards. */
   layers?: Layer[];
   inner_boundary?: "rigid" | "hollow" | "solid";
 }
 
-/** A roller in line contact, whose load, forces, torques and powers are per length. */
+/** Roller in line contact. Its load, forces, torques and powers are per length. */
 export interface Cylinder {
   core_radius: number;
   layers?: Layer[];
@@ -58,42 +58,42 @@ export interface Wheel {
   core_radius: number;
   layers?: Layer[];
   width: number;
-  /** Flat where it is left out. */
+  /** Radius of the profile across the path [m]; by default the tread is flat. */
   crown_radius?: number;
   hub?: "straight" | "crowned";
   sides?: "free" | "unbounded";
 }
 
-/** Without layers and base it is rigid. */
+/** Plane with layers on a base; without layers and base it is rigid. */
 export interface Plane {
-  /** From the base outwards. */
+  /** Layers from the base outwards. */
   layers?: Layer[];
   base?: HalfSpace | null;
 }
 
-/** Curved across the path, along it, or both ways: hollow where a radius is > 0. */
+/** Surface curved across the path (`radius`), along it (`path_radius`), or both [m]; concave if a radius is > 0. */
 export interface Groove extends Plane {
   radius?: number | null;
   path_radius?: number | null;
 }
 
-/** One of the three; without friction a force of 0 or a creepage. */
+/** Drive: exactly one of force, torque and creepage. Without friction, only a force of 0 or a creepage is allowed. */
 export type Drive =
   | { force: number }
   | { torque: number }
   | { creepage: number; lateral_creepage?: number; spin?: number };
 
 export interface Rolling {
-  /** Force on what it rolls on [N], of a roller per length [N/m]. */
+  /** Normal load [N]; for rollers, load per length [N/m]. */
   load: number;
   /** [rad/s] */
   angular_speed: number;
-  /** Coulomb's coefficient, up to 4; Infinity: full stick. */
+  /** Coulomb's coefficient of friction, at most 4; with Infinity the whole contact sticks. */
   friction?: number;
   drive?: Drive;
 }
 
-/** Either a mesh is given or an accuracy is reached. */
+/** Options of the solver: a mesh, or an accuracy to which the solver refines the mesh. */
 export interface Numerics {
   accuracy?: number | null;
   nodes_per_revolution?: number | null;
@@ -105,7 +105,7 @@ export interface Numerics {
   slip_kinematics?: "exact" | "flat";
 }
 
-/** The tables and keys of a case file: one body, and at most one that it rolls on, a rigid plane without. */
+/** Tables and keys of a case file: one rolling body and at most one counterbody, by default a rigid plane. */
 export interface Case {
   ball?: Ball;
   cylinder?: Cylinder;
@@ -121,11 +121,11 @@ export interface Case {
 
 export interface Request {
   case: Case;
-  /** Whether fields are wanted. */
+  /** Whether to return fields. */
   fields?: boolean;
 }
 
-/** Rows along x, the direction of rolling; columns along z, across it. */
+/** Fields at the nodes: rows along x, the direction of rolling, and columns along z, across it. */
 export interface Fields {
   /** [m] */
   x: number[];
@@ -133,21 +133,21 @@ export interface Fields {
   z: number[];
   /** [Pa] */
   pressure: number[][];
-  /** 1 where it sticks, 2 where it slips, 0 out of contact; null without friction. */
+  /** State of each node: 1 if it sticks, 2 if it slips, 0 if it is not in contact; null without friction. */
   stick: number[][] | null;
-  /** Heights in the middle plane, as the surface is and as it was [m]. */
+  /** Heights in the middle plane, of the deformed surface (`surface`) and of the undeformed one (`rigid`) [m]. */
   profile: { x: number[]; surface: number[]; rigid: number[] };
 }
 
 export interface Result {
-  /** Those of `scalars()`, null where undetermined or infinite, with contact_nodes, nodes_per_revolution, max_order. */
+  /** Scalars of `scalars()`, and contact_nodes, nodes_per_revolution, max_order; null if undetermined or infinite. */
   scalars: Record<string, number | null>;
   state: "converged" | "max_iterations" | "accuracy_not_reached";
   warnings: { kind: string; message: string }[];
   fields?: Fields;
 }
 
-/** An error. The last three are null if it is not about the value of a parameter. */
+/** An error. `parameter`, `rule` and `value` are null if the error does not concern the value of a parameter. */
 export interface Failure {
   message: string;
   /** Path in the case, such as "ball.layers[0].thickness". */
@@ -165,14 +165,14 @@ export interface Scalar {
   description: string;
 }
 
-/** Solve a case, on the thread that asks: in a page, have a worker ask. Bad input is an answer, too. */
+/** Solve a case on the calling thread; a page should call it in a worker. For invalid input, return an error. */
 export function solve(request: Request): Promise<Answer>;
 
 /** The table of scalar results. */
 export function scalars(): Promise<Scalar[]>;
 
 /**
- * Have a worker answer messages: `{id, name: "solve", content: request}` or `{id, name: "scalars"}` by `{id, answer}`,
- * or `{id, failure}` where the module broke off.
+ * Make a worker answer the messages `{id, name: "solve", content: request}` and `{id, name: "scalars"}` with
+ * `{id, answer}`, or with `{id, failure}` if the module fails.
  */
 export function serve(scope?: object): void;

@@ -22,11 +22,11 @@ constexpr auto kSides = std::to_array<Name<Sides>>({{"free", Sides::free}, {"unb
 
 ShearModulus take_modulus(Table& table) {
   const Json& given = table.require("shear_modulus");
-  return given.is_null() ? ShearModulus{} : modulus_from_json(given, table.place_of("shear_modulus"));
+  return given.is_null() ? ShearModulus{} : modulus_from_json(given, table.path_of("shear_modulus"));
 }
 
-Layer layer_from_json(const Json& json, const std::string& place) {
-  Table table(json, place);
+Layer layer_from_json(const Json& json, const std::string& path) {
+  Table table(json, path);
   Layer layer{.thickness = table.number("thickness"),
               .shear_modulus = take_modulus(table),
               .poisson_ratio = table.maybe_number("poisson_ratio"),
@@ -35,21 +35,21 @@ Layer layer_from_json(const Json& json, const std::string& place) {
   // Case files may contain the conductivity for temperatures, which this module does not compute.
   (void)table.maybe_number("conductivity");
   table.close();
-  at_place(place, [&] { validate(layer, ""); });
+  at_path(path, [&] { validate(layer, ""); });
   return layer;
 }
 
 std::vector<Layer> take_layers(Table& table) {
   const Json* given = table.take("layers");
   if (given == nullptr) return {};
-  const std::string place = table.place_of("layers");
+  const std::string path = table.path_of("layers");
   if (!given->is_array()) {
-    throw InvalidInput(place, "must be a valid list", shown(*given));
+    throw InvalidInput(path, "must be a valid list", shown(*given));
   }
   std::vector<Layer> layers;
   layers.reserve(given->size());
   for (const Json& layer : *given) {
-    layers.push_back(layer_from_json(layer, place + "[" + std::to_string(layers.size()) + "]"));
+    layers.push_back(layer_from_json(layer, path + "[" + std::to_string(layers.size()) + "]"));
   }
   return layers;
 }
@@ -57,20 +57,20 @@ std::vector<Layer> take_layers(Table& table) {
 std::optional<HalfSpace> take_base(Table& table) {
   const Json* given = table.take("base");
   if (given == nullptr) return std::nullopt;
-  Table of_base(*given, table.place_of("base"));
+  Table of_base(*given, table.path_of("base"));
   HalfSpace base{.shear_modulus = take_modulus(of_base),
                  .poisson_ratio = of_base.maybe_number("poisson_ratio"),
                  .bulk_modulus = of_base.maybe_number("bulk_modulus"),
                  .density = of_base.maybe_number("density").value_or(HalfSpace{}.density)};
   of_base.close();
-  at_place(of_base.place(), [&] { validate(CoatedPlane{.base = base}); });
+  at_path(of_base.path(), [&] { validate(CoatedPlane{.base = base}); });
   return base;
 }
 
 template <class Body>
 Body closed(const Table& table, Body body) {
   table.close();
-  at_place(table.place(), [&] { validate(body); });
+  at_path(table.path(), [&] { validate(body); });
   return body;
 }
 
@@ -130,7 +130,7 @@ std::vector<Name<Kind>> take_given(Table& file, const std::array<Name<Kind (*)(T
   for (const auto& [name, from_json] : kinds) {
     const Json* content = file.take(name);
     if (content == nullptr) continue;
-    Table table(*content, file.place_of(name));
+    Table table(*content, file.path_of(name));
     given.push_back({name, from_json(table)});
   }
   return given;

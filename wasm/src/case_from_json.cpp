@@ -15,8 +15,8 @@ constexpr auto kPatchLoads =
 constexpr auto kSlipKinematics =
     std::to_array<Name<SlipKinematics>>({{"exact", SlipKinematics::exact}, {"flat", SlipKinematics::flat}});
 
-Drive drive_from_json(const Json& json, const std::string& place) {
-  Table table(json, place);
+Drive drive_from_json(const Json& json, const std::string& path) {
+  Table table(json, path);
   const auto force = table.maybe_number("force");
   const auto torque = table.maybe_number("torque");
   const auto creepage = table.maybe_number("creepage");
@@ -29,11 +29,11 @@ Drive drive_from_json(const Json& json, const std::string& place) {
     if (value) given += (given.empty() ? "" : ", ") + std::string(name);
   }
   if (given.empty() || given.find(',') != std::string::npos) {
-    throw InvalidInput(place, "must have exactly one of force, torque and creepage", given.empty() ? "none" : given);
+    throw InvalidInput(path, "must have exactly one of force, torque and creepage", given.empty() ? "none" : given);
   }
   for (const auto& [name, value] : {Name{"lateral_creepage", lateral}, Name{"spin", spin}}) {
     if (!creepage && value.value_or(0.0) != 0.0) {
-      throw InvalidInput(place + "." + std::string(name), "must be 0 without drive.creepage", shown(*value));
+      throw InvalidInput(path + "." + std::string(name), "must be 0 without drive.creepage", shown(*value));
     }
   }
   if (force) return DriveForce{*force};
@@ -41,18 +41,18 @@ Drive drive_from_json(const Json& json, const std::string& place) {
   return DriveCreepage{.creepage = *creepage, .lateral_creepage = lateral.value_or(0.0), .spin = spin.value_or(0.0)};
 }
 
-LoadCase load_case_from_json(const Json& json, const std::string& place) {
-  Table table(json, place);
+LoadCase load_case_from_json(const Json& json, const std::string& path) {
+  Table table(json, path);
   LoadCase load_case{.load = table.number("load"),
                      .angular_speed = table.number("angular_speed"),
                      .friction = table.maybe_number("friction").value_or(0.0)};
-  if (const Json* drive = table.take("drive")) load_case.drive = drive_from_json(*drive, table.place_of("drive"));
+  if (const Json* drive = table.take("drive")) load_case.drive = drive_from_json(*drive, table.path_of("drive"));
   table.close();
   return load_case;
 }
 
-Options options_from_json(const Json& json, const std::string& place) {
-  Table table(json, place);
+Options options_from_json(const Json& json, const std::string& path) {
+  Table table(json, path);
   const auto nodes = table.maybe_integer("nodes_per_revolution");
   const auto max_order = table.maybe_integer("max_order");
   const auto theta_nodes = table.maybe_integer("theta_nodes_per_revolution");

@@ -10,8 +10,8 @@ namespace {
 constexpr auto kExtrapolations =
     std::to_array<Name<Extrapolation>>({{"error", Extrapolation::error}, {"hold", Extrapolation::hold}});
 
-/// Deferred construction: parameters are taken first, and the modulus is made, with its own input checks, once all keys
-/// are known.
+/// Function that makes a modulus. Its parameters are read first, so that the table reports unknown and missing keys
+/// before the modulus checks its parameters.
 using Made = std::function<ShearModulus()>;
 
 Made elastic(Table& table) {
@@ -59,7 +59,7 @@ Made master_curve(Table& table) {
                                                               MasterCurve{}.extrapolation)}] { return modulus; };
 }
 
-/// Types of the C++ library; Python makes the others from these.
+/// Types of moduli in the C++ library. The Python package converts all other types to these.
 constexpr auto kTypes = std::to_array<Name<Made (*)(Table&)>>({
     {"elastic", elastic},
     {"standard_linear_solid", standard_linear_solid},
@@ -70,8 +70,8 @@ constexpr auto kTypes = std::to_array<Name<Made (*)(Table&)>>({
     {"master_curve", master_curve},
 });
 
-ShearModulus checked(const Made& made, const std::string& place) {
-  return at_place(place, [&] {
+ShearModulus checked(const Made& made, const std::string& path) {
+  return at_path(path, [&] {
     ShearModulus modulus = made();
     validate(modulus, "");
     return modulus;
@@ -80,23 +80,23 @@ ShearModulus checked(const Made& made, const std::string& place) {
 
 }  // namespace
 
-ShearModulus modulus_from_json(const Json& json, const std::string& place) {
+ShearModulus modulus_from_json(const Json& json, const std::string& path) {
   if (json.is_number()) {
-    return checked([&] { return Elastic{json.get<double>()}; }, place);
+    return checked([&] { return Elastic{json.get<double>()}; }, path);
   }
   if (!json.is_object()) {
-    throw InvalidInput(place, "must be a table or a number", shown(json));
+    throw InvalidInput(path, "must be a table or a number", shown(json));
   }
-  Table table(json, place);
+  Table table(json, path);
   const Json& type = table.take_type();
   const auto found =
       std::ranges::find_if(kTypes, [&](const auto& one) { return type.is_string() && type == one.name; });
   if (found == kTypes.end()) {
-    throw InvalidInput(table.place_of("type"), "must be one of " + names_of(kTypes), shown(type));
+    throw InvalidInput(table.path_of("type"), "must be one of " + names_of(kTypes), shown(type));
   }
   const Made made = found->value(table);
   table.close();
-  return checked(made, place);
+  return checked(made, path);
 }
 
 }  // namespace viscoroll::wasm

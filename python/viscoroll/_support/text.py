@@ -6,6 +6,7 @@ import math
 
 __all__ = ["finite_number", "one_line", "parsed_range", "shown"]
 
+#: Longest text of a value in messages [characters].
 _LONGEST = 120
 
 

@@ -158,7 +158,7 @@ def export(
 ) -> None:
     """Write rolling friction as a discrete-element code defines it, and a CSV table of T(P, Ω)."""
     from ..export import dem
-    from ..studies.study import doubts
+    from ..studies.study import study_warnings
 
     if not 1.0 < span <= 100.0:
         raise ValueError(f"--span must be in (1, 100], got {span:g}")
@@ -166,7 +166,7 @@ def export(
     if path.is_dir() or not path.parent.is_dir():
         raise ValueError(f"--output must be a file in a folder that exists, got {shown(str(path))}")
     study, load, speed = _study_around(case, span)
-    for message in doubts(study):
+    for message in study_warnings(study):
         write_message(f"warning: {message}")
     written = dem(study, code=code.value, style=style, load=load, angular_speed=speed)
     table = written.save(path)
@@ -248,7 +248,7 @@ def _own_shift(factors: Path | None, wlf: str | None) -> ShiftFactors | Williams
 
 
 def _write_ramp(ramp: TemperatureRamp, at: float | None, *, wanted: Path | None) -> None:
-    """Print what a temperature ramp gives without a shift law: a modulus for case files at one temperature."""
+    """Print the modulus of a temperature ramp at one temperature, for case files, or how to obtain it."""
     if wanted is not None:
         raise ValueError(
             f"{wanted.name} requires a master curve; a temperature ramp at one frequency has one only with a law "
@@ -284,7 +284,7 @@ def _write_modulus(curve: Superposition | Isotherm, temperature: float) -> None:
 
 
 def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None, float | None]:
-    """Return a study over load and speed, and load and speed of the case; None for a file with a table [sweep]."""
+    """Return a study over load and speed, and load and speed of the case, which are None for a file with [sweep]."""
     import numpy as np
 
     from ..case import load_case

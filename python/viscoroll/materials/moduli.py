@@ -118,13 +118,12 @@ class ShearModulus(ParameterTable, ABC):
         return None
 
     def _standard_linear_solid(self) -> StandardLinearSolid | None:
-        """Return the equal standard linear solid, or None if there is none."""
+        """Return the standard linear solid that equals this modulus, or None if there is none."""
         return None
 
 
-#: Types accepted as a shear modulus: a modulus of this package; a number, for an elastic material of this shear modulus
-#: [Pa]; or a function of an array of angular frequencies ω [rad/s] that returns μ*(ω) [Pa] as an array, or as a single
-#: number for all frequencies.
+#: Types accepted as a shear modulus [Pa]: a modulus of this package; a number, for an elastic material; or a function
+#: of an array of angular frequencies ω [rad/s] that returns μ*(ω) as an array, or as one number for all frequencies.
 ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any] | float
 
 
@@ -235,8 +234,7 @@ class StandardLinearSolid(ShearModulus):
 
     def _to_core(self) -> _core.Prony:
         series = _core.standard_linear_solid(**_parameters_of(self))
-        # The series stores the weight 1 - relaxed / instantaneous. For ratios below 1e-12, its round-off leaves fewer
-        # than four digits of the relaxed modulus.
+        # At lower ratios, round-off of the stored weight, 1 - ratio, leaves fewer than four digits of the modulus.
         if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
             raise InvalidInput(
                 "relaxed_modulus",
@@ -262,7 +260,7 @@ class CreepCompliance(ShearModulus):
     Notes
     -----
     The modulus is 1/J* with J*(ω) = J₀ + Σ J_k / (1 + iωτ_k). It equals a Prony series of as many terms as there are
-    different retardation times; the relaxation times are found from the zeros of J*, one between each two poles.
+    different retardation times. The relaxation times follow from the zeros of J*, one below each retardation time.
 
     Examples
     --------
@@ -283,7 +281,7 @@ class CreepCompliance(ShearModulus):
         ShearModulus.__post_init__(self)
 
     def prony(self) -> Prony:
-        """Return the equal Prony series of the modulus."""
+        """Return the Prony series that equals this modulus."""
         series = self._to_core()
         return Prony(
             instantaneous_modulus=series.instantaneous_modulus,
