@@ -21,21 +21,13 @@ export const UNITS = {
 /** SI value of 0 in a unit, for units whose zero is not that of the SI unit. */
 const OFFSETS = { "°C": 273.15 };
 
-/** SI unit of each quantity, as in messages of the solver. */
-export const SI = {
-  length: "m",
-  modulus: "Pa",
-  force: "N",
-  line_force: "N/m",
-  torque: "N m",
-  line_torque: "N m/m",
-  speed: "rad/s",
-  time: "s",
-  frequency: "rad/s",
-  density: "kg/m³",
-  temperature: "K",
-  percent: "",
-};
+/** SI unit of each quantity, as in messages of the solver; empty if it has none. */
+export const SI = Object.fromEntries(
+  Object.entries(UNITS).map(([quantity, units]) => [
+    quantity,
+    Object.keys(units).find((unit) => units[unit] === 1 && !(unit in OFFSETS)) ?? "",
+  ]),
+);
 
 /** Other spellings of units that users may type. */
 const ALIASES = {
