@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from dataclasses import asdict, dataclass, field, fields
 
 from .. import _core
 from .._support.arguments import store_floats
@@ -54,24 +54,22 @@ class Drive(ParameterTable):
 
     def __post_init__(self) -> None:
         """Store the numbers as floats and check the parameters."""
-        store_floats(self, ("lateral_creepage", "spin"), optional=("force", "torque", "creepage"), prefix="drive.")
-        given = [name for name in ("force", "torque", "creepage") if getattr(self, name) is not None]
+        kinds = [parameter.name for parameter in fields(self) if parameter.default is None]
+        others = [parameter.name for parameter in fields(self) if parameter.default is not None]
+        store_floats(self, others, optional=kinds, prefix="drive.")
+        given = [name for name in kinds if getattr(self, name) is not None]
         if len(given) != 1:
             raise InvalidInput(
-                "drive", "must have exactly one of force, torque and creepage", f"{', '.join(given) or 'none'}"
+                "drive",
+                f"must have exactly one of {', '.join(kinds[:-1])} and {kinds[-1]}",
+                f"{', '.join(given) or 'none'}",
             )
-        for name in ("lateral_creepage", "spin"):
+        for name in others:
             if self.creepage is None and getattr(self, name) != 0.0:
                 raise InvalidInput(f"drive.{name}", "must be 0 without drive.creepage", repr(getattr(self, name)))
-        self._to_core()
 
-    def _to_core(self) -> _core.DriveForce | _core.DriveTorque | _core.DriveCreepage:
-        if self.force is not None:
-            return _core.DriveForce(self.force)
-        if self.torque is not None:
-            return _core.DriveTorque(self.torque)
-        assert self.creepage is not None
-        return _core.DriveCreepage(creepage=self.creepage, lateral_creepage=self.lateral_creepage, spin=self.spin)
+    def _to_core(self) -> _core.Drive:
+        return _core.Drive(**{name: value for name, value in asdict(self).items() if value is not None})
 
 
 UNITS.update({parameter.name: parameter.metadata["unit"] for parameter in fields(Drive)})

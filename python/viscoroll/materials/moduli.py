@@ -6,33 +6,24 @@ The loss modulus of a passive material is not negative at ω ≥ 0.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from numbers import Complex
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 import numpy as np
 
 from .. import _core
-from .._support.arguments import as_float, as_float_array, as_floats, as_member, store_floats
+from .._support.arguments import as_float
 from .._support.errors import InvalidInput, InvalidType
-from .._support.tables import ParameterTable
-from .._support.text import shown
+from .._support.text import shown, snake_case
+from .shear_modulus import Relaxation, ShearModulus
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    _CoreModulus: TypeAlias = (
-        _core.Elastic
-        | _core.Prony
-        | _core.KelvinVoigt
-        | _core.FractionalZener
-        | _core.MasterCurve
-        | _core.CustomModulus
-    )
+    from numpy.typing import NDArray
 
 __all__ = [
+    "MODULI",
     "CreepCompliance",
     "Elastic",
     "FractionalZener",
@@ -47,79 +38,6 @@ __all__ = [
     "relaxation_of",
     "standard_linear_solid_of",
 ]
-
-
-@dataclass(frozen=True, slots=True)
-class Relaxation:
-    """Relaxation function Σ M_k exp(-t/τ_k), in parallel with a dashpot.
-
-    Attributes
-    ----------
-    moduli : ndarray, shape (k,)
-        Moduli M_k [Pa]; the last one is the relaxed modulus.
-    times : ndarray, shape (k,)
-        Relaxation times τ_k [s]; the last one is infinite.
-    viscosity : float
-        Viscosity of the dashpot [Pa s].
-    """
-
-    moduli: NDArray[np.float64]
-    times: NDArray[np.float64]
-    viscosity: float = 0.0
-
-    @property
-    def longest_time(self) -> float:
-        """Longest finite relaxation time [s]; 0 if there is none."""
-        return float(self.times[:-1].max(initial=0.0))
-
-
-class ShearModulus(ParameterTable, ABC):
-    """Base class of the moduli defined in this module."""
-
-    __slots__ = ()
-
-    #: Exponents of stress and time in the units of the parameters, for example (1, 1) for a viscosity [Pa s].
-    _units: ClassVar[dict[str, tuple[int, int]]] = {}
-
-    def __post_init__(self) -> None:
-        """Store numbers as floats and check the parameters."""
-        store_floats(self, [field.name for field in fields(self) if field.type == "float"])  # type: ignore[arg-type]
-        _core.validate_modulus(self._to_core())
-
-    @abstractmethod
-    def _to_core(self) -> _CoreModulus:
-        """Return the corresponding modulus of the C++ core."""
-
-    def complex_modulus(self, angular_frequency: ArrayLike) -> NDArray[np.complex128]:
-        """Evaluate μ*(ω).
-
-        Parameters
-        ----------
-        angular_frequency : array_like
-            ω [rad/s], ≥ 0, of any shape.
-
-        Returns
-        -------
-        ndarray of complex
-            Shear modulus [Pa], of the same shape, with a loss modulus ≥ 0; real at ω = 0.
-
-        Raises
-        ------
-        TypeError
-            If the frequencies are not real numbers.
-        ValueError
-            If a frequency is negative or infinite, or outside the table of a master curve with `extrapolation="error"`.
-        """
-        omega = as_float_array("angular_frequency", angular_frequency)
-        return _core.complex_modulus(self._to_core(), omega.ravel()).reshape(omega.shape)
-
-    def _relaxation(self) -> Relaxation | None:
-        """Return the relaxation function, or None if it is not a sum of exponentials."""
-        return None
-
-    def _standard_linear_solid(self) -> StandardLinearSolid | None:
-        """Return the equal standard linear solid, or None if there is none."""
-        return None
 
 
 #: Types accepted as a shear modulus: a modulus of this package; a number, for an elastic material of this shear modulus
@@ -148,9 +66,6 @@ class Elastic(ShearModulus):
 
     def _relaxation(self) -> Relaxation:
         return Relaxation(np.array([self.modulus]), np.array([np.inf]))
-
-    def _to_core(self) -> _core.Elastic:
-        return _core.Elastic(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -183,9 +98,7 @@ class Prony(ShearModulus):
     _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxation_times": (0, 1)}
 
     def __post_init__(self) -> None:
-        """Convert the sequences to tuples and check the parameters."""
-        object.__setattr__(self, "weights", as_floats("weights", self.weights))
-        object.__setattr__(self, "relaxation_times", as_floats("relaxation_times", self.relaxation_times))
+        """Convert and check the parameters, and drop terms of weight 0."""
         ShearModulus.__post_init__(self)
         terms = [term for term in zip(self.weights, self.relaxation_times, strict=True) if term[0] > 0.0]
         for name, column in zip(
@@ -196,9 +109,6 @@ class Prony(ShearModulus):
     def _relaxation(self) -> Relaxation:
         fractions = np.append(self.weights, 1.0 - np.sum(self.weights))
         return Relaxation(self.instantaneous_modulus * fractions, np.append(self.relaxation_times, np.inf))
-
-    def _to_core(self) -> _core.Prony:
-        return _core.Prony(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -233,9 +143,9 @@ class StandardLinearSolid(ShearModulus):
     def _standard_linear_solid(self) -> StandardLinearSolid:
         return self
 
-    def _to_core(self) -> _core.Prony:
-        series = _core.standard_linear_solid(**_parameters_of(self))
-        # The series stores the weight 1 - relaxed / instantaneous. For ratios below 1e-12, its round-off leaves fewer
+    def _to_core(self) -> _core.ShearModulus:
+        core = ShearModulus._to_core(self)
+        # The core stores the weight 1 - relaxed / instantaneous. For ratios below 1e-12, its round-off leaves fewer
         # than four digits of the relaxed modulus.
         if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
             raise InvalidInput(
@@ -243,7 +153,7 @@ class StandardLinearSolid(ShearModulus):
                 f"must be >= 1e-12 instantaneous_modulus = {1e-12 * self.instantaneous_modulus:g} Pa",
                 f"{self.relaxed_modulus:g}",
             )
-        return series
+        return core
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -276,26 +186,12 @@ class CreepCompliance(ShearModulus):
     retardation_times: Sequence[float] | NDArray[np.float64]
     _units: ClassVar = {"instantaneous_compliance": (-1, 0), "compliances": (-1, 0), "retardation_times": (0, 1)}
 
-    def __post_init__(self) -> None:
-        """Convert the columns to tuples and check the parameters."""
-        for name in ("compliances", "retardation_times"):
-            object.__setattr__(self, name, as_floats(name, getattr(self, name)))
-        ShearModulus.__post_init__(self)
-
     def prony(self) -> Prony:
         """Return the equal Prony series of the modulus."""
-        series = self._to_core()
-        return Prony(
-            instantaneous_modulus=series.instantaneous_modulus,
-            weights=tuple(series.weights),
-            relaxation_times=tuple(series.relaxation_times),
-        )
+        return Prony(**self._to_core().parameters())
 
     def _relaxation(self) -> Relaxation:
         return self.prony()._relaxation()
-
-    def _to_core(self) -> _core.Prony:
-        return _core.creep_compliance(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -321,9 +217,6 @@ class KelvinVoigt(ShearModulus):
 
     def _relaxation(self) -> Relaxation:
         return Relaxation(np.array([self.modulus]), np.array([np.inf]), self.viscosity)
-
-    def _to_core(self) -> _core.KelvinVoigt:
-        return _core.KelvinVoigt(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -357,9 +250,6 @@ class FractionalZener(ShearModulus):
     relaxation_time: float
     order: float
     _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxed_modulus": (1, 0), "relaxation_time": (0, 1)}
-
-    def _to_core(self) -> _core.FractionalZener:
-        return _core.FractionalZener(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True)
@@ -397,18 +287,16 @@ class MasterCurve(ShearModulus):
     extrapolation: _core.Extrapolation = _core.Extrapolation.ERROR
     _units: ClassVar = {"frequency": (0, -1), "storage": (1, 0), "loss": (1, 0)}
 
-    def __post_init__(self) -> None:
-        """Convert the columns to tuples and check the table."""
-        for name in ("frequency", "storage", "loss"):
-            object.__setattr__(self, name, as_floats(name, getattr(self, name)))
-        object.__setattr__(self, "extrapolation", as_member("extrapolation", self.extrapolation, _core.Extrapolation))
-        ShearModulus.__post_init__(self)
 
-    def _to_core(self) -> _core.MasterCurve:
-        return _core.MasterCurve(**_parameters_of(self))
+#: Moduli of the C++ core, by the names of their types in case files.
+MODULI = {
+    snake_case(name): kind
+    for name, kind in vars().copy().items()
+    if isinstance(kind, type) and issubclass(kind, ShearModulus) and kind is not ShearModulus
+}
 
 
-def to_core(modulus: ShearModulusLike) -> _CoreModulus:
+def to_core(modulus: ShearModulusLike) -> _core.ShearModulus:
     """Convert any accepted modulus to the corresponding modulus of the C++ core.
 
     Raises
@@ -417,7 +305,7 @@ def to_core(modulus: ShearModulusLike) -> _CoreModulus:
         If `modulus` is neither a modulus of this package, nor callable, nor a number.
     """
     accepted = as_modulus(modulus)
-    return accepted._to_core() if isinstance(accepted, ShearModulus) else _core.CustomModulus(_checked(accepted))
+    return accepted._to_core() if isinstance(accepted, ShearModulus) else _core.custom_modulus(_checked(accepted))
 
 
 def relaxation_of(modulus: ShearModulusLike) -> Relaxation | None:
@@ -460,11 +348,6 @@ def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]
             f"{shown(modulus)}{_hint_for_a_modulus(modulus)}",
         ) from None
     return Elastic(modulus=number)
-
-
-def _parameters_of(modulus: ShearModulus) -> dict[str, Any]:
-    """Return the parameters of a modulus, with the names and types that the core uses."""
-    return {field.name: getattr(modulus, field.name) for field in fields(modulus)}  # type: ignore[arg-type]
 
 
 def _hint_for_a_modulus(rejected: object) -> str:
