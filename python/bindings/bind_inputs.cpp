@@ -42,7 +42,7 @@ CustomModulus custom_modulus(const Frequencies& function) {
   }};
 }
 
-ShearModulus modulus_of(const std::string& type, const py::kwargs& parameters) {
+ShearModulus modulus_of(const std::string& type, const py::KWArgs<py::object>& parameters) {
   const MadeModulus made = read_modulus(type, reader_of(parameters));
   if (!made) throw InvalidInput("type", "must be a type of modulus", type);
   ShearModulus modulus = made();

@@ -84,7 +84,7 @@ Result solve_on_model(const RollingModel& model, double load, double angular_spe
 }
 
 /// Return the drive whose prescribed quantity is given.
-Drive drive_of(const py::kwargs& parameters) {
+Drive drive_of(const py::KWArgs<py::object>& parameters) {
   const auto read = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>> /*kinds*/) {
     std::optional<Drive> drive;
     (void)((parameters.contains(std::get<0>(Kinds::fields()).name) &&

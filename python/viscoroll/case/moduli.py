@@ -199,7 +199,7 @@ _ALSO: dict[str, tuple[object, ...]] = {
 
 #: Tables of the moduli of the core, and of others, which Python makes from these.
 _TABLES = (
-    *(Annotated[(kind, Table(name), *_ALSO.get(name, ()))] for name, kind in MODULI.items()),  # type: ignore[valid-type]
+    *(Annotated[(kind, Table(name), *_ALSO.get(name, ()))] for name, kind in MODULI.items()),
     Annotated[LossFactor, Table("loss_factor")],
     Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)],
     Annotated[materials.ShearModulus, Table("published", _published)],
