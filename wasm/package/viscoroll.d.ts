@@ -58,6 +58,23 @@ export interface FractionalZener {
   type: "fractional_zener";
 }
 
+export interface HavriliakNegami {
+  /** Shear modulus G₀ at infinite frequency [Pa], at least `relaxed_modulus`. */
+  instantaneous_modulus: number;
+  /** Shear modulus G_∞ at zero frequency [Pa], > 0. */
+  relaxed_modulus: number;
+  /** Relaxation time τ [s], > 0. */
+  relaxation_time: number;
+  /** Exponent α [-], in (0, 1]. */
+  order: number;
+  /**
+   * Exponent β [-], in (0, 1]; 1 gives the fractional Zener solid, which is the Cole-Cole model; with α = 1, the solid
+   * is the Cole-Davidson model.
+   */
+  asymmetry: number;
+  type: "havriliak_negami";
+}
+
 export interface MasterCurve {
   /** Angular frequencies [rad/s], ≥ 0, strictly increasing, at least two of them above 0. */
   frequency: number[];
@@ -79,6 +96,7 @@ export type ShearModulus =
   | CreepCompliance
   | KelvinVoigt
   | FractionalZener
+  | HavriliakNegami
   | MasterCurve;
 
 export interface HalfSpace {

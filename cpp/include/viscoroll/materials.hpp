@@ -96,6 +96,28 @@ struct FractionalZener {
   }
 };
 
+/// @brief Havriliak-Negami solid: a fractional Zener solid whose dispersion has unequal slopes below and above its
+/// center.
+///
+///     mu* = G0 - (G0 - G_inf) / (1 + (i w tau)^alpha)^beta
+///
+/// S. Havriliak and S. Negami, Polymer 8 (1967) 161-210, for the modulus in place of the permittivity.
+struct HavriliakNegami {
+  double instantaneous_modulus = 0.0;  ///< G0, shear modulus at infinite frequency [Pa], >= relaxed_modulus
+  double relaxed_modulus = 0.0;        ///< G_inf, shear modulus at zero frequency [Pa], > 0
+  double relaxation_time = 0.0;        ///< tau [s], > 0
+  double order = 1.0;                  ///< alpha [-], in (0, 1]: slope of the loss modulus below its peak
+  double asymmetry = 1.0;  ///< beta [-], in (0, 1]: slope above the peak / alpha; 1 is the fractional Zener solid
+
+  static constexpr const char* type = "havriliak_negami";
+  static constexpr auto fields() {
+    return std::tuple{Field{"instantaneous_modulus", &HavriliakNegami::instantaneous_modulus},
+                      Field{"relaxed_modulus", &HavriliakNegami::relaxed_modulus},
+                      Field{"relaxation_time", &HavriliakNegami::relaxation_time},
+                      Field{"order", &HavriliakNegami::order}, Field{"asymmetry", &HavriliakNegami::asymmetry}};
+  }
+};
+
 /// @brief Treatment of values outside a tabulated or fitted range.
 enum class Extrapolation {
   error,  ///< throw an error that names the value and the range
@@ -125,7 +147,8 @@ struct CustomModulus {
 };
 
 /// @brief Shear modulus of a layer.
-using ShearModulus = std::variant<Elastic, Prony, KelvinVoigt, FractionalZener, MasterCurve, CustomModulus>;
+using ShearModulus =
+    std::variant<Elastic, Prony, KelvinVoigt, FractionalZener, HavriliakNegami, MasterCurve, CustomModulus>;
 
 /// @brief Type of modulus that a function makes from parameters.
 template <class Function, std::size_t count>

@@ -27,6 +27,7 @@ __all__ = [
     "CreepCompliance",
     "Elastic",
     "FractionalZener",
+    "HavriliakNegami",
     "KelvinVoigt",
     "MasterCurve",
     "Prony",
@@ -249,6 +250,47 @@ class FractionalZener(ShearModulus):
     relaxed_modulus: float
     relaxation_time: float
     order: float
+    _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxed_modulus": (1, 0), "relaxation_time": (0, 1)}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HavriliakNegami(ShearModulus):
+    """Havriliak-Negami solid, for asymmetric transitions: μ* = G₀ - (G₀ - G_∞) / (1 + (iωτ)^α)^β.
+
+    The loss modulus increases as ω^α below its peak and decreases as ω^(-αβ) above it.
+
+    Parameters
+    ----------
+    instantaneous_modulus : float
+        Shear modulus G₀ at infinite frequency [Pa], at least `relaxed_modulus`.
+    relaxed_modulus : float
+        Shear modulus G_∞ at zero frequency [Pa], > 0.
+    relaxation_time : float
+        Relaxation time τ [s], > 0.
+    order : float
+        Exponent α [-], in (0, 1].
+    asymmetry : float
+        Exponent β [-], in (0, 1]; 1 gives the fractional Zener solid, which is the Cole-Cole model; with α = 1, the
+        solid is the Cole-Davidson model.
+
+    References
+    ----------
+    S. Havriliak and S. Negami, Polymer 8 (1967) 161-210, with the modulus in place of the permittivity.
+
+    Examples
+    --------
+    >>> solid = HavriliakNegami(
+    ...     instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0, asymmetry=1.0
+    ... )
+    >>> solid.complex_modulus([8.0]).round()
+    array([4500000.+1500000.j])
+    """
+
+    instantaneous_modulus: float
+    relaxed_modulus: float
+    relaxation_time: float
+    order: float
+    asymmetry: float
     _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxed_modulus": (1, 0), "relaxation_time": (0, 1)}
 
 

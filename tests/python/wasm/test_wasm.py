@@ -50,6 +50,7 @@ FRACTIONAL = {
     "relaxation_time": 1e-5,
     "order": 0.5,
 }
+NEGAMI = {**FRACTIONAL, "type": "havriliak_negami", "asymmetry": 0.5}
 CURVE = {
     "type": "master_curve",
     "frequency": [0.0, 0.1, 10.0, 1e3],
@@ -103,6 +104,7 @@ CASES = {
         },
         angular_speed=50.0,
     ),
+    "asymmetric dispersion": case(ball={"core_radius": 20e-3, "layers": [layer(NEGAMI)]}),
     "exact solid ball": case(
         nodes=300,
         numerics={"curvature": "exact"},
