@@ -24,7 +24,7 @@ inline constexpr auto kNames<SlipKinematics> =
 
 namespace {
 
-/// "force, torque and creepage"
+/// "a, b and c"
 std::string joined(const std::vector<std::string>& names, const std::string& last = " and ") {
   std::string all;
   for (std::size_t i = 0; i < names.size(); ++i) {
