@@ -203,6 +203,11 @@ export interface Drive {
   force?: number | null;
   /** T, driving torque about the rolling axis [N m]. With 0 the body is towed. */
   torque?: number | null;
+  /**
+   * P, driving power at the axle [W]: the driving torque times the angular speed Ω. A negative power brakes the body;
+   * with 0 it is towed.
+   */
+  power?: number | null;
   /** V_s / (Ω r_o) - 1 [-], where V_s is the speed of the center and Ω r_o the rolling speed. */
   creepage?: number | null;
   /** Lateral speed of the center divided by Ω r_o [-]; allowed only with `creepage`. */

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Drive of a rolling body: a given force, torque or creepage.
+/// @brief Drive of a rolling body: a given force, torque, power or creepage.
 #pragma once
 
 #include <tuple>
@@ -23,6 +23,13 @@ struct DriveTorque {
   static constexpr auto fields() { return std::tuple{Field{"torque", &DriveTorque::torque}}; }
 };
 
+/// @brief A given driving power at the axle, P = T Omega. A negative power brakes the body.
+struct DrivePower {
+  double power = 0.0;  ///< P [W]
+
+  static constexpr auto fields() { return std::tuple{Field{"power", &DrivePower::power}}; }
+};
+
 /// @brief A given speed of the center, as creepages, and a given spin.
 struct DriveCreepage {
   double creepage = 0.0;          ///< V_s / (Omega r_o) - 1 [-], positive forward
@@ -37,6 +44,6 @@ struct DriveCreepage {
 };
 
 /// @brief Condition that determines the linear speed V_s. The first field of each struct is the prescribed quantity.
-using Drive = std::variant<DriveForce, DriveTorque, DriveCreepage>;
+using Drive = std::variant<DriveForce, DriveTorque, DrivePower, DriveCreepage>;
 
 }  // namespace viscoroll

@@ -50,6 +50,18 @@ void validate(const DriveTorque& drive, const LoadCase& load_case, const RoundBo
   require_friction_for(reported(drive, load_case, body), drive.torque, load_case);
 }
 
+GivenMotion given(const DrivePower& drive, const LoadCase& load_case) {
+  return {.force = {}, .torque = drive.power / load_case.angular_speed, .creepage = {}};
+}
+
+DriveReport reported(const DrivePower& /*drive*/, const LoadCase& load_case, const RoundBody& body) {
+  return {.parameter = "drive.power", .factor = load_case.angular_speed, .unit = body.form().is_line() ? "W/m" : "W"};
+}
+
+void validate(const DrivePower& drive, const LoadCase& load_case, const RoundBody& body) {
+  require_friction_for(reported(drive, load_case, body), drive.power, load_case);
+}
+
 GivenMotion given(const DriveCreepage& drive, const LoadCase& /*load_case*/) {
   return {.force = {},
           .torque = {},

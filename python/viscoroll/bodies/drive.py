@@ -15,7 +15,7 @@ __all__ = ["Drive"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Drive(ParameterTable):
-    """Drive of a body that rolls with friction: exactly one of force, torque and creepage, besides load and speed.
+    """Drive of a body that rolls with friction: exactly one of force, torque, power and creepage.
 
     Parameters
     ----------
@@ -24,6 +24,9 @@ class Drive(ParameterTable):
         0 the torque alone drives the body.
     torque : float, optional
         T, driving torque about the rolling axis [N m]. With 0 the body is towed.
+    power : float, optional
+        P, driving power at the axle [W]: the driving torque times the angular speed Ω. A negative power brakes the
+        body; with 0 it is towed.
     creepage : float, optional
         V_s / (Ω r_o) - 1 [-], where V_s is the speed of the center and Ω r_o the rolling speed.
     lateral_creepage : float, default 0
@@ -37,17 +40,18 @@ class Drive(ParameterTable):
     TypeError
         If a value is not a real number.
     ValueError
-        Unless exactly one of force, torque and creepage is given, or if lateral creepage or spin is given without
-        creepage.
+        Unless exactly one of force, torque, power and creepage is given, or if lateral creepage or spin is given
+        without creepage.
 
     Examples
     --------
     >>> Drive(torque=0.0)
-    Drive(force=None, torque=0.0, creepage=None, lateral_creepage=0.0, spin=0.0)
+    Drive(force=None, torque=0.0, power=None, creepage=None, lateral_creepage=0.0, spin=0.0)
     """
 
     force: float | None = field(default=None, metadata={"unit": "N"})
     torque: float | None = field(default=None, metadata={"unit": "N m"})
+    power: float | None = field(default=None, metadata={"unit": "W"})
     creepage: float | None = field(default=None, metadata={"unit": "1"})
     lateral_creepage: float = field(default=0.0, metadata={"unit": "1"})
     spin: float = field(default=0.0, metadata={"unit": "1/m"})

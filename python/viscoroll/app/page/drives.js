@@ -17,6 +17,12 @@ export const DRIVES = {
     total: { quantity: "torque", unit: "N m", range: [-10, 10] },
     line: { quantity: "line_torque", unit: "N m/m", range: [-100, 100] },
   },
+  power: {
+    offer: "a driving power (negative: braked)",
+    label: "driving power",
+    total: { quantity: "power", unit: "W", range: [-100, 100] },
+    line: { quantity: "line_power", unit: "W/m", range: [-1e4, 1e4] },
+  },
   creepage: {
     offer: "a given creepage",
     label: "creepage",

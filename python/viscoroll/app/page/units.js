@@ -10,6 +10,8 @@ export const UNITS = {
   line_force: { "N/mm": 1e3, "N/m": 1, "kN/m": 1e3, "lbf/in": 175.12683524647636 },
   torque: { "N m": 1, "mN m": 1e-3, "lbf in": 0.1129848290276167 },
   line_torque: { "N m/m": 1, "N mm/mm": 1 },
+  power: { W: 1, kW: 1e3, mW: 1e-3, hp: 745.69987158227022 },
+  line_power: { "W/m": 1, "kW/m": 1e3 },
   speed: { "km/h": null, "m/s": null, mph: null, rpm: TURN / 60, "rad/s": 1 },
   time: { s: 1, ms: 1e-3, µs: 1e-6 },
   frequency: { "rad/s": 1, Hz: TURN },
