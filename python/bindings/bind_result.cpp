@@ -43,8 +43,8 @@ constexpr const char* kTypeName<std::optional<double>> = "float or None";
 template <>
 constexpr const char* kTypeName<int> = "int";
 
-/// Bind a member. The text is a pointer, so that the compiler makes one function for each type of member and not also
-/// one for each length of the text.
+/// Bind a member. The parameter `text` is a pointer, so that the compiler instantiates only one function for each type
+/// of member, not one for each length of the text.
 template <class T>
 void bind_scalar(py::classh<ResultScalars>& scalars, const char* name, T ResultScalars::* member, const char* text) {
   scalars.def_readonly(name, member, text);

@@ -44,27 +44,27 @@ std::vector<T> copied(const InputArray<T>& array) {
   return {values.begin(), values.end()};
 }
 
-Result solve_kept_released(const RollingBody& body, const Counterbody& on, double load, double angular_speed,
-                           const Mesh& mesh, double friction, Drive drive, Compliance compliance, Curvature curvature,
-                           PatchLoad patch_load, const InputArray<unsigned char>& contact,
-                           const InputArray<unsigned char>& stick, const InputArray<double>& pressure,
-                           const InputArray<double>& shear_traction, double penetration, double creepage, int threads,
-                           const py::object& progress) {
+Result solve_frozen_released(const RollingBody& body, const Counterbody& on, double load, double angular_speed,
+                             const Mesh& mesh, double friction, Drive drive, Compliance compliance, Curvature curvature,
+                             PatchLoad patch_load, const InputArray<unsigned char>& contact,
+                             const InputArray<unsigned char>& stick, const InputArray<double>& pressure,
+                             const InputArray<double>& shear_traction, double penetration, double creepage, int threads,
+                             const py::object& progress) {
   if (contact.ndim() != 2) throw py::value_error("contact must be a two-dimensional array");
-  const FrozenContact kept{.phi_nodes = static_cast<int>(contact.shape(0)),
-                           .theta_nodes = static_cast<int>(contact.shape(1)),
-                           .contact = copied(contact),
-                           .stick = copied(stick),
-                           .pressure = copied(pressure),
-                           .shear_traction = copied(shear_traction),
-                           .penetration = penetration,
-                           .creepage = creepage};
+  const FrozenContact frozen{.phi_nodes = static_cast<int>(contact.shape(0)),
+                             .theta_nodes = static_cast<int>(contact.shape(1)),
+                             .contact = copied(contact),
+                             .stick = copied(stick),
+                             .pressure = copied(pressure),
+                             .shear_traction = copied(shear_traction),
+                             .penetration = penetration,
+                             .creepage = creepage};
   const Options defaults;
   const Options options = make_options(mesh, defaults.accuracy, compliance, curvature, patch_load,
                                        defaults.slip_kinematics, defaults.max_iterations, threads, progress);
   const py::gil_scoped_release release;
   return solve_frozen(body, on, {.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive},
-                      kept, options);
+                      frozen, options);
 }
 
 RollingModel rolling_model(const RollingBody& body, const Counterbody& on, double angular_speed, const Mesh& mesh,
@@ -135,7 +135,7 @@ void bind_solve(py::module_& m) {
         py::arg("angular_speed"), py::arg("mesh").none(true), py::arg("accuracy"), py::arg("friction"),
         py::arg("drive"), py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"),
         py::arg("slip_kinematics"), py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
-  m.def("solve_frozen", &solve_kept_released, py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"),
+  m.def("solve_frozen", &solve_frozen_released, py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"),
         py::arg("angular_speed"), py::arg("mesh"), py::arg("friction"), py::arg("drive"), py::arg("compliance"),
         py::arg("curvature"), py::arg("patch_load"), py::arg("contact").noconvert(), py::arg("stick").noconvert(),
         py::arg("pressure").noconvert(), py::arg("shear_traction").noconvert(), py::arg("penetration"),

@@ -55,7 +55,7 @@ inline auto reader_of(const py::kwargs& given) {
   };
 }
 
-/// Return a read-only array over the memory of `values`, and keep `owner` alive, which holds them.
+/// Return a read-only array over the memory of `values`. The array keeps `owner`, which holds the values, alive.
 template <class T>
 py::array_t<T> read_only(const std::vector<T>& values, std::vector<py::ssize_t> shape, const py::object& owner) {
   py::array_t<T> array(std::move(shape), values.data(), owner);

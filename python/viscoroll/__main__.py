@@ -1,4 +1,4 @@
-"""Entry of the command line; names the extra that it needs where that is not installed."""
+"""Entry point of the command line. If its extra is not installed, a message says how to install it."""
 
 from __future__ import annotations
 

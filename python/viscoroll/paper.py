@@ -19,8 +19,8 @@ ANGULAR_SPEED = 2.5
 #: Truncation orders N_t that head the columns of table 2.
 _ORDERS = (250, 500, 750, 1000, 1250, 1500)
 
-#: Table 2: resisting torque [N m] by nodes per revolution 2π/Δ and truncation order. The entries left out are "N/A":
-#: fewer orders than π/Δ.
+#: Table 2: resisting torque [N m] by nodes per revolution 2π/Δ and truncation order. For truncation orders below π/Δ
+#: the paper prints "N/A".
 TABLE_2: dict[tuple[int, int], float] = {
     (nodes, order): torque * 1e-3
     for nodes, torques in {
@@ -38,8 +38,9 @@ TABLE_2: dict[tuple[int, int], float] = {
     if torque is not None
 }
 
-#: Table 3: ends of the 95 % intervals of a_p [N^(1-b) m] and b_p [-] of T_r = a_p P^b_p, by thickness h [m]. The two
-#: columns, headed "H = 1 mm" and "H = 5 mm", stand here swapped: so the power laws meet table 2 at 100 N and 1 mm.
+#: Table 3: ends of the 95 % intervals of a_p [N^(1-b) m] and b_p [-] of T_r = a_p P^b_p, by thickness h [m]. The
+#: columns "H = 1 mm" and "H = 5 mm" of the paper are exchanged: the power laws then agree with table 2 at 100 N and
+#: 1 mm.
 TABLE_3: dict[float, dict[str, tuple[float, float]]] = {
     5e-3: {"a": (4.766e-5, 5.037e-5), "b": (1.418, 1.430)},
     1e-3: {"a": (2.097e-5, 2.321e-5), "b": (1.344, 1.368)},

@@ -1,4 +1,4 @@
-/** A worker that answers requests: `new Worker(address, { type: "module" })`. */
+/** Script of a worker that answers requests: `new Worker(address, { type: "module" })`. */
 
 import { serve } from "./viscoroll.js";
 

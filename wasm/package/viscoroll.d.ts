@@ -166,7 +166,8 @@ export interface Wheel {
   /**
    * Ends of the tread. "free": faces that bulge, as those of real wheels. "unbounded": no faces; the tread continues
    * beyond the width, where it carries no pressure. This is faster, and correct to 1 % if the contact ends one
-   * thickness before the faces; but a tread of three thicknesses in width is then a quarter too stiff.
+   * thickness before the faces. A contact that reaches the faces of a tread three thicknesses wide is a quarter too
+   * stiff.
    */
   sides?: "free" | "unbounded" | null;
 }
@@ -229,8 +230,8 @@ export interface Rolling {
    */
   angular_speed: number;
   /**
-   * Coulomb's coefficient of friction μ [-], in [0, 4]. With ``math.inf`` the whole contact sticks; a
-   * `ConvergenceError` says if that requires tension.
+   * Coulomb's coefficient of friction μ [-], in [0, 4]. With ``math.inf`` the whole contact sticks; if that would
+   * require tension, a `ConvergenceError` is raised.
    */
   friction?: number | null;
   /**
@@ -297,11 +298,11 @@ export interface Case {
 
 export interface Request {
   case: Case;
-  /** Whether fields are wanted. */
+  /** Whether to return fields. */
   fields?: boolean;
 }
 
-/** Rows along x, the direction of rolling; columns along z, across it. */
+/** Fields at the nodes: rows along x, the direction of rolling, and columns along z, across it. */
 export interface Fields {
   /** [m] */
   x: number[];
@@ -309,21 +310,21 @@ export interface Fields {
   z: number[];
   /** [Pa] */
   pressure: number[][];
-  /** 1 where it sticks, 2 where it slips, 0 out of contact; null without friction. */
+  /** State of each node: 1 if it sticks, 2 if it slips, 0 if it is not in contact; null without friction. */
   stick: number[][] | null;
-  /** Heights in the middle plane, as the surface is and as it was [m]. */
+  /** Heights in the middle plane, of the deformed surface (`surface`) and of the undeformed one (`rigid`) [m]. */
   profile: { x: number[]; surface: number[]; rigid: number[] };
 }
 
 export interface Result {
-  /** Those of `scalars()`, null where undetermined or infinite, with contact_nodes, nodes_per_revolution, max_order. */
+  /** Scalars of `scalars()`, and contact_nodes, nodes_per_revolution, max_order; null if undetermined or infinite. */
   scalars: Record<string, number | null>;
   state: "converged" | "max_iterations" | "accuracy_not_reached";
   warnings: { kind: string; message: string }[];
   fields?: Fields;
 }
 
-/** An error. The last three are null if it is not about the value of a parameter. */
+/** An error. `parameter`, `rule` and `value` are null if the error does not concern the value of a parameter. */
 export interface Failure {
   message: string;
   /** Path in the case, such as "ball.layers[0].thickness". */
@@ -341,14 +342,14 @@ export interface Scalar {
   description: string;
 }
 
-/** Solve a case, on the thread that asks: in a page, have a worker ask. Bad input is an answer, too. */
+/** Solve a case on the calling thread; a page should call it in a worker. For invalid input, return an error. */
 export function solve(request: Request): Promise<Answer>;
 
 /** The table of scalar results. */
 export function scalars(): Promise<Scalar[]>;
 
 /**
- * Have a worker answer messages: `{id, name: "solve", content: request}` or `{id, name: "scalars"}` by `{id, answer}`,
- * or `{id, failure}` where the module broke off.
+ * Make a worker answer the messages `{id, name: "solve", content: request}` and `{id, name: "scalars"}` with
+ * `{id, answer}`, or with `{id, failure}` if the module fails.
  */
 export function serve(scope?: object): void;

@@ -1,4 +1,4 @@
-/** The functions of viscoroll.single.js as those of a module. */
+/** Module that exports the functions of viscoroll.single.js. */
 
 import "./viscoroll.single.js";
 

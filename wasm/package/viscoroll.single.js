@@ -100,7 +100,7 @@
     return new TextDecoder().decode(memory.subarray(start, memory.indexOf(0, start)));
   }
 
-  /** Numbers that JSON cannot represent, and the names of them that the library reads. */
+  /** Numbers that JSON cannot represent, and their names in the requests. */
   const NON_FINITE_NAMES = new Map([
     [Infinity, "inf"],
     [-Infinity, "-inf"],

@@ -9,7 +9,8 @@
 namespace viscoroll::wasm {
 namespace {
 
-/// The compiler warns if an enumerator has no case.
+// The functions name_of have no default case, so that the compiler warns if an enumerator is missing.
+
 std::string_view name_of(Status status) {
   switch (status) {
     case Status::converged:
@@ -78,7 +79,7 @@ class Nodes {
     return all;
   }
 
-  /// @return rows of all columns
+  /// @return values of all nodes, as an array of rows
   template <class Value>
   [[nodiscard]] Json all(const Value& value) const {
     Json rows = Json::array();

@@ -27,7 +27,7 @@ namespace {
 
 ShearModulus take_modulus(Table& table, const char* key) {
   const Json& given = table.require(key);
-  return given.is_null() ? ShearModulus{} : modulus_from_json(given, table.place_of(key));
+  return given.is_null() ? ShearModulus{} : modulus_from_json(given, table.path_of(key));
 }
 
 std::vector<Layer> take_layers(Table& table, const char* key);
@@ -53,27 +53,27 @@ struct Reader {
   }
 };
 
-Layer layer_from_json(const Json& json, const std::string& place) {
-  Table table(json, place);
+Layer layer_from_json(const Json& json, const std::string& path) {
+  Table table(json, path);
   Layer layer = read_fields<Layer>(Reader{table});
   // Case files may contain the conductivity for temperatures, which this module does not compute.
   (void)table.maybe_number("conductivity");
   table.close();
-  at_place(place, [&] { validate(layer, ""); });
+  at_path(path, [&] { validate(layer, ""); });
   return layer;
 }
 
 std::vector<Layer> take_layers(Table& table, const char* key) {
   const Json* given = table.take(key);
   if (given == nullptr) return {};
-  const std::string place = table.place_of(key);
+  const std::string path = table.path_of(key);
   if (!given->is_array()) {
-    throw InvalidInput(place, "must be a valid list", shown(*given));
+    throw InvalidInput(path, "must be a valid list", shown(*given));
   }
   std::vector<Layer> layers;
   layers.reserve(given->size());
   for (const Json& layer : *given) {
-    layers.push_back(layer_from_json(layer, place + "[" + std::to_string(layers.size()) + "]"));
+    layers.push_back(layer_from_json(layer, path + "[" + std::to_string(layers.size()) + "]"));
   }
   return layers;
 }
@@ -81,10 +81,10 @@ std::vector<Layer> take_layers(Table& table, const char* key) {
 std::optional<HalfSpace> take_half_space(Table& table, const char* key) {
   const Json* given = table.take(key);
   if (given == nullptr) return std::nullopt;
-  Table content(*given, table.place_of(key));
+  Table content(*given, table.path_of(key));
   HalfSpace half_space = read_fields<HalfSpace>(Reader{content});
   content.close();
-  at_place(content.place(), [&] { validate(CoatedPlane{.layers = {}, .base = half_space}); });
+  at_path(content.path(), [&] { validate(CoatedPlane{.layers = {}, .base = half_space}); });
   return half_space;
 }
 
@@ -92,7 +92,7 @@ template <class Kind, class Body>
 Kind body_from_json(Table& table) {
   Body body = read_fields<Body>(Reader{table});
   table.close();
-  at_place(table.place(), [&] { validate(body); });
+  at_path(table.path(), [&] { validate(body); });
   return body;
 }
 
@@ -115,7 +115,7 @@ std::vector<Name<Kind>> take_given(Table& file, const std::array<Name<Kind (*)(T
   for (const auto& [name, from_json] : kinds) {
     const Json* content = file.take(name);
     if (content == nullptr) continue;
-    Table table(*content, file.place_of(name));
+    Table table(*content, file.path_of(name));
     given.push_back({name, from_json(table)});
   }
   return given;

@@ -42,7 +42,7 @@ void read_drive(Table& table, Drive& drive) {
   const auto read = read_fields<Kind>([&](std::string_view key, double otherwise, bool /*is_optional*/) {
     const double value = table.value(key, otherwise, true);
     if (is_given || value == 0.0) return value;
-    throw InvalidInput(table.place_of(key), "must be 0 without drive." + std::string(first), shown(value));
+    throw InvalidInput(table.path_of(key), "must be 0 without drive." + std::string(first), shown(value));
   });
   if (is_given) drive = read;
 }
@@ -59,7 +59,7 @@ Drive drive_from_json(Table& table, std::type_identity<std::variant<Kinds...>> /
   (std::apply(take, Kinds::fields()), ...);
   table.close();
   if (given.size() != 1) {
-    throw InvalidInput(table.place(), "must have exactly one of " + joined(names),
+    throw InvalidInput(table.path(), "must have exactly one of " + joined(names),
                        given.empty() ? "none" : joined(given, ", "));
   }
   Drive drive;
@@ -67,21 +67,21 @@ Drive drive_from_json(Table& table, std::type_identity<std::variant<Kinds...>> /
   return drive;
 }
 
-LoadCase load_case_from_json(const Json& json, const std::string& place) {
-  Table table(json, place);
+LoadCase load_case_from_json(const Json& json, const std::string& path) {
+  Table table(json, path);
   LoadCase load_case{.load = table.number("load"),
                      .angular_speed = table.number("angular_speed"),
                      .friction = table.maybe_number("friction").value_or(0.0)};
   if (const Json* drive = table.take("drive")) {
-    Table of_drive(*drive, table.place_of("drive"));
+    Table of_drive(*drive, table.path_of("drive"));
     load_case.drive = drive_from_json(of_drive, std::type_identity<Drive>{});
   }
   table.close();
   return load_case;
 }
 
-Options options_from_json(const Json& json, const std::string& place) {
-  Table table(json, place);
+Options options_from_json(const Json& json, const std::string& path) {
+  Table table(json, path);
   const auto nodes = table.maybe_integer("nodes_per_revolution");
   const auto max_order = table.maybe_integer("max_order");
   const auto theta_nodes = table.maybe_integer("theta_nodes_per_revolution");

@@ -17,7 +17,7 @@ struct Case {
 };
 
 /// @param[in] json tables of a case file that do not refer to other files: bodies, rolling, numerics
-/// @throws InvalidInput for unknown and missing keys and values out of range, with their places
+/// @throws InvalidInput for unknown and missing keys and values out of range; its parameter is the path of the key
 [[nodiscard]] Case case_from_json(const Json& json);
 
 }  // namespace viscoroll::wasm

@@ -14,7 +14,7 @@
 namespace viscoroll::wasm {
 namespace {
 
-/// Parse a request. Nesting is limited, because deep recursion would overflow the stack; no case is nested as deeply.
+/// Parse a request. Nesting is limited, because deep recursion would overflow the stack; cases have only a few levels.
 Json parsed(const char* request) {
   constexpr int kDeepest = 100;
   return Json::parse(request, [](int depth, Json::parse_event_t, const Json&) {
@@ -61,7 +61,7 @@ Json answer_to(const char* request) {
   }
 }
 
-/// Keep the text until the next call; JavaScript has read it by then.
+/// Return the text of an answer. The text is valid until the next call; JavaScript copies it before.
 const char* kept(const Json& json) {
   static std::string text;
   text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -74,7 +74,7 @@ const char* kept(const Json& json) {
 extern "C" {
 
 /// @param[in] request {"case": tables of a case file, "fields": whether to return fields}
-/// @return {"result": ...} or {"error": {"message", "parameter"}}
+/// @return {"result": ...} or {"error": {"message", "parameter", "rule", "value"}}
 const char* solve(const char* request) { return viscoroll::wasm::kept(viscoroll::wasm::answer_to(request)); }
 
 /// @return [{"name", "unit", "description"}] of the scalar results

@@ -9,21 +9,21 @@ namespace {
 
 const Json kNull;
 
-[[noreturn]] void reject(const std::string& place, const std::string& wanted, const Json& got) {
-  throw InvalidInput(place, "must be a valid " + wanted, shown(got));
+[[noreturn]] void reject(const std::string& path, const std::string& wanted, const Json& got) {
+  throw InvalidInput(path, "must be a valid " + wanted, shown(got));
 }
 
-/// JSON has no such numbers; their names are those of TOML.
+/// Names of the numbers that JSON cannot represent, same as in TOML.
 constexpr auto kNotFinite = std::to_array<Name<double>>({{"inf", std::numeric_limits<double>::infinity()},
                                                          {"-inf", -std::numeric_limits<double>::infinity()},
                                                          {"nan", std::numeric_limits<double>::quiet_NaN()}});
 
-double number_from_json(const Json& value, const std::string& place) {
+double number_from_json(const Json& value, const std::string& path) {
   if (value.is_number()) return value.get<double>();
   for (const auto& [name, number] : kNotFinite) {
     if (value.is_string() && value == name) return number;
   }
-  reject(place, "number", value);
+  reject(path, "number", value);
 }
 
 }  // namespace
@@ -35,13 +35,11 @@ std::string shown(const Json& value) {
   return text.size() <= kLongest ? text : text.substr(0, kLongest - 3) + "...";
 }
 
-Table::Table(const Json& content, std::string place) : content_(&content), place_(std::move(place)) {
-  if (!content.is_object()) reject(place_.empty() ? "case" : place_, "table", content);
+Table::Table(const Json& content, std::string path) : content_(&content), path_(std::move(path)) {
+  if (!content.is_object()) reject(path_.empty() ? "case" : path_, "table", content);
 }
 
-std::string Table::place_of(std::string_view key) const {
-  return (place_.empty() ? "" : place_ + ".") + std::string(key);
-}
+std::string Table::path_of(std::string_view key) const { return (path_.empty() ? "" : path_ + ".") + std::string(key); }
 
 const Json* Table::take(std::string_view key) {
   taken_.emplace_back(key);
@@ -58,21 +56,21 @@ const Json& Table::require(std::string_view key) {
 
 double Table::number(std::string_view key) {
   const Json& given = require(key);
-  return given.is_null() ? std::numeric_limits<double>::quiet_NaN() : number_from_json(given, place_of(key));
+  return given.is_null() ? std::numeric_limits<double>::quiet_NaN() : number_from_json(given, path_of(key));
 }
 
 std::optional<double> Table::maybe_number(std::string_view key) {
   const Json* given = take(key);
-  return given == nullptr ? std::nullopt : std::optional(number_from_json(*given, place_of(key)));
+  return given == nullptr ? std::nullopt : std::optional(number_from_json(*given, path_of(key)));
 }
 
 std::optional<int> Table::maybe_integer(std::string_view key) {
   const Json* given = take(key);
   if (given == nullptr) return std::nullopt;
-  if (!given->is_number_integer()) reject(place_of(key), "integer", *given);
+  if (!given->is_number_integer()) reject(path_of(key), "integer", *given);
   const double number = given->get<double>();
   if (std::abs(number) > std::numeric_limits<int>::max()) {
-    throw InvalidInput(place_of(key), "must fit into 32 bits", shown(*given));
+    throw InvalidInput(path_of(key), "must fit into 32 bits", shown(*given));
   }
   return given->get<int>();
 }
@@ -80,11 +78,11 @@ std::optional<int> Table::maybe_integer(std::string_view key) {
 std::vector<double> Table::numbers(std::string_view key) {
   const Json& given = require(key);
   if (given.is_null()) return {};
-  if (!given.is_array()) reject(place_of(key), "list", given);
+  if (!given.is_array()) reject(path_of(key), "list", given);
   std::vector<double> values;
   values.reserve(given.size());
   for (const Json& value : given) {
-    values.push_back(number_from_json(value, place_of(key) + "[" + std::to_string(values.size()) + "]"));
+    values.push_back(number_from_json(value, path_of(key) + "[" + std::to_string(values.size()) + "]"));
   }
   return values;
 }
@@ -100,12 +98,12 @@ void Table::close() const {
   std::vector<InvalidInput> errors;
   for (const auto& [key, value] : content_->items()) {
     if (std::ranges::find(taken_, key) == taken_.end()) {
-      errors.emplace_back(place_of(key), "is not a parameter" + (type_.empty() ? "" : " of the type " + type_),
+      errors.emplace_back(path_of(key), "is not a parameter" + (type_.empty() ? "" : " of the type " + type_),
                           shown(value));
     }
   }
   for (const std::string& key : missing_) {
-    errors.emplace_back(place_of(key), "must be given" + (type_.empty() ? "" : " for the type " + type_), "");
+    errors.emplace_back(path_of(key), "must be given" + (type_.empty() ? "" : " for the type " + type_), "");
   }
   if (errors.empty()) return;
   std::string more;

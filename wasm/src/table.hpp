@@ -1,5 +1,5 @@
 /// @file
-/// @brief Tables of a case: JSON objects whose keys are taken one by one, each with its place for messages.
+/// @brief Tables of a case: JSON objects whose keys are read one by one. Messages contain the path of the key.
 #pragma once
 
 #include <algorithm>
@@ -51,11 +51,11 @@ inline constexpr auto kNames<Extrapolation> =
 
 /// @brief Check a part of a case. Errors name the path in the case: "ball.layers[0].thickness".
 template <class Check>
-auto at_place(const std::string& place, const Check& check) {
+auto at_path(const std::string& path, const Check& check) {
   try {
     return check();
   } catch (const InvalidInput& error) {
-    throw error.inside(place);
+    throw error.inside(path);
   }
 }
 
@@ -64,9 +64,9 @@ auto at_place(const std::string& place, const Check& check) {
 class Table {
  public:
   /// @param[in] content any JSON, which must outlive this object
-  /// @param[in] place place in the case: "ball.layers[0]"; empty for the whole case
+  /// @param[in] path path of the table in the case, such as "ball.layers[0]"; empty for the whole case
   /// @throws InvalidInput unless `content` is an object
-  Table(const Json& content, std::string place);
+  Table(const Json& content, std::string path);
 
   /// @brief Take an optional key.
   /// @return its value, or a null pointer if it is missing
@@ -90,7 +90,7 @@ class Table {
     const auto found =
         std::ranges::find_if(names, [&](const auto& one) { return given->is_string() && *given == one.name; });
     if (found != names.end()) return found->value;
-    throw InvalidInput(place_of(key), "must be one of " + names_of(names), shown(*given));
+    throw InvalidInput(path_of(key), "must be one of " + names_of(names), shown(*given));
   }
 
   /// @brief Take a key whose value is a number, a list of numbers or a name of an enumerator.
@@ -113,16 +113,16 @@ class Table {
   /// @return its value, or null
   [[nodiscard]] const Json& take_type();
 
-  /// @return place of the value of a key
-  [[nodiscard]] std::string place_of(std::string_view key) const;
-  [[nodiscard]] const std::string& place() const { return place_; }
+  /// @return path of a key in the case
+  [[nodiscard]] std::string path_of(std::string_view key) const;
+  [[nodiscard]] const std::string& path() const { return path_; }
 
   /// @throws InvalidInput for keys that were not taken and for missing keys
   void close() const;
 
  private:
   const Json* content_;
-  std::string place_;
+  std::string path_;
   std::string type_;
   std::vector<std::string> taken_;
   std::vector<std::string> missing_;

@@ -28,10 +28,10 @@ class extra:  # noqa: N801  (used like a statement: `with extra("plot"): import 
     Examples
     --------
     >>> with extra("plot"):
-    ...     import a_package_that_nobody_has
+    ...     import a_missing_package
     Traceback (most recent call last):
     ...
-    ImportError: this function requires a_package_that_nobody_has, which is not installed: pip install 'viscoroll[plot]'
+    ImportError: this function requires a_missing_package, which is not installed: pip install 'viscoroll[plot]'
     """
 
     name: str

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
 
 __all__ = ["plots"]
 
-_TOLD = """
+#: Sections that are appended to the docstrings.
+_SECTIONS = """
 
 Parameters
 ----------
@@ -48,17 +49,17 @@ class _Method(Protocol):
 
 
 def plots(part: str) -> Callable[[Callable[[Any, Axes | None], Figure | Axes]], _Method]:
-    """Return a decorator that adds type and docstring sections to a method drawing a new figure or into given axes.
+    """Return a decorator for a method that draws a new figure or into given axes: it adds type and docstring sections.
 
     Parameters
     ----------
     part : str
-        Noun or pronoun for what the method draws into given axes.
+        Noun phrase for the content that the method draws into given axes.
     """
 
-    def told(method: Callable[[Any, Axes | None], Figure | Axes]) -> _Method:
+    def with_sections(method: Callable[[Any, Axes | None], Figure | Axes]) -> _Method:
         if method.__doc__:  # None with python -OO
-            method.__doc__ = inspect.cleandoc(method.__doc__) + _TOLD.format(part=part)
+            method.__doc__ = inspect.cleandoc(method.__doc__) + _SECTIONS.format(part=part)
         return cast(_Method, method)
 
-    return told
+    return with_sections

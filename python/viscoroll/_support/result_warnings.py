@@ -44,7 +44,7 @@ def _calls_within() -> int:
 
 @contextmanager
 def silenced() -> Iterator[None]:
-    """Suppress `warn` in a block whose caller evaluates the warnings in the results instead."""
+    """Suppress `warn` in a block; its caller evaluates the warnings in the results instead."""
     token = _SILENT.set(True)
     try:
         yield

@@ -1,6 +1,6 @@
 """Checksums of netCDF files, verified before the netCDF library reads a file, because it may crash on damaged files.
 
-The checksum follows the content of the file, where other programs do not read.
+The checksum is appended to the content of the file. Other programs ignore it.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ __all__ = ["suggestion"]
 _SHEAR = "E / (2 (1 + nu))"
 _YOUNG = "E Y youngs_modulus young_modulus elastic_modulus"
 
-#: Names that users try, in upper or lower case; the parameter's name here; and its formula if its value differs.
+#: Names that users try, in upper or lower case; the correct name of the parameter; its formula if the value differs.
 _SYNONYMS = (
     ("h t height", "thickness", ""),
     (f"{_YOUNG} tensile_modulus", "shear_modulus", _SHEAR),

@@ -7,6 +7,7 @@ import re
 
 __all__ = ["finite_number", "one_line", "parsed_range", "shown", "snake_case"]
 
+#: Longest text of a value in messages [characters].
 _LONGEST = 120
 
 

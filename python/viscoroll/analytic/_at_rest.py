@@ -81,16 +81,16 @@ class _Contact(Protocol):
 def reach_at_rest(
     body: Coating, load: ArrayLike, *, thick: _Limit, squeezed: _Limit, springs: _Limit
 ) -> NDArray[np.float64]:
-    """Estimate the contact radius or half-width at rest [m], the smaller one of the thick and the thin limit.
+    """Estimate the contact radius or half-width at rest [m]: the smaller one of the thick and the thin limit.
 
-    Several layers are replaced by one with the mean compliance and the mean Poisson's ratio. There are two thin limits,
-    a layer that is squeezed out sideways and a bed of springs. The larger one is used, since a thin layer deforms in
-    both ways at once.
+    One layer with the mean compliance and the mean Poisson's ratio replaces several layers. There are two thin limits:
+    a layer that is squeezed out sideways (`squeezed`), and a bed of springs (`springs`). The larger one is used,
+    because a thin layer deforms in both ways at once.
     """
     h = body.thickness
     mixed = [(layer.thickness / h, *relaxed_constants(layer)) for layer in body.layers]
-    layer = {"radius": body.outer_radius, "shear_modulus": 1.0 / sum(share / g for share, g, _ in mixed)}
-    nu = min(sum(share * ratio for share, _, ratio in mixed), 0.5)
+    layer = {"radius": body.outer_radius, "shear_modulus": 1.0 / sum(fraction / g for fraction, g, _ in mixed)}
+    nu = min(sum(fraction * ratio for fraction, _, ratio in mixed), 0.5)
     thin = squeezed(load=load, thickness=h, **layer).reach
     if nu < 0.5:
         thin = np.maximum(thin, springs(load=load, thickness=h, poisson_ratio=nu, **layer).reach)

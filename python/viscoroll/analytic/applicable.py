@@ -38,8 +38,8 @@ if TYPE_CHECKING:
 
 __all__ = ["ClosedForm", "applicable"]
 
-#: Width of a flat tread, in thicknesses, from which on the side faces change the result by at most 10 %. The change is
-#: proportional to h/w, 27 % at three thicknesses.
+#: Smallest ratio of width to thickness of a flat tread whose side faces change the result by at most 10 %. The change
+#: is proportional to h/w; it is 27 % at three thicknesses.
 _WIDE = 10.0
 
 
@@ -139,14 +139,14 @@ def _coating(ball: CoatedSphere, radius: float) -> _BallCoating:
     )
 
 
-def _faster(form: ClosedForm, turns: float) -> ClosedForm:
-    """Return the form of a ball that rotates faster by the factor `turns`, so that the surface speeds agree."""
+def _faster(form: ClosedForm, ratio: float) -> ClosedForm:
+    """Return the form of a ball that rotates faster by the factor `ratio`, so that the surface speeds agree."""
 
     def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
-        return form.torque(load, turns * as_float_array("angular_speed", angular_speed))
+        return form.torque(load, ratio * as_float_array("angular_speed", angular_speed))
 
     def is_valid(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        return form.is_valid(load, turns * as_float_array("angular_speed", angular_speed))
+        return form.is_valid(load, ratio * as_float_array("angular_speed", angular_speed))
 
     return ClosedForm(torque=torque, is_valid=is_valid, validity=form.validity)
 
@@ -160,14 +160,16 @@ def _of_ball(ball: _BallCoating) -> _Forms:
         "low_speed": None if time is None else low_speed_form(ball, time, contact_radius, "contact radius")
     }
     if is_homogeneous(ball.layers):
-        forms |= _half_space(ball, contact_radius, room=ball.thickness)
+        forms |= _half_space(ball, contact_radius, layer_size=ball.thickness)
         if ball.inner_boundary is InnerBoundary.RIGID:
             forms["winkler"] = thin_coating_form(ball, winkler_torque, contact_radius, "contact radius")
     return forms
 
 
-def _half_space(body: Coating, contact_size: ContactSize, *, room: float, crown_radius: float | None = None) -> _Forms:
-    """Return the half-space forms, valid for contacts up to a fifth of the size `room` of the layer [m]."""
+def _half_space(
+    body: Coating, contact_size: ContactSize, *, layer_size: float, crown_radius: float | None = None
+) -> _Forms:
+    """Return the half-space forms, valid for contacts up to a fifth of the size of the layer, `layer_size` [m]."""
     layer, radius = body.layers[0], body.outer_radius
     modulus, nu = relaxed_constants(layer)
 
@@ -190,8 +192,8 @@ def _half_space(body: Coating, contact_size: ContactSize, *, room: float, crown_
 
     def is_valid(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
         any_speed = positives("angular_speed", angular_speed, "rad/s") > 0.0
-        met: NDArray[np.bool_] = (contact_size(load) <= 0.2 * room) & any_speed
-        return met
+        valid: NDArray[np.bool_] = (contact_size(load) <= 0.2 * layer_size) & any_speed
+        return valid
 
     small = (
         "contact radius at most a fifth of the thickness; no inertia"
@@ -208,7 +210,7 @@ def _half_space(body: Coating, contact_size: ContactSize, *, room: float, crown_
 
 
 def _loss_time(ball: _BallCoating) -> float | None:
-    """Return t of a surface compliance C(0) (1 - iωt) of the ball, or None if it does not have this form."""
+    """Return t [s] of the surface compliance C(0) (1 - iωt) of the ball, or None if it does not have this form."""
     time = shared_loss_time(ball.layers)
     if time is None or have_real_poisson_ratios(ball.layers):
         return time
@@ -254,10 +256,10 @@ def _hunter(roller: CoatedCylinder, half_width: ContactSize) -> ClosedForm | Non
         return hunter(load=load, speed=speed, radius=radius, shear_modulus=material, poisson_ratio=nu).moment
 
     def is_valid(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        # The wake of the contact, with the length f V τ, must not reach the core either.
+        # The core must also be deeper than the wake of the contact, whose length is f V τ.
         wake = positives("angular_speed", angular_speed, "rad/s") * radius * retardation
-        met: NDArray[np.bool_] = (half_width(load) <= 0.2 * roller.thickness) & (wake <= 0.5 * roller.thickness)
-        return met
+        valid: NDArray[np.bool_] = (half_width(load) <= 0.2 * roller.thickness) & (wake <= 0.5 * roller.thickness)
+        return valid
 
     small = (
         "contact half-width at most a fifth of the thickness, distance rolled within the retardation time at most half "
@@ -276,9 +278,12 @@ def _of_wheel(wheel: CoatedWheel) -> _Forms:
         return {name: form and _over_width(form, wheel) for name, form in of_roller} | {"low_speed": slow}
     if not is_homogeneous(wheel.layers):
         return {"low_speed": slow}
-    room = min(wheel.thickness, 0.5 * wheel.width)
+    layer_size = min(wheel.thickness, 0.5 * wheel.width)
     longer_axis = partial(_longer_axis, wheel)
-    return {"low_speed": slow, **_half_space(wheel, longer_axis, room=room, crown_radius=wheel.crown_radius)}
+    return {
+        "low_speed": slow,
+        **_half_space(wheel, longer_axis, layer_size=layer_size, crown_radius=wheel.crown_radius),
+    }
 
 
 def _over_width(form: ClosedForm, wheel: CoatedWheel) -> ClosedForm:
@@ -288,8 +293,8 @@ def _over_width(form: ClosedForm, wheel: CoatedWheel) -> ClosedForm:
         return form(np.asarray(load) / wheel.width, angular_speed) * wheel.width
 
     def is_valid(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        met: NDArray[np.bool_] = form.is_valid(np.asarray(load) / wheel.width, angular_speed)
-        return met & (wheel.width >= _WIDE * wheel.thickness)
+        valid: NDArray[np.bool_] = form.is_valid(np.asarray(load) / wheel.width, angular_speed)
+        return valid & (wheel.width >= _WIDE * wheel.thickness)
 
     return ClosedForm(
         torque=torque, is_valid=is_valid, validity=f"{form.validity}; width at least {_WIDE:g} thicknesses"
@@ -301,11 +306,11 @@ def _along_path(wheel: CoatedWheel, roller: CoatedCylinder, load: ArrayLike) -> 
     line = _half_width(roller, np.asarray(load) / wheel.width)
     if math.isinf(wheel.crown_radius):
         return line
-    share = math.sqrt(wheel.outer_radius / wheel.crown_radius)
+    aspect = math.sqrt(wheel.outer_radius / wheel.crown_radius)
 
     def of_ball(thin: Callable[..., PointContact], *, load: ArrayLike, **layer: float) -> PointContact:
         """Return a thin-layer contact on an ellipse with the aspect ratio of the contours of the gap."""
-        return thin(load=np.asarray(load) * share, **layer)
+        return thin(load=np.asarray(load) * aspect, **layer)
 
     ellipse = reach_at_rest(
         wheel,

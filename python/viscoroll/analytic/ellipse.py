@@ -59,7 +59,8 @@ class EllipticContact:
             p(x, z) [Pa].
         """
         along, across = (
-            np.asarray(place, dtype=np.float64) / axis for place, axis in ((x, self.semi_axis_x), (z, self.semi_axis_z))
+            np.asarray(coordinate, dtype=np.float64) / axis
+            for coordinate, axis in ((x, self.semi_axis_x), (z, self.semi_axis_z))
         )
         return float_if_scalar(self.max_pressure * np.sqrt(np.clip(1.0 - along**2 - across**2, 0.0, None)))
 
@@ -143,11 +144,11 @@ def axis_ratio(radius_ratio: float) -> float:
 def _integrals(ratio: float) -> tuple[float, float]:
     """Return the complete elliptic integrals K and D = (K - E)/m with m = 1 - ratio², by arithmetic-geometric means."""
     m = 1.0 - ratio**2
-    a, b, share, weight = 1.0, ratio, 0.5, 0.5
+    a, b, d_over_k, weight = 1.0, ratio, 0.5, 0.5
     c = 1.0
     while c > 1e-9 * a:  # quadratic convergence: the next c is of the order of the square
         c = 0.5 * (a - b)
         a, b, weight = 0.5 * (a + b), math.sqrt(a * b), 2.0 * weight
-        share += weight * c**2 / m if m > 0.0 else 0.0
+        d_over_k += weight * c**2 / m if m > 0.0 else 0.0
     k = 0.5 * math.pi / a
-    return k, k * share
+    return k, k * d_over_k

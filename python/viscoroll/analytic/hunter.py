@@ -62,21 +62,23 @@ class HunterContact:
         per_length = np.asarray(self.half_width) / np.asarray(self.relaxation_length)
         t = (np.asarray(self.center) - as_float_array("x", x)) / np.asarray(self.half_width)
         inside = np.clip(t, -1.0, 1.0)
-        # t = -cos θ removes the square-root singularities at both edges. Contributions from more than 40 l ahead are
-        # below round-off.
-        last, first = np.arccos(-inside), np.arccos(-np.maximum(inside - _MEMORY / per_length, -1.0))
+        # The substitution t = -cos θ removes the square-root singularities at both edges. Contributions from more than
+        # 40 l ahead are below round-off.
+        last, first = np.arccos(-inside), np.arccos(-np.maximum(inside - _RELAXATION_LENGTHS / per_length, -1.0))
         points, weights = np.polynomial.legendre.leggauss(_POINTS)
         angles = np.multiply.outer(0.5 * (points + 1.0), last - first) + first
         earlier = -np.cos(angles)
         c0, c1, c2 = (np.asarray(c) for c in self.chebyshev)
         traction = c0 + c1 * earlier + c2 * np.cos(2.0 * angles)
-        kept = traction * np.exp(per_length * (earlier - inside))
-        return float_if_scalar(0.5 * per_length * (last - first) * np.tensordot(weights, kept, axes=1) * (abs(t) < 1.0))
+        integrand = traction * np.exp(per_length * (earlier - inside))
+        return float_if_scalar(
+            0.5 * per_length * (last - first) * np.tensordot(weights, integrand, axes=1) * (abs(t) < 1.0)
+        )
 
 
 #: Length of the integral in relaxation lengths, and number of Gauss points that integrate the exponential over it to
 #: 1e-12.
-_MEMORY, _POINTS = 40.0, 64
+_RELAXATION_LENGTHS, _POINTS = 40.0, 64
 
 
 def hunter(
@@ -95,9 +97,10 @@ def hunter(
         w' + f l w'' = -(1-ν)/(π G_∞) ∫ g(s)/(ξ - s) ds,
 
     with w' = -ξ/R in the contact, |ξ - ξ₀| < a. So g is a sum of Chebyshev polynomials,
-    g √(1-t²) = P/(π a) - G_∞ (c₁ t + a (2t² - 1)/2) / ((1-ν) R), with t = (ξ - ξ₀)/a and c₁ = ξ₀ + f l. The pressure is
-    continuous at the trailing edge, and the slope at the leading edge, ahead of which the solution is an integral over
-    the past. These two conditions contain the modified Bessel functions at a/l and a/(f l):
+    g √(1-t²) = P/(π a) - G_∞ (c₁ t + a (2t² - 1)/2) / ((1-ν) R), with t = (ξ - ξ₀)/a and c₁ = ξ₀ + f l. Ahead of the
+    contact, the slope follows by integration of the same equation with p = 0. Two conditions remain: the pressure is
+    continuous at the trailing edge, and the slope at the leading edge. They contain the modified Bessel functions at
+    a/l and a/(f l):
 
         P̂ I₀ - c₁ I₁ - (a/2) I₂ = 0,  P̂ K₀ + c₁ K₁ - (a/2) K₂ = 0,  P̂ = (1-ν) R P / (π a G_∞).
 

@@ -99,9 +99,9 @@ def winkler_torque(
         # The load grows between a₀³ (dashpots) and a₀⁴ (springs).
         a0 = (4.0 * force * size * h / (np.pi * springs.relaxation.moduli.sum())) ** 0.25
         for _ in range(_STEPS):
-            borne, moment = springs.load_and_moment(a0, speed * size)
-            a0 *= (force * size * h / borne) ** 0.25
-        return float(moment * force / borne)
+            found, moment = springs.load_and_moment(a0, speed * size)
+            a0 *= (force * size * h / found) ** 0.25
+        return float(moment * force / found)
 
     return float_if_scalar(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
 
@@ -157,9 +157,9 @@ def winkler_torque_line(
         # The load grows between a² (dashpots) and a³ (springs).
         a = float(np.cbrt(1.5 * force * size * h / springs.relaxation.moduli.sum()))
         for _ in range(_STEPS):
-            borne, moment = (float(value[0]) for value in springs.strips(np.array([a]), speed * size))
-            a *= float(np.cbrt(force * size * h / borne))
-        return moment * force / borne
+            found, moment = (float(value[0]) for value in springs.strips(np.array([a]), speed * size))
+            a *= float(np.cbrt(force * size * h / found))
+        return moment * force / found
 
     return float_if_scalar(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
 

@@ -90,9 +90,9 @@ def _finite(value: float | int | str | None) -> float | int | str | None:
 
 
 def _warnings(result: Result) -> list[dict[str, str]]:
-    told = [{"kind": kind.name.lower(), "message": message} for kind, message in result.warnings.items()]
-    doubt = unit_doubt(result.body, result.on)
-    return [*told, *([{"kind": "units", "message": doubt}] if doubt else [])]
+    warnings = [{"kind": kind.name.lower(), "message": message} for kind, message in result.warnings.items()]
+    hint = unit_doubt(result.body, result.on)
+    return [*warnings, *([{"kind": "units", "message": hint}] if hint else [])]
 
 
 def _fields(result: Result) -> dict[str, Any]:

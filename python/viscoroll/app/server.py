@@ -77,7 +77,7 @@ _REDIRECT = """<!doctype html>
 """
 
 
-class _Gone(Exception):  # noqa: N818  (not an error: the answer is no longer wanted)
+class _Disconnected(Exception):  # noqa: N818  (not an error: the answer is no longer wanted)
     """Raised during a solve if the browser has closed the connection or the server stops."""
 
 
@@ -136,7 +136,7 @@ class PageServer(ThreadingHTTPServer):
         self.shutdown_request(request)
 
     def process_request_thread(self, request: Any, client_address: Any) -> None:
-        """Answer a request, with its connection in the list of open ones until it is answered."""
+        """Answer a request; until then, the set of open connections contains its connection."""
         self._open.add(request)
         try:
             super().process_request_thread(request, client_address)
@@ -258,8 +258,8 @@ class _Handler(BaseHTTPRequestHandler):
             self._refuse(HTTPStatus.BAD_REQUEST)
             return
         try:
-            self._send_json(answer(request, progress=self._wanted))
-        except _Gone:
+            self._send_json(answer(request, progress=self._stop_if_closed))
+        except _Disconnected:
             return
 
     def _name(self) -> str | None:
@@ -293,13 +293,13 @@ class _Handler(BaseHTTPRequestHandler):
             return None
         return body
 
-    def _wanted(self, _stage: str, _fraction: float) -> None:
+    def _stop_if_closed(self, _stage: str, _fraction: float) -> None:
         """Stop a solve, as its progress function, if the browser has closed the connection."""
         if self._is_closed():
-            raise _Gone
+            raise _Disconnected
 
     def _is_closed(self) -> bool:
-        """Whether the browser has closed the connection: it is readable, but there is nothing to read."""
+        """Return whether the browser has closed the connection: it is readable, but there is nothing to read."""
         try:
             readable = select.select([self.connection], [], [], 0.0)[0]
             return bool(readable) and not self.connection.recv(1, socket.MSG_PEEK)

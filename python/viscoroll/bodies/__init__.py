@@ -1,4 +1,4 @@
-"""Rolling bodies, counterbodies, meshes and drives; `orders` computes the response of the layers."""
+"""Rolling bodies, counterbodies, layers, meshes and drives."""
 
 from .bodies import (
     CoatedCylinder,

@@ -196,7 +196,7 @@ class CoatedPlane(_Ground):
 class Groove(_Ground):
     """A surface that is concave or convex across the path, along it, or both: groove, dish, ring or drum.
 
-    A roller rolls along the curvature `path_radius`, inside a ring or on a drum, which is straight across.
+    For a roller, the groove is a ring or a drum: curved along the path (`path_radius`) and straight across.
 
     Layers and base are treated as flat. The layers must therefore be thin compared with the radii.
 

@@ -32,7 +32,7 @@ class LayeredBody(ParameterTable):
 
     #: Noun for the body in messages and pictures.
     noun: ClassVar[str]
-    #: Number of the two directions, along the path and across it, in which the layers are curved.
+    #: Number of directions in which the layers are curved: 0, 1 (along the path), or 2 (also across it).
     curved_directions: ClassVar[int]
     #: Whether loads, forces and torques are per length.
     line_contact: ClassVar[bool] = False
@@ -99,7 +99,7 @@ class LayeredBody(ParameterTable):
         return False
 
     def interior_body(self, partner: LayeredBody) -> LayeredBody:
-        """Return the body whose fields are those inside this one in contact with a partner: by default itself."""
+        """Return the body that represents this one for interior fields in contact with a partner; by default itself."""
         del partner
         return self
 

@@ -25,11 +25,12 @@ class _Layered(Protocol):
         """Layers from the inside outwards."""
 
 
-#: Limits of plausible input: larger radii and widths, thicker layers and lower moduli are probably in the wrong unit.
+#: Limits of plausible input: larger radii and widths, thicker layers, lower moduli and higher speeds probably have the
+#: wrong unit.
 _LARGEST_RADIUS = 1.5  # [m]
 _LARGEST_THICKNESS = 0.5  # [m]
 _SMALLEST_MODULUS = 1e3  # [Pa]
-_FAST = 100.0  # [rad/s]
+_LARGEST_SPEED = 100.0  # [rad/s]
 
 #: Parameters that are rejected if other lengths or moduli have wrong units.
 _AFFECTED = ("load", "angular_speed")
@@ -44,17 +45,17 @@ def si_hint(body: _Layered, on: _Layered | None = None) -> str:
 def unit_doubt(body: _Layered, on: _Layered | None = None) -> str:
     """Return a hint that asks whether other units were meant, or an empty string if all values are plausible."""
     hint = si_hint(body, on)
-    meant = [name for name, unit in (("millimeters", " m"), ("megapascals", " Pa at rest")) if _holds(hint, unit)]
+    meant = [name for name, unit in (("millimeters", " m"), ("megapascals", " Pa at rest")) if _mentions(hint, unit)]
     return f"{hint}; were {' and '.join(meant)} meant?" if hint else ""
 
 
-def _holds(hint: str, unit: str) -> bool:
+def _mentions(hint: str, unit: str) -> bool:
     return any(part.endswith(unit) for part in hint.split(", "))
 
 
 @contextmanager
 def si_hints(body: _Layered, on: _Layered | None = None, *, angular_speed: float = 0.0) -> Iterator[None]:
-    """Append a hint to messages about too large loads and speeds if the input is implausible in SI units."""
+    """Append a hint at implausible units to errors of convergence and to errors about the load or the speed."""
     try:
         yield
     except ConvergenceError as error:
@@ -63,7 +64,7 @@ def si_hints(body: _Layered, on: _Layered | None = None, *, angular_speed: float
         if error.parameter not in _AFFECTED:
             raise
         hints = [si_hint(body, on)]
-        if error.parameter == "angular_speed" and _FAST <= angular_speed < math.inf:
+        if error.parameter == "angular_speed" and _LARGEST_SPEED <= angular_speed < math.inf:
             hints.append(f"{angular_speed:g} rad/s are {angular_speed * 30.0 / math.pi:.0f} revolutions per minute")
         raise error.with_more("; ".join(filter(None, hints))) from None
 

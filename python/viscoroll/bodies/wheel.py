@@ -41,7 +41,8 @@ class CoatedWheel(RoundBody):
     sides : Sides or str, default Sides.FREE
         Ends of the tread. "free": faces that bulge, as those of real wheels. "unbounded": no faces; the tread continues
         beyond the width, where it carries no pressure. This is faster, and correct to 1 % if the contact ends one
-        thickness before the faces; but a tread of three thicknesses in width is then a quarter too stiff.
+        thickness before the faces. A contact that reaches the faces of a tread three thicknesses wide is a quarter too
+        stiff.
 
     Examples
     --------

@@ -122,7 +122,7 @@ def _core_of(given: object) -> object:
 
 
 class Thermal(StrictTable):
-    """Cooling of a case. Parameters as in `viscoroll.self_heating`; without `shift`, the moduli do not change."""
+    """Cooling of a case; the parameters are those of `viscoroll.self_heating`. Without `shift`, moduli are constant."""
 
     documented_by = (Result.temperature, self_heating)
 
@@ -182,7 +182,7 @@ class _File(PairTables):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Case:
-    """One load case, as a file describes it. Parameters as in `viscoroll.solve`."""
+    """One load case, as a file describes it; the parameters are those of `viscoroll.solve`."""
 
     body: RollingBody
     on: Counterbody | None = None
@@ -248,7 +248,7 @@ def load_case(path: str | Path) -> Case:
     Raises
     ------
     ValueError
-        If the file is not valid. The message is one line and names the place in the file.
+        If the file is not valid. The message is one line and names the key in the file.
     OSError
         If the file cannot be read.
     """

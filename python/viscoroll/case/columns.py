@@ -13,7 +13,7 @@ __all__ = ["read_columns", "read_header"]
 
 
 def read_header(what: str, path: Path) -> list[str]:
-    """Return the names in the first row of a CSV file; empty for an empty file. Parameters as in `read_columns`."""
+    """Return the names in the first row of a CSV file, none for an empty file. Parameters as in `read_columns`."""
     rows = _read_rows(what, path)
     return rows[0][1] if rows else []
 

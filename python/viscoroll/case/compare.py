@@ -94,8 +94,8 @@ class Comparison:
             linewidth=1.0,
             label="solver, radial compliance",
         )
-        for place, (name, (torque, valid)) in enumerate(self.forms.items()):
-            color, label = f"C{place}", _LABELS.get(name, name)
+        for number, (name, (torque, valid)) in enumerate(self.forms.items()):
+            color, label = f"C{number}", _LABELS.get(name, name)
             axes.plot(
                 self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, outside its range of validity"
             )

@@ -20,7 +20,7 @@ from .._support.toml import read_toml
 from ..rolling import Result
 from .case import build_case
 from .limits import LIMITS, Outcome, outcome_of
-from .study import place_of, substituted
+from .study import key_path_of, substituted
 from .tables import StrictTable, checked, errors_in
 
 with extra("cli"):
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Design", "design_case"]
 
+#: Number of values of the first, geometric search.
 _POINTS = 15
 
 
@@ -42,7 +43,7 @@ class Design:
     Attributes
     ----------
     variable : str
-        Place of the number in the case file.
+        Path of the number in the case file, such as "ball.layers[0].thickness".
     best : float
         Best value of the number, in the unit of the file.
     outcome : Outcome
@@ -94,10 +95,10 @@ class Design:
     def _draw_power(self, axes: Axes) -> None:
         solved = self._solved()
         axes.plot(*_column(solved, "dissipated_power"), "k-", linewidth=1)
-        kept = [pair for pair in solved if pair[1].violation(self.limits) <= 0.0]
-        axes.plot(*_column(kept, "dissipated_power"), "go", label="allowed")
-        left_out = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
-        axes.plot(*_column(left_out, "dissipated_power"), "rx", label="not allowed")
+        allowed = [pair for pair in solved if pair[1].violation(self.limits) <= 0.0]
+        axes.plot(*_column(allowed, "dissipated_power"), "go", label="allowed")
+        rejected = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
+        axes.plot(*_column(rejected, "dissipated_power"), "rx", label="not allowed")
         axes.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
         axes.set(xlabel=self.variable, ylabel=f"power dissipated [{self.result.unit('dissipated_power')}]")
         axes.legend()
@@ -176,10 +177,10 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
     with errors_in(path):
         document = read_toml(path)
         variable, low, high, limits = _checked(document.pop("design", None))
-        place = place_of(variable)
+        key_path = key_path_of(variable)
 
         def solve(value: float, report: Report | None = None) -> Outcome:
-            return outcome_of(build_case(substituted(document, {place: value}), path.parent), limits, report)
+            return outcome_of(build_case(substituted(document, {key_path: value}), path.parent), limits, report)
 
         with silenced(), reporting(progress) as report:
             search = _Search(solve, report)
@@ -193,7 +194,7 @@ class Wanted(StrictTable):
     Parameters
     ----------
     vary : str
-        Place of the number in the file, for example ball.layers[0].thickness.
+        Path of the number in the file, for example ball.layers[0].thickness.
     from, to : float
         Smallest and largest value of the number, in the unit of the file.
     limits : table
@@ -238,7 +239,7 @@ def _best(variable: str, low: float, high: float, limits: dict[str, float], sear
     for first, last in _ranges(grid, excess):
         start = _edge(search, limits, grid, first, -1)
         stop = _edge(search, limits, grid, last, +1)
-        candidates += _least(search, limits, start, stop)
+        candidates += _candidates(search, limits, start, stop)
     best = min(candidates, key=lambda pair: pair[1].value("dissipated_power"))
     values = sorted(search.found)
     active = tuple(name for name, limit in limits.items() if best[1].value(name) > 0.99 * limit)
@@ -267,7 +268,7 @@ def _ranges(grid: list[float], excess: list[float]) -> list[tuple[int, int]]:
 
 
 def _edge(search: _Search, limits: Mapping[str, float], grid: list[float], index: int, step: int) -> float:
-    """Return the end of an allowed range next to an allowed value, on the allowed side."""
+    """Return the end of an allowed range between an allowed value of the grid and its neighbor, on the allowed side."""
     with extra("studies"):
         from scipy.optimize import brentq
 
@@ -284,7 +285,7 @@ def _edge(search: _Search, limits: Mapping[str, float], grid: list[float], index
     return edge + 2e-4 * (inside - edge) if _excess(search, edge, limits) > 0.0 else edge
 
 
-def _least(search: _Search, limits: Mapping[str, float], start: float, stop: float) -> list[tuple[float, Outcome]]:
+def _candidates(search: _Search, limits: Mapping[str, float], start: float, stop: float) -> list[tuple[float, Outcome]]:
     """Return candidates of an allowed range: its ends, the minimum between them, and all values solved within it."""
     with extra("studies"):
         from scipy.optimize import minimize_scalar

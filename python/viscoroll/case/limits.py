@@ -39,7 +39,7 @@ class Outcome:
     result : Result
         Result of the case. If a thermal quantity is limited and heat changes the moduli, the coldest steady state.
     inside : mapping of str to float
-        Those of "temperature" [K], "bond_shear" and "bond_tension" [Pa] and "load_to_fold" [-] that are limited.
+        Values of the limited quantities among "temperature" [K], "bond_shear", "bond_tension" [Pa], "load_to_fold" [-].
     """
 
     result: Result

@@ -118,7 +118,7 @@ class Trial:
         return np.abs(self.measured.values - self.computed) - self.measured.errors - self.bands
 
     def verdict(self) -> str:
-        """Return a text with the number of measurements that agree, and the largest distance of the others."""
+        """Return a text with the number of measurements that agree, and the largest distance between other bands."""
         if self.agrees.all():
             return self._count()
         apart = self._excess().max() / (np.abs(self.measured.values).max() or 1.0)
@@ -197,23 +197,23 @@ def compare_measured(case: Case, measured: Measurements, *, progress: ProgressLi
     ValueError, ConvergenceError
         Same as in `viscoroll.solve`. ValueError also if the measured result is undetermined in the case.
     """
-    places, which = np.unique(measured.places, return_inverse=True)
+    places, indices = np.unique(measured.places, return_inverse=True)
 
-    def point(place: float) -> Result:
-        there: dict[str, Any] = {measured.varied: place}
-        return replace(case, **there).solve(threads=1)
+    def point(value: float) -> Result:
+        varied: dict[str, Any] = {measured.varied: value}
+        return replace(case, **varied).solve(threads=1)
 
     solved = run_all(point, places.tolist(), progress=progress)
-    results = [solved[place] for place in which]
+    results = [solved[index] for index in indices]
     values = [getattr(result, measured.quantity) for result in results]
     if None in values:
         raise InvalidInput(measured.quantity, "must be determined by the case", "None: compare another result")
     computed = np.array(values, dtype=float)
-    doubts = np.array([result.error_estimate + (result.model_error or 0.0) for result in results])
+    estimates = np.array([result.error_estimate + (result.model_error or 0.0) for result in results])
     return Trial(
         case=case,
         measured=measured,
         computed=computed,
-        bands=np.abs(computed) * doubts,
+        bands=np.abs(computed) * estimates,
         statuses=[result.status for result in results],
     )

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 __all__ = ["MotionCase", "load_motion"]
 
 #: Number of waypoints in each cycle of an oscillation.
-_KNOTS = 160
+_WAYPOINTS_PER_CYCLE = 160
 
 
 class Motion(StrictTable):
@@ -109,7 +109,7 @@ def load_motion(path: str | Path) -> MotionCase:
     Raises
     ------
     ValueError
-        If the file is not valid. The message is one line and names the place in the file.
+        If the file is not valid. The message is one line and names the key in the file.
     OSError
         If the file cannot be read.
     """
@@ -184,6 +184,6 @@ def _oscillation(motion: Motion) -> dict[str, Any]:
     assert motion.amplitude is not None
     if not np.isfinite(motion.amplitude):
         raise InvalidInput("motion.amplitude", "must be finite", repr(motion.amplitude))
-    time = np.linspace(0.0, motion.cycles / motion.frequency, max(int(_KNOTS * motion.cycles), 1) + 1)
+    time = np.linspace(0.0, motion.cycles / motion.frequency, max(int(_WAYPOINTS_PER_CYCLE * motion.cycles), 1) + 1)
     angle = motion.amplitude * np.sin(2.0 * np.pi * motion.frequency * time)
     return {"time": time, "angle": angle, "load": motion.load}

@@ -28,12 +28,13 @@ from .tables import StrictTable, checked, errors_in
 with extra("cli"):
     from pydantic import Field, ValidationInfo, field_validator
 
-__all__ = ["load_study", "place_of", "substituted"]
+__all__ = ["key_path_of", "load_study", "substituted"]
 
-#: Pattern of a place in the file, such as "ball.layers[0].thickness".
-_PLACE = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
+#: Pattern of the path of a key in the file, such as "ball.layers[0].thickness".
+_KEY_PATH = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
 
-_Place = tuple[str | int, ...]
+#: Path of a key: names of tables and keys, and indices in lists.
+_KeyPath = tuple[str | int, ...]
 
 
 class Draws(StrictTable):
@@ -42,7 +43,7 @@ class Draws(StrictTable):
     Parameters
     ----------
     of : list of str
-        Places of measured materials in the file, for example ball.layers[0].shear_modulus.
+        Paths of measured materials in the file, for example ball.layers[0].shear_modulus.
     method : {"linear", "solve"}, optional
         Linearization, or one solution for each draw.
     confidence : float, optional
@@ -103,20 +104,21 @@ def load_study(path: str | Path) -> Plan:
     Parameters
     ----------
     path : path-like
-        Path of a case file with a table ``sweep``. Its keys are places in the file, its values are lists of numbers or
-        tables ``{ from = ..., to = ..., count = ..., scale = "linear" or "log" }``. An optional table ``draws`` gives
-        the results intervals: its ``of`` lists the places of measured materials whose files contain draws.
+        Path of a case file with a table ``sweep``. Its keys are paths of keys in the file, its values are lists of
+        numbers or tables ``{ from = ..., to = ..., count = ..., scale = "linear" or "log" }``. An optional table
+        ``draws`` gives the results intervals: its ``of`` lists the paths of measured materials whose files contain
+        draws.
 
     Returns
     -------
     Plan
-        Plan of the study. A dimension has the name of the last part of its place, or of the whole place if the last
-        part is not unique.
+        Plan of the study. A dimension has the name of the last part of its path, or of the whole path if the last part
+        is not unique.
 
     Raises
     ------
     ValueError
-        If the file is not valid. The message is one line and names the place in the file.
+        If the file is not valid. The message is one line and names the key in the file.
     OSError
         If the file cannot be read.
     """
@@ -132,27 +134,27 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
             "sweep", 'must be a table of parameters with their values, such as "rolling.load" = [50.0, 100.0]'
         )
     draws = checked(_DrawsFile, {"draws": document.pop("draws")}).draws if "draws" in document else None
-    places = [place_of(key) for key in table]
+    key_paths = [key_path_of(key) for key in table]
     entries = {key: _entry(key, entry) for key, entry in table.items()}
     counts = {key: entry.count if isinstance(entry, Range) else len(entry) for key, entry in entries.items()}
     require_feasible({f'of "{key}"': count for key, count in counts.items()})
     values = [entry.values() if isinstance(entry, Range) else entry for entry in entries.values()]
     dimensions = [
-        Dimension(name=name, values=tuple(numbers), unit=UNITS.get(_leaf(place)))
-        for name, place, numbers in zip(_names(places), places, values, strict=True)
+        Dimension(name=name, values=tuple(numbers), unit=UNITS.get(_leaf(key_path)))
+        for name, key_path, numbers in zip(_names(key_paths), key_paths, values, strict=True)
     ]
-    return _plan(document, folder, places, dimensions, draws)
+    return _plan(document, folder, key_paths, dimensions, draws)
 
 
 def _plan(
-    document: dict[str, Any], folder: Path, places: list[_Place], dimensions: list[Dimension], draws: Draws | None
+    document: dict[str, Any], folder: Path, key_paths: list[_KeyPath], dimensions: list[Dimension], draws: Draws | None
 ) -> Plan:
     cases: list[LoadCase | str] = []
     bodies: dict[tuple[float, ...], RollingBody] = {}
     counterbodies: dict[tuple[float, ...], Counterbody | None] = {}
     drawn: dict[tuple[int, int], tuple[Pair, ...]] = {}
     for point in itertools.product(*(dimension.values for dimension in dimensions)):
-        chosen = dict(zip(places, point, strict=True))
+        chosen = dict(zip(key_paths, point, strict=True))
         try:
             case = build_case(substituted(document, chosen), folder)
         except (TypeError, ValueError) as error:
@@ -162,7 +164,8 @@ def _plan(
         body = bodies.setdefault(_numbers_in(BODIES, chosen), case.body)
         on = counterbodies.setdefault(_numbers_in(COUNTERBODIES, chosen), case.on)
         if draws is not None and (id(body), id(on)) not in drawn:
-            drawn[id(body), id(on)] = _drawn(substituted(document, chosen), folder, [place_of(key) for key in draws.of])
+            of_draws = [key_path_of(key) for key in draws.of]
+            drawn[id(body), id(on)] = _drawn(substituted(document, chosen), folder, of_draws)
         pairs = drawn.get((id(body), id(on)), ())
         cases.append(LoadCase(body=body, arguments=_arguments(case) | {"on": on}, draws=pairs))
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
@@ -173,45 +176,45 @@ def _plan(
     return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases), **intervals)  # type: ignore[arg-type]
 
 
-def _drawn(document: dict[str, Any], folder: Path, places: list[_Place]) -> tuple[Pair, ...]:
-    """Return both bodies for each draw of the materials at some places; the draws of several places are paired."""
-    counts = {_text(place): _count_draws(document, folder, place) for place in places}
+def _drawn(document: dict[str, Any], folder: Path, key_paths: list[_KeyPath]) -> tuple[Pair, ...]:
+    """Return both bodies for each draw of some materials; the i-th draws of all these materials belong together."""
+    counts = {_text(key_path): _count_draws(document, folder, key_path) for key_path in key_paths}
     if len(set(counts.values())) != 1:
-        told = ", ".join(f"{count} at {place}" for place, count in counts.items()) or "none"
-        raise InvalidInput("draws.of", "must name materials with equal numbers of draws", told)
+        found = ", ".join(f"{count} at {key_path}" for key_path, count in counts.items()) or "none"
+        raise InvalidInput("draws.of", "must name materials with equal numbers of draws", found)
     cases = (
-        build_case(substituted(document, {(*place, "draw"): draw for place in places}), folder)
+        build_case(substituted(document, {(*key_path, "draw"): draw for key_path in key_paths}), folder)
         for draw in range(next(iter(counts.values())))
     )
     return tuple((case.body, case.on) for case in cases)
 
 
-def _count_draws(document: dict[str, Any], folder: Path, place: _Place) -> int:
-    """Return the number of draws in the file of a measured material; reject places of other tables."""
+def _count_draws(document: dict[str, Any], folder: Path, key_path: _KeyPath) -> int:
+    """Return the number of draws in the file of a measured material; reject paths of other tables."""
     material: Any = document
     try:
-        for part in place:
+        for part in key_path:
             material = material[part]
         file = folder / material["file"]
     except (IndexError, KeyError, TypeError):
         raise InvalidInput(
-            "draws.of", "must name tables of measured materials whose files contain draws", f'"{_text(place)}"'
+            "draws.of", "must name tables of measured materials whose files contain draws", f'"{_text(key_path)}"'
         ) from None
     return count_draws(file)
 
 
-def _numbers_in(tables: tuple[str, ...], chosen: Mapping[_Place, float]) -> tuple[float, ...]:
-    return tuple(number for place, number in chosen.items() if place[0] in tables)
+def _numbers_in(tables: tuple[str, ...], chosen: Mapping[_KeyPath, float]) -> tuple[float, ...]:
+    return tuple(number for key_path, number in chosen.items() if key_path[0] in tables)
 
 
 def _arguments(case: Case) -> dict[str, Any]:
     return {name: value for name, value in case.arguments().items() if name != "body"}
 
 
-def place_of(key: str) -> _Place:
-    """Return the place in a document for a key such as "ball.layers[0].thickness"."""
-    if not _PLACE.fullmatch(key):
-        raise ValueError(f'sweep: keys must be places like "ball.layers[0].thickness", got {key!r}')
+def key_path_of(key: str) -> _KeyPath:
+    """Return the parts of a path such as "ball.layers[0].thickness"."""
+    if not _KEY_PATH.fullmatch(key):
+        raise ValueError(f'sweep: keys must be paths like "ball.layers[0].thickness", got {key!r}')
     return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
 
 
@@ -224,43 +227,43 @@ def _entry(key: str, entry: object) -> list[float] | list[int] | Range:
             f'sweep."{key}" must be a list of numbers or a table with from, to and count, got {shown(entry)}'
         )
     if "from" not in entry and any(isinstance(value, list | dict) for value in entry.values()):
-        raise ValueError(f'sweep.{key}: the whole place must be in quotes, as in "{key}.{next(iter(entry))}"')
+        raise ValueError(f'sweep.{key}: the whole path must be in quotes, as in "{key}.{next(iter(entry))}"')
     try:
         return checked(Range, entry)
     except InvalidInput as error:
         raise error.inside(f'sweep."{key}"') from None
 
 
-def substituted(document: dict[str, Any], chosen: Mapping[_Place, float]) -> dict[str, Any]:
-    """Return the document with other numbers at some places; missing tables above a place are created."""
+def substituted(document: dict[str, Any], chosen: Mapping[_KeyPath, float]) -> dict[str, Any]:
+    """Return the document with other numbers for some keys; tables above a key that are missing are created."""
     document = copy.deepcopy(document)
-    for place, number in chosen.items():
+    for key_path, number in chosen.items():
         target: Any = document
         try:
-            for part in place[:-1]:
+            for part in key_path[:-1]:
                 target = target.setdefault(part, {}) if isinstance(target, dict) else target[part]
-            last: Any = place[-1]
+            last: Any = key_path[-1]
             if isinstance(target, list):
                 target[last]  # raises an IndexError instead of adding an entry
             target[last] = number
         except (IndexError, KeyError, TypeError):
-            raise ValueError(f'sweep: the file has no place "{_text(place)}"') from None
+            raise ValueError(f'sweep: the file has no key "{_text(key_path)}"') from None
     return document
 
 
-def _names(places: list[_Place]) -> list[str]:
-    short = [_text(place[_leaf_position(place) :]) for place in places]
-    chosen = [s if short.count(s) == 1 else _text(place[1:]) for s, place in zip(short, places, strict=True)]
+def _names(key_paths: list[_KeyPath]) -> list[str]:
+    short = [_text(key_path[_leaf_position(key_path) :]) for key_path in key_paths]
+    chosen = [s if short.count(s) == 1 else _text(key_path[1:]) for s, key_path in zip(short, key_paths, strict=True)]
     return [re.sub(r"\W+", "_", name).strip("_") for name in chosen]
 
 
-def _leaf(place: _Place) -> str:
-    return str(place[_leaf_position(place)])
+def _leaf(key_path: _KeyPath) -> str:
+    return str(key_path[_leaf_position(key_path)])
 
 
-def _leaf_position(place: _Place) -> int:
-    return max(i for i, part in enumerate(place) if isinstance(part, str))
+def _leaf_position(key_path: _KeyPath) -> int:
+    return max(i for i, part in enumerate(key_path) if isinstance(part, str))
 
 
-def _text(place: _Place) -> str:
-    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in place).lstrip(".")
+def _text(key_path: _KeyPath) -> str:
+    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in key_path).lstrip(".")

@@ -1,6 +1,6 @@
 """Tables of TOML files, read as objects of this package (the extra `viscoroll[cli]`).
 
-The keys of a table are the parameters of a class. Pydantic reports unknown and missing keys with their place in the
+The keys of a table are the parameters of a class. Pydantic reports unknown and missing keys with their path in the
 file; the class itself checks the values and has the defaults.
 """
 
@@ -172,7 +172,7 @@ class Table:
 
 
 class AlsoAs:
-    """Annotation of a table that the file may also abbreviate, by values of some types of JSON."""
+    """Annotation of a table for which the file may also give a value of another type of JSON, as an abbreviation."""
 
     def __init__(self, *types: str) -> None:
         self._types = types
@@ -212,7 +212,7 @@ class ColumnsOf:
 
 
 class ByName:
-    """Annotation of an enumeration: the file gives the name of a member, or of one of `members`, in lower case."""
+    """Annotation of an enumeration: the file gives the name of a member in lower case; `members` limits the choice."""
 
     def __init__(self, *members: Enum) -> None:
         self._members = members
@@ -329,36 +329,36 @@ def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iter
     return _invalid(errors[chosen], more="; ".join(more))
 
 
-#: Types of keys that may have one of several types, which end their locations.
+#: Names of types that pydantic appends to the location of a key that may have one of several types.
 _ALTERNATIVES = ("float", "list[float]")
 
-#: Tables with a key `type`, whose value follows their name in the locations of pydantic.
+#: Tables with a key `type`. Pydantic adds its value to the location, after the name of the table.
 _TYPED = ("shear_modulus", "shift", "matrix", "network")
 
 
 def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") -> InvalidInput:
     """Return an error of pydantic as an error of a parameter."""
     parts = pairwise(("", *error["loc"]))
-    place = _place([part for before, part in parts if before not in _TYPED and part not in _ALTERNATIVES])
+    path = _path_text([part for before, part in parts if before not in _TYPED and part not in _ALTERNATIVES])
     kind = next((part for before, part in reversed([*pairwise(error["loc"])]) if before in _TYPED), None)
     context, message = error.get("ctx", {}), error["msg"]
     value = shown(error["input"]) if with_value else ""
     if error["type"] == "value_error":
         found = context["error"]
         if isinstance(found, InvalidInput):
-            return found.inside(place).with_more(more)
-        return InvalidInput(place, f"is invalid: {found}", more=more)
+            return found.inside(path).with_more(more)
+        return InvalidInput(path, f"is invalid: {found}", more=more)
     if error["type"] == "missing":
-        return InvalidInput(place, "must be given" + (f" for the type {kind}" if kind else ""), more=more)
+        return InvalidInput(path, "must be given" + (f" for the type {kind}" if kind else ""), more=more)
     if error["type"] == "extra_forbidden":
-        return InvalidInput(place, "is not a parameter" + (f" of the type {kind}" if kind else ""), value, more=more)
+        return InvalidInput(path, "is not a parameter" + (f" of the type {kind}" if kind else ""), value, more=more)
     if error["type"] == "union_tag_invalid":
         kinds = context["expected_tags"].replace("'", "")
-        return InvalidInput(f"{place}.type", f"must be one of {kinds}", shown(error["input"]["type"]), more=more)
+        return InvalidInput(f"{path}.type", f"must be one of {kinds}", shown(error["input"]["type"]), more=more)
     wanted = message.removeprefix("Input should be ")
     rule = f"must be {wanted}" if wanted != message else f"is invalid: {message[0].lower()}{message[1:]}"
-    return InvalidInput(place, rule, value, more=more)
+    return InvalidInput(path, rule, value, more=more)
 
 
-def _place(parts: Sequence[str | int]) -> str:
+def _path_text(parts: Sequence[str | int]) -> str:
     return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in parts).lstrip(".")

@@ -56,6 +56,7 @@ app = typer.Typer(
     "SI units.",
 )
 
+#: Exit codes: invalid input, failed solve, stopped by Ctrl-C.
 _INVALID, _FAILED, _STOPPED = 2, 1, 130
 
 
@@ -67,9 +68,9 @@ def run() -> None:
     try:
         app()
     except OSError as error:
-        place = "standard output" if error.errno == errno.ENOSPC else ""  # errors of files have a filename
-        named = error.filename or place
-        _fail(f"{named}: {error.strerror}" if named else str(error), _INVALID)
+        output = "standard output" if error.errno == errno.ENOSPC else ""  # errors of files have a filename
+        source = error.filename or output
+        _fail(f"{source}: {error.strerror}" if source else str(error), _INVALID)
     except (ValueError, TypeError) as error:
         _fail(str(error), _INVALID)
     except ConvergenceError as error:
@@ -118,9 +119,9 @@ def solve(
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
     loaded = load_case(case)
-    _tell_skipped(case, "viscoroll solve")
+    _report_skipped(case, "viscoroll solve")
     heated, softened = None, None
-    with progress_bar() as report, warnings.catch_warnings(record=True) as doubts:
+    with progress_bar() as report, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", ResultWarning)
         if loaded.thermal is not None and loaded.thermal.shift is not None:
             heated = loaded.self_heating(progress=report)
@@ -147,8 +148,8 @@ def solve(
         if softened is not None:
             for line in repr(softened).splitlines():
                 write_line(line)
-    said = [str(doubt.message) for doubt in doubts if issubclass(doubt.category, ResultWarning)]
-    for message in dict.fromkeys([*result_warnings(result), *said]):
+    issued = [str(warning.message) for warning in caught if issubclass(warning.category, ResultWarning)]
+    for message in dict.fromkeys([*result_warnings(result), *issued]):
         write_message(f"warning: {message}")
     if plot is not None:
         save_picture(result.plot(), plot)
@@ -181,7 +182,7 @@ def roll(
     check_target("--save", save, tuple(HISTORY_FORMATS))
     check_target("--checkpoint", checkpoint, (SUFFIX,))
     loaded = load_motion(case)
-    _tell_skipped(case, "viscoroll roll")
+    _report_skipped(case, "viscoroll roll")
     resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
     with progress_bar() as report:
         history = loaded.roll(progress=report, checkpoint=checkpoint, **resumed)
@@ -189,8 +190,8 @@ def roll(
         typer.echo(_json(history.scalars()))
     else:
         write_line(repr(history))
-    if doubt := unit_doubt(loaded.body, loaded.on):
-        write_message(f"warning: {doubt}")
+    if hint := unit_doubt(loaded.body, loaded.on):
+        write_message(f"warning: {hint}")
     if plot is not None:
         save_picture(history.plot(), plot)
     if save is not None:
@@ -210,7 +211,7 @@ def sweep(
 ) -> None:
     """Solve all combinations of the parameters that a file varies, except the points that the cache holds."""
     from ..case.study import load_study
-    from ..studies.study import doubts, run_plan
+    from ..studies.study import run_plan, study_warnings
     from ..studies.table import save_table
 
     check_target("--output", output, (".nc",))
@@ -224,7 +225,7 @@ def sweep(
         save_table(dataset, table)
     for message in sorted(set(dataset.error.values.ravel()) - {""}):
         write_message(f"warning: a point failed: {message}")
-    for message in doubts(dataset):
+    for message in study_warnings(dataset):
         write_message(f"warning: {message}")
     sizes = " x ".join(f"{dataset.sizes[name]} {name}" for name in dataset.error.dims)
     summary = f"{dataset.error.size} points ({sizes}), {int((dataset.error != '').sum())} failed: {path}"
@@ -267,9 +268,9 @@ def example(
     tables = [name for name, wanted in (("sweep", with_sweep), ("design", with_design)) if wanted]
     others = [name for name, wanted in (("motion", motion), ("measured", measured)) if wanted]
     if len(others) + bool(tables) > 1:
-        asked = " and ".join(f"--{name}" for name in [*tables, *others])
+        options = " and ".join(f"--{name}" for name in [*tables, *others])
         raise ValueError(
-            f"--sweep and --design extend a case file; --motion and --measured must be given alone, got {asked}"
+            f"--sweep and --design extend a case file; --motion and --measured must be given alone, got {options}"
         )
     names = others or ["case", *tables]
     typer.echo("".join(example_text(name) for name in names), nl=False)  # type: ignore[arg-type]
@@ -399,7 +400,7 @@ def demo(
     write_line(f"contact pressure drawn to {plot}")
 
 
-def _tell_skipped(path: Path, command: str) -> None:
+def _report_skipped(path: Path, command: str) -> None:
     if others := skipped_in(path, command=command):
         write_message(f"skipped in {path.name}: {others}")
 
@@ -452,10 +453,10 @@ def _thermal_table(scalars: list[dict[str, float | str]]) -> Table:
     }
     title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
     table = Table(title=title, title_justify="left", show_header=False)
-    for name, (unit, what) in quantities.items():
+    for name, (unit, label) in quantities.items():
         if name in scalars[0]:
             texts, handy_unit = handy([float(row[name]) for row in scalars], unit)
-            table.add_row(escape(with_unit(what, handy_unit)), *texts)
+            table.add_row(escape(with_unit(label, handy_unit)), *texts)
     if "stability" in scalars[0]:
         table.add_row("steady state", *(str(row["stability"]) for row in scalars))
     return table
@@ -466,11 +467,11 @@ def _verdict_table(verdicts: Mapping[str, Sequence[Verdict]]) -> Table:
     for head in ("item", "statement of the paper", "viscoroll", "verdict"):
         table.add_column(head, overflow="fold")
     for name, rows in verdicts.items():
-        for place, verdict in enumerate(rows):
+        for index, verdict in enumerate(rows):
             color = {"agrees": "[green]", "disagrees": "[red]"}.get(verdict.judgment, "[yellow]")
             judged = f"{color}{escape(verdict.judgment)}[/]"
-            cells = (name if place == 0 else "", escape(verdict.statement), escape(verdict.found), judged)
-            table.add_row(*cells, end_section=place == len(rows) - 1)
+            cells = (name if index == 0 else "", escape(verdict.statement), escape(verdict.found), judged)
+            table.add_row(*cells, end_section=index == len(rows) - 1)
     return table
 
 

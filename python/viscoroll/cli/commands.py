@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-from .._support.celsius import kelvin_range, kelvin_text
+from .._support.celsius import ZERO_CELSIUS, kelvin_range, kelvin_text
 from .._support.extras import extra
 from .._support.files import save_picture
 from .._support.text import parsed_range, shown
@@ -40,7 +41,13 @@ class Code(StrEnum):
 
 
 def material(
-    data: Annotated[Path, typer.Argument(help="Text or CSV export of a rheometer or DMA instrument.")],
+    data: Annotated[
+        list[str],
+        typer.Argument(
+            help="Text or CSV exports of a rheometer or DMA instrument; a file without temperatures as FILE@20C or "
+            "FILE@293.15K."
+        ),
+    ],
     reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in K.")] = None,
     at: Annotated[float | None, typer.Option(help="Also print the modulus at this temperature in K.")] = None,
     tensile: Annotated[
@@ -54,6 +61,9 @@ def material(
     between: Annotated[str | None, typer.Option(help="Use only the sweeps from..to in K, such as 238..433.")] = None,
     frequency: Annotated[
         float | None, typer.Option(help="Frequency of a temperature ramp in rad/s, if the file has no column of it.")
+    ] = None,
+    step: Annotated[
+        int | None, typer.Option(help="Number of the data set to read, if the file contains several.")
     ] = None,
     factors: Annotated[
         Path | None, typer.Option(help="Shift factors to use (.csv: T, log_aT) instead of fitted ones.")
@@ -81,7 +91,12 @@ def material(
     if draws and save is None:
         raise ValueError("--save must be given with --draws, because draws are saved with the material")
     measured = read_rheology(
-        data, columns=_columns(columns), tensile=tensile, poisson_ratio=poisson_ratio, frequency=frequency
+        _files(data),
+        columns=_columns(columns),
+        tensile=tensile,
+        poisson_ratio=poisson_ratio,
+        frequency=frequency,
+        step=step,
     )
     if between is not None:
         if (ends := parsed_range(between)) is None:
@@ -99,6 +114,8 @@ def material(
         for line in repr(curve).splitlines():
             write_line(line)
     else:
+        if reference is not None:
+            raise ValueError("--reference requires sweeps at two or more temperatures, got one sweep")
         curve = measured.isotherms[0]
     for check in check_modulus(curve):
         write_line(str(check))
@@ -112,6 +129,18 @@ def material(
     if save is not None:
         save_material(save, curve, fit=fit, draws=_draws(curve, fit, draws))
         write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+
+
+def _files(arguments: list[str]) -> dict[str | Path, float | None]:
+    """Return the temperature [K] of each file, from arguments such as "a.csv@20C"; None without one."""
+    files: dict[str | Path, float | None] = {}
+    for argument in arguments:
+        found = re.fullmatch(r"(.+)@(-?\d+(?:\.\d+)?) ?(C|degC|K)", argument)
+        if found is None:
+            files[argument] = None
+        else:
+            files[found[1]] = float(found[2]) + (0.0 if found[3] == "K" else ZERO_CELSIUS)
+    return files
 
 
 def export(
@@ -129,7 +158,7 @@ def export(
 ) -> None:
     """Write rolling friction as a discrete-element code defines it, and a CSV table of T(P, Ω)."""
     from ..export import dem
-    from ..studies.study import doubts
+    from ..studies.study import study_warnings
 
     if not 1.0 < span <= 100.0:
         raise ValueError(f"--span must be in (1, 100], got {span:g}")
@@ -137,7 +166,7 @@ def export(
     if path.is_dir() or not path.parent.is_dir():
         raise ValueError(f"--output must be a file in a folder that exists, got {shown(str(path))}")
     study, load, speed = _study_around(case, span)
-    for message in doubts(study):
+    for message in study_warnings(study):
         write_message(f"warning: {message}")
     written = dem(study, code=code.value, style=style, load=load, angular_speed=speed)
     table = written.save(path)
@@ -219,7 +248,7 @@ def _own_shift(factors: Path | None, wlf: str | None) -> ShiftFactors | Williams
 
 
 def _write_ramp(ramp: TemperatureRamp, at: float | None, *, wanted: Path | None) -> None:
-    """Print what a temperature ramp gives without a shift law: a modulus for case files at one temperature."""
+    """Print the modulus of a temperature ramp at one temperature, for case files, or how to obtain it."""
     if wanted is not None:
         raise ValueError(
             f"{wanted.name} requires a master curve; a temperature ramp at one frequency has one only with a law "
@@ -255,7 +284,7 @@ def _write_modulus(curve: Superposition | Isotherm, temperature: float) -> None:
 
 
 def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None, float | None]:
-    """Return a study over load and speed, and load and speed of the case; None for a file with a table [sweep]."""
+    """Return a study over load and speed, and load and speed of the case, which are None for a file with [sweep]."""
     import numpy as np
 
     from ..case import load_case

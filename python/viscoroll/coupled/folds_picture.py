@@ -44,7 +44,7 @@ def plot_folds(states: Sequence[SteadyState], limit: float, points: int, loads: 
         for rise in rises.tolist():
             try:
                 curve.append((found_at(first + rise), first + rise))
-            except (ValueError, ConvergenceError):  # more than the layers support, or no speed gives this temperature
+            except (ValueError, ConvergenceError):  # the load exceeds what the layers support, or no speed is found
                 break
         axes.plot([value for value, _ in curve], [mean for _, mean in curve], color="tab:red")
         for state in states:

@@ -131,7 +131,7 @@ class SelfHeating:
         return self._search.fold("load")
 
     def largest_speed(self) -> Fold | None:
-        """Return the speed at which the cold state ends, at this load; otherwise same as `largest_load`."""
+        """Return the speed at which the cold state ends, at this load; None in the same cases as `largest_load`."""
         return self._search.fold("speed")
 
     def plot(self, *, points: int = 10) -> Figure:
@@ -219,8 +219,8 @@ def self_heating(
         Number of parts into which every layer is divided, in [1, 20]. Each part has its own temperature and strain
         amplitude.
     points : int, default 24
-        Number of mean temperatures in the sweep from the surroundings to the limit, in [4, 1000]. Between neighboring
-        temperatures, the search finds a state to 1e-3 of the rise; it may miss a pair of states there.
+        Number of mean temperatures in the sweep from the surroundings to the limit, in [4, 1000]. The search finds a
+        single state between neighboring temperatures to 1e-3 of the rise, but may miss a pair of states there.
     progress : bool or callable, optional
         True shows a progress bar; a callable is called as progress(stage, fraction) after every temperature.
     **options

@@ -22,12 +22,13 @@ if TYPE_CHECKING:
     from .._support.arguments import Floats
     from ..rolling import Result
 
-__all__ = ["LayerState", "Setting", "SofteningLayer", "State", "look"]
+__all__ = ["LayerState", "Setting", "SofteningLayer", "State", "layer_state"]
 
-#: Elements for the loss of the network (error of c: 4e-4), and the fraction of the loss at whose points χ is computed.
+#: Numbers of elements for the loss of the network (the relative error of the scale c is 4e-4), and fraction of the loss
+#: that is contained in the points at which χ is computed.
 _ELEMENTS, _LOSS_FRACTION = (12, 4), 0.999
 
-#: Largest number of steps to the loss scale for given strain, and their relative tolerance.
+#: Largest number of iterations for the loss scale at given strain, and their relative tolerance.
 _SCALE_STEPS, _SCALE_TOLERANCE = 20, 1e-6
 
 
@@ -60,8 +61,8 @@ class LayerState:
     solved : Setting
         Setting of its modulus in the solved contact.
     found : Setting
-        Setting that follows from this contact, with ḡ, the mean of the amplitudes weighted by the loss of the network.
-    turn : float
+        Setting that follows from this contact. Its amplitude ḡ is the mean weighted by the loss of the network.
+    passing_speed : float
         Angular speed at which its material passes the contact [rad/s].
     path : StrainPath
         Strain paths of its points.
@@ -72,19 +73,19 @@ class LayerState:
     layer: SofteningLayer
     solved: Setting
     found: Setting
-    turn: float
+    passing_speed: float
     path: StrainPath
     amplitudes: Floats
 
     @cached_property
     def scale(self) -> float:
-        """Scale with which the harmonics of these paths dissipate as much as the network [-]."""
-        loops = _loops(self.layer, self.amplitudes) * self.path.volumes
-        most = _largest_losses(loops)
+        """Factor on N'' with which the harmonics of these paths dissipate as much as the network [-]."""
+        losses = _straight_losses(self.layer, self.amplitudes) * self.path.volumes
+        most = _largest_losses(losses)
         strain = self.layer.modulus.network.yield_strain
         turning = turning_ratio(self.path.p[most], self.amplitudes[most], strain, elements=_ELEMENTS)
-        lost = float(loops.sum() * np.average(turning, weights=loops[most])) if loops.any() else 0.0
-        return _matched(lost, lambda c: self._network_loss(replace(self.found, scale=c)), self.solved.scale)
+        lost = float(losses.sum() * np.average(turning, weights=losses[most])) if losses.any() else 0.0
+        return _matching_scale(lost, lambda c: self._network_loss(replace(self.found, scale=c)), self.solved.scale)
 
     @cached_property
     def harmonic_loss(self) -> float:
@@ -105,7 +106,7 @@ class LayerState:
     @cached_property
     def _harmonics(self) -> tuple[Floats, Floats]:
         orders, squares = harmonic_squares(self.path)
-        return self.turn * orders, self.path.volumes @ squares
+        return self.passing_speed * orders, self.path.volumes @ squares
 
     def _summed(self, modulus: Callable[[Floats], NDArray[np.complex128]]) -> float:
         frequency, squares = self._harmonics
@@ -128,21 +129,23 @@ class State:
 
     @property
     def next_scales(self) -> Floats:
-        """Scales with which the harmonics dissipate as much as the network."""
+        """Factors on N'' with which the harmonics dissipate as much as the network."""
         return np.array([layer.scale for layer in self.layers])
 
 
-def look(inside: Inside, path: StrainPath, layer: SofteningLayer, solved: Setting, frequency: float) -> LayerState:
+def layer_state(
+    inside: Inside, path: StrainPath, layer: SofteningLayer, solved: Setting, frequency: float
+) -> LayerState:
     """Return the state of a layer in a solved contact, from the strain paths of its points."""
     g = half_range(path.p)
-    loop = _loops(layer, g)
-    weights = (loop if loop.any() else g**2) * path.volumes  # g² also weights a network without loss
+    losses = _straight_losses(layer, g)
+    weights = (losses if losses.any() else g**2) * path.volumes  # g² also weights a network without loss
     return LayerState(
         layer=layer,
         solved=solved,
         found=replace(solved, amplitude=float((weights * g).sum() / weights.sum()), frequency=frequency),
         # In the solve, the material of both bodies passes the contact at Ω r_o.
-        turn=inside.result.angular_speed * inside.result.body.outer_radius / inside.radius,
+        passing_speed=inside.result.angular_speed * inside.result.body.outer_radius / inside.radius,
         path=path,
         amplitudes=g,
     )
@@ -155,13 +158,13 @@ def _largest_losses(losses: Floats) -> NDArray[np.intp]:
     return largest[: 1 + int(np.searchsorted(cumulative, _LOSS_FRACTION * cumulative[-1]))]
 
 
-def _loops(layer: SofteningLayer, amplitudes: Floats) -> Floats:
+def _straight_losses(layer: SofteningLayer, amplitudes: Floats) -> Floats:
     """Return the loss of the network in straight cycles of given amplitudes, π g² N'' [J/m³]."""
-    loops: Floats = math.pi * amplitudes**2 * layer.modulus.network.at(amplitudes)[1]
-    return loops
+    losses: Floats = math.pi * amplitudes**2 * layer.modulus.network.at(amplitudes)[1]
+    return losses
 
 
-def _matched(lost: float, harmonic: Callable[[float], float], scale: float) -> float:
+def _matching_scale(lost: float, harmonic: Callable[[float], float], scale: float) -> float:
     """Return the scale with which the harmonics dissipate the given energy, which is almost proportional to it."""
     for _ in range(_SCALE_STEPS):
         summed = harmonic(scale)

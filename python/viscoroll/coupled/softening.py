@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 __all__ = ["strain_softening"]
 
-#: Range of loss scales in which theory was compared with exact solutions, and largest strain for linear theory.
-_PLAIN_SCALES = (0.5, 1.5)
+#: Range of loss scales in which the model was compared with exact solutions, and largest strain for linear theory.
+_VALIDATED_SCALES = (0.5, 1.5)
 _LARGE_STRAIN = 0.2
 
 
@@ -59,7 +59,7 @@ def strain_softening(
         Number of parts into which every layer that softens is divided, each with its own amplitude, in [1, 20]. It
         matters only if a contact is shorter than a third of the layer.
     depths : int, default 4
-        Number of depths in a layer at which strain is evaluated, in [2, 20]; several times as many in thick layers.
+        Number of depths in a layer at which strain is evaluated, in [2, 20]; in thick layers several times this number.
     tolerance : float, default 1e-3
         Largest relative change of amplitudes and losses at convergence [-], in [1e-9, 0.1].
     progress : bool or callable, optional
@@ -91,8 +91,8 @@ def strain_softening(
     -----
     The model is the steady loop of a network that does not recover between passes. Rubber that recovers dissipates
     more (13 to 82 % more in a foundation of independent columns), which exceeds all corrections made here. The model
-    has no set, no first pass (Mullins effect) and no drift. The loss under rotating
-    strain axes follows von Mises plasticity, which is an assumption.
+    has no set, no first pass (Mullins effect) and no drift. It assumes that the loss under rotating strain axes follows
+    von Mises plasticity.
 
     Examples
     --------
@@ -114,13 +114,15 @@ def strain_softening(
         raise InvalidInput("sublayers", "must be in [1, 20]", parts)
     if not 2 <= columns <= 20:
         raise InvalidInput("depths", "must be in [2, 20]", columns)
-    share = as_float("tolerance", tolerance)
-    if not 1e-9 <= share <= 0.1:
-        raise InvalidInput("tolerance", "must be in [1e-9, 0.1]", repr(share))
+    largest_change = as_float("tolerance", tolerance)
+    if not 1e-9 <= largest_change <= 0.1:
+        raise InvalidInput("tolerance", "must be in [1e-9, 0.1]", repr(largest_change))
     layers = softening_layers(body, on)
     if not layers:
-        return _linear(solve(body, on=on, load=load, angular_speed=angular_speed, progress=progress, **options), loss)
-    body, on = _cut(body, parts), None if on is None else _cut(on, parts)
+        return _linear_result(
+            solve(body, on=on, load=load, angular_speed=angular_speed, progress=progress, **options), loss
+        )
+    body, on = _with_sublayers(body, parts), None if on is None else _with_sublayers(on, parts)
     layers = softening_layers(body, on)
     with extra("files"), reporting(progress) as report:
         search = SofteningSearch(
@@ -134,15 +136,15 @@ def strain_softening(
             report=report,
         )
         matched = loss == "network"
-        state = search.converged(matched=matched, tolerance=share)
-        amplitudes, scales = search.beside(state, matched=not matched, tolerance=share)
+        state = search.converged(matched=matched, tolerance=largest_change)
+        amplitudes, scales = search.for_other_loss(state, matched=not matched, tolerance=largest_change)
         given: dict[str, Any] = {name: options.get(name) for name in ("mesh", "accuracy")}
         found = state.result if given["mesh"] is not None else search.solved(state.amplitudes, state.scales, **given)
         bound = search.solved(amplitudes, scales, **given)
-    return _found(search, state, found, (bound, found) if matched else (found, bound), loss)
+    return _softening_result(search, state, found, (bound, found) if matched else (found, bound), loss)
 
 
-def _found(
+def _softening_result(
     search: SofteningSearch, state: State, result: Result, bounds: tuple[Result, Result], loss: NetworkLoss
 ) -> StrainSoftening:
     moduli = tuple(
@@ -150,7 +152,7 @@ def _found(
         for layer, amplitude in zip(search.layers, state.amplitudes, strict=True)
     )
     lost = sum(layer.shear_loss for layer in state.layers)
-    softened = tuple(_cautions(search.layers, state))
+    softened = tuple(_warnings(search.layers, state))
     warn([*result_warnings(result), *softened])
     return StrainSoftening(
         result=result,
@@ -169,8 +171,8 @@ def _found(
     )
 
 
-def _linear(result: Result, loss: NetworkLoss) -> StrainSoftening:
-    """Return the result for layers of which none softens."""
+def _linear_result(result: Result, loss: NetworkLoss) -> StrainSoftening:
+    """Return the result for bodies without a layer that softens."""
     return StrainSoftening(
         result=result,
         loss=loss,
@@ -188,7 +190,7 @@ def _linear(result: Result, loss: NetworkLoss) -> StrainSoftening:
     )
 
 
-def _cautions(layers: tuple[SofteningLayer, ...], state: State) -> list[str]:
+def _warnings(layers: tuple[SofteningLayer, ...], state: State) -> list[str]:
     texts = []
     for layer, found, amplitude, scale in zip(layers, state.layers, state.amplitudes, state.scales, strict=True):
         where = f"{layer.of}, layer {layer.number}"
@@ -199,7 +201,7 @@ def _cautions(layers: tuple[SofteningLayer, ...], state: State) -> list[str]:
                 f"{where}: the strain {amplitude:.3g} or the largest strain {largest:.3g} is outside the sweep, "
                 f"{least:.3g} to {most:.3g}; moduli outside are those at its ends"
             )
-        if not _PLAIN_SCALES[0] <= scale <= _PLAIN_SCALES[1]:
+        if not _VALIDATED_SCALES[0] <= scale <= _VALIDATED_SCALES[1]:
             texts.append(
                 f"{where}: the harmonics dissipate {1.0 / scale:.3g} times as much as the network; comparisons with "
                 "exact solutions cover ratios from 0.67 to 2"
@@ -209,7 +211,7 @@ def _cautions(layers: tuple[SofteningLayer, ...], state: State) -> list[str]:
     return texts
 
 
-def _cut(body: Any, parts: int) -> Any:
+def _with_sublayers(body: Any, parts: int) -> Any:
     if parts == 1:
         return body
     materials: list[Layer | HalfSpace] = []

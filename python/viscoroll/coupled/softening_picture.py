@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
 
-__all__ = ["Work", "plot_softening"]
+__all__ = ["OperatingPoint", "plot_softening"]
 
 _MM = 1e3
 _MPA = 1e-6
@@ -23,7 +23,7 @@ _PERCENT = 100.0
 
 
 @dataclass(frozen=True, slots=True)
-class Work:
+class OperatingPoint:
     """Operating point of a network: its law, the amplitude of its moduli, and the largest amplitude [-]."""
 
     network: Network
@@ -31,25 +31,25 @@ class Work:
     largest: float
 
 
-def plot_softening(work: Sequence[Work], section: xarray.Dataset, ax: Axes | None = None) -> Picture | Axes:
-    """Draw the networks over strain, and the amplitude over the section; into given axes only the networks."""
+def plot_softening(points: Sequence[OperatingPoint], section: xarray.Dataset, ax: Axes | None = None) -> Picture | Axes:
+    """Draw the moduli of the networks over strain, and the amplitude over the section; into `ax` only the former."""
 
     def compose(picture: Picture) -> None:
         left, right = picture.subplots(1, 2)
-        _draw_networks(left, work)
+        _draw_networks(left, points)
         _draw_section(right, section)
 
-    return draw_picture(lambda axes: _draw_networks(axes, work), ax, figsize=(11.0, 4.5), compose=compose)
+    return draw_picture(lambda axes: _draw_networks(axes, points), ax, figsize=(11.0, 4.5), compose=compose)
 
 
-def _draw_networks(axes: Axes, work: Sequence[Work]) -> None:
-    """Draw a pair of curves for each law, with dots for the layers and a line to their largest strain."""
-    strain = np.geomspace(0.1 * min(one.amplitude for one in work), 3.0 * max(one.largest for one in work), 200)
-    for number, network in enumerate(dict.fromkeys(one.network for one in work)):
+def _draw_networks(axes: Axes, points: Sequence[OperatingPoint]) -> None:
+    """Draw N' and N'' of each law, with a dot at the amplitude of each layer and a line to its largest amplitude."""
+    strain = np.geomspace(0.1 * min(one.amplitude for one in points), 3.0 * max(one.largest for one in points), 200)
+    for number, network in enumerate(dict.fromkeys(one.network for one in points)):
         for moduli, color, name in zip(network.at(strain), ("tab:blue", "tab:orange"), ("N'", "N''"), strict=True):
             label = name if number == 0 else None
             axes.plot(strain * _PERCENT, moduli * _MPA, color=color, label=label)
-    for one in work:
+    for one in points:
         stored, lost = (float(part) * _MPA for part in one.network.at(one.amplitude))
         axes.plot([one.amplitude * _PERCENT] * 2, [stored, lost], "ko")
         axes.plot([one.amplitude * _PERCENT, one.largest * _PERCENT], [stored] * 2, color="k", linewidth=1.0)

@@ -63,7 +63,7 @@ class StrainSoftening:
     loss : str
         Loss of the network, "network" or "harmonic".
     layer_amplitudes : tuple of float
-        ḡ, amplitude of shear strain at which each modulus is taken, the mean weighted by the loss of the network [-].
+        ḡ, amplitude of shear strain at which each modulus is evaluated: the mean weighted by the network's loss [-].
     largest_amplitudes : tuple of float
         Largest amplitude in each layer [-].
     layer_moduli : tuple of (float, float)
@@ -73,8 +73,9 @@ class StrainSoftening:
     network_share : float
         Fraction of the loss of these layers by shear that is due to the network [-].
     torque_bounds : (float, float)
-        Resisting torques with the loss of the network summed over harmonics, as in the tire industry, and matched to
-        the network [N m], for rollers [N]. The unknown effect of rotating strain axes lies between them, or beyond.
+        Resisting torques [N m], for rollers [N]: with the loss of the network summed over harmonics, as in the tire
+        industry, and with that of a rate-independent network. The true torque may lie outside: the effect of rotating
+        strain axes is unknown.
     iterations : int
         Number of contacts solved.
     history : tuple of tuple of float
@@ -158,13 +159,13 @@ class StrainSoftening:
             ("network_share", self.network_share, "1"),
         ]
         for j, (storage, loss) in enumerate(self.layer_moduli):
-            place = f"layer_{j}_"
+            prefix = f"layer_{j}_"
             rows += [
-                (f"{place}amplitude", self.layer_amplitudes[j], "1"),
-                (f"{place}largest_amplitude", self.largest_amplitudes[j], "1"),
-                (f"{place}storage", storage, "Pa"),
-                (f"{place}loss", loss, "Pa"),
-                (f"{place}loss_scale", self.loss_scales[j], "1"),
+                (f"{prefix}amplitude", self.layer_amplitudes[j], "1"),
+                (f"{prefix}largest_amplitude", self.largest_amplitudes[j], "1"),
+                (f"{prefix}storage", storage, "Pa"),
+                (f"{prefix}loss", loss, "Pa"),
+                (f"{prefix}loss_scale", self.loss_scales[j], "1"),
             ]
         return rows
 
@@ -188,17 +189,17 @@ class StrainSoftening:
 
     @plots("only the network")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw the network over strain with its operating points, and the amplitude over the section.
+        """Draw the moduli of the network over strain with operating points, and the amplitude over the section.
 
         The method raises a ValueError if no layer softens.
         """
-        from .softening_picture import Work, plot_softening
+        from .softening_picture import OperatingPoint, plot_softening
 
         if self._state is None:
             raise ValueError("the picture requires a layer that softens with strain, got linear layers only")
         values = zip(self._layers, self.layer_amplitudes, self.largest_amplitudes, strict=True)
-        work = [Work(layer.modulus.network, amplitude, largest) for layer, amplitude, largest in values]
-        return plot_softening(work, self.amplitude(), ax)
+        points = [OperatingPoint(layer.modulus.network, amplitude, largest) for layer, amplitude, largest in values]
+        return plot_softening(points, self.amplitude(), ax)
 
     def __repr__(self) -> str:
         """Return a summary that fits on one screen."""

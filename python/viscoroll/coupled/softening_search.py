@@ -1,10 +1,10 @@
 """Search for the strain of layers that soften: contact, strain and moduli are solved together.
 
-A pass solves the contact with one modulus for each layer, follows the strain inside and computes the amplitude ḡ of
+A pass solves the contact with one modulus for each layer, evaluates the strain inside and computes the amplitude ḡ of
 each layer, weighted by the loss of its network. At a given load the contact grows as its layers soften, so that
-ḡ ∝ |μ|^-α with α from 1/3 to 2/3. With α from the last two passes, the next amplitude is the root of this law combined
-with the modulus of the network. There is one state (docs/theory/filled-rubber.md). If a step does not reduce the
-change, the search continues by plain repetition, which converges.
+ḡ ∝ |μ|^-α with α from 1/3 to 2/3. With α from the last two passes, the next amplitude is the one at which this law
+agrees with the modulus of the network. There is only one solution (docs/theory/filled-rubber.md). If a step does not
+reduce the change, the search continues with fixed-point iteration, which converges.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from ..materials.softening import depends_on_strain
 from ..rolling import solve
 from ..solution.inside import Inside, Of, inside_of
 from ..solution.solution import Solution
-from .softened_state import Setting, SofteningLayer, State, look
+from .softened_state import Setting, SofteningLayer, State, layer_state
 from .strain_path import strain_paths
 
 if TYPE_CHECKING:
@@ -35,13 +35,15 @@ if TYPE_CHECKING:
 
 __all__ = ["SofteningSearch", "softening_layers", "softens"]
 
-#: Number of passes after which the reference frequency is kept, because the contact length changes in steps of nodes;
-#: one after passes on a coarser mesh.
+#: Number of passes after which the reference frequency is kept, because the contact length changes in steps of nodes.
+#: After passes on a coarser mesh, one pass on the final mesh determines it.
 _FREQUENCY_PASSES = 3
 
-#: Passes after which the mesh chosen by the solver is kept: the first contact, of unstrained layers, is the smallest.
+#: Number of passes after which the mesh chosen by the solver is kept: the first contact, of unstrained layers, is the
+#: smallest.
 _MESH_PASSES = 2
 
+#: Largest number of passes.
 _MAX_PASSES = 40
 
 #: Start of the search on a mesh of half the nodes: fewest nodes of that mesh, largest number of passes on it, and
@@ -49,20 +51,20 @@ _MAX_PASSES = 40
 _FEWEST_NODES = 200
 _COARSE_PASSES, _COARSE_CHANGE = 4, 0.03
 
-#: Ratio of radius to half-width of the contact that is assumed before the first contact is solved.
+#: Ratio ω₀/Ω = R/a of radius to half-width that is assumed before the first contact is solved.
 _FIRST_FREQUENCY = 10.0
 
 #: Options of `strain_paths` on the coarser mesh.
-_ROUGHLY: dict[str, Any] = {"depths": 3, "orders": 12.0, "reach": 5.0}
+_COARSE_OPTIONS: dict[str, Any] = {"depths": 3, "orders": 12.0, "reach": 5.0}
 
 #: Possible error of α.
 _POWER_ERROR = 0.1
 
-#: Value of α before two passes determine it, smallest change of ln|μ| that determines it, and its range: layers that
-#: soften beside others that do not have values up to 1, and coarse meshes give arbitrary values.
-_FIRST_POWER, _TELLING, _POWERS = 0.5, 0.02, (0.2, 1.0)
+#: Value of α before two passes determine it, smallest change of ln|μ| that determines it, and its range. A layer that
+#: softens next to a layer that does not can have values up to 1; coarse meshes can give any value.
+_FIRST_POWER, _SMALLEST_LOG_RATIO, _POWERS = 0.5, 0.02, (0.2, 1.0)
 
-#: Largest number of steps to the root of the law, which converge at the rate s α, and their relative tolerance.
+#: Largest number of fixed-point steps to the amplitudes of the law, and their relative tolerance.
 _LAW_STEPS, _LAW_TOLERANCE = 40, 1e-7
 
 
@@ -121,49 +123,51 @@ class SofteningSearch:
                     f"strain softening did not converge in {_MAX_PASSES} passes: the relative change of amplitudes "
                     f"or losses in the last one was {change:.2g}"
                 )
-            state = self.at(self._ahead(state, scales) if change < before else state.next_amplitudes, scales)
+            state = self.at(self._predicted(state, scales) if change < before else state.next_amplitudes, scales)
             before = change
 
-    def beside(self, state: State, *, matched: bool, tolerance: float) -> tuple[Floats, Floats]:
-        """Return amplitudes and scales for the other kind of loss than in a state.
+    def for_other_loss(self, state: State, *, matched: bool, tolerance: float) -> tuple[Floats, Floats]:
+        """Return amplitudes and scales for the other kind of loss, starting from a state with one kind.
 
-        From matched to harmonic loss, the power law alone gives the amplitudes, unless its error may exceed the
-        tolerance. In all other cases the amplitudes are iterated.
+        For the harmonic loss, the law ḡ ∝ |μ|^-α alone gives the amplitudes, unless its error may exceed the tolerance.
+        In all other cases the search iterates.
         """
         scales = state.next_scales if matched else np.ones(len(self.layers))
         if (scales == state.scales).all():
             return state.amplitudes, scales
-        amplitudes = self._ahead(state, scales)
-        if matched or _POWER_ERROR * abs(self._stiffer(state, amplitudes, scales)).max() > tolerance:
+        amplitudes = self._predicted(state, scales)
+        if matched or _POWER_ERROR * abs(self._log_stiffness_ratios(state, amplitudes, scales)).max() > tolerance:
             found = self.converged(self.at(amplitudes, scales), matched=matched, tolerance=tolerance)
             amplitudes, scales = found.amplitudes, found.scales
         return amplitudes, scales
 
     def at(self, amplitudes: Floats, scales: Floats, *, coarse: Mesh | None = None) -> State:
-        """Solve the contact for amplitudes and scales, and evaluate its strain; on a coarse mesh only roughly."""
+        """Solve the contact for amplitudes and scales, and evaluate its strain; at fewer points on a coarse mesh."""
         settings = [
             Setting(amplitude=float(amplitude), scale=float(scale), frequency=self._frequency(layer.of))
             for layer, amplitude, scale in zip(self.layers, amplitudes, scales, strict=True)
         ]
         result = self.solved(amplitudes, scales, **({} if coarse is None else {"mesh": coarse}))
-        rough = {} if coarse is None else _ROUGHLY
+        rough = {} if coarse is None else _COARSE_OPTIONS
         found = {}
         for of in dict.fromkeys(layer.of for layer in self.layers):
             inside = inside_of(result, of)
             if coarse is not None or len(self.history) < self._frequency_passes:
                 self.frequencies[of] = _frequency(inside)
-            chosen = [place for place, layer in enumerate(self.layers) if layer.of == of]
+            chosen = [position for position, layer in enumerate(self.layers) if layer.of == of]
             paths = strain_paths(
-                inside, [self.layers[place].number for place in chosen], **({"depths": self.depths} | rough)
+                inside, [self.layers[position].number for position in chosen], **({"depths": self.depths} | rough)
             )
-            for place, path in zip(chosen, paths, strict=True):
-                found[place] = look(inside, path, self.layers[place], settings[place], self._frequency(of))
-        layers = tuple(found[place] for place in range(len(self.layers)))
+            for position, path in zip(chosen, paths, strict=True):
+                found[position] = layer_state(
+                    inside, path, self.layers[position], settings[position], self._frequency(of)
+                )
+        layers = tuple(found[position] for position in range(len(self.layers)))
         state = State(amplitudes=amplitudes, scales=scales, result=result, layers=layers)
         self.history.append(state.next_amplitudes)
         if len(self.history) >= _MESH_PASSES and coarse is None:
             self.options |= {"mesh": result.mesh, "accuracy": None}
-        self._learn(state)
+        self._update_powers(state)
         if self.report is not None:
             self.report("passes", len(self.history) / _MAX_PASSES)
         return state
@@ -193,18 +197,18 @@ class SofteningSearch:
         coarse = _coarser(self.options.get("mesh"))
         for _ in range(0 if coarse is None else _COARSE_PASSES):
             state = self.at(amplitudes, scales, coarse=coarse)
-            near = _change(state.amplitudes, state.next_amplitudes) < _COARSE_CHANGE
-            if near and matched:
+            is_close = _change(state.amplitudes, state.next_amplitudes) < _COARSE_CHANGE
+            if is_close and matched:
                 scales = state.next_scales
-            amplitudes = self._ahead(state, scales)
-            if near:
+            amplitudes = self._predicted(state, scales)
+            if is_close:
                 break
         if coarse is not None:
             self._frequency_passes = len(self.history) + 1
         return self.at(amplitudes, scales)
 
-    def _ahead(self, state: State, scales: Floats) -> Floats:
-        """Return the amplitudes at which ḡ ∝ |μ|^-α, starting from a state, agrees with the modulus of the network."""
+    def _predicted(self, state: State, scales: Floats) -> Floats:
+        """Return the amplitudes at which the law ḡ ∝ |μ|^-α through a state agrees with the modulus of the network."""
         amplitudes = found = state.next_amplitudes
         if not (found > 0.0).all():
             return found
@@ -218,17 +222,17 @@ class SofteningSearch:
                 break
         return amplitudes
 
-    def _learn(self, state: State) -> None:
+    def _update_powers(self, state: State) -> None:
         """Update α from the last two passes on the same mesh."""
         last, self._last = self._last, state
         if last is None or last.result.mesh != state.result.mesh:
             return
-        stiffer = self._stiffer(last, state.amplitudes, state.scales)
-        if (abs(stiffer) > _TELLING).all() and (state.next_amplitudes > 0.0).all():
+        log_ratios = self._log_stiffness_ratios(last, state.amplitudes, state.scales)
+        if (abs(log_ratios) > _SMALLEST_LOG_RATIO).all() and (state.next_amplitudes > 0.0).all():
             larger = np.log(state.next_amplitudes / last.next_amplitudes)
-            self._powers = np.clip(-larger / stiffer, *_POWERS)
+            self._powers = np.clip(-larger / log_ratios, *_POWERS)
 
-    def _stiffer(self, state: State, amplitudes: Floats, scales: Floats) -> Floats:
+    def _log_stiffness_ratios(self, state: State, amplitudes: Floats, scales: Floats) -> Floats:
         """Return the logarithms of the ratios of the stiffness at amplitudes and scales to that in a state."""
         matrix = self._matrix_moduli()
         solved = self._stiffness(matrix, state.amplitudes, state.scales)
@@ -278,7 +282,7 @@ def _with_moduli(body: Any, of: Of, moduli: dict[tuple[Of, int], SoftenedModulus
 
 
 def _coarser(mesh: Mesh | None) -> Mesh | None:
-    """Return a mesh of half the nodes, or None if that has too few nodes or a largest order is given."""
+    """Return a mesh of half the nodes; None if that mesh has too few nodes, or if the given mesh has a `max_order`."""
     if mesh is None or mesh.max_order is not None or mesh.nodes_per_revolution < 2 * _FEWEST_NODES:
         return None
     across = mesh.theta_nodes_per_revolution

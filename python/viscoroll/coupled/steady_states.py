@@ -105,7 +105,7 @@ class Fold:
 class _Point:
     """Solution with the moduli at an assumed mean temperature.
 
-    `excess` is the mean temperature that results minus the one that is assumed [K], 0 in a steady state.
+    `excess` is the resulting mean temperature minus the assumed one [K]; it is 0 in a steady state.
     """
 
     excess: float
@@ -135,7 +135,7 @@ class StateSearch:
     def at(self, mean: float, *, angular_speed: float | None = None, load: float | None = None) -> _Point:
         """Return contact and temperature with the moduli at a mean temperature.
 
-        The difference between each layer temperature and the mean is found by iteration.
+        Iteration determines the differences between the layer temperatures and their mean.
         """
         speed = self.angular_speed if angular_speed is None else angular_speed
         force = self.load if load is None else load
@@ -255,7 +255,7 @@ class StateSearch:
         raise ConvergenceError(f"no {name} has a steady state at {mean:g} K")
 
     def fold(self, name: Literal["load", "speed"]) -> Fold | None:
-        """Return the first maximum, over mean temperatures, of the load or speed with a steady state at them."""
+        """Return the fold: the first maximum, over mean temperatures, of the load or speed with that steady state."""
         from scipy.optimize import minimize_scalar
 
         rises: list[float] = []

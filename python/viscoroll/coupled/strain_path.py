@@ -28,33 +28,34 @@ __all__ = ["StrainPath", "deviatoric_path", "half_range", "harmonic_squares", "s
 #: Number of nodes per half-width of the contact at which strain is evaluated along the path, if the mesh has so many.
 _ALONG = 20
 
-#: Number of Gauss points across, over the half-width of the contact and over each panel beside it.
+#: Number of Gauss points across the path: over the half-width of the contact, and over each panel beside the contact.
 _ACROSS, _BESIDE = 6, 4
 
-#: Growth of the steps beyond 1.5 half-widths, divided by the distance from the middle: strain varies more slowly there.
+#: Step divided by the distance from the middle, beyond 1.5 half-widths, where strain varies more slowly.
 _GROWTH = 0.08
 
-#: Largest distance along the path, and beyond the contact across it, in half-widths; largest depth divided by that
-#: distance; largest distance across in thicknesses of a thin layer, where 1e-3 of the loss lies beyond 3 thicknesses
-#: and 1e-4 beyond 8. Over the rest of a revolution the strain is taken to decay linearly.
+#: Limits of the evaluated region: largest distance along the path, and across it from the edge of the contact, in
+#: half-widths; largest depth divided by that distance; largest distance across in thicknesses of a thin layer, of whose
+#: loss 1e-3 lies beyond 3 thicknesses and 1e-4 beyond 8. Over the rest of a revolution, strain is assumed linear.
 _REACH, _DEEP, _FAR_IN_THIN = 8.0, 1.5, 8.0
 
-#: Highest order of the strain divided by radius/half-width, for amplitudes to 1e-3. At the ends of a contact on a thin
-#: layer, strain varies over the thickness: the highest order is then at least 0.16 of this factor times
-#: radius/thickness. It is at most π per spacing.
+#: Highest order of the strain in units of radius/half-width: amplitudes have a relative error of 1e-3. At the ends of a
+#: contact on a thin layer, strain varies over the thickness; the highest order is then at least 0.16 times the first
+#: factor times radius/thickness. It is at most π divided by the node spacing.
 _ORDERS_PER_CONTACT, _OF_THICKNESS = 25.0, 0.16
 
-#: Length of a panel of Gauss points, in depth and beside the contact, divided by the half-width of the contact, or by
-#: the distance of the panel from the start if that is larger.
+#: Length of a panel of Gauss points, in depth or beside the contact, divided by the half-width of the contact or by the
+#: distance of the panel from the first panel, whichever is larger.
 _PANEL = 1.5
 
 #: Largest angle from the contact [rad]: just below half a revolution, and below a third of that on a plane.
 _HALF_TURN, _THIRD = 0.999 * math.pi, 0.999 * math.pi / 3.0
 
-#: Largest difference between the sides of a symmetric contact, relative to the largest traction, due to iteration.
+#: Largest difference between the tractions on both sides of a symmetric contact, due to the tolerance of the solver,
+#: relative to the largest traction.
 _SAME_SIDES = 1e-4
 
-#: Ratio of the period, with material at rest, to the followed path on a plane, for the harmonics.
+#: Ratio of the period of the harmonics to the evaluated path on a plane; the material is at rest in between.
 _PADDING = 8.0
 
 
@@ -67,13 +68,14 @@ class StrainPath:
     layer : int
         Number of the layer, from the center or the base outwards.
     phi : ndarray, shape (steps,)
-        Places along the path [rad], increasing, with the contact in the middle.
+        Angles of the steps along the path [rad], increasing, with the contact in the middle.
     period : float
         Period of the path [rad].
     p : ndarray, shape (points, steps, 6)
         Strain vectors, as defined at the top of this file [-].
     volumes : ndarray, shape (points,)
-        Measure of each point [m²], in line contact [m]: a density w per revolution is the power Ω Σ w volumes.
+        Volume of each point per angle φ [m³/rad], in line contact [m²/rad]. A loss w per volume and revolution [J/m³]
+        is the power Ω Σ w volumes.
     depth, theta : ndarray, shape (points,)
         Depth [m] and angle θ [rad] of the points.
     """
@@ -149,7 +151,7 @@ def deviatoric_path(strain: NDArray[np.float64]) -> Floats:
 
 
 def half_range(p: Floats) -> Floats:
-    """Return the amplitude of paths, half of the largest distance between two of their places.
+    """Return the amplitude of paths: half of the largest distance between two strains of a path.
 
     Parameters
     ----------
@@ -181,15 +183,15 @@ def harmonic_squares(path: StrainPath) -> tuple[Floats, Floats]:
     squares : ndarray, shape (points, orders)
         4π m |p_m|² of each point and order [-].
     """
-    p = _evenly(path)
+    p = _resampled(path)
     step = 2.0 * math.pi / path.period
     orders = step * np.arange(1, p.shape[1] // 2)
     spectrum = np.fft.rfft(p, axis=1)[:, 1 : len(orders) + 1] / (p.shape[1] * step)
     return orders, 4.0 * math.pi * step * orders * (spectrum.real**2 + spectrum.imag**2).sum(axis=2)
 
 
-def _evenly(path: StrainPath) -> Floats:
-    """Return a path at even steps over its whole period; linear over the part that was not followed."""
+def _resampled(path: StrainPath) -> Floats:
+    """Return a path at even steps over its whole period; strain is linear over the part that was not evaluated."""
     with extra("studies"):
         from scipy.fft import next_fast_len
         from scipy.interpolate import CubicSpline
@@ -200,16 +202,16 @@ def _evenly(path: StrainPath) -> Floats:
     followed = even <= phi[-1]
     p = np.empty((len(path.p), count, path.p.shape[2]))
     p[:, followed] = CubicSpline(phi, path.p, axis=1)(even[followed])
-    share = ((even[~followed] - phi[-1]) / (phi[0] + path.period - phi[-1]))[:, None]
-    p[:, ~followed] = (1.0 - share) * path.p[:, -1:] + share * path.p[:, :1]
+    fraction = ((even[~followed] - phi[-1]) / (phi[0] + path.period - phi[-1]))[:, None]
+    p[:, ~followed] = (1.0 - fraction) * path.p[:, -1:] + fraction * path.p[:, :1]
     return p
 
 
 def _phi(inside: Inside, reach: float) -> Floats:
-    """Return places along the path, at nodes of the mesh, at which the steps of the pressure have little effect."""
+    """Return angles along the path at nodes of the mesh, where the pressure steps between patches matter least."""
     spacing = inside.node_spacings()[0]
     half_width = max((inside.result.semi_axis_x or 0.0) / inside.radius, spacing)
-    limit = _HALF_TURN if inside.turns else _THIRD
+    limit = _HALF_TURN if inside.has_radius else _THIRD
     return 0.5 * math.pi + spacing * _steps(half_width / spacing, _ALONG, min(reach * half_width, limit) / spacing)
 
 
@@ -244,7 +246,7 @@ def _is_mirrored(inside: Inside) -> bool:
 
 
 def _panels(near: float, far: float, size: float) -> Floats:
-    """Return the ends of panels of increasing length between two distances, scaled so that the last ends at `far`."""
+    """Return the ends of panels of increasing length between two distances; the last panel ends at `far`."""
     ends = [near]
     while ends[-1] < far * (1.0 - 1e-9):
         ends.append(ends[-1] + _PANEL * max(size, ends[-1] - near))
@@ -256,9 +258,9 @@ def _gauss(ends: Floats, counts: Sequence[int]) -> tuple[Floats, Floats]:
     """Return Gauss points in panels, with the given number in each, and their weights."""
     places, weights = [], []
     for low, high, count in zip(ends[:-1], ends[1:], counts, strict=True):
-        nodes, shares = np.polynomial.legendre.leggauss(count)
+        nodes, unit_weights = np.polynomial.legendre.leggauss(count)
         places.append(low + 0.5 * (high - low) * (1.0 + nodes))
-        weights.append(0.5 * (high - low) * shares)
+        weights.append(0.5 * (high - low) * unit_weights)
     return np.concatenate(places), np.concatenate(weights)
 
 
@@ -297,4 +299,4 @@ def _measure(inside: Inside, depth: Floats) -> Floats:
 
 
 def _period(inside: Inside, phi: Floats) -> float:
-    return 2.0 * math.pi if inside.turns else _PADDING * float(phi[-1] - phi[0])
+    return 2.0 * math.pi if inside.has_radius else _PADDING * float(phi[-1] - phi[0])

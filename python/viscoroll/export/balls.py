@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Balls", "balls_of", "balls_of_study"]
 
-_WANTED = "source must be for a ball on a plane or on another ball"
+_RULE = "source must be for a ball on a plane or on another ball"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,7 +57,7 @@ def balls_of(ball: RollingBody, on: Counterbody | None) -> Balls:
             return Balls(radii=(ball.outer_radius,))
         if on.curved_directions == 2:
             return Balls(radii=(ball.outer_radius, on.surface), alike=ball == on)
-    raise ValueError(f"{_WANTED}, got a {ball.noun} on a {'plane' if on is None else on.noun}")
+    raise ValueError(f"{_RULE}, got a {ball.noun} on a {'plane' if on is None else on.noun}")
 
 
 def balls_of_study(study: xarray.Dataset) -> Balls:
@@ -70,7 +70,7 @@ def balls_of_study(study: xarray.Dataset) -> Balls:
     """
     *_, kind = str(study.attrs.get("title", "sphere")).split()
     if kind != "sphere":
-        raise ValueError(f"{_WANTED}, got a study of a coated {kind}")
+        raise ValueError(f"{_RULE}, got a study of a coated {kind}")
     power = study["dissipated_power"]
     if more := [str(d) for d in power.dims if d not in ("load", "angular_speed") and power.sizes[d] > 1]:
         raise InvalidInput(
@@ -79,7 +79,7 @@ def balls_of_study(study: xarray.Dataset) -> Balls:
             f"also {', '.join(more)}: select one value, as in study.isel({more[0]}=0)",
         )
     if "on" in study.coords:
-        raise ValueError(f"{_WANTED}, the same at all points, got a study that varies on=")
+        raise ValueError(f"{_RULE}, the same at all points, got a study that varies on=")
     radius = radius_of(study)
     kind = study.attrs.get("on", "None").partition("(")[0]
     if kind in ("None", "CoatedPlane"):
@@ -89,4 +89,4 @@ def balls_of_study(study: xarray.Dataset) -> Balls:
         return Balls(
             radii=(radius, float(attributes["other_radius"])), alike=attributes["body"] == attributes["other_ball"]
         )
-    raise ValueError(f"{_WANTED}, got a ball on a {kind}")
+    raise ValueError(f"{_RULE}, got a ball on a {kind}")

@@ -12,9 +12,9 @@ __all__ = ["STYLES"]
 def _nsc(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:  # noqa: ARG001  (contacts are rigid)
     """Return input for non-smooth contacts, which limit the rolling torque to ρ F_n on each ball, with a length ρ.
 
-    For two materials the smaller value counts, so both need it. Source: ChContactNSCrolling.cpp (the cone of Rx with
-    SetRollingFrictionCoefficient), ChContactMaterialNSC.h (rolling friction in units of length); Tasora and Anitescu,
-    Meccanica 48 (2013) 1643. (The smooth contacts of Chrono's core, SMC, read the value and never use it.)
+    For two materials the smaller ρ applies, so both materials need it. Source: ChContactNSCrolling.cpp (the cone of Rx
+    with SetRollingFrictionCoefficient), ChContactMaterialNSC.h (rolling friction in units of length); Tasora and
+    Anitescu, Meccanica 48 (2013) 1643. (The smooth contacts of Chrono's core, SMC, read the value and never use it.)
     """
     rho = point.torque / point.load
     return ContactModel(
@@ -35,7 +35,7 @@ def _multicore(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
 
     The torque acts immediately along r × v_rot with v_rot = ω₂ × r₂ - ω₁ × r₁, the sliding speed that the rotation
     causes, which is 0 for two balls that roll on each other. It does not act in a contact younger than the duration of
-    a collision, nor below min_roll_vel. For two materials the smaller value counts. Source:
+    a collision, nor below min_roll_vel. For two materials the smaller muRoll applies. Source:
     ChIterativeSolverMulticoreSMC.cpp (m_roll = muRoll_eff F_n r × v_rot / |v_rot|), after Schwartz, Richardson and
     Michel, Granular Matter 14 (2012) 363.
     """

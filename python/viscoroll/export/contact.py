@@ -73,7 +73,7 @@ class OperatingPoint:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Stiffness:
-    """Laws of the load as a function of penetration, fitted to the relative error of the load over all points.
+    """Two laws of the load as a function of penetration; the fit minimizes the relative error of the load.
 
     Attributes
     ----------
@@ -169,13 +169,13 @@ def operating_points(source: Result | StrainSoftening | xarray.Dataset) -> list[
         if all(name in source for name in BOUNDS):
             torques = (_over_all(source, name) for name in (*BOUNDS, "resisting_torque"))
             bounds = [array.ravel().tolist() for array in np.broadcast_arrays(*torques)]
-    turns = balls.radii[0] / balls.radius  # Ω_rel / Ω
+    speed_ratio = balls.radii[0] / balls.radius  # Ω_rel / Ω
     if not bounds:
         bounds = [[math.nan] * len(columns[0])] * 3
     points = []
-    for p, w, q, d, harmonic, network, told in zip(*columns, *bounds, strict=True):
-        torque = q / (w * turns)
-        both = None if math.isnan(told) else (torque * harmonic / told, torque * network / told)
+    for p, w, q, d, harmonic, network, solved in zip(*columns, *bounds, strict=True):
+        torque = q / (w * speed_ratio)
+        both = None if math.isnan(solved) else (torque * harmonic / solved, torque * network / solved)
         if q > 0.0:
             points.append(
                 OperatingPoint(balls=balls, load=p, angular_speed=w, torque=torque, penetration=d, bounds=both)

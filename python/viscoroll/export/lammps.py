@@ -7,23 +7,24 @@ from .contact import ContactModel, OperatingPoint, Stiffness, Style
 __all__ = ["STYLES"]
 
 #: Rotation of the ball at which the spring reaches its limit [rad].
-_TURN = 1e-3
+_LIMIT_ROTATION = 1e-3
 
 
 def _sds(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """Return input for a spring, dashpot and slider: T = μ P R after a small rotation.
 
-    The rolling "pseudo-force" is a spring on R_eff∫Ω_rel dt, limited to μ F_n. The torque on both balls, in opposite
-    senses, is R_eff times this force. R_eff is the radius on a wall, and R₁R₂/(R₁+R₂) for two balls. Source: LAMMPS
-    manual, pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp, granular_model.cpp (Reff, relrot).
+    The rolling "pseudo-force" is that of a spring with the elongation R_eff∫Ω_rel dt, limited to μ F_n. The torque on
+    both balls, in opposite senses, is R_eff times this force. R_eff is the radius on a wall, and R₁R₂/(R₁+R₂) for two
+    balls. Source: LAMMPS manual, pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp,
+    granular_model.cpp (Reff, relrot).
     """
     mu = point.coefficient
-    spring = mu * point.load / (point.radius * _TURN)
+    spring = mu * point.load / (point.radius * _LIMIT_ROTATION)
     return ContactModel(
         lines=_command(point, stiffness, f"rolling sds {spring!r} 0.0 {mu!r}"),
         parameters={"k_roll": spring, "gamma_roll": 0.0, "mu_roll": mu},
         law=lambda load, speed: mu * load * point.radius + 0.0 * speed,
-        torque_law=f"T = mu_roll P R after a rotation of {_TURN:g} rad; R is the radius, for two balls R_eff",
+        torque_law=f"T = mu_roll P R after a rotation of {_LIMIT_ROTATION:g} rad; R is the radius, for two balls R_eff",
         source="LAMMPS manual, pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp",
     )
 

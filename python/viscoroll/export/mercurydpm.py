@@ -7,7 +7,7 @@ from .contact import ContactModel, OperatingPoint, Stiffness, Style
 __all__ = ["STYLES"]
 
 #: Comment for two balls.
-_WHICH = "  // for both balls; if they differ, set it for the mixed species (getMixedObject)"
+_FOR_TWO_BALLS = "  // for both balls; if they differ, set it for the mixed species (getMixedObject)"
 
 
 def _friction(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
@@ -22,7 +22,7 @@ def _friction(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     mu = point.torque / (2.0 * point.load * point.radius)
     return ContactModel(
         lines=(
-            f"LinearViscoelasticFrictionSpecies species;{_WHICH if point.balls.are_two else ''}",
+            f"LinearViscoelasticFrictionSpecies species;{_FOR_TWO_BALLS if point.balls.are_two else ''}",
             f"species.setStiffness({stiffness.hooke!r});",
             f"species.setRollingStiffness(2.0 / 5.0 * {stiffness.hooke!r});",
             f"species.setRollingFrictionCoefficient({mu!r});",

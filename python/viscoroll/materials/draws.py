@@ -76,6 +76,11 @@ class Draws(Sequence[T], Generic[T]):
         ----------
         function : callable
             Function of one draw. It is applied to the best estimate and to every draw.
+
+        Returns
+        -------
+        Draws
+            Values of the function for the best estimate and for every draw.
         """
         return Draws(function(self.best_estimate), map(function, self.members))
 

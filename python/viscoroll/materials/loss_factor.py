@@ -14,7 +14,7 @@ from .moduli import Prony, ShearModulus
 
 __all__ = ["LossFactor"]
 
-#: Relaxation times per decade. With two, the sum over them differs from the integral by a ripple of 3e-4.
+#: Relaxation times per decade. With only two, the sum over them would differ from the integral by a ripple of 3e-4.
 _TERMS_PER_DECADE = 3
 
 #: Decades by which the terms extend beyond the range in which the loss factor is nearly constant, at either end.
@@ -25,10 +25,11 @@ _MARGIN = 1.0
 class LossFactor(ShearModulus):
     """Causal modulus whose loss factor is nearly independent of frequency.
 
-    The modulus follows the law of Kjartansson, μ* = G |.| (iω/ω₀)^α with α = (2/π) atan η, whose loss factor is η at
-    every frequency. Its storage modulus increases slightly with frequency: a constant one would not be causal. The law
-    holds over `decades` above and below ω₀. Beyond that range the material is elastic, so it supports a static load.
-    Within the range the relative error of the loss factor is at most 0.5 % for η up to 1, and 3 % for η up to 2.
+    The modulus follows the law of Kjartansson, μ* = G √(1 + η²) (iω/ω₀)^α with α = (2/π) atan η, whose loss factor is η
+    at every frequency. The storage modulus is G at ω₀ and increases slightly with frequency: a constant one would not
+    be causal. The law holds over `decades` above and below ω₀. Beyond that range the material is elastic, so it
+    supports a static load. Within the range the relative error of the loss factor is at most 0.5 % for η up to 1, and
+    3 % for η up to 2.
 
     Parameters
     ----------
@@ -91,7 +92,7 @@ class LossFactor(ShearModulus):
 
 
 def _spectrum(alpha: float, reach: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return weights, times and relaxed modulus of a series for (iω)^α, at frequencies around 1.
+    """Return weights, times and relaxed modulus of a series for (iω)^α, for `reach` decades above and below ω = 1.
 
     The spectrum is (iω)^α = sin(απ)/π ∫ τ^{-α} iωτ/(1 + iωτ) d ln τ. Terms with times longer than the grid contribute
     their full modulus at its frequencies: they form the relaxed modulus. Their loss Σ w/(ωτ) is represented by one term

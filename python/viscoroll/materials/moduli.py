@@ -41,9 +41,8 @@ __all__ = [
 ]
 
 
-#: Types accepted as a shear modulus: a modulus of this package; a number, for an elastic material of this shear modulus
-#: [Pa]; or a function of an array of angular frequencies ω [rad/s] that returns μ*(ω) [Pa] as an array, or as a single
-#: number for all frequencies.
+#: Types accepted as a shear modulus [Pa]: a modulus of this package; a number, for an elastic material; or a function
+#: of an array of angular frequencies ω [rad/s] that returns μ*(ω) as an array, or as one number for all frequencies.
 ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any] | float
 
 
@@ -146,8 +145,7 @@ class StandardLinearSolid(ShearModulus):
 
     def _to_core(self) -> _core.ShearModulus:
         core = ShearModulus._to_core(self)
-        # The core stores the weight 1 - relaxed / instantaneous. For ratios below 1e-12, its round-off leaves fewer
-        # than four digits of the relaxed modulus.
+        # At lower ratios, round-off of the stored weight, 1 - ratio, leaves fewer than four digits of the modulus.
         if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
             raise InvalidInput(
                 "relaxed_modulus",
@@ -173,7 +171,7 @@ class CreepCompliance(ShearModulus):
     Notes
     -----
     The modulus is 1/J* with J*(ω) = J₀ + Σ J_k / (1 + iωτ_k). It equals a Prony series of as many terms as there are
-    different retardation times; the relaxation times are found from the zeros of J*, one between each two poles.
+    different retardation times. The relaxation times follow from the zeros of J*, one below each retardation time.
 
     Examples
     --------
@@ -188,7 +186,7 @@ class CreepCompliance(ShearModulus):
     _units: ClassVar = {"instantaneous_compliance": (-1, 0), "compliances": (-1, 0), "retardation_times": (0, 1)}
 
     def prony(self) -> Prony:
-        """Return the equal Prony series of the modulus."""
+        """Return the Prony series that equals this modulus."""
         return Prony(**self._to_core().parameters())
 
     def _relaxation(self) -> Relaxation:

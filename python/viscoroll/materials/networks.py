@@ -127,8 +127,8 @@ class MasingNetwork(Network):
     """Network of springs and dry sliders in parallel, whose first loading is τ = N γ / (1 + γ/γ_c).
 
     The loss follows from the first loading. By Masing's rule, each branch of the loop is the first loading enlarged by
-    a factor of 2. N' and N'' are the first harmonic, and the area of the loop is π g² N''. The largest loss, 0.1514 N
-    at g = 1.567 γ_c, is that of carbon black.
+    a factor of 2. N' and N'' are the first harmonic, and the area of the loop is π g² N''. The largest loss modulus,
+    0.1514 N at g = 1.567 γ_c, is typical of carbon black.
 
     Parameters
     ----------

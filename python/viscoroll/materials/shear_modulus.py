@@ -112,5 +112,5 @@ class ShearModulus(ParameterTable):
         return None
 
     def _standard_linear_solid(self) -> StandardLinearSolid | None:
-        """Return the equal standard linear solid, or None if there is none."""
+        """Return the standard linear solid that equals this modulus, or None if there is none."""
         return None

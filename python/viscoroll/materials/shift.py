@@ -164,7 +164,7 @@ def scaled(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
 def _rescaled(modulus: ShearModulusLike, stress: float, time: float) -> ShearModulusLike:
     """Return the modulus whose value at ω is `stress` times that of `modulus` at `time` ω."""
     known = as_modulus(modulus)
-    if isinstance(known, SofteningModulus):  # the network depends on no rate and must be measured at each temperature
+    if isinstance(known, SofteningModulus):  # the network does not depend on rate, so a_T does not apply to it
         return replace(known, matrix=_rescaled(known.matrix, stress, time))
     if isinstance(known, ShearModulus) and known._units:
         factors = {name: stress**first * time**second for name, (first, second) in known._units.items()}

@@ -20,12 +20,11 @@ if TYPE_CHECKING:
 __all__ = ["SoftenedModulus", "SofteningModulus", "depends_on_strain"]
 
 #: Decades above and below ω₀ = Ω R/a over which the network has a constant loss factor. The frequencies of a contact
-#: lie within a few decades of ω₀. The lowest, one per revolution, is R/a below it; the static modulus is the value
-#: below that range.
+#: lie within a few decades of ω₀; the lowest is Ω. The static modulus is the value below the range.
 _DECADES = 4.0
 
-#: Range of loss factors of `LossFactor`. A network with a larger one has a few percent of its modulus at rest, and the
-#: upper limit is used. A network with a smaller one is treated as elastic.
+#: Range of loss factors of `LossFactor`. Only a network with a few percent of its modulus at rest has a larger loss
+#: factor; the upper limit replaces it. A network with a smaller loss factor is treated as elastic.
 _LOSS_FACTORS = (1e-6, 2.0)
 
 

@@ -118,26 +118,26 @@ class StrainSweep(Network):
     @property
     def yield_strain(self) -> float:
         """Strain at which the storage modulus of the network is half of its first value [-]."""
-        storage = self._of_network()[0]
+        storage = self._network_moduli()[0]
         below = np.flatnonzero(storage < 0.5 * storage[0])
         if not below.size:
-            return self._beyond(storage)
+            return self._extrapolated_yield_strain(storage)
         after = below[0]
-        share = (storage[after - 1] - 0.5 * storage[0]) / (storage[after - 1] - storage[after])
-        return float(self.amplitudes[after - 1] * (self.amplitudes[after] / self.amplitudes[after - 1]) ** share)
+        fraction = (storage[after - 1] - 0.5 * storage[0]) / (storage[after - 1] - storage[after])
+        return float(self.amplitudes[after - 1] * (self.amplitudes[after] / self.amplitudes[after - 1]) ** fraction)
 
-    def _beyond(self, storage: Floats) -> float:
-        """Return the half-value strain of the hyperbolic law that decreases as much as this one over the sweep [-]."""
+    def _extrapolated_yield_strain(self, storage: Floats) -> float:
+        """Return the half-value strain of the hyperbolic law that decreases over the sweep as much as the data [-]."""
         left = storage[-1] / storage[0]
         return math.inf if left >= 1.0 - 1e-12 else float(self.amplitudes[-1] * left / (1.0 - left))
 
     def _moduli(self, strain: Floats) -> tuple[Floats, Floats]:
-        storage, loss = self._of_network()
-        place = np.log(np.clip(strain, self.amplitudes[0], self.amplitudes[-1]))
+        storage, loss = self._network_moduli()
+        position = np.log(np.clip(strain, self.amplitudes[0], self.amplitudes[-1]))
         known = np.log(self.amplitudes)
-        return np.interp(place, known, storage), np.interp(place, known, loss)
+        return np.interp(position, known, storage), np.interp(position, known, loss)
 
-    def _of_network(self) -> tuple[Floats, Floats]:
+    def _network_moduli(self) -> tuple[Floats, Floats]:
         """Return storage and loss modulus of the network alone at the points of the sweep [Pa]."""
         storage, loss = np.asarray(self.storage), np.asarray(self.loss)
         if self.matrix is None or self.frequency is None:

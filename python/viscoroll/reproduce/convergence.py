@@ -68,14 +68,18 @@ class Table2:
         torque.plot([], [], "kx", label="printed")
         torque.set(xlabel="nodes per revolution $2π/Δ$", ylabel="$T_r$ [mN m]", xticks=rows)
         torque.legend(fontsize="small")
-        place = {nodes: index for index, nodes in enumerate(rows)}
+        column = {nodes: index for index, nodes in enumerate(rows)}
         for torques, color, label, shift in (
             (self.by_x, "tab:blue", "moment arm $x$", -0.12),
             (self.by_arc, "tab:orange", "moment arm $r_o(π/2 - φ)$", 0.12),
         ):
             found = self.deviations(torques)
             deviation.plot(
-                [place[n] + shift for n, _ in found], [v * 100.0 for v in found.values()], ".", color=color, label=label
+                [column[n] + shift for n, _ in found],
+                [v * 100.0 for v in found.values()],
+                ".",
+                color=color,
+                label=label,
             )
         deviation.axhline(0.0, color="0.5", linewidth=0.8)
         deviation.axhspan(-0.05, 0.05, color="0.5", alpha=0.2, label="rounding of the printed numbers")

@@ -24,7 +24,7 @@ __all__ = ["Figure9", "compute_figure9"]
 #: Angular speed Ω of section 14.3 [rad/s].
 _SPEED = 0.2
 #: Values of the paper [-]: width ε_μ of the boundary layer, relative spread of all torques, and their largest decrease.
-_WIDTH, _SPREAD, _FALL = 0.1, 0.15, 0.085
+_WIDTH, _SPREAD, _LARGEST_DECREASE = 0.1, 0.15, 0.085
 _FRICTIONS = (
     *(0.0, 0.005, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.4),
     *(0.5, 0.6, 0.8, 1.0, 1.25, 1.5, 1.75, 2.0),
@@ -39,7 +39,7 @@ class Figure9:
     frictions: Floats
     torques: Floats
     driving_torques: Floats
-    slip_shares: Floats
+    slip_fractions: Floats
     fit: Fit
 
     def tables(self) -> dict[str, Table]:
@@ -48,7 +48,7 @@ class Figure9:
             "friction [1]": self.frictions.tolist(),
             "torque [N m]": self.torques.tolist(),
             "driving_torque [N m]": self.driving_torques.tolist(),
-            "slip_share_of_power [1]": self.slip_shares.tolist(),
+            "slip_share_of_power [1]": self.slip_fractions.tolist(),
         }
         parameters = self.fit.parameters
         return {
@@ -71,7 +71,7 @@ class Figure9:
         torque.fill_between(fine, low * 1e3, high * 1e3, color="tab:blue", alpha=0.25)
         torque.plot(fine, self.fit.predict(fine) * 1e3, color="tab:blue", label="fit (60)-(63)")
         torque.plot(self.frictions, self.torques * 1e3, "o", color="tab:blue", markersize=4, label="$T_r$")
-        floor = self.torques[0] * (1.0 - _FALL)
+        floor = self.torques[0] * (1.0 - _LARGEST_DECREASE)
         torque.axhline(floor * 1e3, color="k", linestyle="--", linewidth=1.0, label="paper: reduced by at most 8.5 %")
         torque.axhspan(
             self.torques.max() * (1.0 - _SPREAD) * 1e3,
@@ -83,14 +83,18 @@ class Figure9:
         torque.axvline(_WIDTH, color="k", linestyle=":", linewidth=1.0, label="$ε_μ$ = 0.1")
         torque.set(xlabel="friction $μ$", ylabel="$T_r$ [mN m]", xlim=(-0.03, 2.03))
         torque.legend(fontsize="small")
-        some = self.frictions > 0.0
+        with_friction = self.frictions > 0.0
         for values, label in (
             (self.torques, "$T_r$, moment of the pressure"),
             (self.driving_torques, "$T$, driving torque"),
         ):
-            ratio.semilogx(self.frictions[some], values[some] / values[0], ".-", label=label)
+            ratio.semilogx(self.frictions[with_friction], values[with_friction] / values[0], ".-", label=label)
         ratio.semilogx(
-            self.frictions[some], self.slip_shares[some], ".-", color="tab:red", label="share of slip in the power"
+            self.frictions[with_friction],
+            self.slip_fractions[with_friction],
+            ".-",
+            color="tab:red",
+            label="share of slip in the power",
         )
         ratio.axvline(_WIDTH, color="k", linestyle=":", linewidth=1.0)
         ratio.set(xlabel="friction $μ$", ylabel="relative to no friction", ylim=0)
@@ -101,7 +105,10 @@ class Figure9:
         """Compare with the statements of the paper's section 14.3."""
         peak = float(self.frictions[self.torques.argmax()])
         height = float(self.torques.max() / self.torques[0] - 1.0)
-        spread, fall = (_spread_and_fall(self.torques), _spread_and_fall(self.driving_torques))
+        pressure_moment, driving_torque = (
+            _spread_and_decrease(self.torques),
+            _spread_and_decrease(self.driving_torques),
+        )
         return [
             Verdict(
                 statement="the torque is largest within the boundary layer, μ ≤ 0.1",
@@ -110,13 +117,13 @@ class Figure9:
             ),
             Verdict(
                 statement="all torques roughly within 15 % of each other",
-                found=f"within {spread[0] * 100.0:.0f} % (driving torque {fall[0] * 100.0:.0f} %)",
-                agrees=spread[0] <= _SPREAD + 0.005,
+                found=f"within {pressure_moment[0] * 100.0:.0f} % (driving torque {driving_torque[0] * 100.0:.0f} %)",
+                agrees=pressure_moment[0] <= _SPREAD + 0.005,
             ),
             Verdict(
                 statement="friction reduces the torque by at most 8.5 %",
-                found=f"by {spread[1] * 100.0:.1f} % (driving torque {fall[1] * 100.0:.1f} %)",
-                agrees=spread[1] <= _FALL + 0.0005,
+                found=f"by {pressure_moment[1] * 100.0:.1f} % (driving torque {driving_torque[1] * 100.0:.1f} %)",
+                agrees=pressure_moment[1] <= _LARGEST_DECREASE + 0.0005,
             ),
             *self._fit_verdicts(),
         ]
@@ -144,7 +151,7 @@ class Figure9:
         ]
 
 
-def _spread_and_fall(torques: Floats) -> tuple[float, float]:
+def _spread_and_decrease(torques: Floats) -> tuple[float, float]:
     """Return the relative spread of the torques, and their largest decrease from the first, without friction [-]."""
     return float(1.0 - torques.min() / torques.max()), float(1.0 - torques.min() / torques[0])
 
@@ -163,6 +170,6 @@ def compute_figure9(runner: Runner) -> Figure9:
         frictions=frictions,
         torques=torques,
         driving_torques=np.array([result.driving_torque for result in results]),
-        slip_shares=np.array([result.slip_power / result.dissipated_power for result in results]),
+        slip_fractions=np.array([result.slip_power / result.dissipated_power for result in results]),
         fit=fit_friction_law(frictions, torques),
     )

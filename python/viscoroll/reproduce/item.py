@@ -154,7 +154,7 @@ def write_verdicts(path: Path, verdicts: Mapping[str, Sequence[Verdict]]) -> Non
     """Write the comparisons of all items as a Markdown table."""
     lines = ["| item | statement of the paper | viscoroll | verdict |", "|---|---|---|---|"]
     for name, rows in verdicts.items():
-        for place, verdict in enumerate(rows):
+        for index, verdict in enumerate(rows):
             judged = "**disagrees**" if verdict.judgment == "disagrees" else verdict.judgment
-            lines.append(f"| {name if place == 0 else ''} | {verdict.statement} | {verdict.found} | {judged} |")
+            lines.append(f"| {name if index == 0 else ''} | {verdict.statement} | {verdict.found} | {judged} |")
     write_text("\n".join(lines) + "\n", path)

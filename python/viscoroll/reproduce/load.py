@@ -142,13 +142,13 @@ class Table3:
             ("factor $a_p$ [$10^{-5}$ SI]", "exponent $b_p$"),
             strict=True,
         ):
-            for place, h in enumerate(_THICKNESSES):
+            for index, h in enumerate(_THICKNESSES):
                 p = self.data.fits[h].parameters[name]
-                _interval(axes, place + 0.15, (p.lower * scale, p.upper * scale), "tab:blue", p.value * scale)
-                for reading, key, color in (("swapped", h, "k"), ("printed", _THICKNESSES[1 - place], "0.6")):
+                _interval(axes, index + 0.15, (p.lower * scale, p.upper * scale), "tab:blue", p.value * scale)
+                for reading, key, color in (("swapped", h, "k"), ("printed", _THICKNESSES[1 - index], "0.6")):
                     low, high = paper.TABLE_3[key][name]
                     shift = 0.0 if reading == "swapped" else -0.15
-                    _interval(axes, place + shift, (low * scale, high * scale), color)
+                    _interval(axes, index + shift, (low * scale, high * scale), color)
             axes.set_yticks(range(2), [f"$h$ = {h * 1e3:g} mm" for h in _THICKNESSES])
             axes.set(xlabel=label, ylim=(-0.5, 1.7))
         for color, text in (("tab:blue", "computed"), ("k", "paper, columns swapped"), ("0.6", "paper, as printed")):

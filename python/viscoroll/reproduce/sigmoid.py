@@ -64,10 +64,10 @@ class Table4:
         data = self.data
         for axes, refined in zip(figure.subplots(1, 2, sharey=True), (False, True), strict=True):
             torques = data.refined if refined else data.torques
-            for place, (load, deviation) in enumerate(self.deviations(fine, refined=refined).items()):
-                axes.semilogx(fine * 1e3, deviation * 100.0, color=f"C{place}", label=f"{load:g} N")
+            for index, (load, deviation) in enumerate(self.deviations(fine, refined=refined).items()):
+                axes.semilogx(fine * 1e3, deviation * 100.0, color=f"C{index}", label=f"{load:g} N")
                 points = torques[load] / printed_curve(load, data.thicknesses) - 1.0
-                axes.plot(data.thicknesses * 1e3, points * 100.0, ".", color=f"C{place}")
+                axes.plot(data.thicknesses * 1e3, points * 100.0, ".", color=f"C{index}")
             axes.fill_between(np.array(_RANGE) * 1e3, -3.0, 3.0, color="0.5", alpha=0.2)
             axes.axhline(0.0, color="0.5", linewidth=0.8)
             axes.set(title="thin coatings refined" if refined else f"$Δ$ = π/{self.data.nodes // 2} throughout")

@@ -74,7 +74,7 @@ class Figure7:
         off = float(self.torques[at] / printed - 1.0)
         deepest, most = (float(self.speeds[np.argmax(v)]) for v in (self.penetrations, self.torques))
         near = int(np.argmin(np.abs(self.speeds - _DEEPEST)))
-        share = float(self.torques[near] / self.torques.max())
+        fraction = float(self.torques[near] / self.torques.max())
         return [
             Verdict(
                 statement=f"{printed * 1e3:.2f} mN m at 2.5 rad/s (from table 2, because the paper does not print the "
@@ -85,7 +85,7 @@ class Figure7:
             Verdict(
                 statement='"deepest penetration" roughly at 0.3 rad/s',
                 found=f"the penetration is largest at {deepest:.2g} rad/s and decreases with speed; the torque is "
-                f"largest at {most:.2g} rad/s; at 0.3 rad/s it is {share * 100.0:.1f} % of that maximum",
+                f"largest at {most:.2g} rad/s; at 0.3 rad/s it is {fraction * 100.0:.1f} % of that maximum",
                 agrees=bool(abs(np.log2(deepest / _DEEPEST)) < 1.0),
             ),
         ]

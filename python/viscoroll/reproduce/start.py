@@ -35,7 +35,7 @@ _STEADY = 0.02  # largest relative deviation of a steady torque [-]
 _SPEED = 0.2
 _FRICTIONS, _COARSE_FRICTIONS = (0.0, 0.1, 0.3, 0.5, 1.0, 2.0), (0.0, 0.5, 2.0)
 _FRICTION_TURN = 0.6  # rotation [rad]: 3 s
-_NOTHING = 1e-3  # negligible overshoot [-]
+_NEGLIGIBLE = 1e-3  # negligible overshoot [-]
 _NODES, _COARSE_NODES = 300, 240
 
 #: Starting state, and value of the quantity that varies.
@@ -65,9 +65,9 @@ class SuddenStarts:
         """Plot the torque over time in one panel for each starting state, and yield the panels."""
         for axes, (start, title) in zip(figure.subplots(1, 2, sharey=sharey), _STARTS.items(), strict=True):
             found = [(number, history) for (known, number), history in self.histories.items() if known is start]
-            for place, (number, history) in enumerate(found):
+            for index, (number, history) in enumerate(found):
                 torque = history.resisting_torque * 1e3
-                axes.plot(history.time, torque, color=f"C{place}", label=label.format(number))
+                axes.plot(history.time, torque, color=f"C{index}", label=label.format(number))
             axes.set(title=title, xlabel="time [s]", ylabel="$T_r$ [mN m]")
             yield axes
 
@@ -103,8 +103,8 @@ class Figure6(SuddenStarts):
         """Plot the torque over time for both starting states."""
         figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         for axes in self._panels(figure, "{:g} rad/s", sharey=False):
-            for place, torque in enumerate(self.steady.values()):
-                axes.axhline(torque * 1e3, color=f"C{place}", linewidth=0.6, linestyle=":")
+            for index, torque in enumerate(self.steady.values()):
+                axes.axhline(torque * 1e3, color=f"C{index}", linewidth=0.6, linestyle=":")
             axes.set(xlim=(0.0, 0.8))
         figure.axes[0].legend(fontsize="small", title="dotted: steady", title_fontsize="small")
         return figure
@@ -172,7 +172,7 @@ class Figure8(SuddenStarts):
         verdicts = []
         for start in _STARTS:
             overshoots = self.overshoots(start)
-            rises = bool(np.all(np.diff(overshoots) > -_NOTHING)) and overshoots[-1] > _NOTHING
+            rises = bool(np.all(np.diff(overshoots) > -_NEGLIGIBLE)) and overshoots[-1] > _NEGLIGIBLE
             verdicts.append(
                 Verdict(
                     statement=f"the overshoot increases with μ ({start.name} start)",

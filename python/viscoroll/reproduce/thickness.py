@@ -81,8 +81,8 @@ class Figure11:
         figure = Picture(figsize=(12.0, 5.0), layout="constrained")
         axes = figure.subplots(1, 2)
         data, fine = self.data, np.geomspace(0.1e-3, 10e-3, 300)
-        for place, load in enumerate(LOADS):
-            color = f"C{place}"
+        for index, load in enumerate(LOADS):
+            color = f"C{index}"
             low, high = data.fits[load].confidence_band(fine)
             axes[0].fill_between(fine * 1e3, low * 1e3, high * 1e3, color=color, alpha=0.25)
             for ax in axes:

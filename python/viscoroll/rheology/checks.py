@@ -21,6 +21,10 @@ __all__ = ["Check", "check_modulus", "check_range", "rolling_range"]
 #: Limit of the checks for data without scatter [-].
 _TOLERANCE = 0.02
 
+#: Largest plausible scatter [-]. Rheometers repeat a modulus within a few percent. A larger scatter means that the
+#: points belong to different temperatures, strains or specimens.
+_LARGEST_SCATTER = 0.1
+
 #: Terms per decade of the passive and of the causal fit. More terms of either sign would fit the noise.
 _DENSE, _SIGNED = 4.0, 2.0
 
@@ -70,6 +74,7 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
     * Passivity: the residual of the best dense series of *positive* terms. This is the best single check of data.
     * Monotony: the storage modulus of a passive solid never decreases with frequency. The check compares means over
       one, two, four ... tenths of a decade and reports the decrease that is largest relative to its limit.
+    * Scatter from point to point: at most 10 %, because the limits of the other checks follow from it.
 
     The limits of the first two are twice the scatter from point to point, or 2 % if this is larger. The limit of the
     third is the largest decrease that scatter alone is likely to cause, or 2 %.
@@ -82,7 +87,7 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
     Returns
     -------
     tuple of Check
-        The three checks, in this order.
+        The four checks, in this order.
     """
     frequency, storage, loss = measured(curve)
     noise = _scatter(curve)
@@ -113,6 +118,12 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
             limit=most,
             message=f"largest decrease of the storage modulus with frequency {drop:.2%}; scatter of the points "
             f"{noise:.2%} (limit {most:.2%})",
+        ),
+        Check(
+            name="scatter",
+            value=noise,
+            limit=_LARGEST_SCATTER,
+            message=f"scatter of the points {noise:.2%} (limit {_LARGEST_SCATTER:.0%})",
         ),
     )
 

@@ -5,25 +5,26 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float, as_kelvin
-from .._support.celsius import kelvin_range
+from .._support.arguments import Floats, as_float, as_int, as_kelvin
+from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput, InvalidType, in_file
-from .._support.text import shown
-from .names import role_of
+from .._support.text import one_line, shown
 from .ramps import TemperatureRamp
-from .text import Table, find_tables, read_text
+from .tables import AMPLITUDE, ONE_FREQUENCY, RAMP, SWEEP, Table, listed
+from .text import Names, closest_header, find_tables, read_text
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["Columns", "Isotherm", "RheologyData", "moduli_are_tensile", "named_columns", "read_rheology"]
 
-_ROLES = ("frequency", "storage", "loss", "tan_delta", "temperature", "sweep")
+_ROLES = ("frequency", "storage", "loss", "complex", "tan_delta", "phase", "temperature", "sweep")
 
 #: Gap between temperatures that separates sweeps without sweep numbers [K].
 _TEMPERATURE_GAP = 1.0
@@ -33,9 +34,6 @@ _WIDEST_SWEEP = 2.0
 
 #: Round-off of temperature differences [K].
 _ROUND_OFF = 1e-9
-
-#: Relative difference below which two frequencies count as equal: instruments do not hold them more accurately.
-_ONE_FREQUENCY = 0.01
 
 Columns: TypeAlias = Mapping[str, "str | tuple[str, str]"]
 
@@ -97,7 +95,7 @@ class RheologyData:
         """The measurement as a temperature ramp if all points have the same frequency; otherwise None."""
         frequency = np.concatenate([sweep.frequency for sweep in self.isotherms])
         temperature = np.array([sweep.temperature for sweep in self.isotherms])
-        if temperature.size < 2 or np.isnan(temperature).any() or np.ptp(frequency) > _ONE_FREQUENCY * frequency[0]:
+        if temperature.size < 2 or np.isnan(temperature).any() or np.ptp(frequency) > ONE_FREQUENCY * frequency[0]:
             return None
         moduli = [
             np.array([np.exp(np.mean(np.log(getattr(sweep, name)))) for sweep in self.isotherms])
@@ -140,34 +138,44 @@ class RheologyData:
 
 
 def read_rheology(
-    path: str | Path,
+    path: str | Path | Mapping[str | Path, float | None],
     *,
     columns: Columns | None = None,
     tensile: bool | None = None,
     poisson_ratio: float = 0.5,
     frequency: float | None = None,
+    step: int | None = None,
 ) -> RheologyData:
-    """Read frequency sweeps, or a temperature ramp at one frequency, from a text or CSV export.
+    """Read frequency sweeps, or temperature ramps, from a text or CSV export.
 
     The reader accepts the names and units that TA's TRIOS ("LIMS" and "Plain Text"), Anton Paar's RheoCompass,
-    Netzsch's Proteus, pyvisco and people write: separated by commas, semicolons or tabs; in UTF-8, UTF-16 or the
-    Windows code page; with units in a row of their own or beside the names; with decimal points or commas. It guesses
-    nothing. If the file lacks an item, an error names the argument that provides it.
+    Netzsch's Proteus, pyvisco and people write, in English, German, French and Japanese: separated by commas,
+    semicolons or tabs; in UTF-8, UTF-16, or the Western or Japanese Windows code page; with units in a row of their
+    own, beside the names or behind an underscore; with decimal points or commas. It guesses nothing. If the file lacks
+    an item, an error names the argument that provides it.
+
+    A file may contain several data sets: steps, compared files, or columns at several frequencies. Frequency sweeps are
+    read, or temperature ramps in a file without frequency sweeps. Data sets that are not read are listed in `remarks`.
 
     Parameters
     ----------
-    path : path-like
-        Path of the file.
+    path : path-like, or mapping of path-like to float
+        Path of the file; or several files with the temperature of each [K], which is None if the file contains it.
     columns : mapping of str to str or (str, str), optional
-        Name of the column, or name and unit, for "frequency", "storage", "loss", "tan_delta", "temperature" or "sweep".
-        Required only if a name is unknown or a unit is missing. Units are mHz, Hz, kHz, rad/s; Pa, kPa, MPa, GPa; C, K,
-        F. Temperatures are converted to K.
+        Name of the column, or name and unit, for "frequency", "storage", "loss", "complex" (the absolute value of the
+        modulus), "tan_delta", "phase", "temperature" or "sweep". Required only if a name is unknown or a unit is
+        missing. Units are mHz, Hz, kHz, rad/s, and 1/s for an angular frequency; Pa, kPa, MPa, GPa; deg, rad; C, K, F.
+        Temperatures are converted to K.
     tensile : bool, optional
         Whether the moduli are those of tension, E', E'', or of shear, G', G''. Required if the names do not show it.
     poisson_ratio : float, default 0.5
         Poisson's ratio ν [-], in (-1, 0.5], for the conversion of tensile moduli, G = E / (2 (1 + ν)).
     frequency : float, optional
-        Angular frequency of a ramp [rad/s], 2π times the frequency in Hz. Required if the file has no frequency column.
+        Angular frequency of a ramp [rad/s], 2π times the frequency in Hz. Required if the file does not contain the
+        frequency.
+    step : int, optional
+        Number of the data set to be read, from 1. By default all data sets of the kind that is read; required if they
+        are compared files or if moduli of several frequencies are given without that of each.
 
     Returns
     -------
@@ -179,19 +187,34 @@ def read_rheology(
     Raises
     ------
     ValueError
-        If the file has no table with frequency and moduli, a unit is missing or unknown, two frequency columns
-        disagree, or the moduli may be tensile or shear; the message names the argument to pass.
+        If the file has no data set with frequency and moduli, a unit is missing or unknown, two frequency columns
+        disagree, or the moduli may be tensile or shear; the message names the argument to pass, or the data sets of
+        the file.
     OSError
         If the file cannot be read.
 
     Examples
     --------
+    Sweeps in several files, at temperatures that only the user knows:
+
+    >>> vr.rheology.read_rheology({"at0.csv": 273.15, "at20.csv": 293.15})  # doctest: +SKIP
+
     >>> import viscoroll as vr
     >>> path = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
     >>> vr.rheology.read_rheology(path, tensile=False)  # doctest: +NORMALIZE_WHITESPACE
     RheologyData of pressure_sensitive_adhesive.txt: 339 points in 20 sweeps at 233.15 to 423.14 K (-40 to 150 °C),
     0.6283 to 125.7 rad/s, moduli of shear; 1 points dropped
     """
+    if isinstance(path, Mapping):
+        read_one = partial(
+            read_rheology,
+            columns=columns,
+            tensile=tensile,
+            poisson_ratio=poisson_ratio,
+            frequency=frequency,
+            step=step,
+        )
+        return _combined([_at(read_one(one), kelvin) for one, kelvin in path.items()])
     path = Path(path)
     names = named_columns(columns, _ROLES)
     nu = as_float("poisson_ratio", poisson_ratio)
@@ -204,32 +227,113 @@ def read_rheology(
         raise InvalidInput("frequency", "must be > 0 rad/s and finite", repr(held))
     text = read_text(path)
     try:
-        tables = find_tables(text, names, over="frequency" if held is None else "temperature")
+        found = find_tables(text, names)
     except ValueError as error:
         raise in_file(error, path) from None
+    tables = _chosen(found, step, path)
     if not tables:
-        raise ValueError(_nothing_found(path, text, names))
-    if held is not None and any("frequency" in table.columns for table in tables):
-        raise ValueError(f"{path}: frequency must be left out if the file has a frequency column, got {held:g} rad/s")
+        raise ValueError(_nothing_found(path, text, names, found))
+    kind = tables[0].kind
+    knows_frequency = any("frequency" in table.columns or table.held_frequency for table in tables)
+    if held is not None and knows_frequency:
+        raise ValueError(f"{path}: frequency must be left out if the file contains the frequency, got {held:g} rad/s")
+    if held is None and not knows_frequency:
+        raise ValueError(_no_frequency(path, tables[0]))
     is_tensile = moduli_are_tensile(path, tables) if tensile is None else tensile
     divisor = 2.0 * (1.0 + nu) if is_tensile else 1.0
     isotherms: list[Isotherm] = []
     dropped = 0
     for table in tables:
-        found, left_out = _isotherms(table, path, divisor, held)
-        isotherms += found
-        dropped += left_out + table.unreadable
+        rows, incomplete = table.complete(kind)
+        if rows:
+            read, left_out = _isotherms(table, rows, path, divisor, held)
+            isotherms += read
+            dropped += left_out
+        dropped += incomplete
     if not isotherms:
         raise ValueError(f"{path}: must have points with moduli > 0, got none among {dropped}")
     isotherms.sort(key=lambda isotherm: (isotherm.temperature, isotherm.frequency[0]))
+    remarks = [table.remark for table in tables if table.remark]
+    if len(tables) < len(found):
+        chosen = [str(number) for number, table in enumerate(found, 1) if any(table is one for one in tables)]
+        remarks.append(f"data sets of the file: {listed(found)}; read: {', '.join(chosen)}")
     return RheologyData(
-        isotherms=tuple(isotherms),
+        isotherms=_merged(isotherms),
         source=path.name,
         is_tensile=is_tensile,
         poisson_ratio=nu,
         dropped=dropped,
-        remarks=tuple(dict.fromkeys(table.remark for table in tables if table.remark)),
+        remarks=tuple(dict.fromkeys(remarks)),
     )
+
+
+def _at(data: RheologyData, temperature: float | None) -> RheologyData:
+    """Return a sweep at the temperature that the user gives for its file."""
+    if temperature is None:
+        return data
+    kelvin = as_kelvin("temperature", temperature)
+    (first, *others) = data.isotherms
+    if others or not (math.isnan(first.temperature) or abs(first.temperature - kelvin) <= _WIDEST_SWEEP):
+        low, high = first.temperature, data.isotherms[-1].temperature
+        got = f"{kelvin_text(kelvin)} for {len(others) + 1} sweeps at {kelvin_range(low, high)}"
+        raise InvalidInput("temperature", f"must be that of the sweep in {data.source}", got)
+    return replace(data, isotherms=(replace(first, temperature=kelvin),))
+
+
+def _combined(parts: list[RheologyData]) -> RheologyData:
+    """Return the sweeps of several files as those of one."""
+    if not parts:
+        raise InvalidInput("path", "must contain a file", "none")
+    if len({part.is_tensile for part in parts}) > 1:
+        kinds = ", ".join(f"{part.source}: {'tension' if part.is_tensile else 'shear'}" for part in parts)
+        raise InvalidInput("path", "must contain moduli of tension in all files or of shear in all files", kinds)
+    return replace(
+        parts[0],
+        isotherms=tuple(sorted((one for part in parts for one in part.isotherms), key=lambda one: one.temperature)),
+        source=", ".join(part.source for part in parts),
+        dropped=sum(part.dropped for part in parts),
+        remarks=tuple(f"{part.source}: {remark}" for part in parts for remark in part.remarks),
+    )
+
+
+def _chosen(found: Sequence[Table], step: int | None, path: Path) -> list[Table]:
+    """Return the data sets to be read: the one with a number, or all frequency sweeps, or else all ramps."""
+    if step is not None:
+        if not 1 <= as_int("step", step) <= len(found):
+            raise InvalidInput("step", f"must be in [1, {len(found)}]", shown(step))
+        table = found[step - 1]
+        if table.kind not in (SWEEP, RAMP):
+            raise InvalidInput("step", f"must be a frequency sweep or a temperature ramp of {path}", listed(found))
+        return [table]
+    tables: list[Table] = next(
+        (chosen for kind in (SWEEP, RAMP) if (chosen := [table for table in found if table.kind == kind])), []
+    )
+    compared = [table.held_frequency for table in tables if table.shares_rows]
+    if len(compared) > len(set(compared)):
+        raise InvalidInput("step", f"must be given for {path}, which contains several data sets", listed(found))
+    return tables
+
+
+def _merged(isotherms: list[Isotherm]) -> tuple[Isotherm, ...]:
+    """Return sweeps in which those at one temperature from columns of different frequencies are joined."""
+    joined: list[Isotherm] = []
+    for isotherm in isotherms:
+        last = joined[-1] if joined else None
+        if last is not None and last.temperature == isotherm.temperature and _are_columns(last, isotherm):
+            order = np.argsort(np.concatenate([last.frequency, isotherm.frequency]), kind="stable")
+            frequency, storage, loss = (
+                np.concatenate([getattr(last, name), getattr(isotherm, name)])[order]
+                for name in ("frequency", "storage", "loss")
+            )
+            joined[-1] = replace(last, frequency=frequency, storage=storage, loss=loss)
+        else:
+            joined.append(isotherm)
+    return tuple(joined)
+
+
+def _are_columns(first: Isotherm, second: Isotherm) -> bool:
+    """Return whether two sweeps are points of one ramp at different frequencies."""
+    return second.frequency.size == 1 and not (first.frequency == second.frequency[0]).any()
 
 
 def named_columns(columns: Columns | None, roles: Sequence[str]) -> dict[str, tuple[str, str | None]]:
@@ -256,55 +360,57 @@ def named_columns(columns: Columns | None, roles: Sequence[str]) -> dict[str, tu
     return names
 
 
-def _nothing_found(path: Path, text: str, names: Mapping[str, tuple[str, str | None]]) -> str:
-    if ramps := find_tables(text, names, over="temperature"):
-        unknown = ", ".join(shown(name) for name in ramps[0].unknown)
-        other = f'; or columns={{"frequency": (name, unit)}}, in the shell --columns, if it is one of {unknown}'
-        return (
-            f"{path}: has moduli over temperature without a frequency column, as in a ramp at one frequency: pass "
-            f"frequency=... in rad/s (2 pi times the value in Hz), in the shell --frequency{other if unknown else ''}"
-        )
+def _nothing_found(path: Path, text: str, names: Names, found: Sequence[Table]) -> str:
+    if found:
+        other = "; read_strain_sweep reads amplitude sweeps" if any(one.kind == AMPLITUDE for one in found) else ""
+        return f"{path}: must contain a frequency sweep or a temperature ramp, got {listed(found)}{other}"
+    header = closest_header(text, names)
     lines = [line for line in text.splitlines() if line.strip()]
-    first = next((line for line in lines if any(role_of(cell) for cell in line.replace(";", ",").split(","))), None)
-    line = first or (lines[0] if lines else "")
+    got = f"the names {', '.join(map(repr, header))}" if len(header) > 1 else shown((lines or [""])[0][:80])
     return (
         f"{path}: must have a header with a frequency and a storage modulus, and rows of numbers below it, "
-        f'got {shown(line[:80])}; pass columns={{"frequency": (name, unit), "storage": (name, unit), ...}}, '
+        f'got {one_line(got)}; pass columns={{"frequency": (name, unit), "storage": (name, unit), ...}}, '
         "in the shell --columns frequency=name:unit,storage=name:unit,..."
+    )
+
+
+def _no_frequency(path: Path, table: Table) -> str:
+    unknown = ", ".join(shown(name) for name in table.unknown)
+    other = f'; or columns={{"frequency": (name, unit)}}, in the shell --columns, if it is one of {unknown}'
+    return (
+        f"{path}: has moduli over temperature without a frequency column, as in a ramp at one frequency: pass "
+        f"frequency=... in rad/s (2 pi times the value in Hz), in the shell --frequency{other if unknown else ''}"
     )
 
 
 def moduli_are_tensile(path: Path, tables: list[Table]) -> bool:
     """Return whether the column names denote tensile moduli; raise a ValueError if they do not show it."""
-    said = {table.columns["storage"].is_tensile for table in tables}
+    columns = [table.columns.get("storage") or table.columns["complex"] for table in tables]
+    said = {column.is_tensile for column in columns}
     if said <= {True, False} and len(said) == 1:
         return bool(said.pop())
-    name = tables[0].columns["storage"].name
+    name = columns[0].name
     raise ValueError(
         f"{path}: column {name!r} may be a tensile or a shear modulus: "
         "pass tensile=True or tensile=False, in the shell --tensile or --shear"
     )
 
 
-def _isotherms(table: Table, path: Path, divisor: float, held: float | None) -> tuple[list[Isotherm], int]:
+def _isotherms(
+    table: Table, rows: list[dict[str, float]], path: Path, divisor: float, held: float | None
+) -> tuple[list[Isotherm], int]:
     columns = table.columns
-    values = {
-        role: column.converted([row[role] for row in table.rows], path)
-        for role, column in columns.items()
-        if role not in ("sweep", "tan_delta") and not (role == "temperature" and not column.unit)
-    }
-    if "temperature" in columns and not columns["temperature"].unit:
-        values["temperature"] = columns["temperature"].converted([], path)  # raises an error: the unit is missing
-    if "loss" not in values:
-        if "tan_delta" not in columns:
-            raise ValueError(f"{path}: must have a column of the loss modulus or of tan δ besides the storage modulus")
-        tan_delta = table.columns["tan_delta"].plain([row["tan_delta"] for row in table.rows], path)
-        values["loss"] = values["storage"] * tan_delta
-    if held is not None:
-        values["frequency"] = np.full(values["storage"].size, held)
+    values: dict[str, Floats] = {}
+    for role in ("frequency", "temperature"):
+        if role in columns:
+            values[role] = columns[role].converted([row[role] for row in rows], path)
+    values["storage"], values["loss"] = moduli_of(table, rows, path)
+    if "frequency" not in values:
+        one = 2.0 * math.pi * table.held_frequency if table.held_frequency else held
+        values["frequency"] = np.full(len(rows), one)
     valid = (values["frequency"] > 0.0) & (values["storage"] > 0.0) & (values["loss"] > 0.0)
     temperature = values.get("temperature", np.full(valid.size, np.nan))
-    numbers = np.array([row.get("sweep", math.nan) for row in table.rows])
+    numbers = np.array([row.get("sweep", math.nan) for row in rows])
     sweeps = _grouped(numbers, temperature, values["frequency"])
     isotherms = []
     for sweep in np.unique(sweeps[valid]):
@@ -323,6 +429,29 @@ def _isotherms(table: Table, path: Path, divisor: float, held: float | None) -> 
             )
         )
     return isotherms, int((~valid).sum())
+
+
+def moduli_of(table: Table, rows: list[dict[str, float]], path: Path) -> tuple[Floats, Floats]:
+    """Return the storage and the loss moduli of rows [Pa]: from two moduli, or from one and tan δ or the phase angle.
+
+    Raises
+    ------
+    ValueError
+        If the columns do not determine both, or a unit is missing or unknown.
+    """
+    if table.moduli is None:
+        raise ValueError(f"{path}: must have a column of the loss modulus or of tan δ besides the storage modulus")
+    modulus, other = table.moduli
+    first = table.columns[modulus].converted([row[modulus] for row in rows], path)
+    numbers = [row[other] for row in rows]
+    if other == "loss":
+        return first, table.columns[other].converted(numbers, path)
+    if other == "tan_delta":
+        tangent = table.columns[other].plain(numbers, path)
+        storage = first / np.sqrt(1.0 + tangent**2) if modulus == "complex" else first
+        return storage, storage * tangent
+    phase = table.columns[other].converted(numbers, path)
+    return first * np.cos(phase), first * np.sin(phase)
 
 
 def _grouped(numbers: Floats, temperature: Floats, frequency: Floats) -> NDArray[np.int64]:
@@ -345,6 +474,6 @@ def _returns(frequency: Floats) -> NDArray[np.bool_]:
     starts = np.zeros(frequency.size, dtype=np.bool_)
     since = 0
     for place, value in enumerate(frequency):
-        if np.any(np.abs(frequency[since:place] / value - 1.0) <= _ONE_FREQUENCY):
+        if np.any(np.abs(frequency[since:place] / value - 1.0) <= ONE_FREQUENCY):
             starts[place], since = True, place
     return starts

@@ -12,12 +12,13 @@ from .._support.text import shown
 from ..materials import StrainSweep
 from ..materials.moduli import ShearModulusLike
 from ..materials.strain_sweep import StrainKind
-from .reading import Columns, moduli_are_tensile, named_columns
-from .text import Table, find_tables, read_text
+from .reading import Columns, moduli_are_tensile, moduli_of, named_columns
+from .tables import AMPLITUDE, Table
+from .text import find_tables, read_text
 
 __all__ = ["read_strain_sweep"]
 
-_ROLES = ("strain", "frequency", "storage", "loss", "tan_delta", "temperature", "sweep")
+_ROLES = ("strain", "frequency", "storage", "loss", "complex", "tan_delta", "phase", "temperature", "sweep")
 
 
 def read_strain_sweep(
@@ -67,9 +68,12 @@ def read_strain_sweep(
     if not -1.0 < nu <= 0.5:
         raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{nu!r}")
     try:
-        tables = find_tables(read_text(path), named_columns(columns, _ROLES), over="strain")
+        found = find_tables(read_text(path), named_columns(columns, _ROLES))
     except ValueError as error:
         raise in_file(error, path) from None
+    tables = [table for table in found if "strain" in table.columns and table.columns.keys() & {"storage", "complex"}]
+    if amplitude := [table for table in tables if table.kind == AMPLITUDE]:
+        tables = amplitude
     if not tables:
         raise ValueError(
             f"{path}: must have a header with a strain and a storage modulus, and rows of numbers below it; pass "
@@ -111,17 +115,19 @@ def _chosen(sweeps: list[dict[str, np.ndarray]], number: int | None, path: Path)
 
 def _sweeps(table: Table, path: Path) -> list[dict[str, np.ndarray]]:
     """Return the sweeps of a table, sorted by strain: columns by role, in SI units."""
-    values = {
-        role: column.converted([row[role] for row in table.rows], path)
-        for role, column in table.columns.items()
-        if role in ("strain", "frequency", "storage", "loss")
-    }
-    if "loss" not in values:
-        if "tan_delta" not in table.columns:
-            raise ValueError(f"{path}: must have a column of the loss modulus or of tan δ besides the storage modulus")
-        tan_delta = table.columns["tan_delta"].plain([row["tan_delta"] for row in table.rows], path)
-        values["loss"] = values["storage"] * tan_delta
-    numbers = np.array([row.get("sweep", 0.0) for row in table.rows])
+    for column in table.repeated:
+        if column.role == "strain":
+            raise ValueError(
+                f"{path}: two columns contain strain, {table.columns['strain'].name!r} and {column.name!r}: select one "
+                'by columns={"strain": name}'
+            )
+    rows, _ = table.complete(AMPLITUDE)
+    storage, loss = moduli_of(table, rows, path)
+    values = {"storage": storage, "loss": loss}
+    for role in ("strain", "frequency"):
+        if role in table.columns:
+            values[role] = table.columns[role].converted([row[role] for row in rows], path)
+    numbers = np.array([row.get("sweep", 0.0) for row in rows])
     valid = (values["strain"] > 0.0) & (values["storage"] > 0.0) & (values["loss"] > 0.0)
     parts = [np.flatnonzero(valid & (numbers == number)) for number in np.unique(numbers[valid])]
     order = [part[np.argsort(values["strain"][part], kind="stable")] for part in parts]

@@ -1,8 +1,8 @@
 """Tables in the text files of rheometers and DMA instruments.
 
-A table is a row of names with a frequency or strain and a modulus, a row of units unless they are beside the names, and
-rows of numbers. All other text before, between and after tables (headers of TRIOS, intervals of RheoCompass) is
-skipped, and so are labels in the first column ("Data point", point numbers).
+A table is a row of names, a row of units unless they are beside the names, and rows of numbers. All other text before,
+between and after tables (headers of TRIOS, intervals of RheoCompass) is skipped, and so are labels in the first column
+("Data point", point numbers). The next row of names, or a line that starts a step, ends a table.
 """
 
 from __future__ import annotations
@@ -12,50 +12,50 @@ import csv
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
 from .._support.text import finite_number
-from .names import Column, is_unit, normalized, parse_header, role_of
+from .names import Column, header_column, is_unit, normalized, parse_header, role_of
+from .tables import Table, data_sets
 
-__all__ = ["Table", "find_tables", "read_text"]
+__all__ = ["closest_header", "find_tables", "read_text"]
 
 _SEPARATORS = ("\t", ";", ",")
 
 #: Largest relative difference of two columns of the same frequency: half of a unit in the third printed digit.
 _SAME_FREQUENCY = 0.01
 
+#: Lines that end a table: steps of TRIOS, intervals and results of RheoCompass.
+_STEP = re.compile(
+    r"\s*(\[step\]|(result|test|project|interval( and data points)?|区間とデータ点数)\s*:)", re.IGNORECASE
+)
 
-@dataclass(slots=True)
-class Table:
-    """Table of a file: columns by role, swept quantity, rows of numbers, number of unreadable rows, and a remark.
-
-    `unknown` contains the names of columns without a known role.
-    """
-
-    columns: dict[str, Column]
-    over: str = "frequency"
-    unknown: tuple[str, ...] = ()
-    rows: list[dict[str, float]] = field(default_factory=list)
-    unreadable: int = 0
-    remark: str = ""
+#: Names of columns and units, as the caller gives them by role.
+Names = Mapping[str, "tuple[str, str | None]"]
 
 
 def read_text(path: Path) -> str:
-    """Return the text of a file encoded in UTF-8, UTF-16 or the Western Windows code page."""
+    """Return the text of a file encoded in UTF-8, UTF-16, or the Western or the Japanese Windows code page."""
     content = path.read_bytes()
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return content.decode("utf-16", errors="replace")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        return content.decode("cp1252", errors="replace")
+        pass
+    try:
+        japanese = content.decode("cp932")
+    except UnicodeDecodeError:
+        japanese = ""
+    if any(role_of(parse_header(cell)[0]) and not cell.isascii() for cell in re.split(r"[\t;,\r\n]", japanese)):
+        return japanese
+    return content.decode("cp1252", errors="replace")
 
 
-def find_tables(text: str, names: Mapping[str, tuple[str, str | None]], *, over: str = "frequency") -> list[Table]:
-    """Return the tables of a text.
+def find_tables(text: str, names: Names) -> list[Table]:
+    """Return the data sets of a text, in its order.
 
     Parameters
     ----------
@@ -63,8 +63,6 @@ def find_tables(text: str, names: Mapping[str, tuple[str, str | None]], *, over:
         Content of a file.
     names : mapping of str to (str, str or None)
         Column names that the caller specifies, by role, with the unit or None for the unit in the file.
-    over : {"frequency", "strain", "temperature"}
-        Swept quantity. Columns of strain are used in strain sweeps only.
 
     Raises
     ------
@@ -72,26 +70,53 @@ def find_tables(text: str, names: Mapping[str, tuple[str, str | None]], *, over:
         If two columns of a table have the same role, except for frequencies in rad/s and Hz that agree.
     """
     tables: list[Table] = []
-    separator = ","
+    current: Table | None = None
+    separator, title = ",", ""
     waiting_for_units = False
     for line in text.splitlines():
         if not line.strip():
             continue
-        if header := _header(line, names, over):
-            separator, columns, unknown = header
-            tables.append(Table(columns, over, unknown))
+        if _STEP.match(line) and not _header(line, names):
+            current, title = None, ""
+        elif header := _header(line, names):
+            separator, current = header
+            current.title = title
+            tables.append(current)
             waiting_for_units = True
-        elif tables:
+        elif current is None:
+            title = _title(line)
+        else:
             cells = _cells(line, separator)
             if waiting_for_units and _is_unit_row(cells):
-                tables[-1].columns = _with_units(tables[-1].columns, cells, names)
+                _add_units(current, cells, names)
                 waiting_for_units = False
-            else:
-                waiting_for_units = not _add_row(tables[-1], cells, separator) and waiting_for_units
-    filled = [table for table in tables if table.rows]
-    for table in filled:
-        _settle_frequency(table)
-    return filled
+            elif _add_row(current, cells, separator):
+                waiting_for_units = False
+            elif _is_row_of_names(cells) and not _is_unit_row(cells):  # of a table in which no column is known
+                current = None
+    parts = [part for table in tables if table.rows for part in data_sets(table)]
+    for part in parts:
+        _settle_frequency(part)
+    return parts
+
+
+def closest_header(text: str, names: Names) -> tuple[str, ...]:
+    """Return the cells of the row of names with most known columns; empty if no row has one."""
+    best: tuple[str, ...] = ()
+    most = 0
+    for line in text.splitlines():
+        for separator in _SEPARATORS:
+            cells = _cells(line, separator)
+            known = len(_columns(cells, names)[0])
+            if known > most:
+                best, most = tuple(cell for cell in cells if cell), known
+    return best
+
+
+def _title(line: str) -> str:
+    """Return a line as the title of the table below it; empty for pairs of a name and a value."""
+    text = line.strip()
+    return "" if re.search(r"[\t;,:]", text) or len(text) > 60 else text
 
 
 def _settle_frequency(table: Table) -> None:
@@ -100,7 +125,7 @@ def _settle_frequency(table: Table) -> None:
     Raises
     ------
     ValueError
-        If the columns disagree.
+        If the columns disagree, or if any other role is repeated.
     """
     second = table.columns.pop("second_frequency", None)
     if second is None:
@@ -109,13 +134,14 @@ def _settle_frequency(table: Table) -> None:
     kept, other = sorted(both, key=lambda column: (not column.has_unit, not column.is_angular))
     table.remark = f"frequency from {kept.name!r}, because {other.name!r} has no unit"
     if other.has_unit:
+        rows = [row for row in table.rows if not math.isnan(row[kept.role] + row[other.role])]
         kept_values, other_values = (
-            column.converted([row[column.role] for row in table.rows], "frequencies") for column in (kept, other)
+            column.converted([row[column.role] for row in rows], "frequencies") for column in (kept, other)
         )
         apart = np.abs(other_values / np.where(kept_values == 0.0, np.nan, kept_values) - 1.0)
         worst = int(np.argmax(np.nan_to_num(apart)))
         if apart[worst] > _SAME_FREQUENCY:
-            row = table.rows[worst]
+            row = rows[worst]
             told = " and ".join(f"{row[column.role]:g} {column.unit}" for column in (kept, other))
             raise ValueError(
                 f"columns {kept.name!r} and {other.name!r} must agree (1 Hz is 2 pi rad/s), got {told} in one row; "
@@ -127,41 +153,44 @@ def _settle_frequency(table: Table) -> None:
     table.columns["frequency"] = Column(kept.index, kept.name, kept.unit, "frequency")
 
 
-def _header(
-    line: str, names: Mapping[str, tuple[str, str | None]], over: str
-) -> tuple[str, dict[str, Column], tuple[str, ...]] | None:
-    """Return separator, columns and unknown names of a row of names, or None for any other row."""
+def _header(line: str, names: Names) -> tuple[str, Table] | None:
+    """Return the separator and the empty table of a row of names, or None for any other row."""
     for separator in _SEPARATORS:
         cells = _cells(line, separator)
-        columns = _columns(cells, names, over)
-        wanted = set(names) | {over} | ({"storage"} if "storage" not in names else set())
-        if len(cells) > 2 and wanted <= columns.keys():
-            taken = {column.index for column in columns.values()}
-            return separator, columns, tuple(cell for i, cell in enumerate(cells) if cell and i not in taken)
+        if not _is_row_of_names(cells):
+            continue
+        columns, repeated = _columns(cells, names)
+        if len(columns) >= 2 and set(names) <= columns.keys():
+            return separator, Table(columns, tuple(cells), repeated=repeated)
     return None
 
 
-def _columns(cells: list[str], names: Mapping[str, tuple[str, str | None]], over: str) -> dict[str, Column]:
+def _is_row_of_names(cells: list[str]) -> bool:
+    texts = [cell for cell in cells if cell]
+    return len(texts) >= 2 and all(math.isnan(_number(cell, "\t")) for cell in texts)
+
+
+def _columns(cells: list[str], names: Names) -> tuple[dict[str, Column], list[Column]]:
+    """Return the columns by role, and those whose role another column has already."""
     given = {normalized(name): role for role, (name, _) in names.items()}
     columns: dict[str, Column] = {}
+    repeated: list[Column] = []
     for index, cell in enumerate(cells):
         name, unit = parse_header(cell)
-        role = given.get(normalized(cell)) or given.get(normalized(name)) or role_of(name)
-        if role is None or (role == "strain" and over != "strain"):
+        wanted = given.get(normalized(cell)) or given.get(normalized(name))
+        column = header_column(index, cell, wanted)
+        if column is None or (column.role in names and not wanted):
             continue
-        if role in names and normalized(name) not in given and normalized(cell) not in given:
-            continue
-        if role == "frequency" and role in columns and role not in names and "second_frequency" not in columns:
-            role = "second_frequency"
-        if role in columns:
-            raise ValueError(
-                f"two columns contain {role}, {columns[role].name!r} and {name!r}: select one by "
-                f'columns={{"{role}": name}}'
-            )
-        if role in names:
-            unit = names[role][1] or unit
-        columns[role] = Column(index, name, unit, role)
-    return columns
+        role = column.role
+        if wanted:
+            column = Column(index, name, names[role][1] or unit, role, column.frequency)
+        if role not in columns:
+            columns[role] = column
+        elif role == "frequency" and "second_frequency" not in columns:
+            columns["second_frequency"] = Column(index, column.name, column.unit, "second_frequency")
+        else:
+            repeated.append(column)
+    return columns, repeated
 
 
 def _cells(line: str, separator: str) -> list[str]:
@@ -179,33 +208,37 @@ def _is_unit_row(cells: list[str]) -> bool:
     )
 
 
-def _with_units(
-    columns: dict[str, Column], cells: list[str], names: Mapping[str, tuple[str, str | None]]
-) -> dict[str, Column]:
-    found = {}
-    for role, column in columns.items():
+def _add_units(table: Table, cells: list[str], names: Names) -> None:
+    """Give the columns of a table the units of the row below its names."""
+
+    def with_unit(column: Column) -> Column:
         unit = cells[column.index].strip("[]") if column.index < len(cells) else ""
-        given = names[role][1] if role in names else None
+        given = names[column.role][1] if column.role in names else None
+        role = column.role
         if role == "temperature" and unit.lower() in ("s", "min", "h"):
-            continue  # the column "t" is time
-        found[role] = Column(column.index, column.name, given or column.unit or unit, role)
-    return found
+            role = "time"  # the column "t"
+        return Column(column.index, column.name, given or column.unit or unit, role, column.frequency)
+
+    columns = [with_unit(column) for column in table.columns.values()]
+    table.columns = {}
+    for column in columns:
+        table.columns.setdefault(column.role, column)
+    table.repeated = [with_unit(column) for column in table.repeated]
 
 
 def _add_row(table: Table, cells: list[str], separator: str) -> bool:
-    """Add a row of numbers to a table, or count a row with missing numbers; return whether it was one of these."""
-    needed = [column for role, column in table.columns.items() if role not in ("sweep", "second_frequency")]
+    """Add a row of numbers to a table; return whether it contains one in a known column."""
+    everything = [*table.columns.values(), *table.repeated]
     numbers = {
-        column.role: _number(cells[column.index], separator) if column.index < len(cells) else math.nan
-        for column in table.columns.values()
+        column.index: _number(cells[column.index], separator) if column.index < len(cells) else math.nan
+        for column in everything
     }
-    readable = [not math.isnan(numbers[column.role]) for column in needed]
-    if all(readable):
-        table.rows.append(numbers)
-    elif any(readable) and not math.isnan(numbers[table.over]):
-        table.unreadable += 1
-    else:
+    if all(map(math.isnan, numbers.values())):
         return False
+    row = {role: numbers[column.index] for role, column in table.columns.items()}
+    if table.repeated:
+        row |= {f"column {index}": number for index, number in numbers.items()}
+    table.rows.append(row)
     return True
 
 

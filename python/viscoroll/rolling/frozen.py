@@ -1,4 +1,4 @@
-"""Solution of a contact for other input with its nodes in contact, stick and slip unchanged (frozen contact)."""
+"""Solution of a contact for changed input, with the nodes in contact, stick and slip unchanged (frozen contact)."""
 
 from __future__ import annotations
 
@@ -14,19 +14,20 @@ from .perturbed import Given
 
 __all__ = ["FrozenContact"]
 
-#: Largest relative change when a result is solved again; tables with a larger reach change the exact sphere by 1e-5.
+#: Largest relative difference from the result when the frozen contact is solved for the same input. The difference can
+#: be 1e-5 with `Curvature.EXACT` if the influence tables cover a larger contact.
 _SAME = 1e-4
 
 
 class FrozenContact:
-    """Frozen contact: the equations of the nodes of a result for other input (`docs/theory/sensitivities.md`).
+    """Solver of the contact equations of a result for changed input (`docs/theory/sensitivities.md`).
 
     Parameters
     ----------
     result : Solution
         Result whose nodes in contact, stick and slip are kept.
     answers : sequence of str
-        Names of the scalars to return.
+        Names of the scalar results to return.
     threads : int
         Number of threads; 0 for all cores.
     """
@@ -34,20 +35,20 @@ class FrozenContact:
     def __init__(self, result: Solution, answers: Sequence[str], threads: int) -> None:
         self._result, self._answers, self._threads = result, tuple(answers), threads
 
-    def own_answers(self, given: Given) -> Floats:
-        """Return the answers for the input of the result itself.
+    def own_values(self, given: Given) -> Floats:
+        """Return the scalars for the input of the result itself, shape (answers,), in SI units.
 
         Raises
         ------
         ConvergenceError
-            If they differ from those of the result: after `Status.MAX_ITERATIONS`, or with `SlipKinematics.FLAT`.
+            If the solution differs from the result: after `Status.MAX_ITERATIONS`, or with `SlipKinematics.FLAT`.
         """
         again = self._solved(given)
         self._require_same(again)
         return self._read(again)
 
-    def answers(self, given: Given) -> Floats:
-        """Return the answers for another input."""
+    def values(self, given: Given) -> Floats:
+        """Return the scalars for another input, shape (answers,), in SI units."""
         return self._read(self._solved(given))
 
     def _require_same(self, again: _core.Result) -> None:

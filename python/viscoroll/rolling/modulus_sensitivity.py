@@ -11,7 +11,7 @@ __all__ = ["ModulusSensitivity"]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ModulusSensitivity:
-    """Relative change of results by that of the modulus of a material, by frequency.
+    """Relative change of results per relative change of the modulus of a material, by frequency.
 
     Attributes
     ----------
@@ -21,7 +21,7 @@ class ModulusSensitivity:
         Centers of overlapping bands whose weights add up to 1 at every frequency [rad/s]. The lowest band contains all
         lower frequencies, including rest, and the highest band all higher ones.
     storage, loss : ndarray, shape (answers, bands)
-        Relative change of each answer divided by that of G' or G'' in a band [-].
+        Relative change of each answer divided by the relative change of G' or G'' in a band [-].
     """
 
     name: str

@@ -25,19 +25,19 @@ __all__ = [
     "Bands",
     "Change",
     "Given",
+    "MaterialPosition",
     "Number",
     "Part",
-    "Place",
     "bands_of",
     "change_of_modulus",
+    "material_positions",
     "numbers_of",
-    "places_of",
 ]
 
 #: Part of a complex modulus.
 Part: TypeAlias = Literal["storage", "loss"]
 
-#: Poisson's ratio above which a difference quotient uses only smaller values.
+#: Poisson's ratio above which a difference quotient uses only smaller values, because the limit is 0.5.
 _HIGHEST_POISSON_RATIO = 0.499
 
 
@@ -82,7 +82,7 @@ class Number:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class MaterialPosition:
     """Position of a material in the bodies of an input.
 
     Attributes
@@ -111,14 +111,14 @@ class Place:
         return replace(given, **{self.which: with_materials(body, materials)})  # type: ignore[arg-type]
 
     def rolling_speed(self, result: Solution) -> float:
-        """Return the lowest frequency of the load on the material, once per revolution of its body [rad/s]."""
+        """Return the lowest frequency of the load on the material [rad/s]: the rolling speed / radius of its body."""
         if self.which == "body":
             return result.angular_speed
         radius = getattr(result.on, "outer_radius", result.body.outer_radius)
         return float(result.angular_speed * result.body.outer_radius / radius)
 
 
-def places_of(given: Given) -> Iterator[Place]:
+def material_positions(given: Given) -> Iterator[MaterialPosition]:
     """Yield the positions of all materials, first of the rolling body, each body from the inside outwards."""
     for which, prefix in (("body", ""), ("on", "on.")):
         body = getattr(given, which)
@@ -128,7 +128,7 @@ def places_of(given: Given) -> Iterator[Place]:
         bases = count - len(body.layers)
         for i in range(count):
             name = "base" if i < bases else f"layers[{i - bases}]"
-            yield Place(which, i, f"{prefix}{name}")  # type: ignore[arg-type]
+            yield MaterialPosition(which, i, f"{prefix}{name}")  # type: ignore[arg-type]
 
 
 def numbers_of(given: Given) -> Iterator[Number]:
@@ -141,24 +141,24 @@ def numbers_of(given: Given) -> Iterator[Number]:
         value = getattr(given.drive, field.name)
         if value:
             yield Number(f"drive.{field.name}", _change_of_drive(given, field.name, value))
-    for place in places_of(given):
+    for position in material_positions(given):
         for name in ("thickness", "poisson_ratio", "bulk_modulus", "density"):
-            value = getattr(place.material(given), name, None)
+            value = getattr(position.material(given), name, None)
             if value:
                 is_highest = name == "poisson_ratio" and value > _HIGHEST_POISSON_RATIO
-                yield Number(f"{place.name}.{name}", _change_at(given, place, name, value), is_highest)
+                yield Number(f"{position.name}.{name}", _change_at(given, position, name, value), is_highest)
 
 
 def _change_of(given: Given, name: str, value: float) -> Change:
-    return lambda share: replace(given, **{name: value * (1.0 + share)})  # type: ignore[arg-type]
+    return lambda change: replace(given, **{name: value * (1.0 + change)})  # type: ignore[arg-type]
 
 
 def _change_of_drive(given: Given, name: str, value: float) -> Change:
-    return lambda share: replace(given, drive=replace(given.drive, **{name: value * (1.0 + share)}))
+    return lambda change: replace(given, drive=replace(given.drive, **{name: value * (1.0 + change)}))
 
 
-def _change_at(given: Given, place: Place, name: str, value: float) -> Change:
-    return lambda share: place.with_changed(given, **{name: value * (1.0 + share)})
+def _change_at(given: Given, position: MaterialPosition, name: str, value: float) -> Change:
+    return lambda change: position.with_changed(given, **{name: value * (1.0 + change)})
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,39 +167,39 @@ class Bands:
 
     Attributes
     ----------
-    middles : ndarray
-        Frequencies at which the weight of a band is 1, at equal ratios [rad/s]. The weight of the lowest band is 1 also
-        below, that of the highest also above.
+    centers : ndarray
+        Frequencies at which the weight of a band is 1, at equal ratios [rad/s]. The lowest band also has the weight 1
+        at all lower frequencies, and the highest band at all higher ones.
     """
 
-    middles: Floats
+    centers: Floats
 
-    def share(self, band: int, frequency: Floats) -> Floats:
+    def weight(self, band: int, frequency: Floats) -> Floats:
         """Return the weight of a band at frequencies [-]."""
         with np.errstate(divide="ignore"):
-            place = np.log(frequency / self.middles[0]) / np.log(self.middles[1] / self.middles[0])
-        distance = np.abs(np.clip(place, 0.0, self.middles.size - 1.0) - band)
-        share: Floats = np.where(distance < 1.0, np.cos(0.5 * np.pi * np.minimum(distance, 1.0)) ** 2, 0.0)
-        return share
+            position = np.log(frequency / self.centers[0]) / np.log(self.centers[1] / self.centers[0])
+        distance = np.abs(np.clip(position, 0.0, self.centers.size - 1.0) - band)
+        weight: Floats = np.where(distance < 1.0, np.cos(0.5 * np.pi * np.minimum(distance, 1.0)) ** 2, 0.0)
+        return weight
 
 
 def bands_of(rolling_speed: float, mesh: Mesh, per_decade: int) -> Bands:
-    """Return bands at round frequencies, from that of one revolution to that of the highest order of the mesh."""
+    """Return bands centered at powers of 10^(1/per_decade) rad/s, from one revolution to the mesh's highest order."""
     lowest = math.floor(math.log10(rolling_speed) * per_decade)
     highest = math.ceil(math.log10(rolling_speed * mesh.nodes_per_revolution / 2.0) * per_decade)
     return Bands(10.0 ** (np.arange(lowest, highest + 1) / per_decade))
 
 
-def change_of_modulus(given: Given, place: Place, bands: Bands, band: int, part: Part) -> Change:
+def change_of_modulus(given: Given, position: MaterialPosition, bands: Bands, band: int, part: Part) -> Change:
     """Return a function that changes the storage or the loss part of a modulus in a band."""
-    modulus = to_core(place.material(given).shear_modulus)
+    modulus = to_core(position.material(given).shear_modulus)
 
-    def changed(share: float) -> Given:
+    def changed(relative: float) -> Given:
         def values(frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
             value = _core.complex_modulus(modulus, frequency)
-            change = share * bands.share(band, frequency)
+            change = relative * bands.weight(band, frequency)
             return value + change * (value.real if part == "storage" else 1j * value.imag)
 
-        return place.with_changed(given, shear_modulus=values)
+        return position.with_changed(given, shear_modulus=values)
 
     return changed

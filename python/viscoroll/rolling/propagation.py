@@ -1,9 +1,9 @@
-"""Results for many draws of the materials, linear in their moduli, with a frozen contact.
+"""Results for many draws (samples) of uncertain moduli, to first order in the moduli, with a frozen contact.
 
-Draws differ in few directions. The deviations of all moduli from those of the result (storage and loss modulus, at rest
-and at frequencies of the contact) are divided by their standard deviations and split into directions by a singular
-value decomposition. The derivative along each direction is one solve of the frozen contact, so that the number of
-solves is the number of directions, whatever the number of draws.
+The moduli of many draws usually vary along few independent directions. The deviations of all moduli from those of the
+result (storage and loss modulus, at rest and at frequencies of the contact) are divided by their standard deviations. A
+singular value decomposition then yields the directions. The derivative along each direction needs one solve of the
+frozen contact, so that the number of solves does not depend on the number of draws.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from ..bodies import Counterbody, RollingBody
 from ..materials.moduli import ShearModulusLike, to_core
 from ..solution import Solution
 from .frozen import FrozenContact
-from .perturbed import Given, Place, bands_of, places_of
+from .perturbed import Given, MaterialPosition, bands_of, material_positions
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -33,14 +33,17 @@ __all__ = ["Pair", "propagated"]
 #: Rolling body and counterbody.
 Pair: TypeAlias = tuple[RollingBody, Counterbody | None]
 
-#: Frequencies per decade at which draws are compared: as dense as the entries of measured tables.
+#: Number of frequencies per decade at which draws are compared: as many as measured tables usually have.
 _PER_DECADE = 10
 
-#: Neglected fraction of the standard deviation of all deviations; relative deviation that counts as 0.
-_LEFT_OUT = 0.01
-_ALIKE = 1e-9
+#: Fraction of the standard deviation of all deviations that the neglected directions may have.
+_NEGLECTED = 0.01
 
-#: Largest relative change of a modulus in a difference quotient, whose error is half of this step times the curvature.
+#: Relative deviation of moduli below which the moduli count as equal.
+_EQUAL = 1e-9
+
+#: Largest relative change of a modulus in a forward difference quotient, whose error is half of this step times the
+#: second derivative.
 _STEP = 1e-4
 
 
@@ -79,43 +82,45 @@ def propagated(
     ConvergenceError
         If the frozen contact does not reproduce the result, as in `Sensitivity`.
     """
-    here = Given.of(result)
-    givens = [here, *(_drawn(here, draw) for draw in draws)]
-    moduli = [_DrawnModulus.at(place, result, givens) for place in places_of(here)]
+    own = Given.of(result)
+    givens = [own, *(_input_of_draw(own, draw) for draw in draws)]
+    moduli = [_DrawnModulus.at(position, result, givens) for position in material_positions(own)]
     features = np.hstack([modulus.features for modulus in moduli])
     contact = FrozenContact(result, answers, threads)
-    contact.own_answers(here)
+    contact.own_values(own)
 
-    def answers_with(share: Floats) -> Floats:
-        given = here
+    def values_with(weights: Floats) -> Floats:
+        given = own
         for modulus in moduli:
             if modulus.features.any():
-                given = modulus.place.with_changed(given, shear_modulus=modulus.with_share(share))
-        return contact.answers(given)
+                given = modulus.position.with_changed(given, shear_modulus=modulus.with_weights(weights))
+        return contact.values(given)
 
     values = np.tile([float(getattr(result, answer)) for answer in answers], (len(draws), 1))
-    start = answers_with(np.zeros(len(draws)))  # a function, as below: the core sums both in the same way
+    # Here also, the moduli are Python functions: the core treats them like those below, so that its error cancels.
+    start = values_with(np.zeros(len(draws)))
     directions = list(_directions(features))
-    for i, (score, share) in enumerate(directions):
+    for i, (score, weights) in enumerate(directions):
         if progress is not None:
             progress("draws", i / len(directions))
-        step = _STEP / float(np.abs(share @ features).max())
-        values += np.outer(score, (answers_with(step * share) - start) / step)
+        step = _STEP / float(np.abs(weights @ features).max())
+        values += np.outer(score, (values_with(step * weights) - start) / step)
     return values
 
 
 def _directions(features: Floats) -> Iterator[tuple[Floats, Floats]]:
-    """Yield the coordinates of the draws along a direction, and the weights of the draws that give it, largest first.
+    """Yield for each direction the coordinates of the draws along it, and the weights of the draws that form it.
 
-    Each feature is divided by its own standard deviation, so that features with a large scatter, as at frequencies
-    without measurements, do not hide the others.
+    A direction is the sum of the deviations of the draws with these weights. The direction with the largest scatter
+    comes first. Each feature is divided by its standard deviation, so that features with a large scatter, as at
+    frequencies without measurements, do not dominate.
     """
     size = np.sqrt(np.mean(features**2, axis=0))
-    if not (scattered := size > _ALIKE).any():
+    if not (scattered := size > _EQUAL).any():
         return
     left, singular, _ = np.linalg.svd(features[:, scattered] / size[scattered], full_matrices=False)
     beyond = np.sqrt(np.cumsum(singular[::-1] ** 2)[::-1] / np.sum(singular**2))
-    for i in range(int((beyond > _LEFT_OUT).sum())):
+    for i in range(int((beyond > _NEGLECTED).sum())):
         yield left[:, i] * singular[i], left[:, i] / singular[i]
 
 
@@ -125,7 +130,7 @@ class _DrawnModulus:
 
     Attributes
     ----------
-    place : Place
+    position : MaterialPosition
         Position of the layer.
     moduli : tuple
         Modulus of the result, followed by those of the draws.
@@ -133,37 +138,37 @@ class _DrawnModulus:
         Relative deviations of storage and loss modulus at rest and at frequencies of the contact [-].
     """
 
-    place: Place
+    position: MaterialPosition
     moduli: tuple[ShearModulusLike, ...]
     features: Floats
 
     @classmethod
-    def at(cls, place: Place, result: Solution, givens: Sequence[Given]) -> _DrawnModulus:
-        """Return the modulus at a position of the input of a result, with its draws."""
-        moduli = tuple(place.material(given).shear_modulus for given in givens)
-        bands = bands_of(place.rolling_speed(result), result.mesh, _PER_DECADE)
-        values = _values(moduli, np.concatenate([[0.0], bands.middles]))
+    def at(cls, position: MaterialPosition, result: Solution, givens: Sequence[Given]) -> _DrawnModulus:
+        """Return the modulus at a position, for the result (first of `givens`) and for the draws."""
+        moduli = tuple(position.material(given).shear_modulus for given in givens)
+        bands = bands_of(position.rolling_speed(result), result.mesh, _PER_DECADE)
+        values = _values(moduli, np.concatenate([[0.0], bands.centers]))
         parts = np.hstack([values.real, values.imag])
         parts = parts[:, parts[0] > 0.0]
-        return cls(place, moduli, parts[1:] / parts[0] - 1.0)
+        return cls(position, moduli, parts[1:] / parts[0] - 1.0)
 
-    def with_share(self, share: Floats) -> Callable[[Floats], NDArray[np.complex128]]:
+    def with_weights(self, weights: Floats) -> Callable[[Floats], NDArray[np.complex128]]:
         """Return the modulus of the result plus a weighted sum of the deviations of the draws."""
 
         def modulus(frequency: Floats) -> NDArray[np.complex128]:
             values = _values(self.moduli, frequency)
-            return np.asarray(values[0] + share @ (values[1:] - values[0]))
+            return np.asarray(values[0] + weights @ (values[1:] - values[0]))
 
         return modulus
 
 
-def _drawn(given: Given, draw: Pair) -> Given:
+def _input_of_draw(given: Given, draw: Pair) -> Given:
     """Return the input with the bodies of a draw; raise a ValueError if they differ in more than shear moduli."""
     drawn = replace(given, body=draw[0], on=draw[1])
-    restored, places = drawn, list(places_of(given))
-    if len(places) == len(list(places_of(drawn))):
-        for place in places:
-            restored = place.with_changed(restored, shear_modulus=place.material(given).shear_modulus)
+    restored, positions = drawn, list(material_positions(given))
+    if len(positions) == len(list(material_positions(drawn))):
+        for position in positions:
+            restored = position.with_changed(restored, shear_modulus=position.material(given).shear_modulus)
     if (restored.body, restored.on) != (given.body, given.on):
         raise InvalidInput(
             "draws",

@@ -60,7 +60,7 @@ class Result(Solution):  # noqa: D101  (described as the solution that it is)
 
     @plots("only the map of the pressure, or its profile for a roller")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw the pressure with the contact outline and the offset of the resultant, and the profile along the path.
+        """Draw the pressure with the contact outline and the resultant, and the profile of the pressure along the path.
 
         With friction, also draw the zones of stick and slip, with arrows for the traction on the coating.
         """

@@ -19,7 +19,17 @@ from ..solution import Solution
 from ..solution.scalars import SCALARS
 from .frozen import FrozenContact
 from .modulus_sensitivity import ModulusSensitivity
-from .perturbed import Bands, Change, Given, Part, Place, bands_of, change_of_modulus, numbers_of, places_of
+from .perturbed import (
+    Bands,
+    Change,
+    Given,
+    MaterialPosition,
+    Part,
+    bands_of,
+    change_of_modulus,
+    material_positions,
+    numbers_of,
+)
 
 if TYPE_CHECKING:
     import xarray
@@ -28,7 +38,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Sensitivity", "sensitivity"]
 
-#: Relative step of a parameter in a difference quotient: truncation error is its square, round-off 1e-6 of solutions.
+#: Relative step of a parameter in a central difference quotient. The truncation error is of the order of its square;
+#: round-off of the solutions contributes about 1e-6.
 _STEP = 1e-4
 
 #: Scalars whose sensitivity is computed by default.
@@ -37,7 +48,7 @@ _ANSWERS = ("resisting_torque", "penetration", "max_pressure")
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Sensitivity:
-    """Relative changes of scalar results by those of the input: -0.8 means 0.8 % less for 1 % more.
+    """Relative change of scalar results per relative change of the input: -0.8 means 0.8 % less for 1 % more.
 
     Attributes
     ----------
@@ -82,7 +93,19 @@ class Sensitivity:
         return "\n".join(["relative change of each column per relative change of each row", head, *lines])
 
     def to_xarray(self) -> xarray.Dataset:
-        """Return all sensitivities, by parameter and answer; those to moduli by frequency [rad/s] and answer."""
+        """Return all sensitivities as a dataset.
+
+        Returns
+        -------
+        xarray.Dataset
+            `sensitivity` over (parameter, answer), and for the modulus with index i `storage_i` and `loss_i` over
+            (frequency_i, answer), with the frequency in [rad/s].
+
+        Raises
+        ------
+        ImportError
+            If the extra `viscoroll[studies]` is missing.
+        """
         with extra("studies"):
             import xarray
 
@@ -120,6 +143,18 @@ class Sensitivity:
         measured : (float, float), optional
             Lowest and highest frequency at which the moduli are measured [rad/s]; other frequencies are gray. By
             default the range of the tables of the moduli, if there are any.
+
+        Returns
+        -------
+        matplotlib.figure.Figure or matplotlib.axes.Axes
+            A new figure, or `ax`.
+
+        Raises
+        ------
+        ValueError
+            If the answer is unknown, or the frequencies are not positive and increasing.
+        ImportError
+            If the extra `viscoroll[plot]` is missing.
         """
         from .sensitivity_picture import measured_range, plot_moduli
 
@@ -140,10 +175,10 @@ def sensitivity(
 ) -> Sensitivity:
     """Return the derivatives of torque, penetration and pressure by each parameter.
 
-    Contact, stick and slip of the nodes are kept. The remaining equations are smooth, and one solve takes a fraction of
-    the time of the first solve. The derivatives are those of the whole problem on this mesh, because nodes that join
-    the contact affect only second derivatives (`docs/theory/sensitivities.md`). Derivatives by lengths, on which the
-    nodes depend, have the error of the mesh.
+    The nodes in contact, stick and slip are kept. The remaining equations are smooth, and each solve of them takes a
+    fraction of the time of the first solve. The derivatives are those of the whole problem on this mesh, because nodes
+    that join the contact affect only second derivatives (`docs/theory/sensitivities.md`). Derivatives by lengths have
+    the error of the mesh, because the positions of the nodes depend on lengths.
 
     Parameters
     ----------
@@ -183,8 +218,11 @@ def sensitivity(
     given = Given.of(self)
     quotients = _Quotients(self, given, answers, threads)
     numbers = list(numbers_of(given))
-    moduli = [(place, bands_of(place.rolling_speed(self), self.mesh, per_decade)) for place in places_of(given)]
-    total = len(numbers) + sum(2 * bands.middles.size for _, bands in moduli)
+    moduli = [
+        (position, bands_of(position.rolling_speed(self), self.mesh, per_decade))
+        for position in material_positions(given)
+    ]
+    total = len(numbers) + sum(2 * bands.centers.size for _, bands in moduli)
     with counted(progress, total=total, unit="parameter") as one_more:
 
         def each(change: Change, *, downwards: bool = False) -> Floats:
@@ -192,19 +230,19 @@ def sensitivity(
             one_more()
             return found
 
-        def by_band(place: Place, bands: Bands, part: Part) -> Floats:
-            changes = (change_of_modulus(given, place, bands, band, part) for band in range(bands.middles.size))
+        def by_band(position: MaterialPosition, bands: Bands, part: Part) -> Floats:
+            changes = (change_of_modulus(given, position, bands, band, part) for band in range(bands.centers.size))
             return np.array([each(change) for change in changes]).T
 
         values = [each(number.change, downwards=number.downwards) for number in numbers]
         found = tuple(
             ModulusSensitivity(
-                name=f"{place.name}.shear_modulus",
-                frequency=bands.middles,
-                storage=by_band(place, bands, "storage"),
-                loss=by_band(place, bands, "loss"),
+                name=f"{position.name}.shear_modulus",
+                frequency=bands.centers,
+                storage=by_band(position, bands, "storage"),
+                loss=by_band(position, bands, "loss"),
             )
-            for place, bands in moduli
+            for position, bands in moduli
         )
     return Sensitivity(
         answers=answers,
@@ -234,19 +272,19 @@ def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
 
 
 class _Quotients:
-    """Difference quotients of solutions with the same nodes in contact."""
+    """Difference quotients of the answers, with the frozen contact of a result."""
 
     def __init__(self, result: Solution, given: Given, answers: tuple[str, ...], threads: int) -> None:
         self._contact = FrozenContact(result, answers, threads)
-        self._here = self._contact.own_answers(given)
+        self._here = self._contact.own_values(given)
 
     def __call__(self, change: Change, *, downwards: bool) -> Floats:
-        """Return relative changes of the answers by a parameter, which is changed to both sides or only downwards."""
-        below = self._contact.answers(change(-_STEP))
+        """Return d ln(answer) / d ln(parameter), from changes of the parameter both ways or only downwards."""
+        below = self._contact.values(change(-_STEP))
         if downwards:
-            quotient = (3.0 * self._here - 4.0 * below + self._contact.answers(change(-2.0 * _STEP))) / (2.0 * _STEP)
+            quotient = (3.0 * self._here - 4.0 * below + self._contact.values(change(-2.0 * _STEP))) / (2.0 * _STEP)
         else:
-            quotient = (self._contact.answers(change(_STEP)) - below) / (2.0 * _STEP)
+            quotient = (self._contact.values(change(_STEP)) - below) / (2.0 * _STEP)
         relative: Floats = np.divide(quotient, self._here, out=np.zeros_like(quotient), where=self._here != 0.0)
         return relative
 

@@ -11,7 +11,7 @@ from .._support.arguments import Floats
 from .._support.pictures import Picture, draw_picture
 from ..materials.moduli import measured_range_of
 from ..solution.loss_spectrum import loss_spectrum
-from .perturbed import Given, bands_of, places_of
+from .perturbed import Given, bands_of, material_positions
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 __all__ = ["measured_range", "plot_moduli"]
 
-#: Bands per decade for the loss: about five per width of a relaxation.
+#: Bands per decade for the loss: about five across the loss peak of a single relaxation time (1.1 decades).
 _PER_DECADE = 4
 
 #: Lowest and highest frequency [rad/s].
@@ -31,7 +31,7 @@ Range = tuple[float, float]
 def measured_range(result: Solution) -> Range | None:
     """Return the frequency range common to all tables of measured moduli [rad/s], or None without such tables."""
     given = Given.of(result)
-    return measured_range_of(place.material(given).shear_modulus for place in places_of(given))
+    return measured_range_of(position.material(given).shear_modulus for position in material_positions(given))
 
 
 def plot_moduli(
@@ -61,8 +61,8 @@ def plot_moduli(
 
     def compose(picture: Picture) -> None:
         above, below = picture.subplots(2, 1, sharex=True, height_ratios=(2, 3))
-        for line, (name, frequency, share) in zip(("-", "--"), _losses(result), strict=False):
-            above.plot(frequency, 100.0 * share, line, color="0.3", label=f"loss in {name}")
+        for line, (name, frequency, fraction) in zip(("-", "--"), _losses(result), strict=False):
+            above.plot(frequency, 100.0 * fraction, line, color="0.3", label=f"loss in {name}")
         above.set_ylabel("power dissipated\n[% per decade]")
         above.set_ylim(0.0, None)
         draw(below)
@@ -74,14 +74,14 @@ def plot_moduli(
 
 
 def _losses(result: Solution) -> Iterator[tuple[str, Floats, Floats]]:
-    """Yield for each body its name, frequencies [rad/s], and its fraction of the loss per decade at each [-]."""
-    firsts = {place.which: place for place in reversed(list(places_of(Given.of(result))))}
-    for which, place in sorted(firsts.items()):
+    """Yield for each body its name, frequencies [rad/s], and the fraction of its loss per decade around each [-]."""
+    firsts = {position.which: position for position in reversed(list(material_positions(Given.of(result))))}
+    for which, position in sorted(firsts.items()):
         spectrum = loss_spectrum(result, of="body" if which == "body" else "counterbody")
-        bands = bands_of(place.rolling_speed(result), result.mesh, _PER_DECADE)
-        power = [float(spectrum.power @ bands.share(i, spectrum.frequency)) for i in range(bands.middles.size)]
+        bands = bands_of(position.rolling_speed(result), result.mesh, _PER_DECADE)
+        power = [float(spectrum.power @ bands.weight(i, spectrum.frequency)) for i in range(bands.centers.size)]
         name = "rolling body" if which == "body" else "counterbody"
-        yield name, bands.middles, np.array(power) / spectrum.power.sum() * _PER_DECADE
+        yield name, bands.centers, np.array(power) / spectrum.power.sum() * _PER_DECADE
 
 
 def _shade_unmeasured(axes: Axes, measured: Range | None) -> None:

@@ -65,8 +65,8 @@ def solve(
         `Result.max_pressure_error`. The solver refines the mesh further for it, within some seconds; if that does not
         suffice, it issues a warning.
     friction : float, default 0
-        Coulomb's coefficient of friction μ [-], in [0, 4]. With ``math.inf`` the whole contact sticks; a
-        `ConvergenceError` says if that requires tension.
+        Coulomb's coefficient of friction μ [-], in [0, 4]. With ``math.inf`` the whole contact sticks; if that would
+        require tension, a `ConvergenceError` is raised.
     drive : Drive, default Drive(force=0.0)
         Condition that determines the speed of the center. Without friction, where that speed is undetermined, only a
         force of 0 or a creepage is allowed; torque and force then follow from the power dissipated in each body.

@@ -49,8 +49,8 @@ class Inside:
         The body. A groove is represented by a plane with its layers, a roller under a wheel by a wheel without side
         faces.
     radius : float
-        Radius at which the angles φ and θ are arcs [m]: the radius of the body, or for a plane that of the rolling
-        body.
+        Radius by which arcs are divided to give the angles φ and θ [m]: that of the body, or for a plane that of the
+        rolling body.
     """
 
     result: Solution
@@ -59,8 +59,8 @@ class Inside:
     radius: float
 
     @property
-    def turns(self) -> bool:
-        """Whether the body has a radius; otherwise positions are heights above its surface."""
+    def has_radius(self) -> bool:
+        """Whether positions in the body are radii; in a plane they are heights above its surface."""
         return not self.body.is_flat
 
     @property
@@ -84,7 +84,7 @@ class Inside:
 
     @property
     def selected(self) -> RollingBody | Counterbody:
-        """The body as the user gave it, which may be represented by another one: see `body`."""
+        """Body of the result as the user gave it; `body` may be another body that represents it."""
         on = self.result.on
         if self.of == "body":
             return self.result.body
@@ -97,8 +97,8 @@ class Inside:
         return self.result.body.line_contact
 
     @property
-    def passes(self) -> float:
-        """Angular speed at which the material passes the contact, at the radius of the body [rad/s]."""
+    def passing_speed(self) -> float:
+        """Angular speed at which the material of the body passes the contact [rad/s]: its surface speed / `radius`."""
         result = self.result
         if self.of == "body":
             return result.angular_speed
@@ -133,20 +133,20 @@ class Inside:
     def places(
         self, depth: ArrayLike | None, radius: ArrayLike | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Return positions and layers of given depths or radii; see `places_of`."""
+        """Return the positions [m] and the numbers of the layers at depths or radii; see `places_of`."""
         return places_of(self.body, depth, radius)
 
     def node_angles(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return φ and θ of the nodes [rad] at the radius of this body."""
-        turns = self.result.body.outer_radius / self.radius
-        phi, theta = (0.5 * np.pi + (angles - 0.5 * np.pi) * turns for angles in node_angles(self.result))
+        """Return φ and θ of the nodes [rad], arcs divided by the radius of this body."""
+        ratio = self.result.body.outer_radius / self.radius
+        phi, theta = (0.5 * np.pi + (angles - 0.5 * np.pi) * ratio for angles in node_angles(self.result))
         return phi, theta
 
     def node_spacings(self) -> tuple[float, float]:
-        """Return the angles between nodes along φ and θ [rad] at the radius of this body."""
-        turns = self.result.body.outer_radius / self.radius
+        """Return the spacings of the nodes along φ and θ [rad], arcs divided by the radius of this body."""
+        ratio = self.result.body.outer_radius / self.radius
         phi, theta = node_spacings(self.result)
-        return phi * turns, theta * turns
+        return phi * ratio, theta * ratio
 
     def warn_of_sides(self) -> None:
         """Warn if free side faces are near the contact: the fields are those of a tread that continues beyond them."""
@@ -161,7 +161,7 @@ class Inside:
 
 
 def inside_of(result: Solution, of: Of | None = None) -> Inside:
-    """Return the body of a result to be evaluated.
+    """Return one body of a result, for the evaluation of its interior.
 
     Parameters
     ----------
@@ -184,8 +184,8 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
         return Inside(result, of, body, body.outer_radius)
     if on is None or not on.is_deformable:
         raise InvalidInput("result.on", "must have a layer or a base to be evaluated inside", "a rigid body")
-    seen = cast(BodyInside, on.interior_body(body))
-    return Inside(result, of, seen, body.outer_radius if seen.is_flat else seen.surface)
+    representative = cast(BodyInside, on.interior_body(body))
+    return Inside(result, of, representative, body.outer_radius if representative.is_flat else representative.surface)
 
 
 def places_of(
@@ -193,12 +193,17 @@ def places_of(
 ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
     """Return positions and layers of places given by depth or radius; a boundary between layers yields two places.
 
-    A position is a radius, or in a plane the height above its surface [m].
+    Returns
+    -------
+    positions : ndarray, shape (places,)
+        Radii, or in a plane heights above its surface [m].
+    layers : ndarray of int, shape (places,)
+        Numbers of the layers, counted from the center or the base outwards.
 
     Raises
     ------
     TypeError, ValueError
-        Unless exactly one of the two is given, as real numbers within the layers.
+        Unless exactly one of depth and radius is given, as real numbers within the layers.
     """
     if (depth is None) == (radius is None):
         raise ValueError("exactly one of depth and radius must be given")

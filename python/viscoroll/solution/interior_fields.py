@@ -57,7 +57,7 @@ def order_fields(
     rolling_radius: float | None = None,
     curvature: Curvature = Curvature.SPHERE,
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128], NDArray[np.complex128]]:
-    """Fields of single orders (m, n) inside the layers, per unit surface stress.
+    """Return the fields of single orders (m, n) inside the layers, per unit surface stress.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def order_fields(
     >>> displacement, stress, _ = order_fields(paper.ball(), 2.5, [30], [0], radius=[20e-3, 21e-3])
     >>> bool(abs(displacement[0, 0]).max() == 0.0)  # on the rigid core
     True
-    >>> print(f"{abs(stress[0, 0, 0, 0]):.2f}")  # of the radial stress, what reaches the core
+    >>> print(f"{abs(stress[0, 0, 0, 0]):.2f}")  # radial stress at the core
     0.75
     """
     require_type("body", body, CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel)
@@ -138,15 +138,16 @@ def interior(
     radius : array_like
         Radius r [m], in place of `depth`; not in a plane.
     phi, theta : array_like, optional
-        Angles [rad], by default those of the nodes. They must lie within half a revolution of the lowest point, π/2; φ
-        in a plane within a third of one; θ in a plane or a wheel, where it is an arc divided by a radius, within a
-        whole one. ``theta=[π/2]`` with many depths is the section through the contact, the only one in line contact.
+        Angles [rad], by default those of the nodes. Their distance from the lowest point, π/2, must be at most half a
+        revolution; for φ in a plane at most a third of a revolution; for θ in a plane or a wheel, where θ is an arc
+        divided by a radius, at most one revolution. ``theta=[π/2]`` is the section through the contact, the only
+        section in line contact.
     of : "body" or "counterbody", optional
         Rolling body or counterbody. By default the deformable body; if both deform, the rolling body.
     max_order : float, optional
         Order at which the sum ends smoothly, > 0. By default the sum ends where the orders have decayed at the depth. A
-        lower order saves time at shallow places. The steps of the pressure from patch to patch belong to orders above π
-        divided by the spacing.
+        lower order saves time at small depths. The steps of the pressure from patch to patch belong to orders above π
+        divided by the spacing [rad].
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : bool or callable, optional
@@ -236,7 +237,7 @@ def interior(
         },
         attrs=given_of(result)
         | {"of": inside.of, "body": type(inside.body).__name__}
-        | ({"outer_radius": inside.radius} if inside.turns else {}),
+        | ({"outer_radius": inside.radius} if inside.has_radius else {}),
     )
 
 
@@ -248,7 +249,7 @@ def strains(
     *,
     max_order: float | None = None,
 ) -> NDArray[np.float64]:
-    """Return only the strain of `interior` [-], of shape (places, 6, phi, theta); layer boundaries are two places."""
+    """Return the strain of `interior` [-], of shape (places, 6, phi, theta); a layer boundary counts as two places."""
     return _values(inside, inside.places(depth), phi, theta, max_order, 0, None)[:, 9:]
 
 
@@ -279,9 +280,9 @@ def _values(
 def place_coordinates(
     inside: Inside, positions: NDArray[np.float64]
 ) -> dict[str, tuple[str, NDArray[np.float64], dict[str, str]]]:
-    """Return the coordinates of places along the normal: depth, and the radius r except in a plane."""
+    """Return the coordinates of places along the normal: depth [m], and the radius r [m] except in a plane."""
     coordinates = {"depth": ("depth", inside.depth(positions), {"units": "m"})}
-    return coordinates | ({"radius": ("depth", positions, {"units": "m"})} if inside.turns else {})
+    return coordinates | ({"radius": ("depth", positions, {"units": "m"})} if inside.has_radius else {})
 
 
 def bonds(result: Solution, *, of: Of | None = None, threads: int = 0, progress: ProgressLike = None) -> xarray.Dataset:
@@ -329,8 +330,8 @@ def _warn_of_shallow_places(inside: Inside, depths: NDArray[np.float64], on_node
     """Warn of depths at which the stresses show the steps of the pressure from patch to patch."""
     along, across = inside.node_spacings()
     spacing = inside.radius * max(along, 0.0 if inside.line_contact else across)
-    share, where = (0.25, "a quarter") if on_nodes else (0.5, "half")
-    if depths.size and depths.min() < share * spacing * (1.0 - 1e-9):
-        shallow = f"depth {depths.min():.3g} m is less than {where} of the node spacing, {share * spacing:.3g} m"
+    fraction, where = (0.25, "a quarter") if on_nodes else (0.5, "half")
+    if depths.size and depths.min() < fraction * spacing * (1.0 - 1e-9):
+        shallow = f"depth {depths.min():.3g} m is less than {where} of the node spacing, {fraction * spacing:.3g} m"
         steps = "stresses there show the pressure steps between patches; refine the mesh to reduce them"
         warn([f"{shallow}: {steps}"])

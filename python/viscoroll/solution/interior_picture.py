@@ -21,6 +21,8 @@ __all__ = ["plot_loss", "plot_section"]
 
 _MM = 1e3
 _MPA = 1e-6
+
+#: Number of depths at which fields are evaluated.
 _DEPTHS = 41
 
 

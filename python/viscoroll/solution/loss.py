@@ -23,13 +23,14 @@ if TYPE_CHECKING:
 
 __all__ = ["contact_size", "default_max_order", "loss"]
 
-#: Orders divided by r_o/a, with the contact's semi-axis a, that contain 0.9999 of the loss; w is then right to 1e-3.
+#: Highest order of the sums in units of r_o/a, where a is the smaller semi-axis of the contact. The sums then contain
+#: 0.9999 of the loss, and the relative error of the density w is 1e-3.
 _ORDERS_PER_CONTACT = 40.0
 
-#: Largest relative difference between the volume integral and the supplied power: the error of the radial quadrature.
+#: Largest relative difference between the volume integral and the power of the tractions: the quadrature error over r.
 _BALANCE = 1e-7
 
-#: Fraction of load times speed times semi-axis below which power is round-off: the computed loss of an elastic body.
+#: Fraction of load times speed times semi-axis below which a power is round-off, such as that of an elastic body.
 _ROUND_OFF = 1e-10
 
 
@@ -41,7 +42,7 @@ def contact_size(result: Solution) -> float:
 
 
 def default_max_order(result: Solution, orders_per_contact: float = _ORDERS_PER_CONTACT) -> int:
-    """Return the highest order of the loss sums: all relevant orders, as far as the mesh has them."""
+    """Return the highest order of the loss sums: the highest relevant one, or that of the mesh if it is lower."""
     wanted = int(np.ceil(orders_per_contact * result.body.outer_radius / contact_size(result)))
     most = result.mesh.max_order or 10 * result.mesh.nodes_per_revolution
     return max(8, min(wanted, most, 20000))
@@ -137,23 +138,23 @@ def loss(
         )
     inside.warn_of_sides()
     positions, layers = lost.places
-    # The part of the torus that a sphere has, one half; on other bodies, the tractions occupy at most this half.
+    # θ covers a whole torus. A sphere is half of it; on other bodies, the tractions lie within this half.
     shown = slice(len(lost.theta) // 4, 3 * len(lost.theta) // 4 + 1)
     density = np.maximum(lost.density[:, shown], 0.0)
     # The material of a counterbody passes at the speed of the center, which differs by the creepage from the speed Ω
     # r_o of the solve.
-    as_solved = result.angular_speed * result.body.outer_radius / inside.radius
-    order_power = lost.order_power.reshape(len(inside.layers), -1) * (inside.passes / as_solved)
-    shares = [_term_shares(layer.shear_modulus, as_solved * lost.orders) for layer in inside.layers]
-    terms = max(len(share) for share in shares)
-    relaxation_power = np.full((len(shares), terms), np.nan)
-    for power, share, row in zip(order_power, shares, relaxation_power, strict=True):
-        row[: len(share)] = share @ power
+    solved_speed = result.angular_speed * result.body.outer_radius / inside.radius
+    order_power = lost.order_power.reshape(len(inside.layers), -1) * (inside.passing_speed / solved_speed)
+    fractions = [_term_fractions(layer.shear_modulus, solved_speed * lost.orders) for layer in inside.layers]
+    terms = max(len(fraction) for fraction in fractions)
+    relaxation_power = np.full((len(fractions), terms), np.nan)
+    for power, fraction, row in zip(order_power, fractions, relaxation_power, strict=True):
+        row[: len(fraction)] = fraction @ power
     where = ("depth", "theta")
     densities = {"loss_density": (where, density, described("J m-3", "energy dissipated per volume and passage"))}
-    if inside.turns:
+    if inside.has_radius:
         mean = described("W m-3", "power dissipated per volume, mean over a revolution")
-        densities["power_density"] = (where, density * inside.passes / (2.0 * np.pi), mean)
+        densities["power_density"] = (where, density * inside.passing_speed / (2.0 * np.pi), mean)
     watt = "W m-1" if inside.line_contact else "W"
     return xarray.Dataset(
         {
@@ -179,14 +180,14 @@ def loss(
         | {
             "of": inside.of,
             "power": float(order_power.sum()),
-            "surface_power": lost.surface_power * inside.passes / as_solved,
+            "surface_power": lost.surface_power * inside.passing_speed / solved_speed,
             "bulk_power": inside.bulk_power,
             "max_order": order,
         },
     )
 
 
-def _term_shares(modulus: ShearModulusLike, frequency: NDArray[np.float64]) -> NDArray[np.float64]:
+def _term_fractions(modulus: ShearModulusLike, frequency: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the fraction of the loss modulus due to each relaxation time (row) at each frequency."""
     relaxation = relaxation_of(modulus)
     if relaxation is None:
@@ -194,5 +195,5 @@ def _term_shares(modulus: ShearModulusLike, frequency: NDArray[np.float64]) -> N
     products = frequency * relaxation.times[:-1, None]
     loss = relaxation.moduli[:-1, None] * products / (1.0 + products**2)
     total = loss.sum(axis=0)
-    shares: NDArray[np.float64] = np.divide(loss, total, out=np.zeros_like(loss), where=total > 0.0)
-    return shares
+    fractions: NDArray[np.float64] = np.divide(loss, total, out=np.zeros_like(loss), where=total > 0.0)
+    return fractions

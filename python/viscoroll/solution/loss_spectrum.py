@@ -1,4 +1,4 @@
-"""Power dissipated in a body by harmonic, and its fraction at frequencies outside the measured tables."""
+"""Power dissipated in a body at each harmonic, and its fraction at frequencies outside the measured tables."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 __all__ = ["LossSpectrum", "extrapolated_loss", "loss_spectrum"]
 
-#: All orders up to this one are used; higher orders are sampled at this ratio.
+#: All orders up to `_ONE_BY_ONE` are evaluated; higher orders are sampled at the ratio `_RATIO`.
 _ONE_BY_ONE = 32
 _RATIO = 1.05
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class LossSpectrum:
-    """Power dissipated in one body, by harmonics of the rolling speed.
+    """Power dissipated in one body at each harmonic of its angular speed.
 
     Attributes
     ----------
@@ -37,8 +37,8 @@ class LossSpectrum:
         Frequencies mΩ [rad/s], with the angular speed Ω of the body. In a plane, m divided by the radius of the rolling
         body is the wavenumber, and Ω is that of the rolling body.
     power : ndarray
-        Power dissipated by the orders around each [W], in line contact [W/m]. Except for the error of sampling, the sum
-        is the power dissipated in the body.
+        Power dissipated by the orders that each sampled order represents [W], in line contact [W/m]. Except for the
+        error of sampling, the sum is the power dissipated in the body.
     """
 
     order: Floats
@@ -52,7 +52,7 @@ class LossSpectrum:
 
 
 def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
-    """Return the power dissipated in a body by harmonic.
+    """Return the power dissipated in a body at each harmonic.
 
     P_bulk = -Ω A Σ_mn m Im(σ̄ᵀ C σ) with the orders σ_mn of the tractions, the compliance C of the surface, and the
     area A of one period: (2π r_o)² for a torus, 2π r_o per length for a roller (`docs/theory/normal-contact.md`,
@@ -90,12 +90,12 @@ def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
     compliance = _compliance(inside, m, n)
     traction = _orders(inside, m, n)
     work = np.einsum("pmn,mnpq,qmn->mn", traction.conj(), compliance, traction).imag
-    waves = 2.0 * np.pi * inside.radius
-    area = waves if inside.line_contact else waves**2
+    circumference = 2.0 * np.pi * inside.radius
+    area = circumference if inside.line_contact else circumference**2
     # Orders m and -m dissipate the same power: count those above 0 twice.
-    power = -2.0 * inside.passes * area * m * m_width * (work @ n_width)
+    power = -2.0 * inside.passing_speed * area * m * m_width * (work @ n_width)
     orders = m.astype(np.float64)
-    return LossSpectrum(order=orders, frequency=orders * inside.passes, power=power)
+    return LossSpectrum(order=orders, frequency=orders * inside.passing_speed, power=power)
 
 
 def extrapolated_loss(result: Solution) -> float | None:
@@ -104,8 +104,8 @@ def extrapolated_loss(result: Solution) -> float | None:
     Returns
     -------
     float or None
-        Fraction [-] for layers with a `MasterCurve` whose outermost entries are held beyond its range. None without
-        such a layer, and with a counterbody `on`.
+        Fraction [-] for layers with a `MasterCurve` that holds its end values outside its range. None without such a
+        layer, and with a counterbody `on`.
     """
     if result.on is not None:
         return None
@@ -114,7 +114,7 @@ def extrapolated_loss(result: Solution) -> float | None:
 
 
 def _compliance(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArray[np.complex128]:
-    """Return the compliance of the surface at all orders, shape (m, n, 3, 3) [m/Pa]."""
+    """Return the compliance of the surface at all orders [m/Pa], of shape (orders m, orders n, 3, 3)."""
     grid = [orders.ravel() for orders in np.meshgrid(m, n, indexing="ij")]
     displacement = order_fields(
         inside.body,
@@ -138,7 +138,7 @@ def _sampled(nodes: int) -> tuple[NDArray[np.int64], Floats]:
 
 
 def _orders(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArray[np.complex128]:
-    """Return the orders of the tractions along r, φ and θ, shape (3, m, n) [Pa]."""
+    """Return the orders of the tractions along r, φ and θ [Pa], of shape (3, orders m, orders n)."""
     result = inside.result
     # φ and θ increase in the directions -x and -z at the lowest point.
     sense = 1.0 if inside.of == "counterbody" else -1.0

@@ -85,12 +85,12 @@ def _headline(result: Solution) -> str:
 
 
 def _offset(result: Solution) -> float:
-    """Distance of the normal resultant from the lowest point [m]."""
+    """Return the distance of the normal resultant from the lowest point [m], positive forward."""
     return result.resisting_torque / result.load
 
 
 def _limits(result: Solution) -> tuple[float, float]:
-    """Return half of the drawn range along x and z [mm]: contact and margin within the window, or a wheel's width."""
+    """Return half of the drawn range along x and z [mm]: the contact with a margin; across a wheel, its width."""
     along, across = (float(np.abs(part[result.contact]).max()) for part in (result.x, result.z))
     margin, ends = 2.0 * _spacing(result), float(result.x.max())
     if result.body.width is not None:

@@ -25,7 +25,7 @@ __all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Solution", "described", "gi
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Refinement:
-    """One mesh of a solve that chose its meshes itself.
+    """One of the meshes that the solver tried when it chose the mesh itself.
 
     Attributes
     ----------
@@ -98,7 +98,7 @@ class Solution(ScalarFields):
     refinements : tuple of Refinement
         Meshes that the solver tried, from coarse to fine.
     warnings : dict of WarningKind to str
-        Texts of the `ResultWarning` that the solve issued, by kind.
+        Texts of the warnings (`ResultWarning`) of the solve, by kind.
     x, z : ndarray
         Coordinates of the undeformed nodes [m]: x forward, z sideways.
     pressure : ndarray
@@ -107,15 +107,15 @@ class Solution(ScalarFields):
         Vertical displacement of the surface, positive upwards [m]; relative to that of the lowest point if the
         penetration is undetermined.
     gap : ndarray
-        Height of the surface above the plane [m].
+        Height of the surface above the counterbody [m].
     contact, stick, slip : ndarray of bool
-        Nodes where the surface is in contact with the plane, and those of them that stick and that slip. Without
-        friction, all nodes in contact slip.
+        Nodes that are in contact, and those of them that stick and that slip. Without friction, all nodes in contact
+        slip.
     shear_traction : ndarray, shape (2, nodes in φ, nodes in θ)
-        Traction of the plane on the coating, along x and z [Pa].
+        Traction of the counterbody on the rolling body, along x and z [Pa].
     slip_velocity : ndarray, shape (2, nodes in φ, nodes in θ)
-        Velocity of the coating relative to the plane, along x and z [m/s]; zero outside the contact and without
-        friction.
+        Velocity of the rolling body's surface relative to the counterbody, along x and z [m/s]; zero outside the
+        contact and without friction.
     """
 
     body: RollingBody
@@ -179,7 +179,7 @@ class Solution(ScalarFields):
         return unit_in_contact(unit, line_contact=self.body.line_contact)
 
     def scalars(self) -> dict[str, float | int | str | None]:
-        """Return all scalar results by name in SI units, and the names of status and warnings."""
+        """Return scalar results, input and mesh sizes by name in SI units, and names of status, options, warnings."""
         values: dict[str, float | int | str | None] = {name: getattr(self, name) for name in SCALARS}
         values |= {
             "load": self.load,
@@ -225,7 +225,7 @@ class Solution(ScalarFields):
 
 
 def described(unit: str, text: str) -> dict[str, str]:
-    """Return the attributes of a field in a dataset."""
+    """Return the attributes of a field in a dataset: its unit and description."""
     return {"units": unit, "long_name": text}
 
 
@@ -254,7 +254,7 @@ def node_spacings(solution: Solution) -> tuple[float, float]:
 
 
 def _theta_nodes_per_revolution(solution: Solution) -> float:
-    """Return 2π/Δθ: that of the mesh; for a wheel such that a whole number of columns fills its width."""
+    """Return 2π/Δθ: that of the mesh, or for a wheel the value for which whole columns fill its width."""
     columns = solution.z.shape[1]
     if solution.body.width is not None and columns > 1:
         return float(2.0 * np.pi * solution.body.outer_radius * (columns - 1) / np.ptp(solution.z[0]))

@@ -85,8 +85,8 @@ def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
         for name, (_, label) in SCALARS.items()
         if name != "face_distance" or result.face_distance is not None  # only wheels have faces
     ]
-    if (share := extrapolated_loss(result)) is not None:
-        rows.append(("share of the dissipated power at frequencies outside the measured table", share, "1"))
+    if (extrapolated := extrapolated_loss(result)) is not None:
+        rows.append(("share of the dissipated power at frequencies outside the measured table", extrapolated, "1"))
     return rows
 
 
@@ -116,15 +116,15 @@ def _error_rows(result: Solution) -> list[tuple[str, str]]:
 
 
 def _extrapolation_rows(result: Solution) -> list[tuple[str, str]]:
-    share = extrapolated_loss(result)
-    return [] if share is None else [("share outside the measured table", f"{share:.2%}")]
+    extrapolated = extrapolated_loss(result)
+    return [] if extrapolated is None else [("share outside the measured table", f"{extrapolated:.2%}")]
 
 
 def _pair_rows(result: Solution) -> list[tuple[str, str]]:
     if result.on is None:
         return []
-    shares = f"{_quantity(result, 'rolling_bulk_power')}, {_quantity(result, 'counterbody_bulk_power')}"
-    return [("in the rolling body, in the counterbody", shares)]
+    powers = f"{_quantity(result, 'rolling_bulk_power')}, {_quantity(result, 'counterbody_bulk_power')}"
+    return [("in the rolling body, in the counterbody", powers)]
 
 
 def _friction_rows(result: Solution) -> list[tuple[str, str]]:

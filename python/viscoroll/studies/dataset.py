@@ -30,11 +30,9 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-    from ..bodies import RollingBody
-
 __all__ = ["RESERVED", "build_dataset"]
 
-#: Numbers of each point in addition to `SCALARS`: name, unit, description.
+#: Unit and description of the numbers that each point has in addition to `SCALARS`, by name.
 _COUNTS = {
     "contact_nodes": ("1", "nodes in contact"),
     "nodes_per_revolution": ("1", "nodes per revolution along phi"),
@@ -48,7 +46,7 @@ _TEXTS = {
     "error": "error of a failed point",
 }
 
-#: Names of results, which parameters of a function of a body cannot have.
+#: Names of results. Parameters of a function that makes a body cannot have these names.
 RESERVED = frozenset({*SCALARS, *_COUNTS, *BOUNDS, *_TEXTS, *FIELDS, *VECTOR_FIELDS, "phi", "theta", "direction"})
 
 
@@ -87,10 +85,10 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
             np.array(column, dtype=np.float64),
             _attributes(units["resisting_torque"], BOUNDS[name]),
         )
-    middles = {name: values for name, (_, values, _) in variables.items()}
-    told = interval_variables([outcome.draws for outcome in table], middles, plan.confidence)
-    for name, (of, values, what) in told.items():
-        variables[name] = (names, values, _attributes(units[of], f"{SCALARS[of][1]}, {what}"))
+    best_estimates = {name: values for name, (_, values, _) in variables.items()}
+    intervals = interval_variables([outcome.draws for outcome in table], best_estimates, plan.confidence)
+    for name, (result, values, description) in intervals.items():
+        variables[name] = (names, values, _attributes(units[result], f"{SCALARS[result][1]}, {description}"))
     variables["status"] = (names, _texts([o.scalars.get("status", "FAILED") for o in table]), _texts_of("status"))
     variables["warnings"] = (names, _texts([o.scalars.get("warnings", "") for o in table]), _texts_of("warnings"))
     variables["error"] = (names, _texts([o.error for o in table]), _texts_of("error"))
@@ -107,7 +105,7 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
 
 
 def _fields(plan: Plan, table: list[Outcome]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return coordinates and fields, each window centered in the largest window, with NaN around it."""
+    """Return coordinates and fields. Each window is centered in the largest one, with NaN around it."""
     windows = [next(iter(outcome.fields.values())).shape[-2:] for outcome in table if outcome.fields]
     # The lowest point is node count // 2 of every window: there is at most one more node on one side than on the other.
     rows, columns = (max((window[axis] for window in windows), default=1) for axis in (0, 1))
@@ -120,7 +118,7 @@ def _fields(plan: Plan, table: list[Outcome]) -> tuple[dict[str, Any], dict[str,
         values = np.full((len(table), *((2,) if is_vector else ()), rows, columns), np.nan)
         for i, outcome in enumerate(table):
             if outcome.fields:
-                _place(values[i], outcome.fields[name])
+                _insert_centered(values[i], outcome.fields[name])
         dims = [*names, *(["direction"] if is_vector else []), "phi", "theta"]
         variables[name] = (dims, values.reshape(*plan.shape, *values.shape[1:]), _attributes(unit, description))
         if is_vector:
@@ -129,7 +127,7 @@ def _fields(plan: Plan, table: list[Outcome]) -> tuple[dict[str, Any], dict[str,
 
 
 def _angles(table: list[Outcome], rows: int, columns: int) -> dict[str, Any]:
-    """Return angles of the nodes if all points have one spacing, else node numbers from the lowest point."""
+    """Return the angles of the nodes if all points have the same spacing, else node numbers from the lowest point."""
     angles: dict[str, Any] = {}
     for name, count, prefix in (("phi", rows, ""), ("theta", columns, "theta_")):
         numbers = np.arange(count) - count // 2
@@ -142,7 +140,7 @@ def _angles(table: list[Outcome], rows: int, columns: int) -> dict[str, Any]:
     return angles
 
 
-def _place(whole: NDArray[np.float64], part: NDArray[np.float64]) -> None:
+def _insert_centered(whole: NDArray[np.float64], part: NDArray[np.float64]) -> None:
     first = [n // 2 - m // 2 for n, m in zip(whole.shape[-2:], part.shape[-2:], strict=True)]
     whole[..., first[0] : first[0] + part.shape[-2], first[1] : first[1] + part.shape[-1]] = part
 
@@ -177,7 +175,7 @@ def _provenance(plan: Plan) -> dict[str, str]:
         attributes |= {"other_ball": _parameters(other), "other_radius": repr(other.surface)}
     bodies = {(id(c.body), id(c.arguments.get("on"))): c for c in plan.cases if isinstance(c, LoadCase)}.values()
     if doubt := next(filter(None, (unit_doubt(case.body, case.arguments.get("on")) for case in bodies)), ""):
-        attributes["caution"] = doubt
+        attributes["unit_hint"] = doubt
     varied = {dimension.name for dimension in plan.dimensions}
     for name in sorted(LOAD_CASE - {"mesh"} - varied):
         if name in plan.fixed and not isinstance(plan.fixed[name], int | float):

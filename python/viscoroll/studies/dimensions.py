@@ -23,8 +23,8 @@ from ..materials import Draws
 
 __all__ = ["LOAD_CASE", "MOST_POINTS", "Dimension", "checked", "label", "require_feasible", "split"]
 
-#: Largest number of points of a study. They take 5.4 GB: a point without fields and draws takes 5.4 kB (measured with
-#: tracemalloc over plan, outcomes and dataset of 10 000 points).
+#: Largest number of points of a study. They need 5.4 GB of memory: a point without fields and draws needs 5.4 kB
+#: (measured with tracemalloc over plan, outcomes and dataset of 10 000 points).
 MOST_POINTS = 1_000_000
 
 #: Arguments of `viscoroll.solve` that are objects.
@@ -93,8 +93,12 @@ class Dimension:
         if self.is_numeric:
             return np.array(self.values)
         numbered = [f"{self.name}[{i}]" for i in range(len(self.values))]
-        candidates = ([label(value) for value in self.values], [_build(value) for value in self.values], numbered)
-        return np.array(next(texts for texts in candidates if _tell_apart(texts)), dtype=object)
+        candidates = (
+            [label(value) for value in self.values],
+            [_structure_text(value) for value in self.values],
+            numbered,
+        )
+        return np.array(next(texts for texts in candidates if _are_labels(texts)), dtype=object)
 
 
 def require_feasible(sizes: Mapping[str, int]) -> None:
@@ -127,7 +131,7 @@ def split(name: str, value: object) -> Dimension | object:
     TypeError
         If an argument of `viscoroll.solve` has the wrong type.
     ValueError
-        For arrays of several dimensions, more values than a study may have points, and values that `Dimension` rejects.
+        For arrays of several dimensions, for more than `MOST_POINTS` values, and for values that `Dimension` rejects.
     """
     if isinstance(value, Draws):
         return checked(name, value)
@@ -182,8 +186,8 @@ def _length(values: Mapping[Any, Any] | Sequence[Any]) -> int:
         return sys.maxsize
 
 
-def _tell_apart(texts: Sequence[str]) -> bool:
-    """Whether texts can be labels: all differ, are short enough, and contain no memory address."""
+def _are_labels(texts: Sequence[str]) -> bool:
+    """Return whether texts can be labels: all differ, are short enough, and contain no memory address."""
     return (
         len(set(texts)) == len(texts)
         and max(map(len, texts)) <= _LONGEST_LABEL
@@ -191,7 +195,7 @@ def _tell_apart(texts: Sequence[str]) -> bool:
     )
 
 
-def _build(value: object) -> str:
+def _structure_text(value: object) -> str:
     """Return the type of a body with its core radius and layer thicknesses; an empty text for other values."""
     if not is_body(value):
         return ""
@@ -211,8 +215,8 @@ def label(value: object) -> str:
             return value.name
         case Drive():
             given = {parameter.name: getattr(value, parameter.name) for parameter in fields(Drive)}
-            left_out = {parameter.name: parameter.default for parameter in fields(Drive)}
-            return ", ".join(f"{name}={number:g}" for name, number in given.items() if number != left_out[name])
+            defaults = {parameter.name: parameter.default for parameter in fields(Drive)}
+            return ", ".join(f"{name}={number:g}" for name, number in given.items() if number != defaults[name])
         case _:
             return str(getattr(value, "__name__", None) or repr(value))
 

@@ -22,7 +22,7 @@ from ..solution.scalars import SCALARS
 if TYPE_CHECKING:
     from .._support.progress import Report
 
-__all__ = ["DrawMethod", "as_draw_method", "drawn_answers", "drawn_parameters", "interval_variables"]
+__all__ = ["DrawMethod", "as_draw_method", "drawn_parameters", "drawn_scalars", "interval_variables"]
 
 #: Method for the results of draws: to first order with a frozen contact, or by complete solves.
 DrawMethod: TypeAlias = Literal["linear", "solve"]
@@ -30,17 +30,18 @@ DrawMethod: TypeAlias = Literal["linear", "solve"]
 #: Suffixes of variables: the mean of the draws, and the ends of the interval around the result.
 _BOUNDS = ("mean", "lower", "upper")
 
-#: Scalars that describe the computation, and dimensions of the contact, which linear draws keep fixed.
-_OF_THE_SOLVE = {"energy_balance_error", "error_estimate", "iterations", "operator_applications", "residual"}
-_OF_THE_OUTLINE = {"contact_area", "semi_axis_x", "semi_axis_z", "contact_width", "face_distance"}
+#: Scalars that describe the computation, and dimensions of the contact. Linear draws do not change the latter.
+_OF_THE_SOLVER = {"energy_balance_error", "error_estimate", "iterations", "operator_applications", "residual"}
+_OF_THE_CONTACT = {"contact_area", "semi_axis_x", "semi_axis_z", "contact_width", "face_distance"}
 
-#: Largest relative change of the penetration for linear draws [-]. The penetration varies about as the power -0.4 of
-#: all moduli: at this limit, the moduli differ by some 60 %, and the neglected terms are half of the first-order term.
-_FARTHEST = 0.25
+#: Largest relative change of the penetration for linear draws [-]. The penetration varies approximately as the power
+#: -0.4 of all moduli. At this limit, the moduli differ by about 60 %, and the neglected terms are half of the
+#: first-order term.
+_LARGEST_CHANGE = 0.25
 
-#: Nodes before and behind the largest pressure that must be in contact for it to count as inside. At the edge, linear
-#: draws overestimate its variation: intervals were up to five times as wide as those of complete solves.
-_INSIDE = 2
+#: Number of nodes in contact that the largest pressure must have before and behind it for linear draws. Closer to the
+#: edge, linear draws overestimate its variation: intervals were up to five times as wide as those of complete solves.
+_NODES_FROM_EDGE = 2
 
 
 def as_draw_method(method: object) -> DrawMethod:
@@ -56,18 +57,18 @@ def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], lis
     Raises
     ------
     ValueError
-        For sets of different sizes: draws of several parameters are paired, the first with the first.
+        If the sets differ in size: the i-th draws of all parameters belong together.
     """
     sets = {name: value for name, value in parameters.items() if isinstance(value, Draws)}
     if len({len(value) for value in sets.values()}) > 1:
-        told = ", ".join(f"{len(value)} for {name}" for name, value in sets.items())
-        raise InvalidInput("draws", "must be equally many for each parameter", told)
+        counts = ", ".join(f"{len(value)} for {name}" for name, value in sets.items())
+        raise InvalidInput("draws", "must be equally many for each parameter", counts)
     best = {**parameters, **{name: value.best_estimate for name, value in sets.items()}}
     drawn = zip(*sets.values(), strict=True)
     return best, [{**parameters, **dict(zip(sets, members, strict=True))} for members in drawn]
 
 
-def drawn_answers(
+def drawn_scalars(
     result: Result,
     draws: Sequence[Pair],
     method: DrawMethod,
@@ -88,16 +89,16 @@ def drawn_answers(
         "linear": to first order with a frozen contact. "solve": a complete solve of each draw on the mesh of the
         result.
     case : mapping
-        The other arguments that gave the result.
+        The other arguments of `viscoroll.solve` that gave the result.
     threads, progress
-        As in `viscoroll.solve`.
+        Same as in `viscoroll.solve`.
 
     Raises
     ------
     ValueError, ConvergenceError
         If a draw is rejected or has no solution: an interval from the remaining draws would be wrong.
     """
-    left_out = _OF_THE_SOLVE | (_OF_THE_OUTLINE if method == "linear" else set())
+    left_out = _OF_THE_SOLVER | (_OF_THE_CONTACT if method == "linear" else set())
     answers = [name for name in SCALARS if name not in left_out and isinstance(getattr(result, name), float)]
     if method == "linear":
         values = propagated(result, draws, answers, threads=threads, progress=progress)
@@ -108,35 +109,36 @@ def drawn_answers(
         options = {"mesh": result.mesh, "threads": threads, "progress": progress}
         given = {name: value for name, value in case.items() if name not in ("on", "accuracy")} | options
         with silenced():
-            values = np.array([_whole_answers(body, on, given, answers) for body, on in draws])
+            values = np.array([_solved_scalars(body, on, given, answers) for body, on in draws])
     return dict(zip(answers, values.T, strict=True))
 
 
 def _require_near(penetrations: Floats | tuple[()], result: Result) -> None:
     """Raise a ValueError if a draw is too far from the best estimate for a first-order result."""
-    farthest = max((abs(value / result.penetration - 1.0) for value in penetrations), default=0.0)
-    if farthest > _FARTHEST:
+    largest = max((abs(value / result.penetration - 1.0) for value in penetrations), default=0.0)
+    if largest > _LARGEST_CHANGE:
         raise InvalidInput(
             "draws",
-            f"must change the penetration by at most {_FARTHEST:.0%} for draws='linear'",
-            f"{farthest:.0%}; use draws='solve' to solve each draw",
+            f"must change the penetration by at most {_LARGEST_CHANGE:.0%} for draws='linear'",
+            f"{largest:.0%}; use draws='solve' to solve each draw",
         )
 
 
 def _peaks_inside(result: Result) -> bool:
-    """Whether the largest pressure is inside the contact, away from its leading and trailing edge."""
+    """Return whether the largest pressure is inside the contact, away from its leading and trailing edge."""
     row, column = np.unravel_index(np.argmax(result.pressure), result.pressure.shape)
-    around = result.contact[max(row - _INSIDE, 0) : row + _INSIDE + 1, column]
-    return bool(around.all()) and around.size == 2 * _INSIDE + 1
+    around = result.contact[max(row - _NODES_FROM_EDGE, 0) : row + _NODES_FROM_EDGE + 1, column]
+    return bool(around.all()) and around.size == 2 * _NODES_FROM_EDGE + 1
 
 
-def _whole_answers(body: Any, on: Any, given: dict[str, Any], answers: Sequence[str]) -> list[float]:
+def _solved_scalars(body: Any, on: Any, given: dict[str, Any], answers: Sequence[str]) -> list[float]:
+    """Return scalars of a complete solve; NaN if a scalar is undetermined."""
     result = strain_softening(body, on=on, **given).result if softens(body, on) else solve(body, on=on, **given)
     return [np.nan if (value := getattr(result, name)) is None else value for name in answers]
 
 
 def interval_variables(
-    table: Sequence[Mapping[str, Floats]], middles: Mapping[str, Floats], confidence: float
+    table: Sequence[Mapping[str, Floats]], best_estimates: Mapping[str, Floats], confidence: float
 ) -> dict[str, tuple[str, Floats, str]]:
     """Return mean and interval of each result that has draws, over all points.
 
@@ -144,7 +146,7 @@ def interval_variables(
     ----------
     table : sequence of mapping
         For each point, the results of its draws by name; empty if it has none.
-    middles : mapping of str to ndarray, shape (points,)
+    best_estimates : mapping of str to ndarray, shape (points,)
         Results for the best estimates.
     confidence : float
         Probability that an interval contains the true value [-].
@@ -152,8 +154,8 @@ def interval_variables(
     Returns
     -------
     dict
-        By the name of a variable, which is that of a result with "_mean", "_lower" or "_upper": the name of the result,
-        values, and their description.
+        For each variable, which is named like a result with the suffix "_mean", "_lower" or "_upper": the name of the
+        result, the values of shape (points,), and their description.
     """
     found = {}
     for name in dict.fromkeys(name for answers in table for name in answers):
@@ -162,9 +164,9 @@ def interval_variables(
         mean = np.array([values.mean() for values in drawn])
         half = np.array([half_width(values, confidence) for values in drawn])
         count = max(len(answers.get(name, ())) for answers in table)
-        for bound, values, what in zip(
+        for bound, values, description in zip(
             _BOUNDS,
-            (mean, middles[name] - half, middles[name] + half),
+            (mean, best_estimates[name] - half, best_estimates[name] + half),
             (
                 f"mean of {count} draws",
                 f"lower end of the {confidence:.4g} interval",
@@ -172,5 +174,5 @@ def interval_variables(
             ),
             strict=True,
         ):
-            found[f"{name}_{bound}"] = (name, values, what)
+            found[f"{name}_{bound}"] = (name, values, description)
     return found

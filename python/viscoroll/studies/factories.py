@@ -14,10 +14,10 @@ from .._support.suggestions import suggestion
 from .._support.text import shown
 from .dimensions import LOAD_CASE
 
-__all__ = ["NOT_OF_A_POINT", "Bodies"]
+__all__ = ["STUDY_ERRORS", "Bodies"]
 
-#: Exceptions that are not tied to the point at which they are raised.
-NOT_OF_A_POINT = (MemoryError, ImportError, CancelledError)
+#: Exceptions that end the whole study, because they do not depend on the point at which they are raised.
+STUDY_ERRORS = (MemoryError, ImportError, CancelledError)
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,9 +25,9 @@ class Bodies:
     """Body or counterbody at each point, made once for all points with the same parameters."""
 
     source: Any  # a body, or a function that returns one
-    noun: str
-    kind: Any
-    made: dict[tuple[Hashable, ...], Any] = field(default_factory=dict)
+    noun: str  # name of the argument in messages
+    kind: Any  # type of the bodies
+    made: dict[tuple[Hashable, ...], Any] = field(default_factory=dict)  # by the indices of the parameters' values
 
     @property
     def is_made(self) -> bool:
@@ -69,7 +69,7 @@ class Bodies:
         Parameters
         ----------
         numbers : mapping of str to hashable
-            For each parameter that varies, the index of its value, and of its draw if it has draws.
+            For each parameter that varies, the index of its value, or the indices of value and draw if it has draws.
         parameters : dict
             Arguments of the function.
         """
@@ -79,7 +79,7 @@ class Bodies:
         if key not in self.made:
             try:
                 body = self.source(**parameters)
-            except NOT_OF_A_POINT:
+            except STUDY_ERRORS:
                 raise
             except Exception as error:
                 self.made[key] = f"{type(error).__name__}: {error}"

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = ["fit_friction_law", "fit_power_law", "fit_thickness_law"]
 
-#: Smallest ratio c_o / (ε c_i) of the two scales of the friction law, which assumes a thin boundary layer.
+#: Smallest ratio c_o / (ε c_i) of the two friction scales of the law, which assumes a thin boundary layer.
 _LEAST_RATIO = 1.5
 
 

@@ -77,10 +77,10 @@ class PointKeys:
         return digest(text)
 
     def _body(self, body: RollingBody, speed: float, highest: int) -> str:
-        place = (id(body), speed, highest)
-        if place not in self._bodies:
-            self._bodies[place] = _body_text(body, speed, highest)
-        return self._bodies[place]
+        key = (id(body), speed, highest)
+        if key not in self._bodies:
+            self._bodies[key] = _body_text(body, speed, highest)
+        return self._bodies[key]
 
 
 def digest(text: str) -> str:
@@ -89,7 +89,7 @@ def digest(text: str) -> str:
 
 
 def _highest_harmonic(mesh: Mesh | None) -> int:
-    """Return the highest order at which a modulus is sampled: truncation order, or `measured_order` of the core."""
+    """Return the highest order at which the core evaluates a modulus: the truncation order, or twice the nodes."""
     if mesh is None:
         return 2 * _FINEST_MESH
     return mesh.max_order or 2 * mesh.nodes_per_revolution
@@ -117,7 +117,7 @@ def _text(value: object, frequencies: list[float]) -> str:
 
 
 def _sampled(modulus: Callable[[Any], Any], frequencies: list[float]) -> str:
-    """Return the text of a Python function of frequency: its value, or the exception that it raises, at each one."""
+    """Return the text of a Python function of frequency: its value, or the error that it raises, at each frequency."""
     try:
         return repr(np.asarray(modulus(np.array(frequencies))).tolist())
     except Exception:

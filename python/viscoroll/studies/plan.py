@@ -63,7 +63,7 @@ class Plan:
     fields : tuple of str, default ()
         Names of the fields to store for each point.
     method : "linear" or "solve", default "linear"
-        Method for the results of draws, as in `viscoroll.sweep`.
+        Method for the results of draws, same as in `viscoroll.sweep`.
     confidence : float, default 0.95
         Probability that an interval from draws contains the true value [-].
     keys : tuple of str or None
@@ -126,7 +126,7 @@ class Plan:
         for i in indices:
             case = self.cases[i]
             if isinstance(case, LoadCase):
-                key = (id(case.body), *(_mark(case.arguments.get(name)) for name in _SHARED))
+                key = (id(case.body), *(_hashable(case.arguments.get(name)) for name in _SHARED))
                 groups.setdefault(key, []).append(i)
         # Each task takes every n-th point, not consecutive ones: points tend to become harder along a dimension.
         parts = {key: -(-len(group) // largest) for key, group in groups.items()}
@@ -158,8 +158,8 @@ class Plan:
         }
 
 
-def _mark(argument: object) -> object:
-    """Return a hashable mark of an argument: the identity for bodies, whose layers may hold lists, else the value."""
+def _hashable(argument: object) -> object:
+    """Return a hashable object for an argument: the identity of a body, whose layers may hold lists, else the value."""
     return id(argument) if is_body(argument) else argument
 
 
@@ -173,7 +173,7 @@ def plan_sweep(
 ) -> Plan:
     """Return the plan of a study over the product of all one-dimensional `parameters`.
 
-    Parameters as in `viscoroll.sweep`.
+    The parameters are the same as in `viscoroll.sweep`.
 
     Raises
     ------
@@ -182,14 +182,15 @@ def plan_sweep(
     ValueError
         For too many points.
     """
-    ground = Bodies(parameters.get("on"), noun="on", kind=Counterbody)
+    counterbody = Bodies(parameters.get("on"), noun="on", kind=Counterbody)
     divided = {
-        name: value if name == "on" and ground.is_made else split(name, value) for name, value in parameters.items()
+        name: value if name == "on" and counterbody.is_made else split(name, value)
+        for name, value in parameters.items()
     }
     dimensions = tuple(value for value in divided.values() if isinstance(value, Dimension))
     require_feasible({dimension.name: len(dimension.values) for dimension in dimensions})
     fixed = {name: value for name, value in divided.items() if not isinstance(value, Dimension)}
-    pairs = _Pairs(Bodies(body, noun="body", kind=RollingBody), ground, sorted(parameters.keys() - LOAD_CASE))
+    pairs = _Pairs(Bodies(body, noun="body", kind=RollingBody), counterbody, sorted(parameters.keys() - LOAD_CASE))
     cases = []
     for point in itertools.product(*(enumerate(dimension.values) for dimension in dimensions)):
         chosen = {dimension.name: item for dimension, item in zip(dimensions, point, strict=True)}
@@ -210,31 +211,31 @@ class _Pairs:
         For parameters that the function of neither body takes.
     """
 
-    def __init__(self, body: Bodies, ground: Bodies, names: Sequence[str]) -> None:
+    def __init__(self, body: Bodies, counterbody: Bodies, names: Sequence[str]) -> None:
         self._body = body
-        self._ground = ground
-        self._of_ground = ground.taken(names)
-        self._of_body = [name for name in names if name not in self._of_ground or body.taken([name])]
-        body.check(self._of_body)
-        ground.check(self._of_ground)
+        self._counterbody = counterbody
+        self._counterbody_names = counterbody.taken(names)
+        self._body_names = [name for name in names if name not in self._counterbody_names or body.taken([name])]
+        body.check(self._body_names)
+        counterbody.check(self._counterbody_names)
 
     def __call__(self, numbers: Mapping[str, Hashable], given: Mapping[str, Any]) -> Pair | str:
         """Return body and counterbody, or the message of the exception that one of them raises."""
-        body = self._body(numbers, {name: given[name] for name in self._of_body})
+        body = self._body(numbers, {name: given[name] for name in self._body_names})
         on = given.get("on")
-        if self._ground.is_made:
-            on = self._ground(numbers, {name: given[name] for name in self._of_ground})
+        if self._counterbody.is_made:
+            on = self._counterbody(numbers, {name: given[name] for name in self._counterbody_names})
         return next((text for text in (body, on) if isinstance(text, str)), (body, on))
 
 
 def _case(pairs: _Pairs, numbers: Mapping[str, int], parameters: dict[str, Any]) -> LoadCase | str:
     """Return the case of a point, or the message of the exception that one of its bodies raises."""
     best, drawn = drawn_parameters(parameters)
-    of_draws = [name for name, value in parameters.items() if isinstance(value, Draws)]
+    uncertain = [name for name, value in parameters.items() if isinstance(value, Draws)]
     solved = pairs(numbers, best)
     draws = []
     for i, given in enumerate(drawn):
-        pair = pairs({**numbers, **{name: (numbers.get(name), i) for name in of_draws}}, given)
+        pair = pairs({**numbers, **{name: (numbers.get(name), i) for name in uncertain}}, given)
         if isinstance(pair, str):
             return pair
         draws.append(pair)

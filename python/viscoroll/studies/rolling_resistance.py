@@ -56,7 +56,7 @@ class RollingResistance:
 
     @classmethod
     def from_study(cls, study: xarray.Dataset) -> RollingResistance:
-        """Fit the polynomial to a study over load and speed.
+        """Fit the polynomial to a study over load and speed, and return it.
 
         Parameters
         ----------
@@ -72,7 +72,7 @@ class RollingResistance:
         Raises
         ------
         ValueError
-            For rollers, other dimensions, too few values, several bodies, and failed points.
+            For studies of rollers or of several radii, with other dimensions, too few values, or failed points.
         """
         torque, load, speed = _points(study)
         radius = float(study.attrs["outer_radius"]) if "outer_radius" in study.attrs else radius_of(study)
@@ -161,6 +161,11 @@ class RollingResistance:
         path : path-like
             Path of the .json file.
 
+        Returns
+        -------
+        RollingResistance
+            The fit that was saved.
+
         Raises
         ------
         ValueError
@@ -210,14 +215,14 @@ class RollingResistance:
             f"RollingResistance over {self.load[0]:g} to {self.load[1]:g} N and {self.angular_speed[0]:g} to "
             f"{self.angular_speed[1]:g} rad/s, radius {self.radius:g} m: error {self.error:.2%}, "
             f"largest {self.largest_error:.2%}; below the lowest speed proportional to the speed (exponent of the "
-            f"fit there {self._power_at_lowest_speed():.2f})"
+            f"fit there {self._exponent_at_lowest_speed():.2f})"
         )
 
-    def _power_at_lowest_speed(self) -> float:
+    def _exponent_at_lowest_speed(self) -> float:
         """Return d ln T / d ln Ω at the lowest speed and middle load: 1 if the torque is proportional to Ω there."""
         slopes = np.polynomial.chebyshev.chebder(self.coefficients, axis=1)
-        of_mapped = np.polynomial.chebyshev.chebval2d(0.0, -1.0, slopes)
-        return float(of_mapped * 2.0 / np.log(self.angular_speed[1] / self.angular_speed[0]))
+        slope = np.polynomial.chebyshev.chebval2d(0.0, -1.0, slopes)
+        return float(slope * 2.0 / np.log(self.angular_speed[1] / self.angular_speed[0]))
 
 
 def _numbers(document: object) -> dict[str, Any]:
@@ -288,7 +293,10 @@ def radius_of(study: xarray.Dataset) -> float:
 
 
 def _fitted(load: Floats, speed: Floats, values: Floats, rows: int, columns: int) -> tuple[Floats, float, float]:
-    """Return the coefficients, and root mean square and maximum of the relative errors of left-out points [-]."""
+    """Return the coefficients of a fit of given degrees, and root mean square and maximum of its errors [-].
+
+    The error of each point is the relative error with which a fit to all other points predicts it.
+    """
     matrices = []
     for points, degree in ((load, rows), (speed, columns)):
         x = _mapped(points, points[0], points[-1])

@@ -20,8 +20,8 @@ from ..coupled import StrainSoftening, strain_softening
 from ..coupled.softening_search import softens
 from ..rolling import Result, RollingModel, solve
 from ..rolling.propagation import Pair
-from .draws import DrawMethod, drawn_answers
-from .factories import NOT_OF_A_POINT
+from .draws import DrawMethod, drawn_scalars
+from .factories import STUDY_ERRORS
 from .plan import Plan, Task
 
 __all__ = ["Outcome", "run", "solve_group", "solve_point"]
@@ -34,7 +34,7 @@ _LARGEST_TASK = 8
 _TASKS_PER_CORE = 2
 _TASKS_OF_AN_EXECUTOR = 32
 
-#: Warning for a point whose draws have no results.
+#: Name of the warning for a point whose draws failed.
 NO_INTERVAL = "NO_INTERVAL"
 
 
@@ -115,10 +115,10 @@ def solve_group(
         try:
             solver = solver or _solver(body, shared, cases, threads=threads, progress=progress)
             solved = solve_point(solver, **case)
-        except NOT_OF_A_POINT:
+        except STUDY_ERRORS:
             raise
         except Exception as error:
-            outcome = Outcome(error=f"{type(error).__name__}: {error}", lasting=_is_an_answer(error))
+            outcome = Outcome(error=f"{type(error).__name__}: {error}", lasting=_is_own_error(error))
         else:
             result, bounds = (solved.result, solved.bounds) if isinstance(solved, StrainSoftening) else (solved, {})
             kept = {name: np.asarray(getattr(result, name), dtype=np.float64) for name in fields}
@@ -137,18 +137,18 @@ def _with_draws(
 ) -> Outcome:
     """Return the outcome with results of draws, or with the warning `NO_INTERVAL` if the draws failed."""
     try:
-        return replace(outcome, draws=drawn_answers(result, draws, method, case, **options))
-    except NOT_OF_A_POINT:
+        return replace(outcome, draws=drawn_scalars(result, draws, method, case, **options))
+    except STUDY_ERRORS:
         raise
     except Exception as error:
         warnings = ", ".join(filter(None, [str(outcome.scalars.get("warnings", "")), NO_INTERVAL]))
         text = f"draws: {type(error).__name__}: {error}"
         scalars = {**outcome.scalars, "warnings": warnings}
-        return replace(outcome, scalars=scalars, error=text, lasting=_is_an_answer(error))
+        return replace(outcome, scalars=scalars, error=text, lasting=_is_own_error(error))
 
 
-def _is_an_answer(error: Exception) -> bool:
-    """Whether this package itself rejected the point; False if a user's function or a library failed."""
+def _is_own_error(error: Exception) -> bool:
+    """Return whether this package itself rejected the point; False if a user's function or a library failed."""
     frame = error.__traceback__
     while frame is not None and frame.tb_next is not None:
         frame = frame.tb_next

@@ -28,7 +28,7 @@ from .run import Outcome, run
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["doubts", "run_plan", "sweep"]
+__all__ = ["run_plan", "study_warnings", "sweep"]
 
 
 def sweep(
@@ -142,20 +142,20 @@ def sweep(
     _check_names(parameters)
     plan = plan_sweep(body, parameters, fields=kept, method=as_draw_method(draws), confidence=as_confidence(confidence))
     study = run_plan(plan, executor=executor, cache=cache, retry_failed=retry_failed, progress=progress)
-    warn(doubts(study))
+    warn(study_warnings(study))
     return study
 
 
-def doubts(study: xarray.Dataset) -> list[str]:
-    """Return a line that counts failed points and warnings by kind, and a line about suspicious units, if any."""
+def study_warnings(study: xarray.Dataset) -> list[str]:
+    """Return a text that counts failed points and warnings by kind, and a hint at implausible units, if any."""
     found = Counter(kind for text in study.warnings.values.ravel() for kind in str(text).split(", ") if kind)
     if failed := int((study.status == "FAILED").sum()):
         found["FAILED"] = failed
     counted = ", ".join(f"{count} {kind}" for kind, count in found.items())
     others = len(found) > bool(failed)
     where = "status, warnings and error" if failed and others else "status and error" if failed else "warnings"
-    told = [f"among {study.status.size} points: {counted}; see {where}"] if found else []
-    return [*told, *filter(None, [study.attrs.get("caution")])]
+    texts = [f"among {study.status.size} points: {counted}; see {where}"] if found else []
+    return [*texts, *filter(None, [study.attrs.get("unit_hint")])]
 
 
 def run_plan(
@@ -166,7 +166,7 @@ def run_plan(
     retry_failed: bool = False,
     progress: ProgressLike = True,
 ) -> xarray.Dataset:
-    """Solve all points of a plan that the cache does not hold. Parameters as in `sweep`."""
+    """Solve all points of a plan that the cache does not hold, and return the dataset; parameters as in `sweep`."""
     path = None if cache is None else as_cache_path(cache)
     with ExitStack() as stack:
         store = None if path is None else stack.enter_context(StudyCache(path))
@@ -224,8 +224,8 @@ def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:
 def _check_names(parameters: dict[str, Any]) -> None:
     if missing := sorted({"load", "angular_speed"} - parameters.keys()):
         guesses = [guess for name in parameters if (guess := suggestion(name, missing))]
-        told = f"; did you mean {', '.join(guesses)}?" if guesses else ""
-        raise TypeError(f"sweep requires {' and '.join(missing)}{told}")
+        hint = f"; did you mean {', '.join(guesses)}?" if guesses else ""
+        raise TypeError(f"sweep requires {' and '.join(missing)}{hint}")
     if parameters.get("mesh") is not None and parameters.get("accuracy") is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", f"{parameters['accuracy']!r}")
     if taken := sorted(parameters.keys() & RESERVED - LOAD_CASE):

@@ -64,8 +64,8 @@ class Conduction:
     modes : HeatModes
         Modes of the temperature along the surface.
     film : float or ndarray, shape (modes, modes)
-        Heat transfer coefficient of convection at the outer surface [W/(m² K)]. If it varies along the surface, its
-        matrix of the modes.
+        Heat transfer coefficient of convection at the outer surface [W/(m² K)]. If it varies along the surface, the
+        matrix that multiplies the mode amplitudes (`film_matrix_of_ball`, `film_matrix_of_wheel`).
     inner : ndarray or None, shape (modes,)
         Heat transfer coefficient at the inner surface for each mode [W/(m² K)], 0 for an insulated surface. None if
         the temperature of the inner surface is given.
@@ -113,7 +113,7 @@ class Conduction:
         source : ndarray, shape (modes, points)
             Heat source q_j at every point [W/m³].
         inner_rise : float
-            Temperature of the inner surface minus that of the surroundings [K]; not used unless `inner` is None.
+            Temperature of the inner surface minus that of the surroundings [K]; used only if `inner` is None.
         """
         matrices, loads = self._assemble(source)
         surface = matrices.shape[1] - 1
@@ -199,14 +199,14 @@ class Conduction:
         return matrices[:, free, free] / (root[:, None] * root), root
 
     def refined(self, values: NDArray[np.float64], parts: int = 128) -> NDArray[np.float64]:
-        """Interpolate values at all points (first axis) to `parts` intervals per element, by its polynomial."""
+        """Interpolate values at all points (first axis) to the ends of `parts` equal intervals in each element."""
         targets = np.linspace(-1.0, 1.0, parts + 1)
         basis = legendre.legvander(targets, _POINTS - 1) @ np.linalg.inv(legendre.legvander(self._points, _POINTS - 1))
         elements = values.reshape(len(self._elements), _POINTS, -1)
         return np.asarray(np.concatenate([basis @ element for element in elements]))
 
     def volume_weights(self) -> NDArray[np.float64]:
-        """Return the volume weight A dr at every point."""
+        """Return the quadrature weight A dr of the volume at every point."""
         half = np.repeat([0.5 * (e.outer - e.inner) for e in self._elements], _POINTS)
         weights: NDArray[np.float64] = half * np.tile(self._weights, len(self._elements))
         return weights * self.modes.measure(self.coordinate)

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 __all__ = [
     "HeatModes",
-    "film_across",
-    "film_matrix",
+    "film_matrix_of_ball",
+    "film_matrix_of_wheel",
     "legendre_values",
     "modes_of_ball",
     "modes_of_roller",
@@ -25,7 +25,8 @@ __all__ = [
     "modes_of_wheel",
 ]
 
-_DEEPEST = 1e-2  # of the radius of a ball without a core: at smaller radii, all modes except the mean have decayed
+#: Radius divided by the outer radius of a ball without a core below which all modes except the mean have decayed.
+_SMALLEST_RADIUS = 1e-2
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -35,7 +36,7 @@ class HeatModes:
     Attributes
     ----------
     measure : callable
-        Area of the surface at r without the factor that `area` and `square` contain: r² [m²], r [m] or 1.
+        Dependence of the surface area on r: r² [m²], r [m] or 1. `area` and `square` contain the other factors.
     rate : callable
         Function of r that returns the eigenvalues λ_j of -∇²Y_j = λ_j Y_j [1/m²], one row per mode.
     values : callable
@@ -45,7 +46,7 @@ class HeatModes:
     area, square : ndarray
         Integrals of Y_j and of Y_j² over the surface, divided by `measure`.
     folds : callable
-        Number of e-folds of the highest mode between two places.
+        Number of e-folds of the highest mode between two radii or heights.
     """
 
     measure: Callable[[NDArray[np.float64]], NDArray[np.float64]]
@@ -79,12 +80,12 @@ def modes_of_ball(degrees: int) -> HeatModes:
         unity=first,
         area=4.0 * np.pi * first,
         square=2.0 * np.pi / (degree + 0.5),
-        folds=lambda inner, outer: degrees * float(np.log(outer / max(inner, _DEEPEST * outer))),
+        folds=lambda inner, outer: degrees * float(np.log(outer / max(inner, _SMALLEST_RADIUS * outer))),
     )
 
 
 def modes_of_roller(width: float | None, side: float, count: int = 1) -> HeatModes:
-    """Return the modes of a roller: cos(β_j z) with β_j tan(β_j L/2) = h_s/k; 1 if infinitely long or insulated.
+    """Return the modes of a roller: cos(β_j z) with β_j tan(β_j L/2) = h_s/k; without cooled faces only the constant 1.
 
     Parameters
     ----------
@@ -135,7 +136,7 @@ def _between_faces(length: float, root: NDArray[np.float64], halves: NDArray[np.
 
 
 def modes_of_slab(period: float | None, count: int = 1) -> HeatModes:
-    """Return the modes of a slab: cos(2π j ζ/L), j = 0, 1, …; a constant, per area, without a period.
+    """Return the modes of a slab: cos(2π j z/L), j = 0, 1, …; without a period the constant 1, for heat per area.
 
     Parameters
     ----------
@@ -158,7 +159,9 @@ def modes_of_slab(period: float | None, count: int = 1) -> HeatModes:
     )
 
 
-def film_matrix(convection: Callable[[NDArray[np.float64]], NDArray[np.float64]], degrees: int) -> NDArray[np.float64]:
+def film_matrix_of_ball(
+    convection: Callable[[NDArray[np.float64]], NDArray[np.float64]], degrees: int
+) -> NDArray[np.float64]:
     """Return the matrix H of convection on a ball: h_c T has the components H T, H = (l + ½) ∫ h_c P_l P_l' d cos θ.
 
     Raises
@@ -173,10 +176,10 @@ def film_matrix(convection: Callable[[NDArray[np.float64]], NDArray[np.float64]]
     return film
 
 
-def film_across(
+def film_matrix_of_wheel(
     convection: Callable[[NDArray[np.float64]], NDArray[np.float64]], modes: HeatModes, width: float, radius: float
 ) -> NDArray[np.float64]:
-    """Return the matrix of convection on a wheel, a function of θ = π/2 - z/r_o: H = ∫ h_c Y_j Y_l dz / ∫ Y_j² dz.
+    """Return the matrix of convection h_c(θ) on a wheel, θ = π/2 - z/r_o: H = ∫ h_c Y_j Y_l dz / ∫ Y_j² dz.
 
     Raises
     ------

@@ -19,8 +19,8 @@ from ..solution.loss import contact_size
 from .conduction import Conduction
 from .heat_modes import (
     HeatModes,
-    film_across,
-    film_matrix,
+    film_matrix_of_ball,
+    film_matrix_of_wheel,
     modes_of_ball,
     modes_of_roller,
     modes_of_slab,
@@ -30,11 +30,11 @@ from .surroundings import (
     Core,
     Surroundings,
     conductivities_of,
-    even_film,
-    held_rise,
+    core_rise,
     inner_coefficients,
-    refuse,
-    require_sink,
+    require_heat_sink,
+    require_omitted,
+    uniform_film,
 )
 
 if TYPE_CHECKING:
@@ -43,12 +43,15 @@ if TYPE_CHECKING:
 
 __all__ = ["HeatedBody", "heated_body"]
 
-#: Modes divided by r_o/a, with the contact's semi-axis a, along a ball or across a wheel: 1e-5 of the temperature.
+#: Number of modes along a ball or across a wheel in units of r_o/a, with the semi-axis a of the contact (the relative
+#: error of the temperature is 1e-5), and largest number.
 _DEGREES_PER_CONTACT = 15.0
 _MAX_DEGREES = 400
 
-#: Number of modes between side faces: those left out contain 1e-6 of the heat.
+#: Number of modes between side faces: the neglected modes contain 1e-6 of the heat.
 _SIDE_MODES = 40
+
+#: Smallest number of places across a roller or wheel at which temperatures are returned.
 _PLACES_ACROSS = 41
 
 
@@ -94,7 +97,7 @@ class HeatedBody:
         return self.conduction.modes.values(np.cos(places) if self.along == "theta" else places)
 
     def source(self, loss: xarray.Dataset) -> NDArray[np.float64]:
-        """Return q_j at the points of the layers, interpolated from the Gauss points of the loss in √depth."""
+        """Return q_j at the points of the layers [W/m³], interpolated over √depth from the Gauss points of the loss."""
         by_mode = self.project(loss)
         source = np.empty((by_mode.shape[0], self.conduction.coordinate.size))
         bounds = self.inside.body.boundaries
@@ -145,11 +148,11 @@ def _model(body: object, inside: Inside, given: Surroundings, conductivities: li
 
 @_model.register
 def _ball(ball: CoatedSphere, inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    refuse(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
+    require_omitted(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
     degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MAX_DEGREES)
     if ball.inner_boundary is not InnerBoundary.RIGID and given.core is not Core.INSULATED:
         raise InvalidInput("core", "must be INSULATED in a ball without a rigid core", shown(given.core))
-    rise = held_rise(given)
+    rise = core_rise(given)
     inner: NDArray[np.float64] | None
     if isinstance(given.core, Core):
         inner = None if given.core is Core.ISOTHERMAL else np.zeros(degrees)
@@ -159,8 +162,8 @@ def _ball(ball: CoatedSphere, inside: Inside, given: Surroundings, conductivitie
             * np.arange(degrees, dtype=np.float64)
             / ball.core_radius
         )
-    film = film_matrix(given.convection, degrees) if callable(given.convection) else even_film(given)
-    require_sink(inside, film, inner is None)
+    film = film_matrix_of_ball(given.convection, degrees) if callable(given.convection) else uniform_film(given)
+    require_heat_sink(inside, film, inner is None)
     modes = modes_of_ball(degrees)
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
@@ -182,7 +185,7 @@ def _ball(ball: CoatedSphere, inside: Inside, given: Surroundings, conductivitie
 
 @_model.register
 def _roller(body: CoatedCylinder, inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    refuse(given, ("base_convection", "period"), "a roller")
+    require_omitted(given, ("base_convection", "period"), "a roller")
     width = None if given.width is None else as_positive("width", given.width, "m")
     for name in ("side_convection", "hub_conductance"):
         if width is None and getattr(given, name) is not None:
@@ -191,12 +194,12 @@ def _roller(body: CoatedCylinder, inside: Inside, given: Surroundings, conductiv
     modes = modes_of_roller(width, side / conductivities[0], _SIDE_MODES)
     bounds = body.boundaries
     inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
-    film = even_film(given)
-    require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    film = uniform_film(given)
+    require_heat_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
     return HeatedBody(
         inside=inside,
         conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
-        inner_rise=held_rise(given),
+        inner_rise=core_rise(given),
         along="z",
         unit="W/m" if width is None else "W",
         power=inside.bulk_power * (width or 1.0),
@@ -210,12 +213,12 @@ def _wheel(tread: CoatedWheel, inside: Inside, given: Surroundings, conductiviti
     """Return the thermal model of a wheel, or of a roller under a wheel: the source varies across the section."""
     result = inside.result
     if inside.selected.line_contact:
-        refuse(given, ("base_convection", "period"), "a roller")
+        require_omitted(given, ("base_convection", "period"), "a roller")
         if given.width is None:
             raise InvalidInput("width", "must be given for a roller under a wheel: the width of the roller [m]")
         width = as_positive("width", given.width, "m")
     else:
-        refuse(given, ("width", "base_convection", "period"), "a wheel")
+        require_omitted(given, ("width", "base_convection", "period"), "a wheel")
         width = tread.width
     side = _side(given, conductivities)
     narrowest = 0.5 * result.contact_width if result.contact_width else contact_size(result)
@@ -224,9 +227,11 @@ def _wheel(tread: CoatedWheel, inside: Inside, given: Surroundings, conductiviti
     bounds = tread.boundaries
     inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * width)
     film = (
-        film_across(given.convection, modes, width, inside.radius) if callable(given.convection) else even_film(given)
+        film_matrix_of_wheel(given.convection, modes, width, inside.radius)
+        if callable(given.convection)
+        else uniform_film(given)
     )
-    require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    require_heat_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
     points, weights = np.polynomial.legendre.leggauss(2 * modes.count)
     z = 0.5 * width * points
     # `square` contains the factor 2π of the circumference.
@@ -239,7 +244,7 @@ def _wheel(tread: CoatedWheel, inside: Inside, given: Surroundings, conductiviti
     return HeatedBody(
         inside=inside,
         conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
-        inner_rise=held_rise(given),
+        inner_rise=core_rise(given),
         along="z",
         unit="W",
         power=inside.bulk_power,
@@ -265,7 +270,7 @@ def _side(given: Surroundings, conductivities: list[float]) -> float:
 
 @_model.register
 def _slab(plane: CoatedPlane, inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
+    require_omitted(given, ("width", "side_convection", "hub_conductance"), "a plane")
     if given.period is None:
         raise InvalidInput("period", "must be given for a plane: the time from one pass to the next [s]")
     period = as_positive("period", given.period, "s")
@@ -281,8 +286,8 @@ def _slab(plane: CoatedPlane, inside: Inside, given: Surroundings, conductivitie
     if base is not None and given.core is not Core.INSULATED:
         raise InvalidInput("core", "must be INSULATED with base_convection", shown(given.core))
     inner = inner_coefficients(given, modes, lambda: 1.0) if base is None else np.full(modes.count, base)
-    film = even_film(given)
-    require_sink(inside, film, inner is None or bool(inner[0] > 0.0))
+    film = uniform_film(given)
+    require_heat_sink(inside, film, inner is None or bool(inner[0] > 0.0))
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
         density = loss.loss_density.to_numpy() / period
@@ -295,16 +300,16 @@ def _slab(plane: CoatedPlane, inside: Inside, given: Surroundings, conductivitie
     return HeatedBody(
         inside=inside,
         conduction=Conduction(plane.boundaries.tolist(), conductivities, modes, film=film, inner=inner),
-        inner_rise=held_rise(given),
+        inner_rise=core_rise(given),
         along="z",
         unit="W/m²" if inside.line_contact else "W/m",
-        power=inside.bulk_power / (inside.passes * inside.radius * period),
+        power=inside.bulk_power / (inside.passing_speed * inside.radius * period),
         project=project,
     )
 
 
 def _between_tracks(inside: Inside) -> float:
-    """Return the distance between parallel tracks on a plane [m], a number of circumferences as in the loss."""
+    """Return the distance between parallel tracks on a plane [m]: whole circumferences, same as in `Result.loss`."""
     result = inside.result
     width = result.body.width or 0.0
     return 2.0 * np.pi * inside.radius * max(1, int(np.ceil(width / (np.pi * inside.radius))))

@@ -1,4 +1,4 @@
-"""Thermal surroundings of a body: the arguments of the user, and their checks for each kind of body."""
+"""Thermal surroundings of a body: the arguments of `Result.temperature`, and their checks for each kind of body."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ __all__ = [
     "Core",
     "Surroundings",
     "conductivities_of",
-    "even_film",
-    "held_rise",
+    "core_rise",
     "inner_coefficients",
-    "refuse",
-    "require_sink",
+    "require_heat_sink",
+    "require_omitted",
+    "uniform_film",
 ]
 
 
@@ -76,7 +76,7 @@ def inner_coefficients(given: Surroundings, modes: HeatModes, area: Callable[[],
     return np.full(modes.count, conductance / area())
 
 
-def held_rise(given: Surroundings) -> float:
+def core_rise(given: Surroundings) -> float:
     """Return the rise of a core at a given temperature over the surroundings [K].
 
     Raises
@@ -94,8 +94,8 @@ def held_rise(given: Surroundings) -> float:
     )
 
 
-def even_film(given: Surroundings) -> float:
-    """Return the coefficient at the surface [W/(m² K)], or the value in the middle if it is a function.
+def uniform_film(given: Surroundings) -> float:
+    """Return the coefficient of convection at the surface [W/(m² K)]; of a function, the value at θ = π/2.
 
     Raises
     ------
@@ -108,20 +108,20 @@ def even_film(given: Surroundings) -> float:
     return as_not_negative("convection", given.convection, "W/(m^2 K)")
 
 
-def require_sink(inside: Inside, film: float | NDArray[np.float64], other: bool) -> None:
-    """Raise a ValueError if nothing takes the heat of a body.
+def require_heat_sink(inside: Inside, film: float | NDArray[np.float64], other: bool) -> None:
+    """Check that a body with a loss can give off its heat.
 
     Raises
     ------
     ValueError
-        If neither the surface nor another part, given by `other`, takes heat.
+        If neither the outer surface nor, according to `other`, another surface removes heat.
     """
     if not other and not np.any(film) and inside.bulk_power > 0.0:
         raise InvalidInput("convection", "must be > 0 W/(m^2 K) if nothing else removes heat", "0")
 
 
-def refuse(given: Surroundings, names: Sequence[str], body: str) -> None:
-    """Raise a ValueError for arguments that do not apply to a kind of body.
+def require_omitted(given: Surroundings, names: Sequence[str], body: str) -> None:
+    """Check that arguments that do not apply to a kind of body are omitted.
 
     Raises
     ------

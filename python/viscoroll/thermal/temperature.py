@@ -72,7 +72,7 @@ class Temperature:
     heat_unit : str
         W; W/m for a roller without a width and for a track on a plane; W/m² for a belt.
     times : tuple of float
-        Three longest time constants of the approach to the steady state [s], for this heat capacity. Empty if
+        Three longest time constants of the approach to the steady state [s], for the given heat capacity. Empty if
         convection varies along the surface.
     history : xarray.Dataset or None
         Dataset over the requested times [s]: `rise` [K] as above, and `maximum`, `surface_maximum`, `mean` [K].
@@ -150,8 +150,8 @@ def temperature(
         Conductivity of all layers or of each layer [W/(m K)], > 0; by default that of each `Layer`.
     convection : float or callable
         Coefficient of convection at the surface [W/(m² K)], ≥ 0, or a function that returns it for an array of angles θ
-        [rad]; only for a ball or a wheel may it vary with θ. `Result.plane_cooling` returns a function that includes
-        the heat that the plane takes.
+        [rad]. It may vary with θ only for a ball or a wheel. `Result.plane_cooling` returns a function that includes
+        the heat flow into the plane.
     ambient : float
         Temperature of the surroundings [K], ≥ 100.
     core : Core, str or float, default Core.INSULATED
@@ -285,14 +285,14 @@ def _history(
     times = finite_line("time", time)
     if not (times >= 0.0).all():
         raise InvalidInput("time", "must be >= 0 s", f"{times.min():g} s")
-    before = np.zeros_like(steady)
+    initial = np.zeros_like(steady)
     if start is not None:
         field = start.rise if start.history is None else start.history.rise[-1]
         expected = (steady.shape[1], places.size)
         if field.shape != expected:
             raise InvalidInput("start", f"must have the same layers and mesh, with shape {expected}", field.shape)
-        before = np.linalg.lstsq(body.values(places).T, field.to_numpy().T, rcond=None)[0]
-    rises = body.conduction.transient(steady, before, times, capacity)
+        initial = np.linalg.lstsq(body.values(places).T, field.to_numpy().T, rcond=None)[0]
+    rises = body.conduction.transient(steady, initial, times, capacity)
     rise = np.einsum("tjp,jz->tpz", rises, body.values(places))
     kelvin = {"units": "K"}
     frame = _field(body, places, rise[0], xarray.DataArray)
@@ -310,15 +310,15 @@ def _history(
 def _field(
     body: HeatedBody, places: NDArray[np.float64], rise: NDArray[np.float64], array: type[xarray.DataArray]
 ) -> xarray.DataArray:
-    across, place = body.along, body.conduction.coordinate
+    across, position = body.along, body.conduction.coordinate
     unit = {"units": "rad" if across == "theta" else "m"}
-    turns = body.inside.turns
-    normal = "radius" if turns else "depth"
+    has_radius = body.inside.has_radius
+    normal = "radius" if has_radius else "depth"
     return array(
         rise,
         dims=(normal, across),
         coords={
-            normal: (normal, place if turns else body.inside.depth(place), {"units": "m"}),
+            normal: (normal, position if has_radius else body.inside.depth(position), {"units": "m"}),
             across: (across, places, unit),
         },
         attrs={"units": "K", "long_name": "temperature rise over the surroundings"},
@@ -334,7 +334,7 @@ def plane_cooling(
     heat_capacity: float = 2e6,
     plane_effusivity: float = np.inf,
 ) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
-    """Return a convection coefficient for `temperature` that includes an estimate of the heat taken by the plane.
+    """Return a convection coefficient for `temperature` that includes an estimate of the heat flow into the plane.
 
     A strip of the surface is in contact with the plane for t_c = (its length in contact)/(Ω r_o). Per area it transfers
     the heat 2 e ΔT √(t_c/π) e_p/(e + e_p) between two half-spaces; the mean over a revolution gives the coefficient.
@@ -370,10 +370,10 @@ def plane_cooling(
     plane = as_float("plane_effusivity", plane_effusivity)
     if not plane > 0.0:
         raise InvalidInput("plane_effusivity", "must be > 0 W s^0.5/(m^2 K)", repr(plane))
-    share = 1.0 if np.isinf(plane) else plane / (effusivity + plane)
+    fraction = 1.0 if np.isinf(plane) else plane / (effusivity + plane)
     nodes = inside.node_angles()[1]
     time = result.contact.sum(axis=0) * result.mesh.spacing / result.angular_speed
-    taken = 2.0 * effusivity * share * np.sqrt(time / np.pi) * result.angular_speed / (2.0 * np.pi)
+    taken = 2.0 * effusivity * fraction * np.sqrt(time / np.pi) * result.angular_speed / (2.0 * np.pi)
 
     def coefficient(theta: NDArray[np.float64]) -> NDArray[np.float64]:
         values: NDArray[np.float64] = base + np.interp(theta, nodes, taken, left=0.0, right=0.0)

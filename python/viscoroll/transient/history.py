@@ -108,13 +108,13 @@ class History(SeriesFields):
     @property
     def energy_balance_error(self) -> NDArray[np.float64]:
         """Energy imbalance divided by the energy that the whole history dissipates [-]; 0 without dissipation."""
-        lost = float(self.dissipated_energy[-1] - self.dissipated_energy[0])
-        gained = self.energy_balance_residual - self.energy_balance_residual[0]
-        return np.abs(gained) / lost if lost > 0.0 else np.zeros_like(gained)
+        dissipated = float(self.dissipated_energy[-1] - self.dissipated_energy[0])
+        imbalance = self.energy_balance_residual - self.energy_balance_residual[0]
+        return np.abs(imbalance) / dissipated if dissipated > 0.0 else np.zeros_like(imbalance)
 
     @property
     def creepage(self) -> NDArray[np.float64]:
-        """Displacement of the center divided by r_o Δψ, minus 1, over the previous step [-]; nan at standstill."""
+        """Displacement of the center over the last step divided by r_o Δψ, minus 1 [-]; nan at rest or frictionless."""
         turn = np.diff(self.angle, prepend=np.nan)
         displacement = np.diff(self.center_displacement, prepend=np.nan)
         rolls = np.abs(turn) > 0.0 if self.friction > 0.0 else np.zeros_like(turn, dtype=bool)
@@ -125,7 +125,7 @@ class History(SeriesFields):
         torque = self.resisting_torque
         highest, lowest = int(np.argmax(torque)), int(np.argmin(torque))
         unit = self.units
-        lost = self.dissipated_energy[-1] - self.dissipated_energy[0]
+        dissipated = self.dissipated_energy[-1] - self.dissipated_energy[0]
         rows = [
             ("time", f"{self.time[0]:g} to {self.time[-1]:g} s in {len(self.time) - 1} steps"),
             ("angle", f"{self.angle.min():.4g} to {self.angle.max():.4g} rad, last {self.angle[-1]:.4g}"),
@@ -135,7 +135,7 @@ class History(SeriesFields):
             ("penetration", f"{self.penetration.min():.4g} to {self.penetration.max():.4g} m"),
             (
                 "energy dissipated, part of slip",
-                f"{lost:.5g} {unit['work']}, {self.slip_energy[-1]:.3g} {unit['work']}",
+                f"{dissipated:.5g} {unit['work']}, {self.slip_energy[-1]:.3g} {unit['work']}",
             ),
             ("error of the energy balance", f"{self.energy_balance_error[-1]:.1e}"),
             ("mesh", str(self.mesh)),

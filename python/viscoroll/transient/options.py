@@ -19,8 +19,8 @@ __all__ = ["HistoryKeywords", "HistoryOptions", "with_options"]
 
 _Target = TypeVar("_Target", bound="Callable[..., Any]")
 
-#: Placeholder for the options in a docstring, and the heading before them in the docstring of `HistoryOptions`.
-_PLACE, _HEAD = "**options\n    Same as in `HistoryOptions`.\n", "Parameters\n----------\n"
+#: Placeholder for the options in a docstring, and the heading above the options in the docstring of `HistoryOptions`.
+_PLACEHOLDER, _HEAD = "**options\n    Same as in `HistoryOptions`.\n", "Parameters\n----------\n"
 
 
 class HistoryKeywords(TypedDict, total=False):
@@ -129,6 +129,6 @@ def with_options(target: _Target) -> _Target:
     ]
     function.__signature__ = signature.replace(parameters=[*named, *options])
     if target.__doc__ and HistoryOptions.__doc__:  # python -OO has none
-        told = inspect.cleandoc(HistoryOptions.__doc__).partition(_HEAD)[2]
-        target.__doc__ = inspect.cleandoc(target.__doc__).replace(_PLACE, f"{told}\n")
+        descriptions = inspect.cleandoc(HistoryOptions.__doc__).partition(_HEAD)[2]
+        target.__doc__ = inspect.cleandoc(target.__doc__).replace(_PLACEHOLDER, f"{descriptions}\n")
     return target

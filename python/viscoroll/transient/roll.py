@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 __all__ = ["roll"]
 
+#: Nodes per revolution for the default range of times if no mesh is given: the library chooses the mesh later.
+_TYPICAL_NODES = 500
+
 
 @with_options
 def roll(
@@ -135,7 +138,7 @@ def roll(
         time=time, angle=as_angles(body, angle, distance), load=load, center_displacement=center_displacement
     )
     waypoints, angles = motion["time"], motion["angle"]
-    spacing = 2.0 * np.pi / (chosen.mesh.nodes_per_revolution if chosen.mesh is not None else 500)
+    spacing = 2.0 * np.pi / (_TYPICAL_NODES if chosen.mesh is None else chosen.mesh.nodes_per_revolution)
     shortest, longest = _time_range(waypoints, angles, spacing / (chosen.steps_per_spacing or 1))
     with reporting(progress) as report:
         stepper = RollingHistory(
@@ -177,7 +180,7 @@ def _follow(
     checkpoint: str | Path | None,
     report: Report | None,
 ) -> tuple[list[_core.InstantSeries], list[ContactInstant]]:
-    """Return the time series between stops, and the contacts at the stops; if that fails, save the state to a file."""
+    """Return the time series up to each stop, and the contacts at `contact_times`; on failure, save the state."""
     core = stepper._history
     pieces: list[_core.InstantSeries] = []
     contacts: list[ContactInstant] = []
@@ -227,7 +230,10 @@ def _lists(motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
 
 
 def _time_range(time: NDArray[np.float64], angle: NDArray[np.float64], step: float) -> tuple[float, float]:
-    """Return a tenth of the shortest time step while the body rolls, and ten times the duration."""
+    """Return the range of times: from a tenth of the shortest step while the body rolls to ten times the duration.
+
+    If the body does not roll, the range starts at 1e-4 of the duration.
+    """
     duration = max(float(time[-1] - time[0]), 1e-9)
     between = np.diff(time)
     rolling = (between > 0.0) & (np.diff(angle) != 0.0)

@@ -45,10 +45,10 @@ class Instant(InstantFields):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RollingState:
-    """Complete memory of a history: forces and displacements, also the retarded ones, of every material node.
+    """Complete state of a history: forces, displacements and retarded displacements of every material node.
 
-    A history that continues from a state is identical to the last bit to one that was not interrupted, on the same
-    machine and build. A state is valid only for the bodies, the mesh and the options of the history that it is from.
+    On the same machine and build, a history that continues from a state is identical to the last bit to one that was
+    not interrupted. A state is valid only for the bodies, the mesh and the options of the history that produced it.
 
     Attributes
     ----------
@@ -108,7 +108,7 @@ class RollingHistory:
     """Transient rolling step by step, for equations of motion: `advance` computes the next state.
 
     The history only steps forward, which suits integrators with fixed steps, such as Newmark's method. To try a step,
-    take it on ``copy.copy(stepper)``, which copies the memory. Integrators that reject steps and go back, such as
+    take it on ``copy.copy(stepper)``, which copies the state. Integrators that reject steps and go back, such as
     `scipy.integrate.solve_ivp`, need a torque that depends only on the current instant: `RollingResistance`.
 
     A pickled history contains the bodies, the arguments of the constructor and the `state`; the copy computes the
@@ -172,7 +172,7 @@ class RollingHistory:
         require_type("body", body, RollingBody)
         first = 0.0 if angle is None and distance is None else as_angle(body, angle, distance)
         chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # also accepts names of enum members
-        before: dict[str, Any] = (
+        initial: dict[str, Any] = (
             {"state": start.numbers}
             if isinstance(start, RollingState)
             else {"start": as_member("start", start, Start), "time": as_float("time", time), "angle": first}
@@ -194,7 +194,7 @@ class RollingHistory:
                 load=self._given["load"],
                 options=chosen._to_core(**times),
                 progress=report,
-                **before,
+                **initial,
             )
         warn(filter(None, [unit_doubt(body, on)]))
         self._lock = threading.Lock()
@@ -252,7 +252,7 @@ class RollingHistory:
 
     @property
     def state(self) -> RollingState:
-        """Memory of the history at the current instant, from which another history can continue."""
+        """State of the history at the current instant, from which another history can continue."""
         with self._lock:
             return RollingState(self._history.state(), _bodies_text(self.body, self.on))
 

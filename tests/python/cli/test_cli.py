@@ -261,7 +261,7 @@ def test_files_that_cannot_be_written_are_refused_before_the_solve(tmp_path, wor
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ('[sweep]\n"a\\nb" = [1.0]', r"study.toml: sweep: keys must be places"),
+        ('[sweep]\n"a\\nb" = [1.0]', r"study.toml: sweep: keys must be paths"),
         ("[sweep]\nload = " + "[" * 20_000 + "]" * 20_000, "study.toml: not a TOML file: nested too deeply"),
         ('[sweep]\n"rolling.load" = 1' + "0" * 5000, "study.toml: not a TOML file: "),
     ],

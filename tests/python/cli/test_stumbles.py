@@ -180,7 +180,7 @@ def test_a_ball_of_21_meters_in_a_study_and_from_the_shell(tmp_path):
     mesh = vr.Mesh(nodes_per_revolution=2000)
     with pytest.warns(vr.ResultWarning) as said:
         study = vr.sweep(ball_of(length=MM), load=[1e6, 2e6], angular_speed=2.5, mesh=mesh, progress=False)
-    assert str(said[-1].message) == study.attrs["caution"] == MILLIMETERS
+    assert str(said[-1].message) == study.attrs["unit_hint"] == MILLIMETERS
     text = example_text().replace("20e-3 ", "20.0 ").replace("thickness = 1e-3", "thickness = 1.0")
     text = text.replace("load = 100.0", "load = 1e6").replace("accuracy = 0.01", "nodes_per_revolution = 2000")
     (tmp_path / "case.toml").write_text(text.replace("density = 1000.0", ""), encoding="utf-8")

@@ -88,8 +88,8 @@ def test_torque_peaks_in_the_boundary_layer_of_friction_and_decreases_as_in_the_
     assert ratio.max() == pytest.approx(1.07, abs=0.02)
     assert ratio[-1] == pytest.approx(0.91, abs=0.02)
     # Slip dissipates no power without friction or where everything sticks.
-    assert figure.slip_shares[0] == 0.0
-    assert figure.slip_shares[-1] < 0.25 * figure.slip_shares.max()
+    assert figure.slip_fractions[0] == 0.0
+    assert figure.slip_fractions[-1] < 0.25 * figure.slip_fractions.max()
 
 
 def test_power_laws_have_the_printed_parameters_with_the_columns_swapped(compute):

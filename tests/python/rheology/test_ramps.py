@@ -68,7 +68,7 @@ def test_a_law_makes_a_master_curve_of_a_ramp_and_the_checks_judge_it(tmp_path):
     assert all(check.passed for check in vr.rheology.check_modulus(curve))
     # With twice the activation, storage changes half as fast with frequency as its loss requires.
     wrong = vr.materials.WilliamsLandelFerry(c1=24.0, c2=90.0, reference_temperature=303.15)
-    causal, passive, _ = vr.rheology.check_modulus(vr.rheology.superpose(data, reference=303.15, factors=wrong))
+    causal, passive, *_ = vr.rheology.check_modulus(vr.rheology.superpose(data, reference=303.15, factors=wrong))
     assert not causal.passed
     assert not passive.passed
     # A table of the same factors gives the same result.
@@ -110,7 +110,7 @@ def test_a_ramp_without_a_column_of_the_frequency(tmp_path):
     assert vr.rheology.read_rheology(path, tensile=True, frequency=FREQUENCY).ramp.frequency == pytest.approx(FREQUENCY)
     with pytest.raises(ValueError, match="frequency must be > 0 rad/s and finite, got -1"):
         vr.rheology.read_rheology(path, tensile=True, frequency=-1)
-    with pytest.raises(ValueError, match="frequency must be left out if the file has a frequency column, got 5 rad/s"):
+    with pytest.raises(ValueError, match="frequency must be left out if the file contains the frequency, got 5 rad/s"):
         vr.rheology.read_rheology(written(tmp_path / "with.csv", 2.0), tensile=True, frequency=5.0)
 
 
@@ -144,12 +144,12 @@ def test_an_unknown_column_may_be_the_frequency(tmp_path):
     """A table of several frequencies is not read as a ramp at one frequency unless the user says so."""
     path = tmp_path / "export.csv"
     path.write_text(
-        "Température;Fréquence;G';G''\n" + "".join(f"{t};{f};{t + f};1\n" for t in (20, 40) for f in (1, 10))
+        "Température;Oszillation;G';G''\n" + "".join(f"{t};{f};{t + f};1\n" for t in (20, 40) for f in (1, 10))
     )
     columns = {"temperature": ("Température", "C"), "storage": ("G'", "Pa"), "loss": ("G''", "Pa")}
-    with pytest.raises(ValueError, match=r"or columns=\{\"frequency\".* if it is one of 'Fréquence'$"):
+    with pytest.raises(ValueError, match=r"or columns=\{\"frequency\".* if it is one of 'Oszillation'$"):
         vr.rheology.read_rheology(path, columns=columns)
-    data = vr.rheology.read_rheology(path, columns=columns | {"frequency": ("Fréquence", "Hz")})
+    data = vr.rheology.read_rheology(path, columns=columns | {"frequency": ("Oszillation", "Hz")})
     assert [sweep.frequency.size for sweep in data.isotherms] == [2, 2]
     path.write_text("Temperatur [°C];Frequenz [Hz];G' [Pa];G'' [Pa]\n20;1;3;1\n20;10;4;1\n40;1;2;1\n40;10;3;1\n")
     assert vr.rheology.read_rheology(path).ramp is None

@@ -8,7 +8,7 @@ import viscoroll as vr
 import xarray
 from campaign.intervals import ANSWERS, REFERENCE, Noise, coated, held, measured, of_curve, true_modulus
 from scipy.stats import t as student
-from viscoroll.studies.draws import drawn_answers
+from viscoroll.studies.draws import drawn_scalars
 from viscoroll.studies.picture import plot_study
 
 #: Rollers take little time to solve.
@@ -96,7 +96,7 @@ def test_draws_can_be_stopped(material):
     given = {name: value for name, value in CASE.items() if name != "progress"}
     result = vr.solve(roller(material.best_estimate), **given)
     with pytest.raises(KeyboardInterrupt):
-        drawn_answers(result, [(roller(one), None) for one in material], "linear", given, progress=stop)
+        drawn_scalars(result, [(roller(one), None) for one in material], "linear", given, progress=stop)
 
 
 def test_draws_of_two_materials_go_together(material):
@@ -138,7 +138,7 @@ def test_a_cache_keeps_draws(tmp_path, material, monkeypatch):
     assert first.resisting_torque_lower.attrs["units"] == "N"
     assert first.resisting_torque_lower.attrs["long_name"].endswith("lower end of the 0.95 interval")
     assert (first.attrs["draws"], first.attrs["confidence"]) == ("20, linear", "0.95")
-    monkeypatch.setattr("viscoroll.studies.run.drawn_answers", None)  # no further solves
+    monkeypatch.setattr("viscoroll.studies.run.drawn_scalars", None)  # no further solves
     xarray.testing.assert_identical(first, vr.sweep(roller, modulus=material, **given))
     wider = vr.sweep(roller, modulus=material, confidence=0.99, **given)
     half, wide = (study.resisting_torque - study.resisting_torque_lower for study in (first, wider))

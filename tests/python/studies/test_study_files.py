@@ -140,10 +140,10 @@ def test_the_example_is_a_study(tmp_path):
         ('"rolling.load" = 3.0', "must be a list of numbers or a table with from, to and count, got 3.0"),
         ('"rolling.load" = ["a"]', "must be a list of numbers or a table with from, to and count"),
         ('"rolling.load" = []', "load must have at least one value, got none"),
-        ('"rolling load" = [1.0]', 'keys must be places like "ball.layers[0].thickness", got '),
-        ("rolling.load = [1.0]", 'sweep.rolling: the whole place must be in quotes, as in "rolling.load"'),
+        ('"rolling load" = [1.0]', 'keys must be paths like "ball.layers[0].thickness", got '),
+        ("rolling.load = [1.0]", 'sweep.rolling: the whole path must be in quotes, as in "rolling.load"'),
         ('"rolling.laod" = [1.0]', "rolling.laod is not a parameter, got 1.0"),
-        ('"ball.layers[1].thickness" = [1.0]', 'the file has no place "ball.layers[1].thickness"'),
+        ('"ball.layers[1].thickness" = [1.0]', 'the file has no key "ball.layers[1].thickness"'),
         ('"rolling.load" = { from = 1, to = 2 }', 'sweep."rolling.load".count must be given'),
         ('"rolling.load" = { from = 1, to = 2, count = 1 }', "count must be greater than or equal to 2"),
         (

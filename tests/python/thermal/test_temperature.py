@@ -9,14 +9,14 @@ import pytest
 import viscoroll as vr
 from viscoroll import enums, paper
 from viscoroll.thermal.conduction import Conduction
-from viscoroll.thermal.heat_modes import film_matrix, modes_of_ball
+from viscoroll.thermal.heat_modes import film_matrix_of_ball, modes_of_ball
 
 INNER, OUTER = 15e-3, 21e-3
 K, H, Q = 0.2, 10.0, 5e4
 
 
 def shell(*, core=0.0, degrees=9, conductivities=(K,), radii=(INNER, OUTER), convection=H):
-    film = film_matrix(convection, degrees) if callable(convection) else convection
+    film = film_matrix_of_ball(convection, degrees) if callable(convection) else convection
     inner = None if core is None else core * np.arange(degrees) / radii[0]
     return Conduction(radii, conductivities, modes_of_ball(degrees), film=film, inner=inner)
 

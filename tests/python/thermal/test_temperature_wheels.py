@@ -14,7 +14,7 @@ from shared_cases import one_layer
 from viscoroll import enums
 from viscoroll.solution.inside import inside_of
 from viscoroll.thermal.conduction import Conduction
-from viscoroll.thermal.heat_modes import film_across, modes_of_roller, modes_of_wheel
+from viscoroll.thermal.heat_modes import film_matrix_of_wheel, modes_of_roller, modes_of_wheel
 from viscoroll.thermal.heated_body import heated_body
 from viscoroll.thermal.surroundings import Surroundings
 
@@ -114,7 +114,11 @@ def test_a_section_agrees_with_finite_elements(hub, film):
     """A heat source off the middle: both agree to 2e-6 of the largest rise; elements twice as large give 1e-5."""
     modes = modes_of_wheel(WIDTH, SIDE / K, 80)
     inner = None if hub is None else np.full(80, hub)
-    outer = film if film is H else film_across(lambda theta: film(OUTER * (0.5 * math.pi - theta)), modes, WIDTH, OUTER)
+    outer = (
+        film
+        if film is H
+        else film_matrix_of_wheel(lambda theta: film(OUTER * (0.5 * math.pi - theta)), modes, WIDTH, OUTER)
+    )
     layers = Conduction((HUB, OUTER), (K,), modes, film=outer, inner=inner)
     rises = layers.solve(expanded(modes, layers, sample_source), 3.0 if hub is None else 0.0)
     section = Section((HUB, OUTER), WIDTH, K, film=film, side=SIDE, hub=hub, elements=(48, 96))

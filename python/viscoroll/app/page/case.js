@@ -94,8 +94,8 @@ export function groundsOf(body) {
 }
 
 /**
- * The same state with another body. The size of wheels and rollers is given by the outer diameter, as in catalogs. Load
- * and drive are reset if they change between total values and values per length.
+ * The same state with another body. The outer diameter gives the size of wheels and rollers, as in catalogs. Load and
+ * drive are reset if the body changes from total values to values per length, or back.
  */
 export function withBody(state, body) {
   const on = state.on in groundsOf(body) ? state.on : "rigid";
@@ -110,7 +110,7 @@ export function sizedBy(state, given) {
   return given === state.given ? state : { ...state, given, size: fromSI(meters, "mm", "length") };
 }
 
-/** Tables of a case file, in SI units. */
+/** Tables of the case file for a state, in SI units. */
 export function caseOf(state) {
   return {
     [state.body]: bodyTable(state),
@@ -184,7 +184,7 @@ function numericsTable(state) {
 }
 
 /**
- * The state of the form for a case, and the names of the keys that the form does not have.
+ * The state of the form for a case, and the names of the keys that the form does not support (`left`).
  * @returns {{state: object, left: string[]}}
  */
 export function stateOf(tables) {

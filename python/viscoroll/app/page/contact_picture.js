@@ -14,7 +14,7 @@ const PROFILES = {
   "Profile in the middle plane, above the counterbody": profileChart,
 };
 
-/** Half the length of the charts divided by half the length of the contact. */
+/** Half of the range of x in the charts, divided by half of the contact length. */
 const REACH = 1.6;
 
 const ALONG = "x [mm], rolling to the right";

@@ -38,7 +38,8 @@ export function typedAlong(state, along) {
 
 /**
  * Points of a curve around a state.
- * @returns {{at: number, unit: string, state: object, tables: object, radius: number}[]} in the order of solving
+ * @returns {{at: number, unit: string, tables: object, radius: number}[]} varied number with its unit, tables of the
+ *   case, and outer radius [m], in the order of solving
  */
 export function pointsOf(state, along) {
   if (!typedAlong(state, along)) return [];

@@ -70,9 +70,9 @@ export class CurvePicture {
     return this.#points;
   }
 
-  /** Add the answer for one of these cases. */
-  add(place, { result }) {
-    this.#found.push({ ...this.#points[place], scalars: result?.scalars ?? null });
+  /** Add the answer for the case with an index in the list that `begin` returned. */
+  add(index, { result }) {
+    this.#found.push({ ...this.#points[index], scalars: result?.scalars ?? null });
     this.#root.dataset.filling = this.#found.length === this.#points.length ? "done" : "filling";
     this.#draw();
   }

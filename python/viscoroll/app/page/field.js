@@ -3,7 +3,7 @@
 import { el } from "./dom.js";
 import { SI, UNITS, fromSI, numberText, tidy, toSI, unitNamed } from "./units.js";
 
-const STEPS = 300; // of a slider: over three decades, each changes the number by some 2 %
+const STEPS = 300; // number of steps of a slider: over three decades, a step changes the number by about 2 %
 
 /** Pause in typing after which a number is read [ms], so that the first digit of 78 is not solved as 7. */
 const PAUSE = 300;
@@ -84,8 +84,8 @@ export function numberField({
   }
   function position(x) {
     const [low, high] = range;
-    const share = linear ? (x - low) / (high - low) : Math.log(Math.max(x, 1e-300) / low) / Math.log(high / low);
-    return Math.round(STEPS * Math.min(Math.max(share, 0), 1));
+    const fraction = linear ? (x - low) / (high - low) : Math.log(Math.max(x, 1e-300) / low) / Math.log(high / low);
+    return Math.round(STEPS * Math.min(Math.max(fraction, 0), 1));
   }
   function typed() {
     clearTimeout(pause);
@@ -128,8 +128,8 @@ export function numberField({
   }
   function slid() {
     const [low, high] = range;
-    const share = slider.value / STEPS;
-    const x = back(linear ? low + share * (high - low) : low * (high / low) ** share, unit);
+    const fraction = slider.value / STEPS;
+    const x = back(linear ? low + fraction * (high - low) : low * (high / low) ** fraction, unit);
     const first = back(low, unit);
     number = step ? tidy(first + Math.round((x - first) / step) * step) : Number(x.toPrecision(3));
     misread = false;
@@ -154,7 +154,7 @@ export function numberField({
     problem,
   );
   show();
-  const sayOfRead = (text, kind) => misread || say(text, kind); // the solver saw an earlier number
+  const sayOfRead = (text, kind) => misread || say(text, kind); // messages of the solver concern an earlier number
   return { root, parameter, say: sayOfRead, refresh: () => show({ text: false }) };
 }
 

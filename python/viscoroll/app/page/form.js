@@ -31,18 +31,18 @@ export class Form {
 
   /** Show the fields of a state; the focus stays at its position. */
   show(state) {
-    const place = this.#controls().indexOf(document.activeElement);
+    const position = this.#controls().indexOf(document.activeElement);
     this.#state = state;
     this.#fields = [];
     this.#root.replaceChildren(this.#body(), this.#layers(), this.#ground(), this.#rolling(), this.#model());
-    if (place >= 0) this.#controls()[place]?.focus();
+    if (position >= 0) this.#controls()[position]?.focus();
   }
 
   /** Show an error at the field that caused it, if there is one; return the text to show with the results. */
   sayError({ message, parameter }) {
     const field = parameter && this.#field(parameter);
     if (!field) return message;
-    const text = message.replace(/^[\w.[\]]+: /, ""); // the field itself shows the place in the case
+    const text = message.replace(/^[\w.[\]]+: /, ""); // the position of the message shows which key it concerns
     field.say(text, "error");
     field.root.closest("details")?.setAttribute("open", "");
     return `No result: ${text}`;
@@ -240,7 +240,7 @@ export class Form {
       exact: "exact: thick layers, solid balls",
       paper: "as printed in the paper",
     };
-    const own = this.#state.accuracy; // it may be that of a case file
+    const own = this.#state.accuracy; // a case file may give any accuracy
     const accuracies = { [own]: `${numberText(100 * own)} %`, 0.03: "3 %", 0.01: "1 %", 0.003: "0.3 %" };
     return el(
       "details",

@@ -49,7 +49,7 @@ class Page {
     this.#newest = new Newest(solver, {
       solving: (stage) => this.#tellSolving(stage),
       solved: (...of) => this.#tellSolved(...of),
-      point: (place, answer) => this.#curve.add(place, answer),
+      point: (index, answer) => this.#curve.add(index, answer),
       failed: (error) => this.#fail(error),
     });
     at("where").textContent = `Solved ${solver.where}.`;
@@ -106,9 +106,9 @@ class Page {
   }
 
   #tellResult(result, tables, stage, seconds) {
-    const told = result.warnings.filter(({ kind }) => stage === "fine" || kind !== "coarse_mesh");
+    const warnings = result.warnings.filter(({ kind }) => stage === "fine" || kind !== "coarse_mesh");
     at("error").textContent = "";
-    this.#results.show(result, tables, this.#form.sayWarnings(told));
+    this.#results.show(result, tables, this.#form.sayWarnings(warnings));
     this.#curve.mark(result);
     at("brief").textContent = `${this.#results.brief(result)} ↓`;
     say(stage === "coarse" ? `Result on a coarse mesh (${meshText(result, seconds)}).` : refinedText(result, seconds));
@@ -121,7 +121,7 @@ class Page {
     say("Solving …");
   }
 
-  /** Show an error of the page or of the connection to the solver, which gave no answer. */
+  /** Show an error of the page itself, or of the connection to the solver. */
   #fail(error) {
     document.body.dataset.wrong = true;
     at("error").textContent = error.message;
@@ -140,8 +140,8 @@ function meshText({ scalars }, seconds) {
 
 function refinedText(result, seconds) {
   const state = result.state === "converged" ? "" : ` ${result.state.replaceAll("_", " ")},`;
-  const share = (100 * result.scalars.error_estimate).toPrecision(2);
-  return `Refined:${state} estimated error of the mesh ${share} % (${meshText(result, seconds)}).`;
+  const percent = (100 * result.scalars.error_estimate).toPrecision(2);
+  return `Refined:${state} estimated error of the mesh ${percent} % (${meshText(result, seconds)}).`;
 }
 
 new Page(JSON.parse(at("start").textContent));

@@ -3,7 +3,7 @@
 import { ABOVE, BESIDE, roundTicks } from "./ticks.js";
 import { numberText } from "./units.js";
 
-/** Colors of pressure from 0 to the largest, interpolated linearly: some of matplotlib's "magma", reversed. */
+/** Colors for pressures from 0 to the largest, interpolated linearly: six colors of matplotlib's "magma", reversed. */
 const PRESSURE = [
   [252, 253, 191],
   [254, 159, 109],
@@ -93,10 +93,11 @@ function picture({ pressure, stick }, { rows, columns, flipped, upward }, what) 
   return canvas;
 }
 
-function ramp(share) {
-  const place = Math.min(share, 0.9999) * (PRESSURE.length - 1);
-  const [low, high] = [PRESSURE[Math.floor(place)], PRESSURE[Math.floor(place) + 1]];
-  return low.map((one, k) => Math.round(one + (place % 1) * (high[k] - one)));
+/** The color for a pressure divided by the largest pressure. */
+function ramp(ratio) {
+  const position = Math.min(ratio, 0.9999) * (PRESSURE.length - 1);
+  const [low, high] = [PRESSURE[Math.floor(position)], PRESSURE[Math.floor(position) + 1]];
+  return low.map((one, k) => Math.round(one + (position % 1) * (high[k] - one)));
 }
 
 /** The colors of pressure as a CSS gradient. */

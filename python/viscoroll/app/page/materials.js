@@ -135,7 +135,7 @@ export const KINDS = {
   },
 };
 
-/** Change the scale of a hardness: equal moduli differ by 50 between the scales; limit it to the range of the scale. */
+/** Convert a hardness to another scale, within its range: for equal moduli, Shore D is 50 less than Shore A. */
 function onScale({ hardness }, scale) {
   const [low, high] = scale === "D" ? SHORE_D : SHORE_A;
   return { scale, hardness: Math.min(Math.max(hardness + (scale === "D" ? -50 : 50), low), high) };

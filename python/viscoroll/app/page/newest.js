@@ -1,5 +1,5 @@
 /**
- * Solver of the newest case only: on a coarse mesh while numbers change; after a pause, to its accuracy; then a curve.
+ * Solves only the newest case: on a coarse mesh while numbers change; after a pause, to its accuracy; then a curve.
  */
 
 /** Pause without changes after which the case is solved to its accuracy [ms]. */
@@ -20,11 +20,12 @@ export class Newest {
   #running = false;
   #abort = new AbortController();
   #changed = () => {};
-  #across = null; // suitable nodes per revolution according to the last answer, and its body
+  #across = null; // body of the last answer, and the nodes per revolution for ACROSS nodes across its contact
 
   /**
    * @param {object} solver a solver of solver.js
-   * @param {object} tell `solving(stage)`, `solved(answer, {tables, stage, seconds})`, `point(place, answer)`, `failed(error)`
+   * @param {object} tell functions to call: `solving(stage)`, `solved(answer, {tables, stage, seconds})`,
+   *   `point(index, answer)` for the points of the curve, and `failed(error)`
    */
   constructor(solver, tell) {
     this.#solver = solver;
@@ -74,10 +75,10 @@ export class Newest {
   }
 
   async #follow(curve, signal) {
-    for (const [place, { tables, radius }] of curve.entries()) {
+    for (const [index, { tables, radius }] of curve.entries()) {
       if (signal.aborted) return;
       const request = { case: coarse(tables, this.#nodes(tables, radius)), fields: false };
-      this.#tell.point(place, await this.#solver.solve(request, signal));
+      this.#tell.point(index, await this.#solver.solve(request, signal));
     }
   }
 
@@ -105,7 +106,7 @@ export class Newest {
 
 const bodyOf = (tables) => Object.keys(FIRST).find((name) => name in tables);
 
-/** The case with a given mesh instead of an accuracy. */
+/** Tables of the case with nodes per revolution instead of an accuracy. */
 function coarse(tables, nodes) {
   const { accuracy: _, ...numerics } = tables.numerics;
   return { ...tables, numerics: { ...numerics, nodes_per_revolution: nodes } };

@@ -89,10 +89,10 @@ class WorkerSolver {
   #newWorker() {
     const worker = new Worker(this.#script);
     worker.onmessage = ({ data: { id, answer, failure } }) => {
-      const asked = this.#waiting.get(id);
+      const request = this.#waiting.get(id);
       this.#waiting.delete(id);
-      if (failure === undefined) asked?.resolve(answer);
-      else asked?.reject(new Error(failure));
+      if (failure === undefined) request?.resolve(answer);
+      else request?.reject(new Error(failure));
     };
     worker.onerror = (event) =>
       this.#end(new Error(`the solver does not start: ${event.message ?? "unknown reason"}`));
@@ -104,6 +104,6 @@ class WorkerSolver {
     this.#worker = null;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
-    for (const asked of waiting) asked.reject(reason);
+    for (const request of waiting) request.reject(reason);
   }
 }

@@ -1,6 +1,6 @@
 /** Light or dark theme: that of the system, or of the page that embeds this one. */
 
-/** Follow changes of both; `redraw` draws the pictures whose colors come from the script. */
+/** Follow changes of either theme; `redraw` redraws the pictures whose colors the script sets. */
 export function followTheme(redraw) {
   globalThis.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
   globalThis.addEventListener("message", ({ source, data }) => {

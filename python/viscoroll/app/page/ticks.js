@@ -4,9 +4,10 @@
 export const BESIDE = 45;
 export const ABOVE = 24;
 
+/** Largest number of intervals between ticks. */
 const ENOUGH = 5;
 
-/** Multiples of 1, 2 or 5 times a power of ten between two numbers: some five, or fewer if there is less space. */
+/** Multiples of 1, 2 or 5 times a power of ten between two numbers: about five, or fewer if there is less space. */
 export function roundTicks(low, high, most) {
   const rough = (high - low) / Math.min(Math.max(most, 2), ENOUGH);
   const power = 10 ** Math.floor(Math.log10(rough));

@@ -2,7 +2,7 @@
 
 const TURN = 2 * Math.PI;
 
-/** SI values of the units, by quantity; the first unit is the default. Where null, `factor` uses the radius. */
+/** SI values of the units, by quantity; the first unit is the default. For speeds (null), see `factor`. */
 export const UNITS = {
   length: { mm: 1e-3, cm: 1e-2, m: 1, in: 0.0254 },
   modulus: { MPa: 1e6, kPa: 1e3, GPa: 1e9, Pa: 1, psi: 6894.757293168 },
