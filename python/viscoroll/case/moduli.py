@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from .. import materials
+from .._core import Extrapolation
 from .._support.arguments import as_member
 from .._support.errors import InvalidInput, in_file
 from .._support.extras import extra
@@ -21,6 +22,7 @@ from ..rheology import example_material, hardness_to_modulus, load_material, reb
 from .columns import read_columns
 from .tables import (
     AlsoAs,
+    ByName,
     ColumnsOf,
     FileName,
     Table,
@@ -192,14 +194,17 @@ def _softening(*, matrix: Any, network: Network | Callable[[Any], materials.Stra
     return materials.SofteningModulus(matrix=matrix, network=made)
 
 
-#: Annotations of moduli in addition to `Table`.
-_ALSO: dict[str, tuple[object, ...]] = {
-    "master_curve": (_columns_of("master curve", materials.MasterCurve, "frequency", "storage", "loss"),)
+#: Annotations of moduli whose tables do not contain only numbers.
+_ANNOTATIONS: dict[str, tuple[object, ...]] = {
+    "master_curve": (
+        Table("master_curve", extrapolation=Annotated[Extrapolation, ByName()]),
+        _columns_of("master curve", materials.MasterCurve, "frequency", "storage", "loss"),
+    )
 }
 
 #: Tables of the moduli of the core, and of others, which Python makes from these.
 _TABLES = (
-    *(Annotated[(kind, Table(name), *_ALSO.get(name, ()))] for name, kind in MODULI.items()),
+    *(Annotated[(kind, *_ANNOTATIONS.get(name, (Table(name),)))] for name, kind in MODULI.items()),
     Annotated[LossFactor, Table("loss_factor")],
     Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)],
     Annotated[materials.ShearModulus, Table("published", _published)],

@@ -157,14 +157,9 @@ class Table:
     def _model_of(self, make: Callable[..., Any]) -> type[StrictTable]:
         parameters = inspect.signature(make).parameters
         needed = {"type"} | {name for name, parameter in parameters.items() if parameter.default is parameter.empty}
-        types = {
-            name: Annotated[type(parameter.default), ByName()]
-            for name, parameter in parameters.items()
-            if isinstance(parameter.default, Enum)
-        }
-        types |= self._types
         keys: dict[str, Any] = {
-            name: (types.get(name, Any), Field() if name in needed else None) for name in [*parameters, *types]
+            name: (self._types.get(name, Any), Field() if name in needed else None)
+            for name in [*parameters, *self._types]
         }
         model = create_model(make.__name__.removeprefix("_"), __base__=StrictTable, **keys)
         model.documented_by = (make,) if self._documented_by is None else (self._documented_by,)

@@ -355,7 +355,8 @@ def relaxation_of(modulus: ShearModulusLike) -> Relaxation | None:
 
 def standard_linear_solid_of(modulus: ShearModulusLike) -> StandardLinearSolid | None:
     """Return the standard linear solid that equals a modulus, or None if there is none."""
-    return modulus._standard_linear_solid() if isinstance(modulus, ShearModulus) else None
+    solid: StandardLinearSolid | None = modulus._standard_linear_solid() if isinstance(modulus, ShearModulus) else None
+    return solid
 
 
 def measured_range_of(moduli: Iterable[ShearModulusLike], *, held: bool = False) -> tuple[float, float] | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from enum import Enum
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -16,8 +16,6 @@ from .._support.units import UNITS
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
-
-    from .moduli import StandardLinearSolid
 
 __all__ = ["Relaxation", "ShearModulus"]
 
@@ -111,6 +109,6 @@ class ShearModulus(ParameterTable):
         """Return the relaxation function, or None if it is not a sum of exponentials."""
         return None
 
-    def _standard_linear_solid(self) -> StandardLinearSolid | None:
-        """Return the standard linear solid that equals this modulus, or None if there is none."""
+    def _standard_linear_solid(self) -> Any:
+        """Return the `StandardLinearSolid` that equals this modulus, or None if there is none."""
         return None
