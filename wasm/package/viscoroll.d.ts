@@ -85,7 +85,9 @@ export type Drive =
 
 export interface Rolling {
   /** Normal load [N]; for rollers, load per length [N/m]. */
-  load: number;
+  load?: number;
+  /** Radius of the body at rest minus height of its center [m]; exactly one of load and penetration is given. */
+  penetration?: number;
   /** [rad/s] */
   angular_speed: number;
   /** Coulomb's coefficient of friction, at most 4; with Infinity the whole contact sticks. */

@@ -1,6 +1,7 @@
 #include "case_from_json.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace viscoroll::wasm {
@@ -43,7 +44,9 @@ Drive drive_from_json(const Json& json, const std::string& path) {
 
 LoadCase load_case_from_json(const Json& json, const std::string& path) {
   Table table(json, path);
-  LoadCase load_case{.load = table.number("load"),
+  const std::optional<double> penetration = table.maybe_number("penetration");
+  LoadCase load_case{.load = penetration ? table.maybe_number("load") : table.number("load"),
+                     .penetration = penetration,
                      .angular_speed = table.number("angular_speed"),
                      .friction = table.maybe_number("friction").value_or(0.0)};
   if (const Json* drive = table.take("drive")) load_case.drive = drive_from_json(*drive, table.path_of("drive"));
