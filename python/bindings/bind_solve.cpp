@@ -2,6 +2,9 @@
 #include <pybind11/stl.h>
 
 #include <optional>
+#include <tuple>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "bindings.hpp"
@@ -77,6 +80,18 @@ Result solve_on_model(const RollingModel& model, const LoadCase& load_case, Comp
   return model.solve(load_case, options);
 }
 
+/// Return the drive whose prescribed quantity is given.
+Drive drive_of(const py::KWArgs<py::object>& parameters) {
+  const auto read = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>> /*kinds*/) {
+    std::optional<Drive> drive;
+    (void)((parameters.contains(std::get<0>(Kinds::fields()).name) &&
+            (drive = read_fields<Kinds>(reader_of(parameters)), true)) ||
+           ...);
+    return drive;
+  };
+  return read(std::type_identity<Drive>{}).value();
+}
+
 }  // namespace
 
 void bind_solve(py::module_& m) {
@@ -94,11 +109,7 @@ void bind_solve(py::module_& m) {
       .value("FLAT", SlipKinematics::flat, "r_o times the spacing everywhere, the last form of equation (55a)")
       .finalize();
 
-  py::classh<DriveForce>(m, "DriveForce").def(py::init<double>(), py::arg("force"));
-  py::classh<DriveTorque>(m, "DriveTorque").def(py::init<double>(), py::arg("torque"));
-  py::classh<DriveCreepage>(m, "DriveCreepage")
-      .def(py::init<double, double, double>(), py::kw_only(), py::arg("creepage"), py::arg("lateral_creepage"),
-           py::arg("spin"));
+  py::classh<Drive>(m, "Drive").def(py::init(&drive_of));
 
   py::classh<LoadCase>(m, "LoadCase")
       .def(py::init([](std::optional<double> load, std::optional<double> penetration, double angular_speed,

@@ -22,63 +22,16 @@ class Extrapolation(enum.Enum):
     ERROR = ...
     HOLD = ...
 
-class Elastic:
-    def __init__(self, *, modulus: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
-
-class Prony:
-    def __init__(
-        self,
-        *,
-        instantaneous_modulus: typing.SupportsFloat | typing.SupportsIndex,
-        weights: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-        relaxation_times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-    ) -> None: ...
-    @property
-    def instantaneous_modulus(self) -> float: ...
-    @property
-    def relaxation_times(self) -> list[float]: ...
-    @property
-    def weights(self) -> list[float]: ...
-
-class KelvinVoigt:
-    def __init__(
-        self,
-        *,
-        modulus: typing.SupportsFloat | typing.SupportsIndex,
-        viscosity: typing.SupportsFloat | typing.SupportsIndex,
-    ) -> None: ...
-
-class FractionalZener:
-    def __init__(
-        self,
-        *,
-        instantaneous_modulus: typing.SupportsFloat | typing.SupportsIndex,
-        relaxed_modulus: typing.SupportsFloat | typing.SupportsIndex,
-        relaxation_time: typing.SupportsFloat | typing.SupportsIndex,
-        order: typing.SupportsFloat | typing.SupportsIndex,
-    ) -> None: ...
-
-class MasterCurve:
-    def __init__(
-        self,
-        *,
-        frequency: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-        storage: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-        loss: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-        extrapolation: Extrapolation,
-    ) -> None: ...
-
-class CustomModulus:
-    def __init__(
-        self, function: collections.abc.Callable[[numpy.typing.NDArray[numpy.float64]], typing.Any]
-    ) -> None: ...
+class ShearModulus:
+    def __init__(self, type: str, **kwargs: typing.Any) -> None: ...
+    def parameters(self) -> dict[str, typing.Any]: ...
 
 class Layer:
     def __init__(
         self,
         *,
         thickness: typing.SupportsFloat | typing.SupportsIndex,
-        shear_modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
+        shear_modulus: ShearModulus,
         poisson_ratio: typing.SupportsFloat | typing.SupportsIndex | None,
         bulk_modulus: typing.SupportsFloat | typing.SupportsIndex | None,
         density: typing.SupportsFloat | typing.SupportsIndex,
@@ -140,7 +93,7 @@ class HalfSpace:
     def __init__(
         self,
         *,
-        shear_modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
+        shear_modulus: ShearModulus,
         poisson_ratio: typing.SupportsFloat | typing.SupportsIndex | None,
         bulk_modulus: typing.SupportsFloat | typing.SupportsIndex | None,
         density: typing.SupportsFloat | typing.SupportsIndex,
@@ -278,7 +231,7 @@ class ResultScalars:
     @property
     def error_estimate(self) -> float:
         """
-        relative error estimate [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of load, penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
+        relative error estimate [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
         """
     @property
     def face_distance(self) -> float | None:
@@ -299,11 +252,6 @@ class ResultScalars:
     def linear_speed(self) -> float | None:
         """
         speed of the center V_s [m/s]. None without friction, where it is undetermined unless it is given.
-        """
-    @property
-    def load(self) -> float:
-        """
-        normal load P [N]. Given, or a result if the penetration is given.
         """
     @property
     def max_pressure(self) -> float:
@@ -328,7 +276,7 @@ class ResultScalars:
     @property
     def penetration(self) -> float | None:
         """
-        penetration r_o - H [m]. Radius of the rolling body at rest minus the height of its center. Pressure and centrifugal growth change it in opposite directions: a fast body touches while it is still negative. None in line contact if a body rests on a half-space: the penetration is then undetermined.
+        penetration r_o - H [m]. None in line contact if a body rests on a half-space: the penetration is then undetermined.
         """
     @property
     def residual(self) -> float:
@@ -424,37 +372,8 @@ class SlipKinematics(enum.Enum):
     EXACT = ...
     FLAT = ...
 
-class DriveForce:
-    def __init__(self, force: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
-
-class DriveTorque:
-    def __init__(self, torque: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
-
-class DriveCreepage:
-    def __init__(
-        self,
-        *,
-        creepage: typing.SupportsFloat | typing.SupportsIndex,
-        lateral_creepage: typing.SupportsFloat | typing.SupportsIndex,
-        spin: typing.SupportsFloat | typing.SupportsIndex,
-    ) -> None: ...
-
-class LoadCase:
-    def __init__(
-        self,
-        *,
-        load: typing.SupportsFloat | typing.SupportsIndex | None,
-        penetration: typing.SupportsFloat | typing.SupportsIndex | None,
-        angular_speed: typing.SupportsFloat | typing.SupportsIndex,
-        friction: typing.SupportsFloat | typing.SupportsIndex,
-        drive: DriveForce | DriveTorque | DriveCreepage,
-    ) -> None: ...
-    @property
-    def angular_speed(self) -> float: ...
-    @property
-    def friction(self) -> float: ...
-    @property
-    def load(self) -> float | None: ...
+class Drive:
+    def __init__(self, **kwargs: typing.Any) -> None: ...
 
 class Options:
     def __init__(self) -> None: ...
@@ -487,8 +406,11 @@ class RollingModel:
     ) -> None: ...
     def solve(
         self,
-        load_case: LoadCase,
         *,
+        load: typing.SupportsFloat | typing.SupportsIndex,
+        angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+        friction: typing.SupportsFloat | typing.SupportsIndex,
+        drive: Drive,
         compliance: Compliance,
         patch_load: PatchLoad,
         slip_kinematics: SlipKinematics,
@@ -922,20 +844,13 @@ def check_motion(
     center_displacement: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
 ) -> None: ...
 def complex_modulus(
-    modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
-    omega: numpy.typing.NDArray[numpy.float64],
+    modulus: ShearModulus, omega: numpy.typing.NDArray[numpy.float64]
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
 def core_count() -> int:
     """
     Cores that this process may use.
     """
 
-def creep_compliance(
-    *,
-    instantaneous_compliance: typing.SupportsFloat | typing.SupportsIndex,
-    compliances: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-    retardation_times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-) -> Prony: ...
 @typing.overload
 def critical_speed(
     sphere: CoatedSphere, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex, curvature: Curvature
@@ -946,6 +861,9 @@ def critical_speed(
 ) -> float: ...
 @typing.overload
 def critical_speed(wheel: CoatedWheel, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex) -> float: ...
+def custom_modulus(
+    function: collections.abc.Callable[[numpy.typing.NDArray[numpy.float64]], typing.Any],
+) -> ShearModulus: ...
 def degree_compliance(
     sphere: CoatedSphere,
     degree: numpy.typing.NDArray[numpy.int32],
@@ -1015,10 +933,13 @@ def result_scalars() -> list[ScalarDescription]:
 def solve(
     body: CoatedSphere | CoatedCylinder | CoatedWheel,
     on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
-    load_case: LoadCase,
     *,
+    load: typing.SupportsFloat | typing.SupportsIndex,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     mesh: Mesh | None,
     accuracy: typing.SupportsFloat | typing.SupportsIndex,
+    friction: typing.SupportsFloat | typing.SupportsIndex,
+    drive: Drive,
     compliance: Compliance,
     curvature: Curvature,
     patch_load: PatchLoad,
@@ -1030,9 +951,12 @@ def solve(
 def solve_frozen(
     body: CoatedSphere | CoatedCylinder | CoatedWheel,
     on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
-    load_case: LoadCase,
     *,
+    load: typing.SupportsFloat | typing.SupportsIndex,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     mesh: Mesh,
+    friction: typing.SupportsFloat | typing.SupportsIndex,
+    drive: Drive,
     compliance: Compliance,
     curvature: Curvature,
     patch_load: PatchLoad,
@@ -1045,12 +969,6 @@ def solve_frozen(
     threads: typing.SupportsInt | typing.SupportsIndex,
     progress: typing.Any,
 ) -> Result: ...
-def standard_linear_solid(
-    *,
-    instantaneous_modulus: typing.SupportsFloat | typing.SupportsIndex,
-    relaxed_modulus: typing.SupportsFloat | typing.SupportsIndex,
-    relaxation_time: typing.SupportsFloat | typing.SupportsIndex,
-) -> Prony: ...
 def state_matrix(
     layer: Layer,
     *,
@@ -1077,9 +995,6 @@ def surface_compliance(
     *,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
-def validate_modulus(
-    modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
-) -> None: ...
 
 __commit__: str
 __fft__: str

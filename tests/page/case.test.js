@@ -110,6 +110,9 @@ test("a case without friction has no drive", () => {
   assert.deepEqual(stateOf(slid).left, ["rolling.drive"]);
   const towed = { ...initialState(), friction: 0.3, drive: "torque" };
   assert.deepEqual(caseOf(towed).rolling.drive, { torque: 0 });
+  const powered = { ...towed, drive: "power", power: [50, "mW"] };
+  assert.deepEqual(caseOf(powered).rolling.drive, { power: 0.05 });
+  assert.deepEqual(stateOf(caseOf(powered)).state.power, [0.05, "W"]);
 });
 
 test("a link restores every example", () => {

@@ -35,13 +35,13 @@ std::shared_ptr<const SurfaceOperator> surface_on(const SurfaceWindow& window, c
 Friction make_friction(const SurfaceWindow& window, const ContactSetup& given) {
   const LoadCase& load_case = given.load_case;
   RigidDisplacements rigid = rigid_slip(given.displaced_points(window), given.model.growth,
-                                        given.options.slip_kinematics, given.pair(), given_motion(load_case.drive));
+                                        given.options.slip_kinematics, given.pair(), given_motion(load_case));
   return {.coefficient = load_case.friction,
           .rigid_slip = std::move(rigid.slip),
           .counterbody_rigid_displacement = std::move(rigid.counterbody),
           .step = window.grid().radius * window.grid().phi_spacing,
           .arms = given.moment_arms(window),
-          .drive = condition_of(load_case.drive, given.pressure_work_factor()),
+          .drive = condition_of(load_case, given.pressure_work_factor()),
           .shared = given.model.starts->of(load_case, given.options, window.window())};
 }
 

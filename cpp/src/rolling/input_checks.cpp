@@ -58,14 +58,13 @@ std::array<SlidingDrive, 2> sliding_drives(const ContactSetup& setup, ContactPro
 
 /// Reject a drive with which the body would slide permanently.
 /// @param[in] least,most limits of the drive; between them the body rolls
-void require_between(const std::string& name, double given, double least, double most, const RoundBody& body,
-                     std::string_view unit) {
+void require_between(const DriveReport& report, double given, double least, double most, const RoundBody& body) {
   if (given > least && given < most) return;
-  const auto in_units = [unit](const std::string& number) { return number + " " + std::string(unit); };
-  reject(name,
-         "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + ", otherwise the " +
-             std::string(body.name()) + " slides permanently",
-         in_units(text(given)));
+  const auto in_units = [&](const std::string& number) { return number + " " + std::string(report.unit); };
+  reject(report.parameter,
+         "between " + in_units(rounded(report.factor * least)) + " and " + in_units(rounded(report.factor * most)) +
+             ", otherwise the " + std::string(body.name()) + " slides permanently",
+         in_units(text(report.factor * given)));
 }
 
 }  // namespace
@@ -161,7 +160,7 @@ void require_contact(const ContactSetup& setup, double friction, double penetrat
 void require_reachable_drive(const ContactSetup& setup, const ContactProblem& problem) {
   if (!problem.friction) return;
   const LoadCase& load_case = setup.load_case;
-  const GivenMotion given = given_motion(load_case.drive);
+  const GivenMotion given = given_motion(load_case);
   if (given.creepage) return;
   const RoundBody& body = *setup.pair().body;
   std::array<SlidingDrive, 2> limits{};
@@ -175,14 +174,10 @@ void require_reachable_drive(const ContactSetup& setup, const ContactProblem& pr
     limits = {SlidingDrive{-largest, -largest * body.radius()}, SlidingDrive{largest, largest * body.radius()}};
   }
   const auto& [skidding, spinning] = limits;
-  if (given.force) {
-    const auto [least, most] = std::minmax(skidding.force, spinning.force);
-    require_between("drive.force", *given.force, least, most, body, body.form().load_unit);
-  }
-  if (given.torque) {
-    const auto [least, most] = std::minmax(skidding.moment, spinning.moment);
-    require_between("drive.torque", *given.torque, least, most, body, body.form().torque_unit);
-  }
+  const DriveReport report = drive_report(load_case, body);
+  const auto [least, most] =
+      given.force ? std::minmax(skidding.force, spinning.force) : std::minmax(skidding.moment, spinning.moment);
+  require_between(report, given.force ? *given.force : *given.torque, least, most, body);
 }
 
 }  // namespace viscoroll::detail

@@ -82,7 +82,7 @@ std::vector<Answer> answers(const Result& result, const LoadCase& load_case, dou
   if (load_case.friction == 0.0) return answers;
   answers.push_back(
       {result.dissipated_power, std::max(std::abs(result.dissipated_power), negligible * load_case.angular_speed)});
-  const GivenMotion given = given_motion(load_case.drive);
+  const GivenMotion given = given_motion(load_case);
   if (!given.torque) {
     answers.push_back({result.driving_torque, std::max({std::abs(result.driving_torque), torque, negligible})});
   }

@@ -123,7 +123,7 @@ class Summary {
     r.resisting_torque = -(pressure_lever(window_, given_.pair(), contact) * force_.col(kDown)).sum();
     const double load = given_.load_case.load.value_or(-force_.col(kDown).sum());
     r.load = load;
-    const GivenMotion motion = given_motion(given_.load_case.drive);
+    const GivenMotion motion = given_motion(given_.load_case);
     r.driving_force = settled(-forward.sum() + counterbody_force(r), load, motion.force);
     const auto sideways = force_.col(kSideways);
     r.lateral_force = settled(sideways.sum(), load);
@@ -136,7 +136,7 @@ class Summary {
 
   void add_powers(Result& r) const {
     const LoadCase& load_case = given_.load_case;
-    const GivenMotion motion = given_motion(load_case.drive);
+    const GivenMotion motion = given_motion(load_case);
     r.creepage = motion.creepage ? motion.creepage : contact_.creepage;
     if (r.creepage) r.linear_speed = (1.0 + *r.creepage) * load_case.angular_speed * radius();
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());

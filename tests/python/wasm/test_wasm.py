@@ -50,6 +50,7 @@ FRACTIONAL = {
     "relaxation_time": 1e-5,
     "order": 0.5,
 }
+NEGAMI = {**FRACTIONAL, "type": "havriliak_negami", "asymmetry": 0.5}
 CURVE = {
     "type": "master_curve",
     "frequency": [0.0, 0.1, 10.0, 1e3],
@@ -92,6 +93,7 @@ CASES = {
     ),
     "towed ball": case(ball=BALL, friction=0.5, drive={"torque": 0.0}),
     "ball at a penetration": case(ball=BALL, penetration=1e-4, friction=0.2),
+    "ball with a power": case(ball=BALL, friction=0.5, drive={"power": 0.1}),
     "as the paper": case(
         nodes=300,
         numerics={"max_order": 300, "compliance": "vertical", "curvature": "paper", "patch_load": "spherical"},
@@ -107,6 +109,7 @@ CASES = {
         },
         angular_speed=50.0,
     ),
+    "asymmetric dispersion": case(ball={"core_radius": 20e-3, "layers": [layer(NEGAMI)]}),
     "exact solid ball": case(
         nodes=300,
         numerics={"curvature": "exact"},
@@ -163,6 +166,7 @@ BAD = {
     "a part of a mesh": {"ball": BALL, "rolling": {"load": 1.0, "angular_speed": 1.0}, "numerics": {"max_order": 300}},
     "two bodies": case(ball=BALL, wheel=WHEEL),
     "no body": case(),
+    "a power without friction": case(ball=BALL, drive={"power": 1.0}),
     "two drives": case(ball=BALL, friction=0.1, drive={"force": 0.0, "torque": 0.0}),
     "spin without creepage": case(ball=BALL, friction=0.1, drive={"force": 0.0, "spin": 0.1}),
     "a ball that slides": case(ball=BALL, friction=0.1, drive={"force": 50.0}),
