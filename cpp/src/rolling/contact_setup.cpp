@@ -72,16 +72,17 @@ MomentArms ContactSetup::moment_arms(const SurfaceWindow& window, const std::vec
 ContactProblem ContactSetup::problem(const SurfaceWindow& window) const {
   ContactProblem problem{.surface = surface_on(window, *this),
                          .initial_gap = initial_gap(displaced_points(window), model.growth, pair()),
-                         .normal_force = load_case.load,
+                         .normal_force = load_case.load.value_or(0.0),
                          .friction = std::nullopt,
                          .ends_at_sides = has_sides() && window.window().theta == nodes.widest.theta};
+  if (load_case.penetration) problem.penetration = *load_case.penetration + model.centrifugal;
   if (load_case.friction > 0.0) problem.friction = make_friction(window, *this);
   return problem;
 }
 
 ContactSetup assemble(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
   const double radius = model.pair.body->radius();
-  const ContactReach contact = estimate_contact(model.pair, load_case.angular_speed, load_case.load);
+  const ContactReach contact = estimate_contact(model.pair, load_case, model.centrifugal);
   const double half_chord = kLikelyShare * contact.along;
   return {.model = model,
           .load_case = load_case,
