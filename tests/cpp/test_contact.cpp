@@ -11,7 +11,7 @@
 #include "contact/normal_contact.hpp"
 #include "contact/transfer.hpp"
 #include "dense_oracle.hpp"
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "surface/table_operator.hpp"
 
 namespace viscoroll::detail {

@@ -8,7 +8,6 @@
 
 #include "base/dense_products.hpp"
 #include "base/dense_solvers.hpp"
-#include "transient/bordered_inverse.hpp"
 
 namespace viscoroll::detail {
 namespace {

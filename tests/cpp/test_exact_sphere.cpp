@@ -9,8 +9,6 @@
 #include <numbers>
 
 #include "cases.hpp"
-#include "influence/gauss_legendre.hpp"
-#include "influence/joint_sphere_product.hpp"
 #include "influence/legendre.hpp"
 #include "influence/sphere_product.hpp"
 #include "influence/sphere_sum.hpp"

@@ -13,11 +13,9 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "influence/side_product.hpp"
-#include "influence/side_sum.hpp"
+#include "influence/side_influence.hpp"
 #include "influence/table.hpp"
 #include "section/side_difference.hpp"
-#include "section/tread_cache.hpp"
 #include "viscoroll/solve.hpp"
 
 namespace viscoroll::detail {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "influence/coating_sum.hpp"
 #include "influence/interpolated_orders.hpp"
-#include "influence/patch.hpp"
+#include "influence/table_sums.hpp"
+#include "influence/waves.hpp"
 #include "surface/table_operator.hpp"
 #include "viscoroll/influence.hpp"
 

@@ -13,14 +13,10 @@
 #include <vector>
 
 #include "base/dense_solvers.hpp"
-#include "influence/coating_sum.hpp"
-#include "influence/line_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/layered_body.hpp"
-#include "transient/common_times.hpp"
 #include "transient/layer_spectrum.hpp"
-#include "transient/retardation_intervals.hpp"
-#include "transient/weight_sums.hpp"
-#include "transient/wheel_weights.hpp"
+#include "transient/order_weights.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -433,12 +429,12 @@ TEST(Weights, OfAWheelAreThoseOfItsOrders) {
   const LayerSpectrum spectrum(layered_body(wheel), kRange, 1e-2);
   const Observer silent;
   Watch watch(silent);
-  const WheelWeights weights(spectrum, kHighest, kHighest, 1, watch);
+  const auto weights = order_weights(spectrum, {0.0, kHighest}, kHighest, 1, watch);
   const Eigen::ArrayXd n{{0.0, 0.3, 3.0, 40.0, 290.0}};
   for (const double m : {0.0, 1.0, 2.7, 17.0, 150.0, 299.0}) {
     for (std::size_t w = 0; w < spectrum.weights(); ++w) {
       OrderSeries series;
-      weights.series(w, m, kHighest, series);
+      weights->series(w, m, kHighest, series);
       const OrderValues values(m, n, series);
       for (const Entry entry : kAllEntries) {
         Eigen::ArrayXcd found;

@@ -10,9 +10,9 @@
 
 #include "cases.hpp"
 #include "modal/harmonic_body.hpp"
-#include "modal/kinks.hpp"
+#include "modal/harmonic_moduli.hpp"
 #include "modal/layer_system.hpp"
-#include "modal/order_by_order.hpp"
+#include "modal/order_panels.hpp"
 #include "modal/self_similar.hpp"
 #include "viscoroll/modal.hpp"
 

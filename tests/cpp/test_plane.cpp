@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
-#include "modal/order_by_order.hpp"
+#include "modal/order_panels.hpp"
 #include "modal/spectrum.hpp"
-#include "surface/patch_slope.hpp"
 #include "surface/sum_operator.hpp"
+#include "surface/surface_operator.hpp"
 #include "surface/table_operator.hpp"
 #include "viscoroll/modal.hpp"
 

@@ -12,7 +12,6 @@
 
 #include "influence/order_bands.hpp"
 #include "modal/layer_system.hpp"
-#include "modal/order_by_order.hpp"
 #include "modal/order_panels.hpp"
 #include "modal/spectrum.hpp"
 #include "viscoroll/modal.hpp"

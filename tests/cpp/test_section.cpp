@@ -12,8 +12,6 @@
 #include "base/dense_solvers.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "section/section_compliance.hpp"
-#include "section/section_element.hpp"
-#include "section/section_mesh.hpp"
 
 namespace viscoroll::detail {
 namespace {

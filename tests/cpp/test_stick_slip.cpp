@@ -6,7 +6,7 @@
 #include "cases.hpp"
 #include "contact/stick_slip_by_products.hpp"
 #include "dense_oracle.hpp"
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "surface/table_operator.hpp"
 
 namespace viscoroll::detail {

@@ -6,13 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "base/dense_solvers.hpp"
 #include "cases.hpp"
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/layered_body.hpp"
 #include "transient/contact_inverse.hpp"
 #include "transient/creep_spectrum.hpp"
-#include "transient/nnls.hpp"
-#include "transient/step_choice.hpp"
 #include "transient/time_step.hpp"
 #include "transient/viscoelastic_body.hpp"
 #include "viscoroll/errors.hpp"

@@ -11,11 +11,10 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "influence/side_product.hpp"
+#include "influence/side_influence.hpp"
 #include "section/section_compliance.hpp"
 #include "section/side_difference.hpp"
-#include "transient/side_influence.hpp"
-#include "transient/side_weights.hpp"
+#include "transient/free_sides.hpp"
 
 namespace viscoroll::detail {
 namespace {

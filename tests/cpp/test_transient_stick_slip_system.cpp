@@ -9,10 +9,9 @@
 #include "cases.hpp"
 #include "contact/semismooth_newton.hpp"
 #include "contact/stick_slip_conditions.hpp"
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/layered_body.hpp"
-#include "transient/direct_stick_slip.hpp"
-#include "transient/iterative_stick_slip.hpp"
+#include "transient/stick_slip.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -111,10 +110,10 @@ NewtonResult solve_from(StickSlipSystem& system, const VectorField& guess) {
 TEST_F(TransientStickSlipTest, DirectAndIterativeSolverFindTheSameState) {
   const StickSlipProblem problem = this->problem();
   ContactStiffness stiffness;
-  DirectStickSlip direct(problem, initial_guess(), stiffness);
-  IterativeStickSlip iterative(problem, initial_guess());
-  const NewtonResult expected = solve_from(direct, initial_guess());
-  const NewtonResult found = solve_from(iterative, initial_guess());
+  const auto direct = direct_stick_slip(problem, initial_guess(), stiffness);
+  const auto iterative = iterative_stick_slip(problem, initial_guess());
+  const NewtonResult expected = solve_from(*direct, initial_guess());
+  const NewtonResult found = solve_from(*iterative, initial_guess());
   ASSERT_TRUE(expected.converged);
   ASSERT_TRUE(found.converged);
   ASSERT_EQ(found.sets.contact, expected.sets.contact);
@@ -137,8 +136,8 @@ TEST_F(TransientStickSlipTest, IterativeSolverCanBeCanceled) {
     if (++calls == 7) throw std::runtime_error("canceled");
   };
   const StickSlipProblem problem = this->problem();
-  IterativeStickSlip iterative(problem, initial_guess());
-  EXPECT_THROW(solve_from(iterative, initial_guess()), std::runtime_error);
+  const auto iterative = iterative_stick_slip(problem, initial_guess());
+  EXPECT_THROW(solve_from(*iterative, initial_guess()), std::runtime_error);
   EXPECT_EQ(calls, 7);
 }
 

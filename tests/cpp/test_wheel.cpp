@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "influence/coating_sum.hpp"
-#include "influence/line_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
 #include "modal/spectrum.hpp"

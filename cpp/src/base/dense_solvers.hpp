@@ -1,5 +1,6 @@
 /// @file
-/// @brief Dense factorizations. They are compiled in one source file, because each takes seconds to compile.
+/// @brief Dense factorizations, inverses and least squares. They are compiled in one source file, because each
+/// factorization takes seconds to compile.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,5 +34,20 @@ class SingleFactors {
 
 /// @return inverse of a square matrix
 [[nodiscard]] Eigen::MatrixXd dense_inverse(const Eigen::MatrixXd& matrix);
+
+/// @brief Compute the bordered inverse from the Schur complement of the added rows.
+/// @param[in] inverse inverse of the earlier matrix; may be empty
+/// @param[in] beside compliance between earlier and added unknowns, [before, added]
+/// @param[in] corner compliance between added unknowns, [added, added]
+/// @return inverse of the whole matrix, with the added unknowns last
+[[nodiscard]] Eigen::MatrixXd bordered_inverse(const Eigen::MatrixXd& inverse, const Eigen::MatrixXd& beside,
+                                               Eigen::MatrixXd corner);
+
+/// @brief Minimize |A x - b| with x >= 0, by the active set of C. L. Lawson and R. J. Hanson, Solving Least Squares
+/// Problems (1974), chapter 23.
+/// @param[in] matrix A
+/// @param[in] right b
+/// @return x
+[[nodiscard]] Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
 }  // namespace viscoroll::detail

@@ -12,7 +12,7 @@
 #include "contact/krylov.hpp"
 #include "contact/pressed_by_matrix.hpp"
 #include "influence/fft.hpp"
-#include "influence/inverse_convolution.hpp"
+#include "influence/table_product.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {

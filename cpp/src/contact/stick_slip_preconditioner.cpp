@@ -3,7 +3,7 @@
 #include <complex>
 #include <numbers>
 
-#include "influence/periodic_table.hpp"
+#include "influence/table_product.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "influence/inverse_convolution.hpp"
 #include "influence/spectral_product.hpp"
+#include "influence/table_product.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {

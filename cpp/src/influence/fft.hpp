@@ -1,5 +1,6 @@
 /// @file
-/// @brief Fourier transforms of lines. The library is chosen at configuration: fft_fftw.cpp or fft_pocketfft.cpp.
+/// @brief Fourier transforms of lines, and lengths at which they are fast. The library is chosen at configuration:
+/// fft_fftw.cpp or fft_pocketfft.cpp.
 ///
 /// Transforms are not normalized: backward after forward multiplies by the number of points. Forward transforms have
 /// exp(-i ...), backward ones exp(+i ...). The same length gives the same bits in every run. Plans may be made and
@@ -107,5 +108,22 @@ class RealFft {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// @brief Time [ns] per number of a line for a forward and a backward transform: a constant plus a contribution of each
+/// prime factor of the length.
+///
+/// Only ratios matter, since the cost is used to choose among lengths. Ratios differ less between machines than times
+/// do.
+struct FftCost {
+  double least;
+  double factor_2;
+  double factor_3;
+  double factor_5;
+  double factor_7;
+};
+
+// Defined next to the transform that was measured.
+extern const FftCost kComplexFftCost;
+extern const FftCost kRealFftCost;
 
 }  // namespace viscoroll::detail

@@ -12,7 +12,6 @@
 #include <type_traits>
 
 #include "influence/fft.hpp"
-#include "influence/fft_cost.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "influence/fft.hpp"
-#include "influence/fft_cost.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -13,7 +13,6 @@
 
 #include "base/instruction_sets.hpp"
 #include "influence/fft.hpp"
-#include "influence/fft_cost.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kLowest = 8.0;        // order below which layers bend as a whole
-constexpr double kLargestRatio = 8.0;  // ratio of the orders at both ends of a range
-constexpr double kLeftOut = 1e-15;     // size of the omitted terms of a polynomial
+constexpr double kLowest = 8.0;         // order below which layers bend as a whole
+constexpr double kMaxRangeRatio = 8.0;  // ratio of the orders at both ends of a range
+constexpr double kLeftOut = 1e-15;      // size of the omitted terms of a polynomial
 /// Orders per node above which interpolation costs less than the orders themselves.
 constexpr double kOrdersPerNode = 1.5;
 
@@ -70,7 +70,7 @@ InterpolatedOrders::InterpolatedOrders(const std::vector<OrderBand>& bands) : pa
   for (const OrderBand& band : bands) top = std::max(top, band.orders[band.orders.size() - 1]);
   append_themselves(-1.0, kLowest, bands);
   if (top <= kLowest) return;
-  const auto count = static_cast<int>(std::ceil(std::log(top / kLowest) / std::log(kLargestRatio)));
+  const auto count = static_cast<int>(std::ceil(std::log(top / kLowest) / std::log(kMaxRangeRatio)));
   const auto bound = [&](int i) { return kLowest * std::pow(top / kLowest, static_cast<double>(i) / count); };
   for (int i = 0; i < count; ++i) {
     const double high = i + 1 == count ? std::nextafter(top, std::numeric_limits<double>::infinity()) : bound(i + 1);

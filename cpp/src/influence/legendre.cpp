@@ -1,5 +1,6 @@
 #include "influence/legendre.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace viscoroll::detail {
@@ -29,6 +30,17 @@ struct Recursion {
 };
 
 }  // namespace
+
+std::pair<Eigen::ArrayXd, Eigen::ArrayXd> gauss_legendre(int points) {
+  Eigen::VectorXd off(points - 1);
+  for (Eigen::Index i = 0; i < off.size(); ++i) {
+    const auto n = static_cast<double>(i + 1);
+    off[i] = n / std::sqrt(4.0 * n * n - 1.0);
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(Eigen::VectorXd::Zero(points), off);
+  return {solver.eigenvalues().array(), 2.0 * solver.eigenvectors().row(0).transpose().array().square()};
+}
 
 LegendreFunctions::LegendreFunctions(int order, int highest, const Eigen::ArrayXd& theta)
     : value(highest - order + 1, theta.size()), slope(highest - order + 1, theta.size()) {

@@ -1,10 +1,14 @@
 /// @file
-/// @brief Associated Legendre functions of one order and many degrees.
+/// @brief Gauss-Legendre quadrature, and associated Legendre functions of one order and many degrees.
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 
 namespace viscoroll::detail {
+
+/// @return abscissas on [-1, 1] and weights, from the eigenvalues of the Jacobi matrix (Golub and Welsch, 1969)
+[[nodiscard]] std::pair<Eigen::ArrayXd, Eigen::ArrayXd> gauss_legendre(int points);
 
 /// @brief Functions P_lm(theta), normalized so that the integral of P^2 sin(theta) over [0, pi] is 1, without the sign
 /// (-1)^m. There is one row per degree m, m + 1, ... and one column per angle.

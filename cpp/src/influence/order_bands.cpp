@@ -10,7 +10,6 @@
 
 #include "base/validate.hpp"
 #include "modal/harmonic_moduli.hpp"
-#include "modal/kinks.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -10,8 +10,8 @@
 namespace viscoroll::detail {
 namespace {
 
-using cplx = std::complex<double>;
 using Eigen::Index;
+using cplx = std::complex<double>;
 
 constexpr std::size_t kColumns = ColumnBlocks::kColumns;
 constexpr std::size_t kRows = 16;       // processed together

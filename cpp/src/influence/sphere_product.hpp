@@ -1,5 +1,5 @@
 /// @file
-/// @brief Products with an influence that depends on theta of both nodes.
+/// @brief Products on the exact sphere, where the influence depends on theta of both nodes.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "influence/convolution.hpp"
+#include "influence/fft.hpp"
 #include "influence/sphere_sum.hpp"
+#include "influence/table_product.hpp"
 
 namespace viscoroll::detail {
 
@@ -64,5 +65,25 @@ class FactoredSphereProduct : public SphereProduct {
 [[nodiscard]] std::unique_ptr<const SphereProduct> make_sphere_product(WindowShape shape, int first_theta,
                                                                        std::shared_ptr<const SphereInfluence> influence,
                                                                        int threads, Watch& watch);
+
+/// @brief Product by transforms along phi and, at each frequency, a matrix over theta of the nodes.
+class JointSphereProduct : public SphereProduct {
+ public:
+  /// Parameters same as in `FactoredSphereProduct`.
+  JointSphereProduct(WindowShape shape, int first_theta, const SphereInfluence& influence, int threads, Watch& watch);
+
+  [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& loads, int threads, Watch& watch) const override;
+  [[nodiscard]] double operations() const override;
+
+  /// @return number of operations for a window
+  [[nodiscard]] static double operations(WindowShape shape, std::size_t components);
+
+ private:
+  WindowShape shape_;
+  Eigen::Index components_;
+  int period_;  // along phi, long enough to keep images apart
+  RealFft fft_;
+  std::vector<Eigen::MatrixXcd> spectrum_;  // [frequency], rows and columns component * thetas + theta
+};
 
 }  // namespace viscoroll::detail

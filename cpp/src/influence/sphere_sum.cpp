@@ -7,9 +7,9 @@
 #include <limits>
 #include <numbers>
 
-#include "influence/coating_sum.hpp"
-#include "influence/patch.hpp"
 #include "influence/sampled_angles.hpp"
+#include "influence/table_sums.hpp"
+#include "influence/waves.hpp"
 
 namespace viscoroll::detail {
 namespace {

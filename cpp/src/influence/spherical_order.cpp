@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/dense_products.hpp"
-#include "influence/gauss_legendre.hpp"
 #include "influence/legendre.hpp"
 
 namespace viscoroll::detail {

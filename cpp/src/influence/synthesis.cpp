@@ -9,7 +9,6 @@
 
 #include "base/dense_products.hpp"
 #include "influence/interpolated_orders.hpp"
-#include "influence/patch.hpp"
 #include "influence/sampled_angles.hpp"
 #include "influence/waves.hpp"
 

@@ -13,7 +13,7 @@
 #include "base/parallel.hpp"
 #include "influence/mesh_on_body.hpp"
 #include "influence/order_bands.hpp"
-#include "influence/table_sum.hpp"
+#include "influence/table.hpp"
 #include "modal/spectrum.hpp"
 #include "viscoroll/sphere.hpp"
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "interior/field_components.hpp"
-#include "interior/layer_cuts.hpp"
+#include "interior/inside.hpp"
 #include "modal/chebyshev_panels.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"

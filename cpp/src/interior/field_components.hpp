@@ -11,7 +11,7 @@
 #include <cmath>
 #include <complex>
 
-#include "modal/medium.hpp"
+#include "modal/layer_stack.hpp"
 #include "viscoroll/interior.hpp"
 
 namespace viscoroll::detail {

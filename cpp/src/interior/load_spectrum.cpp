@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/validate.hpp"
-#include "influence/patch.hpp"
+#include "influence/waves.hpp"
 #include "surface/table_operator.hpp"
 
 namespace viscoroll {

@@ -10,7 +10,7 @@
 #include "base/parallel.hpp"
 #include "base/validate.hpp"
 #include "influence/fft.hpp"
-#include "influence/gauss_legendre.hpp"
+#include "influence/legendre.hpp"
 #include "influence/order_bands.hpp"
 #include "interior/depth_transfer.hpp"
 #include "interior/inside.hpp"

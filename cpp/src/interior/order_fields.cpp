@@ -6,7 +6,6 @@
 #include "base/validate.hpp"
 #include "interior/field_components.hpp"
 #include "interior/inside.hpp"
-#include "interior/layer_cuts.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
 #include "viscoroll/interior.hpp"

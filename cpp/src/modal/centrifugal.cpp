@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "modal/harmonic_body.hpp"
-#include "modal/inner_boundary.hpp"
+#include "modal/layer_stack.hpp"
 #include "viscoroll/modal.hpp"
 
 namespace viscoroll {
@@ -19,7 +19,7 @@ namespace {
 
 using RadialState = Eigen::Vector2d;  // u_r [m], r sigma_rr [stress unit x m]
 
-constexpr int kMaxTerms = 60;
+constexpr int kMaxSeriesTerms = 60;
 
 /// Solve (1 + x) dz/dx = (B + q (1 + x)^2 M) z - q r (1 + x)^3 e, z(0) = start, over one radial step by a Taylor
 /// series. Since M = -e (1, 0) and e = (0, 1), load and inertia enter as -q (1 + x)^2 (u_r + r (1 + x)).
@@ -28,7 +28,7 @@ RadialState advance(const Eigen::Matrix2d& elastic, double q, double load_radius
   RadialState term = start;
   // Terms of the series of u_r + r (1 + x); the rigid part contributes r and r x.
   std::array<double, 3> recent{start(0) + load_radius, 0.0, 0.0};
-  for (int j = 0; j < kMaxTerms; ++j) {
+  for (int j = 0; j < kMaxSeriesTerms; ++j) {
     RadialState next = elastic * term - j * term;
     next(1) -= q * (recent[0] + 2.0 * x * recent[1] + x * x * recent[2]);
     next *= x / (j + 1);

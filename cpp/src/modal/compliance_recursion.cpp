@@ -5,14 +5,17 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <vector>
 
 #include "modal/depth_cut.hpp"
-#include "modal/inner_boundary.hpp"
+#include "modal/layer_stack.hpp"
 #include "modal/layer_step.hpp"
 
 namespace viscoroll::detail {
 namespace {
+
+using cplx = std::complex<double>;
 
 constexpr double kDepth = 24.0;        // e-folds below which material does not affect the surface
 constexpr double kDepthInside = 36.0;  // e-folds below which the fields of the surface tractions are negligible
@@ -248,22 +251,6 @@ class Batch {
   std::array<bool, kLanes> started_{};
 };
 
-}  // namespace
-
-template <class Scalar>
-void surface_compliances(std::span<const OrderInLayers<Scalar>> orders, std::span<Matrix3<Scalar>> compliances) {
-  for (std::size_t first = 0; first < orders.size(); first += kLanes) {
-    const std::size_t count = std::min(kLanes, orders.size() - first);
-    Batch<Scalar> batch(orders.subspan(first, count));
-    batch.carry([](const Batch<Scalar>&) { return true; });
-    for (std::size_t l = 0; l < count; ++l) compliances[first + l] = batch.surface_compliance(l);
-  }
-}
-
-namespace {
-
-using cplx = std::complex<double>;
-
 /// Results of the outward recursion for one order.
 struct KeptOrder {
   std::vector<Matrix3<cplx>> compliance;  // Y at the outer boundary of each layer, in units of 1 / modulus of the layer
@@ -304,7 +291,76 @@ std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrde
   return states;
 }
 
+/// Layers without inertia in another metric.
+/// @param[in] surface position of the surface in that metric
+template <class Scalar>
+LayerStack<Scalar> moved(const LayerStack<Scalar>& layers, const Metric& metric, double surface) {
+  LayerStack<Scalar> moved{.metric = metric, .inner_boundary = layers.inner_boundary, .media = layers.media};
+  const double shift = surface - layers.media.back().outer;
+  for (Medium<Scalar>& medium : moved.media) {
+    medium.inner += shift;
+    medium.outer += shift;
+    medium.inertia = 0.0;
+  }
+  return moved;
+}
+
+/// Orders with the same wave numbers in another metric, and their layers.
+template <class Scalar>
+class MovedOrders {
+ public:
+  /// @param[in] metric the other metric; that of a wheel is rotated, so that m and n are exchanged
+  MovedOrders(std::span<const OrderInLayers<Scalar>> orders, const Metric& metric) {
+    const double scale = metric.radius / orders.front().layers.metric.radius;
+    for (const OrderInLayers<Scalar>& order : orders) {
+      auto stack = stacks_.find(&order.layers);
+      if (stack == stacks_.end()) {
+        stack = stacks_.emplace(&order.layers, moved(order.layers, metric, metric.surface())).first;
+      }
+      const double m = metric.is_wheel() ? order.n : order.m;
+      const double n = metric.is_wheel() ? order.m : order.n;
+      orders_.push_back({.layers = stack->second, .m = scale * m, .n = scale * n});
+    }
+  }
+
+  [[nodiscard]] std::vector<Matrix3<Scalar>> compliances() const {
+    std::vector<Matrix3<Scalar>> compliances(orders_.size());
+    surface_compliances<Scalar>(orders_, compliances);
+    return compliances;
+  }
+
+ private:
+  std::map<const LayerStack<Scalar>*, LayerStack<Scalar>> stacks_;
+  std::vector<OrderInLayers<Scalar>> orders_;
+};
+
+/// Add the effect of a crown that is not flat.
+template <class Scalar>
+void add_crown(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown,
+               std::span<Matrix3<Scalar>> compliances) {
+  if (orders.empty()) return;
+  const LayerStack<Scalar>& layers = orders.front().layers;
+  const auto crowned = MovedOrders<Scalar>(orders, {.radius = crown.radius, .across = AxisKind::line}).compliances();
+  const auto plane =
+      MovedOrders<Scalar>(orders, {.radius = layers.metric.radius, .along = AxisKind::line, .across = AxisKind::line})
+          .compliances();
+  const Eigen::PermutationMatrix<3> turned(Eigen::Vector3i(0, 2, 1));
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    compliances[i] += crown.proportion * (turned * crowned[i] * turned - plane[i]);
+  }
+}
+
 }  // namespace
+
+template <class Scalar>
+void surface_compliances(std::span<const OrderInLayers<Scalar>> orders, std::span<Matrix3<Scalar>> compliances) {
+  for (std::size_t first = 0; first < orders.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, orders.size() - first);
+    Batch<Scalar> batch(orders.subspan(first, count));
+    batch.carry([](const Batch<Scalar>&) { return true; });
+    for (std::size_t l = 0; l < count; ++l) compliances[first + l] = batch.surface_compliance(l);
+  }
+}
 
 void depth_states(std::span<const OrderInLayers<cplx>> orders, std::span<std::vector<DepthState>> states) {
   std::array<KeptOrder, kLanes> kept;
@@ -348,5 +404,16 @@ template void surface_compliances(std::span<const OrderInLayers<std::complex<dou
                                   std::span<Matrix3<std::complex<double>>>);
 template Matrix3<double> surface_compliance(const LayerStack<double>&, double, double);
 template Matrix3<std::complex<double>> surface_compliance(const LayerStack<std::complex<double>>&, double, double);
+
+template <class Scalar>
+void crowned_compliances(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown,
+                         std::span<Matrix3<Scalar>> compliances) {
+  surface_compliances<Scalar>(orders, compliances);
+  if (!crown.is_flat()) add_crown<Scalar>(orders, crown, compliances);
+}
+
+template void crowned_compliances(std::span<const OrderInLayers<double>>, const Crown&, std::span<Matrix3<double>>);
+template void crowned_compliances(std::span<const OrderInLayers<std::complex<double>>>, const Crown&,
+                                  std::span<Matrix3<std::complex<double>>>);
 
 }  // namespace viscoroll::detail

@@ -1,5 +1,6 @@
 /// @file
-/// @brief Recursion that carries the compliance of the surface outwards through the layers.
+/// @brief Compliance of the surface at many orders: a recursion carries it outwards through the layers, and a
+/// correction of first order adds the effect of the crown of a tread.
 #pragma once
 
 #include <complex>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "modal/layer_system.hpp"
+#include "modal/layered_body.hpp"
 
 namespace viscoroll::detail {
 
@@ -72,5 +74,24 @@ extern template void surface_compliances(std::span<const OrderInLayers<std::comp
 extern template Matrix3<double> surface_compliance(const LayerStack<double>&, double, double);
 extern template Matrix3<std::complex<double>> surface_compliance(const LayerStack<std::complex<double>>&, double,
                                                                  double);
+
+/// @brief Surface compliance of many orders of layers that may have a crown.
+///
+/// The equations of a wheel contain the curvature of the surface along the path, not that across it. To first order
+/// both curvatures add up, and the curvature across by itself is that of a cylinder whose axis lies along the path
+/// (docs/theory/wheels.md). A crown therefore adds `crown.proportion` times C_cylinder - C_plane, at the same wave
+/// numbers and moduli, where the cylinder is curved across. This difference is without inertia, which would change it
+/// in second order.
+/// @param[in] orders orders as in `surface_compliances`; those of a wheel if there is a crown
+/// @param[in] crown crown of the wheel, or a flat one
+/// @param[out] compliances one for each order [m/Pa]
+template <class Scalar>
+void crowned_compliances(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown,
+                         std::span<Matrix3<Scalar>> compliances);
+
+extern template void crowned_compliances(std::span<const OrderInLayers<double>>, const Crown&,
+                                         std::span<Matrix3<double>>);
+extern template void crowned_compliances(std::span<const OrderInLayers<std::complex<double>>>, const Crown&,
+                                         std::span<Matrix3<std::complex<double>>>);
 
 }  // namespace viscoroll::detail

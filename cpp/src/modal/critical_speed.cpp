@@ -1,5 +1,4 @@
-#include "modal/critical_speed.hpp"
-
+// Critical speed, above which rolling radiates waves: docs/theory/inertia.md.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "base/validate.hpp"
 #include "modal/compliance_recursion.hpp"
+#include "modal/harmonic_body.hpp"
 #include "viscoroll/modal.hpp"
 
 namespace viscoroll {
@@ -40,6 +40,22 @@ LayerStack<double> at_speed(LayerStack<double> stack, double angular_speed) {
 /// Speed at which the surface reaches the shear wave speed of a layer; infinite without inertia.
 double shear_wave(const LayerStack<double>& stack, const Medium<double>& medium) {
   return medium.inertia > 0.0 ? std::sqrt(medium.mu / medium.inertia) / stack.metric.radius : kInfinity;
+}
+
+/// Ratio of the Rayleigh wave speed to the shear wave speed; 0.955 for an incompressible material.
+/// @param[in] shear_ratio b = mu / (lambda + 2 mu), in [0, 3/4)
+double rayleigh_ratio(double shear_ratio) {
+  // x^3 - 8 x^2 + (24 - 16 b) x - 16 (1 - b) = 0 with x = (c / c_s)^2 and b = (c_s / c_p)^2; its smallest positive root
+  // lies in (0, 1). K. F. Graff, Wave Motion in Elastic Solids (1975), equation (6.1.85).
+  const double b = shear_ratio;
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < 60; ++i) {
+    const double x = 0.5 * (low + high);
+    const double value = ((x - 8.0) * x + 24.0 - 16.0 * b) * x - 16.0 * (1.0 - b);
+    (value < 0.0 ? low : high) = x;
+  }
+  return std::sqrt(0.5 * (low + high));
 }
 
 double rayleigh_wave(const LayerStack<double>& stack, const Medium<double>& medium) {
@@ -107,6 +123,9 @@ bool all_subcritical(const LayerStack<double>& stack, double angular_speed) {
   return angular_speed < speed_limit(stack) && are_stiff(at_speed(stack, angular_speed), orders_to_look_at(stack));
 }
 
+/// Lowest speed at which a wave of undamped layers keeps up with the contact: Omega [rad/s], for a plane the speed
+/// divided by the radius of its metric; infinite without inertia.
+/// @param[in] stack layers with their short-time moduli at unit speed
 double critical_speed(const LayerStack<double>& stack) {
   if (stack.media.empty()) return kInfinity;
   const double limit = speed_limit(stack);
@@ -121,25 +140,11 @@ double critical_speed(const LayerStack<double>& stack) {
   return low;
 }
 
-}  // namespace
-
-double rayleigh_ratio(double shear_ratio) {
-  // x^3 - 8 x^2 + (24 - 16 b) x - 16 (1 - b) = 0 with x = (c / c_s)^2 and b = (c_s / c_p)^2; its smallest positive root
-  // lies in (0, 1). K. F. Graff, Wave Motion in Elastic Solids (1975), equation (6.1.85).
-  const double b = shear_ratio;
-  double low = 0.0;
-  double high = 1.0;
-  for (int i = 0; i < 60; ++i) {
-    const double x = 0.5 * (low + high);
-    const double value = ((x - 8.0) * x + 24.0 - 16.0 * b) * x - 16.0 * (1.0 - b);
-    (value < 0.0 ? low : high) = x;
-  }
-  return std::sqrt(0.5 * (low + high));
-}
-
 double critical_speed(const LayeredBody& body, double highest_frequency) {
   return critical_speed(short_time_stack(body, highest_frequency));
 }
+
+}  // namespace
 
 void require_subcritical(const LayeredBody& body, double angular_speed, double highest_frequency) {
   const LayerStack<double> stack = short_time_stack(body, highest_frequency);

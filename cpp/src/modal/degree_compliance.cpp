@@ -7,7 +7,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "modal/compliance_recursion.hpp"
-#include "modal/inner_boundary.hpp"
+#include "modal/layer_stack.hpp"
 
 namespace viscoroll::detail {
 namespace {

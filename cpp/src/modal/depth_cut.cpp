@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "modal/inner_boundary.hpp"
+#include "modal/layer_stack.hpp"
 
 namespace viscoroll::detail {
 

@@ -6,6 +6,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -79,5 +80,30 @@ class HarmonicBody {
 /// @brief Reject the exact sphere for computations with orders (m, n).
 /// @throws InvalidInput for `Curvature::exact`
 void require_orders(Curvature curvature);
+
+/// @brief Layers of a body in units of g, if mu_l*(w) = c_l g(w) at all its orders and all Poisson's ratios are real
+/// and constant.
+/// @param[in] body body with layers at a list of orders
+/// @param[in] reference index of the layer whose modulus is g
+/// @param[in] highest_density density for which rho Omega^2 r_o^2 is set to 1 [kg/m^3]; 0: without inertia
+/// @return layers; none if there is no such g
+[[nodiscard]] std::optional<LayerStack<double>> layers_per_modulus(const HarmonicBody& body, std::size_t reference,
+                                                                   double highest_density);
+
+/// @brief Reject a speed at or above the critical speed. For lower speeds the critical speed itself is not computed.
+/// @param[in] body layers
+/// @param[in] angular_speed Omega [rad/s], > 0
+/// @param[in] highest_frequency frequency at which a `CustomModulus` is evaluated in place of its short-time limit
+/// [rad/s]
+/// @throws InvalidInput with the critical speed
+void require_subcritical(const LayeredBody& body, double angular_speed, double highest_frequency);
+
+/// @brief Reject a speed at which a wave returns around the body with little damping, exp(-pi m tan(delta)).
+///
+/// The storage moduli at the frequency of order m lose the stiffness of that order. The critical speed does not show
+/// this if the short-time modulus is high or infinite but is not reached at the frequencies of rolling.
+/// @param[in] body body with its orders in ascending order
+/// @throws InvalidInput with the order
+void require_damped_waves(const HarmonicBody& body);
 
 }  // namespace viscoroll::detail

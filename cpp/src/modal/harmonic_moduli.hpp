@@ -1,5 +1,5 @@
 /// @file
-/// @brief Moduli of layers at the frequencies m Omega.
+/// @brief Moduli of layers at the frequencies m Omega, and the kinks of moduli that are measured.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "viscoroll/materials.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
@@ -42,5 +43,15 @@ namespace viscoroll::detail {
 
 /// @return indices of the layers with measured moduli
 [[nodiscard]] std::vector<std::size_t> measured_layers(const std::vector<Layer>& layers);
+
+/// @brief Find the highest frequency up to which a modulus has kinks, from samples in [low, high].
+///
+/// Polynomials in the logarithm of the frequency resolve every sum of relaxations in an octave. An octave in which they
+/// do not resolve the modulus has a kink.
+/// @param[in] modulus any shear modulus
+/// @param[in] low,high angular frequencies [rad/s], > 0
+/// @return end of the highest octave with a kink [rad/s]; 0 without kinks; `high` if the modulus has no value at a
+/// sample
+[[nodiscard]] double highest_kink(const ShearModulus& modulus, double low, double high);
 
 }  // namespace viscoroll::detail

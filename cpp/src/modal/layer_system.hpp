@@ -22,7 +22,7 @@
 
 #include <Eigen/Core>
 
-#include "modal/medium.hpp"
+#include "modal/layer_stack.hpp"
 
 namespace viscoroll::detail {
 

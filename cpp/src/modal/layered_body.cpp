@@ -31,12 +31,12 @@ constexpr double kLinearRadiusOfSection = 100.0;
 
 Crown crown_of(const CoatedWheel& wheel) {
   const double thickness = coating_thickness(wheel);
-  const auto told_from = [&](double radius) {
+  const auto relative_to = [&](double radius) {
     return Crown{.radius = radius, .proportion = radius / wheel.crown_radius};
   };
   if (std::isinf(wheel.crown_radius)) return {};
-  if (wheel.sides == Sides::free) return told_from(std::max(wheel.crown_radius, kLinearRadiusOfSection * thickness));
-  return told_from(wheel.crown_radius > kLeastRadius * thickness ? wheel.crown_radius : kLinearRadius * thickness);
+  if (wheel.sides == Sides::free) return relative_to(std::max(wheel.crown_radius, kLinearRadiusOfSection * thickness));
+  return relative_to(wheel.crown_radius > kLeastRadius * thickness ? wheel.crown_radius : kLinearRadius * thickness);
 }
 
 /// Boundaries of layers below a plane.

@@ -2,13 +2,14 @@
 /// @brief Common description of all bodies with layers: sphere, cylinder, wheel, plane and half-space.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
-#include "modal/medium.hpp"
+#include "modal/layer_stack.hpp"
 #include "viscoroll/cylinder.hpp"
 #include "viscoroll/plane.hpp"
 #include "viscoroll/sphere.hpp"
@@ -16,8 +17,19 @@
 
 namespace viscoroll::detail {
 
+/// @brief Depth of a circle below its highest point, 1/k - sqrt(1/k^2 - x^2), without the round-off of small
+/// curvatures.
+/// @param[in] x horizontal distance from the highest point [m]; beyond the radius 1/k the depth is k x^2
+/// @param[in] curvature curvature k [1/m]
+/// @return depth [m]
+[[nodiscard]] inline double drop_of_circle(double x, double curvature) {
+  const double slope = curvature * x;
+  return slope * x / (1.0 + std::sqrt(std::max(1.0 - slope * slope, 0.0)));
+}
+
 /// @brief Crown of the layers of a wheel: the radius of a cylinder, and a factor on the change of the compliance that
-/// its curvature causes (crown.hpp). The effect of a strong crown is extrapolated from a flatter reference.
+/// its curvature causes (compliance_recursion.hpp). The effect of a strong crown is extrapolated from a flatter
+/// reference.
 struct Crown {
   double radius = std::numeric_limits<double>::infinity();  ///< radius of the reference [m]; infinite: straight across
   double proportion = 1.0;                                  ///< curvature of the crown relative to the reference

@@ -15,6 +15,22 @@ namespace viscoroll::detail {
 namespace {
 
 using cplx = std::complex<double>;
+
+/// Relative error of an interpolated modulus, that of the series of compliances.
+constexpr double kModulusTolerance = 1e-13;
+
+/// Whether the last two terms of the series of each entry are negligible.
+bool is_resolved(const Panel<cplx>& panel, double m, double tolerance) {
+  const auto largest = [&](Entry entry) { return panel.series.row(static_cast<int>(entry)).cwiseAbs().maxCoeff(); };
+  const double highest_n = std::sqrt(panel.high - m * m);
+  const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, highest_n);
+  for (int entry = 0; entry < kEntries; ++entry) {
+    const double last = panel.series.row(entry).tail<2>().cwiseAbs().maxCoeff();
+    if (last > tolerance * sizes[static_cast<std::size_t>(entry)]) return false;
+  }
+  return true;
+}
+
 using Cell = OrderPanels::Cell;
 using SmoothRun = OrderPanels::SmoothRun;
 using CellTerms = decltype(Cell::series);
@@ -233,6 +249,95 @@ SmoothRun first_smooth_run(const HarmonicBody& body, std::span<const std::size_t
 }
 
 }  // namespace
+
+std::optional<MeasuredModuli> MeasuredModuli::try_make(const HarmonicBody& body, std::span<const std::size_t> orders,
+                                                       int max_terms) {
+  const std::vector<std::size_t> layers = measured_layers(body.body().layers);
+  const auto count = static_cast<Eigen::Index>(orders.size());
+  MeasuredModuli moduli;
+  moduli.lowest_m_ = body.orders()[orders.front()];
+  moduli.highest_m_ = body.orders()[orders.back()];
+  moduli.layers_ = static_cast<Eigen::Index>(layers.size());
+
+  Eigen::ArrayXd points(count);
+  Eigen::ArrayXXcd rest(count, moduli.layers_);  // moduli minus polynomials
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const std::size_t order = orders[static_cast<std::size_t>(i)];
+    points[i] = moduli.coordinate(body.orders()[order]);
+    for (Eigen::Index l = 0; l < moduli.layers_; ++l) {
+      rest(i, l) = body.modulus(layers[static_cast<std::size_t>(l)], order);
+    }
+  }
+  const Eigen::ArrayXXd limit = kModulusTolerance * rest.abs();
+  Eigen::ArrayXd product = Eigen::ArrayXd::Ones(count);  // product of twice the distances to the nodes
+  while (!(rest.abs() <= limit).all()) {
+    Eigen::Index node = 0;
+    if (std::cmp_equal(moduli.nodes_.size(), max_terms) || product.abs().maxCoeff(&node) == 0.0) return {};
+    moduli.nodes_.push_back(points[node]);
+    moduli.coefficients_.emplace_back(rest.row(node).transpose() / product[node]);
+    rest -= (product.matrix().cast<std::complex<double>>() * moduli.coefficients_.back().matrix().transpose()).array();
+    product *= 2.0 * (points - points[node]);
+  }
+  return moduli;
+}
+
+Eigen::ArrayXXcd MeasuredModuli::at(std::span<const double> orders) const {
+  Eigen::ArrayXXcd moduli(static_cast<Eigen::Index>(orders.size()), layers_);
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    const double x = coordinate(orders[i]);
+    Eigen::ArrayXcd sum = Eigen::ArrayXcd::Zero(layers_);
+    for (std::size_t j = nodes_.size(); j-- > 0;) sum = coefficients_[j] + 2.0 * (x - nodes_[j]) * sum;
+    moduli.row(static_cast<Eigen::Index>(i)) = sum.transpose();
+  }
+  return moduli;
+}
+
+double MeasuredModuli::coordinate(double m) const {
+  if (highest_m_ == lowest_m_) return 0.0;
+  return 2.0 * std::log(m / lowest_m_) / std::log(highest_m_ / lowest_m_) - 1.0;
+}
+
+void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
+  // The nodes and bounds of the panels are values of k^2 = m^2 + n^2.
+  const double m = body_->orders()[i];
+  const auto sample = [&](const std::array<double, kPanelNodes>& nodes) {
+    std::array<IndexedOrder, kPanelNodes> orders{};
+    std::array<Eigen::Matrix3cd, kPanelNodes> compliances;
+    for (std::size_t j = 0; j < orders.size(); ++j) orders[j] = {.i = i, .n = std::sqrt(nodes[j] - m * m)};
+    body_->compliances(orders, compliances);
+    Eigen::Matrix<cplx, kEntries, kPanelNodes> entries;
+    for (std::size_t j = 0; j < orders.size(); ++j) {
+      const Eigen::Matrix3cd& y = compliances[j];
+      const double n = orders[j].n;
+      entries.col(static_cast<Eigen::Index>(j)) << y(0, 0), y(0, 1), y(0, 2) / n, y(1, 1), y(1, 2) / n, y(2, 2);
+    }
+    return entries;
+  };
+  series.clear();
+  double lowest = m * m;
+  if (m == 0.0) {
+    // Constant up to the end of order (0, 0), in which the entries between different directions are 0.
+    const IndexedOrder zero{.i = i, .n = 0.0};
+    Eigen::Matrix3cd y;
+    body_->compliances(std::span(&zero, 1), std::span(&y, 1));
+    Eigen::VectorXcd entries(kEntries);
+    entries << y(0, 0), 0.0, 0.0, y(1, 1), 0.0, y(2, 2);
+    lowest = end_of_zero_order(body_->metric());
+    append_constants(lowest, entries, series);
+  }
+  const double highest = m * m + highest_n_ * highest_n_;
+  const double tolerance = series_tolerance(*body_);
+  const auto append = [&](double low, double high) {
+    append_panels(
+        low, high, sample, [m, tolerance](const Panel<cplx>& panel) { return is_resolved(panel, m, tolerance); },
+        series);
+  };
+  if (lowest < kLowOrders && kLowOrders < highest) {
+    append(lowest, kLowOrders);
+    lowest = kLowOrders;
+  }
+  append(lowest, highest);
+}
 
 OrderPanels::OrderPanels(std::shared_ptr<const HarmonicBody> body, double highest_n, int threads, Watch& watch)
     : body_(std::move(body)), one_by_one_(body_, highest_n) {

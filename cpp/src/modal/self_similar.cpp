@@ -9,7 +9,7 @@
 
 #include "base/dense_solvers.hpp"
 #include "modal/compliance_recursion.hpp"
-#include "modal/shared_relaxation.hpp"
+#include "modal/harmonic_body.hpp"
 
 namespace viscoroll::detail {
 namespace {

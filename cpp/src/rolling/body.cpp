@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "modal/circle.hpp"
+#include "modal/layered_body.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -16,7 +16,7 @@
 #include "modal/layered_body.hpp"
 #include "rolling/contact_form.hpp"
 #include "rolling/surface_tables.hpp"
-#include "surface/curvatures.hpp"
+#include "surface/surface_window.hpp"
 #include "viscoroll/options.hpp"
 #include "viscoroll/result.hpp"
 #include "viscoroll/rolling_body.hpp"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "modal/medium.hpp"
+#include "modal/layer_stack.hpp"
 
 namespace viscoroll::detail {
 namespace {

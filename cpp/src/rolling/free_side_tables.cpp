@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "section/tread_cache.hpp"
-#include "surface/free_sides_operator.hpp"
+#include "section/side_difference.hpp"
+#include "surface/corrected_operator.hpp"
 
 namespace viscoroll::detail {
 

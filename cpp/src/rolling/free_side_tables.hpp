@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 
-#include "influence/side_sum.hpp"
+#include "influence/side_influence.hpp"
 #include "rolling/body.hpp"
 #include "rolling/surface_tables.hpp"
 #include "viscoroll/wheel.hpp"

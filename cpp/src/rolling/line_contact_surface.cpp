@@ -3,8 +3,8 @@
 #include <numbers>
 #include <utility>
 
-#include "influence/line_sum.hpp"
 #include "influence/order_bands.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/centrifugal.hpp"
 #include "modal/harmonic_body.hpp"
 #include "rolling/table_store.hpp"

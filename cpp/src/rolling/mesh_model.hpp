@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "rolling/rolling_pair.hpp"
 #include "rolling/shared_starts.hpp"
 

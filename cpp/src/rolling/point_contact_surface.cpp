@@ -3,7 +3,7 @@
 #include <numbers>
 #include <utility>
 
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 #include "modal/centrifugal.hpp"
 #include "modal/harmonic_body.hpp"
 #include "rolling/table_store.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "contact/shared_start.hpp"
-#include "surface/window.hpp"
+#include "surface/surface_window.hpp"
 #include "viscoroll/load_case.hpp"
 #include "viscoroll/options.hpp"
 

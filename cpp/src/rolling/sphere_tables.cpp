@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/validate.hpp"
-#include "surface/sphere_operator.hpp"
+#include "surface/corrected_operator.hpp"
 
 namespace viscoroll::detail {
 

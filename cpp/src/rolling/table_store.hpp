@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "influence/table_sum.hpp"
+#include "influence/table.hpp"
 #include "rolling/surface_tables.hpp"
 #include "viscoroll/mesh.hpp"
 

@@ -4,8 +4,11 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <type_traits>
 #include <utility>
 
@@ -14,9 +17,130 @@
 namespace viscoroll::detail {
 namespace {
 
-using cplx = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
+using cplx = std::complex<double>;
+
+using Size = std::function<double(double)>;
+
+/// Distance of the end of an unbounded section from the width, in thicknesses. The effect of the end of a bonded tread
+/// decays by e^-1.4 per thickness if the tread is incompressible, and faster otherwise; it changes the stiffness under
+/// a punch by 2e-4.
+constexpr double kUnboundedSectionReach = 6.0;
+
+/// Edges of elements from `first` to `last` with about the given size.
+std::vector<double> edges(double first, double last, const Size& size) {
+  // The number of samples resolves the size function, also at fine ends.
+  constexpr double kFewestSamples = 400.0;
+  const double in_ends = 4.0 * (last - first) / std::min(size(first), size(last));
+  const int samples = static_cast<int>(std::max(kFewestSamples, in_ends));
+  const double step = (last - first) / samples;
+  std::vector<double> elements{0.0};
+  for (int i = 0; i < samples; ++i) elements.push_back(elements.back() + step / size(first + (i + 0.5) * step));
+  const int count = std::max(1, static_cast<int>(std::ceil(elements.back() - 1e-9)));
+  std::vector<double> result{first};
+  std::size_t place = 0;
+  for (int n = 1; n < count; ++n) {
+    const double wanted = elements.back() * n / count;
+    while (elements[place + 1] < wanted) ++place;
+    const double share = (wanted - elements[place]) / (elements[place + 1] - elements[place]);
+    result.push_back(first + step * (static_cast<double>(place) + share));
+  }
+  result.push_back(last);
+  return result;
+}
+
+/// Edges and the middles between them.
+Eigen::ArrayXd with_middles(const std::vector<double>& edges) {
+  Eigen::ArrayXd places(2 * static_cast<Eigen::Index>(edges.size()) - 1);
+  for (Eigen::Index i = 0; i < places.size(); ++i) {
+    const auto left = static_cast<std::size_t>(i / 2);
+    places[i] = i % 2 == 0 ? edges[left] : 0.5 * (edges[left] + edges[left + 1]);
+  }
+  return places;
+}
+
+/// Slope of the crown at a distance from the middle. It is limited where the crown is vertical.
+double crown_slope(const CoatedWheel& wheel, double z) {
+  if (std::isinf(wheel.crown_radius)) return 0.0;
+  constexpr double kLeastCosine = 1e-3;
+  const double sine = z / wheel.crown_radius;
+  return sine / std::max(std::sqrt(1.0 - sine * sine), kLeastCosine);
+}
+
+using StrainRows = Eigen::Matrix<double, 6, kElementUnknowns>;
+using VolumeRows = Eigen::Matrix<double, 3, kElementUnknowns>;
+
+enum Strain : Index { kRadial, kHoop, kAxial, kRadialHoop, kHoopAxial, kRadialAxial };
+
+std::array<double, 3> quadratic_slopes(double x) { return {x - 0.5, -2.0 * x, x + 0.5}; }
+
+/// Values and gradients of the nine shape functions at a Gauss point, and the weight of the point.
+struct Point {
+  Eigen::Matrix<double, kElementNodes, 1> value, along_r, along_z;
+  double r;
+  double measure;
+};
+
+Point point(const std::array<double, kElementNodes>& r, const std::array<double, kElementNodes>& z, double x, double y,
+            double weight) {
+  const auto across = quadratic_shares(x);
+  const auto down = quadratic_shares(y);
+  const auto across_slope = quadratic_slopes(x);
+  const auto down_slope = quadratic_slopes(y);
+  Point p{};
+  Eigen::Matrix<double, kElementNodes, 2> local;
+  Eigen::Matrix2d jacobian = Eigen::Matrix2d::Zero();  // d(r, z)/d(x, y)
+  for (Index n = 0; n < kElementNodes; ++n) {
+    const auto node = static_cast<std::size_t>(n);
+    p.value[n] = across[node % 3] * down[node / 3];
+    local(n, 0) = across_slope[node % 3] * down[node / 3];
+    local(n, 1) = across[node % 3] * down_slope[node / 3];
+    p.r += p.value[n] * r[node];
+    jacobian.row(0) += r[node] * local.row(n);
+    jacobian.row(1) += z[node] * local.row(n);
+  }
+  const Eigen::Matrix<double, kElementNodes, 2> gradient = local * jacobian.inverse();
+  p.along_r = gradient.col(0);
+  p.along_z = gradient.col(1);
+  p.measure = weight * std::abs(jacobian.determinant()) * p.r;
+  return p;
+}
+
+/// Strain rows of order 0, and the part that is multiplied by m.
+std::array<StrainRows, 2> strain_rows(const Point& p) {
+  std::array<StrainRows, 2> rows{StrainRows::Zero(), StrainRows::Zero()};
+  auto& [rest, order] = rows;
+  for (Index n = 0; n < kElementNodes; ++n) {
+    const Index u = 3 * n;
+    const Index v = u + 1;
+    const Index w = u + 2;
+    const double hoop = p.value[n] / p.r;
+    rest(kRadial, u) = p.along_r[n];
+    rest(kHoop, u) = hoop;
+    rest(kAxial, w) = p.along_z[n];
+    rest(kRadialHoop, v) = p.along_r[n] - hoop;
+    rest(kHoopAxial, v) = p.along_z[n];
+    rest(kRadialAxial, u) = p.along_z[n];
+    rest(kRadialAxial, w) = p.along_r[n];
+    order(kHoop, v) = -hoop;
+    order(kRadialHoop, u) = hoop;
+    order(kHoopAxial, w) = hoop;
+  }
+  return rows;
+}
+
+/// Add (a + m b)^T weight (a + m b) to the powers of m, with a = rows[0] and b = rows[1].
+template <class Rows, class Weight>
+void add_square(const std::array<Rows, 2>& rows, const Weight& weight, PowersOfOrder& powers) {
+  const Rows rest = weight * rows[0];
+  const Rows order = weight * rows[1];
+  const ElementMatrix mixed = rows[0].transpose() * order;
+  powers[0] += rows[0].transpose() * rest;
+  powers[1] += mixed + mixed.transpose();
+  powers[2] += rows[1].transpose() * order;
+}
+
 using Triplets = std::vector<Eigen::Triplet<double>>;
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -64,6 +188,76 @@ Eigen::MatrixXcd inverse(const MatrixXd& stiffness, cplx /*kind*/) {
 }
 
 }  // namespace
+
+SectionMesh::SectionMesh(const CoatedWheel& wheel, SectionEnd end, const SectionFineness& fineness) {
+  const double thickness = coating_thickness(wheel);
+  const double half = 0.5 * wheel.width;
+  const double unit = std::min(thickness, wheel.width);
+  const auto away = [&](double distance) { return unit * (fineness.finest + fineness.growth * distance / unit); };
+  const double largest = fineness.largest * thickness;
+  const double widest = std::min(std::max(largest, fineness.widest * wheel.width), 0.25 * half);
+
+  std::vector<double> across = edges(0.0, half, [&](double z) { return std::min(away(half - z), widest); });
+  loaded_lines_ = 2 * across.size() - 1;
+  if (end == SectionEnd::unbounded) {
+    const std::vector<double> beyond = edges(half, half + kUnboundedSectionReach * thickness,
+                                             [&](double z) { return std::min(away(z - half), thickness); });
+    across.insert(across.end(), beyond.begin() + 1, beyond.end());
+  }
+  z_ = with_middles(across);
+
+  std::vector<double> radii{wheel.core_radius};
+  const double surface = wheel.core_radius + thickness;
+  for (std::size_t l = 0; l < wheel.layers.size(); ++l) {
+    const double inner = radii.back();
+    const double outer = l + 1 == wheel.layers.size() ? surface : inner + wheel.layers[l].thickness;
+    const std::vector<double> layer = edges(
+        inner, outer, [&](double r) { return std::min({away(surface - r), away(r - wheel.core_radius), largest}); });
+    radii.insert(radii.end(), layer.begin() + 1, layer.end());
+    layer_of_row_.insert(layer_of_row_.end(), layer.size() - 1, l);
+  }
+  const Eigen::ArrayXd straight = with_middles(radii);
+  r_ = straight.replicate(1, z_.size());
+  slope_.resize(z_.size());
+  const double outermost = wheel.layers.back().thickness;
+  const Eigen::ArrayXd falls = wheel.hub == Hub::crowned
+                                   ? Eigen::ArrayXd::Ones(straight.size())
+                                   : Eigen::ArrayXd(((straight - surface) / outermost + 1.0).max(0.0));
+  for (Eigen::Index i = 0; i < z_.size(); ++i) {
+    r_.col(i) -= falls * crown_drop(wheel, z_[i]);
+    slope_[i] = crown_slope(wheel, z_[i]);
+  }
+}
+
+std::array<double, 3> quadratic_shares(double x) { return {0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)}; }
+
+ElementStiffness element_stiffness(const std::array<double, kElementNodes>& r,
+                                   const std::array<double, kElementNodes>& z) {
+  const double outer = std::sqrt(0.6);  // three Gauss points
+  const std::array<double, 3> abscissas{-outer, 0.0, outer};
+  const std::array<double, 3> weights{5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+  const Eigen::DiagonalMatrix<double, 6> shear_weights(2.0, 2.0, 2.0, 1.0, 1.0, 1.0);
+  ElementStiffness stiffness;
+  for (auto* const powers : {&stiffness.shear, &stiffness.volumetric}) powers->fill(ElementMatrix::Zero());
+  std::array<VolumeRows, 2> volume{VolumeRows::Zero(), VolumeRows::Zero()};
+  Eigen::Matrix3d pressures = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Point p = point(r, z, abscissas[i], abscissas[j], weights[i] * weights[j]);
+      const auto strains = strain_rows(p);
+      add_square(strains, Eigen::DiagonalMatrix<double, 6>(p.measure * shear_weights.diagonal()), stiffness.shear);
+      const Eigen::Vector3d pressure(1.0, abscissas[i], abscissas[j]);
+      pressures += p.measure * pressure * pressure.transpose();
+      for (std::size_t power = 0; power < 2; ++power) {
+        volume[power] += p.measure * pressure * strains[power].topRows<3>().colwise().sum();
+      }
+    }
+  }
+  add_square(volume, Eigen::Matrix3d(pressures.inverse()), stiffness.volumetric);
+  return stiffness;
+}
+
+ElementMatrix at_order(const PowersOfOrder& powers, double m) { return powers[0] + m * (powers[1] + m * powers[2]); }
 
 SectionCompliance::SectionCompliance(SectionMesh mesh, bool tangential)
     : mesh_(std::move(mesh)), components_(tangential ? 3 : 1) {

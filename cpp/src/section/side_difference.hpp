@@ -1,11 +1,14 @@
 /// @file
 /// @brief Difference between the compliance of a tread with faces and that of an unbounded tread that is crowned to
-/// first order, for each order around the axis. See docs/theory/wheels.md.
+/// first order, for each order around the axis (docs/theory/wheels.md), and a cache of such differences for further
+/// speeds, loads and meshes.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 #include <complex>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,7 +49,7 @@ template <class Scalar>
                                                                              std::size_t order);
 
 /// @brief Effect of a crown on finite elements, to first order in its curvature, on an unbounded tread that is straight
-/// along the path. It corresponds to modal/crown.hpp, but contains only the waves that the elements resolve.
+/// along the path. It corresponds to `crowned_compliances`, but contains only the waves that the elements resolve.
 class SectionCrown {
  public:
   /// @param[in] wheel crowned wheel with at least one layer
@@ -110,5 +113,32 @@ class SideDifference {
   std::optional<SectionCrown> crown_;
   bool tangential_;
 };
+
+/// @brief Differences between a tread with faces and an endless one, from a cache of the last few treads of the
+/// process.
+///
+/// The key contains the dimensions of the wheel and all other numbers on which the differences depend.
+/// @param[in] wheel wheel with at least one layer
+/// @param[in] tangential whether there are tangential loads besides normal ones
+/// @param[in] numbers all other numbers on which the differences depend
+/// @param[in] compute function that computes the differences if the cache does not contain them
+/// @return the differences
+[[nodiscard]] std::shared_ptr<const std::vector<SampledDifference>> cached_differences(
+    const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers,
+    const std::function<std::vector<SampledDifference>()>& compute);
+
+/// @brief Difference between a rolling tread with faces and an endless one.
+///
+/// The key contains the moduli relative to that of the outermost layer, so that layers that share one relaxation
+/// function are solved once for all speeds.
+/// @param[in] wheel wheel with at least one layer
+/// @param[in] body its layers at the orders of `sampled_orders`
+/// @param[in] tangential whether there are tangential loads besides normal ones
+/// @param[in] threads number of threads, 0 for all cores
+/// @param[in] watch progress and cancellation
+/// @return the difference
+[[nodiscard]] std::shared_ptr<const SampledDifference> cached_difference(const CoatedWheel& wheel,
+                                                                         const HarmonicBody& body, bool tangential,
+                                                                         int threads, Watch& watch);
 
 }  // namespace viscoroll::detail

@@ -1,5 +1,6 @@
 /// @file
-/// @brief Interface through which a contact solver sees a body: displacements of its surface due to nodal forces.
+/// @brief Interface through which a contact solver sees a body: displacements of its surface due to nodal forces, and
+/// slopes of the surface along the path.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +16,6 @@
 #include "influence/table.hpp"
 #include "modal/spectrum.hpp"
 #include "surface/surface_window.hpp"
-#include "surface/window.hpp"
 
 namespace viscoroll::detail {
 
@@ -169,5 +169,21 @@ class SurfaceOperator {
 
   mutable std::array<std::optional<NodeRows>, 2> every_node_;  // without and with mirror images
 };
+
+/// @brief Mean slope along the path over the patch of each node, which is as long as the distance between rows.
+/// It combines the differences over two and four rows so that the error of second order cancels, except next to the
+/// first and last row, where there is hardly any pressure. See docs/theory/planes-and-pairs.md.
+/// @param[in] values values at the nodes, row by row
+/// @param[in] row nodes per row
+/// @param[in] distance distance between rows [m]
+/// @return slope at every node, 0 in the first and the last row
+[[nodiscard]] Eigen::ArrayXd patch_slope(const Eigen::ArrayXd& values, Eigen::Index row, double distance);
+
+/// @brief Interpolate displacements evaluated downstream of the nodes back to the nodes, by cubics through four rows.
+/// @param[in] values values downstream of the nodes, row by row
+/// @param[in] row nodes per row
+/// @param[in] downstream distance from the nodes, see `SurfaceOperator::collocation` [rows], >= 0
+/// @return value at every node; unchanged in the first two rows and the last one, where there is no pressure
+[[nodiscard]] Eigen::ArrayXd at_nodes(const Eigen::ArrayXd& values, Eigen::Index row, double downstream);
 
 }  // namespace viscoroll::detail

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "modal/circle.hpp"
+#include "modal/layered_body.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "influence/patch.hpp"
+#include "influence/waves.hpp"
 
 namespace viscoroll::detail {
 namespace {

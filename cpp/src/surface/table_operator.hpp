@@ -9,10 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "influence/convolution.hpp"
 #include "influence/synthesis.hpp"
 #include "influence/table_product.hpp"
-#include "surface/curvatures.hpp"
 #include "surface/surface_operator.hpp"
 #include "surface/surface_window.hpp"
 #include "viscoroll/formulation.hpp"

@@ -1,6 +1,98 @@
 #include "transient/center_motion.hpp"
 
+#include "contact/moment_arms.hpp"
+#include "surface/surface_operator.hpp"
+
 namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayXd;
+
+/// Displacement of the nodes of a body along an axis, opposite to the direction of the forces.
+ArrayXd displaced(const ActingPlaces& at, std::size_t body, Axis axis) {
+  const HalfField& deformed = at.deformed[body];
+  const ArrayXd along_axis =
+      at.pair.coating().components() == 1
+          ? ArrayXd(deformed.reshaped())
+          : ArrayXd(along(at.place.axes[body][static_cast<std::size_t>(axis)], deformed).reshaped());
+  return along_axis / at.place.weights;
+}
+
+ArrayXd slope(const ActingPlaces& at, const ArrayXd& values) {
+  const SurfaceGrid& grid = at.pair.nodes.grid;
+  return patch_slope(values, at.pair.half_nodes(), grid.radius * grid.phi_spacing);
+}
+
+/// Slope of the counterbody's deformed surface, along which the pressure pushes back. Under a rigid body it is the
+/// slope of that body's surface.
+ArrayXd pushing_slope(const ActingPlaces& at) {
+  const auto& bodies = at.pair.bodies;
+  if (bodies.size() > 1) return slope(at, displaced(at, 1, kDown));
+  if (bodies.front().rolls) return ArrayXd::Zero(at.place.moment_arm.size());
+  return at.place.moment_arm / relative_radius(at.pair.pair);
+}
+
+/// Depth below the center at which tangential forces act.
+ArrayXd depth_below_center(const ActingPlaces& at) {
+  if (!at.pair.bodies.front().rolls) return at.place.nodes.points().y().values();
+  return at.place.nodes.points().y().values() - displaced(at, 0, kDown);
+}
+
+}  // namespace
+
+VectorField force_on_center(const ActingPlaces& at) {
+  VectorField row = VectorField::Zero(at.place.moment_arm.size(), 3);
+  row.col(kForward).setConstant(-1.0);
+  row.col(kDown) = at.pair.pair.on->curvatures().along * at.place.moment_arm - pushing_slope(at);
+  return row;
+}
+
+VectorField moment_about_center(const ActingPlaces& at) {
+  const double radius = at.pair.nodes.grid.radius;
+  MomentArms arms{.x = radius * (at.place.moment_arm / relative_radius(at.pair.pair) - pushing_slope(at)),
+                  .y = ArrayXd::Zero(at.place.moment_arm.size()),
+                  .radius = radius};
+  if (at.pair.coating().components() > 1) {
+    arms.y = depth_below_center(at);
+    if (at.pair.compliance == Compliance::vertical) arms.x -= displaced(at, 0, kForward);
+  }
+  return moment_per_force(arms);
+}
+
+VectorField force_along_track(const ActingPlaces& at, double penetration) {
+  const double turning = at.pair.pair.on->curvatures().along;
+  VectorField row = force_on_center(at);
+  if (turning == 0.0) return row;
+  row.col(kDown) -= turning * at.place.moment_arm;
+  if (!approach_exists(at.pair.pair)) return row;
+  row.col(kForward) += turning * (depth_below_center(at) - (at.pair.nodes.grid.radius - penetration));
+  return row;
+}
+
+VectorField counterbody_slopes(const ActingPlaces& at) {
+  const auto& bodies = at.pair.bodies;
+  if (bodies.back().rolls) return {};
+  VectorField slopes(at.place.moment_arm.size(), 3);
+  for (const Axis axis : {kForward, kDown, kSideways}) {
+    slopes.col(axis) = -slope(at, displaced(at, bodies.size() - 1, axis));
+  }
+  return slopes;
+}
+
+CenterRow center_row(const ActingPlaces& at, const CenterCondition& condition) {
+  CenterRow row{.force_coefficients = VectorField::Zero(at.place.moment_arm.size(), 3),
+                .displacement = condition.displacement,
+                .value = condition.value};
+  if (condition.force != 0.0) row.force_coefficients -= condition.force * force_on_center(at);
+  if (condition.torque != 0.0)
+    row.force_coefficients += condition.torque / at.pair.nodes.grid.radius * moment_about_center(at);
+  row.force_coefficients.colwise() *= at.place.weights;
+  return row;
+}
+
+bool depends_on_displacements(const ViscoelasticPair& pair, const CenterCondition& condition) {
+  return (condition.torque != 0.0 && pair.bodies.front().rolls) || (condition.force != 0.0 && pair.bodies.size() > 1);
+}
 
 CenterCondition center_condition(const ViscoelasticPair& pair, const RollingInstant& now, double duration,
                                  const StepEnd& end) {

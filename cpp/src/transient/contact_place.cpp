@@ -63,14 +63,17 @@ ContactPlace place_at(const ViscoelasticPair& pair, double shift, Index half_row
 }
 
 ContactPlace place_of(const ViscoelasticPair& pair, Index first, SurfaceWindow nodes) {
+  const Index count = nodes.shape().phi_nodes;
+  Eigen::ArrayXd weights = half_weights(pair.half_nodes()).replicate(count, 1);
   Eigen::ArrayXd gap = initial_gap(nodes, {}, pair.pair);
-  Eigen::ArrayXd lever = pressure_lever(nodes, pair.pair);
+  Eigen::ArrayXd moment_arm = pressure_lever(nodes, pair.pair);
   std::vector<Axes> axes = axes_at(pair, nodes);
   return {.first = first,
-          .count = nodes.shape().phi_nodes,
+          .count = count,
           .nodes = std::move(nodes),
+          .weights = std::move(weights),
           .gap = std::move(gap),
-          .lever = std::move(lever),
+          .moment_arm = std::move(moment_arm),
           .axes = std::move(axes)};
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "surface/surface_window.hpp"
-#include "transient/plane_frame.hpp"
+#include "transient/step_operator.hpp"
 #include "transient/viscoelastic_pair.hpp"
 
 namespace viscoroll::detail {
@@ -17,9 +17,10 @@ struct ContactPlace {
   Eigen::Index first;  ///< number of the first row
   Eigen::Index count;  ///< number of rows
   SurfaceWindow nodes;
-  Eigen::ArrayXd gap;      ///< between the undeformed bodies, 0 at the lowest point [m]
-  Eigen::ArrayXd lever;    ///< moment arm of the pressure; its moment is the rolling resistance [m]
-  std::vector<Axes> axes;  ///< of every body; empty if pressure is radial and there is no friction
+  Eigen::ArrayXd weights;     ///< of the nodes, see `half_weights`
+  Eigen::ArrayXd gap;         ///< between the undeformed bodies, 0 at the lowest point [m]
+  Eigen::ArrayXd moment_arm;  ///< of the pressure; its moment is the rolling resistance [m]
+  std::vector<Axes> axes;     ///< of every body; empty if pressure is radial and there is no friction
 };
 
 /// @return directions of the plane at the nodes of every body, same as in `ContactPlace`

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Creep function of a modulus with discrete retardation times, docs/theory/transient.md.
+/// @brief Creep of a modulus with discrete retardation times, docs/theory/transient.md.
 ///
 /// mu*(0) / mu*(s) = J_0 + sum_j J_j / (1 + s lambda_j) with weights that add up to 1: J_0 is the instantaneous and J_j
 /// the delayed compliance, relative to the relaxed compliance.
@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "transient/numbers.hpp"
 #include "viscoroll/materials.hpp"
 
 namespace viscoroll::detail {
@@ -34,5 +35,16 @@ struct TimeRange {
 /// slower terms form the slowest term
 /// @throws InvalidInput for bad parameters
 [[nodiscard]] CreepSpectrum creep_spectrum(const ShearModulus& modulus, const TimeRange& range);
+
+/// @return largest difference of two creep functions, relative to their relaxed values [-]
+[[nodiscard]] double difference(const CreepSpectrum& a, const CreepSpectrum& b);
+
+/// @brief Write a spectrum into a saved state, so that the history continues with the retardation times with which it
+/// began.
+void write(const CreepSpectrum& spectrum, NumberWriter& numbers);
+
+/// @brief Read a spectrum that `write` has written.
+/// @throws InvalidInput if the numbers do not form a spectrum
+[[nodiscard]] CreepSpectrum read_spectrum(NumberReader& numbers);
 
 }  // namespace viscoroll::detail

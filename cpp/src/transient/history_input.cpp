@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "base/validate.hpp"
-#include "influence/coating_sum.hpp"
+#include "influence/table_sums.hpp"
 
 namespace viscoroll {
 namespace detail {

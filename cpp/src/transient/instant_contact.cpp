@@ -1,17 +1,29 @@
 #include "transient/instant_contact.hpp"
 
+#include <cmath>
+#include <limits>
 #include <utility>
 
-namespace viscoroll::detail {
+#include "contact/contact_extent.hpp"
+#include "rolling/initial_gap.hpp"
+#include "rolling/input_checks.hpp"
+#include "transient/center_motion.hpp"
 
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayXd;
 using Eigen::Index;
 
+/// Displacements of all bodies along an axis, opposite to the direction of the forces.
+/// @param[in] axes,fields of every body
 HalfField against(Axis axis, const std::vector<Axes>& axes, const std::vector<HalfField>& fields) {
   HalfField sum = along(axes.front()[static_cast<std::size_t>(axis)], fields.front());
   for (std::size_t b = 1; b < fields.size(); ++b) sum += along(axes[b][static_cast<std::size_t>(axis)], fields[b]);
   return sum;
 }
 
+/// Displacements of all bodies that remain from earlier loads; they open the gap.
 HalfField known_gap(const ViscoelasticPair& pair, const InstantContact& instant) {
   if (pair.coating().components() > 1) return against(kDown, instant.place.axes, instant.known);
   HalfField known = instant.known.front();
@@ -19,10 +31,173 @@ HalfField known_gap(const ViscoelasticPair& pair, const InstantContact& instant)
   return known;
 }
 
+/// Forces of the contact on a body's nodes in the window, by their components.
 HalfField by_components(const ViscoelasticPair& pair, const InstantContact& instant, std::size_t body) {
   const VectorField& force = instant.contact.force;
   return pair.coating().components() == 1 ? as_field(-force.col(kDown), pair.half_nodes())
                                           : on_plane(instant.place.axes[body], force);
+}
+
+/// Fraction of the window that the first guess of the contact covers.
+constexpr double kContactShare = 0.8;
+
+/// Last forces at the positions where the contact is now. They stay at the lowest point while nodes pass.
+VectorField carried(Index half_nodes, const ContactPlace& place, const LastForces& last_window) {
+  VectorField force = VectorField::Zero(half_nodes * place.count, 3);
+  const double lowest =
+      place.nodes.shift() - last_window.lowest + 0.5 * static_cast<double>(last_window.count - place.count);
+  const auto whole = static_cast<Index>(std::floor(lowest));
+  const double ahead = lowest - static_cast<double>(whole);
+  const auto add = [&](Index row, Index last, double share) {
+    if (last < 0 || last >= last_window.count) return;
+    force.middleRows(half_nodes * row, half_nodes) +=
+        share * last_window.force.middleRows(half_nodes * last, half_nodes);
+  };
+  for (Index row = 0; row < place.count; ++row) {
+    add(row, row + whole, 1.0 - ahead);
+    add(row, row + whole + 1, ahead);
+  }
+  return force;
+}
+
+/// Forces to start from: the last forces, scaled to a new load. For a first contact, the pressures in a window that is
+/// a little wider than the contact are guessed.
+VectorField carried_forces(const ViscoelasticPair& pair, const ContactPlace& place, const LastForces& last,
+                           double load) {
+  VectorField guess = carried(pair.half_nodes(), place, last);
+  if (!(guess.col(kDown) < 0.0).any()) {
+    guess.col(kDown) = -(kContactShare * kContactShare * place.gap[0] - place.gap).max(0.0);
+  }
+  return load / -(place.weights * guess.col(kDown)).sum() * guess;
+}
+
+/// Compliance of all bodies for the forces of the contact.
+/// @param[in] level_axes same as in `StepOperator::Part`
+StepOperator surface_of(const InstantContact& instant, const std::vector<Axes>& level_axes) {
+  std::vector<StepOperator::Part> parts;
+  for (std::size_t b = 0; b < instant.instantaneous.of_bodies.size(); ++b) {
+    const InstantaneousTables& body = instant.instantaneous.of_bodies[b];
+    parts.push_back({.share = body.share / instant.instantaneous.sum,
+                     .tables = body.tables.get(),
+                     .axes = &instant.place.axes[b],
+                     .level_axes = &level_axes[b]});
+  }
+  return {std::move(parts), instant.checkpoint};
+}
+
+/// Fraction of its speed by which the counterbody's surface lags on average between two positions, by Simpson's rule;
+/// depths are quadratic in the distance.
+ArrayXd mean_delay(const ViscoelasticPair& pair, const SurfaceWindow& from, const SurfaceWindow& to) {
+  if (pair.pair.on->curvatures().along == 0.0) return ArrayXd::Zero(to.shape().size());
+  const SurfaceWindow between(to.grid(), to.window(), 0.5 * (from.shift() + to.shift()));
+  return (counterbody_delay(from, {}, pair.pair) + 4.0 * counterbody_delay(between, {}, pair.pair) +
+          counterbody_delay(to, {}, pair.pair)) /
+         6.0;
+}
+
+/// Slip of nodes over the counterbody in a step, along x and z.
+struct StepSlip {
+  Eigen::ArrayX2d known;                         ///< without the contributions of the new forces and of the center
+  Eigen::ArrayX2d slip_per_center_displacement;  ///< per unit displacement of the center
+};
+
+/// Slip of nodes over the counterbody. Rows of the counterbody stay matched with those of the rolling body,
+/// but its material passes as far as the center moves. Over the difference of both distances, a node also passes along
+/// the counterbody's own displacement, with the slope before the step.
+StepSlip step_slip(const ViscoelasticPair& pair, const ContactPlace& before, const InstantContact& instant,
+                   const Departure& departure) {
+  const ContactPlace& place = instant.place;
+  const ArrayXd delay = mean_delay(pair, before.nodes, place.nodes);
+  StepSlip slip{.known = Eigen::ArrayX2d::Zero(delay.size(), 2),
+                .slip_per_center_displacement = Eigen::ArrayX2d::Zero(delay.size(), 2)};
+  slip.known.col(0) = place.nodes.rolled() - before.nodes.rolled();
+  slip.known.col(1) = place.nodes.z() - before.nodes.z();
+  slip.slip_per_center_displacement.col(0) = 1.0 - delay;
+  const VectorField slopes = counterbody_slopes({pair, before, departure.loaded_displacements});
+  const double rolled = pair.nodes.grid.radius * departure.turned;
+  for (const auto& [column, axis] : {std::pair{0, kForward}, std::pair{1, kSideways}}) {
+    if (slopes.rows() > 0) {
+      slip.known.col(column) -= rolled * slopes.col(axis);
+      slip.slip_per_center_displacement.col(column) += slopes.col(axis);
+    }
+    slip.known.col(column) *= place.weights;
+    slip.slip_per_center_displacement.col(column) *= place.weights;
+    slip.known.col(column) -= against(axis, place.axes, instant.known).reshaped().array();
+    slip.known.col(column) += against(axis, before.axes, departure.loaded_displacements).reshaped().array();
+  }
+  return slip;
+}
+
+}  // namespace
+
+StickSlip solve_frictionless(const ViscoelasticPair& pair, const InstantContact& instant, const LastForces& last,
+                             double load, ContactInverse& inverse) {
+  const Index half_nodes = pair.half_nodes();
+  const StepOperator surface = surface_of(instant, instant.place.axes);
+  ElasticContactProblem problem{.surface = surface,
+                                .gap = as_field(instant.place.weights * instant.place.gap, half_nodes),
+                                .weights = as_field(instant.place.weights, half_nodes),
+                                .load = load};
+  problem.gap += known_gap(pair, instant);
+  PressedNodes contact =
+      solve_elastic_contact(problem, -carried_forces(pair, instant.place, last, load).col(kDown), inverse);
+  StickSlip result;
+  result.force = VectorField::Zero(contact.pressing.size(), 3);
+  result.force.col(kDown) = -contact.pressing;
+  result.penetration = *contact.penetration;
+  result.nodes = std::move(contact.nodes);
+  return result;
+}
+
+StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& instant, const LastForces& last,
+                           const Departure& departure, double load, const CenterCondition& center,
+                           ContactStiffness& stiffness) {
+  const ContactPlace& place = instant.place;
+  const SurfaceGrid& grid = pair.nodes.grid;
+  const double compliance = instant.instantaneous.sum;
+  const ContactPlace before =
+      place_of(pair, place.first,
+               SurfaceWindow(grid, place.nodes.window(), place.nodes.shift() - departure.turned / grid.phi_spacing));
+  StepSlip slip = step_slip(pair, before, instant, departure);
+  slip.known += center.coasted * slip.slip_per_center_displacement;
+  const std::vector<Axes> level_axes = axes_at(pair, SurfaceWindow(grid, place.nodes.window()));
+  const StepOperator surface = surface_of(instant, level_axes);
+  const CenterCondition scaled{.force = center.force,
+                               .torque = center.torque,
+                               .displacement = compliance * center.displacement,
+                               .value = compliance * center.value};
+  const auto row = [&](const std::vector<HalfField>& displaced) {
+    std::vector<HalfField> deformed = instant.known;
+    for (std::size_t b = 0; b < displaced.size(); ++b) {
+      const StepOperator::Part& part = surface.parts()[b];
+      deformed[b] += part.share * displaced[b];
+    }
+    return center_row({pair, place, deformed}, scaled);
+  };
+  const StickSlipProblem problem{.surface = surface,
+                                 .gap = place.weights * place.gap + known_gap(pair, instant).reshaped().array(),
+                                 .known_slip = std::move(slip.known),
+                                 .slip_per_center_displacement = std::move(slip.slip_per_center_displacement),
+                                 .weights = place.weights,
+                                 .load = compliance * load,
+                                 .friction = pair.friction,
+                                 .center_row = row,
+                                 .center_row_needs_displacements = depends_on_displacements(pair, center)};
+  StickSlip result = solve_stick_slip(problem, carried_forces(pair, place, last, problem.load), stiffness);
+  result.center_displacement += center.coasted;
+  return result;
+}
+
+StickSlip solve_lifted(const ViscoelasticPair& pair, const InstantContact& instant, const CenterCondition& center) {
+  const Index half_nodes = pair.half_nodes();
+  const HalfField weights = as_field(instant.place.weights, half_nodes);
+  StickSlip result;
+  result.force = VectorField::Zero(weights.size(), 3);
+  result.penetration =
+      (as_field(instant.place.gap, half_nodes) + known_gap(pair, instant).cwiseQuotient(weights)).minCoeff();
+  result.center_displacement = center.coasted + (center.displacement != 0.0 ? center.value / center.displacement : 0.0);
+  result.slip = Eigen::ArrayX2d::Zero(weights.size(), 2);
+  return result;
 }
 
 void find_displacements(const ViscoelasticPair& pair, InstantContact& instant) {
@@ -64,6 +239,38 @@ RowMemory::Load load_of(const ViscoelasticPair& pair, const InstantContact& inst
   for (const HalfField& moved : instant.moved[body]) load.displacements.emplace_back(moved / instant.instantaneous.sum);
   load.force.middleCols(reach, place.count) = by_components(pair, instant, body) / instant.instantaneous.sum;
   return load;
+}
+
+double flat_patch(const SurfaceGrid& grid) { return std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing; }
+
+void set_extent(const ViscoelasticPair& pair, const InstantContact& instant, RollingInstant& now) {
+  const SurfaceWindow& nodes = instant.place.nodes;
+  const ArrayXd& weights = instant.place.weights;
+  const ArrayXd forces = -instant.contact.force.col(kDown) / instant.instantaneous.sum;
+  now.penetration = instant.contact.penetration;
+  if (!std::isnan(now.penetration)) require_depth(pair.pair, now.load, now.penetration);
+  const std::vector<Eigen::Index>& contact = instant.contact.nodes;
+  const ArrayXd touching = weights(contact).square() * nodes.patch_area(contact);
+  const ContactExtent extent = contact_extent(nodes, contact, touching, 0.0);
+  now.contact_area = extent.area;
+  now.semi_axis_x = extent.semi_axis_x;
+  now.semi_axis_z = extent.semi_axis_z.value_or(std::numeric_limits<double>::quiet_NaN());
+  now.max_pressure = (forces / weights).maxCoeff() / flat_patch(nodes.grid());
+}
+
+CenterPower set_moments(const ViscoelasticPair& pair, const InstantContact& instant, RollingInstant& now) {
+  const ArrayXd& weights = instant.place.weights;
+  const VectorField force = instant.contact.force.colwise() * weights / instant.instantaneous.sum;
+  const std::vector<HalfField> deformed = detail::deformed(pair, instant);
+  const ActingPlaces at{pair, instant.place, deformed};
+  now.resisting_torque = -(instant.place.moment_arm * force.col(kDown)).sum();
+  now.driving_force = (force_on_center(at) * force).sum();
+  now.driving_torque = (moment_about_center(at) * force).sum();
+  CenterPower power{.along_track = (force_along_track(at, instant.contact.penetration) * force).sum()};
+  if (!pair.has_friction()) return power;
+  const VectorField slopes = counterbody_slopes(at);
+  if (slopes.rows() > 0) power.creeping = (slopes * force).sum();
+  return power;
 }
 
 }  // namespace viscoroll::detail

@@ -1,13 +1,16 @@
-#include "transient/iterative_stick_slip.hpp"
-
+// Iterative solver for stick and slip at an instant, with products with the compliance.
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "contact/krylov.hpp"
+#include "transient/stick_slip.hpp"
 
 namespace viscoroll::detail {
+namespace {
 
 using Eigen::Index;
 using Eigen::Matrix3d;
@@ -17,10 +20,10 @@ using Eigen::VectorXd;
 
 /// Equations of the sets. All unknowns and conditions are in units of force: the forces of each node along x, down and
 /// z, then the penetration and the displacement of the center, divided by the own compliance.
-class IterativeStickSlip::Equations {
+class ContactEquations {
  public:
-  Equations(const StickSlipProblem& problem, const ConditionScales& scales, const CenterRow& center, double friction,
-            const ContactSets& sets)
+  ContactEquations(const StickSlipProblem& problem, const ConditionScales& scales, const CenterRow& center,
+                   double friction, const ContactSets& sets)
       : problem_(problem), scales_(scales), center_(center), friction_(friction), sets_(sets) {
     const double largest = center.force_coefficients.abs().maxCoeff();
     center_scale_ = 1.0 / std::max(largest, std::abs(center.displacement) / scales.tangential);
@@ -171,6 +174,20 @@ class IterativeStickSlip::Equations {
   Eigen::FullPivLU<Eigen::Matrix2d> schur_;
 };
 
+/// Solver of `iterative_stick_slip`.
+class IterativeStickSlip final : public TransientStickSlipSystem {
+ public:
+  /// @param[in] problem must outlive this object
+  /// @param[in] guess forces to start from
+  IterativeStickSlip(const StickSlipProblem& problem, const VectorField& guess);
+
+  [[nodiscard]] double imbalance(const ContactSolution& state) const override;
+  void solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) override;
+
+ private:
+  void take_off_apart(const ContactSets& sets, ContactSolution& state);
+};
+
 IterativeStickSlip::IterativeStickSlip(const StickSlipProblem& problem, const VectorField& guess)
     : TransientStickSlipSystem(problem, problem.center_row_needs_displacements ? problem.surface.displaced(guess)
                                                                                : std::vector<HalfField>()) {}
@@ -191,7 +208,7 @@ void IterativeStickSlip::take_off_apart(const ContactSets& sets, ContactSolution
 
 void IterativeStickSlip::solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) {
   take_off_apart(sets, state);
-  const Equations equations(problem(), scales(), center(), friction, sets);
+  const ContactEquations equations(problem(), scales(), center(), friction, sets);
   const VectorXd right = -equations.residual(state);
   const KrylovSolution solution = solve_krylov([&](const VectorXd& unknowns) { return equations.times(unknowns); },
                                                [&](const VectorXd& left) { return equations.about_inverse(left); },
@@ -199,6 +216,12 @@ void IterativeStickSlip::solve(double friction, const ContactSets& sets, double 
   count_products(solution.products);
   equations.add(solution.unknowns, state);
   find_displacements(state);
+}
+
+}  // namespace
+
+std::unique_ptr<StickSlipSystem> iterative_stick_slip(const StickSlipProblem& problem, const VectorField& guess) {
+  return std::make_unique<IterativeStickSlip>(problem, guess);
 }
 
 }  // namespace viscoroll::detail

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "influence/table_sum.hpp"
+#include "influence/table.hpp"
 
 namespace viscoroll::detail {
 

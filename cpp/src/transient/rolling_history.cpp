@@ -12,11 +12,10 @@
 #include "base/parallel.hpp"
 #include "base/validate.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "transient/creep_spectrum.hpp"
 #include "transient/history_input.hpp"
 #include "transient/shifted_mesh.hpp"
-#include "transient/spectrum_numbers.hpp"
-#include "transient/started_segment.hpp"
-#include "transient/step_choice.hpp"
+#include "transient/time_step.hpp"
 #include "transient/viscoelastic_pair.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -140,7 +139,7 @@ detail::ContactReach RollingHistory::Impl::prepare(const RollingBody& body, cons
                                                    detail::Watch& watch) {
   const detail::RollingPair given = detail::rolling_pair(body, on);
   detail::validate(options);
-  detail::require_followed(given, options);
+  detail::require_supported_options(given, options);
   detail::require_positive("load", load, given.body->form().load_unit);
   at_rest = detail::rolling_pair(detail::with_relaxed_moduli(body), detail::with_relaxed_moduli(on));
   const detail::ContactReach contact = detail::estimate_contact(at_rest, 1.0, load);

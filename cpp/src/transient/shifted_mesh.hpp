@@ -9,11 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "transient/contact_numbers.hpp"
-#include "transient/contact_search.hpp"
 #include "transient/instant_contact.hpp"
 #include "transient/row_memory.hpp"
-#include "transient/step_end.hpp"
+#include "transient/time_step.hpp"
 #include "viscoroll/rolling_history.hpp"
 
 namespace viscoroll::detail {
@@ -109,7 +107,7 @@ class ShiftedMesh {
   void take_friction(const InstantContact& instant);
   void take_stored_energy();
   [[nodiscard]] double slip_work(const InstantContact& instant) const;
-  void lose(double energy, bool in_what_rolls);
+  void lose(double energy, bool in_rolling_body);
   /// Displacements of every body on the rows of a window.
   [[nodiscard]] std::vector<HalfField> displacements(const ContactPlace& place) const;
   void forget_contact();

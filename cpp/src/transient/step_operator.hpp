@@ -1,15 +1,34 @@
 /// @file
-/// @brief Displacement due to the forces at the end of a step: a sum of elastic surfaces, each scaled by its share.
+/// @brief Displacement of the nodes in the contact due to the forces at the end of a step, in the frame of the plane: a
+/// sum of elastic surfaces, each scaled by its share.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <utility>
 #include <vector>
 
+#include "surface/surface_operator.hpp"
 #include "transient/mirrored_tables.hpp"
-#include "transient/plane_frame.hpp"
 
 namespace viscoroll::detail {
+
+/// @brief Directions of the plane's frame, by `Axis`: forward, down and sideways, each by its components r, phi and
+/// theta at the nodes.
+using Axes = std::array<std::array<HalfField, 3>, 3>;
+
+/// @return component of a vector field along a direction
+[[nodiscard]] HalfField along(const std::array<HalfField, 3>& direction, const HalfField& field);
+
+/// @return values at the nodes of a half field, given row by row, with one column for each row
+[[nodiscard]] inline HalfField as_field(const Eigen::ArrayXd& values, Eigen::Index half_nodes) {
+  return values.matrix().reshaped(half_nodes, values.size() / half_nodes);
+}
+
+/// @param[in] axes directions at the nodes
+/// @param[in] force of the plane on the coating at the nodes of a half field, row by row
+/// @return the forces of the coating on the plane, by components
+[[nodiscard]] HalfField on_plane(const Axes& axes, const VectorField& force);
 
 /// @brief Sum of share_i A_i K_i A_i^T over tables of equal rows and components; A_i are the directions of the plane.
 class StepOperator {

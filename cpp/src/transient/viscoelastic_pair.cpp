@@ -10,14 +10,14 @@
 
 #include "base/validate.hpp"
 #include "modal/spectrum.hpp"
-#include "transient/body_tables.hpp"
+#include "transient/viscoelastic_body.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
 using Eigen::Index;
 
-void require_yielding_at_once(const Body& body, std::string_view prefix, const TimeRange& range) {
+void require_instantaneous_compliance(const Body& body, std::string_view prefix, const TimeRange& range) {
   for (const auto& [name, layer] : body.layers()) {
     if (std::isfinite(short_time_modulus(layer.shear_modulus, 1.0 / range.shortest))) continue;
     reject(
@@ -43,7 +43,7 @@ BodySpectrum checked_spectrum(const Body& body, std::string_view prefix, const C
   if (creep_identically(body.layers(), range)) {
     result.spectrum = creep_spectrum(body.layers().back().layer.shear_modulus, range);
   } else {
-    require_yielding_at_once(body, prefix, range);
+    require_instantaneous_compliance(body, prefix, range);
     result = layer_spectrum(body.layered(kinematics), options, range);
   }
   if (result.spectrum.error > options.spectrum_tolerance) {
@@ -129,7 +129,7 @@ double inertia_of(const RollingPair& pair, const std::vector<BodySpectrum>& spec
   return inertia;
 }
 
-void require_followed(const RollingPair& pair, const HistoryOptions& options) {
+void require_supported_options(const RollingPair& pair, const HistoryOptions& options) {
   const bool is_ball = !pair.body->form().is_line() && std::isinf(width(pair));
   const bool is_on_rigid_plane = pair.on->is_rigid() && pair.on->curvatures() == Curvatures{};
   if (options.mass > 0.0 && pair.on->curvatures().along != 0.0) {

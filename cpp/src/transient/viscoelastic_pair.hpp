@@ -67,7 +67,7 @@ struct ViscoelasticPair {
 
 /// @brief Reject options that are not available for a pair.
 /// @throws InvalidInput with parameter, value and range
-void require_followed(const RollingPair& pair, const HistoryOptions& options);
+void require_supported_options(const RollingPair& pair, const HistoryOptions& options);
 
 /// @brief Size of the first tables.
 /// @param[in] at_rest pair with relaxed moduli
