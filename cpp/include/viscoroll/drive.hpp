@@ -6,14 +6,14 @@
 
 namespace viscoroll {
 
-/// @brief A given horizontal force Q on the center. With a force of 0 a torque alone drives the body.
+/// @brief A given horizontal force Q on the center. If it is 0, a torque alone drives the body.
 struct DriveForce {
   double force = 0.0;  ///< Q, positive forward [N], |Q| < friction * load
 };
 
-/// @brief A given driving torque T. With a torque of 0 the body is towed.
+/// @brief A given driving torque T about the center. If it is 0, the body is towed.
 struct DriveTorque {
-  double torque = 0.0;  ///< T [N m]
+  double torque = 0.0;  ///< T, positive if it increases the angular speed [N m]; requires friction
 };
 
 /// @brief A given speed of the center, as creepages, and a given spin.
