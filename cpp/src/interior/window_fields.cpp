@@ -123,6 +123,7 @@ double largest_offset(std::span<const double> offsets, int nodes, double spacing
   return kind == AxisKind::ring ? std::min(largest, std::numbers::pi) : largest;
 }
 
+/// Fields at given places and angles, summed over the orders n and then over the orders m.
 class WindowSum {
  public:
   WindowSum(const Inside& inside, const Tractions& tractions, std::span<const Place> places,
@@ -331,7 +332,7 @@ class WindowSum {
     return sums;
   }
 
-  /// Re[(cos + i sin)(a + i b)], whose two terms are even and odd in phi.
+  /// Sum over m of Re[(cos + i sin)(a + i b)] = a cos - b sin, whose two terms are even and odd in phi.
   void sum_along_phi(const RowMajor& waves, double* values, const Worker& worker) const {
     using Part = Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>;
     const Index orders = waves.rows() / 2;

@@ -13,8 +13,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief Quantities that a drive prescribes: force, torque or creepage of the center, and the motion of the guide. The
-/// solver finds the others.
+/// @brief Quantities that a drive prescribes: the force on the center, the torque or the creepage; and lateral creepage
+/// and spin, which a guide imposes. The solver finds the others.
 struct GivenMotion {
   std::optional<double> force;     ///< Q [N]
   std::optional<double> torque;    ///< T [N m]
@@ -27,7 +27,7 @@ struct GivenMotion {
 [[nodiscard]] GivenMotion given_motion(const Drive& drive);
 
 /// @brief Condition of a drive, which is a row of the system.
-/// @param[in] drive closes the equations for the speed
+/// @param[in] drive given drive, which determines the speed of the center
 /// @param[in] pressure_work_factor same as in `moment_about_center`
 [[nodiscard]] std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_work_factor);
 
