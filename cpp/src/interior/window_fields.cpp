@@ -184,7 +184,7 @@ class WindowSum {
       const bool is_unbounded = !std::isfinite(inside.body.boundaries.front());
       const LowestOrder lowest = inside.body.metric.across == AxisKind::nothing && is_unbounded
                                      ? LowestOrder{}
-                                     : LowestOrder{.share = 1e-6, .stands_for_longer = true};
+                                     : LowestOrder{.share = 1e-6, .represents_longer_waves = true};
       return unbounded_octaves_within(spacing, highest_order(), largest, lowest, refinement_of(inside.body.layers));
     }
     return bands(spacing, largest, material_rough_orders(inside.body, inside.angular_speed, tractions.mesh),
@@ -203,7 +203,7 @@ class WindowSum {
       const LowestOrder lowest{.share = body.metric.is_wheel() ? 1e-9
                                         : is_held              ? 1e-4
                                                                : 1e-6,
-                               .stands_for_longer = true};
+                               .represents_longer_waves = true};
       return unbounded_octaves_within(spacing, highest_order(), largest, lowest);
     }
     return bands(spacing, largest, 0.0, tractions.mesh);
