@@ -39,8 +39,8 @@ using LayeredShape = std::variant<CoatedSphere, CoatedCylinder, CoatedPlane, Coa
 ///
 /// Three stresses and three strains jump at the boundary of two layers. The layer selects the side of the boundary.
 struct Place {
-  double position =
-      0.0;        ///< r [m], or in a plane the height above its surface, <= 0 [m]; inside or at the ends of the layer
+  /// r [m], or in a plane the height above its surface, <= 0 [m]; inside or at the ends of the layer.
+  double position = 0.0;
   int layer = 0;  ///< index of the layer, from the center or the base outwards
 
   friend bool operator==(const Place&, const Place&) = default;

@@ -15,7 +15,7 @@ namespace viscoroll::detail {
 /// @brief Ends cycles between two sets of nodes and between two directions of slip.
 /// A node at the edge whose own traction relieves it of pressure may neither stick (|t| > mu p) nor slip (t along S),
 /// so the two sets alternate; the third choice, to leave the contact, appears in neither. A node whose slip changes
-/// sign from step to step does not come to rest without help either.
+/// sign from step to step does not converge either.
 class CycleBreaker {
  public:
   explicit CycleBreaker(Eigen::Index nodes) : now_(static_cast<std::size_t>(nodes)), last_(now_), before_last_(now_) {}

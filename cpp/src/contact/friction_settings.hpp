@@ -35,8 +35,8 @@ struct FrictionSettings {
   /// Residual at which an iteration stops as diverged, relative to that of the start if that is above 1. The limit is
   /// large because, at a small load, forces of nodes at a start may be far above the load; one step corrects them.
   double divergence_residual = 1e3;
-  /// Steps of an iteration: two or three times the number that usually leads from full stick to a state. Only 4 of 10
-  /// 000 states needed more.
+  /// Steps of an iteration: two or three times the number that usually leads from full stick to a state. Only 4 of
+  /// 1e4 states needed more.
   int steps = 25;
   /// Largest number of steps of an iteration that continues because its residual halves within `halving` steps.
   int max_steps = 60;

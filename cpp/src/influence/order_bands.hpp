@@ -55,8 +55,8 @@ struct OrderBand {
 /// @brief Lowest order of a window without a period.
 struct LowestOrder {
   double share = 1e-9;  ///< relative to the middle of the first step
-  bool represents_longer_waves =
-      false;  ///< whether the lowest order represents all longer waves, see `include_longer_waves`
+  /// Whether the lowest order represents all longer waves, see `include_longer_waves`.
+  bool represents_longer_waves = false;
 };
 
 /// @brief Orders for sums within a window on an unbounded plane.

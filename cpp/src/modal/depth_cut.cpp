@@ -82,9 +82,8 @@ double deepest_position(const LayerStack<Scalar>& layers, double m, double n, do
 }
 
 DepthLimit::DepthLimit(const LayeredBody& body, double angular_speed) : metric_(body.metric) {
-  const std::array passing{
-      10.0 *
-      angular_speed};  // [rad/s], below the frequencies of a contact, where the layer is softer and the decay slower
+  // Below the frequencies of a contact [rad/s], where the layer is softer and the decay slower, which is conservative.
+  const std::array passing{10.0 * angular_speed};
   for (const Layer& layer : body.layers) {
     const double modulus = std::abs(complex_modulus(layer.shear_modulus, passing).front());
     decay_ = std::min(decay_, shear_decay(layer.density * std::pow(angular_speed * metric_.radius, 2) / modulus));

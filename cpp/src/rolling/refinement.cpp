@@ -47,8 +47,8 @@ double aspect_of(const ContactReach& contact) {
 
 /// Number of nodes in the estimated contact radius that should suffice. Nodes that join the contact one by one leave a
 /// staircase in the torque over load or speed: 0.4 % with 41 nodes across the contact of the paper's example, falling
-/// with the power 2.3 of their number. It should be a tenth of the accuracy. The estimated contact is
-/// about 1.5 times as wide as the contact.
+/// with the power 2.3 of their number. It should be a tenth of the accuracy. The estimated contact is about
+/// 1.5 times as wide as the contact.
 double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 0.004 / accuracy, 1.0 / 2.3); }
 
 /// Largest number of nodes in contact. A mesh that the accuracy itself requires may have many. Further meshes, which
