@@ -17,7 +17,7 @@ namespace {
 constexpr double kOverclosure = 1e-8;
 
 constexpr double kMarginOfEstimate = 1.1;  // of windows around an estimated contact; the estimate is rather too large
-constexpr double kMarginOfSeen = 1.2;      // of windows around a contact that was found on a coarser mesh
+constexpr double kMarginOfCoarseContact = 1.2;  // of windows around a contact that was found on a coarser mesh
 
 constexpr double kRoundOff = 1e-9;  // [nodes], of the extent of a contact that ends at nodes of a coarser mesh
 
@@ -27,8 +27,8 @@ constexpr double kPressedThrough = 10.0;  // depth, in thicknesses, that no coat
 
 constexpr Eigen::Index kFewNodes = 1024;    // enough to show whether a window contains a contact
 constexpr Eigen::Index kManyNodes = 16384;  // enough to show whether a contact extends far beyond a window
-constexpr double kOverrun =
-    1.0 / 3.0;  // of a side in contact; a circle a twentieth larger than the window reaches this
+// Fraction of a side that is in contact. A circle a twentieth larger than the window has this fraction.
+constexpr double kOverrun = 1.0 / 3.0;
 
 /// Nodes to either side of the lowest one.
 struct HalfWidths {
@@ -187,7 +187,7 @@ bool holds_rough_contact(const ContactSetup& setup, const HalfWidths& half, bool
 WindowContact find_contact_in_window(const ContactSetup& setup, const std::optional<ContactReach>& coarse_contact) {
   const SurfaceGrid& grid = setup.nodes.grid;
   const ContactReach likely = coarse_contact.value_or(setup.contact);
-  const double margin = coarse_contact ? kMarginOfSeen : kMarginOfEstimate;
+  const double margin = coarse_contact ? kMarginOfCoarseContact : kMarginOfEstimate;
   const auto half_width = [&](double reach, double spacing) {
     return static_cast<int>(std::ceil(margin * reach / (grid.radius * spacing) - kRoundOff)) + 2;
   };
