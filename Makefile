@@ -31,7 +31,7 @@ help:
 	@echo "make lint            check formatting, types and stubs, and run clang-tidy on the C++ sources"
 	@echo "make format          format all sources"
 	@echo "make hooks           install the git hooks that check the formatting before every commit"
-	@echo "make stubs           write python/viscoroll/_core.pyi from the compiled module"
+	@echo "make stubs           write python/viscoroll/_core.pyi and the inputs in wasm/package/viscoroll.d.ts"
 	@echo "make tables          write the tables of the documentation that tests, benchmarks and the library provide"
 	@echo "make docs            build the documentation site, build/docs/index.html, and run all its examples"
 	@echo "make dist            build the source distribution and the wheel in dist/, and check them"
@@ -241,9 +241,11 @@ format: $(VENV)/lint.stamp
 hooks: $(VENV)/lint.stamp
 	$(BIN)/pre-commit install
 
-# The stub is generated from the compiled module and committed, so that building a wheel needs no stub generator.
+# The stub is generated from the compiled module, and the types of the npm package from the schema of case files. Both
+# are committed, so that building a wheel needs no stub generator, and building the npm package no Python.
 stubs: $(VENV)/lint.stamp
 	$(BIN)/python python/bindings/make_stub.py
+	$(BIN)/python wasm/make_types.py
 
 bench: deps-bench build/headers $(VENV)/bench.stamp
 	cmake --preset bench

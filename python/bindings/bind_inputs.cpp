@@ -10,6 +10,7 @@
 #include "viscoroll/errors.hpp"
 #include "viscoroll/materials.hpp"
 #include "viscoroll/mesh.hpp"
+#include "viscoroll/modulus_types.hpp"
 #include "viscoroll/plane.hpp"
 #include "viscoroll/sphere.hpp"
 #include "viscoroll/wheel.hpp"
@@ -18,10 +19,11 @@ namespace {
 
 using namespace viscoroll;
 using cplx = std::complex<double>;
+using Frequencies = py::typing::Callable<py::object(py::array_t<double>)>;
 
 /// Return a Python callable as a modulus. The library copies the modulus on threads that do not hold the GIL; therefore
 /// a shared pointer holds the callable, and its deleter takes the GIL.
-CustomModulus custom_modulus(const py::typing::Callable<py::object(py::array_t<double>)>& function) {
+CustomModulus custom_modulus(const Frequencies& function) {
   const std::shared_ptr<py::function> callable(new py::function(function), [](py::function* owned) {
     const py::gil_scoped_acquire gil;
     delete owned;
@@ -40,52 +42,59 @@ CustomModulus custom_modulus(const py::typing::Callable<py::object(py::array_t<d
   }};
 }
 
+ShearModulus modulus_of(const std::string& type, const py::KWArgs<py::object>& parameters) {
+  const MadeModulus made = read_modulus(type, reader_of(parameters));
+  if (!made) throw InvalidInput("type", "must be a type of modulus", type);
+  ShearModulus modulus = made();
+  validate(modulus, "");
+  return modulus;
+}
+
+py::typing::Dict<py::str, py::object> parameters_of(const ShearModulus& modulus) {
+  py::typing::Dict<py::str, py::object> parameters;
+  std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { kind.fields(); }) {
+          std::apply([&](const auto&... field) { ((parameters[field.name] = kind.*field.member), ...); },
+                     kind.fields());
+        }
+      },
+      modulus);
+  return parameters;
+}
+
+/// Bind a struct with a constructor that has a keyword for each field, and checks the values.
+template <class Struct, class Check>
+py::classh<Struct> bind_struct(py::module_& m, const char* name, const Check& check) {
+  return std::apply(
+      [&]<class... Values>(const Field<Struct, Values>&... field) {
+        const auto made = [check](Values... values) {
+          Struct value;
+          std::apply([&](const auto&... own) { ((value.*own.member = std::move(values)), ...); }, Struct::fields());
+          check(value);
+          return value;
+        };
+        return py::classh<Struct>(m, name).def(py::init(made), py::kw_only(), py::arg(field.name)...);
+      },
+      Struct::fields());
+}
+
 }  // namespace
 
 void bind_inputs(py::module_& m) {
+  const auto check = [](const auto& value) { validate(value); };
+
   py::native_enum<Extrapolation>(m, "Extrapolation", "enum.Enum", "Behavior of a master curve outside its table.")
       .value("ERROR", Extrapolation::error, "raise an error")
       .value("HOLD", Extrapolation::hold, "keep the value at the nearer end of the table")
       .finalize();
 
-  py::classh<Elastic>(m, "Elastic")
-      .def(py::init([](double modulus) { return Elastic{modulus}; }), py::kw_only(), py::arg("modulus"));
-  py::classh<Prony>(m, "Prony")
-      .def(
-          py::init([](double instantaneous_modulus, std::vector<double> weights, std::vector<double> relaxation_times) {
-            return Prony{instantaneous_modulus, std::move(weights), std::move(relaxation_times)};
-          }),
-          py::kw_only(), py::arg("instantaneous_modulus"), py::arg("weights"), py::arg("relaxation_times"))
-      .def_readonly("instantaneous_modulus", &Prony::instantaneous_modulus)
-      .def_readonly("weights", &Prony::weights)
-      .def_readonly("relaxation_times", &Prony::relaxation_times);
-  m.def("standard_linear_solid", &standard_linear_solid, py::kw_only(), py::arg("instantaneous_modulus"),
-        py::arg("relaxed_modulus"), py::arg("relaxation_time"));
+  py::classh<ShearModulus>(m, "ShearModulus")
+      .def(py::init(&modulus_of), py::arg("type"))
+      .def("parameters", &parameters_of);
   m.def(
-      "creep_compliance",
-      [](double instantaneous_compliance, const std::vector<double>& compliances,
-         const std::vector<double>& retardation_times) {
-        return creep_compliance(instantaneous_compliance, compliances, retardation_times);
-      },
-      py::kw_only(), py::arg("instantaneous_compliance"), py::arg("compliances"), py::arg("retardation_times"));
-  py::classh<KelvinVoigt>(m, "KelvinVoigt")
-      .def(py::init([](double modulus, double viscosity) { return KelvinVoigt{modulus, viscosity}; }), py::kw_only(),
-           py::arg("modulus"), py::arg("viscosity"));
-  py::classh<FractionalZener>(m, "FractionalZener")
-      .def(py::init([](double instantaneous, double relaxed, double time, double order) {
-             return FractionalZener{instantaneous, relaxed, time, order};
-           }),
-           py::kw_only(), py::arg("instantaneous_modulus"), py::arg("relaxed_modulus"), py::arg("relaxation_time"),
-           py::arg("order"));
-  py::classh<MasterCurve>(m, "MasterCurve")
-      .def(py::init([](std::vector<double> frequency, std::vector<double> storage, std::vector<double> loss,
-                       Extrapolation extrapolation) {
-             return MasterCurve{std::move(frequency), std::move(storage), std::move(loss), extrapolation};
-           }),
-           py::kw_only(), py::arg("frequency"), py::arg("storage"), py::arg("loss"), py::arg("extrapolation"));
-  py::classh<CustomModulus>(m, "CustomModulus").def(py::init(&custom_modulus), py::arg("function"));
-
-  m.def("validate_modulus", [](const ShearModulus& modulus) { validate(modulus, ""); }, py::arg("modulus"));
+      "custom_modulus", [](const Frequencies& function) { return ShearModulus(custom_modulus(function)); },
+      py::arg("function"));
   m.def(
       "complex_modulus",
       [](const ShearModulus& modulus, const InputArray<double>& omega) {
@@ -94,15 +103,7 @@ void bind_inputs(py::module_& m) {
       },
       py::arg("modulus"), py::arg("omega").noconvert());
 
-  py::classh<Layer>(m, "Layer")
-      .def(py::init([](double thickness, const ShearModulus& shear_modulus, std::optional<double> poisson_ratio,
-                       std::optional<double> bulk_modulus, double density) {
-             Layer layer{thickness, shear_modulus, poisson_ratio, bulk_modulus, density};
-             validate(layer, "");
-             return layer;
-           }),
-           py::kw_only(), py::arg("thickness"), py::arg("shear_modulus"), py::arg("poisson_ratio").none(true),
-           py::arg("bulk_modulus").none(true), py::arg("density"));
+  bind_struct<Layer>(m, "Layer", [](const Layer& layer) { validate(layer, ""); });
   py::native_enum<InnerBoundary>(m, "InnerBoundary", "enum.Enum",
                                  "Boundary condition at the inner surface of the innermost layer.")
 #define VISCOROLL_INNER_BOUNDARY(name, NAME, details, is_core, is_free) .value(#NAME, InnerBoundary::name, details)
@@ -114,20 +115,8 @@ void bind_inputs(py::module_& m) {
       .value("PAPER", Curvature::paper, "equation (26) as printed")
       .value("EXACT", Curvature::exact, "spherical harmonics in place of the paper's orders")
       .finalize();
-  py::classh<CoatedSphere>(m, "CoatedSphere")
-      .def(py::init([](double core_radius, std::vector<Layer> layers, InnerBoundary inner_boundary) {
-             CoatedSphere sphere{core_radius, std::move(layers), inner_boundary};
-             validate(sphere);
-             return sphere;
-           }),
-           py::kw_only(), py::arg("core_radius"), py::arg("layers"), py::arg("inner_boundary"));
-  py::classh<CoatedCylinder>(m, "CoatedCylinder")
-      .def(py::init([](double core_radius, std::vector<Layer> layers) {
-             CoatedCylinder cylinder{core_radius, std::move(layers)};
-             validate(cylinder);
-             return cylinder;
-           }),
-           py::kw_only(), py::arg("core_radius"), py::arg("layers"));
+  bind_struct<CoatedSphere>(m, "CoatedSphere", check);
+  bind_struct<CoatedCylinder>(m, "CoatedCylinder", check);
   py::native_enum<Hub>(m, "Hub", "enum.Enum", "Shape of the hub under the tread of a crowned wheel.")
       .value("STRAIGHT", Hub::straight, "a cylinder; the tread is thinner at its faces")
       .value("CROWNED", Hub::crowned, "parallel to the crown; the thickness of the layers is constant")
@@ -136,44 +125,11 @@ void bind_inputs(py::module_& m) {
       .value("FREE", Sides::free, "stress-free faces at half the width, which bulge")
       .value("UNBOUNDED", Sides::unbounded, "no faces; the tread continues, but is loaded only within the width")
       .finalize();
-  py::classh<CoatedWheel>(m, "CoatedWheel")
-      .def(py::init([](double core_radius, std::vector<Layer> layers, double width, double crown_radius, Hub hub,
-                       Sides sides) {
-             CoatedWheel wheel{core_radius, std::move(layers), width, crown_radius, hub, sides};
-             validate(wheel);
-             return wheel;
-           }),
-           py::kw_only(), py::arg("core_radius"), py::arg("layers"), py::arg("width"), py::arg("crown_radius"),
-           py::arg("hub"), py::arg("sides"));
-  py::classh<HalfSpace>(m, "HalfSpace")
-      .def(py::init([](const ShearModulus& shear_modulus, std::optional<double> poisson_ratio,
-                       std::optional<double> bulk_modulus,
-                       double density) { return HalfSpace{shear_modulus, poisson_ratio, bulk_modulus, density}; }),
-           py::kw_only(), py::arg("shear_modulus"), py::arg("poisson_ratio").none(true),
-           py::arg("bulk_modulus").none(true), py::arg("density"));
-  py::classh<CoatedPlane>(m, "CoatedPlane")
-      .def(py::init([](std::vector<Layer> layers, std::optional<HalfSpace> base) {
-             CoatedPlane plane{std::move(layers), std::move(base)};
-             validate(plane);
-             return plane;
-           }),
-           py::kw_only(), py::arg("layers"), py::arg("base").none(true));
-  py::classh<Groove>(m, "Groove")
-      .def(py::init([](std::optional<double> radius, std::optional<double> path_radius, CoatedPlane surface) {
-             Groove groove{radius, path_radius, std::move(surface)};
-             validate(groove);
-             return groove;
-           }),
-           py::kw_only(), py::arg("radius").none(true), py::arg("path_radius").none(true), py::arg("surface"));
-  py::classh<Mesh>(m, "Mesh")
-      .def(py::init([](int nodes_per_revolution, std::optional<int> max_order,
-                       std::optional<int> theta_nodes_per_revolution) {
-             const Mesh mesh{nodes_per_revolution, max_order, theta_nodes_per_revolution};
-             validate(mesh);
-             return mesh;
-           }),
-           py::kw_only(), py::arg("nodes_per_revolution"), py::arg("max_order").none(true),
-           py::arg("theta_nodes_per_revolution").none(true))
+  bind_struct<CoatedWheel>(m, "CoatedWheel", check);
+  bind_struct<HalfSpace>(m, "HalfSpace", [](const HalfSpace&) {});  // a plane checks its base
+  bind_struct<CoatedPlane>(m, "CoatedPlane", check);
+  bind_struct<Groove>(m, "Groove", check);
+  bind_struct<Mesh>(m, "Mesh", check)
       .def_readonly("nodes_per_revolution", &Mesh::nodes_per_revolution)
       .def_readonly("max_order", &Mesh::max_order)
       .def_readonly("theta_nodes_per_revolution", &Mesh::theta_nodes_per_revolution);

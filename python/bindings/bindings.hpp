@@ -9,7 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "viscoroll/drive.hpp"
+#include "viscoroll/errors.hpp"
+#include "viscoroll/materials.hpp"
 #include "viscoroll/observer.hpp"
+
+// Python makes these from the name of a type or parameter, and sees no type for each alternative.
+PYBIND11_MAKE_OPAQUE(viscoroll::ShearModulus)
+PYBIND11_MAKE_OPAQUE(viscoroll::Drive)
 
 namespace py = pybind11;
 
@@ -37,6 +44,15 @@ using InputArray = py::array_t<T, py::array::c_style>;
 template <class T>
 std::span<const T> view(const InputArray<T>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+/// Return a reader of keyword arguments, whose types Python has checked; see fields.hpp.
+inline auto reader_of(const py::kwargs& given) {
+  return [&given]<class Value>(const char* name, Value otherwise, bool is_optional) -> Value {
+    if (is_optional && !given.contains(name)) return otherwise;
+    if (!given.contains(name)) throw viscoroll::InvalidInput(name, "must be given", "");
+    return given[name].template cast<Value>();
+  };
 }
 
 /// Return a read-only array over the memory of `values`. The array keeps `owner`, which holds the values, alive.

@@ -22,63 +22,16 @@ class Extrapolation(enum.Enum):
     ERROR = ...
     HOLD = ...
 
-class Elastic:
-    def __init__(self, *, modulus: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
-
-class Prony:
-    def __init__(
-        self,
-        *,
-        instantaneous_modulus: typing.SupportsFloat | typing.SupportsIndex,
-        weights: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-        relaxation_times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-    ) -> None: ...
-    @property
-    def instantaneous_modulus(self) -> float: ...
-    @property
-    def relaxation_times(self) -> list[float]: ...
-    @property
-    def weights(self) -> list[float]: ...
-
-class KelvinVoigt:
-    def __init__(
-        self,
-        *,
-        modulus: typing.SupportsFloat | typing.SupportsIndex,
-        viscosity: typing.SupportsFloat | typing.SupportsIndex,
-    ) -> None: ...
-
-class FractionalZener:
-    def __init__(
-        self,
-        *,
-        instantaneous_modulus: typing.SupportsFloat | typing.SupportsIndex,
-        relaxed_modulus: typing.SupportsFloat | typing.SupportsIndex,
-        relaxation_time: typing.SupportsFloat | typing.SupportsIndex,
-        order: typing.SupportsFloat | typing.SupportsIndex,
-    ) -> None: ...
-
-class MasterCurve:
-    def __init__(
-        self,
-        *,
-        frequency: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-        storage: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-        loss: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-        extrapolation: Extrapolation,
-    ) -> None: ...
-
-class CustomModulus:
-    def __init__(
-        self, function: collections.abc.Callable[[numpy.typing.NDArray[numpy.float64]], typing.Any]
-    ) -> None: ...
+class ShearModulus:
+    def __init__(self, type: str, **kwargs: typing.Any) -> None: ...
+    def parameters(self) -> dict[str, typing.Any]: ...
 
 class Layer:
     def __init__(
         self,
         *,
         thickness: typing.SupportsFloat | typing.SupportsIndex,
-        shear_modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
+        shear_modulus: ShearModulus,
         poisson_ratio: typing.SupportsFloat | typing.SupportsIndex | None,
         bulk_modulus: typing.SupportsFloat | typing.SupportsIndex | None,
         density: typing.SupportsFloat | typing.SupportsIndex,
@@ -140,7 +93,7 @@ class HalfSpace:
     def __init__(
         self,
         *,
-        shear_modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
+        shear_modulus: ShearModulus,
         poisson_ratio: typing.SupportsFloat | typing.SupportsIndex | None,
         bulk_modulus: typing.SupportsFloat | typing.SupportsIndex | None,
         density: typing.SupportsFloat | typing.SupportsIndex,
@@ -419,20 +372,8 @@ class SlipKinematics(enum.Enum):
     EXACT = ...
     FLAT = ...
 
-class DriveForce:
-    def __init__(self, force: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
-
-class DriveTorque:
-    def __init__(self, torque: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
-
-class DriveCreepage:
-    def __init__(
-        self,
-        *,
-        creepage: typing.SupportsFloat | typing.SupportsIndex,
-        lateral_creepage: typing.SupportsFloat | typing.SupportsIndex,
-        spin: typing.SupportsFloat | typing.SupportsIndex,
-    ) -> None: ...
+class Drive:
+    def __init__(self, **kwargs: typing.Any) -> None: ...
 
 class Options:
     def __init__(self) -> None: ...
@@ -469,7 +410,7 @@ class RollingModel:
         load: typing.SupportsFloat | typing.SupportsIndex,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
         friction: typing.SupportsFloat | typing.SupportsIndex,
-        drive: DriveForce | DriveTorque | DriveCreepage,
+        drive: Drive,
         compliance: Compliance,
         patch_load: PatchLoad,
         slip_kinematics: SlipKinematics,
@@ -903,20 +844,13 @@ def check_motion(
     center_displacement: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
 ) -> None: ...
 def complex_modulus(
-    modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
-    omega: numpy.typing.NDArray[numpy.float64],
+    modulus: ShearModulus, omega: numpy.typing.NDArray[numpy.float64]
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
 def core_count() -> int:
     """
     Cores that this process may use.
     """
 
-def creep_compliance(
-    *,
-    instantaneous_compliance: typing.SupportsFloat | typing.SupportsIndex,
-    compliances: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-    retardation_times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
-) -> Prony: ...
 @typing.overload
 def critical_speed(
     sphere: CoatedSphere, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex, curvature: Curvature
@@ -927,6 +861,9 @@ def critical_speed(
 ) -> float: ...
 @typing.overload
 def critical_speed(wheel: CoatedWheel, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex) -> float: ...
+def custom_modulus(
+    function: collections.abc.Callable[[numpy.typing.NDArray[numpy.float64]], typing.Any],
+) -> ShearModulus: ...
 def degree_compliance(
     sphere: CoatedSphere,
     degree: numpy.typing.NDArray[numpy.int32],
@@ -1002,7 +939,7 @@ def solve(
     mesh: Mesh | None,
     accuracy: typing.SupportsFloat | typing.SupportsIndex,
     friction: typing.SupportsFloat | typing.SupportsIndex,
-    drive: DriveForce | DriveTorque | DriveCreepage,
+    drive: Drive,
     compliance: Compliance,
     curvature: Curvature,
     patch_load: PatchLoad,
@@ -1019,7 +956,7 @@ def solve_frozen(
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     mesh: Mesh,
     friction: typing.SupportsFloat | typing.SupportsIndex,
-    drive: DriveForce | DriveTorque | DriveCreepage,
+    drive: Drive,
     compliance: Compliance,
     curvature: Curvature,
     patch_load: PatchLoad,
@@ -1032,12 +969,6 @@ def solve_frozen(
     threads: typing.SupportsInt | typing.SupportsIndex,
     progress: typing.Any,
 ) -> Result: ...
-def standard_linear_solid(
-    *,
-    instantaneous_modulus: typing.SupportsFloat | typing.SupportsIndex,
-    relaxed_modulus: typing.SupportsFloat | typing.SupportsIndex,
-    relaxation_time: typing.SupportsFloat | typing.SupportsIndex,
-) -> Prony: ...
 def state_matrix(
     layer: Layer,
     *,
@@ -1064,9 +995,6 @@ def surface_compliance(
     *,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
-def validate_modulus(
-    modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
-) -> None: ...
 
 __commit__: str
 __fft__: str

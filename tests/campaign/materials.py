@@ -54,6 +54,13 @@ def draw_modulus(
         lambda: vr.FractionalZener(
             instantaneous_modulus=modulus, relaxed_modulus=relaxed, relaxation_time=tau, order=rng.uniform(0.2, 1.0)
         ),
+        lambda: vr.HavriliakNegami(
+            instantaneous_modulus=modulus,
+            relaxed_modulus=relaxed,
+            relaxation_time=tau,
+            order=rng.uniform(0.2, 1.0),
+            asymmetry=rng.uniform(0.2, 1.0),
+        ),
         lambda: _table(rng, modulus, relaxed, tau, speed),
         lambda: Springpot(
             modulus=modulus, stiffness=modulus * 10.0 ** rng.uniform(-2.0, 0.0), time=time, order=rng.uniform(0.1, 0.6)
@@ -113,7 +120,7 @@ def scaled_modulus(modulus: Any, *, stress: float, time: float) -> Any:
     match modulus:
         case vr.Elastic():
             return replace(modulus, modulus=stress * modulus.modulus)
-        case vr.StandardLinearSolid() | vr.FractionalZener():
+        case vr.StandardLinearSolid() | vr.FractionalZener() | vr.HavriliakNegami():
             return replace(
                 modulus,
                 instantaneous_modulus=stress * modulus.instantaneous_modulus,

@@ -65,6 +65,7 @@ TEST(InvalidInput, NamesTheParameterByItsPathInATable) {
 TEST(ShortTimeModulus, IsTheLimitOfTheStorageModulus) {
   EXPECT_EQ(short_time_modulus(cases::rubber(), 1.0), 6e6);
   EXPECT_EQ(short_time_modulus(FractionalZener{6e6, 3e6, 0.125, 0.7}, 1.0), 6e6);
+  EXPECT_EQ(short_time_modulus(HavriliakNegami{6e6, 3e6, 0.125, 0.7, 0.5}, 1.0), 6e6);
   EXPECT_EQ(short_time_modulus(Elastic{2e6}, 1.0), 2e6);
   EXPECT_EQ(short_time_modulus(KelvinVoigt{2e6, 1.0}, 1.0), std::numeric_limits<double>::infinity());
   EXPECT_EQ(short_time_modulus(KelvinVoigt{2e6, 0.0}, 1.0), 2e6);

@@ -1,123 +1,300 @@
 /** Rolling resistance of balls, rollers and wheels with viscoelastic layers. All numbers are in SI units. */
 
-/** Shear modulus [Pa] as a function of angular frequency; a number is an elastic modulus. */
-export type ShearModulus =
-  | number
-  | { type: "elastic"; modulus: number }
-  | {
-      type: "standard_linear_solid";
-      instantaneous_modulus: number;
-      relaxed_modulus: number;
-      relaxation_time: number;
-    }
-  | { type: "prony"; instantaneous_modulus: number; weights: number[]; relaxation_times: number[] }
-  | { type: "creep_compliance"; instantaneous_compliance: number; compliances: number[]; retardation_times: number[] }
-  | { type: "kelvin_voigt"; modulus: number; viscosity: number }
-  | {
-      type: "fractional_zener";
-      instantaneous_modulus: number;
-      relaxed_modulus: number;
-      relaxation_time: number;
-      order: number;
-    }
-  | {
-      type: "master_curve";
-      frequency: number[];
-      storage: number[];
-      loss: number[];
-      extrapolation?: "error" | "hold";
-    };
+// Written by wasm/make_types.py from the JSON Schema of case files:
 
-/** Material of a layer or half-space, with exactly one of `poisson_ratio` and `bulk_modulus`. */
-export interface HalfSpace {
-  shear_modulus: ShearModulus;
-  poisson_ratio?: number | null;
-  bulk_modulus?: number | null;
-  density?: number;
+export interface Elastic {
+  /** Shear modulus G [Pa], > 0. */
+  modulus: number;
+  type: "elastic";
 }
 
-export interface Layer extends HalfSpace {
+export interface Prony {
+  /** Shear modulus G₀ at infinite frequency [Pa], > 0. */
+  instantaneous_modulus: number;
+  /** Weights g_k [-], each in [0, 1], with a sum of at most 1 apart from round-off. Terms of weight 0 are dropped. */
+  weights: number[];
+  /** Relaxation times τ_k [s], > 0, as many as `weights`. */
+  relaxation_times: number[];
+  type: "prony";
+}
+
+export interface StandardLinearSolid {
+  /** Shear modulus at infinite frequency [Pa], > 0. */
+  instantaneous_modulus: number;
+  /** Shear modulus at zero frequency [Pa], in [1e-12, 1] times `instantaneous_modulus`. */
+  relaxed_modulus: number;
+  /** Relaxation time τ of the stress at constant strain [s], > 0. */
+  relaxation_time: number;
+  type: "standard_linear_solid";
+}
+
+export interface CreepCompliance {
+  /** Shear compliance J₀ at infinite frequency [1/Pa], > 0. */
+  instantaneous_compliance: number;
+  /** Compliances J_k of the terms [1/Pa], ≥ 0. */
+  compliances: number[];
+  /** Retardation times τ_k of the strain at constant stress [s], > 0, as many as `compliances`. */
+  retardation_times: number[];
+  type: "creep_compliance";
+}
+
+export interface KelvinVoigt {
+  /** Relaxed shear modulus G [Pa], > 0. */
+  modulus: number;
+  /** Shear viscosity η [Pa s], ≥ 0. */
+  viscosity: number;
+  type: "kelvin_voigt";
+}
+
+export interface FractionalZener {
+  /** Shear modulus G₀ at infinite frequency [Pa], at least `relaxed_modulus`. */
+  instantaneous_modulus: number;
+  /** Shear modulus G_∞ at zero frequency [Pa], > 0. */
+  relaxed_modulus: number;
+  /** Relaxation time τ [s], > 0. */
+  relaxation_time: number;
+  /** Order α of the derivatives [-], in (0, 1]; 1 gives the standard linear solid. */
+  order: number;
+  type: "fractional_zener";
+}
+
+export interface HavriliakNegami {
+  /** Shear modulus G₀ at infinite frequency [Pa], at least `relaxed_modulus`. */
+  instantaneous_modulus: number;
+  /** Shear modulus G_∞ at zero frequency [Pa], > 0. */
+  relaxed_modulus: number;
+  /** Relaxation time τ [s], > 0. */
+  relaxation_time: number;
+  /** Exponent α [-], in (0, 1]. */
+  order: number;
+  /**
+   * Exponent β [-], in (0, 1]; 1 gives the fractional Zener solid, which is the Cole-Cole model; with α = 1, the solid
+   * is the Cole-Davidson model.
+   */
+  asymmetry: number;
+  type: "havriliak_negami";
+}
+
+export interface MasterCurve {
+  /** Angular frequencies [rad/s], ≥ 0, strictly increasing, at least two of them above 0. */
+  frequency: number[];
+  /** Storage moduli [Pa], > 0, as many as `frequency`. */
+  storage: number[];
+  /** Loss moduli [Pa], ≥ 0, as many as `frequency`. */
+  loss: number[];
+  /** Treatment of frequencies outside the table: raise an error, or hold the end values. */
+  extrapolation?: "error" | "hold" | null;
+  type: "master_curve";
+}
+
+/** Modulus [Pa] as a function of angular frequency; a number is an elastic modulus. */
+export type ShearModulus =
+  | number
+  | Elastic
+  | Prony
+  | StandardLinearSolid
+  | CreepCompliance
+  | KelvinVoigt
+  | FractionalZener
+  | HavriliakNegami
+  | MasterCurve;
+
+export interface HalfSpace {
+  shear_modulus: ShearModulus;
+  /** Real, constant Poisson's ratio ν in (-1, 0.5]; 0.5 means incompressible. */
+  poisson_ratio?: number | null;
+  /** Real, constant bulk modulus [Pa], > 0. Poisson's ratio is then complex and depends on frequency. */
+  bulk_modulus?: number | null;
+  /** Density [kg/m³], ≥ 0; 0 neglects inertia. */
+  density?: number | null;
+}
+
+export interface Layer {
+  /** Thickness [m], > 0, and at least 1e-9 of the radius of the rolling body. */
   thickness: number;
+  shear_modulus: ShearModulus;
+  /** Real, constant Poisson's ratio ν in (-1, 0.5]; 0.5 means incompressible. */
+  poisson_ratio?: number | null;
+  /** Real, constant bulk modulus [Pa], > 0. Poisson's ratio is then complex and depends on frequency. */
+  bulk_modulus?: number | null;
+  /** Density [kg/m³], ≥ 0; 0 neglects inertia. */
+  density?: number | null;
+  /** Thermal conductivity [W/(m K)], > 0; only temperatures need it. */
   conductivity?: number | null;
 }
 
 export interface Ball {
-  core_radius?: number;
-  /** Layers from the center outwards. */
-  layers?: Layer[];
-  inner_boundary?: "rigid" | "hollow" | "solid";
+  /** Radius of the core or the cavity [m], > 0. By default 0, which means a solid ball. */
+  core_radius?: number | null;
+  /** Layers from the center outwards. By default none: a rigid ball, which needs a deformable counterbody. */
+  layers?: Layer[] | null;
+  /**
+   * Inner boundary of the layers: a rigid core (RIGID), a cavity (HOLLOW), or none, with layers that reach the center
+   * (SOLID), the default for layers without a core radius. Without a core, the mean rotation of the coating is set to
+   * zero, because any other value cannot be distinguished from a rotation of the whole ball.
+   */
+  inner_boundary?: "rigid" | "hollow" | "solid" | null;
 }
 
-/** Roller in line contact. Its load, forces, torques and powers are per length. */
 export interface Cylinder {
+  /** Radius of the core [m], > 0. */
   core_radius: number;
-  layers?: Layer[];
+  /** Layers from the core outwards. By default none: a rigid roller. */
+  layers?: Layer[] | null;
 }
 
 export interface Wheel {
+  /** Radius of the hub at the middle of the width [m], > 0. */
   core_radius: number;
-  layers?: Layer[];
+  /**
+   * Width of the tread from face to face [m], > 0, at most 1000 times the outer radius. With free sides, at least 0.001
+   * of the thickness of the layers.
+   */
   width: number;
-  /** Radius of the profile across the path [m]; by default the tread is flat. */
-  crown_radius?: number;
-  hub?: "straight" | "crowned";
-  sides?: "free" | "unbounded";
+  /** Layers from the hub outwards, with their thickness at the middle. By default none: a rigid wheel. */
+  layers?: Layer[] | null;
+  /**
+   * Radius of the convex tread profile across the path [m], at least half of the width and at most 1e6 times the outer
+   * radius, or infinite for a flat tread.
+   */
+  crown_radius?: number | null;
+  /**
+   * Hub of a crowned tread. "straight": a cylinder, on which the tread is thinner at the faces. "crowned": a hub that
+   * follows the profile, so that the tread has the same thickness everywhere.
+   */
+  hub?: "straight" | "crowned" | null;
+  /**
+   * Ends of the tread. "free": faces that bulge, as those of real wheels. "unbounded": no faces; the tread continues
+   * beyond the width, where it carries no pressure. This is faster, and correct to 1 % if the contact ends one
+   * thickness before the faces. A contact that reaches the faces of a tread three thicknesses wide is a quarter too
+   * stiff.
+   */
+  sides?: "free" | "unbounded" | null;
 }
 
-/** Plane with layers on a base; without layers and base it is rigid. */
 export interface Plane {
-  /** Layers from the base outwards. */
-  layers?: Layer[];
+  /** Layers from the base outwards. By default none. */
+  layers?: Layer[] | null;
+  /** Half-space that supports the layers. By default the base is rigid. */
   base?: HalfSpace | null;
 }
 
-/** Surface curved across the path (`radius`), along it (`path_radius`), or both [m]; concave if a radius is > 0. */
-export interface Groove extends Plane {
+export interface Groove {
+  /**
+   * Radius of curvature across the path [m]: positive if concave, then at least 1.02 times the radius of the body;
+   * negative if convex. By default straight across, as rollers require.
+   */
   radius?: number | null;
+  /**
+   * Radius of curvature along the path [m], with the same signs and limits, for a dish or the race of a bearing. By
+   * default straight along the path.
+   */
   path_radius?: number | null;
+  /** Layers from the base outwards. By default none: a rigid groove. */
+  layers?: Layer[] | null;
+  /** Half-space that supports the layers. By default the base is rigid. */
+  base?: HalfSpace | null;
 }
 
-/** Drive: exactly one of force, torque and creepage. Without friction, only a force of 0 or a creepage is allowed. */
-export type Drive =
-  | { force: number }
-  | { torque: number }
-  | { creepage: number; lateral_creepage?: number; spin?: number };
+export interface Drive {
+  /**
+   * Q, horizontal force on the center, positive forward [N]; its magnitude is less than friction times load. With 0 the
+   * torque alone drives the body.
+   */
+  force?: number | null;
+  /** T, driving torque about the rolling axis [N m]. With 0 the body is towed. */
+  torque?: number | null;
+  /**
+   * P, driving power at the axle [W]: the driving torque times the angular speed Ω. A negative power brakes the body;
+   * with 0 it is towed.
+   */
+  power?: number | null;
+  /** V_s / (Ω r_o) - 1 [-], where V_s is the speed of the center and Ω r_o the rolling speed. */
+  creepage?: number | null;
+  /** Lateral speed of the center divided by Ω r_o [-]; allowed only with `creepage`. */
+  lateral_creepage?: number | null;
+  /**
+   * Angular speed of the body about the downward axis through the contact, divided by Ω r_o [1/m]; allowed only with
+   * `creepage`.
+   */
+  spin?: number | null;
+}
 
+/** The table `rolling`: the load case. */
 export interface Rolling {
-  /** Normal load [N]; for rollers, load per length [N/m]. */
+  /** Normal load P [N], > 0. For rollers, load per length [N/m]. */
   load: number;
-  /** [rad/s] */
+  /**
+   * Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the angular speed relative to
+   * the line of centers.
+   */
   angular_speed: number;
-  /** Coulomb's coefficient of friction, at most 4; with Infinity the whole contact sticks. */
-  friction?: number;
-  drive?: Drive;
+  /**
+   * Coulomb's coefficient of friction μ [-], in [0, 4]. With ``math.inf`` the whole contact sticks; if that would
+   * require tension, a `ConvergenceError` is raised.
+   */
+  friction?: number | null;
+  /**
+   * Condition that determines the speed of the center. Without friction, where that speed is undetermined, only a force
+   * of 0 or a creepage is allowed; torque and force then follow from the power dissipated in each body.
+   */
+  drive?: Drive | null;
 }
 
-/** Options of the solver: a mesh, or an accuracy to which the solver refines the mesh. */
+/** The table `numerics` of a load case. */
 export interface Numerics {
-  accuracy?: number | null;
+  /** 2π/Δφ in [16, 1 000 000], where Δφ is the spacing along φ. A value of 500 is the paper's Δ = π/250. */
   nodes_per_revolution?: number | null;
-  theta_nodes_per_revolution?: number | null;
+  /**
+   * Truncation order N_t, as in the paper: the orders |m|, |n| ≤ N_t are summed. It must be at least half of the nodes
+   * per revolution, since fewer orders cannot resolve the mesh. By default all orders are summed, at a cost that hardly
+   * grows with the mesh.
+   */
   max_order?: number | null;
-  compliance?: "radial" | "vertical";
-  curvature?: "sphere" | "paper" | "exact";
-  patch_load?: "flat" | "spherical";
-  slip_kinematics?: "exact" | "flat";
+  /** 2π/Δθ, where Δθ is the spacing along θ. By default the spacing is the same as along φ. */
+  theta_nodes_per_revolution?: number | null;
+  /**
+   * Requested relative error [-], in [1e-4, 0.5]; only without `mesh`. The error estimate is the larger of the energy-
+   * balance error and the largest change from the previous mesh of all results that are not given: penetration,
+   * torques, forces, speed and powers. The largest pressure has an estimate of its own, `Result.max_pressure_error`.
+   * The solver refines the mesh further for it, within some seconds; if that does not suffice, it issues a warning.
+   */
+  accuracy?: number | null;
+  /**
+   * Compliance in the contact condition: C_RR (RADIAL), pressure along the radius, which is closer to finite strain, or
+   * C_WW (VERTICAL), pressure along the normals of the undeformed ball. The difference is of the order of the strain
+   * and measures the error of linear theory.
+   */
+  compliance?: "radial" | "vertical" | null;
+  /**
+   * Curvature terms in the equations of the layers: the membrane stiffness of a sphere (SPHERE), that of the paper as
+   * printed (PAPER), or all terms (EXACT), for thick coatings and for hollow and solid balls.
+   */
+  curvature?: "sphere" | "paper" | "exact" | null;
+  /** Traction on the patch of a node: equation (53) (FLAT) or (38) (SPHERICAL) of the paper. */
+  patch_load?: "flat" | "spherical" | null;
+  /**
+   * Distance that material travels between nodes, with friction: that on the undeformed body (EXACT), or the last form
+   * of the paper's (55a) (FLAT), which has no Heathcote slip and serves only for comparison.
+   */
+  slip_kinematics?: "exact" | "flat" | null;
 }
 
-/** Tables and keys of a case file: one rolling body and at most one counterbody, by default a rigid plane. */
+/** Tables and keys of a case file. */
 export interface Case {
-  ball?: Ball;
-  cylinder?: Cylinder;
-  wheel?: Wheel;
-  plane?: Plane;
-  groove?: Groove;
-  other_ball?: Ball;
-  other_cylinder?: Cylinder;
-  other_wheel?: Wheel;
+  ball?: Ball | null;
+  cylinder?: Cylinder | null;
+  wheel?: Wheel | null;
+  plane?: Plane | null;
+  groove?: Groove | null;
+  other_ball?: Ball | null;
+  other_cylinder?: Cylinder | null;
+  other_wheel?: Wheel | null;
   rolling: Rolling;
-  numerics?: Numerics;
+  numerics?: Numerics | null;
 }
+
+// End of the types that are written by wasm/make_types.py
 
 export interface Request {
   case: Case;

@@ -1,37 +1,61 @@
 #include "bodies_from_json.hpp"
 
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "modulus_from_json.hpp"
 
 namespace viscoroll::wasm {
-namespace {
 
-constexpr auto kInnerBoundaries = std::to_array<Name<InnerBoundary>>({
+template <>
+inline constexpr auto kNames<InnerBoundary> = std::to_array<Name<InnerBoundary>>({
 #define VISCOROLL_INNER_BOUNDARY(name, NAME, details, is_core, is_free) {#name, InnerBoundary::name},
 #include "viscoroll/inner_boundaries.def"
 #undef VISCOROLL_INNER_BOUNDARY
 });
-constexpr auto kHubs = std::to_array<Name<Hub>>({{"straight", Hub::straight}, {"crowned", Hub::crowned}});
-constexpr auto kSides = std::to_array<Name<Sides>>({{"free", Sides::free}, {"unbounded", Sides::unbounded}});
+template <>
+inline constexpr auto kNames<Hub> = std::to_array<Name<Hub>>({{"straight", Hub::straight}, {"crowned", Hub::crowned}});
+template <>
+inline constexpr auto kNames<Sides> =
+    std::to_array<Name<Sides>>({{"free", Sides::free}, {"unbounded", Sides::unbounded}});
 
-ShearModulus take_modulus(Table& table) {
-  const Json& given = table.require("shear_modulus");
-  return given.is_null() ? ShearModulus{} : modulus_from_json(given, table.path_of("shear_modulus"));
+namespace {
+
+ShearModulus take_modulus(Table& table, const char* key) {
+  const Json& given = table.require(key);
+  return given.is_null() ? ShearModulus{} : modulus_from_json(given, table.path_of(key));
 }
+
+std::vector<Layer> take_layers(Table& table, const char* key);
+std::optional<HalfSpace> take_half_space(Table& table, const char* key);
+
+/// Reader of the parameters of bodies, layers and half-spaces.
+struct Reader {
+  Table& table;
+
+  template <class Value>
+  Value operator()(const char* key, Value otherwise, bool is_optional) const {
+    if constexpr (std::is_same_v<Value, ShearModulus>) {
+      return take_modulus(table, key);
+    } else if constexpr (std::is_same_v<Value, std::vector<Layer>>) {
+      return take_layers(table, key);
+    } else if constexpr (std::is_same_v<Value, std::optional<HalfSpace>>) {
+      return take_half_space(table, key);
+    } else if constexpr (std::is_same_v<Value, CoatedPlane>) {
+      return read_fields<CoatedPlane>(*this);  // a groove has the keys of its surface
+    } else {
+      return table.value(key, std::move(otherwise), is_optional);
+    }
+  }
+};
 
 Layer layer_from_json(const Json& json, const std::string& path) {
   Table table(json, path);
-  Layer layer{.thickness = table.number("thickness"),
-              .shear_modulus = take_modulus(table),
-              .poisson_ratio = table.maybe_number("poisson_ratio"),
-              .bulk_modulus = table.maybe_number("bulk_modulus"),
-              .density = table.maybe_number("density").value_or(Layer{}.density)};
+  Layer layer = read_fields<Layer>(Reader{table});
   // Case files may contain the conductivity for temperatures, which this module does not compute.
   (void)table.maybe_number("conductivity");
   table.close();
@@ -39,10 +63,10 @@ Layer layer_from_json(const Json& json, const std::string& path) {
   return layer;
 }
 
-std::vector<Layer> take_layers(Table& table) {
-  const Json* given = table.take("layers");
+std::vector<Layer> take_layers(Table& table, const char* key) {
+  const Json* given = table.take(key);
   if (given == nullptr) return {};
-  const std::string path = table.path_of("layers");
+  const std::string path = table.path_of(key);
   if (!given->is_array()) {
     throw InvalidInput(path, "must be a valid list", shown(*given));
   }
@@ -54,74 +78,35 @@ std::vector<Layer> take_layers(Table& table) {
   return layers;
 }
 
-std::optional<HalfSpace> take_base(Table& table) {
-  const Json* given = table.take("base");
+std::optional<HalfSpace> take_half_space(Table& table, const char* key) {
+  const Json* given = table.take(key);
   if (given == nullptr) return std::nullopt;
-  Table of_base(*given, table.path_of("base"));
-  HalfSpace base{.shear_modulus = take_modulus(of_base),
-                 .poisson_ratio = of_base.maybe_number("poisson_ratio"),
-                 .bulk_modulus = of_base.maybe_number("bulk_modulus"),
-                 .density = of_base.maybe_number("density").value_or(HalfSpace{}.density)};
-  of_base.close();
-  at_path(of_base.path(), [&] { validate(CoatedPlane{.base = base}); });
-  return base;
+  Table content(*given, table.path_of(key));
+  HalfSpace half_space = read_fields<HalfSpace>(Reader{content});
+  content.close();
+  at_path(content.path(), [&] { validate(CoatedPlane{.layers = {}, .base = half_space}); });
+  return half_space;
 }
 
-template <class Body>
-Body closed(const Table& table, Body body) {
+template <class Kind, class Body>
+Kind body_from_json(Table& table) {
+  Body body = read_fields<Body>(Reader{table});
   table.close();
   at_path(table.path(), [&] { validate(body); });
   return body;
 }
 
-CoatedSphere ball_from_json(Table& table) {
-  return closed(
-      table,
-      CoatedSphere{.core_radius = table.maybe_number("core_radius").value_or(CoatedSphere{}.core_radius),
-                   .layers = take_layers(table),
-                   .inner_boundary = table.one_of("inner_boundary", kInnerBoundaries, CoatedSphere{}.inner_boundary)});
-}
-
-CoatedCylinder cylinder_from_json(Table& table) {
-  return closed(table, CoatedCylinder{.core_radius = table.number("core_radius"), .layers = take_layers(table)});
-}
-
-CoatedWheel wheel_from_json(Table& table) {
-  return closed(table,
-                CoatedWheel{.core_radius = table.number("core_radius"),
-                            .layers = take_layers(table),
-                            .width = table.number("width"),
-                            .crown_radius = table.maybe_number("crown_radius").value_or(CoatedWheel{}.crown_radius),
-                            .hub = table.one_of("hub", kHubs, CoatedWheel{}.hub),
-                            .sides = table.one_of("sides", kSides, CoatedWheel{}.sides)});
-}
-
-CoatedPlane take_plane(Table& table) { return {.layers = take_layers(table), .base = take_base(table)}; }
-
-CoatedPlane plane_from_json(Table& table) { return closed(table, take_plane(table)); }
-
-Groove groove_from_json(Table& table) {
-  return closed(table, Groove{.radius = table.maybe_number("radius"),
-                              .path_radius = table.maybe_number("path_radius"),
-                              .surface = take_plane(table)});
-}
-
-template <class Kind, auto kFromJson>
-Kind made(Table& table) {
-  return kFromJson(table);
-}
-
 constexpr auto kBodies = std::to_array<Name<RollingBody (*)(Table&)>>({
-    {"ball", made<RollingBody, ball_from_json>},
-    {"cylinder", made<RollingBody, cylinder_from_json>},
-    {"wheel", made<RollingBody, wheel_from_json>},
+    {"ball", body_from_json<RollingBody, CoatedSphere>},
+    {"cylinder", body_from_json<RollingBody, CoatedCylinder>},
+    {"wheel", body_from_json<RollingBody, CoatedWheel>},
 });
 constexpr auto kCounterbodies = std::to_array<Name<Counterbody (*)(Table&)>>({
-    {"plane", made<Counterbody, plane_from_json>},
-    {"groove", made<Counterbody, groove_from_json>},
-    {"other_ball", made<Counterbody, ball_from_json>},
-    {"other_cylinder", made<Counterbody, cylinder_from_json>},
-    {"other_wheel", made<Counterbody, wheel_from_json>},
+    {"plane", body_from_json<Counterbody, CoatedPlane>},
+    {"groove", body_from_json<Counterbody, Groove>},
+    {"other_ball", body_from_json<Counterbody, CoatedSphere>},
+    {"other_cylinder", body_from_json<Counterbody, CoatedCylinder>},
+    {"other_wheel", body_from_json<Counterbody, CoatedWheel>},
 });
 
 template <class Kind, std::size_t kCount>

@@ -1,52 +1,84 @@
 #include "case_from_json.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
+#include <tuple>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 namespace viscoroll::wasm {
-namespace {
 
-constexpr auto kCompliances =
+template <>
+inline constexpr auto kNames<Compliance> =
     std::to_array<Name<Compliance>>({{"radial", Compliance::radial}, {"vertical", Compliance::vertical}});
-constexpr auto kCurvatures = std::to_array<Name<Curvature>>(
+template <>
+inline constexpr auto kNames<Curvature> = std::to_array<Name<Curvature>>(
     {{"sphere", Curvature::sphere}, {"paper", Curvature::paper}, {"exact", Curvature::exact}});
-constexpr auto kPatchLoads =
+template <>
+inline constexpr auto kNames<PatchLoad> =
     std::to_array<Name<PatchLoad>>({{"flat", PatchLoad::flat}, {"spherical", PatchLoad::spherical}});
-constexpr auto kSlipKinematics =
+template <>
+inline constexpr auto kNames<SlipKinematics> =
     std::to_array<Name<SlipKinematics>>({{"exact", SlipKinematics::exact}, {"flat", SlipKinematics::flat}});
 
-Drive drive_from_json(const Json& json, const std::string& path) {
-  Table table(json, path);
-  const auto force = table.maybe_number("force");
-  const auto torque = table.maybe_number("torque");
-  const auto creepage = table.maybe_number("creepage");
-  const auto lateral = table.maybe_number("lateral_creepage");
-  const auto spin = table.maybe_number("spin");
-  table.close();
+namespace {
 
-  std::string given;
-  for (const auto& [name, value] : {Name{"force", force}, Name{"torque", torque}, Name{"creepage", creepage}}) {
-    if (value) given += (given.empty() ? "" : ", ") + std::string(name);
+/// "a, b and c"
+std::string joined(const std::vector<std::string>& names, const std::string& last = " and ") {
+  std::string all;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) all += i + 1 == names.size() ? last : ", ";
+    all += names[i];
   }
-  if (given.empty() || given.find(',') != std::string::npos) {
-    throw InvalidInput(path, "must have exactly one of force, torque and creepage", given.empty() ? "none" : given);
+  return all;
+}
+
+/// Read a drive if its first field is given, which is the prescribed quantity; otherwise its other fields must be 0.
+template <class Kind>
+void read_drive(Table& table, Drive& drive) {
+  const std::string_view first = std::get<0>(Kind::fields()).name;
+  const bool is_given = table.take(first) != nullptr;
+  const auto read = read_fields<Kind>([&](std::string_view key, double otherwise, bool /*is_optional*/) {
+    const double value = table.value(key, otherwise, true);
+    if (is_given || value == 0.0) return value;
+    throw InvalidInput(table.path_of(key), "must be 0 without drive." + std::string(first), shown(value));
+  });
+  if (is_given) drive = read;
+}
+
+template <class... Kinds>
+Drive drive_from_json(Table& table, std::type_identity<std::variant<Kinds...>> /*kinds*/) {
+  std::vector<std::string> names;
+  std::vector<std::string> given;
+  const auto take = [&](const auto& first, const auto&... others) {
+    names.emplace_back(first.name);
+    if (table.take(first.name) != nullptr) given.emplace_back(first.name);
+    ((void)table.take(others.name), ...);
+  };
+  (std::apply(take, Kinds::fields()), ...);
+  table.close();
+  if (given.size() != 1) {
+    throw InvalidInput(table.path(), "must have exactly one of " + joined(names),
+                       given.empty() ? "none" : joined(given, ", "));
   }
-  for (const auto& [name, value] : {Name{"lateral_creepage", lateral}, Name{"spin", spin}}) {
-    if (!creepage && value.value_or(0.0) != 0.0) {
-      throw InvalidInput(path + "." + std::string(name), "must be 0 without drive.creepage", shown(*value));
-    }
-  }
-  if (force) return DriveForce{*force};
-  if (torque) return DriveTorque{*torque};
-  return DriveCreepage{.creepage = *creepage, .lateral_creepage = lateral.value_or(0.0), .spin = spin.value_or(0.0)};
+  Drive drive;
+  (read_drive<Kinds>(table, drive), ...);
+  return drive;
 }
 
 LoadCase load_case_from_json(const Json& json, const std::string& path) {
   Table table(json, path);
-  LoadCase load_case{.load = table.number("load"),
+  const std::optional<double> penetration = table.maybe_number("penetration");
+  LoadCase load_case{.load = penetration ? table.maybe_number("load") : table.number("load"),
+                     .penetration = penetration,
                      .angular_speed = table.number("angular_speed"),
                      .friction = table.maybe_number("friction").value_or(0.0)};
-  if (const Json* drive = table.take("drive")) load_case.drive = drive_from_json(*drive, table.path_of("drive"));
+  if (const Json* drive = table.take("drive")) {
+    Table of_drive(*drive, table.path_of("drive"));
+    load_case.drive = drive_from_json(of_drive, std::type_identity<Drive>{});
+  }
   table.close();
   return load_case;
 }
@@ -57,10 +89,10 @@ Options options_from_json(const Json& json, const std::string& path) {
   const auto max_order = table.maybe_integer("max_order");
   const auto theta_nodes = table.maybe_integer("theta_nodes_per_revolution");
   const auto accuracy = table.maybe_number("accuracy");
-  Options options{.compliance = table.one_of("compliance", kCompliances, Options{}.compliance),
-                  .curvature = table.one_of("curvature", kCurvatures, Options{}.curvature),
-                  .patch_load = table.one_of("patch_load", kPatchLoads, Options{}.patch_load),
-                  .slip_kinematics = table.one_of("slip_kinematics", kSlipKinematics, Options{}.slip_kinematics)};
+  Options options{.compliance = table.value("compliance", Options{}.compliance, true),
+                  .curvature = table.value("curvature", Options{}.curvature, true),
+                  .patch_load = table.value("patch_load", Options{}.patch_load, true),
+                  .slip_kinematics = table.value("slip_kinematics", Options{}.slip_kinematics, true)};
   table.close();
   if (nodes) {
     options.mesh =

@@ -9,10 +9,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "viscoroll/errors.hpp"
+#include "viscoroll/materials.hpp"
 
 namespace viscoroll::wasm {
 
@@ -38,6 +40,14 @@ struct Name {
   std::string_view name;
   Value value;
 };
+
+/// @brief Names of the values of an enumeration in a case; specializations are arrays of `Name`.
+template <class Enum>
+inline constexpr std::array<Name<Enum>, 0> kNames{};
+
+template <>
+inline constexpr auto kNames<Extrapolation> =
+    std::to_array<Name<Extrapolation>>({{"error", Extrapolation::error}, {"hold", Extrapolation::hold}});
 
 /// @brief Check a part of a case. Errors name the path in the case: "ball.layers[0].thickness".
 template <class Check>
@@ -83,6 +93,22 @@ class Table {
     throw InvalidInput(path_of(key), "must be one of " + names_of(names), shown(*given));
   }
 
+  /// @brief Take a key whose value is a number, a list of numbers or a name of an enumerator.
+  /// @return the value; `otherwise` if the key is missing and optional
+  template <class Value>
+  [[nodiscard]] Value value(std::string_view key, Value otherwise, bool is_optional) {
+    if constexpr (std::is_enum_v<Value>) {
+      return one_of(key, kNames<Value>, otherwise);
+    } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+      return maybe_number(key);
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      return numbers(key);
+    } else {
+      static_assert(std::is_same_v<Value, double>);
+      return is_optional ? maybe_number(key).value_or(otherwise) : number(key);
+    }
+  }
+
   /// @brief Take the key `type`; messages then name the type of the table.
   /// @return its value, or null
   [[nodiscard]] const Json& take_type();
@@ -101,5 +127,12 @@ class Table {
   std::vector<std::string> taken_;
   std::vector<std::string> missing_;
 };
+
+/// @return reader of the values of a table; see fields.hpp
+[[nodiscard]] inline auto value_reader(Table& table) {
+  return [&table]<class Value>(std::string_view key, Value otherwise, bool is_optional) {
+    return table.value(key, std::move(otherwise), is_optional);
+  };
+}
 
 }  // namespace viscoroll::wasm

@@ -2,6 +2,7 @@
 /// @brief A roller: a rigid core with bonded viscoelastic layers, in line contact.
 #pragma once
 
+#include <tuple>
 #include <vector>
 
 #include "viscoroll/sphere.hpp"
@@ -15,6 +16,11 @@ namespace viscoroll {
 struct CoatedCylinder {
   double core_radius = 0.0;   ///< radius of the core [m], > 0
   std::vector<Layer> layers;  ///< from the core outwards; empty: a rigid cylinder
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"core_radius", &CoatedCylinder::core_radius},
+                      Field{"layers", &CoatedCylinder::layers, true}};
+  }
 };
 
 /// @return outer radius r_o [m]

@@ -5,18 +5,26 @@
 /// loss modulus of a passive material is >= 0 at w >= 0. All moduli are shear moduli.
 #pragma once
 
+#include <array>
 #include <complex>
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
+
+#include "viscoroll/fields.hpp"
 
 namespace viscoroll {
 
 /// @brief Elastic material without loss, mu* = modulus.
 struct Elastic {
   double modulus = 0.0;  ///< shear modulus [Pa], > 0
+
+  static constexpr const char* type = "elastic";
+  static constexpr auto fields() { return std::tuple{Field{"modulus", &Elastic::modulus}}; }
 };
 
 /// @brief Prony series, equation (65) of the paper.
@@ -28,6 +36,12 @@ struct Prony {
   double instantaneous_modulus = 0.0;    ///< G0, shear modulus at infinite frequency [Pa], > 0
   std::vector<double> weights;           ///< g_k [-], >= 0; their sum is <= 1
   std::vector<double> relaxation_times;  ///< tau_k [s], > 0, one for each weight
+
+  static constexpr const char* type = "prony";
+  static constexpr auto fields() {
+    return std::tuple{Field{"instantaneous_modulus", &Prony::instantaneous_modulus}, Field{"weights", &Prony::weights},
+                      Field{"relaxation_times", &Prony::relaxation_times}};
+  }
 };
 
 /// @brief Standard linear solid: the Prony series with one term, given by its two limits.
@@ -56,6 +70,11 @@ struct Prony {
 struct KelvinVoigt {
   double modulus = 0.0;    ///< shear modulus at rest [Pa], > 0
   double viscosity = 0.0;  ///< shear viscosity [Pa s], >= 0
+
+  static constexpr const char* type = "kelvin_voigt";
+  static constexpr auto fields() {
+    return std::tuple{Field{"modulus", &KelvinVoigt::modulus}, Field{"viscosity", &KelvinVoigt::viscosity}};
+  }
 };
 
 /// @brief Fractional Zener solid: a spring in parallel with a series of a spring and a springpot.
@@ -68,6 +87,36 @@ struct FractionalZener {
   double relaxed_modulus = 0.0;        ///< G_inf, shear modulus at zero frequency [Pa], > 0
   double relaxation_time = 0.0;        ///< tau [s], > 0
   double order = 1.0;                  ///< alpha [-], in (0, 1]; 1 is the standard linear solid
+
+  static constexpr const char* type = "fractional_zener";
+  static constexpr auto fields() {
+    return std::tuple{Field{"instantaneous_modulus", &FractionalZener::instantaneous_modulus},
+                      Field{"relaxed_modulus", &FractionalZener::relaxed_modulus},
+                      Field{"relaxation_time", &FractionalZener::relaxation_time},
+                      Field{"order", &FractionalZener::order}};
+  }
+};
+
+/// @brief Havriliak-Negami solid: a fractional Zener solid whose dispersion has unequal slopes below and above its
+/// center.
+///
+///     mu* = G0 - (G0 - G_inf) / (1 + (i w tau)^alpha)^beta
+///
+/// S. Havriliak and S. Negami, Polymer 8 (1967) 161-210, for the modulus in place of the permittivity.
+struct HavriliakNegami {
+  double instantaneous_modulus = 0.0;  ///< G0, shear modulus at infinite frequency [Pa], >= relaxed_modulus
+  double relaxed_modulus = 0.0;        ///< G_inf, shear modulus at zero frequency [Pa], > 0
+  double relaxation_time = 0.0;        ///< tau [s], > 0
+  double order = 1.0;                  ///< alpha [-], in (0, 1]: slope of the loss modulus below its peak
+  double asymmetry = 1.0;  ///< beta [-], in (0, 1]: slope above the peak / alpha; 1 is the fractional Zener solid
+
+  static constexpr const char* type = "havriliak_negami";
+  static constexpr auto fields() {
+    return std::tuple{Field{"instantaneous_modulus", &HavriliakNegami::instantaneous_modulus},
+                      Field{"relaxed_modulus", &HavriliakNegami::relaxed_modulus},
+                      Field{"relaxation_time", &HavriliakNegami::relaxation_time},
+                      Field{"order", &HavriliakNegami::order}, Field{"asymmetry", &HavriliakNegami::asymmetry}};
+  }
 };
 
 /// @brief Treatment of values outside a tabulated or fitted range.
@@ -83,6 +132,12 @@ struct MasterCurve {
   std::vector<double> storage;    ///< storage modulus [Pa], > 0
   std::vector<double> loss;       ///< loss modulus [Pa], >= 0
   Extrapolation extrapolation = Extrapolation::error;  ///< treatment of frequencies outside the table
+
+  static constexpr const char* type = "master_curve";
+  static constexpr auto fields() {
+    return std::tuple{Field{"frequency", &MasterCurve::frequency}, Field{"storage", &MasterCurve::storage},
+                      Field{"loss", &MasterCurve::loss}, Field{"extrapolation", &MasterCurve::extrapolation, true}};
+  }
 };
 
 /// @brief A modulus given by a function.
@@ -93,7 +148,27 @@ struct CustomModulus {
 };
 
 /// @brief Shear modulus of a layer.
-using ShearModulus = std::variant<Elastic, Prony, KelvinVoigt, FractionalZener, MasterCurve, CustomModulus>;
+using ShearModulus =
+    std::variant<Elastic, Prony, KelvinVoigt, FractionalZener, HavriliakNegami, MasterCurve, CustomModulus>;
+
+/// @brief Type of modulus that a function makes from parameters.
+template <class Function, std::size_t count>
+struct ModulusFunction {
+  const char* type;                           ///< name of the type in files
+  Function* make;                             ///< function that returns the modulus
+  std::array<const char*, count> parameters;  ///< names of its parameters in files and in Python
+};
+
+template <class Function, std::size_t count>
+ModulusFunction(const char*, Function*, std::array<const char*, count>) -> ModulusFunction<Function, count>;
+
+/// @brief Types of moduli that functions make. Other types are the structs of `ShearModulus` with `type` and `fields`.
+inline constexpr std::tuple kModulusFunctions{
+    ModulusFunction{"standard_linear_solid", &standard_linear_solid,
+                    std::array{"instantaneous_modulus", "relaxed_modulus", "relaxation_time"}},
+    ModulusFunction{"creep_compliance", &creep_compliance,
+                    std::array{"instantaneous_compliance", "compliances", "retardation_times"}},
+};
 
 /// @brief Check the parameters of a modulus.
 /// @param[in] modulus any shear modulus

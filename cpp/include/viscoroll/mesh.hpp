@@ -3,6 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
+
+#include "viscoroll/fields.hpp"
 
 namespace viscoroll {
 
@@ -17,6 +20,11 @@ struct Mesh {
   /// nodes per revolution. None: the sum over all orders.
   std::optional<int> max_order;
   std::optional<int> theta_nodes_per_revolution;  ///< 2 pi / spacing along theta; none: the same as along phi
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"nodes_per_revolution", &Mesh::nodes_per_revolution}, Field{"max_order", &Mesh::max_order},
+                      Field{"theta_nodes_per_revolution", &Mesh::theta_nodes_per_revolution}};
+  }
 
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "viscoroll/materials.hpp"
@@ -16,6 +17,12 @@ struct HalfSpace {
   std::optional<double> poisson_ratio;  ///< [-], real and constant, in (-1, 0.5]; 0.5 is incompressible
   std::optional<double> bulk_modulus;   ///< [Pa], > 0, real and constant
   double density = 0.0;                 ///< [kg/m^3], >= 0; with 0 there is no inertia
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"shear_modulus", &HalfSpace::shear_modulus},
+                      Field{"poisson_ratio", &HalfSpace::poisson_ratio},
+                      Field{"bulk_modulus", &HalfSpace::bulk_modulus}, Field{"density", &HalfSpace::density, true}};
+  }
 };
 
 /// @brief An unbounded plane: layers that are bonded to one another and to a base. Without layers and without a base
@@ -23,6 +30,10 @@ struct HalfSpace {
 struct CoatedPlane {
   std::vector<Layer> layers;      ///< from the base outwards
   std::optional<HalfSpace> base;  ///< none: a rigid base
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"layers", &CoatedPlane::layers, true}, Field{"base", &CoatedPlane::base}};
+  }
 };
 
 /// @brief A groove, dish, race or drum: a surface that is curved across the path, along it, or both.
@@ -35,6 +46,11 @@ struct Groove {
   std::optional<double> path_radius;  ///< along the path, in its plane [m], for a dish or the race of a bearing; none:
                                       ///< straight
   CoatedPlane surface;                ///< layers and base; rigid without both
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"radius", &Groove::radius}, Field{"path_radius", &Groove::path_radius},
+                      Field{"surface", &Groove::surface}};
+  }
 };
 
 /// @return total thickness of all layers [m]

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "viscoroll/materials.hpp"
@@ -18,6 +19,12 @@ struct Layer {
   std::optional<double> poisson_ratio;  ///< [-], real and constant, in (-1, 0.5]; 0.5 is incompressible
   std::optional<double> bulk_modulus;   ///< [Pa], > 0, real and constant: Poisson's ratio then follows from mu*(w)
   double density = 0.0;                 ///< [kg/m^3], >= 0; with 0 there is no inertia
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"thickness", &Layer::thickness}, Field{"shear_modulus", &Layer::shear_modulus},
+                      Field{"poisson_ratio", &Layer::poisson_ratio}, Field{"bulk_modulus", &Layer::bulk_modulus},
+                      Field{"density", &Layer::density, true}};
+  }
 };
 
 /// @brief Inner boundary of the innermost layer.
@@ -35,6 +42,12 @@ struct CoatedSphere {
   double core_radius = 0.0;                             ///< radius of the core or cavity [m], > 0; 0 for a solid ball
   std::vector<Layer> layers;                            ///< from the center outwards; empty: a rigid ball
   InnerBoundary inner_boundary = InnerBoundary::rigid;  ///< inner boundary of the innermost layer
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"core_radius", &CoatedSphere::core_radius, true},
+                      Field{"layers", &CoatedSphere::layers, true},
+                      Field{"inner_boundary", &CoatedSphere::inner_boundary, true}};
+  }
 };
 
 /// @brief Curvature terms that the layer equations of a sphere contain. See docs/theory/layers.md.

@@ -9,6 +9,7 @@
 #include "viscoroll/cylinder.hpp"            // IWYU pragma: export
 #include "viscoroll/drive.hpp"               // IWYU pragma: export
 #include "viscoroll/errors.hpp"              // IWYU pragma: export
+#include "viscoroll/fields.hpp"              // IWYU pragma: export
 #include "viscoroll/formulation.hpp"         // IWYU pragma: export
 #include "viscoroll/influence.hpp"           // IWYU pragma: export
 #include "viscoroll/interior.hpp"            // IWYU pragma: export
@@ -16,6 +17,7 @@
 #include "viscoroll/materials.hpp"           // IWYU pragma: export
 #include "viscoroll/mesh.hpp"                // IWYU pragma: export
 #include "viscoroll/modal.hpp"               // IWYU pragma: export
+#include "viscoroll/modulus_types.hpp"       // IWYU pragma: export
 #include "viscoroll/observer.hpp"            // IWYU pragma: export
 #include "viscoroll/options.hpp"             // IWYU pragma: export
 #include "viscoroll/plane.hpp"               // IWYU pragma: export

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "viscoroll/sphere.hpp"
@@ -33,6 +34,15 @@ struct CoatedWheel {
   double crown_radius = std::numeric_limits<double>::infinity();
   Hub hub = Hub::straight;    ///< shape of the hub
   Sides sides = Sides::free;  ///< lateral ends of the tread
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"core_radius", &CoatedWheel::core_radius},
+                      Field{"layers", &CoatedWheel::layers, true},
+                      Field{"width", &CoatedWheel::width},
+                      Field{"crown_radius", &CoatedWheel::crown_radius, true},
+                      Field{"hub", &CoatedWheel::hub, true},
+                      Field{"sides", &CoatedWheel::sides, true}};
+  }
 };
 
 /// @return outer radius in the middle of the width, r_o [m]

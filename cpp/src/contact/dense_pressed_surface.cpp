@@ -112,27 +112,29 @@ void DensePressedSurface::press(PressedNodes& contact, double tolerance) {
   const Index count = matrix.rows();
   const VectorXd& counts = unknowns.counts;
   const VectorXd uniform = approximate_forces(VectorXd::Ones(count));  // forces that lower all nodes by the same amount
-  // Forces come first, then the penetration times the stiffness; the preconditioner returns forces that sum to zero.
+  const NormalCondition condition = problem_.normal_condition(stiffness);
+  const double response = condition.per_force * counts.dot(uniform) + condition.per_penetration;
+  // Forces come first, then the penetration times the stiffness; the preconditioner satisfies the last equation.
   const auto times = [&](const VectorXd& vector) {
     VectorXd result(count + 1);
     result.head(count).noalias() = matrix * vector.head(count);
     result.head(count).array() -= vector[count];
-    result[count] = counts.dot(vector.head(count));
+    result[count] = condition.per_force * counts.dot(vector.head(count)) + condition.per_penetration * vector[count];
     return result;
   };
   const auto precondition = [&](const VectorXd& right) {
     VectorXd result(count + 1);
     result.head(count) = approximate_forces(right.head(count));
-    result[count] = (right[count] - counts.dot(result.head(count))) / counts.dot(uniform);
+    result[count] = (right[count] - condition.per_force * counts.dot(result.head(count))) / response;
     result.head(count) += result[count] * uniform;
     return result;
   };
   VectorXd right(count + 1);
   right.head(count) = -stiffness * problem_.initial_gap(unknowns.nodes).matrix();
-  right[count] = problem_.normal_force;
+  right[count] = condition.value;
   VectorXd guess(count + 1);
   guess.head(count) = contact.pressing(unknowns.nodes).matrix();
-  guess[count] = stiffness * contact.penetration.value_or(0.0);
+  guess[count] = stiffness * problem_.penetration.value_or(contact.penetration.value_or(0.0));
   // A preconditioner in single precision is linear to six digits, so GMRES restarts after five.
   const KrylovTolerance round{
       .absolute = kFullAccuracy * right.norm(), .relative = kReductionPerRound, .small_system = count + 1};
@@ -147,7 +149,7 @@ void DensePressedSurface::press(PressedNodes& contact, double tolerance) {
         "the iterative solver of the contact equations did not converge: the relative residual is " + rounded(error),
         contact.passes, error);
   }
-  contact.penetration = solution.unknowns[count] / stiffness;
+  contact.penetration = problem_.penetration.value_or(solution.unknowns[count] / stiffness);
   contact.pressing.setZero();
   for (Index i = 0; i < count; ++i) {
     const Index node = unknowns.nodes[static_cast<std::size_t>(i)];

@@ -62,7 +62,11 @@ ContactSolution slide_kept_nodes(const ContactProblem& problem, ContactSolution 
 
 ContactSolution solve_frozen_contact(const ContactProblem& problem, ContactSolution kept,
                                      const ContactOptions& options) {
-  if (problem.friction) return slide_kept_nodes(problem, std::move(kept));
+  if (problem.friction) {
+    ContactProblem scaled = problem;
+    scale_by(kept, scaled);
+    return slide_kept_nodes(scaled, std::move(kept));
+  }
   return solve_given_nodes(
       problem, {.contact = kept.contact, .pressing = pressing_force(kept), .penetration = kept.penetration}, options);
 }

@@ -32,8 +32,11 @@ ContactOptions rough(ContactOptions options) {
   return options;
 }
 
-/// Return a guess without forces that contains the nodes up to a depth, and at least the lowest ones.
+/// Return a guess without forces that contains the nodes up to a depth, and at least the lowest ones. At a given
+/// penetration, the guess contains the overlapping nodes instead: no load keeps a larger set pressed, and an
+/// incompressible layer, which keeps its volume, would be in tension everywhere.
 NormalContactGuess guess_within(const ContactProblem& problem, double depth) {
+  depth = problem.penetration.value_or(depth);
   const ArrayXd& initial_gap = problem.initial_gap;
   NormalContactGuess guess{.contact = {}, .pressing = ArrayXd::Zero(initial_gap.size()), .penetration = 0.0};
   const double deepest = initial_gap.minCoeff();
@@ -112,6 +115,7 @@ LocatedContact pressed(const ContactProblem& problem, double contact_gap_limit, 
 
 /// Add friction on the window of `start`, a frictionless contact or a state with friction.
 LocatedContact add_friction(LocatedContact start, const ContactOptions& options) {
+  scale_by(start.contact, start.problem);
   start.contact = solve_frictional_contact(start.problem, start.contact, options);
   return start;
 }

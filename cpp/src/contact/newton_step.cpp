@@ -114,6 +114,7 @@ class Equations {
         preconditioner_(preconditioner),
         contacts_(static_cast<Index>(contact_.size())),
         forces_(contacts_ + 2 * stick_.count() + slip_.count()),
+        condition_(problem.normal_condition(scales.normal)),
         drive_(friction_.drive->row({*problem.surface, friction_.arms, state.force, own_displacement(state)},
                                     scales.tangential * friction_.step)) {
     if (slip_.count() > 0) {
@@ -129,7 +130,7 @@ class Equations {
     forward(right) = -scales_.normal * stick_.rigid_slip(0).matrix();
     sideways(right) = -scales_.normal * stick_.rigid_slip(1).matrix();
     across(right) = (-scales_.tangential * slip_.rigidity * across_direction(rigid_slip_)).matrix();
-    right[forces_] = problem_.normal_force;
+    right[forces_] = condition_.value;
     right[forces_ + 1] = drive_.value;
     return right;
   }
@@ -180,7 +181,8 @@ class Equations {
         e.col(0) * slipped(kSideways) - e.col(1) * slipped(kForward) + creepage * across_direction(per_creepage_);
     across(result) =
         ((1.0 - slip_.rigidity) * across(unknowns).array() + slip_.rigidity * scales_.tangential * turned).matrix();
-    result[forces_] = unknowns.head(contacts_).sum();
+    result[forces_] =
+        condition_.per_force * unknowns.head(contacts_).sum() + condition_.per_penetration * unknowns[forces_];
     result[forces_ + 1] = drive_.of(force, moved, creepage);
     return result;
   }
@@ -245,7 +247,7 @@ class Equations {
   [[nodiscard]] Eigen::Vector2d border_conditions(const VectorXd& forces) const {
     VectorXd unknowns = VectorXd::Zero(forces_ + 2);
     unknowns.head(forces_) = forces;
-    return {forces.head(contacts_).sum(), (drive_.force_coefficients * force(unknowns)).sum()};
+    return {condition_.per_force * forces.head(contacts_).sum(), (drive_.force_coefficients * force(unknowns)).sum()};
   }
 
   /// Compute the response of the forces to penetration and creepage, and the remaining 2 x 2 system for these two.
@@ -263,6 +265,7 @@ class Equations {
     Eigen::Matrix2d border;
     border.col(0) = -border_conditions(border_response_.col(0));
     border.col(1) = -border_conditions(border_response_.col(1));
+    border(0, 0) += condition_.per_penetration;
     border(1, 1) += drive_.creepage_coefficient / creepage_force();
     border_inverse_ = border.inverse();
   }
@@ -298,6 +301,7 @@ class Equations {
   const StickSlipPreconditioner& preconditioner_;
   Index contacts_;
   Index forces_;
+  NormalCondition condition_;
   DriveRow drive_;
   ComplexBuffer turning_symbol_;
   Eigen::MatrixX2d border_response_;

@@ -55,7 +55,22 @@ struct Validator {
     require_nonnegative(joined(prefix, "viscosity"), m.viscosity, "Pa s");
   }
 
-  void operator()(const FractionalZener& m) const {
+  void operator()(const FractionalZener& m) const { check_dispersion(m); }
+
+  void operator()(const HavriliakNegami& m) const {
+    check_dispersion(m);
+    if (!(m.asymmetry > 0.0 && m.asymmetry <= 1.0)) reject(joined(prefix, "asymmetry"), "in (0, 1]", m.asymmetry);
+  }
+
+  void operator()(const MasterCurve& m) const { detail::validate_table(m, prefix); }
+
+  void operator()(const CustomModulus& m) const {
+    if (!m.evaluate) reject(joined(prefix, "evaluate"), "a function", "none");
+  }
+
+ private:
+  template <class Solid>
+  void check_dispersion(const Solid& m) const {
     require_positive(joined(prefix, "relaxed_modulus"), m.relaxed_modulus, "Pa");
     if (!(std::isfinite(m.instantaneous_modulus) && m.instantaneous_modulus >= m.relaxed_modulus)) {
       reject(joined(prefix, "instantaneous_modulus"), ">= relaxed_modulus = " + text(m.relaxed_modulus) + " Pa",
@@ -63,12 +78,6 @@ struct Validator {
     }
     require_positive(joined(prefix, "relaxation_time"), m.relaxation_time, "s");
     if (!(m.order > 0.0 && m.order <= 1.0)) reject(joined(prefix, "order"), "in (0, 1]", m.order);
-  }
-
-  void operator()(const MasterCurve& m) const { detail::validate_table(m, prefix); }
-
-  void operator()(const CustomModulus& m) const {
-    if (!m.evaluate) reject(joined(prefix, "evaluate"), "a function", "none");
   }
 };
 
@@ -109,6 +118,23 @@ struct Evaluator {
       if (size > 1e100) return cplx(m.instantaneous_modulus);
       const cplx power = std::polar(size, half_pi * m.order);  // (i w tau)^alpha
       return m.relaxed_modulus + (m.instantaneous_modulus - m.relaxed_modulus) * (power / (1.0 + power));
+    });
+  }
+
+  void operator()(const HavriliakNegami& m) const {
+    const double half_pi = std::acos(0.0);
+    fill([&](double w) {
+      const double log_size = m.order * (std::log(w) + std::log(m.relaxation_time));
+      const double size = std::exp(log_size);
+      const cplx power = std::polar(size, half_pi * m.order);  // (i w tau)^alpha
+      // ln(1 + power) and 1 - 1 / (1 + power)^beta, without cancellation where the power is small
+      const cplx log = size < 1e100 ? cplx(0.5 * std::log1p(2.0 * power.real() + size * size), std::arg(1.0 + power))
+                                    : cplx(log_size, half_pi * m.order);
+      const cplx exponent = -m.asymmetry * log;
+      const double half_sine = std::sin(0.5 * exponent.imag());
+      const cplx risen(2.0 * half_sine * half_sine - std::expm1(exponent.real()) * std::cos(exponent.imag()),
+                       -std::exp(exponent.real()) * std::sin(exponent.imag()));
+      return m.relaxed_modulus + (m.instantaneous_modulus - m.relaxed_modulus) * risen;
     });
   }
 
@@ -169,6 +195,7 @@ double short_time_modulus(const ShearModulus& modulus, double highest_frequency)
   }
   if (const auto* m = std::get_if<Prony>(&modulus)) return m->instantaneous_modulus;
   if (const auto* m = std::get_if<FractionalZener>(&modulus)) return m->instantaneous_modulus;
+  if (const auto* m = std::get_if<HavriliakNegami>(&modulus)) return m->instantaneous_modulus;
   if (const auto* m = std::get_if<MasterCurve>(&modulus)) return m->storage.back();
   return complex_modulus(modulus, std::span(&highest_frequency, 1)).front().real();
 }

@@ -35,13 +35,13 @@ std::shared_ptr<const SurfaceOperator> surface_on(const SurfaceWindow& window, c
 Friction make_friction(const SurfaceWindow& window, const ContactSetup& given) {
   const LoadCase& load_case = given.load_case;
   RigidDisplacements rigid = rigid_slip(given.displaced_points(window), given.model.growth,
-                                        given.options.slip_kinematics, given.pair(), given_motion(load_case.drive));
+                                        given.options.slip_kinematics, given.pair(), given_motion(load_case));
   return {.coefficient = load_case.friction,
           .rigid_slip = std::move(rigid.slip),
           .counterbody_rigid_displacement = std::move(rigid.counterbody),
           .step = window.grid().radius * window.grid().phi_spacing,
           .arms = given.moment_arms(window),
-          .drive = condition_of(load_case.drive, given.pressure_work_factor()),
+          .drive = condition_of(load_case, given.pressure_work_factor()),
           .shared = given.model.starts->of(load_case, given.options, window.window())};
 }
 
@@ -72,16 +72,17 @@ MomentArms ContactSetup::moment_arms(const SurfaceWindow& window, const std::vec
 ContactProblem ContactSetup::problem(const SurfaceWindow& window) const {
   ContactProblem problem{.surface = surface_on(window, *this),
                          .initial_gap = initial_gap(displaced_points(window), model.growth, pair()),
-                         .normal_force = load_case.load,
+                         .normal_force = load_case.load.value_or(0.0),
                          .friction = std::nullopt,
                          .ends_at_sides = has_sides() && window.window().theta == nodes.widest.theta};
+  if (load_case.penetration) problem.penetration = *load_case.penetration + model.centrifugal;
   if (load_case.friction > 0.0) problem.friction = make_friction(window, *this);
   return problem;
 }
 
 ContactSetup assemble(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
   const double radius = model.pair.body->radius();
-  const ContactReach contact = estimate_contact(model.pair, load_case.angular_speed, load_case.load);
+  const ContactReach contact = estimate_contact(model.pair, load_case, model.centrifugal);
   const double half_chord = kAssumedShare * contact.along;
   return {.model = model,
           .load_case = load_case,

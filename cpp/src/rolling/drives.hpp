@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "contact/drive.hpp"
 #include "rolling/body.hpp"
@@ -24,12 +25,23 @@ struct GivenMotion {
 };
 
 /// @return the quantities that a drive prescribes
-[[nodiscard]] GivenMotion given_motion(const Drive& drive);
+[[nodiscard]] GivenMotion given_motion(const LoadCase& load_case);
+
+/// @brief How messages state the force or torque that a drive prescribes.
+struct DriveReport {
+  std::string_view parameter;  ///< for example "drive.torque"
+  double factor;               ///< value of the parameter divided by the force or torque
+  std::string_view unit;
+};
+
+/// @return the report for the drive of a load case
+[[nodiscard]] DriveReport drive_report(const LoadCase& load_case, const RoundBody& body);
 
 /// @brief Condition of a drive, which is a row of the system.
-/// @param[in] drive given drive, which determines the speed of the center
+/// @param[in] load_case load case, whose drive determines the speed of the center
 /// @param[in] pressure_work_factor same as in `moment_about_center`
-[[nodiscard]] std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_work_factor);
+[[nodiscard]] std::shared_ptr<const DriveCondition> condition_of(const LoadCase& load_case,
+                                                                 double pressure_work_factor);
 
 /// @throws InvalidInput for numbers that are not finite, and for a force or torque that friction cannot
 /// balance

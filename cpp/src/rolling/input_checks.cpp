@@ -58,32 +58,38 @@ std::array<SlidingDrive, 2> sliding_drives(const ContactSetup& setup, ContactPro
 
 /// Reject a drive with which the body would slide permanently.
 /// @param[in] least,most limits of the drive; between them the body rolls
-void require_between(const std::string& name, double given, double least, double most, const RoundBody& body,
-                     std::string_view unit) {
+void require_between(const DriveReport& report, double given, double least, double most, const RoundBody& body) {
   if (given > least && given < most) return;
-  const auto in_units = [unit](const std::string& number) { return number + " " + std::string(unit); };
-  reject(name,
-         "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + ", otherwise the " +
-             std::string(body.name()) + " slides permanently",
-         in_units(text(given)));
+  const auto in_units = [&](const std::string& number) { return number + " " + std::string(report.unit); };
+  reject(report.parameter,
+         "between " + in_units(rounded(report.factor * least)) + " and " + in_units(rounded(report.factor * most)) +
+             ", otherwise the " + std::string(body.name()) + " slides permanently",
+         in_units(text(report.factor * given)));
 }
 
 }  // namespace
 
-void reject_load(const RollingPair& pair, double load, const std::string& reason) {
-  reject("load", "small enough for the coating",
-         text(load) + " " + std::string(pair.body->form().load_unit) + " (the " + std::string(pair.body->name()) + " " +
-             reason + ")");
+void reject_load(const RollingPair& pair, const LoadCase& load_case, const std::string& reason) {
+  const bool is_load = load_case.load.has_value();
+  reject(is_load ? "load" : "penetration", "small enough for the coating",
+         text(is_load ? *load_case.load : *load_case.penetration) + " " +
+             std::string(is_load ? pair.body->form().load_unit : "m") + " (the " + std::string(pair.body->name()) +
+             " " + reason + ")");
+}
+
+void reject_contact_over_60_degrees(const RollingPair& pair, const LoadCase& load_case) {
+  reject_load(pair, load_case, "is in contact beyond 60 degrees to either side");
 }
 
 void reject_contact_over_60_degrees(const RollingPair& pair, double load) {
-  reject_load(pair, load, "is in contact beyond 60 degrees to either side");
+  reject_contact_over_60_degrees(pair, LoadCase{.load = load});
 }
 
 void require_depth(const RollingPair& pair, double load, double depth) {
   const double most = thickness(pair);
   if (!(depth < most)) {
-    reject_load(pair, load, "is pressed " + rounded(depth) + " m into a coating of thickness " + text(most) + " m");
+    reject_load(pair, LoadCase{.load = load},
+                "is pressed " + rounded(depth) + " m into a coating of thickness " + text(most) + " m");
   }
 }
 
@@ -95,9 +101,23 @@ void require_formulation(const MeshModel& model, const Options& options) {
   if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");
 }
 
-void require_supported_load(const MeshModel& model, double load) {
-  if (load <= load_upper_bound(model.pair, model.stiffest_modulus)) return;
-  reject_load(model.pair, load, "would be pressed through any coating of this stiffness");
+void require_supported(const MeshModel& model, const LoadCase& load_case) {
+  if (load_case.load) {
+    if (*load_case.load <= load_upper_bound(model.pair, model.stiffest_modulus)) return;
+    reject_load(model.pair, load_case, "would be pressed through any coating of this stiffness");
+  }
+  const double penetration = *load_case.penetration;
+  const std::string value = text(penetration) + " m";
+  if (!approach_exists(model.pair)) {
+    reject("penetration", "left out in line contact on a half-space, where it is undetermined: give the load", value);
+  }
+  const double least = -model.centrifugal;
+  if (!(penetration > least)) {
+    reject("penetration", "> " + (least == 0.0 ? "0 m" : rounded(least) + " m (minus the centrifugal displacement)"),
+           value);
+  }
+  const double most = thickness(model.pair);
+  if (!(penetration < most)) reject("penetration", "< " + text(most) + " m, the thickness of the coating", value);
 }
 
 void require_relaxed_stiffness(const ContactSetup& setup) {
@@ -127,40 +147,37 @@ void require_contact(const ContactSetup& setup, double friction, double penetrat
       setup.pair().body->require_stiffness();
       setup.pair().on->require_stiffness();
       // The remaining cause of a penetration that is not positive is a contact too wide for the equations.
-      reject_load(setup.pair(), setup.load_case.load, "would be pressed through the coating");
+      reject_load(setup.pair(), setup.load_case, "would be pressed through the coating");
     }
     reject("friction",
            "so small that the tangential forces do not lift the " + std::string(setup.pair().body->name()) +
                " out of contact",
            text(friction));
   }
-  require_depth(setup.pair(), setup.load_case.load, penetration - setup.model.centrifugal);
+  if (setup.load_case.load) require_depth(setup.pair(), *setup.load_case.load, penetration - setup.model.centrifugal);
 }
 
 void require_reachable_drive(const ContactSetup& setup, const ContactProblem& problem) {
   if (!problem.friction) return;
   const LoadCase& load_case = setup.load_case;
-  const GivenMotion given = given_motion(load_case.drive);
+  const GivenMotion given = given_motion(load_case);
   if (given.creepage) return;
   const RoundBody& body = *setup.pair().body;
   std::array<SlidingDrive, 2> limits{};
   try {
     limits = sliding_drives(setup, problem);
   } catch (const ConvergenceError&) {
+    if (!load_case.load) return;
     // Bounds instead of solutions: the moment arms of friction and of pressure are at most the radius, and the slope of
     // the counterbody is at most 1.
-    const double largest = (load_case.friction + 2.0) * load_case.load;
+    const double largest = (load_case.friction + 2.0) * *load_case.load;
     limits = {SlidingDrive{-largest, -largest * body.radius()}, SlidingDrive{largest, largest * body.radius()}};
   }
   const auto& [skidding, spinning] = limits;
-  if (given.force) {
-    const auto [least, most] = std::minmax(skidding.force, spinning.force);
-    require_between("drive.force", *given.force, least, most, body, body.form().load_unit);
-  }
-  if (given.torque) {
-    const auto [least, most] = std::minmax(skidding.moment, spinning.moment);
-    require_between("drive.torque", *given.torque, least, most, body, body.form().torque_unit);
-  }
+  const DriveReport report = drive_report(load_case, body);
+  const auto [least, most] =
+      given.force ? std::minmax(skidding.force, spinning.force) : std::minmax(skidding.moment, spinning.moment);
+  require_between(report, given.force ? *given.force : *given.torque, least, most, body);
 }
 
 }  // namespace viscoroll::detail

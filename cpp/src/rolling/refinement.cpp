@@ -13,6 +13,7 @@
 #include "base/validate.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
+#include "rolling/input_checks.hpp"
 #include "rolling/result.hpp"
 #include "rolling/solve_load_case.hpp"
 #include "viscoroll/errors.hpp"
@@ -71,14 +72,18 @@ struct Answer {
 /// Scalar results that are checked for convergence, always in the same order for the same load case.
 std::vector<Answer> answers(const Result& result, const LoadCase& load_case, double radius) {
   const double torque = std::abs(result.resisting_torque);
-  const double negligible = std::max(1e-10 * load_case.load * result.semi_axis_x, std::numeric_limits<double>::min());
+  const double negligible = std::max(1e-10 * result.load * result.semi_axis_x, std::numeric_limits<double>::min());
   const double force = torque / radius;
   std::vector<Answer> answers{{result.resisting_torque, std::max(torque, negligible)}};
-  if (result.penetration) answers.push_back({*result.penetration, std::abs(*result.penetration)});
+  if (!load_case.load) {
+    answers.push_back({result.load, result.load});
+  } else if (result.penetration) {
+    answers.push_back({*result.penetration, std::abs(*result.penetration)});
+  }
   if (load_case.friction == 0.0) return answers;
   answers.push_back(
       {result.dissipated_power, std::max(std::abs(result.dissipated_power), negligible * load_case.angular_speed)});
-  const GivenMotion given = given_motion(load_case.drive);
+  const GivenMotion given = given_motion(load_case);
   if (!given.torque) {
     answers.push_back({result.driving_torque, std::max({std::abs(result.driving_torque), torque, negligible})});
   }
@@ -113,7 +118,7 @@ class Refiner {
  public:
   Refiner(const RollingPair& pair, const LoadCase& load_case, const Options& options, Watch& watch)
       : pair_(pair), load_case_(load_case), options_(options), watch_(watch) {
-    const ContactReach contact = estimate_contact(pair, load_case.angular_speed, load_case.load);
+    const ContactReach contact = estimate_contact(pair, load_case, centrifugal());
     if (std::isfinite(width(pair))) aspect_ = aspect_of(contact);
     // The first mesh serves to estimate the error of the second, which should suffice.
     const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * pair.body->radius() / contact.along;
@@ -132,6 +137,16 @@ class Refiner {
   }
 
  private:
+  /// Centrifugal displacement if the estimate of the contact depends on it, which is the case at a given penetration.
+  [[nodiscard]] double centrifugal() const {
+    if (load_case_.load) return 0.0;
+    const Mesh coarse{.nodes_per_revolution = kFewestNodesPerRevolution};
+    const MeshModel model = make_model(pair_, load_case_.angular_speed, coarse, options_.curvature,
+                                       {.threads = options_.threads, .watch = watch_});
+    require_supported(model, load_case_);
+    return model.centrifugal;
+  }
+
   [[nodiscard]] Mesh make_mesh(double nodes_per_revolution) const {
     Mesh mesh{.nodes_per_revolution = whole_nodes(nodes_per_revolution)};
     if (aspect_) mesh.theta_nodes_per_revolution = whole_nodes(mesh.nodes_per_revolution / *aspect_);

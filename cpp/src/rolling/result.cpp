@@ -110,7 +110,7 @@ class Summary {
     r.semi_axis_z = extent.semi_axis_z;
     r.contact_width = extent.width;
     if (!given_.approach_exists()) return;
-    const double penetration = contact_.penetration - given_.model.centrifugal;
+    const double penetration = given_.load_case.penetration.value_or(contact_.penetration - given_.model.centrifugal);
     r.penetration = penetration;
     r.center_height = radius() - penetration;
     // In a half-space, the contact width takes the place of the thickness.
@@ -122,8 +122,9 @@ class Summary {
     const auto forward = force_.col(kForward);
     const std::vector<Index>& contact = contact_.contact;
     r.resisting_torque = -(pressure_moment_arm(window_, given_.pair(), contact) * force_.col(kDown)).sum();
-    const double load = given_.load_case.load;
-    const GivenMotion motion = given_motion(given_.load_case.drive);
+    const double load = given_.load_case.load.value_or(-force_.col(kDown).sum());
+    r.load = load;
+    const GivenMotion motion = given_motion(given_.load_case);
     r.driving_force = settled(-forward.sum() + counterbody_force(r), load, motion.force);
     const auto sideways = force_.col(kSideways);
     r.lateral_force = settled(sideways.sum(), load);
@@ -136,7 +137,7 @@ class Summary {
 
   void add_powers(Result& r) const {
     const LoadCase& load_case = given_.load_case;
-    const GivenMotion motion = given_motion(load_case.drive);
+    const GivenMotion motion = given_motion(load_case);
     r.creepage = motion.creepage ? motion.creepage : contact_.creepage;
     if (r.creepage) r.linear_speed = (1.0 + *r.creepage) * load_case.angular_speed * radius();
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
@@ -148,14 +149,14 @@ class Summary {
     }
     r.dissipated_power = r.bulk_power + r.slip_power;
     r.rolling_resistance_coefficient =
-        r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (load_case.load * std::abs(speed));
+        r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (r.load * std::abs(speed));
     double work =
         r.driving_torque * load_case.angular_speed + (r.driving_force + force_of_turning_counterbody(r)) * speed;
     const double guided = r.lateral_force * motion.lateral_creepage + r.spin_moment * motion.spin;
     work -= guided * load_case.angular_speed * radius();
     // Smaller powers, relative to the largest torque that the load could cause, are round-off of a lossless coating.
     const double negligible =
-        std::max(1e-10 * load_case.load * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());
+        std::max(1e-10 * r.load * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());
     r.energy_balance_error =
         std::abs(work - r.dissipated_power) / std::max({std::abs(work), std::abs(r.dissipated_power), negligible});
   }

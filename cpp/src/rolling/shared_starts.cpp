@@ -24,12 +24,12 @@ std::vector<double> numbers_of(const GivenMotion& motion) {
 }  // namespace
 
 std::shared_ptr<SharedStart> SharedStarts::of(const LoadCase& load_case, const Options& options, const Window& window) {
-  Key key = numbers_of(given_motion(load_case.drive));
-  for (const double number :
-       {load_case.load, static_cast<double>(options.compliance), static_cast<double>(options.patch_load),
-        static_cast<double>(options.slip_kinematics), static_cast<double>(options.max_iterations),
-        static_cast<double>(window.phi.first), static_cast<double>(window.phi.last),
-        static_cast<double>(window.theta.first), static_cast<double>(window.theta.last)}) {
+  Key key = numbers_of(given_motion(load_case));
+  for (const double number : {load_case.load.value_or(0.0), load_case.penetration.value_or(0.0),
+                              static_cast<double>(options.compliance), static_cast<double>(options.patch_load),
+                              static_cast<double>(options.slip_kinematics), static_cast<double>(options.max_iterations),
+                              static_cast<double>(window.phi.first), static_cast<double>(window.phi.last),
+                              static_cast<double>(window.theta.first), static_cast<double>(window.theta.last)}) {
     key.push_back(number);
   }
   const std::scoped_lock lock(mutex_);

@@ -149,7 +149,9 @@ bool holds_contact_roughly(const ContactSetup& setup, const HalfWidths& half, bo
     if (curvature == Curvature::exact) curvature = Curvature::sphere;
   }
   const MeshModel rough = make_model(setup.pair(), load_case.angular_speed, mesh, curvature, setup.execution);
-  const LoadCase pressed{.load = load_case.load, .angular_speed = load_case.angular_speed};
+  LoadCase pressed = load_case;
+  pressed.friction = 0.0;
+  pressed.drive = {};
   const ContactSetup roughly = assemble(rough, pressed, options, setup.execution.watch);
   const int to_side = setup.has_sides() ? roughly.nodes.widest.theta.last : std::numeric_limits<int>::max();
   const HalfWidths width{.phi = coarsened(half.phi) + 1, .theta = std::min(coarsened(half.theta) + 1, to_side)};
@@ -167,7 +169,7 @@ bool holds_rough_contact(const ContactSetup& setup, const HalfWidths& half, bool
   const double depth_at_edge = grid.radius * (1.0 - std::cos(angle));
   const double bearable_depth = kPressedThrough * thickness(setup.pair());
   const auto reject_if_beyond = [&](double depth) {
-    if (depth > bearable_depth) reject_load(setup.pair(), setup.load_case.load, "would be pressed through it");
+    if (depth > bearable_depth) reject_load(setup.pair(), setup.load_case, "would be pressed through it");
   };
   // The simplified equations may require a larger window than the given ones, which costs little. In the widest window
   // they might reject a load that the given equations support, so that the given ones decide.
@@ -208,7 +210,7 @@ WindowContact find_contact_in_window(const ContactSetup& setup, const std::optio
     }
     is_seen = false;
     if (is_widest) {
-      reject_contact_over_60_degrees(setup.pair(), setup.load_case.load);
+      reject_contact_over_60_degrees(setup.pair(), setup.load_case);
     }
     half = at_most_widest(half.phi + half.phi / 2 + 1, half.theta + half.theta / 2 + 1);
   }

@@ -43,10 +43,6 @@ __all__ = [
 ]
 
 
-#: Modules whose classes are not names of `viscoroll` itself.
-_NESTED = frozenset({"enums", "materials", "rheology"})
-
-
 def require_type(name: str, value: object, kind: type | UnionType, *, optional: bool = False) -> None:
     """Raise a TypeError unless `value` is an instance of `kind`, or None if that is allowed (`optional`)."""
     if not (isinstance(value, kind) or (optional and value is None)):
@@ -60,8 +56,10 @@ def kind_names(kind: type | UnionType) -> str:
 
 
 def _public_name(kind: type) -> str:
-    package = "enums" if issubclass(kind, Enum) else kind.__module__.split(".")[1]
-    return f"viscoroll.{f'{package}.' if package in _NESTED else ''}{kind.__name__}"
+    root = kind.__module__.split(".")[0]
+    if kind.__name__ in sys.modules[root].__all__:
+        return f"{root}.{kind.__name__}"
+    return f"{root}.{'enums' if issubclass(kind, Enum) else kind.__module__.split('.')[1]}.{kind.__name__}"
 
 
 def as_member(name: str, value: Member | str, kind: type[Member]) -> Member:

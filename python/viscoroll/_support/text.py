@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 
-__all__ = ["finite_number", "one_line", "parsed_range", "shown"]
+__all__ = ["finite_number", "one_line", "parsed_range", "shown", "snake_case"]
 
 #: Longest text of a value in messages [characters].
 _LONGEST = 120
@@ -43,3 +44,8 @@ def parsed_range(text: str) -> tuple[float, float] | None:
 def one_line(message: str) -> str:
     """Return a message in which escapes replace line breaks and other characters that are not printable."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in message)
+
+
+def snake_case(name: str) -> str:
+    """Return the name of a class with underscores between its words, in lower case."""
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()

@@ -7,9 +7,10 @@ __all__ = ["UNITS", "unit_in_contact"]
 #: Units in line contact of quantities that are per length there.
 _PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "J": "J/m", "m^2": "m"}
 
-#: Units of parameters of this package.
+#: Units of parameters of this package. Moduli and drives add those of their parameters.
 UNITS = {
     "load": "N",
+    "penetration": "m",
     "angular_speed": "rad/s",
     "friction": "1",
     "accuracy": "1",
@@ -28,23 +29,6 @@ UNITS = {
     "conductivity": "W/(m K)",
     "poisson_ratio": "1",
     "bulk_modulus": "Pa",
-    "modulus": "Pa",
-    "viscosity": "Pa s",
-    "instantaneous_modulus": "Pa",
-    "relaxed_modulus": "Pa",
-    "relaxation_time": "s",
-    "relaxation_times": "s",
-    "weights": "1",
-    "instantaneous_compliance": "1/Pa",
-    "compliances": "1/Pa",
-    "retardation_times": "s",
-    "frequency": "rad/s",
-    "order": "1",
-    "storage": "Pa",
-    "loss": "Pa",
-    "loss_factor": "1",
-    "reference_frequency": "rad/s",
-    "decades": "1",
     "hardness": "Shore",
     "rebound": "1",
     "critical_strain": "1",

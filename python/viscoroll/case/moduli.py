@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import partial, reduce
+from operator import or_
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from .. import materials
 from .._core import Extrapolation
@@ -14,6 +15,7 @@ from .._support.errors import InvalidInput, in_file
 from .._support.extras import extra
 from .._support.text import shown
 from ..materials import Arrhenius, LossFactor, WilliamsLandelFerry
+from ..materials.moduli import MODULI
 from ..materials.networks import Network
 from ..materials.strain_sweep import StrainKind
 from ..rheology import example_material, hardness_to_modulus, load_material, rebound_to_loss_factor
@@ -192,24 +194,27 @@ def _softening(*, matrix: Any, network: Network | Callable[[Any], materials.Stra
     return materials.SofteningModulus(matrix=matrix, network=made)
 
 
-_Linear: TypeAlias = Annotated[
-    Annotated[materials.Elastic, Table("elastic")]
-    | Annotated[materials.StandardLinearSolid, Table("standard_linear_solid")]
-    | Annotated[materials.Prony, Table("prony")]
-    | Annotated[materials.CreepCompliance, Table("creep_compliance")]
-    | Annotated[materials.KelvinVoigt, Table("kelvin_voigt")]
-    | Annotated[materials.FractionalZener, Table("fractional_zener")]
-    | Annotated[
-        materials.MasterCurve,
+#: Annotations of moduli whose tables do not contain only numbers.
+_ANNOTATIONS: dict[str, tuple[object, ...]] = {
+    "master_curve": (
         Table("master_curve", extrapolation=Annotated[Extrapolation, ByName()]),
         _columns_of("master curve", materials.MasterCurve, "frequency", "storage", "loss"),
-    ]
-    | Annotated[LossFactor, Table("loss_factor")]
-    | Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)]
-    | Annotated[materials.ShearModulus, Table("published", _published)]
-    | Annotated[materials.ShearModulus, Table("measured", _measured, file=FileName, temperature=float)],
-    Field(discriminator="type"),
-]
+    )
+}
+
+#: Tables of the moduli of the core, and of others, which Python makes from these.
+_TABLES = (
+    *(Annotated[(kind, *_ANNOTATIONS.get(name, (Table(name),)))] for name, kind in MODULI.items()),
+    Annotated[LossFactor, Table("loss_factor")],
+    Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)],
+    Annotated[materials.ShearModulus, Table("published", _published)],
+    Annotated[materials.ShearModulus, Table("measured", _measured, file=FileName, temperature=float)],
+)
+
+if TYPE_CHECKING:
+    _Linear: TypeAlias = materials.ShearModulus
+else:
+    _Linear = Annotated[reduce(or_, _TABLES), Field(discriminator="type")]
 
 #: A number is an elastic modulus, a text the name of a material file.
 _Abbreviated = (BeforeValidator(_as_table), AlsoAs("number", "string"))

@@ -87,7 +87,7 @@ class LossFactor(ShearModulus):
             relaxation_times=tuple(times / self.reference_frequency),
         )
 
-    def _to_core(self) -> _core.Prony:
+    def _to_core(self) -> _core.ShearModulus:
         return self.prony()._to_core()
 
 

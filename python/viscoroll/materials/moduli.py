@@ -6,36 +6,28 @@ The loss modulus of a passive material is not negative at ω ≥ 0.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from numbers import Complex
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
 import numpy as np
 
 from .. import _core
-from .._support.arguments import as_float, as_float_array, as_floats, as_member, store_floats
+from .._support.arguments import as_float
 from .._support.errors import InvalidInput, InvalidType
-from .._support.tables import ParameterTable
-from .._support.text import shown
+from .._support.text import shown, snake_case
+from .shear_modulus import Relaxation, ShearModulus
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    _CoreModulus: TypeAlias = (
-        _core.Elastic
-        | _core.Prony
-        | _core.KelvinVoigt
-        | _core.FractionalZener
-        | _core.MasterCurve
-        | _core.CustomModulus
-    )
+    from numpy.typing import NDArray
 
 __all__ = [
+    "MODULI",
     "CreepCompliance",
     "Elastic",
     "FractionalZener",
+    "HavriliakNegami",
     "KelvinVoigt",
     "MasterCurve",
     "Prony",
@@ -47,79 +39,6 @@ __all__ = [
     "relaxation_of",
     "standard_linear_solid_of",
 ]
-
-
-@dataclass(frozen=True, slots=True)
-class Relaxation:
-    """Relaxation function Σ M_k exp(-t/τ_k), in parallel with a dashpot.
-
-    Attributes
-    ----------
-    moduli : ndarray, shape (k,)
-        Moduli M_k [Pa]; the last one is the relaxed modulus.
-    times : ndarray, shape (k,)
-        Relaxation times τ_k [s]; the last one is infinite.
-    viscosity : float
-        Viscosity of the dashpot [Pa s].
-    """
-
-    moduli: NDArray[np.float64]
-    times: NDArray[np.float64]
-    viscosity: float = 0.0
-
-    @property
-    def longest_time(self) -> float:
-        """Longest finite relaxation time [s]; 0 if there is none."""
-        return float(self.times[:-1].max(initial=0.0))
-
-
-class ShearModulus(ParameterTable, ABC):
-    """Base class of the moduli defined in this module."""
-
-    __slots__ = ()
-
-    #: Exponents of stress and time in the units of the parameters, for example (1, 1) for a viscosity [Pa s].
-    _units: ClassVar[dict[str, tuple[int, int]]] = {}
-
-    def __post_init__(self) -> None:
-        """Store numbers as floats and check the parameters."""
-        store_floats(self, [field.name for field in fields(self) if field.type == "float"])  # type: ignore[arg-type]
-        _core.validate_modulus(self._to_core())
-
-    @abstractmethod
-    def _to_core(self) -> _CoreModulus:
-        """Return the corresponding modulus of the C++ core."""
-
-    def complex_modulus(self, angular_frequency: ArrayLike) -> NDArray[np.complex128]:
-        """Evaluate μ*(ω).
-
-        Parameters
-        ----------
-        angular_frequency : array_like
-            ω [rad/s], ≥ 0, of any shape.
-
-        Returns
-        -------
-        ndarray of complex
-            Shear modulus [Pa], of the same shape, with a loss modulus ≥ 0; real at ω = 0.
-
-        Raises
-        ------
-        TypeError
-            If the frequencies are not real numbers.
-        ValueError
-            If a frequency is negative or infinite, or outside the table of a master curve with `extrapolation="error"`.
-        """
-        omega = as_float_array("angular_frequency", angular_frequency)
-        return _core.complex_modulus(self._to_core(), omega.ravel()).reshape(omega.shape)
-
-    def _relaxation(self) -> Relaxation | None:
-        """Return the relaxation function, or None if it is not a sum of exponentials."""
-        return None
-
-    def _standard_linear_solid(self) -> StandardLinearSolid | None:
-        """Return the standard linear solid that equals this modulus, or None if there is none."""
-        return None
 
 
 #: Types accepted as a shear modulus [Pa]: a modulus of this package; a number, for an elastic material; or a function
@@ -147,9 +66,6 @@ class Elastic(ShearModulus):
 
     def _relaxation(self) -> Relaxation:
         return Relaxation(np.array([self.modulus]), np.array([np.inf]))
-
-    def _to_core(self) -> _core.Elastic:
-        return _core.Elastic(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -182,9 +98,7 @@ class Prony(ShearModulus):
     _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxation_times": (0, 1)}
 
     def __post_init__(self) -> None:
-        """Convert the sequences to tuples and check the parameters."""
-        object.__setattr__(self, "weights", as_floats("weights", self.weights))
-        object.__setattr__(self, "relaxation_times", as_floats("relaxation_times", self.relaxation_times))
+        """Convert and check the parameters, and drop terms of weight 0."""
         ShearModulus.__post_init__(self)
         terms = [term for term in zip(self.weights, self.relaxation_times, strict=True) if term[0] > 0.0]
         for name, column in zip(
@@ -195,9 +109,6 @@ class Prony(ShearModulus):
     def _relaxation(self) -> Relaxation:
         fractions = np.append(self.weights, 1.0 - np.sum(self.weights))
         return Relaxation(self.instantaneous_modulus * fractions, np.append(self.relaxation_times, np.inf))
-
-    def _to_core(self) -> _core.Prony:
-        return _core.Prony(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -232,8 +143,8 @@ class StandardLinearSolid(ShearModulus):
     def _standard_linear_solid(self) -> StandardLinearSolid:
         return self
 
-    def _to_core(self) -> _core.Prony:
-        series = _core.standard_linear_solid(**_parameters_of(self))
+    def _to_core(self) -> _core.ShearModulus:
+        core = ShearModulus._to_core(self)
         # At lower ratios, round-off of the stored weight, 1 - ratio, leaves fewer than four digits of the modulus.
         if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
             raise InvalidInput(
@@ -241,7 +152,7 @@ class StandardLinearSolid(ShearModulus):
                 f"must be >= 1e-12 instantaneous_modulus = {1e-12 * self.instantaneous_modulus:g} Pa",
                 f"{self.relaxed_modulus:g}",
             )
-        return series
+        return core
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -274,26 +185,12 @@ class CreepCompliance(ShearModulus):
     retardation_times: Sequence[float] | NDArray[np.float64]
     _units: ClassVar = {"instantaneous_compliance": (-1, 0), "compliances": (-1, 0), "retardation_times": (0, 1)}
 
-    def __post_init__(self) -> None:
-        """Convert the columns to tuples and check the parameters."""
-        for name in ("compliances", "retardation_times"):
-            object.__setattr__(self, name, as_floats(name, getattr(self, name)))
-        ShearModulus.__post_init__(self)
-
     def prony(self) -> Prony:
         """Return the Prony series that equals this modulus."""
-        series = self._to_core()
-        return Prony(
-            instantaneous_modulus=series.instantaneous_modulus,
-            weights=tuple(series.weights),
-            relaxation_times=tuple(series.relaxation_times),
-        )
+        return Prony(**self._to_core().parameters())
 
     def _relaxation(self) -> Relaxation:
         return self.prony()._relaxation()
-
-    def _to_core(self) -> _core.Prony:
-        return _core.creep_compliance(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -319,9 +216,6 @@ class KelvinVoigt(ShearModulus):
 
     def _relaxation(self) -> Relaxation:
         return Relaxation(np.array([self.modulus]), np.array([np.inf]), self.viscosity)
-
-    def _to_core(self) -> _core.KelvinVoigt:
-        return _core.KelvinVoigt(**_parameters_of(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -356,8 +250,46 @@ class FractionalZener(ShearModulus):
     order: float
     _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxed_modulus": (1, 0), "relaxation_time": (0, 1)}
 
-    def _to_core(self) -> _core.FractionalZener:
-        return _core.FractionalZener(**_parameters_of(self))
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HavriliakNegami(ShearModulus):
+    """Havriliak-Negami solid, for asymmetric transitions: μ* = G₀ - (G₀ - G_∞) / (1 + (iωτ)^α)^β.
+
+    The loss modulus increases as ω^α below its peak and decreases as ω^(-αβ) above it.
+
+    Parameters
+    ----------
+    instantaneous_modulus : float
+        Shear modulus G₀ at infinite frequency [Pa], at least `relaxed_modulus`.
+    relaxed_modulus : float
+        Shear modulus G_∞ at zero frequency [Pa], > 0.
+    relaxation_time : float
+        Relaxation time τ [s], > 0.
+    order : float
+        Exponent α [-], in (0, 1].
+    asymmetry : float
+        Exponent β [-], in (0, 1]; 1 gives the fractional Zener solid, which is the Cole-Cole model; with α = 1, the
+        solid is the Cole-Davidson model.
+
+    References
+    ----------
+    S. Havriliak and S. Negami, Polymer 8 (1967) 161-210, with the modulus in place of the permittivity.
+
+    Examples
+    --------
+    >>> solid = HavriliakNegami(
+    ...     instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0, asymmetry=1.0
+    ... )
+    >>> solid.complex_modulus([8.0]).round()
+    array([4500000.+1500000.j])
+    """
+
+    instantaneous_modulus: float
+    relaxed_modulus: float
+    relaxation_time: float
+    order: float
+    asymmetry: float
+    _units: ClassVar = {"instantaneous_modulus": (1, 0), "relaxed_modulus": (1, 0), "relaxation_time": (0, 1)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -395,18 +327,16 @@ class MasterCurve(ShearModulus):
     extrapolation: _core.Extrapolation = _core.Extrapolation.ERROR
     _units: ClassVar = {"frequency": (0, -1), "storage": (1, 0), "loss": (1, 0)}
 
-    def __post_init__(self) -> None:
-        """Convert the columns to tuples and check the table."""
-        for name in ("frequency", "storage", "loss"):
-            object.__setattr__(self, name, as_floats(name, getattr(self, name)))
-        object.__setattr__(self, "extrapolation", as_member("extrapolation", self.extrapolation, _core.Extrapolation))
-        ShearModulus.__post_init__(self)
 
-    def _to_core(self) -> _core.MasterCurve:
-        return _core.MasterCurve(**_parameters_of(self))
+#: Moduli of the C++ core, by the names of their types in case files.
+MODULI = {
+    snake_case(name): kind
+    for name, kind in vars().copy().items()
+    if isinstance(kind, type) and issubclass(kind, ShearModulus) and kind is not ShearModulus
+}
 
 
-def to_core(modulus: ShearModulusLike) -> _CoreModulus:
+def to_core(modulus: ShearModulusLike) -> _core.ShearModulus:
     """Convert any accepted modulus to the corresponding modulus of the C++ core.
 
     Raises
@@ -415,7 +345,7 @@ def to_core(modulus: ShearModulusLike) -> _CoreModulus:
         If `modulus` is neither a modulus of this package, nor callable, nor a number.
     """
     accepted = as_modulus(modulus)
-    return accepted._to_core() if isinstance(accepted, ShearModulus) else _core.CustomModulus(_checked(accepted))
+    return accepted._to_core() if isinstance(accepted, ShearModulus) else _core.custom_modulus(_checked(accepted))
 
 
 def relaxation_of(modulus: ShearModulusLike) -> Relaxation | None:
@@ -425,7 +355,8 @@ def relaxation_of(modulus: ShearModulusLike) -> Relaxation | None:
 
 def standard_linear_solid_of(modulus: ShearModulusLike) -> StandardLinearSolid | None:
     """Return the standard linear solid that equals a modulus, or None if there is none."""
-    return modulus._standard_linear_solid() if isinstance(modulus, ShearModulus) else None
+    solid: StandardLinearSolid | None = modulus._standard_linear_solid() if isinstance(modulus, ShearModulus) else None
+    return solid
 
 
 def measured_range_of(moduli: Iterable[ShearModulusLike], *, held: bool = False) -> tuple[float, float] | None:
@@ -458,11 +389,6 @@ def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]
             f"{shown(modulus)}{_hint_for_a_modulus(modulus)}",
         ) from None
     return Elastic(modulus=number)
-
-
-def _parameters_of(modulus: ShearModulus) -> dict[str, Any]:
-    """Return the parameters of a modulus, with the names and types that the core uses."""
-    return {field.name: getattr(modulus, field.name) for field in fields(modulus)}  # type: ignore[arg-type]
 
 
 def _hint_for_a_modulus(rejected: object) -> str:

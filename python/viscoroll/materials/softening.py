@@ -17,8 +17,6 @@ from .networks import Network
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from .moduli import _CoreModulus
-
 __all__ = ["SoftenedModulus", "SofteningModulus", "depends_on_strain"]
 
 #: Decades above and below ω₀ = Ω R/a over which the network has a constant loss factor. The frequencies of a contact
@@ -92,7 +90,7 @@ class SofteningModulus(ShearModulus):
         storage, loss = (float(part) for part in self.network.at(as_float("amplitude", amplitude)))
         return SoftenedModulus(matrix=self.matrix, network=_causal(storage, scale * loss, reference_frequency))
 
-    def _to_core(self) -> _core.CustomModulus:
+    def _to_core(self) -> _core.ShearModulus:
         raise InvalidType(
             "shear_modulus",
             "must not depend on strain here",
@@ -122,10 +120,10 @@ class SoftenedModulus(ShearModulus):
             return np.zeros(angular_frequency.shape, np.complex128)
         return self.network.complex_modulus(angular_frequency)
 
-    def _to_core(self) -> _CoreModulus:
+    def _to_core(self) -> _core.ShearModulus:
         if self.network is None:
             return to_core(self.matrix)
-        return _core.CustomModulus(self._sum)
+        return _core.custom_modulus(self._sum)
 
     def _sum(self, angular_frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
         return _core.complex_modulus(to_core(self.matrix), angular_frequency) + self.network_modulus(angular_frequency)

@@ -91,7 +91,7 @@ class HistoryOptions:
         """Convert the types; the core checks the values."""
         require_type("mesh", self.mesh, Mesh, optional=True)
         require_type("drive", self.drive, Drive)
-        if self.drive.creepage is not None:
+        if self.drive.force is None and self.drive.torque is None:
             raise InvalidInput(
                 "drive", "must be a force or a torque in transient rolling; prescribe center_displacement instead"
             )

@@ -89,6 +89,7 @@ def with_layer(**changes):
         (example(load="much"), "rolling.load", "rolling.load must be a valid number"),
         (example(angular_speed=1e6), "angular_speed", "angular_speed must be below the critical speed"),
         (example(friction=0.1, drive={"force": 50.0}), "drive.force", "drive.force must be smaller than"),
+        (example(friction=0.1, drive={"power": 50.0}), "drive.power", "drive.power must be between"),
         (with_layer(thickness=0.0), "ball.layers[0].thickness", "ball.layers[0].thickness must be > 0 m"),
         (with_layer(poisson_ratio=0.7), "ball.layers[0].poisson_ratio", "poisson_ratio must be in"),
         (

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
+import sys
 import tomllib
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,9 +14,12 @@ import jsonschema
 import pytest
 import viscoroll as vr
 from shared_cases import command
+from viscoroll._support.units import UNITS
 from viscoroll.case import build_case, example_text, motion
+from viscoroll.case.descriptions import parameter_schemas
 from viscoroll.case.schema import json_schema
 from viscoroll.case.tables import checked
+from viscoroll.materials.moduli import MODULI
 
 ROOT = Path(__file__).parents[3]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -45,6 +50,20 @@ def test_the_schema_is_valid():
 
 def test_the_command_prints_it():
     assert json.loads(command("schema").stdout) == json.loads(json.dumps(SCHEMA))
+
+
+def test_types_of_the_npm_package_follow_from_it():
+    script = ROOT / "wasm" / "make_types.py"
+    subprocess.run([sys.executable, script, "--check"], check=True)
+
+
+def test_units_of_parameters_are_those_of_their_descriptions():
+    spelled = {"kg/m³": "kg/m^3", "-": "1"}
+    for kind in (*MODULI.values(), vr.LossFactor, vr.Layer, vr.Drive):
+        for name, found in parameter_schemas(kind).items():
+            unit = re.search(r"\[(.*?)\]", found["description"])
+            if name in UNITS and unit and "[" in found["description"].split(",")[0]:
+                assert spelled.get(unit[1], unit[1]) == UNITS[name], (kind, name)
 
 
 @pytest.mark.parametrize("name", EXAMPLES)

@@ -138,6 +138,13 @@ MATERIALS = {
         "relaxation_time = 1\norder = 0.5",
         vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=1.0, order=0.5),
     ),
+    "havriliak_negami": (
+        'type = "havriliak_negami"\ninstantaneous_modulus = 6e6\nrelaxed_modulus = 3e6\n'
+        "relaxation_time = 1\norder = 0.5\nasymmetry = 0.25",
+        vr.HavriliakNegami(
+            instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=1.0, order=0.5, asymmetry=0.25
+        ),
+    ),
     "master_curve": (
         'type = "master_curve"\nfrequency = [1.0, 2.0]\nstorage = [1e6, 2e6]\nloss = [0.0, 1e5]\n'
         'extrapolation = "hold"',

@@ -68,6 +68,9 @@ MODULI = {
     "creep": vr.CreepCompliance(instantaneous_compliance=1e-6, compliances=[1e-6], retardation_times=[0.2]),
     "Kelvin-Voigt": vr.KelvinVoigt(modulus=2e6, viscosity=1e4),
     "fractional": vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.4),
+    "Havriliak-Negami": vr.HavriliakNegami(
+        instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.8, asymmetry=0.4
+    ),
     "master curve": vr.MasterCurve([1e-3, 1.0, 1e6], [1e6, 2e6, 4e6], [1e5, 2e5, 1e5]),
     "loss factor": vr.LossFactor(modulus=1e6, loss_factor=0.2, reference_frequency=10.0),
     "function": lambda omega: 1e6 + 1e5j * np.sign(omega),
@@ -110,6 +113,43 @@ def test_fractional_zener():
 def test_fractional_zener_of_order_one_is_the_standard_linear_solid(rubber):
     solid = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0)
     np.testing.assert_allclose(solid.complex_modulus(OMEGA), rubber.complex_modulus(OMEGA), rtol=1e-14)
+
+
+def havriliak_negami(omega, order, asymmetry):
+    """Return the modulus of `HAVRILIAK_NEGAMI` with other exponents, evaluated with 50 digits."""
+    with mpmath.workdps(50):
+        power = (1j * mpmath.mpf(omega) * mpmath.mpf(0.125)) ** mpmath.mpf(order)
+        return complex(6e6 - (6e6 - 2.0) / (1 + power) ** mpmath.mpf(asymmetry))
+
+
+HAVRILIAK_NEGAMI = {"instantaneous_modulus": 6e6, "relaxed_modulus": 2.0, "relaxation_time": 0.125}
+
+
+@pytest.mark.parametrize("asymmetry", [1e-3, 0.25, 0.9, 1.0])
+@pytest.mark.parametrize("order", [0.05, 0.6, 1.0])
+def test_havriliak_negami(order, asymmetry):
+    """The relaxed modulus is so small that a difference of the other terms would lose it to round-off."""
+    solid = vr.HavriliakNegami(**HAVRILIAK_NEGAMI, order=order, asymmetry=asymmetry)
+    omega = np.geomspace(1e-20, 1e20, 41)
+    expected = np.array([havriliak_negami(w, order, asymmetry) for w in omega.tolist()])
+    found = solid.complex_modulus(omega)
+    np.testing.assert_allclose(found.real, expected.real, rtol=1e-12)
+    np.testing.assert_allclose(found.imag, expected.imag, rtol=1e-12)
+
+
+def test_limits_of_havriliak_negami():
+    solid = vr.HavriliakNegami(**HAVRILIAK_NEGAMI, order=0.6, asymmetry=0.25)
+    assert solid.complex_modulus(0.0) == 2.0
+    # G_0 - (G_0 - G_inf) (w tau)^(-alpha beta), which at the largest frequency is below round-off for other exponents
+    slow = vr.HavriliakNegami(**HAVRILIAK_NEGAMI, order=1.0, asymmetry=1e-3)
+    expected = 6e6 - (6e6 - 2.0) * (1j * 1e300 * 0.125) ** -1e-3
+    np.testing.assert_allclose(slow.complex_modulus(1e300), expected, rtol=1e-12)
+
+
+def test_symmetric_havriliak_negami_is_the_fractional_zener_solid():
+    given = {"instantaneous_modulus": 6e6, "relaxed_modulus": 3e6, "relaxation_time": 0.125, "order": 0.4}
+    solid, symmetric = vr.FractionalZener(**given), vr.HavriliakNegami(**given, asymmetry=1.0)
+    np.testing.assert_allclose(symmetric.complex_modulus(OMEGA), solid.complex_modulus(OMEGA), rtol=1e-14)
 
 
 def test_master_curve_is_linear_in_log_frequency():

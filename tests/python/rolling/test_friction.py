@@ -24,6 +24,7 @@ DRIVES = {
     "pulled": vr.Drive(force=5.0),
     "towed": vr.Drive(torque=0.0),
     "braked": vr.Drive(torque=-0.2),
+    "powered": vr.Drive(power=0.03),
     "rolling": vr.Drive(creepage=0.0),
     "skidding": vr.Drive(creepage=-0.5),
     "oblique": vr.Drive(creepage=0.05, lateral_creepage=0.02),
@@ -83,8 +84,28 @@ def test_every_drive(paper_ball, drive, compliance, kinematics):
         assert r.driving_force == pytest.approx(drive.force, abs=1e-8 * r.load)
     if drive.torque is not None:
         assert r.driving_torque == pytest.approx(drive.torque, abs=1e-8 * r.load * r.body.outer_radius)
+    if drive.power is not None:
+        assert r.driving_torque * r.angular_speed == pytest.approx(drive.power, abs=1e-8 * r.load * SLOW * 21e-3)
     if drive.creepage is not None:
         assert r.creepage == pytest.approx(drive.creepage, abs=1e-14)
+
+
+@pytest.mark.parametrize("power", [0.03, 0.0, -0.03])
+def test_a_power_equals_its_torque(paper_ball, power):
+    powered, turned = (
+        roll(paper_ball, drive=vr.Drive(power=power)),
+        roll(paper_ball, drive=vr.Drive(torque=power / SLOW)),
+    )
+    for name in ("driving_torque", "driving_force", "creepage", "slip_power", "resisting_torque"):
+        assert getattr(powered, name) == getattr(turned, name)
+
+
+def test_a_power_in_line_contact_is_per_length(rubber):
+    layer = vr.Layer(thickness=10e-3, shear_modulus=rubber, poisson_ratio=0.49)
+    roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
+    message = r"drive.power must be between -.* W/m and .* W/m, otherwise the roller slides permanently, got 1e\+06 W/m"
+    with pytest.raises(vr.InvalidInput, match=message):
+        roll(roller, load=1e3, drive=vr.Drive(power=1e6))
 
 
 def test_curved_patches(paper_ball):
@@ -186,7 +207,7 @@ def test_power_balance_closes(paper_ball, mu):
     worst = {}
     for nodes in (100, 200, 500):
         errors = []
-        for name in ("driven", "pulled", "towed", "rolling"):
+        for name in ("driven", "pulled", "towed", "powered", "rolling"):
             mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=3 * nodes // 2)
             r = roll(paper_ball, mu=mu, drive=DRIVES[name], mesh=mesh)
             work = r.driving_torque * r.angular_speed + r.driving_force * r.linear_speed
@@ -323,6 +344,13 @@ BAD = {
     ),
     "smooth pull": ({"drive": vr.Drive(force=1.0)}, ValueError, "drive.force must be smaller than"),
     "smooth torque": ({"drive": vr.Drive(torque=0.1)}, ValueError, "drive.torque must be left out without friction"),
+    "smooth power": ({"drive": vr.Drive(power=0.1)}, ValueError, "drive.power must be left out without friction"),
+    "infinite power": ({"friction": 0.3, "drive": vr.Drive(power=math.inf)}, ValueError, "drive.power must be finite"),
+    "power": (
+        {"friction": 0.3, "drive": vr.Drive(power=5.0)},
+        ValueError,
+        r"drive.power must be between -0\.\d+ W and 0\.\d+ W, otherwise the ball slides permanently, got 5 W",
+    ),
     "torque": (
         {"friction": 0.3, "drive": vr.Drive(torque=5.0)},
         ValueError,
@@ -346,7 +374,7 @@ def test_bad_input_is_named(paper_ball, options, error, message):
 @pytest.mark.parametrize(
     ("parameters", "error", "message"),
     [
-        ({}, ValueError, "exactly one of force, torque and creepage, got none"),
+        ({}, ValueError, "exactly one of force, torque, power and creepage, got none"),
         ({"force": 1.0, "torque": 0.0}, ValueError, "exactly one of .*, got force, torque"),
         ({"force": 1.0, "lateral_creepage": 0.1}, ValueError, "lateral_creepage must be 0 without"),
         ({"force": "1 N"}, TypeError, "drive.force must be a real number"),

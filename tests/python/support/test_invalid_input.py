@@ -20,7 +20,10 @@ def parts(error: InvalidInput) -> tuple[str, str, str]:
     ("make", "expected"),
     [
         (lambda: vr.Layer(thickness=-1.0, shear_modulus=1e6), ("thickness", "must be > 0 m", "-1")),  # by the core
-        (lambda: vr.Drive(), ("drive", "must have exactly one of force, torque and creepage", "none")),  # in Python
+        (
+            lambda: vr.Drive(),
+            ("drive", "must have exactly one of force, torque, power and creepage", "none"),
+        ),  # in Python
         (lambda: vr.Elastic(modulus="stiff"), ("modulus", "must be a real number", "str 'stiff'")),
     ],
     ids=["core", "Python", "type"],

@@ -281,6 +281,20 @@ def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
     assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=bound)
 
 
+def test_a_fitted_spectrum_gives_the_history_of_the_known_one():
+    """The spectrum of the fractional Zener solid is known; that of the equal Havriliak-Negami solid is fitted."""
+    fitted = vr.HavriliakNegami(
+        instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.5, asymmetry=1.0
+    )
+    time = np.linspace(0.0, 0.4, 9)
+    histories = [
+        vr.roll(coated_ball(modulus), time=time, angle=2.5 * time, load=50.0, mesh=vr.Mesh(nodes_per_revolution=200))
+        for modulus in (ZENER, fitted)
+    ]
+    known, found = (h.resisting_torque for h in histories)
+    np.testing.assert_allclose(found, known, rtol=0, atol=1e-3 * known.max())
+
+
 @pytest.mark.parametrize(
     ("nodes", "bound", "omega"),
     [(300, 0.005, 0.5), (300, 0.005, 2.5), (300, 0.005, 4.0), (500, 0.0015, 0.5), (500, 0.0015, 2.5)],

@@ -50,6 +50,7 @@ FRACTIONAL = {
     "relaxation_time": 1e-5,
     "order": 0.5,
 }
+NEGAMI = {**FRACTIONAL, "type": "havriliak_negami", "asymmetry": 0.5}
 CURVE = {
     "type": "master_curve",
     "frequency": [0.0, 0.1, 10.0, 1e3],
@@ -69,8 +70,11 @@ TREAD = layer(thickness=10e-3, poisson_ratio=0.49)
 WHEEL = {"core_radius": 40e-3, "layers": [TREAD], "width": 30e-3, "crown_radius": 300e-3}
 
 
-def case(nodes=400, numerics=None, *, load=100.0, angular_speed=2.5, friction=None, drive=None, **bodies):
-    rolling = {"load": load, "angular_speed": angular_speed, "friction": friction, "drive": drive}
+def case(
+    nodes=400, numerics=None, *, load=100.0, angular_speed=2.5, friction=None, drive=None, penetration=None, **bodies
+):
+    rolling = {"load": load if penetration is None else None, "penetration": penetration}
+    rolling |= {"angular_speed": angular_speed, "friction": friction, "drive": drive}
     return {
         **bodies,
         "rolling": {key: value for key, value in rolling.items() if value is not None},
@@ -88,6 +92,8 @@ CASES = {
         ball=BALL, friction=0.2, drive={"creepage": 1e-3, "lateral_creepage": 5e-4, "spin": 0.1}
     ),
     "towed ball": case(ball=BALL, friction=0.5, drive={"torque": 0.0}),
+    "ball at a penetration": case(ball=BALL, penetration=1e-4, friction=0.2),
+    "ball with a power": case(ball=BALL, friction=0.5, drive={"power": 0.1}),
     "as the paper": case(
         nodes=300,
         numerics={"max_order": 300, "compliance": "vertical", "curvature": "paper", "patch_load": "spherical"},
@@ -103,6 +109,7 @@ CASES = {
         },
         angular_speed=50.0,
     ),
+    "asymmetric dispersion": case(ball={"core_radius": 20e-3, "layers": [layer(NEGAMI)]}),
     "exact solid ball": case(
         nodes=300,
         numerics={"curvature": "exact"},
@@ -137,6 +144,9 @@ CASES = {
 BAD = {
     "a load that is none": case(ball=BALL, load=-100.0),
     "a load too large": case(ball=BALL, load=1e5),
+    "a penetration too large": case(ball=BALL, penetration=2e-3),
+    "load and penetration": {"ball": BALL, "rolling": {"load": 1.0, "penetration": 1e-4, "angular_speed": 1.0}},
+    "neither load nor penetration": {"ball": BALL, "rolling": {"angular_speed": 1.0}},
     **{f"a load of {load}": case(ball=BALL, load=load) for load in (-1.2e6, -1e-4, -0.1 - 0.2, -1 / 3, -(2.0**70))},
     "a speed too high": case(ball={"core_radius": 20e-3, "layers": [layer(2e3, density=1e3)]}, angular_speed=90.0),
     "a layer without thickness": case(ball=BALL | {"layers": [layer(thickness=0.0)]}),
@@ -156,6 +166,7 @@ BAD = {
     "a part of a mesh": {"ball": BALL, "rolling": {"load": 1.0, "angular_speed": 1.0}, "numerics": {"max_order": 300}},
     "two bodies": case(ball=BALL, wheel=WHEEL),
     "no body": case(),
+    "a power without friction": case(ball=BALL, drive={"power": 1.0}),
     "two drives": case(ball=BALL, friction=0.1, drive={"force": 0.0, "torque": 0.0}),
     "spin without creepage": case(ball=BALL, friction=0.1, drive={"force": 0.0, "spin": 0.1}),
     "a ball that slides": case(ball=BALL, friction=0.1, drive={"force": 50.0}),

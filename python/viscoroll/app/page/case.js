@@ -5,6 +5,7 @@
  * case has the tables and keys of a case file, as JSON in SI units; it is the input of the solvers.
  */
 
+import { DRIVES, driveZeros, scaleOf } from "./drives.js";
 import { KINDS, kindOf, newLayer } from "./materials.js";
 import { fromSI, tidy, toSI } from "./units.js";
 
@@ -23,13 +24,13 @@ export function initialState() {
     on: "rigid",
     ground: [newLayer()],
     radius: [30, "mm"],
+    pressed: "load", // or "penetration"
     load: [100, "N"],
+    penetration: [0.2, "mm"],
     speed: [2.5, "rad/s"],
     friction: 0,
     drive: "force",
-    force: [0, "N"],
-    torque: [0, "N m"],
-    creepage: [0, "%"],
+    ...driveZeros(false),
     compliance: "radial",
     curvature: "sphere",
     accuracy: 0.01,
@@ -43,6 +44,7 @@ const isLine = (state) => state.body === "cylinder";
 /** Quantity of a number of the state; the kinds of materials define the quantities of their numbers. */
 export function quantity(name, state) {
   const line = isLine(state);
+  if (name in DRIVES) return scaleOf(name, line).quantity;
   return {
     size: "length",
     width: "length",
@@ -51,10 +53,8 @@ export function quantity(name, state) {
     thickness: "length",
     density: "density",
     load: line ? "line_force" : "force",
-    force: line ? "line_force" : "force",
-    torque: line ? "line_torque" : "torque",
+    penetration: "length",
     speed: "speed",
-    creepage: "percent",
   }[name];
 }
 
@@ -104,8 +104,7 @@ export function withBody(state, body) {
   const on = state.on in groundsOf(body) ? state.on : "rigid";
   const next = { ...sizedBy({ ...state, body }, body === "ball" ? state.given : "outer_diameter"), on };
   if (isLine(next) === isLine(state)) return next;
-  const [load, force, torque] = isLine(next) ? ["N/mm", "N/mm", "N m/m"] : ["N", "N", "N m"];
-  return { ...next, load: [isLine(next) ? 2 : 100, load], force: [0, force], torque: [0, torque] };
+  return { ...next, load: isLine(next) ? [2, "N/mm"] : [100, "N"], ...driveZeros(isLine(next)) };
 }
 
 /** The same state with the size given by core radius or outer diameter. */
@@ -174,7 +173,7 @@ function groundTables(state) {
 
 function rollingTable(state) {
   const rolling = {
-    load: toSI(state.load, quantity("load", state)),
+    [state.pressed]: toSI(state[state.pressed], quantity(state.pressed, state)),
     angular_speed: angularSpeed(state),
     friction: state.friction,
   };
@@ -208,9 +207,12 @@ export function stateOf(tables) {
   const rolling = tables.rolling ?? {};
   const line = isLine(state);
   state.load = fromSI(rolling.load ?? 100, line ? "N/mm" : "N", quantity("load", state));
+  if (rolling.penetration !== undefined) {
+    Object.assign(state, { pressed: "penetration", penetration: mm(rolling.penetration) });
+  }
   state.speed = [rolling.angular_speed ?? 2.5, "rad/s"];
   state.friction = rolling.friction ?? 0;
-  Object.assign(state, { force: [0, line ? "N/mm" : "N"], torque: [0, line ? "N m/m" : "N m"] });
+  Object.assign(state, driveZeros(line));
   if (state.friction > 0) readDrive(state, rolling.drive, left);
   else if (Object.values(rolling.drive ?? {}).some((value) => value !== 0)) left.push("rolling.drive");
   readNumerics(state, tables.numerics ?? {}, left);
@@ -244,10 +246,11 @@ function readGround(state, tables, left) {
 
 function readDrive(state, drive, left) {
   if (!drive) return;
-  state.drive = ["force", "torque", "creepage"].find((name) => name in drive) ?? "force";
+  state.drive = Object.keys(DRIVES).find((name) => name in drive) ?? "force";
   const [, unit] = state[state.drive];
   state[state.drive] = fromSI(drive[state.drive] ?? 0, unit, quantity(state.drive, state));
-  left.push(...["lateral_creepage", "spin"].filter((name) => drive[name]).map((name) => `drive.${name}`));
+  const others = Object.keys(drive).filter((name) => name !== state.drive && drive[name]);
+  left.push(...others.map((name) => `drive.${name}`));
 }
 
 function readNumerics(state, { accuracy = 0.01, compliance = "radial", curvature = "sphere", ...others }, left) {

@@ -11,20 +11,16 @@ const CLASSES = {
   other_wheel: "CoatedWheel",
 };
 
+/** Classes of types whose class does not have the name of the type. */
 const MODULI = {
-  elastic: "Elastic",
-  standard_linear_solid: "StandardLinearSolid",
-  prony: "Prony",
-  creep_compliance: "CreepCompliance",
-  kelvin_voigt: "KelvinVoigt",
-  fractional_zener: "FractionalZener",
-  master_curve: "MasterCurve",
-  loss_factor: "LossFactor",
   softening: "materials.SofteningModulus",
   kraus: "materials.KrausNetwork",
   masing: "materials.MasingNetwork",
   strain_sweep: "materials.StrainSweep",
 };
+
+/** The class of a modulus: "KelvinVoigt" for the type "kelvin_voigt". */
+export const classOf = (type) => MODULI[type] ?? type.replace(/(?:^|_)(.)/g, (_, letter) => letter.toUpperCase());
 
 const ROLLING_BODIES = ["ball", "cylinder", "wheel"];
 
@@ -79,7 +75,7 @@ function modulus({ type, ...table }) {
   if (type === "published") {
     return `vr.rheology.example_material(${literal("", table.name)}).at(temperature=${literal("", table.temperature)})`;
   }
-  if (type !== "hardness") return call(MODULI[type], table);
+  if (type !== "hardness") return call(classOf(type), table);
   const scale = table.scale ? `, scale=${literal("", table.scale)}` : "";
   const static_modulus = { raw: `vr.rheology.hardness_to_modulus(${literal("", table.hardness)}${scale}).value` };
   if (table.rebound === undefined) return call("Elastic", { modulus: static_modulus });

@@ -2,23 +2,22 @@
 
 import { BODIES, coreRadius, groundsOf, outerRadius, quantity, sizedBy, withBody } from "./case.js";
 import { el } from "./dom.js";
+import { DRIVES, scaleOf } from "./drives.js";
 import { choiceField, numberField } from "./field.js";
 import { layerRow, layerRows } from "./layer_rows.js";
 import { numberText, quantityText } from "./units.js";
 
 /** Fields at which warnings appear, by the kind of the warning; other warnings appear with the results. */
-const WARNED = { large_strain: "load", contact_at_side: "width", edge_pressure: "sides", tight_crown: "crown_radius" };
+const WARNED = { contact_at_side: "width", edge_pressure: "sides", tight_crown: "crown_radius" };
 
 const INSIDES = { rigid: "rigid core", hollow: "hollow", solid: "solid, no core" };
 
-const DRIVES = { force: "a force on the center", torque: "a driving torque (0: towed)", creepage: "a given creepage" };
-
-/** Labels and slider ranges of the drives, for total values and per length (`line`), in SI units. */
-const DRIVEN = {
-  force: { label: "force, forward", range: [-500, 500], line: [-1e4, 1e4] },
-  torque: { label: "driving torque", range: [-10, 10], line: [-100, 100] },
-  creepage: { label: "creepage", range: [-0.1, 0.1], line: [-0.1, 0.1] },
+/** Label and slider ranges of load and penetration, for total values and per length (`line`), in SI units. */
+const PRESSED = {
+  load: { label: "load", range: [0.1, 1e5], line: [10, 1e6], lineLabel: "load per length" },
+  penetration: { label: "penetration", range: [1e-6, 1e-2], line: [1e-6, 1e-2], lineLabel: "penetration" },
 };
+const PRESSED_BY = { load: "a load", penetration: "a fixed gap: given penetration" };
 
 export class Form {
   #root;
@@ -59,7 +58,8 @@ export class Form {
   /** Show warnings at their fields; return the warnings without a field. */
   sayWarnings(warnings) {
     return warnings.filter(({ kind, message }) => {
-      const field = WARNED[kind] && this.#field(WARNED[kind]);
+      const name = kind === "large_strain" ? this.#state.pressed : WARNED[kind];
+      const field = name && this.#field(name);
       field?.say(message, "warning");
       return !field;
     });
@@ -227,17 +227,18 @@ export class Form {
   }
 
   #rolling() {
-    const { body, drive } = this.#state;
+    const { body, drive, pressed } = this.#state;
     const line = body === "cylinder";
     const rubs = () => this.#state.friction > 0;
-    const { label, range, line: lineRange } = DRIVEN[drive];
+    const offers = Object.fromEntries(Object.entries(DRIVES).map(([name, { offer }]) => [name, offer]));
     return group(
       "Motion and friction",
-      this.#number("load", line ? "load per length" : "load", { range: line ? [10, 1e6] : [0.1, 1e5] }),
+      this.#choice("pressed", "pressed by", PRESSED_BY),
+      this.#number(pressed, PRESSED[pressed][line ? "lineLabel" : "label"], { range: PRESSED[pressed][line ? "line" : "range"] }),
       this.#number("speed", "speed", { parameter: "angular_speed", range: [1e-2, 1e3] }),
       this.#number("friction", "friction coefficient", { range: [0, 1], linear: true, step: 0.01 }),
-      this.#shownWhile(rubs, this.#choice("drive", "driven by", DRIVES)),
-      this.#shownWhile(rubs, this.#number(drive, label, { range: line ? lineRange : range, linear: true })),
+      this.#shownWhile(rubs, this.#choice("drive", "driven by", offers)),
+      this.#shownWhile(rubs, this.#number(drive, DRIVES[drive].label, { range: scaleOf(drive, line).range, linear: true })),
     );
   }
 

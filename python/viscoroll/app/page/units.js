@@ -10,6 +10,8 @@ export const UNITS = {
   line_force: { "N/mm": 1e3, "N/m": 1, "kN/m": 1e3, "lbf/in": 175.12683524647636 },
   torque: { "N m": 1, "mN m": 1e-3, "lbf in": 0.1129848290276167 },
   line_torque: { "N m/m": 1, "N mm/mm": 1 },
+  power: { W: 1, kW: 1e3, mW: 1e-3, hp: 745.69987158227022 },
+  line_power: { "W/m": 1, "kW/m": 1e3 },
   speed: { "km/h": null, "m/s": null, mph: null, rpm: TURN / 60, "rad/s": 1 },
   time: { s: 1, ms: 1e-3, µs: 1e-6 },
   frequency: { "rad/s": 1, Hz: TURN },
@@ -21,21 +23,13 @@ export const UNITS = {
 /** SI value of 0 in a unit, for units whose zero is not that of the SI unit. */
 const OFFSETS = { "°C": 273.15 };
 
-/** SI unit of each quantity, as in messages of the solver. */
-export const SI = {
-  length: "m",
-  modulus: "Pa",
-  force: "N",
-  line_force: "N/m",
-  torque: "N m",
-  line_torque: "N m/m",
-  speed: "rad/s",
-  time: "s",
-  frequency: "rad/s",
-  density: "kg/m³",
-  temperature: "K",
-  percent: "",
-};
+/** SI unit of each quantity, as in messages of the solver; empty if it has none. */
+export const SI = Object.fromEntries(
+  Object.entries(UNITS).map(([quantity, units]) => [
+    quantity,
+    Object.keys(units).find((unit) => units[unit] === 1 && !(unit in OFFSETS)) ?? "",
+  ]),
+);
 
 /** Other spellings of units that users may type. */
 const ALIASES = {
