@@ -23,9 +23,9 @@ struct DriveTorque {
   static constexpr auto fields() { return std::tuple{Field{"torque", &DriveTorque::torque}}; }
 };
 
-/// @brief A given driving power at the axle, P = T Omega. A negative power brakes the body.
+/// @brief A given driving power at the axle, T Omega. A negative power brakes the body.
 struct DrivePower {
-  double power = 0.0;  ///< P [W]
+  double power = 0.0;  ///< T Omega [W]; requires friction
 
   static constexpr auto fields() { return std::tuple{Field{"power", &DrivePower::power}}; }
 };

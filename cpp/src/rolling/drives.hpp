@@ -27,7 +27,7 @@ struct GivenMotion {
 /// @return the quantities that a drive prescribes
 [[nodiscard]] GivenMotion given_motion(const LoadCase& load_case);
 
-/// @brief How messages state the force or torque that a drive prescribes.
+/// @brief Parameter and unit in which messages report the force or torque that a drive prescribes.
 struct DriveReport {
   std::string_view parameter;  ///< for example "drive.torque"
   double factor;               ///< value of the parameter divided by the force or torque
