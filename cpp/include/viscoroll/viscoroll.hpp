@@ -1,5 +1,8 @@
 /// @file
 /// @brief Includes all public headers of the library.
+///
+/// "The paper" in these headers is Zéhil & Gavin, "Rolling resistance of a rigid sphere with viscoelastic coatings".
+/// Numbers of equations and sections are those of the paper; docs/theory describes its misprints.
 #pragma once
 
 #include "viscoroll/cores.hpp"               // IWYU pragma: export

@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Limits of the mean rigidity, which represents all slipping nodes in one symbol.
-constexpr double kLeastRigidity = 0.02;
+constexpr double kMinRigidity = 0.02;
 constexpr double kMaxRigidity = 0.9;
 
 /// Sticking nodes, and the runs along phi that contain them.
@@ -118,7 +118,7 @@ class Equations {
         drive_(friction_.drive->row({*problem.surface, friction_.arms, state.force, own_displacement(state)},
                                     scales.tangential * friction_.step)) {
     if (slip_.count() > 0) {
-      const double rigidity = std::clamp(slip_.rigidity.mean(), kLeastRigidity, kMaxRigidity);
+      const double rigidity = std::clamp(slip_.rigidity.mean(), kMinRigidity, kMaxRigidity);
       turning_symbol_ = preconditioner.turning_symbol(rigidity, scales.tangential);
     }
     prepare_border();
@@ -164,16 +164,18 @@ class Equations {
     const VectorField force = this->force(unknowns);
     const Displacements of_each = problem_.surface->displacements(force);
     const VectorField moved = of_each.relative();
-    const VectorField carried = at_paces(of_each, moved);
+    const VectorField moved_for_slip = slip_displacement(of_each, moved);
     const double creepage = unknowns[forces_ + 1] / creepage_force();
     VectorXd result(forces_ + 2);
     result.head(contacts_) = (-scales_.normal * moved.col(kDown)(contact_) - unknowns[forces_]).matrix();
     const auto since_head = [&](Axis axis) {
-      return carried.col(axis)(stick_.nodes) - carried.col(axis)(stick_.heads);
+      return moved_for_slip.col(axis)(stick_.nodes) - moved_for_slip.col(axis)(stick_.heads);
     };
     forward(result) = (scales_.normal * (since_head(kForward) + creepage * stick_.slip_per_creepage(0))).matrix();
     sideways(result) = (scales_.normal * (since_head(kSideways) + creepage * stick_.slip_per_creepage(1))).matrix();
-    const auto slipped = [&](Axis axis) { return carried.col(axis)(slip_.nodes) - carried.col(axis)(slip_.upstream); };
+    const auto slipped = [&](Axis axis) {
+      return moved_for_slip.col(axis)(slip_.nodes) - moved_for_slip.col(axis)(slip_.upstream);
+    };
     const auto& e = slip_.direction;
     const ArrayXd turned =
         e.col(0) * slipped(kSideways) - e.col(1) * slipped(kForward) + creepage * across_direction(per_creepage_);
@@ -226,9 +228,9 @@ class Equations {
     return increments(state_.counterbody_displacement, problem_.surface->shape().theta_nodes);
   }
 
-  /// Displacements that enter the slip at the creepage of the state: the counterbody's material passes 1 + creepage
-  /// times as fast.
-  [[nodiscard]] VectorField at_paces(const Displacements& of_each, const VectorField& relative) const {
+  /// Displacements that enter the slip. The part of the counterbody counts 1 + creepage times, because its material
+  /// passes that much faster.
+  [[nodiscard]] VectorField slip_displacement(const Displacements& of_each, const VectorField& relative) const {
     if (of_each.counterbody.rows() == 0) return relative;
     return relative + *state_.creepage * of_each.counterbody;
   }

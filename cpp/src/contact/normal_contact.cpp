@@ -9,8 +9,8 @@
 
 #include "base/validate.hpp"
 #include "contact/active_set.hpp"
+#include "contact/dense_pressed_surface.hpp"
 #include "contact/krylov.hpp"
-#include "contact/pressed_by_matrix.hpp"
 #include "influence/fft.hpp"
 #include "influence/table_product.hpp"
 #include "viscoroll/errors.hpp"
@@ -141,11 +141,11 @@ class FlatEquations {
 };
 
 /// A surface whose compliance is given by operator applications; a Krylov method solves the systems.
-class SurfaceOfProducts : public PressedSurface {
+class IterativePressedSurface : public PressedSurface {
  public:
   /// @param[in] problem contact problem
   /// @param[in] mirrored whether the contact is mirror-symmetric
-  SurfaceOfProducts(const ContactProblem& problem, bool mirrored)
+  IterativePressedSurface(const ContactProblem& problem, bool mirrored)
       : problem_(problem), mirrored_(mirrored), weights_(ArrayXd::Ones(problem.initial_gap.size())) {}
 
   void press(PressedNodes& contact, double tolerance) override {
@@ -258,20 +258,20 @@ ContactSolution press(Surface&& surface, PressedNodes start, const ContactOption
 ContactSolution solve_normal_contact(const ContactProblem& problem, const NormalContactGuess& guess,
                                      const ContactOptions& options) {
   PressedNodes start = start_of(guess);
-  if (PressedByMatrix::serves(problem, guess.contact)) {
-    return press(PressedByMatrix(problem), std::move(start), options, options.tolerance);
+  if (DensePressedSurface::is_applicable(problem, guess.contact)) {
+    return press(DensePressedSurface(problem), std::move(start), options, options.tolerance);
   }
   if (std::optional<PressedNodes> same = mirrored(problem, start)) {
-    return press(SurfaceOfProducts(problem, true), *std::move(same), options, kFirstTolerance);
+    return press(IterativePressedSurface(problem, true), *std::move(same), options, kFirstTolerance);
   }
-  return press(SurfaceOfProducts(problem, false), std::move(start), options, kFirstTolerance);
+  return press(IterativePressedSurface(problem, false), std::move(start), options, kFirstTolerance);
 }
 
-ContactSolution press_kept_nodes(const ContactProblem& problem, const NormalContactGuess& guess,
-                                 const ContactOptions& options) {
+ContactSolution solve_given_nodes(const ContactProblem& problem, const NormalContactGuess& guess,
+                                  const ContactOptions& options) {
   const PressedNodes start = start_of(guess);
   const std::optional<PressedNodes> same = mirrored(problem, start);
-  SurfaceOfProducts surface(problem, same.has_value());
+  IterativePressedSurface surface(problem, same.has_value());
   PressedNodes contact = same.value_or(start);
   contact.passes = 1;
   contact.converged = true;

@@ -121,16 +121,16 @@ void require_supported(const MeshModel& model, const LoadCase& load_case) {
 }
 
 void require_relaxed_stiffness(const ContactSetup& setup) {
-  constexpr double kLeastRatio = 3e-3;  // below it, the iteration for the nodes in contact does not converge
+  constexpr double kMinModulusRatio = 3e-3;  // below it, the iteration for the nodes in contact does not converge
   const double contact_frequency =
       setup.load_case.angular_speed * std::max(1.0, setup.nodes.grid.radius / setup.contact.along);
   const Relaxation relaxation = strongest_relaxation(setup.pair(), contact_frequency);
-  if (relaxation.ratio >= kLeastRatio) return;
-  reject(
-      relaxation.layer + ".shear_modulus",
-      "such that the relaxed modulus is at least " + text(kLeastRatio) + " times the modulus at the contact frequency",
-      "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, which is " + rounded(relaxation.ratio) +
-          " times that modulus");
+  if (relaxation.ratio >= kMinModulusRatio) return;
+  reject(relaxation.layer + ".shear_modulus",
+         "such that the relaxed modulus is at least " + text(kMinModulusRatio) +
+             " times the modulus at the contact frequency",
+         "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, which is " + rounded(relaxation.ratio) +
+             " times that modulus");
 }
 
 void require_node_limit(const Window& window, const Mesh& mesh) {

@@ -56,8 +56,8 @@ std::vector<unsigned char> mask(const std::vector<Index>& nodes, Index size) {
 /// value.
 double settled(double sum, double largest_summand, std::optional<double> given = std::nullopt) {
   constexpr double kRoundOff = 1e-12;
-  constexpr double kLeftBySteps = 1e-9;
-  if (given && std::abs(sum - *given) < kLeftBySteps * largest_summand) return *given;
+  constexpr double kIterationError = 1e-9;
+  if (given && std::abs(sum - *given) < kIterationError * largest_summand) return *given;
   return std::abs(sum) < kRoundOff * largest_summand ? 0.0 : sum;
 }
 
@@ -79,6 +79,7 @@ double deformed_slope_force(const ContactSetup& given, const WindowContact& solv
   }
 }
 
+/// Computes the results of a solved contact, one group of members after the other.
 class Summary {
  public:
   Summary(const ContactSetup& given, const WindowContact& solved)
@@ -120,7 +121,7 @@ class Summary {
   void add_forces(Result& r) const {
     const auto forward = force_.col(kForward);
     const std::vector<Index>& contact = contact_.contact;
-    r.resisting_torque = -(pressure_lever(window_, given_.pair(), contact) * force_.col(kDown)).sum();
+    r.resisting_torque = -(pressure_moment_arm(window_, given_.pair(), contact) * force_.col(kDown)).sum();
     const double load = given_.load_case.load.value_or(-force_.col(kDown).sum());
     r.load = load;
     const GivenMotion motion = given_motion(given_.load_case);
@@ -169,7 +170,7 @@ class Summary {
     const Eigen::Map<ArrayXd> pressures(r.pressure.data(), size_);
     put(pressure, pressures);
     r.max_pressure = pressure.maxCoeff();
-    r.max_pressure_error = unseen_peak(pressures, contact_.contact, window_.shape().theta_nodes);
+    r.max_pressure_error = unresolved_peak(pressures, contact_.contact, window_.shape().theta_nodes);
     r.mesh = given_.model.mesh;
     r.phi_nodes = window_.shape().phi_nodes;
     r.theta_nodes = window_.shape().theta_nodes;

@@ -10,7 +10,7 @@ namespace viscoroll::detail {
 namespace {
 
 /// Number of starts that are kept: as many loads and drives as a study alternates between.
-constexpr std::size_t kKept = 16;
+constexpr std::size_t kMaxStarts = 16;
 
 std::vector<double> numbers_of(const GivenMotion& motion) {
   std::vector<double> numbers{motion.lateral_creepage, motion.spin};
@@ -36,7 +36,7 @@ std::shared_ptr<SharedStart> SharedStarts::of(const LoadCase& load_case, const O
   const auto found = std::ranges::find(starts_, key, [](const auto& entry) { return entry.first; });
   if (found != starts_.end()) return found->second;
   starts_.emplace_front(std::move(key), std::make_shared<SharedStart>());
-  if (starts_.size() > kKept) starts_.pop_back();
+  if (starts_.size() > kMaxStarts) starts_.pop_back();
   return starts_.front().second;
 }
 

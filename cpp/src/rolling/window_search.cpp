@@ -16,11 +16,10 @@ namespace {
 /// box.
 constexpr double kOverclosure = 1e-8;
 
-constexpr double kMarginOfEstimate = 1.1;  // of windows around an estimated contact, which is rather too large
-constexpr double kMarginOfSeen = 1.2;      // of windows around a contact that was found on a coarser mesh
+constexpr double kMarginOfEstimate = 1.1;  // of windows around an estimated contact; the estimate is rather too large
+constexpr double kMarginOfCoarseContact = 1.2;  // of windows around a contact that was found on a coarser mesh
 
-constexpr double kRoundOff =
-    1e-9;  // in nodes: a contact on a coarser mesh is a whole number of nodes, times the margin
+constexpr double kRoundOff = 1e-9;  // [nodes], of the extent of a contact that ends at nodes of a coarser mesh
 
 constexpr int kRoughNodes = 16;  // from the lowest node to the edge of a window, on a mesh that shows its size
 
@@ -28,7 +27,8 @@ constexpr double kPressedThrough = 10.0;  // depth, in thicknesses, that no coat
 
 constexpr Eigen::Index kFewNodes = 1024;    // enough to show whether a window contains a contact
 constexpr Eigen::Index kManyNodes = 16384;  // enough to show whether a contact extends far beyond a window
-constexpr double kOverrun = 1.0 / 3.0;  // fraction of a side; reached by a circle a twentieth larger than the window
+// Fraction of a side that is in contact. A circle a twentieth larger than the window has this fraction.
+constexpr double kOverrun = 1.0 / 3.0;
 
 /// Nodes to either side of the lowest one.
 struct HalfWidths {
@@ -189,7 +189,7 @@ bool holds_rough_contact(const ContactSetup& setup, const HalfWidths& half, bool
 WindowContact find_contact_in_window(const ContactSetup& setup, const std::optional<ContactReach>& coarse_contact) {
   const SurfaceGrid& grid = setup.nodes.grid;
   const ContactReach likely = coarse_contact.value_or(setup.contact);
-  const double margin = coarse_contact ? kMarginOfSeen : kMarginOfEstimate;
+  const double margin = coarse_contact ? kMarginOfCoarseContact : kMarginOfEstimate;
   const auto half_width = [&](double reach, double spacing) {
     return static_cast<int>(std::ceil(margin * reach / (grid.radius * spacing) - kRoundOff)) + 2;
   };
