@@ -25,7 +25,7 @@ class Drive(ParameterTable):
     torque : float, optional
         T, driving torque about the rolling axis [N m]. With 0 the body is towed.
     power : float, optional
-        P, driving power at the axle [W]: the driving torque times the angular speed Ω. A negative power brakes the
+        Driving power at the axle [W]: the driving torque times the angular speed Ω. A negative power brakes the
         body; with 0 it is towed.
     creepage : float, optional
         V_s / (Ω r_o) - 1 [-], where V_s is the speed of the center and Ω r_o the rolling speed.
