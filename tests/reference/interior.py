@@ -79,8 +79,8 @@ def order_fields(shells, angular_speed, m, n, places, *, inner_boundary="rigid",
     """Return displacement, stress and strain per unit surface stress at places (radius, number of the shell).
 
     Returns arrays (places, 3 or 6, 3) of components r, phi, theta and rr, phiphi, thetatheta, rphi, rtheta, phitheta.
-    `paper` selects the membrane term of (26); otherwise that of a sphere, without stress and strain along the surface
-    (nan).
+    `paper` selects the membrane term of (26). Otherwise the term is that of a sphere, and stress and strain along the
+    surface are nan.
     """
     k = math.hypot(m, n)
     outer = shells[-1].outer
