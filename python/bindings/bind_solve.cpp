@@ -28,14 +28,14 @@ Options make_options(std::optional<Mesh> mesh, double accuracy, Compliance compl
           .observer = python_observer(progress)};
 }
 
-Result solve_released(const RollingBody& body, const Counterbody& on, double load, double angular_speed,
-                      std::optional<Mesh> mesh, double accuracy, double friction, Drive drive, Compliance compliance,
-                      Curvature curvature, PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations,
-                      int threads, const py::object& progress) {
+Result solve_released(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
+                      std::optional<Mesh> mesh, double accuracy, Compliance compliance, Curvature curvature,
+                      PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations, int threads,
+                      const py::object& progress) {
   const Options options = make_options(mesh, accuracy, compliance, curvature, patch_load, slip_kinematics,
                                        max_iterations, threads, progress);
   const py::gil_scoped_release release;
-  return solve(body, on, {.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
+  return solve(body, on, load_case, options);
 }
 
 template <class T>
@@ -44,12 +44,11 @@ std::vector<T> copied(const InputArray<T>& array) {
   return {values.begin(), values.end()};
 }
 
-Result solve_frozen_released(const RollingBody& body, const Counterbody& on, double load, double angular_speed,
-                             const Mesh& mesh, double friction, Drive drive, Compliance compliance, Curvature curvature,
-                             PatchLoad patch_load, const InputArray<unsigned char>& contact,
-                             const InputArray<unsigned char>& stick, const InputArray<double>& pressure,
-                             const InputArray<double>& shear_traction, double penetration, double creepage, int threads,
-                             const py::object& progress) {
+Result solve_frozen_released(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
+                             const Mesh& mesh, Compliance compliance, Curvature curvature, PatchLoad patch_load,
+                             const InputArray<unsigned char>& contact, const InputArray<unsigned char>& stick,
+                             const InputArray<double>& pressure, const InputArray<double>& shear_traction,
+                             double penetration, double creepage, int threads, const py::object& progress) {
   if (contact.ndim() != 2) throw py::value_error("contact must be a two-dimensional array");
   const FrozenContact frozen{.phi_nodes = static_cast<int>(contact.shape(0)),
                              .theta_nodes = static_cast<int>(contact.shape(1)),
@@ -63,8 +62,7 @@ Result solve_frozen_released(const RollingBody& body, const Counterbody& on, dou
   const Options options = make_options(mesh, defaults.accuracy, compliance, curvature, patch_load,
                                        defaults.slip_kinematics, defaults.max_iterations, threads, progress);
   const py::gil_scoped_release release;
-  return solve_frozen(body, on, {.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive},
-                      frozen, options);
+  return solve_frozen(body, on, load_case, frozen, options);
 }
 
 RollingModel rolling_model(const RollingBody& body, const Counterbody& on, double angular_speed, const Mesh& mesh,
@@ -74,13 +72,12 @@ RollingModel rolling_model(const RollingBody& body, const Counterbody& on, doubl
   return {body, on, angular_speed, mesh, threads, curvature, observer};
 }
 
-Result solve_on_model(const RollingModel& model, double load, double angular_speed, double friction, Drive drive,
-                      Compliance compliance, PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations,
-                      int threads, const py::object& progress) {
+Result solve_on_model(const RollingModel& model, const LoadCase& load_case, Compliance compliance, PatchLoad patch_load,
+                      SlipKinematics slip_kinematics, int max_iterations, int threads, const py::object& progress) {
   const Options options = make_options({}, Options{}.accuracy, compliance, Options{}.curvature, patch_load,
                                        slip_kinematics, max_iterations, threads, progress);
   const py::gil_scoped_release release;
-  return model.solve({.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
+  return model.solve(load_case, options);
 }
 
 /// Return the drive whose prescribed quantity is given.
@@ -114,6 +111,16 @@ void bind_solve(py::module_& m) {
 
   py::classh<Drive>(m, "Drive").def(py::init(&drive_of));
 
+  py::classh<LoadCase>(m, "LoadCase")
+      .def(py::init([](std::optional<double> load, std::optional<double> penetration, double angular_speed,
+                       double friction,
+                       Drive drive) { return LoadCase{load, penetration, angular_speed, friction, drive}; }),
+           py::kw_only(), py::arg("load"), py::arg("penetration"), py::arg("angular_speed"), py::arg("friction"),
+           py::arg("drive"))
+      .def_readonly("load", &LoadCase::load)
+      .def_readonly("angular_speed", &LoadCase::angular_speed)
+      .def_readonly("friction", &LoadCase::friction);
+
   py::classh<Options>(m, "Options")
       .def(py::init<>())
       .def_readonly("accuracy", &Options::accuracy)
@@ -127,17 +134,16 @@ void bind_solve(py::module_& m) {
   py::classh<RollingModel>(m, "RollingModel")
       .def(py::init(&rolling_model), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("angular_speed"),
            py::arg("mesh"), py::arg("curvature"), py::arg("threads"), py::arg("progress").none(true))
-      .def("solve", &solve_on_model, py::kw_only(), py::arg("load"), py::arg("angular_speed"), py::arg("friction"),
-           py::arg("drive"), py::arg("compliance"), py::arg("patch_load"), py::arg("slip_kinematics"),
-           py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
+      .def("solve", &solve_on_model, py::arg("load_case"), py::kw_only(), py::arg("compliance"), py::arg("patch_load"),
+           py::arg("slip_kinematics"), py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
 
-  m.def("solve", &solve_released, py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"),
-        py::arg("angular_speed"), py::arg("mesh").none(true), py::arg("accuracy"), py::arg("friction"),
-        py::arg("drive"), py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"),
-        py::arg("slip_kinematics"), py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
-  m.def("solve_frozen", &solve_frozen_released, py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"),
-        py::arg("angular_speed"), py::arg("mesh"), py::arg("friction"), py::arg("drive"), py::arg("compliance"),
-        py::arg("curvature"), py::arg("patch_load"), py::arg("contact").noconvert(), py::arg("stick").noconvert(),
-        py::arg("pressure").noconvert(), py::arg("shear_traction").noconvert(), py::arg("penetration"),
-        py::arg("creepage"), py::arg("threads"), py::arg("progress").none(true));
+  m.def("solve", &solve_released, py::arg("body"), py::arg("on"), py::arg("load_case"), py::kw_only(),
+        py::arg("mesh").none(true), py::arg("accuracy"), py::arg("compliance"), py::arg("curvature"),
+        py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("max_iterations"), py::arg("threads"),
+        py::arg("progress").none(true));
+  m.def("solve_frozen", &solve_frozen_released, py::arg("body"), py::arg("on"), py::arg("load_case"), py::kw_only(),
+        py::arg("mesh"), py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"),
+        py::arg("contact").noconvert(), py::arg("stick").noconvert(), py::arg("pressure").noconvert(),
+        py::arg("shear_traction").noconvert(), py::arg("penetration"), py::arg("creepage"), py::arg("threads"),
+        py::arg("progress").none(true));
 }

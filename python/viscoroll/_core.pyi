@@ -231,7 +231,7 @@ class ResultScalars:
     @property
     def error_estimate(self) -> float:
         """
-        relative error estimate [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
+        relative error estimate [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of load, penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
         """
     @property
     def face_distance(self) -> float | None:
@@ -252,6 +252,11 @@ class ResultScalars:
     def linear_speed(self) -> float | None:
         """
         speed of the center V_s [m/s]. None without friction, where it is undetermined unless it is given.
+        """
+    @property
+    def load(self) -> float:
+        """
+        normal load P [N]. Given, or a result if the penetration is given.
         """
     @property
     def max_pressure(self) -> float:
@@ -276,7 +281,7 @@ class ResultScalars:
     @property
     def penetration(self) -> float | None:
         """
-        penetration r_o - H [m]. None in line contact if a body rests on a half-space: the penetration is then undetermined.
+        penetration r_o - H [m]. Radius of the rolling body at rest minus the height of its center. Pressure and centrifugal growth change it in opposite directions: a fast body touches while it is still negative. None in line contact if a body rests on a half-space: the penetration is then undetermined.
         """
     @property
     def residual(self) -> float:
@@ -375,6 +380,23 @@ class SlipKinematics(enum.Enum):
 class Drive:
     def __init__(self, **kwargs: typing.Any) -> None: ...
 
+class LoadCase:
+    def __init__(
+        self,
+        *,
+        load: typing.SupportsFloat | typing.SupportsIndex | None,
+        penetration: typing.SupportsFloat | typing.SupportsIndex | None,
+        angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+        friction: typing.SupportsFloat | typing.SupportsIndex,
+        drive: Drive,
+    ) -> None: ...
+    @property
+    def angular_speed(self) -> float: ...
+    @property
+    def friction(self) -> float: ...
+    @property
+    def load(self) -> float | None: ...
+
 class Options:
     def __init__(self) -> None: ...
     @property
@@ -406,11 +428,8 @@ class RollingModel:
     ) -> None: ...
     def solve(
         self,
+        load_case: LoadCase,
         *,
-        load: typing.SupportsFloat | typing.SupportsIndex,
-        angular_speed: typing.SupportsFloat | typing.SupportsIndex,
-        friction: typing.SupportsFloat | typing.SupportsIndex,
-        drive: Drive,
         compliance: Compliance,
         patch_load: PatchLoad,
         slip_kinematics: SlipKinematics,
@@ -933,13 +952,10 @@ def result_scalars() -> list[ScalarDescription]:
 def solve(
     body: CoatedSphere | CoatedCylinder | CoatedWheel,
     on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
+    load_case: LoadCase,
     *,
-    load: typing.SupportsFloat | typing.SupportsIndex,
-    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     mesh: Mesh | None,
     accuracy: typing.SupportsFloat | typing.SupportsIndex,
-    friction: typing.SupportsFloat | typing.SupportsIndex,
-    drive: Drive,
     compliance: Compliance,
     curvature: Curvature,
     patch_load: PatchLoad,
@@ -951,12 +967,9 @@ def solve(
 def solve_frozen(
     body: CoatedSphere | CoatedCylinder | CoatedWheel,
     on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
+    load_case: LoadCase,
     *,
-    load: typing.SupportsFloat | typing.SupportsIndex,
-    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     mesh: Mesh,
-    friction: typing.SupportsFloat | typing.SupportsIndex,
-    drive: Drive,
     compliance: Compliance,
     curvature: Curvature,
     patch_load: PatchLoad,

@@ -109,7 +109,8 @@ class _Ground:
 
     def radii(self) -> dict[str, float]:
         """Return at least one of the radii of curvature across and along the path, concave or convex."""
-        along, across = self._body.outer_radius, getattr(self._body, "crown_radius", self._body.outer_radius)
+        along = self._body.outer_radius
+        across = along if self._body.crown_radius is None else self._body.crown_radius
         which = "path_radius" if self._is_roller else self._rng.choice(["radius", "path_radius", "both"])
         radii = {}
         if which != "path_radius":

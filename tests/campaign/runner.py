@@ -22,7 +22,7 @@ from viscoroll import enums
 from .bodies import with_loads
 from .cases import Case, draw
 from .invariants import violations
-from .twins import twins
+from .twins import at_its_penetration, twins
 
 try:
     import resource
@@ -124,7 +124,7 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
     warned = case.unphysical_argument == "load" and enums.WarningKind.LARGE_STRAIN in result.warnings
     if case.unphysical_argument and not warned:
         outcome.violations[f"unphysical {case.unphysical_argument} accepted"] = math.inf
-    for twin in twins(case) if outcome.seconds < SLOW else ():
+    for twin in (*twins(case), *at_its_penetration(case, result)) if outcome.seconds < SLOW else ():
         outcome.stage = twin.kind
         before_each(outcome)
         other = attempt(vr.solve, twin.case, outcome)

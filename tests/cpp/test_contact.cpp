@@ -77,8 +77,26 @@ TEST_P(NormalContactTest, AgreesWithADenseSolution) {
                           .pressing = Eigen::ArrayXd::Zero(guess.pressing.size()),
                           .penetration = contact.penetration};
   same.pressing(same.contact).setConstant(60.0 / static_cast<double>(count));
-  const Eigen::ArrayXd by_products = pressing_force(press_kept_nodes(problem, same, {.max_iterations = 1}));
+  const Eigen::ArrayXd by_products = pressing_force(solve_given_nodes(problem, same, {.max_iterations = 1}));
   EXPECT_LT((by_products - pressing_force(contact)).abs().maxCoeff(), 1e-9 * dense.head(count).maxCoeff());
+
+  // At the given penetration, both solvers find the load. Without the load's row, C p = d - gap determines the forces.
+  ContactProblem lowered = problem;
+  lowered.penetration = 1.1 * contact.penetration;
+  const ContactSolution deeper = solve_normal_contact(lowered, guess, {.max_iterations = 100});
+  EXPECT_TRUE(deeper.converged);
+  EXPECT_EQ(deeper.penetration, *lowered.penetration);
+  EXPECT_GE(deeper.gap.minCoeff(), -1e-9 * deeper.penetration);
+  const auto nodes = static_cast<Eigen::Index>(problem.initial_gap.size());
+  const Eigen::MatrixXd matrix =
+      oracle::compliance(*model.surface, false).block(nodes, nodes, nodes, nodes)(deeper.contact, deeper.contact);
+  const Eigen::VectorXd forces =
+      dense_inverse(matrix) * (*lowered.penetration - problem.initial_gap(deeper.contact)).matrix();
+  const Eigen::ArrayXd found = pressing_force(deeper);
+  EXPECT_LT((found(deeper.contact).matrix() - forces).cwiseAbs().maxCoeff(), 1e-9 * forces.maxCoeff());
+  NormalContactGuess far{.contact = deeper.contact, .pressing = 0.5 * found, .penetration = 0.0};
+  const Eigen::ArrayXd iterated = pressing_force(solve_given_nodes(lowered, far, {.max_iterations = 1}));
+  EXPECT_LT((iterated - found).abs().maxCoeff(), 1e-9 * forces.maxCoeff());
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulations, NormalContactTest,

@@ -70,7 +70,7 @@ class SideInfluence : public testing::Test {
         sections_.sampled(HarmonicBody(layers_, kSpeed, orders_of_samples()), 1, watch_));
   }
   [[nodiscard]] SideSum sum(std::vector<OrderBand> bands) {
-    const Eigen::VectorXcd smallest = outer_softness(HarmonicBody(layers_, kSpeed, all_orders(bands)));
+    const Eigen::VectorXcd smallest = inverse_outer_modulus(HarmonicBody(layers_, kSpeed, all_orders(bands)));
     return {sampled(), std::move(bands), smallest, mesh_};
   }
 };

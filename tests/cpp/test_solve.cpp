@@ -45,6 +45,23 @@ TEST(SolveKept, ReproducesTheState) {
   }
 }
 
+TEST(Solve, FindsTheLoadOfAPenetration) {
+  for (const double friction : {0.0, 0.3}) {
+    const LoadCase loaded{.load = 100.0, .angular_speed = 2.5, .friction = friction};
+    const Result result = solve(cases::paper_sphere(), loaded, kCoarse);
+    EXPECT_EQ(result.load, 100.0);
+    LoadCase lowered = loaded;
+    lowered.load.reset();
+    lowered.penetration = result.penetration;
+    const Result again = solve(cases::paper_sphere(), lowered, kCoarse);
+    EXPECT_EQ(again.penetration, result.penetration);
+    EXPECT_NEAR(again.load, 100.0, 1e-7) << friction;
+    EXPECT_NEAR(again.resisting_torque / result.resisting_torque, 1.0, 1e-9) << friction;
+    const Result kept = solve_frozen(cases::paper_sphere(), CoatedPlane{}, lowered, kept_of(again), kCoarse);
+    EXPECT_NEAR(kept.load, 100.0, 1e-7) << friction;
+  }
+}
+
 TEST(SolveKept, RejectsAStateOfAnotherMesh) {
   const LoadCase load_case{.load = 100.0, .angular_speed = 2.5};
   const FrozenContact kept = kept_of(solve(cases::paper_sphere(), load_case, kCoarse));
@@ -128,6 +145,8 @@ TEST(Solve, NamesTheWrongParameter) {
     return "nothing thrown";
   };
   EXPECT_EQ(message(cases::paper_sphere(), {.load = -1.0, .angular_speed = 2.5}), "load must be > 0 N, got -1");
+  EXPECT_EQ(message(cases::paper_sphere(), {.angular_speed = 2.5}),
+            "load must be given, or penetration instead of it, got neither");
   CoatedSphere sphere = cases::paper_sphere();
   sphere.layers[0].thickness = -1e-3;
   EXPECT_EQ(message(sphere, {.load = 1.0, .angular_speed = 2.5}), "layers[0].thickness must be > 0 m, got -0.001");

@@ -96,7 +96,7 @@ class SideInfluenceOfRows : public testing::TestWithParam<Index> {
         SideDifference(wheel, rows_.components > 1, kCoarse).sampled(sampled, 1, watch_));
     const Mesh mesh{.nodes_per_revolution = 400};
     std::vector<OrderBand> bands = phi_bands(layers, kSpeed, mesh);
-    const Eigen::VectorXcd smallest = outer_softness(HarmonicBody(layers, kSpeed, all_orders(bands)));
+    const Eigen::VectorXcd smallest = inverse_outer_modulus(HarmonicBody(layers, kSpeed, all_orders(bands)));
     return {std::move(difference), std::move(bands), smallest, mesh};
   }
 

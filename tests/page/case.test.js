@@ -94,6 +94,16 @@ test("changing between total load and load per length resets the load", () => {
   assert.deepEqual(withBody({ ...initialState(), on: "groove" }, "cylinder").on, "rigid");
 });
 
+test("a body is pressed by a load or by a penetration", () => {
+  const pressed = { ...initialState(), pressed: "penetration", penetration: [0.1, "mm"] };
+  assert.deepEqual(caseOf(pressed).rolling, { penetration: 1e-4, angular_speed: 2.5, friction: 0 });
+  const { state, left } = stateOf(caseOf(pressed));
+  assert.deepEqual(caseOf(state), caseOf(pressed));
+  assert.deepEqual(left, []);
+  assert.deepEqual(stateOfFragment(fragmentOf(pressed)), pressed);
+  assert.ok(pointsOf(pressed, "load").every(({ unit, tables }) => unit === "mm" && !("load" in tables.rolling)));
+});
+
 test("a case without friction has no drive", () => {
   assert.equal("drive" in caseOf({ ...initialState(), drive: "torque", torque: [1, "N m"] }).rolling, false);
   const slid = { ...README, rolling: { ...README.rolling, drive: { creepage: 0.1 } } };

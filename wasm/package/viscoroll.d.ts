@@ -222,8 +222,18 @@ export interface Drive {
 
 /** The table `rolling`: the load case. */
 export interface Rolling {
-  /** Normal load P [N], > 0. For rollers, load per length [N/m]. */
+  /**
+   * Normal load P [N], > 0. For rollers, load per length [N/m]. Exactly one of `load` and `penetration` must be given.
+   */
   load: number;
+  /**
+   * Penetration r_o - H [m], as for rollers with a fixed gap; the load is then the result `Result.load`. It is the same
+   * quantity as `Result.penetration`: radius of the rolling body at rest minus height of its center above the
+   * undeformed counterbody. It must be larger than minus `Result.centrifugal_displacement`, which is 0 without density,
+   * and smaller than the thickness of the layers of both bodies. In line contact on a half-space it is undetermined and
+   * cannot be given. It does not contain thermal expansion: use the radius of the warm body.
+   */
+  penetration: number;
   /**
    * Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the angular speed relative to
    * the line of centers.
@@ -255,7 +265,7 @@ export interface Numerics {
   theta_nodes_per_revolution?: number | null;
   /**
    * Requested relative error [-], in [1e-4, 0.5]; only without `mesh`. The error estimate is the larger of the energy-
-   * balance error and the largest change from the previous mesh of all results that are not given: penetration,
+   * balance error and the largest change from the previous mesh of all results that are not given: load, penetration,
    * torques, forces, speed and powers. The largest pressure has an estimate of its own, `Result.max_pressure_error`.
    * The solver refines the mesh further for it, within some seconds; if that does not suffice, it issues a warning.
    */

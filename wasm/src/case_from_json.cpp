@@ -1,6 +1,7 @@
 #include "case_from_json.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -69,7 +70,9 @@ Drive drive_from_json(Table& table, std::type_identity<std::variant<Kinds...>> /
 
 LoadCase load_case_from_json(const Json& json, const std::string& path) {
   Table table(json, path);
-  LoadCase load_case{.load = table.number("load"),
+  const std::optional<double> penetration = table.maybe_number("penetration");
+  LoadCase load_case{.load = penetration ? table.maybe_number("load") : table.number("load"),
+                     .penetration = penetration,
                      .angular_speed = table.number("angular_speed"),
                      .friction = table.maybe_number("friction").value_or(0.0)};
   if (const Json* drive = table.take("drive")) {

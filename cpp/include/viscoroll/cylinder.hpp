@@ -35,9 +35,10 @@ void validate(const CoatedCylinder& cylinder);
 
 /// @brief Lowest rolling speed at which a surface wave keeps up with the contact (docs/theory/inertia.md).
 /// @param[in] cylinder core and layers
-/// @param[in] highest_frequency frequency at which a `CustomModulus` is evaluated in place of its short-time limit
-/// [rad/s]
-/// @return angular speed [rad/s]; infinite without inertia
+/// @param[in] highest_frequency angular frequency at which a `CustomModulus` is evaluated in place of its short-time
+/// limit [rad/s], > 0
+/// @return critical angular speed Omega [rad/s]; infinite without inertia, or if no short-time modulus is finite
+/// @throws InvalidInput for invalid input
 [[nodiscard]] double critical_speed(const CoatedCylinder& cylinder, double highest_frequency = 1e9);
 
 }  // namespace viscoroll

@@ -9,23 +9,23 @@
 
 namespace viscoroll {
 
-/// @brief A given horizontal force Q on the center. With a force of 0 a torque alone drives the body.
+/// @brief A given horizontal force Q on the center. If it is 0, a torque alone drives the body.
 struct DriveForce {
   double force = 0.0;  ///< Q, positive forward [N], |Q| < friction * load
 
   static constexpr auto fields() { return std::tuple{Field{"force", &DriveForce::force}}; }
 };
 
-/// @brief A given driving torque T. With a torque of 0 the body is towed.
+/// @brief A given driving torque T about the center. If it is 0, the body is towed.
 struct DriveTorque {
-  double torque = 0.0;  ///< T [N m]
+  double torque = 0.0;  ///< T, positive if it increases the angular speed [N m]; requires friction
 
   static constexpr auto fields() { return std::tuple{Field{"torque", &DriveTorque::torque}}; }
 };
 
-/// @brief A given driving power at the axle, P = T Omega. A negative power brakes the body.
+/// @brief A given driving power at the axle, T Omega. A negative power brakes the body.
 struct DrivePower {
-  double power = 0.0;  ///< P [W]
+  double power = 0.0;  ///< T Omega [W]; requires friction
 
   static constexpr auto fields() { return std::tuple{Field{"power", &DrivePower::power}}; }
 };

@@ -1,8 +1,9 @@
 /// @file
-/// @brief Lists of the members of input structs, by which files, WebAssembly and Python read them.
+/// @brief Lists of the members of input structs, from which files, WebAssembly and Python read these structs.
 ///
 /// A struct with a static function `fields` is read member by member. A reader is a function
-/// `reader(name, otherwise, is_optional)` that returns the given value of a parameter, of the type of `otherwise`.
+/// `reader(name, otherwise, is_optional)`. It returns the given value of the parameter, or `otherwise` if an optional
+/// parameter is left out.
 #pragma once
 
 #include <tuple>

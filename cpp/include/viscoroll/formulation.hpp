@@ -19,9 +19,10 @@ enum class PatchLoad {
   spherical,  ///< proportional to 1/sin(theta), equation (38)
 };
 
-/// @brief Distance that undeformed material travels from a node to the next as the sphere rolls over the plane.
+/// @brief Distance that undeformed material travels from a node to the next as the sphere rolls over the plane. It
+/// enters the slip.
 enum class SlipKinematics {
-  exact,  ///< integral of y = r_o sin(theta) sin(phi): the radius decreases away from the middle plane
+  exact,  ///< integral over phi of y = r_o sin(theta) sin(phi): the distance to the axis varies over the contact
   flat,   ///< r_o times the spacing at every node, the last form of (55a); for comparison with the paper
 };
 

@@ -27,7 +27,7 @@ struct InfluenceTables {
   }
 };
 
-/// @brief Sum the orders of the coating to influence tables (docs/theory/influence-tables.md).
+/// @brief Compute influence tables by summing the orders of the coating (docs/theory/influence-tables.md).
 /// @param[in] sphere core and layers
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] mesh spacing and truncation

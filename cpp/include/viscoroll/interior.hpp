@@ -2,9 +2,9 @@
 /// @brief Displacement, strain, stress and dissipation inside the layers under given tractions.
 ///
 /// Vectors have the components r, phi and theta; tensors have the components rr, phiphi, thetatheta, rphi, rtheta and
-/// phitheta. Stress is positive in tension. On every body, r is the outward normal, phi the direction in which its
-/// material crosses the contact, and theta the lateral direction that is theta of the rolling body. See
-/// docs/theory/inside.md.
+/// phitheta. Stress is positive in tension. On every body, r is the outward normal and phi the direction in which its
+/// material crosses the contact. The lateral direction theta is that of the rolling body, on the counterbody as well.
+/// See docs/theory/inside.md.
 #pragma once
 
 #include <array>
@@ -29,16 +29,19 @@
 
 namespace viscoroll {
 
-/// @brief A body with layers. The fields of a wheel are those of a tread without crown and without side faces; a roller
-/// under a wheel is such a tread and is given as a wheel.
+/// @brief A body with layers.
+///
+/// The fields of a wheel are those of a tread without crown and without side faces. A roller under a wheel is given as
+/// a wheel, since its layers form such a tread.
 using LayeredShape = std::variant<CoatedSphere, CoatedCylinder, CoatedPlane, CoatedWheel>;
 
 /// @brief A position along the normal, in one of the layers.
 ///
 /// Three stresses and three strains jump at the boundary of two layers. The layer selects the side of the boundary.
 struct Place {
-  double position = 0.0;  ///< r [m], or in a plane the height above its surface, <= 0 [m]; within the closed layer
-  int layer = 0;          ///< index of the layer, from the center or the base outwards
+  /// r [m], or in a plane the height above its surface, <= 0 [m]; inside or at the ends of the layer.
+  double position = 0.0;
+  int layer = 0;  ///< index of the layer, from the center or the base outwards
 
   friend bool operator==(const Place&, const Place&) = default;
 };
@@ -75,7 +78,7 @@ inline constexpr std::size_t kFieldComponents = 15;
 /// @brief Tractions of a solved contact on the surface of one of the two bodies.
 struct Tractions {
   Mesh mesh;            ///< mesh of the nodes
-  double radius = 0.0;  ///< radius at which the angles of the mesh are arcs, that of the rolling body [m]
+  double radius = 0.0;  ///< radius that converts angles of the mesh to arc lengths: that of the rolling body [m]
   /// Spacing of the columns of a wheel, which differs from that of the mesh [rad]; none for other bodies.
   std::optional<double> theta_spacing = std::nullopt;
   /// Crown radius of a rolling wheel [m], infinite for a flat one; none for other bodies.
@@ -89,7 +92,7 @@ struct Tractions {
   Compliance compliance = Compliance::radial;  ///< normals along which the pressure acts
   Curvature curvature = Curvature::sphere;     ///< `sphere` or `paper`
   PatchLoad patch_load = PatchLoad::flat;      ///< distribution of the traction on a patch
-  bool counterbody = false;                    ///< whether the tractions act on the counterbody instead
+  bool counterbody = false;  ///< whether the tractions act on the counterbody, not on the rolling body
   /// Curvature of the counterbody along the path and across it, > 0 for a convex surface [1/m].
   std::array<double, 2> counterbody_curvature{};
 };
@@ -123,8 +126,8 @@ struct InteriorFields {
 /// @param[in] phi,theta positions along the surface [rad], within half a revolution of the lowest point at pi/2; phi of
 /// a plane within a third of a revolution; theta of a plane or wheel within a whole revolution; theta = pi/2 in line
 /// contact
-/// @param[in] max_order order at which the sum ends smoothly, > 0; it has no effect at depths that higher orders do not
-/// reach
+/// @param[in] max_order order at which the sum ends smoothly, > 0; none: the order that the depth requires. It has no
+/// effect at depths that higher orders do not reach.
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] observer progress and cancellation
 /// @return the fields on all surfaces
@@ -136,18 +139,18 @@ struct InteriorFields {
                                              std::optional<double> max_order = std::nullopt, int threads = 0,
                                              const Observer& observer = {});
 
-/// @brief Energy dissipated inside the layers by the orders |m|, |n| <= max_order of the rolling body. In line contact
-/// powers are per unit length.
+/// @brief Energy and power dissipated inside the layers, from the orders |m|, |n| <= max_order of the rolling body. In
+/// line contact, powers are per unit length.
 struct LossDensity {
-  std::vector<Place> places;    ///< the requested places; without any, those of the volume integral
+  std::vector<Place> places;    ///< the requested places; if none were requested, those of the volume integral
   std::vector<double> weights;  ///< weight dr of each place in the volume integral [m]; 0 for requested places
   /// Equally spaced angles from -pi/2 [rad], over one revolution, on planes and wheels possibly over several; pi/2 in
   /// line contact.
   std::vector<double> theta;
   std::vector<double> density;      ///< w(r, theta) per volume and pass of the contact [J/m^3], [place][theta]
   std::vector<double> orders;       ///< orders m of the body, ascending; whole numbers, except in a plane
-  std::vector<double> order_power;  ///< power dissipated in each layer by each order, in a plane by the orders around
-                                    ///< it [W], [layer][m]
+  std::vector<double> order_power;  ///< power dissipated in each layer by each order m; in a plane, where orders are
+                                    ///< continuous, by the band of orders that m represents [W], [layer][m]
   double volume_power = 0.0;        ///< Omega of the body times the volume integral of w, without sin(theta) [W]
   double surface_power = 0.0;       ///< power of the tractions at the surface, from the same orders [W]
 };

@@ -52,11 +52,12 @@ struct Prony {
 /// @throws InvalidInput if a value is out of range
 [[nodiscard]] Prony standard_linear_solid(double instantaneous_modulus, double relaxed_modulus, double relaxation_time);
 
-/// @brief Prony series of a material whose creep compliance is a Prony series,
+/// @brief Prony series of the modulus that belongs to the creep compliance
 ///
 ///     J(t) = J_0 + sum_k J_k (1 - exp(-t / tau_k))
 ///
-/// The series is exact: its relaxation times are those of the zeros of the compliance over frequency.
+/// The conversion is exact. The relaxation times are -1/s at the zeros s of the compliance J_0 + sum_k J_k / (1 + s
+/// tau_k).
 /// @param[in] instantaneous_compliance J_0, shear compliance at infinite frequency [1/Pa], > 0
 /// @param[in] compliances J_k [1/Pa], >= 0
 /// @param[in] retardation_times tau_k [s], > 0, one for each compliance
@@ -124,8 +125,8 @@ enum class Extrapolation {
   hold,   ///< use the value at the nearer end of the range
 };
 
-/// @brief Tabulated modulus, linear in the logarithm of frequency between the entries. A first entry at frequency 0 is
-/// the static modulus and is used at zero frequency only.
+/// @brief Tabulated modulus. Storage and loss modulus are interpolated linearly over the logarithm of the frequency. If
+/// the first entry has frequency 0, it is the static modulus and is used at zero frequency only.
 struct MasterCurve {
   std::vector<double> frequency;  ///< angular frequency [rad/s], strictly increasing, >= 0, at least two above 0
   std::vector<double> storage;    ///< storage modulus [Pa], > 0

@@ -16,8 +16,8 @@ inline constexpr int kMaxNodesPerRevolution = 1000000;
 /// @brief Surface mesh: nodes at equal spacings in phi and theta, one of them at the lowest point.
 struct Mesh {
   int nodes_per_revolution = 0;  ///< 2 pi / spacing along phi, >= 16
-  /// Truncation order N_t: the sum contains the orders |m|, |n| <= N_t, as in the paper; at least half of the nodes per
-  /// revolution. None: the sum over all orders.
+  /// Truncation order N_t: influence tables contain the orders |m|, |n| <= N_t, as in the paper; at least half of the
+  /// nodes per revolution. None: the sum over all orders.
   std::optional<int> max_order;
   std::optional<int> theta_nodes_per_revolution;  ///< 2 pi / spacing along theta; none: the same as along phi
 

@@ -127,7 +127,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
                                                              std::span<const int> m, std::span<const double> k);
 
 /// @brief Critical speed of a plane: the lowest speed at which a wave of its undamped layers keeps up with the rolling
-/// body, be it the Rayleigh wave of the outer layer, that of the base, or a wave of the layers in between.
+/// body. The wave may be the Rayleigh wave of the outer layer or of the base, or a guided wave of the layers.
 /// @param[in] plane layers and base
 /// @param[in] highest_frequency same as for a sphere [rad/s]
 /// @return critical speed V [m/s]; infinite without inertia, or if no short-time modulus is finite

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Moduli by the names of their types, as files, WebAssembly and Python give them.
+/// @brief Reading of moduli by the name of their type, for files, WebAssembly and Python.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,8 @@
 
 namespace viscoroll {
 
-/// @brief Deferred construction: files report unknown and missing parameters before the values are checked.
+/// @brief Function that constructs a modulus and checks its values. It is called after all parameters have been read,
+/// so that unknown and missing parameters are reported first.
 using MadeModulus = std::function<ShearModulus()>;
 
 namespace detail {
@@ -32,7 +33,7 @@ template <class Reader, class Modulus, class... Arguments, std::size_t count, st
   return [make = function.make, arguments = std::move(arguments)] { return std::apply(make, arguments); };
 }
 
-/// Call `visit(type, read)` for each type of modulus, where `read(reader)` returns the modulus.
+/// Call `visit(type, read)` for each type of modulus, where `read(reader)` returns a `MadeModulus`.
 template <class Visitor>
 void for_each_modulus_type(const Visitor& visit) {
   const auto visit_struct = [&]<class Modulus>(std::type_identity<Modulus> /*kind*/) {

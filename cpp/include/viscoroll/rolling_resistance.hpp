@@ -31,7 +31,8 @@ struct RollingResistance {
 /// @param[in] surface fitted surface
 /// @param[in] load P [N], >= 0
 /// @param[in] angular_speed Omega [rad/s], either sign
-/// @param[in] outside for a load outside the range of the fit or a speed above it: an error, or T / P at the nearer end
+/// @param[in] outside treatment of a load outside the range of the fit, or of a speed above it: throw an error, or use
+/// T / P at the nearer end of the range
 /// @return resisting torque, with the sign of Omega [N m]
 /// @throws InvalidInput naming parameter, value, unit and range
 [[nodiscard]] double resisting_torque(const RollingResistance& surface, double load, double angular_speed,

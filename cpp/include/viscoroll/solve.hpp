@@ -19,8 +19,9 @@ namespace viscoroll {
 /// @param[in] load_case load, rolling speed, friction and drive
 /// @param[in] options options of the solver
 /// @return the solution with its status
-/// @throws InvalidInput for invalid input, for a load that presses the body as deep as its layers are thick,
-/// for a speed at or above `critical_speed`, and for a drive with which the body never stops sliding
+/// @throws InvalidInput for invalid input, for a load whose penetration would reach the thickness of the layers, for a
+/// speed at or above `critical_speed`, and for a drive that friction cannot balance, so that the body slides
+/// permanently
 /// @throws ConvergenceError if the solver finds no usable state
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
@@ -29,7 +30,7 @@ namespace viscoroll {
 /// groove, or another ball, roller or wheel.
 ///
 /// See docs/theory/rollers.md, docs/theory/planes-and-pairs.md and docs/theory/wheels.md.
-/// @param[in] body rolling body; rigid if it has no layers, but not on a rigid counterbody
+/// @param[in] body rolling body; without layers it is rigid, which requires a counterbody that deforms
 /// @param[in] on counterbody
 /// @param[in] load_case load, rolling speed, friction and drive; both surfaces pass the contact at Omega times the
 /// outer radius
@@ -43,8 +44,8 @@ namespace viscoroll {
 
 /// @brief Solve again with a frozen contact: the nodes in contact, sticking and slipping stay those of a state.
 ///
-/// No node joins or leaves a set, so that quotients of small differences are derivatives
-/// (docs/theory/sensitivities.md).
+/// No node joins or leaves a set, so that results are smooth functions of the inputs and difference quotients
+/// approximate derivatives (docs/theory/sensitivities.md).
 /// @param[in] body,on,load_case same as in `solve`, slightly different from the inputs for which the state was solved
 /// @param[in] state contact of a result
 /// @param[in] options options of the solver, with the mesh of that result

@@ -53,7 +53,7 @@ struct CoatedSphere {
 /// @brief Curvature terms that the layer equations of a sphere contain. See docs/theory/layers.md.
 enum class Curvature {
   sphere,  ///< orders (m, n) of the paper, with the membrane stiffness of a sphere, (k^2 - 2) mu
-  paper,   ///< equation (26) of the paper as printed, with k^2 mu; its tables of results were computed with k^2 mu
+  paper,   ///< equation (26) of the paper as printed, with k^2 mu; the paper's results were computed with it
   exact,   ///< spherical harmonics in place of the orders (m, n): for thick coatings, hollow and solid balls
 };
 

@@ -1,11 +1,15 @@
 /// @file
 /// @brief Includes all public headers of the library.
+///
+/// "The paper" in these headers is Zéhil & Gavin, "Rolling resistance of a rigid sphere with viscoelastic coatings".
+/// Numbers of equations and sections are those of the paper; docs/theory describes its misprints.
 #pragma once
 
 #include "viscoroll/cores.hpp"               // IWYU pragma: export
 #include "viscoroll/cylinder.hpp"            // IWYU pragma: export
 #include "viscoroll/drive.hpp"               // IWYU pragma: export
 #include "viscoroll/errors.hpp"              // IWYU pragma: export
+#include "viscoroll/fields.hpp"              // IWYU pragma: export
 #include "viscoroll/formulation.hpp"         // IWYU pragma: export
 #include "viscoroll/influence.hpp"           // IWYU pragma: export
 #include "viscoroll/interior.hpp"            // IWYU pragma: export
@@ -13,6 +17,7 @@
 #include "viscoroll/materials.hpp"           // IWYU pragma: export
 #include "viscoroll/mesh.hpp"                // IWYU pragma: export
 #include "viscoroll/modal.hpp"               // IWYU pragma: export
+#include "viscoroll/modulus_types.hpp"       // IWYU pragma: export
 #include "viscoroll/observer.hpp"            // IWYU pragma: export
 #include "viscoroll/options.hpp"             // IWYU pragma: export
 #include "viscoroll/plane.hpp"               // IWYU pragma: export

@@ -64,6 +64,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+/// Nonnegative least squares: the set of positive unknowns grows by one unknown at a time.
 class ActiveSet {
  public:
   ActiveSet(const Eigen::MatrixXd& matrix, const VectorXd& right)

@@ -57,10 +57,10 @@ class ThreadPool {
 
   std::mutex mutex_;  // protects all members and all offers
   std::condition_variable offered_;
-  std::condition_variable left_;
+  std::condition_variable thread_ended_;
   std::deque<SharedWork*> offers_;  // offers with a free seat, the oldest first
   std::list<std::thread> threads_;
-  std::list<std::thread> gone_;
+  std::list<std::thread> ended_;
   std::size_t idle_ = 0;  // threads that wait for offers
   bool retiring_ = false;
 };
@@ -119,8 +119,8 @@ void ThreadPool::help(std::list<std::thread>::iterator self) {
     if (--offer.working == 0) offer.ended.notify_one();  // under the lock, without which the offer may be gone
     ++idle_;
   }
-  gone_.splice(gone_.end(), threads_, self);
-  left_.notify_all();
+  ended_.splice(ended_.end(), threads_, self);
+  thread_ended_.notify_all();
 }
 
 /// The pool of the process. It is never destroyed, because threads may still compute while the process ends.
@@ -135,11 +135,11 @@ std::unique_lock<std::mutex> ThreadPool::retire() {
   while (idle_ > 0) {
     retiring_ = true;
     offered_.notify_all();
-    left_.wait(lock);
+    thread_ended_.wait(lock);
   }
   retiring_ = false;
-  for (std::thread& thread : gone_) thread.join();  // these threads no longer need the lock
-  gone_.clear();
+  for (std::thread& thread : ended_) thread.join();  // these threads no longer need the lock
+  ended_.clear();
   return lock;
 }
 
@@ -164,7 +164,7 @@ struct ExitHandlers {
 
 /// The handlers are installed when the library is loaded. If another thread installed them later while the process
 /// forks, the child would inherit an unfinished installation and wait for its end permanently.
-const ExitHandlers kPrecautions;
+const ExitHandlers kExitHandlers;
 #endif
 
 /// Run `work(0)` on the calling thread and, at the same time, `work(1)`, `work(2)`, ... on helper threads.

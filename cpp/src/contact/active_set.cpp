@@ -13,7 +13,8 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Stiffness of the prediction, relative to that of a node: rather too many nodes than too few, which join last.
+/// Stiffness of the prediction, relative to that of a node. A small value predicts too many nodes rather than too few:
+/// superfluous nodes leave in every pass, but after the first passes nodes join only if none leaves.
 constexpr double kPredictionStiffness = 0.3;
 constexpr double kOverclosureFactor = 10.0;  // overclosure that counts as such, relative to the tolerance
 constexpr int kExchanges = 8;                // passes in which nodes may leave and join at once

@@ -19,7 +19,8 @@ ContactProblem with_nodes(const ContactProblem& problem, std::shared_ptr<const S
                         .initial_gap = picked(problem.initial_gap, nodes),
                         .normal_force = problem.normal_force,
                         .friction = problem.friction,
-                        .ends_at_sides = problem.ends_at_sides};
+                        .ends_at_sides = problem.ends_at_sides,
+                        .penetration = problem.penetration};
   if (result.friction) {
     Friction& friction = *result.friction;
     friction.shared.reset();
@@ -35,6 +36,15 @@ ContactProblem with_nodes(const ContactProblem& problem, std::shared_ptr<const S
 }
 
 }  // namespace
+
+NormalCondition ContactProblem::normal_condition(double stiffness) const {
+  if (penetration) return {.per_force = 0.0, .per_penetration = 1.0, .value = stiffness * *penetration};
+  return {.per_force = 1.0, .per_penetration = 0.0, .value = normal_force};
+}
+
+void scale_by(const ContactSolution& state, ContactProblem& problem) {
+  if (problem.penetration) problem.normal_force = pressing_force(state).sum();
+}
 
 ContactProblem coarsened(const ContactProblem& problem) {
   const Window& fine = problem.surface->window();

@@ -31,15 +31,29 @@ struct Friction {
   std::shared_ptr<SharedStart> shared = {};
 };
 
+/// @brief Condition on the sum of the pressing forces or on the penetration, one row of the system with the dimension
+/// of a force: per_force * sum p + per_penetration * stiffness * penetration = value.
+struct NormalCondition {
+  double per_force;        ///< 1 if the load is given, else 0
+  double per_penetration;  ///< 1 if the penetration is given, else 0
+  double value;            ///< [N]
+};
+
 /// @brief Find forces p >= 0 and the penetration for which the bodies are in contact where p > 0 and separated
-/// elsewhere: gap = initial_gap - u_y - penetration >= 0, p gap = 0, sum p = normal_force.
+/// elsewhere: gap = initial_gap - u_y - penetration >= 0, p gap = 0, and either sum p = normal_force or the penetration
+/// is given.
 struct ContactProblem {
   std::shared_ptr<const SurfaceOperator> surface;
   Eigen::ArrayXd initial_gap;        ///< gap of each node when the lowest node just touches [m], >= 0
-  double normal_force;               ///< load [N], positive
+  double normal_force;               ///< load [N], positive; with a given penetration, a scale for residuals
   std::optional<Friction> friction;  ///< empty if tangential forces are neglected
   /// Whether a body ends at the sides of the window, so that the contact may reach them.
   bool ends_at_sides = false;
+  /// Given penetration of the lowest undeformed node, including its centrifugal growth [m]; empty if the load is given.
+  std::optional<double> penetration = {};
+
+  /// @param[in] stiffness stiffness that converts the penetration to a force [N/m]
+  [[nodiscard]] NormalCondition normal_condition(double stiffness) const;
 };
 
 /// @brief Limits of a contact solver.
@@ -56,6 +70,9 @@ struct ContactOptions {
 
 /// @return the problem on a window inside its own
 [[nodiscard]] ContactProblem within(const ContactProblem& problem, const Window& window);
+
+/// @brief Set the scale for residuals to the load of a state, unless the load is given.
+void scale_by(const ContactSolution& state, ContactProblem& problem);
 
 /// @return whether the problem is symmetric about the middle of the path
 [[nodiscard]] bool is_mirror_symmetric(const ContactProblem& problem);

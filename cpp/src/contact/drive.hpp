@@ -1,6 +1,5 @@
 /// @file
-/// @brief Drives: the condition on force, torque or speed that closes the equations for the creepage, one row of the
-/// system.
+/// @brief Drives: a condition on force, torque or speed. It is the equation of the system that determines the creepage.
 #pragma once
 
 #include <Eigen/Core>

@@ -11,52 +11,52 @@ namespace viscoroll::detail {
 struct FrictionSettings {
   // Convergence of a state
 
-  /// Residual of a state, times the coefficient of friction if that is below 1, and at least the tolerance of the
-  /// contact ...
+  /// Residual of a state. It is multiplied by the coefficient of friction, but not if that is above 1; the product is
+  /// at least the tolerance of the contact.
   double tolerance = 1e-10;
-  /// ... and at least this coefficient, since the load itself is accurate to 1e-14.
+  /// Lower bound of that factor, since the load itself is accurate to 1e-14.
   double least_friction = 0.01;
-  /// Same where steps no longer halve the residual. Without the coefficient of friction as a factor, sticking nodes
-  /// kept 2 % of the fastest slip at a coefficient of 0.0048.
+  /// Residual, with the same factor, at which a state is accepted if steps no longer halve the residual. Without the
+  /// coefficient of friction as a factor, sticking nodes kept 2 % of the fastest slip at a coefficient of 0.0048.
   double round_off = 1e-8;
-  /// Slip of sticking nodes relative to the range of the increments of displacement in the contact: a fifth of what the
-  /// randomized tests allow. On meshes of a million nodes the residual alone left 1e-4.
+  /// Slip of sticking nodes relative to the range of the increments of displacement in the contact. It is a fifth of
+  /// the tolerance of the randomized tests. On meshes of a million nodes the residual alone left 1e-4.
   double largest_creep = 2e-7;
   /// Largest number of further steps that reduce this slip.
   int max_slip_reduction_steps = 3;
 
   /// Residual at one instant of a motion, which direct solutions reach; its errors carry over to later instants.
   double instant_tolerance = 1e-12;
-  /// Same where steps no longer halve the residual.
+  /// Residual at which an instant is accepted if steps no longer halve the residual.
   double instant_round_off = 1e-10;
 
   // Failure of an iteration
 
   /// Residual at which an iteration stops as diverged, relative to that of the start if that is above 1. The limit is
-  /// large because a node that is displaced by the whole lag of a spacing has forces far above a small load, which one
-  /// step corrects.
+  /// large because, at a small load, forces of nodes at a start may be far above the load; one step corrects them.
   double divergence_residual = 1e3;
-  /// Steps of an iteration: two or three times what a state takes from full stick. Only 4 of 10 000 states needed more.
+  /// Steps of an iteration: two or three times the number that usually leads from full stick to a state. Only 4 of
+  /// 1e4 states needed more.
   int steps = 25;
-  /// Largest number of steps of an iteration that continues because its residual halves ...
+  /// Largest number of steps of an iteration that continues because its residual halves within `halving` steps.
   int max_steps = 60;
-  /// ... in this number of steps. Tried: half costs 1 % in operator applications, twice makes no difference.
+  /// Number of steps within which the residual must halve for an iteration to continue. Tried: half costs 1 % in
+  /// operator applications, twice makes no difference.
   int halving = 12;
   /// Largest number of floating-point operations in the operator applications of a search (some seconds).
   double max_operations = 1e10;
-  /// Number of operator applications up to which a search may exceed `max_operations`, eight times that of most states
-  /// ...
+  /// Number of operator applications up to which a search may exceed `max_operations`: eight times that of most states.
   double operator_applications = 800;
-  /// ... by at most this factor.
+  /// Largest factor by which a search may exceed `max_operations`.
   double excess_factor = 4.0;
 
   // Newton steps
 
   /// First steps of an iteration. The solver does not shorten them if they increase the residual, because the sets
-  /// still change. Tried: with half of them the
-  /// longest path took 38 steps instead of 20, with twice 22; operator applications agree to 1 %.
+  /// still change. Tried: with half as many, the longest path took 38 steps instead of 20; with twice as many, 22.
+  /// Operator applications agree to 1 %.
   int full_steps = 8;
-  /// Same from a coarser mesh, whose sets are nearly correct.
+  /// Number of such steps from the state of a coarser mesh, whose sets are nearly correct.
   int full_steps_nearby = 3;
   /// Ratio of the residual to the least residual above which, after the full steps, the search returns to the state
   /// with the least residual. Without this, 79 cases of the friction grid, all at friction of at most 0.01, took 72
@@ -65,8 +65,7 @@ struct FrictionSettings {
   /// Shortest fraction of a step; shorter ones do not end cycles of nodes either. Tried: 0.25 costs 30 % more operator
   /// applications, 0.01 makes no difference.
   double shortest_step = 0.05;
-  /// Largest creepage [-]. Beyond it, a body that slides as a whole hardly changes and steps diverge; drives are met
-  /// below it.
+  /// Largest creepage [-]. Beyond it, the forces of a body that slides as a whole hardly change and steps diverge.
   double max_creepage = 1.0;
   /// Relative residual of a step with an iterative linear solver. Greater accuracy does not pay while the sets change;
   /// steps after the full ones use a tenth of it. Tried: 1e-3 to 0.1 agree within 6 % of the operator applications.
@@ -88,16 +87,16 @@ struct FrictionSettings {
   int steps_of_full_stick = 6;
   /// Steps from a coarser mesh after which the residual must have halved.
   int patience_nearby = 8;
-  /// Same for steps from between two creepages, before the interval is halved. Tried: no difference, since both only
-  /// end iterations that fail.
+  /// Steps from a state interpolated between two creepages after which the residual must have halved. Tried: neither
+  /// limit makes a difference, since both only end iterations that fail.
   int patience_between = 14;
-  /// Coefficient of friction from which a state with given creepage was found at a coefficient of 4, where no other
-  /// start succeeded.
+  /// Coefficient of friction at which the path over coefficients starts. From it, the search found a state with given
+  /// creepage at a coefficient of 4, where no other start succeeded.
   double easy_friction = 0.3;
-  /// Step of the logarithmic path from there, as a fraction of the whole, below which the search ends: after seven
-  /// halvings. Tried: 0.1 makes no difference.
+  /// Shortest step of that path, as a fraction of its logarithmic length. It is reached after seven halvings and ends
+  /// the search. Tried: 0.1 makes no difference.
   double shortest_stride = 0.01;
-  /// Creepage below which the scale of creepages is linear [-].
+  /// Creepage above which the search steps in the logarithm of the creepage, and below which in the creepage [-].
   double small_creepage = 1e-5;
   /// Halvings of the interval of creepages, to a millionth of it.
   int halvings = 20;

@@ -36,6 +36,7 @@ SearchLimits limits_of(const ContactProblem& problem, const ContactSolution& sta
           .max_products = most - start.operator_applications};
 }
 
+/// Search for the state at the wanted coefficient of friction and drive, from several starting points.
 class StateSearch {
  public:
   StateSearch(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options)
@@ -166,7 +167,7 @@ class StateSearch {
     std::optional<CreepageTrial> far = find_at(there, start_);
     if (!far || (far->excess > 0.0) == is_above) return false;
     for (int halving = 0; halving < kFrictionSettings.halvings && !newton_.is_exhausted(); ++halving) {
-      if (arrive_between(*near, *far)) return true;
+      if (start_between(*near, *far)) return true;
       const double middle = 0.5 * (here + there);
       std::optional<CreepageTrial> next = find_at(middle, near->state);
       if (!next) return false;
@@ -190,7 +191,7 @@ class StateSearch {
   }
 
   /// Start from the linear interpolation between two states at the point where it satisfies the drive.
-  bool arrive_between(const CreepageTrial& one, const CreepageTrial& other) {
+  bool start_between(const CreepageTrial& one, const CreepageTrial& other) {
     const double share = one.excess / (one.excess - other.excess);
     ContactSolution between = one.state;
     between.force += share * (other.state.force - one.state.force);
@@ -200,8 +201,8 @@ class StateSearch {
     return iterate({.patience = kFrictionSettings.patience_between});
   }
 
-  /// Return the state after further steps that reduce the slip of sticking nodes. A residual that is small compared
-  /// with the load may leave slip that is not small compared with the displacement of sticking nodes by the strain.
+  /// Return the state after further steps that reduce the slip of sticking nodes. This slip may not be small compared
+  /// with the differences of displacement between nodes, although the residual is small compared with the load.
   [[nodiscard]] ContactSolution finished() {
     ContactSolution state = newton_.state();
     ContactSets sets = newton_.sets();

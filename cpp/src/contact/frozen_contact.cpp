@@ -20,7 +20,7 @@ using Eigen::Index;
 /// Largest number of Newton steps. The start is nearby and only the directions of slip are nonlinear in the forces.
 constexpr int kMaxSteps = 12;
 constexpr double kSettled = 1e-11;    // change of the forces in a step that ends the iteration, per load
-constexpr double kUnsettled = 1e-6;   // largest change in the last step, per load
+constexpr double kUnsettled = 1e-6;   // change in the last step above which the iteration has failed, per load
 constexpr double kExactStep = 1e-11;  // residual of the linear system of a step
 
 ContactSets sets_of(const StickSlipSystem& system, double friction, const std::vector<char>& sticks,
@@ -62,8 +62,12 @@ ContactSolution slide_kept_nodes(const ContactProblem& problem, ContactSolution 
 
 ContactSolution solve_frozen_contact(const ContactProblem& problem, ContactSolution kept,
                                      const ContactOptions& options) {
-  if (problem.friction) return slide_kept_nodes(problem, std::move(kept));
-  return press_kept_nodes(
+  if (problem.friction) {
+    ContactProblem scaled = problem;
+    scale_by(kept, scaled);
+    return slide_kept_nodes(scaled, std::move(kept));
+  }
+  return solve_given_nodes(
       problem, {.contact = kept.contact, .pressing = pressing_force(kept), .penetration = kept.penetration}, options);
 }
 

@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 constexpr Index kMaxDirections = 120;  // before a restart, for large systems
 constexpr int kMaxProducts = 360;      // some ten are usually enough
-constexpr double kStagnation = 0.5;    // reduction of the residual over a restart that is too small to go on
+constexpr double kStagnation = 0.5;    // ratio of residuals after and before a restart at which the method gives up
 
 /// Orthonormal basis of a Krylov space and the least residual over it.
 class Arnoldi {

@@ -15,15 +15,15 @@ using Eigen::Index;
 
 /// Number of nodes up to which a window is solved as a whole, not in a box around the contact.
 constexpr Index kSmallWindow = 4096;
-// Number of nodes below which coarsening does not pay: 200 speeds by 10 loads took the same time with 600 to 1200, and
-// an eighth more if windows of 4096 nodes were not coarsened either.
+// Number of nodes up to which a coarser mesh does not save time: 200 speeds by 10 loads took the same time with limits
+// from 600 to 1200 nodes, and an eighth more with a limit of 4096.
 constexpr Index kFewNodes = 600;
-constexpr int kFewAcross = 16;  // least number of nodes in either direction, of which the coarse mesh keeps 8
+constexpr int kMinNodesPerDirection = 16;       // with fewer, the coarse mesh would have fewer than 8
 constexpr Index kSmallFrictionalWindow = 2500;  // number of nodes up to which friction needs no coarser mesh
-constexpr double kCoarseTolerance = 1e-4;       // residual of a contact that is interpolated
+constexpr double kCoarseTolerance = 1e-4;       // residual on a mesh that only supplies a start
 // Tangential forces may be a small part of the load, and the errors of the levels add up.
 constexpr double kCoarseFrictionalTolerance = 1e-6;
-constexpr double kCoarseUnsettled = 0.001;  // fraction of its nodes
+constexpr double kCoarseUnsettled = 0.001;  // fraction of the coarse mesh's nodes that may still leave or join
 
 ContactOptions rough(ContactOptions options) {
   options.tolerance = kCoarseTolerance;
@@ -32,8 +32,11 @@ ContactOptions rough(ContactOptions options) {
   return options;
 }
 
-/// Return a guess without forces that contains the nodes up to a depth, and at least the lowest ones.
+/// Return a guess without forces that contains the nodes up to a depth, and at least the lowest ones. At a given
+/// penetration, the guess contains the overlapping nodes instead: no load keeps a larger set pressed, and an
+/// incompressible layer, which keeps its volume, would be in tension everywhere.
 NormalContactGuess guess_within(const ContactProblem& problem, double depth) {
+  depth = problem.penetration.value_or(depth);
   const ArrayXd& initial_gap = problem.initial_gap;
   NormalContactGuess guess{.contact = {}, .pressing = ArrayXd::Zero(initial_gap.size()), .penetration = 0.0};
   const double deepest = initial_gap.minCoeff();
@@ -71,7 +74,8 @@ Window joined(const Window& one, const Window& other) {
 /// Whether the window has enough nodes in both directions for a start from every other node to pay.
 bool is_worth_coarsening(const Window& window) {
   const auto [rows, columns] = window.shape();
-  return window.shape().size() > kFewNodes && rows >= kFewAcross && (window.is_line() || columns >= kFewAcross);
+  return window.shape().size() > kFewNodes && rows >= kMinNodesPerDirection &&
+         (window.is_line() || columns >= kMinNodesPerDirection);
 }
 
 LocatedContact press(ContactProblem problem, const NormalContactGuess& guess, const ContactOptions& options) {
@@ -111,6 +115,7 @@ LocatedContact pressed(const ContactProblem& problem, double contact_gap_limit, 
 
 /// Add friction on the window of `start`, a frictionless contact or a state with friction.
 LocatedContact add_friction(LocatedContact start, const ContactOptions& options) {
+  scale_by(start.contact, start.problem);
   start.contact = solve_frictional_contact(start.problem, start.contact, options);
   return start;
 }

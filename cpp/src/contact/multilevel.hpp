@@ -7,7 +7,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief Solve a contact, with friction if the problem has some.
+/// @brief Solve a contact with or without friction.
 /// Small windows are solved as a whole. On a larger window the solver first solves the mesh of every other node,
 /// recursively, and then a box around that contact, so that the number of Krylov iterations does not grow with the
 /// mesh. If friction fails on the coarsest level, the next level starts from its own frictionless contact.

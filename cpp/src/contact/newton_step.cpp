@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Limits of the mean rigidity, which represents all slipping nodes in one symbol.
-constexpr double kLeastRigidity = 0.02;
+constexpr double kMinRigidity = 0.02;
 constexpr double kMaxRigidity = 0.9;
 
 /// Sticking nodes, and the runs along phi that contain them.
@@ -114,10 +114,11 @@ class Equations {
         preconditioner_(preconditioner),
         contacts_(static_cast<Index>(contact_.size())),
         forces_(contacts_ + 2 * stick_.count() + slip_.count()),
+        condition_(problem.normal_condition(scales.normal)),
         drive_(friction_.drive->row({*problem.surface, friction_.arms, state.force, own_displacement(state)},
                                     scales.tangential * friction_.step)) {
     if (slip_.count() > 0) {
-      const double rigidity = std::clamp(slip_.rigidity.mean(), kLeastRigidity, kMaxRigidity);
+      const double rigidity = std::clamp(slip_.rigidity.mean(), kMinRigidity, kMaxRigidity);
       turning_symbol_ = preconditioner.turning_symbol(rigidity, scales.tangential);
     }
     prepare_border();
@@ -129,7 +130,7 @@ class Equations {
     forward(right) = -scales_.normal * stick_.rigid_slip(0).matrix();
     sideways(right) = -scales_.normal * stick_.rigid_slip(1).matrix();
     across(right) = (-scales_.tangential * slip_.rigidity * across_direction(rigid_slip_)).matrix();
-    right[forces_] = problem_.normal_force;
+    right[forces_] = condition_.value;
     right[forces_ + 1] = drive_.value;
     return right;
   }
@@ -163,22 +164,25 @@ class Equations {
     const VectorField force = this->force(unknowns);
     const Displacements of_each = problem_.surface->displacements(force);
     const VectorField moved = of_each.relative();
-    const VectorField carried = at_paces(of_each, moved);
+    const VectorField moved_for_slip = slip_displacement(of_each, moved);
     const double creepage = unknowns[forces_ + 1] / creepage_force();
     VectorXd result(forces_ + 2);
     result.head(contacts_) = (-scales_.normal * moved.col(kDown)(contact_) - unknowns[forces_]).matrix();
     const auto since_head = [&](Axis axis) {
-      return carried.col(axis)(stick_.nodes) - carried.col(axis)(stick_.heads);
+      return moved_for_slip.col(axis)(stick_.nodes) - moved_for_slip.col(axis)(stick_.heads);
     };
     forward(result) = (scales_.normal * (since_head(kForward) + creepage * stick_.slip_per_creepage(0))).matrix();
     sideways(result) = (scales_.normal * (since_head(kSideways) + creepage * stick_.slip_per_creepage(1))).matrix();
-    const auto slipped = [&](Axis axis) { return carried.col(axis)(slip_.nodes) - carried.col(axis)(slip_.upstream); };
+    const auto slipped = [&](Axis axis) {
+      return moved_for_slip.col(axis)(slip_.nodes) - moved_for_slip.col(axis)(slip_.upstream);
+    };
     const auto& e = slip_.direction;
     const ArrayXd turned =
         e.col(0) * slipped(kSideways) - e.col(1) * slipped(kForward) + creepage * across_direction(per_creepage_);
     across(result) =
         ((1.0 - slip_.rigidity) * across(unknowns).array() + slip_.rigidity * scales_.tangential * turned).matrix();
-    result[forces_] = unknowns.head(contacts_).sum();
+    result[forces_] =
+        condition_.per_force * unknowns.head(contacts_).sum() + condition_.per_penetration * unknowns[forces_];
     result[forces_ + 1] = drive_.of(force, moved, creepage);
     return result;
   }
@@ -224,9 +228,9 @@ class Equations {
     return increments(state_.counterbody_displacement, problem_.surface->shape().theta_nodes);
   }
 
-  /// Displacements that enter the slip at the creepage of the state: the counterbody's material passes 1 + creepage
-  /// times as fast.
-  [[nodiscard]] VectorField at_paces(const Displacements& of_each, const VectorField& relative) const {
+  /// Displacements that enter the slip. The part of the counterbody counts 1 + creepage times, because its material
+  /// passes that much faster.
+  [[nodiscard]] VectorField slip_displacement(const Displacements& of_each, const VectorField& relative) const {
     if (of_each.counterbody.rows() == 0) return relative;
     return relative + *state_.creepage * of_each.counterbody;
   }
@@ -243,7 +247,7 @@ class Equations {
   [[nodiscard]] Eigen::Vector2d border_conditions(const VectorXd& forces) const {
     VectorXd unknowns = VectorXd::Zero(forces_ + 2);
     unknowns.head(forces_) = forces;
-    return {forces.head(contacts_).sum(), (drive_.force_coefficients * force(unknowns)).sum()};
+    return {condition_.per_force * forces.head(contacts_).sum(), (drive_.force_coefficients * force(unknowns)).sum()};
   }
 
   /// Compute the response of the forces to penetration and creepage, and the remaining 2 x 2 system for these two.
@@ -261,6 +265,7 @@ class Equations {
     Eigen::Matrix2d border;
     border.col(0) = -border_conditions(border_response_.col(0));
     border.col(1) = -border_conditions(border_response_.col(1));
+    border(0, 0) += condition_.per_penetration;
     border(1, 1) += drive_.creepage_coefficient / creepage_force();
     border_inverse_ = border.inverse();
   }
@@ -296,6 +301,7 @@ class Equations {
   const StickSlipPreconditioner& preconditioner_;
   Index contacts_;
   Index forces_;
+  NormalCondition condition_;
   DriveRow drive_;
   ComplexBuffer turning_symbol_;
   Eigen::MatrixX2d border_response_;

@@ -9,8 +9,8 @@
 
 #include "base/validate.hpp"
 #include "contact/active_set.hpp"
+#include "contact/dense_pressed_surface.hpp"
 #include "contact/krylov.hpp"
-#include "contact/pressed_by_matrix.hpp"
 #include "influence/fft.hpp"
 #include "influence/table_product.hpp"
 #include "viscoroll/errors.hpp"
@@ -27,13 +27,15 @@ constexpr double kTightening = 0.03;      // factor on the tolerance from pass t
 constexpr Index kSmallContact = 1300;  // `small_system` of GMRES; the size of the rough mesh on which windows are tried
 
 /// Equations of frictionless contact, without their matrix. Forces come first, then the penetration times a stiffness.
+/// The last equation is the condition on the load or on the penetration.
 ///
 /// If the contact is mirror-symmetric, one node represents itself and its image, and its unknown is the force times
 /// sqrt(2). Sums of squares are then those of all nodes, and so is every step of a Krylov method.
 ///
-/// The preconditioner returns forces that sum to zero, so that every step from a guess that supports the load supports
-/// it too. A Krylov method then meets the compliance restricted to forces that sum to zero, which is symmetric if the
-/// coating is lossless.
+/// The preconditioner satisfies the last equation, and so does every step from a guess that satisfies it. At a given
+/// load the forces of a step sum to zero: a Krylov method meets the compliance restricted to such forces, which is
+/// symmetric if the coating is lossless. At a given penetration the last unknown does not change, and the equation
+/// drops out.
 class FlatEquations {
  public:
   FlatEquations(const ContactProblem& problem, const InverseConvolution& inverse, const std::vector<Index>& contact,
@@ -44,6 +46,7 @@ class FlatEquations {
         count_(rows_.count()),
         roots_(VectorXd::Ones(count_)),
         stiffness_(problem.surface->normal_stiffness()),
+        condition_(problem.normal_condition(stiffness_)),
         balance_(1.0 / std::sqrt(static_cast<double>(contact.size()))) {
     if (mirrored) {
       for_nodes([&](Index i, Index k) { roots_[i] = k > 0 ? std::numbers::sqrt2 : 1.0; });
@@ -54,26 +57,26 @@ class FlatEquations {
   [[nodiscard]] VectorXd right_side() const {
     VectorXd right(count_ + 1);
     for (Index i = 0; i < count_; ++i) right[i] = -stiffness_ * roots_[i] * problem_.initial_gap[rows_.node(i)];
-    right[count_] = balance_ * problem_.normal_force;
+    right[count_] = balance_ * condition_.value;
     return right;
   }
 
-  /// Return the unknowns of a guess, with its forces corrected so that they support the load.
+  /// Return the unknowns of a guess, corrected so that they satisfy the last equation.
   [[nodiscard]] VectorXd unknowns(const PressedNodes& contact) const {
     VectorXd unknowns(count_ + 1);
     for (Index i = 0; i < count_; ++i) unknowns[i] = roots_[i] * contact.pressing[rows_.node(i)];
     unknowns[count_] = stiffness_ * *contact.penetration;
-    const double lowering = (problem_.normal_force - sum(unknowns)) / sum(uniform_);
+    const double lowering = (condition_.value - conditioned(unknowns)) / response();
     unknowns.head(count_) += lowering * uniform_;
     unknowns[count_] += lowering;
     return unknowns;
   }
 
-  /// Store the solution in `contact`, with forces corrected to sum to the load to the last digit.
+  /// Store the solution in `contact`, with forces corrected so that the last equation holds to the last digit.
   void press(const VectorXd& unknowns, PressedNodes& contact) const {
-    const double missing = problem_.normal_force - sum(unknowns);
-    const VectorXd forces = (unknowns.head(count_) + missing / sum(uniform_) * uniform_).cwiseQuotient(roots_);
-    contact.penetration = unknowns[count_] / stiffness_;
+    const double missing = condition_.value - conditioned(unknowns);
+    const VectorXd forces = (unknowns.head(count_) + missing / response() * uniform_).cwiseQuotient(roots_);
+    contact.penetration = problem_.penetration.value_or(unknowns[count_] / stiffness_);
     contact.pressing.setZero();
     for_nodes([&](Index i, Index k) {
       contact.pressing[rows_.node(i)] = forces[i];
@@ -87,7 +90,7 @@ class FlatEquations {
     VectorXd result(count_ + 1);
     result.head(count_) = roots_.cwiseProduct(stiffness_ * scaled_);
     result.head(count_) -= unknowns[count_] * roots_;
-    result[count_] = balance_ * sum(unknowns);
+    result[count_] = balance_ * conditioned(unknowns);
     return result;
   }
 
@@ -95,7 +98,7 @@ class FlatEquations {
   [[nodiscard]] VectorXd precondition(const VectorXd& right) const {
     VectorXd result(count_ + 1);
     result.head(count_) = precondition_forces(right.head(count_));
-    result[count_] = (right[count_] / balance_ - sum(result)) / sum(uniform_);
+    result[count_] = (right[count_] / balance_ - condition_.per_force * sum(result)) / response();
     result.head(count_) += result[count_] * uniform_;
     return result;
   }
@@ -108,6 +111,14 @@ class FlatEquations {
 
   /// Sum of the forces of all nodes.
   [[nodiscard]] double sum(const VectorXd& unknowns) const { return roots_.dot(unknowns.head(count_)); }
+
+  /// Left side of the last equation.
+  [[nodiscard]] double conditioned(const VectorXd& unknowns) const {
+    return condition_.per_force * sum(unknowns) + condition_.per_penetration * unknowns[count_];
+  }
+
+  /// Change of this side if all nodes are lowered by the same amount.
+  [[nodiscard]] double response() const { return condition_.per_force * sum(uniform_) + condition_.per_penetration; }
 
   [[nodiscard]] VectorXd precondition_forces(const Eigen::Ref<const VectorXd>& right) const {
     const Execution& execution = problem_.surface->execution();
@@ -123,17 +134,18 @@ class FlatEquations {
   Index count_;
   VectorXd roots_;  // square root of the number of nodes that an unknown represents
   double stiffness_;
+  NormalCondition condition_;
   double balance_;
   VectorXd uniform_;         // forces that lower all nodes by the same amount
   mutable VectorXd scaled_;  // operand of the products; freeing and allocating its memory costs more than the product
 };
 
 /// A surface whose compliance is given by operator applications; a Krylov method solves the systems.
-class SurfaceOfProducts : public PressedSurface {
+class IterativePressedSurface : public PressedSurface {
  public:
   /// @param[in] problem contact problem
   /// @param[in] mirrored whether the contact is mirror-symmetric
-  SurfaceOfProducts(const ContactProblem& problem, bool mirrored)
+  IterativePressedSurface(const ContactProblem& problem, bool mirrored)
       : problem_(problem), mirrored_(mirrored), weights_(ArrayXd::Ones(problem.initial_gap.size())) {}
 
   void press(PressedNodes& contact, double tolerance) override {
@@ -246,20 +258,20 @@ ContactSolution press(Surface&& surface, PressedNodes start, const ContactOption
 ContactSolution solve_normal_contact(const ContactProblem& problem, const NormalContactGuess& guess,
                                      const ContactOptions& options) {
   PressedNodes start = start_of(guess);
-  if (PressedByMatrix::serves(problem, guess.contact)) {
-    return press(PressedByMatrix(problem), std::move(start), options, options.tolerance);
+  if (DensePressedSurface::is_applicable(problem, guess.contact)) {
+    return press(DensePressedSurface(problem), std::move(start), options, options.tolerance);
   }
   if (std::optional<PressedNodes> same = mirrored(problem, start)) {
-    return press(SurfaceOfProducts(problem, true), *std::move(same), options, kFirstTolerance);
+    return press(IterativePressedSurface(problem, true), *std::move(same), options, kFirstTolerance);
   }
-  return press(SurfaceOfProducts(problem, false), std::move(start), options, kFirstTolerance);
+  return press(IterativePressedSurface(problem, false), std::move(start), options, kFirstTolerance);
 }
 
-ContactSolution press_kept_nodes(const ContactProblem& problem, const NormalContactGuess& guess,
-                                 const ContactOptions& options) {
+ContactSolution solve_given_nodes(const ContactProblem& problem, const NormalContactGuess& guess,
+                                  const ContactOptions& options) {
   const PressedNodes start = start_of(guess);
   const std::optional<PressedNodes> same = mirrored(problem, start);
-  SurfaceOfProducts surface(problem, same.has_value());
+  IterativePressedSurface surface(problem, same.has_value());
   PressedNodes contact = same.value_or(start);
   contact.passes = 1;
   contact.converged = true;

@@ -19,7 +19,7 @@ struct NormalContactGuess {
 
 /// @brief Solve a frictionless contact with an active set.
 /// The linear systems are solved iteratively with operator applications, at first approximately. Systems of few nodes
-/// use a matrix.
+/// use a dense matrix.
 /// @param[in] problem surface, initial gap and load; friction is ignored
 /// @param[in] guess start
 /// @param[in] options limits
@@ -32,7 +32,7 @@ struct NormalContactGuess {
 /// @param[in] problem surface, initial gap and load; friction is ignored
 /// @param[in] guess nodes in contact and initial forces
 /// @param[in] options limits
-[[nodiscard]] ContactSolution press_kept_nodes(const ContactProblem& problem, const NormalContactGuess& guess,
-                                               const ContactOptions& options);
+[[nodiscard]] ContactSolution solve_given_nodes(const ContactProblem& problem, const NormalContactGuess& guess,
+                                                const ContactOptions& options);
 
 }  // namespace viscoroll::detail

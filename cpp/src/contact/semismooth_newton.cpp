@@ -69,10 +69,10 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
       residuals.back() = best.residual;
       breaker = CycleBreaker(state_.force.rows());
     }
-    const bool freed = breaker.free_undecided(sets_, residuals.size() > 2 && is_halved(residuals, 2));
-    breaker.rest_turned(sets_);
+    const bool released = breaker.release_alternating(sets_, residuals.size() > 2 && is_halved(residuals, 2));
+    breaker.stick_reversed(sets_);
     const double tolerance = limits.exact ? kFrictionSettings.exact_step : kFrictionSettings.rough_step;
-    if (is_full || freed) {
+    if (is_full || released) {
       take_step(friction, sets_, is_full ? tolerance : 0.1 * tolerance);
     } else {
       const ContactSolution before = state_;

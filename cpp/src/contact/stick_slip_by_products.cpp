@@ -18,7 +18,10 @@ StickSlipByProducts::StickSlipByProducts(const ContactProblem& problem)
       preconditioner_(*problem.surface) {}
 
 double StickSlipByProducts::imbalance(const ContactSolution& state) const {
-  return std::hypot(-state.force.col(kDown).sum() - problem_.normal_force, drive_excess(state));
+  const NormalCondition condition = problem_.normal_condition(scales_.normal);
+  const double normal = condition.per_force * pressing_force(state).sum() +
+                        condition.per_penetration * scales_.normal * state.penetration;
+  return std::hypot(normal - condition.value, drive_excess(state));
 }
 
 void StickSlipByProducts::find_displacements(ContactSolution& state) {

@@ -9,9 +9,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kLeastKept = 0.97;  // least fraction of a coarse mesh's contact
+constexpr double kMinKeptFraction = 0.97;  // of the nodes that gap and slip of the coarse mesh put in contact
 
-/// Traction of a node if all of its slip were reversed elastically.
+/// Traction of a node if its slip were reversed elastically, t - k_t S.
 Eigen::Array2d trial_traction(const StickSlipSystem& system, const ContactSolution& state, Index node) {
   const Eigen::Array2d traction(state.force(node, kForward), state.force(node, kSideways));
   return traction - system.scales().tangential * state.slip.row(node).transpose();
@@ -64,7 +64,7 @@ void keep_contact(const StickSlipSystem& system, double friction, ContactSolutio
   state.prolonged.reset();
   ContactSets kept = find_sets(system, friction, smooth);
   const auto count = [](const ContactSets& of) { return static_cast<double>(of.contact.size()); };
-  if (count(sets) < kLeastKept * count(kept)) sets = std::move(kept);
+  if (count(sets) < kMinKeptFraction * count(kept)) sets = std::move(kept);
 }
 
 }  // namespace viscoroll::detail

@@ -115,7 +115,7 @@ class RealFft {
 /// Only ratios matter, since the cost is used to choose among lengths. Ratios differ less between machines than times
 /// do.
 struct FftCost {
-  double least;
+  double least;  ///< the constant; may be negative in a fit
   double factor_2;
   double factor_3;
   double factor_5;

@@ -10,7 +10,7 @@ namespace {
 
 // Both axes are transformed, each as real lines. The time per number of a period is that of this axis, plus that of the
 // other axis at a typical length, plus that of the product, which is limited by memory.
-constexpr int kMiddle = 1024;
+constexpr int kTypicalLength = 1024;
 constexpr double kProduct = 4.0;  // [ns], in the units of the costs
 
 /// @return time per number of a line [ns], or infinity if the length has other factors
@@ -27,7 +27,7 @@ double time_per_number(int length, const FftCost& cost) {
 }
 
 int fastest(int length, const FftCost& own) {
-  const double rest = time_per_number(kMiddle, kRealFftCost) + kProduct;
+  const double rest = time_per_number(kTypicalLength, kRealFftCost) + kProduct;
   int best = length;
   double least = std::numeric_limits<double>::infinity();
   // Costs were measured at even lengths. The candidates up to twice the length contain a power of two.

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kLowest = 8.0;         // order below which layers bend as a whole
-constexpr double kMaxRangeRatio = 8.0;  // ratio of the orders at both ends of a range
-constexpr double kLeftOut = 1e-15;      // size of the omitted terms of a polynomial
+constexpr double kLowest = 8.0;          // order below which layers bend as a whole
+constexpr double kMaxRangeRatio = 8.0;   // ratio of the orders at both ends of a range
+constexpr double kOmittedTerms = 1e-15;  // size of the omitted terms of a polynomial
 /// Orders per node above which interpolation costs less than the orders themselves.
 constexpr double kOrdersPerNode = 1.5;
 
@@ -27,7 +27,7 @@ constexpr double kNearestZero = 1.2;
 /// ellipse around the range that reaches the zeros.
 int node_count(double ratio) {
   const double reach = 2.0 * kNearestZero / std::log(ratio);  // relative to half the range
-  return static_cast<int>(std::ceil(-std::log(kLeftOut) / std::asinh(reach))) + 1;
+  return static_cast<int>(std::ceil(-std::log(kOmittedTerms) / std::asinh(reach))) + 1;
 }
 
 /// Indices of the first and of one past the last order of a band in [low, high).
@@ -68,7 +68,7 @@ RowMajorMatrix chebyshev_terms(const Eigen::ArrayXd& places, Index count) {
 InterpolatedOrders::InterpolatedOrders(const std::vector<OrderBand>& bands) : parts_(bands.size()) {
   double top = 0.0;
   for (const OrderBand& band : bands) top = std::max(top, band.orders[band.orders.size() - 1]);
-  append_themselves(-1.0, kLowest, bands);
+  append_orders(-1.0, kLowest, bands);
   if (top <= kLowest) return;
   const auto count = static_cast<int>(std::ceil(std::log(top / kLowest) / std::log(kMaxRangeRatio)));
   const auto bound = [&](int i) { return kLowest * std::pow(top / kLowest, static_cast<double>(i) / count); };
@@ -76,7 +76,7 @@ InterpolatedOrders::InterpolatedOrders(const std::vector<OrderBand>& bands) : pa
     const double high = i + 1 == count ? std::nextafter(top, std::numeric_limits<double>::infinity()) : bound(i + 1);
     const auto orders = static_cast<double>(count_within(bands, bound(i), high));
     const bool pays = orders > kOrdersPerNode * node_count(high / bound(i));
-    pays ? append_polynomials(bound(i), high, bands) : append_themselves(bound(i), high, bands);
+    pays ? append_polynomials(bound(i), high, bands) : append_orders(bound(i), high, bands);
   }
 }
 
@@ -101,7 +101,7 @@ void InterpolatedOrders::append_polynomials(double low, double high, const std::
   }
 }
 
-void InterpolatedOrders::append_themselves(double low, double high, const std::vector<OrderBand>& bands) {
+void InterpolatedOrders::append_orders(double low, double high, const std::vector<OrderBand>& bands) {
   std::vector<std::tuple<double, std::size_t, Index>> orders;  // with band and index in the band
   for (std::size_t b = 0; b < bands.size(); ++b) {
     const auto [first, end] = orders_within(bands[b], low, high);

@@ -54,7 +54,7 @@ class InterpolatedOrders {
   };
 
   void append_polynomials(double low, double high, const std::vector<OrderBand>& bands);
-  void append_themselves(double low, double high, const std::vector<OrderBand>& bands);
+  void append_orders(double low, double high, const std::vector<OrderBand>& bands);
 
   Eigen::ArrayXd sampled_;
   std::vector<Range> ranges_;

@@ -19,7 +19,7 @@ double phi_spacing(const Mesh& mesh) { return 2.0 * std::numbers::pi / mesh.node
 double theta_spacing(const Mesh& mesh) { return 2.0 * std::numbers::pi / theta_nodes_per_revolution(mesh); }
 
 void validate(const Mesh& mesh) {
-  constexpr int kFewestNodes = 16;
+  constexpr int kMinNodes = 16;
   constexpr int kHighestOrder = 200000;
   const auto in_range = [](const char* name, int value, int low, int high, const std::string& why) {
     if (value < low || value > high) {
@@ -27,9 +27,9 @@ void validate(const Mesh& mesh) {
                      std::to_string(value));
     }
   };
-  in_range("mesh.nodes_per_revolution", mesh.nodes_per_revolution, kFewestNodes, kMaxNodesPerRevolution, "");
+  in_range("mesh.nodes_per_revolution", mesh.nodes_per_revolution, kMinNodes, kMaxNodesPerRevolution, "");
   const int theta_nodes = theta_nodes_per_revolution(mesh);
-  in_range("mesh.theta_nodes_per_revolution", theta_nodes, kFewestNodes, kMaxNodesPerRevolution, "");
+  in_range("mesh.theta_nodes_per_revolution", theta_nodes, kMinNodes, kMaxNodesPerRevolution, "");
   constexpr int kLargestRatio = 100;  // ratio of spacings; beyond it, many orders would be summed for few offsets
   in_range("mesh.theta_nodes_per_revolution", theta_nodes, mesh.nodes_per_revolution / kLargestRatio,
            mesh.nodes_per_revolution * kLargestRatio, " (between 1/100 and 100 times nodes_per_revolution)");
@@ -47,9 +47,9 @@ namespace {
 constexpr double kBothSides = 2.0 / 3.0 * std::numbers::pi;  // 60 degrees on either side
 
 int rounded_nodes(double nodes_per_revolution) {
-  constexpr double kFewest = 16.0;
+  constexpr double kMinRoundedNodes = 16.0;
   constexpr double kLargestInt = std::numeric_limits<int>::max();
-  return static_cast<int>(std::clamp(std::round(nodes_per_revolution), kFewest, kLargestInt));
+  return static_cast<int>(std::clamp(std::round(nodes_per_revolution), kMinRoundedNodes, kLargestInt));
 }
 
 }  // namespace

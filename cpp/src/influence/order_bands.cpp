@@ -82,7 +82,7 @@ void append_octaves(Step below, double top, double spacing, const Stride& stride
   }
 }
 
-/// Bands up to `top`; the first one consists of whole orders.
+/// Bands up to `top`; the first one consists of integer orders.
 template <class Stride>
 std::vector<OrderBand> split(double spacing, double top, double rough_orders, const Stride& stride_of) {
   const int half = static_cast<int>(std::lround(std::numbers::pi / spacing));
@@ -140,7 +140,7 @@ OrderBand low_orders(const Step& step, double stride, double lowest, int reach) 
 
 }  // namespace
 
-void count_longest(OrderBand& lowest) {
+void include_longer_waves(OrderBand& lowest) {
   const double ratio = lowest.orders[1] / lowest.orders[0];
   lowest.weights[0] *= ratio / (ratio - 1.0);
 }
@@ -158,7 +158,7 @@ std::vector<OrderBand> unbounded_octaves(int nodes_per_revolution, double finest
 }
 
 std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order, double rough_orders) {
-  // Images of the load stay apart.
+  // With these strides, the periodic images of the load do not overlap.
   return split(spacing_of(nodes_per_revolution), highest_order(nodes_per_revolution, finest_order), rough_orders,
                [](double confined) { return std::numbers::pi / confined; });
 }
@@ -166,7 +166,7 @@ std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order, do
 std::vector<OrderBand> octaves_within(double spacing, double top, double largest_offset, double rough_orders) {
   using std::numbers::pi;
   const double highest = std::min(top, kLastOctave * 2.0 * pi / spacing);
-  // Images of the load stay out of the window.
+  // With these strides, the periodic images of the load lie outside the window.
   return split(spacing, highest, rough_orders,
                [&](double confined) { return std::max(1.0, 2.0 * pi / (largest_offset + confined)); });
 }
@@ -180,7 +180,7 @@ std::vector<OrderBand> unbounded_octaves_within(double spacing, double top, doub
   const double stride = lowest.share > kLowestOfTables ? stride_of_fields(first, refinement, largest_offset)
                                                        : stride_of_tables(refinement, largest_offset);
   std::vector<OrderBand> bands{low_orders(first, stride, lowest.share, static_cast<int>(std::lround(pi / spacing)))};
-  if (lowest.stands_for_longer) count_longest(bands.front());
+  if (lowest.represents_longer_waves) include_longer_waves(bands.front());
   append_octaves(
       first, highest, spacing, [&](double confined) { return 2.0 * pi / (largest_offset + confined) / refinement; },
       bands);
@@ -195,7 +195,7 @@ double refinement_of(const std::vector<Layer>& layers) {
 namespace {
 
 /// Whether two layers have the same material at the relevant frequencies.
-bool are_alike(const Layer& a, const Layer& b, double angular_speed) {
+bool have_same_material(const Layer& a, const Layer& b, double angular_speed) {
   const std::array frequencies{0.0, angular_speed, 8.0 * angular_speed};  // every mesh evaluates these
   return a.poisson_ratio == b.poisson_ratio && a.bulk_modulus == b.bulk_modulus &&
          complex_modulus(a.shear_modulus, frequencies) == complex_modulus(b.shear_modulus, frequencies);
@@ -208,14 +208,14 @@ double finest_order(const LayeredBody& body, double angular_speed) {
   double thinnest = std::numeric_limits<double>::infinity();
   double thickness = 0.0;
   for (std::size_t l = 0; l < layers.size(); ++l) {
-    const bool joined = l > 0 && are_alike(layers[l - 1], layers[l], angular_speed);
+    const bool joined = l > 0 && have_same_material(layers[l - 1], layers[l], angular_speed);
     if (l > 0 && !joined) thinnest = std::min(thinnest, thickness);
     thickness = layers[l].thickness + (joined ? thickness : 0.0);
   }
   return body.metric.radius / std::min(thinnest, thickness);
 }
 
-/// Straight directions are not periodic, so their orders are not whole and cannot be truncated.
+/// Straight directions are not periodic, so their orders are not integers and cannot be truncated.
 void require_all_orders(const Metric& metric, const Mesh& mesh) {
   if (!mesh.max_order) return;
   const std::string what = metric.is_wheel() ? "wheel tread" : "plane";
@@ -225,16 +225,16 @@ void require_all_orders(const Metric& metric, const Mesh& mesh) {
 
 }  // namespace
 
-// Tables are interpolated with kinks, and users' functions may have kinks.
+// Interpolated master curves have kinks, and users' functions may have kinks.
 double material_rough_orders(const LayeredBody& body, double angular_speed, const Mesh& mesh) {
-  const double asked = std::min(kMaxRoughOrders, measured_order(mesh));
+  const double highest_evaluated = std::min(kMaxRoughOrders, measured_order(mesh));
   double highest = 0.0;
   for (const Layer& layer : body.layers) {
     if (const auto* curve = std::get_if<MasterCurve>(&layer.shear_modulus)) {
       if (!curve->frequency.empty()) highest = std::max(highest, curve->frequency.back() / angular_speed);
     } else if (std::holds_alternative<CustomModulus>(layer.shear_modulus)) {
-      highest =
-          std::max(highest, highest_kink(layer.shear_modulus, angular_speed, asked * angular_speed) / angular_speed);
+      highest = std::max(
+          highest, highest_kink(layer.shear_modulus, angular_speed, highest_evaluated * angular_speed) / angular_speed);
     }
   }
   return std::min({highest, kMaxRoughOrders, 2.0 * measured_order(mesh)});  // `measured_order` is approached slowly
@@ -263,7 +263,7 @@ std::vector<OrderBand> theta_bands(const LayeredBody& body, double angular_speed
   if (body.metric.across == AxisKind::line) {
     require_all_orders(body.metric, mesh);
     std::vector<OrderBand> bands = unbounded_octaves(nodes, finest_order(body, angular_speed), 1.0, widest);
-    if (body.metric.is_wheel()) count_longest(bands.front());
+    if (body.metric.is_wheel()) include_longer_waves(bands.front());
     return bands;
   }
   return mesh.max_order ? whole_orders(*mesh.max_order, nodes)

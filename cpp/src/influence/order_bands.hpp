@@ -1,11 +1,11 @@
 /// @file
 /// @brief Orders that are summed in one direction (docs/theory/influence-tables.md).
 ///
-/// A sum truncated at an order N_t, as in the paper, contains every whole order up to it. The sum over all orders needs
-/// far fewer. Smooth steps P_b from 1 to 0, each at up to twice the order of the previous one, split it into the band
-/// P_0, which is summed order by order, and the bands P_b - P_{b-1}, the octaves. Beyond the first band the compliance
-/// varies on the scale of the order itself. An octave is therefore smooth, its sum may have a stride, and its
-/// contribution to a table is confined to a neighborhood of the load that shrinks as the stride grows. About sixty
+/// A sum truncated at an order N_t, as in the paper, contains every integer order up to it. The sum over all orders
+/// needs far fewer. Smooth steps P_b from 1 to 0, each at up to twice the order of the previous one, split it into the
+/// band P_0, which is summed order by order, and the bands P_b - P_{b-1}, the octaves. Beyond the first band the
+/// compliance varies on the scale of the order itself. An octave is therefore smooth, its sum may have a stride, and
+/// its contribution to a table is confined to a neighborhood of the load that shrinks as the stride grows. About sixty
 /// orders suffice for every octave.
 #pragma once
 
@@ -19,12 +19,12 @@ namespace viscoroll::detail {
 
 /// @brief Orders of one band.
 struct OrderBand {
-  Eigen::ArrayXd orders;   ///< ascending from 0, not necessarily whole
+  Eigen::ArrayXd orders;   ///< ascending from 0, not necessarily integers
   Eigen::ArrayXd weights;  ///< weight of each order in the sum over orders of both signs
   int reach;               ///< offset in spacings beyond which the band contributes nothing
 };
 
-/// @brief Every whole order up to `max_order`, with equal weights.
+/// @brief Every integer order up to `max_order`, with equal weights.
 [[nodiscard]] std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution);
 
 /// @brief All orders that matter, to nine digits of a table's center.
@@ -54,8 +54,9 @@ struct OrderBand {
 
 /// @brief Lowest order of a window without a period.
 struct LowestOrder {
-  double share = 1e-9;             ///< relative to the middle of the first step
-  bool stands_for_longer = false;  ///< whether the lowest order represents all longer waves, see `count_longest`
+  double share = 1e-9;  ///< relative to the middle of the first step
+  /// Whether the lowest order represents all longer waves, see `include_longer_waves`.
+  bool represents_longer_waves = false;
 };
 
 /// @brief Orders for sums within a window on an unbounded plane.
@@ -69,9 +70,9 @@ struct LowestOrder {
 
 /// @brief Increase the weight of the lowest order of an unbounded plane on a hub, so that it represents all longer
 /// waves.
-/// Their weights decrease by the ratio of two successive orders. Loads on the whole width of a wheel make their
-/// displacements as large as those of other orders.
-void count_longest(OrderBand& lowest);
+/// The weights of successive longer waves would form a geometric series, whose sum is included. The displacements of
+/// these waves are as large as those of other orders if the load covers the whole width of a wheel.
+void include_longer_waves(OrderBand& lowest);
 
 /// @return factor on the density of orders for measured moduli, which have kinks, relative to smooth ones
 [[nodiscard]] double refinement_of(const std::vector<Layer>& layers);
@@ -79,13 +80,13 @@ void count_longest(OrderBand& lowest);
 /// @return order along phi up to which orders are summed one by one because of a measured modulus
 [[nodiscard]] double material_rough_orders(const LayeredBody& body, double angular_speed, const Mesh& mesh);
 
-/// @brief Smooth step between the degrees of a sphere that are summed one by one and those of the local metric.
+/// @brief Smooth step between the degrees of a sphere that are summed one by one and those that use the local metric.
 /// @param[in] wave_number k, or l + 1/2
 /// @param[in] middle middle of the step, may be infinite
-/// @return weight of the former, from 1 to 0
+/// @return weight of the sum over single degrees, from 1 to 0
 [[nodiscard]] double exact_share(double wave_number, double middle);
 
-/// @return degree from which the weight of the former is negligible: 2e-7
+/// @return degree from which that weight is negligible: 2e-7
 [[nodiscard]] double exact_end(double middle);
 
 /// @brief Bands of orders along phi.

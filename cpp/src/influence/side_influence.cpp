@@ -25,24 +25,24 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using cplx = std::complex<double>;
 
-/// Second derivatives of the splines that are 1 at one of the equidistant knots and 0 at the others: [knot, index of
-/// that one]. The knot next to the first is not a knot. At the last one the slope is that of a function that decreases
-/// like 1/m from there on, because octaves are smooth.
-MatrixXd spline_bends(Index knots, double distance) {
+/// Second derivatives, at equidistant knots, of the cubic splines that are 1 at one knot and 0 at the others: [knot,
+/// knot of the 1]. At the second knot the spline satisfies the not-a-knot condition. At the last knot its slope is that
+/// of a function that decreases like 1/m from there on, because octaves are smooth.
+MatrixXd spline_second_derivatives(Index knots, double distance) {
   MatrixXd smooth = MatrixXd::Zero(knots, knots);
-  MatrixXd bends = MatrixXd::Zero(knots, knots);
+  MatrixXd second_derivatives = MatrixXd::Zero(knots, knots);
   for (Index i = 1; i + 1 < knots; ++i) {
     smooth.row(i).segment(i - 1, 3) << 1.0, 4.0, 1.0;
-    bends.row(i).segment(i - 1, 3) << 6.0, -12.0, 6.0;
+    second_derivatives.row(i).segment(i - 1, 3) << 6.0, -12.0, 6.0;
   }
   smooth.row(0).head(3) << 1.0, -2.0, 1.0;
   smooth.row(knots - 1).tail(2) << 1.0, 2.0;
-  bends.row(knots - 1).tail(2) << 6.0, -6.0 * (1.0 + distance);
-  return dense_inverse(smooth) * bends / (distance * distance);
+  second_derivatives.row(knots - 1).tail(2) << 6.0, -6.0 * (1.0 + distance);
+  return dense_inverse(smooth) * second_derivatives / (distance * distance);
 }
 
-/// Add the weights of lines at position z, which lies in an element (between every other line), or too far from the
-/// faces for them to have an effect.
+/// Add the weights of the lines in the value at position z. Each element of the section lies between every other line.
+/// Positions nearer to the middle than the first line have zero weights, because the faces have no effect there.
 void add_shares(const ArrayXd& lines, double z, double weight, Eigen::Ref<Eigen::VectorXd> shares) {
   const double place = std::min(std::abs(z), lines[lines.size() - 1]);
   if (place < lines[0]) return;
@@ -103,7 +103,7 @@ MatrixXd shares_of_samples(const Eigen::ArrayXd& sampled, const Eigen::ArrayXd& 
   const Index knots = sampled.size() - 1;
   const double last = std::log(sampled[knots]);
   const double distance = last / static_cast<double>(knots - 1);
-  const MatrixXd bends = spline_bends(knots, distance);
+  const MatrixXd second_derivatives = spline_second_derivatives(knots, distance);
   MatrixXd shares = MatrixXd::Zero(orders.size(), sampled.size());
   for (Index row = 0; row < orders.size(); ++row) {
     if (orders[row] == 0.0) {
@@ -116,7 +116,8 @@ MatrixXd shares_of_samples(const Eigen::ArrayXd& sampled, const Eigen::ArrayXd& 
     const double left = 1.0 - right;
     auto share = shares.row(row).tail(knots);
     share = distance * distance / 6.0 *
-            ((left * left - 1.0) * left * bends.row(knot) + (right * right - 1.0) * right * bends.row(knot + 1));
+            ((left * left - 1.0) * left * second_derivatives.row(knot) +
+             (right * right - 1.0) * right * second_derivatives.row(knot + 1));
     share[knot] += left;
     share[knot + 1] += right;
     share *= std::min(1.0, sampled[knots] / orders[row]);
@@ -124,19 +125,20 @@ MatrixXd shares_of_samples(const Eigen::ArrayXd& sampled, const Eigen::ArrayXd& 
   return shares;
 }
 
-Eigen::VectorXcd outer_softness(const HarmonicBody& body) {
-  Eigen::VectorXcd smallest(static_cast<Index>(body.orders().size()));
-  for (Index i = 0; i < smallest.size(); ++i) smallest[i] = 1.0 / body.outer_modulus(static_cast<std::size_t>(i));
-  return smallest;
+Eigen::VectorXcd inverse_outer_modulus(const HarmonicBody& body) {
+  Eigen::VectorXcd inverse_modulus(static_cast<Index>(body.orders().size()));
+  for (Index i = 0; i < inverse_modulus.size(); ++i)
+    inverse_modulus[i] = 1.0 / body.outer_modulus(static_cast<std::size_t>(i));
+  return inverse_modulus;
 }
 
 SideSum::SideSum(std::shared_ptr<const SampledDifference> difference, std::vector<OrderBand> bands,
-                 const Eigen::VectorXcd& smallest, const MeshOnBody& mesh)
+                 const Eigen::VectorXcd& inverse_modulus, const MeshOnBody& mesh)
     : difference_(std::move(difference)), bands_(std::move(bands)), mesh_(mesh) {
   Index first = 0;
   for (const OrderBand& band : bands_) {
     const Eigen::VectorXcd factors =
-        smallest.segment(first, band.orders.size()).array() * (band.weights / (2.0 * std::numbers::pi));
+        inverse_modulus.segment(first, band.orders.size()).array() * (band.weights / (2.0 * std::numbers::pi));
     shares_.emplace_back(factors.asDiagonal() * shares_of_samples(difference_->orders, band.orders).cast<cplx>());
     first += band.orders.size();
   }

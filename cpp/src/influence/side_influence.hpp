@@ -43,17 +43,17 @@ struct SideRequest {
 };
 
 /// @return inverse of the outermost layer's modulus at the orders of a body [1/Pa]
-[[nodiscard]] Eigen::VectorXcd outer_softness(const HarmonicBody& body);
+[[nodiscard]] Eigen::VectorXcd inverse_outer_modulus(const HarmonicBody& body);
 
 /// @brief Sums over all orders, on a mesh and at a speed.
 class SideSum {
  public:
-  /// @param[in] difference sampled difference, times a modulus
+  /// @param[in] difference sampled difference of compliances, multiplied by a modulus
   /// @param[in] bands bands along phi
-  /// @param[in] smallest inverse of that modulus at the orders of all bands [1/Pa]
+  /// @param[in] inverse_modulus inverse of that modulus at the orders of all bands [1/Pa]
   /// @param[in] mesh mesh on the body
   SideSum(std::shared_ptr<const SampledDifference> difference, std::vector<OrderBand> bands,
-          const Eigen::VectorXcd& smallest, const MeshOnBody& mesh);
+          const Eigen::VectorXcd& inverse_modulus, const MeshOnBody& mesh);
 
   [[nodiscard]] const std::shared_ptr<const SampledDifference>& difference() const { return difference_; }
   [[nodiscard]] SideFactors factors(const SideRequest& request) const;
@@ -117,8 +117,8 @@ class SideProduct {
  private:
   /// The even or the odd part about the middle of the tread.
   struct Part {
-    std::vector<Eigen::MatrixXd> gathered;   // [component], weights of lines in the forces on columns, [line, column]
-    std::vector<Eigen::MatrixXd> read;       // [component], weights of lines in the result at columns
+    std::vector<Eigen::MatrixXd> gathered;  // [component], weights of lines in the forces on columns, [line, column]
+    std::vector<Eigen::MatrixXd> read;      // [component], weights of lines in displacements at columns, [line, column]
     std::vector<Eigen::MatrixXcd> spectrum;  // [frequency], for amplitudes component * lines + line
   };
 

@@ -14,7 +14,7 @@ using Eigen::Index;
 using cplx = std::complex<double>;
 
 constexpr std::size_t kColumns = ColumnBlocks::kColumns;
-constexpr std::size_t kRows = 16;       // processed together
+constexpr std::size_t kRows = 16;       // rows that are processed together
 constexpr Index kThreadedSize = 20000;  // nodes below which starting threads costs more than it saves
 
 std::size_t parts(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
@@ -53,16 +53,16 @@ void split(double* line, double* odd, int length) {
 }
 
 /// Indices of an even and an odd field, or of one of them, whose lines are transformed as one.
-struct Couple {
+struct FieldPair {
   std::optional<std::size_t> even;
   std::optional<std::size_t> odd;
 };
 
-std::vector<Couple> couples(const std::vector<FieldPart>& parts) {
-  std::vector<Couple> all;
+std::vector<FieldPair> paired(const std::vector<FieldPart>& parts) {
+  std::vector<FieldPair> all;
   for (const FieldPart& part : parts) {
-    const auto member = part.odd ? &Couple::odd : &Couple::even;
-    auto free = std::ranges::find_if(all, [&](const Couple& couple) { return !(couple.*member); });
+    const auto member = part.odd ? &FieldPair::odd : &FieldPair::even;
+    auto free = std::ranges::find_if(all, [&](const FieldPair& pair) { return !(pair.*member); });
     if (free == all.end()) free = all.emplace(all.end());
     (*free).*member = part.field;
   }
@@ -232,8 +232,8 @@ void SpectralProduct::apply_mirrored(const std::vector<bool>& odd, const Fill& f
   }
   reserve(std::max(odd.size(), results), threads);
   const int length = period_.theta_nodes;
-  const std::vector<Couple> given = couples(operands);
-  const std::vector<Couple> wanted = couples(sums);
+  const std::vector<FieldPair> given = paired(operands);
+  const std::vector<FieldPair> wanted = paired(sums);
   for_rows(threads, watch, [&](std::size_t first, std::size_t end, Workspace& work) {
     for (const auto& [even_field, odd_field] : given) {
       for (std::size_t row = first; row < end; ++row) {
@@ -289,7 +289,7 @@ void SpectralProduct::multiply(const Parts& operands, const std::vector<Spectral
                      for (const SpectralTerm& term : terms) {
                        if (term.result != results[part].field || term.operand != operands[operand].field) continue;
                        if ((odd != term.odd) != results[part].odd) continue;
-                       // Odd ones are stored without their factor -i, and (-i)^2 = -1.
+                       // Odd parts and spectra are stored without their factor -i, and (-i)^2 = -1.
                        const double sign = odd && term.odd ? -term.sign : term.sign;
                        add_signed_product(sign, as_pairs(term.spectrum->data() + block * size),
                                           as_pairs(work.columns.data() + operand * size), count * column_stride_,

@@ -83,7 +83,7 @@ Amplitudes summed(const MatrixXd& harmonic, const MatrixXd& force) {
 }
 
 /// Sum amplitudes of the degrees to displacements at thetas, with real and imaginary parts in the same order.
-MatrixXd seen(const MatrixXd& harmonic, const Amplitudes& amplitudes, Index thetas) {
+MatrixXd displacements_of(const MatrixXd& harmonic, const Amplitudes& amplitudes, Index thetas) {
   const auto count = static_cast<Index>(amplitudes.size());
   MatrixXd parts(harmonic.rows(), 2 * count);
   for (Index i = 0; i < count; ++i) {
@@ -251,7 +251,7 @@ void FactoredSphereProduct::respond(const SphericalOrder& order, Eigen::Ref<Matr
     return MatrixXd(force.middleRows(place(side, 1), 2 * half_)).reshaped(half_, 4);
   };
   const auto add_along = [&](const MatrixXd& harmonic, const Amplitudes& pair, std::size_t side) {
-    amplitudes.middleRows(place(side, 1), 2 * half_) += seen(harmonic, pair, half_).reshaped(2 * half_, 2);
+    amplitudes.middleRows(place(side, 1), 2 * half_) += displacements_of(harmonic, pair, half_).reshaped(2 * half_, 2);
   };
   constexpr std::complex<double> kI(0.0, 1.0);
   for (std::size_t side = 0; side < 2; ++side) {  // parity of P and E; that of D is opposite
@@ -267,10 +267,10 @@ void FactoredSphereProduct::respond(const SphericalOrder& order, Eigen::Ref<Matr
       const Eigen::ArrayXcd moved_psi = own.mixed * y + own.along * psi;
       const Eigen::ArrayXcd moved_phi = own.across * phi;
       moved_y += own.mixed * psi;
-      add_along(own.seen->e, {kI * moved_psi, -kI * moved_phi}, side);
-      add_along(own.seen->d, {moved_phi, moved_psi}, other);
+      add_along(own.displaced->e, {kI * moved_psi, -kI * moved_phi}, side);
+      add_along(own.displaced->d, {moved_phi, moved_psi}, other);
     }
-    amplitudes.middleRows(place(side, 0), half_) += seen(own.seen->p, {moved_y}, half_);
+    amplitudes.middleRows(place(side, 0), half_) += displacements_of(own.displaced->p, {moved_y}, half_);
   }
 }
 

@@ -133,12 +133,12 @@ void SphereSum::add_degrees(const std::vector<SphereRequest>& requests, std::vec
     for (std::size_t r = 0; r < requests.size(); ++r) {
       const SphereRequest& request = requests[r];
       // Derivatives are averages over patches; displacements are evaluated somewhat downstream of the nodes.
-      const cplx seen_from = request.power ? cplx(0.0, mesh_.turns() * m) * patch
-                                           : std::polar(1.0, m * request.collocation * mesh_.phi_spacing());
-      const cplx factor = scale * (m == 0 ? 1.0 : 2.0) * patch * seen_from;
+      const cplx received = request.power ? cplx(0.0, mesh_.turns() * m) * patch
+                                          : std::polar(1.0, m * request.collocation * mesh_.phi_spacing());
+      const cplx factor = scale * (m == 0 ? 1.0 : 2.0) * patch * received;
       SphericalOrder& order = influences[r].orders[i];
       for (std::size_t side = 0; side < order.size(); ++side) order[side] = every_other(compliances, m, side, factor);
-      const bool is_known = r > 0 && request.is_on_patches_of(requests[r - 1]);
+      const bool is_known = r > 0 && request.has_same_loads_as(requests[r - 1]);
       if (is_known) {
         share(influences[r - 1].orders[i], &EveryOtherDegree::loaded, &EveryOtherDegree::loaded, order);
       } else {
@@ -146,9 +146,9 @@ void SphereSum::add_degrees(const std::vector<SphereRequest>& requests, std::vec
       }
       worker.checkpoint();
       if (request.power) {
-        share(order, &EveryOtherDegree::loaded, &EveryOtherDegree::seen, order);
+        share(order, &EveryOtherDegree::loaded, &EveryOtherDegree::displaced, order);
       } else {
-        set(harmonics_at(m, highest_degree_, thetas, request.tangential), &EveryOtherDegree::seen, order);
+        set(harmonics_at(m, highest_degree_, thetas, request.tangential), &EveryOtherDegree::displaced, order);
       }
       worker.checkpoint();
     }

@@ -2,8 +2,8 @@
 /// @brief Influence on the exact sphere, summed from vector spherical harmonics (docs/theory/influence-tables.md).
 ///
 /// The influence depends on the offset in phi and on theta of both nodes. Degrees up to about a hundred are represented
-/// one by one, by their harmonics at the nodes. Above, the surface is flat on the scale of a wave; there the sums over
-/// orders of `synthesis.hpp` are used in the local metric, as a polynomial in it.
+/// one by one, by their harmonics at the nodes. For higher degrees the surface is flat on the scale of a wave: their
+/// influence is a sum over orders (`synthesis.hpp`) in the local metric, represented as a polynomial in the metric.
 #pragma once
 
 #include <Eigen/Core>
@@ -56,8 +56,8 @@ struct SphereRequest {
   PatchLoad patch_load = PatchLoad::flat;
   double collocation = 0.0;  ///< see `SurfaceOperator::collocation` [spacings]
 
-  /// @return whether the forces of both are the same
-  [[nodiscard]] bool is_on_patches_of(const SphereRequest& other) const {
+  /// @return whether both requests have the same loaded components and patch load
+  [[nodiscard]] bool has_same_loads_as(const SphereRequest& other) const {
     return patch_load == other.patch_load && tangential == other.tangential;
   }
   friend bool operator==(const SphereRequest&, const SphereRequest&) = default;

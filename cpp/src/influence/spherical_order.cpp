@@ -20,7 +20,7 @@ using Middle = Eigen::ArrayXcd EveryOtherDegree::*;
 
 /// One of the products whose sum is the displacement along a component.
 struct Term {
-  Harmonic seen;
+  Harmonic displaced;
   Middle middle;
   Harmonic loaded;
   cplx factor;
@@ -138,21 +138,21 @@ MatrixXd ThetaPatches::means(const MatrixXd& values) const {
 
 std::array<Harmonics, 2> ThetaPatches::harmonics(int order, int highest, bool tangential) const {
   std::array<Harmonics, 2> result = harmonics_at(order, highest, theta_, tangential);
-  for (Harmonics& of : result) {
-    of.p = means(of.p);
+  for (Harmonics& harmonics : result) {
+    harmonics.p = means(harmonics.p);
     if (!tangential) continue;
-    of.d = means(of.d);
-    of.e = means(of.e);
+    harmonics.d = means(harmonics.d);
+    harmonics.e = means(harmonics.e);
   }
   return result;
 }
 
-SphericalOrder with_wide_patches(const SphericalOrder& fine, cplx factor, bool wide_seen) {
+SphericalOrder with_wide_patches(const SphericalOrder& fine, cplx factor, bool wide_displaced) {
   SphericalOrder coarse;
   for (std::size_t side = 0; side < 2; ++side) {
     const EveryOtherDegree& own = fine[side];
     const double even = side == 0 ? 1.0 : -1.0;
-    coarse[side] = {.seen = coarse_harmonics(*own.seen, even, wide_seen),
+    coarse[side] = {.displaced = coarse_harmonics(*own.displaced, even, wide_displaced),
                     .loaded = coarse_harmonics(*own.loaded, even, true),
                     .radial = factor * own.radial,
                     .mixed = factor * own.mixed,
@@ -170,7 +170,7 @@ Eigen::MatrixXcd sum_between(const SphericalOrder& order, int p, int q, Index ha
     for (std::size_t side = 0; side < 2; ++side) {
       const EveryOtherDegree& own = order[side];
       const Eigen::ArrayXcd middle = term.factor * own.*term.middle;
-      const auto left = ((*own.seen).*term.seen).leftCols(half).transpose();
+      const auto left = ((*own.displaced).*term.displaced).leftCols(half).transpose();
       const auto right = ((*own.loaded).*term.loaded).leftCols(half);
       sums[side].resize(half, half);
       sums[side].real() = product(left, MatrixXd(middle.real().matrix().asDiagonal() * right));
@@ -178,13 +178,13 @@ Eigen::MatrixXcd sum_between(const SphericalOrder& order, int p, int q, Index ha
     }
     const Eigen::MatrixXcd same = sums[0] + sums[1];
     const Eigen::MatrixXcd opposite = sums[0] - sums[1];
-    const double seen_sign = mirrored(term.seen);
+    const double displaced_sign = mirrored(term.displaced);
     const double loaded_sign = mirrored(term.loaded);
     const Index rest = half_theta;
     all.bottomRightCorner(half, half) += same;
     all.bottomLeftCorner(half, rest) += loaded_sign * opposite.rightCols(rest).rowwise().reverse();
-    all.topRightCorner(rest, half) += seen_sign * opposite.bottomRows(rest).colwise().reverse();
-    all.topLeftCorner(rest, rest) += seen_sign * loaded_sign * same.bottomRightCorner(rest, rest).reverse();
+    all.topRightCorner(rest, half) += displaced_sign * opposite.bottomRows(rest).colwise().reverse();
+    all.topLeftCorner(rest, rest) += displaced_sign * loaded_sign * same.bottomRightCorner(rest, rest).reverse();
   }
   return all;
 }
@@ -196,11 +196,11 @@ Eigen::VectorXcd sum_across_equator(const SphericalOrder& order, int p, int q, i
       const EveryOtherDegree& own = order[side];
       const Eigen::VectorXcd middle = (own.*term.middle).matrix();
       const cplx factor = term.factor * mirrored(term.loaded) * (side == 0 ? 1.0 : -1.0);
-      const MatrixXd& seen = (*own.seen).*term.seen;
+      const MatrixXd& displaced = (*own.displaced).*term.displaced;
       const MatrixXd& loaded = (*own.loaded).*term.loaded;
       for (int l = 0; l <= reach; ++l) {
         sum[l] +=
-            factor * seen.col((l + 1) / 2).cwiseProduct(loaded.col(l / 2)).cast<cplx>().cwiseProduct(middle).sum();
+            factor * displaced.col((l + 1) / 2).cwiseProduct(loaded.col(l / 2)).cast<cplx>().cwiseProduct(middle).sum();
       }
     }
   }

@@ -25,7 +25,7 @@ struct Harmonics {
 /// @brief Every other degree of an order m. For the degrees m, m + 2, ..., P and E are even about the equator and D is
 /// odd; for m + 1, m + 3, ... the reverse holds.
 struct EveryOtherDegree {
-  std::shared_ptr<const Harmonics> seen;         ///< harmonics at the displaced nodes
+  std::shared_ptr<const Harmonics> displaced;    ///< harmonics at the displaced nodes
   std::shared_ptr<const Harmonics> loaded;       ///< harmonics of unit forces on patches
   Eigen::ArrayXcd radial, mixed, along, across;  ///< same as in `DegreeCompliance`, but per force [m/N]
 };
@@ -64,8 +64,9 @@ class ThetaPatches {
 /// @brief Degrees of an order for every other node.
 /// @param[in] fine degrees for all nodes
 /// @param[in] factor factor on the compliances
-/// @param[in] wide_seen whether the displacement is also a mean over patches of twice the width, like the load
-[[nodiscard]] SphericalOrder with_wide_patches(const SphericalOrder& fine, std::complex<double> factor, bool wide_seen);
+/// @param[in] wide_displaced whether the displacement is also a mean over patches of twice the width, like the load
+[[nodiscard]] SphericalOrder with_wide_patches(const SphericalOrder& fine, std::complex<double> factor,
+                                               bool wide_displaced);
 
 /// @brief Displacement along the component P due to a force along Q.
 /// @param[in] order degrees of the order

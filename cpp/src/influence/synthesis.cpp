@@ -152,12 +152,13 @@ constexpr double kUnresolved = 10.0 * kSeriesTolerance;
 
 /// Factors of a kernel's values at sampled orders in its sums along theta, at few or at all offsets.
 struct SampledSums {
-  TableRequest weighed_as;  // representative of the requests with the same weights and parity
+  TableRequest representative;  // one of the requests with the same weights and parity
   bool odd;
   RowMajor at_few;  // [sampled order, offset]
   RowMajor at_all;
 };
 
+/// Sums of a set of requests over all orders: along theta for every order m, then along phi.
 class Synthesis {
  public:
   Synthesis(const std::vector<TableRequest>& requests, const std::vector<OrderBand>& phi_bands,
@@ -222,7 +223,7 @@ class Synthesis {
   void sum_along_phi(std::size_t k, std::size_t stripe, Table& table, const Worker& worker) const {
     const Index start = static_cast<Index>(stripe) * kStripe;
     const Index width = std::min<Index>(kStripe, theta_reach_ + 1 - start);
-    // Re[(cos + i sin)(a + i b)]
+    // Re[(cos + i sin)(a + i b)] = a cos - b sin
     const RowMajor even = sum_of_bands(k, start, width, false, table.phi_reach(), worker);
     const RowMajor odd = sum_of_bands(k, start, width, true, table.phi_reach(), worker);
     for (int j = 0; j <= table.phi_reach(); ++j) {
@@ -237,16 +238,16 @@ class Synthesis {
   /// Find the factors of a kernel's values at sampled orders, which kernels with the same weights share.
   void find_sampled_sums(std::size_t k) {
     const Kernel& kernel = kernels_[k];
-    TableRequest weighed_as = kernel.request;
-    weighed_as.entry = Entry::rr;
-    weighed_as.phi_shift = 0.0;
+    TableRequest representative = kernel.request;
+    representative.entry = Entry::rr;
+    representative.phi_shift = 0.0;
     const auto found = std::ranges::find_if(sampled_sums_, [&](const SampledSums& sums) {
-      return sums.weighed_as == weighed_as && sums.odd == kernel.odd;
+      return sums.representative == representative && sums.odd == kernel.odd;
     });
     sums_of_.push_back(static_cast<std::size_t>(found - sampled_sums_.begin()));
     if (found != sampled_sums_.end()) return;
     const Index count = sampled_->sampled().size();
-    SampledSums sums{.weighed_as = weighed_as,
+    SampledSums sums{.representative = representative,
                      .odd = kernel.odd,
                      .at_few = RowMajor::Zero(count, theta_waves_.few()),
                      .at_all = RowMajor::Zero(count, theta_reach_ + 1)};
@@ -273,13 +274,14 @@ class Synthesis {
       worker.checkpoint();
     }
     for (std::size_t k = 0; k < kernels_.size(); ++k) {
-      const SampledSums& by = sampled_sums_[sums_of_[k]];
-      add_product(values[k], by.at_few, at_few[k]);
+      const SampledSums& factors = sampled_sums_[sums_of_[k]];
+      add_product(values[k], factors.at_few, at_few[k]);
       for (std::size_t r = 0; r < sampled_->ranges().size(); ++r) {
         const InterpolatedOrders::Range& range = sampled_->ranges()[r];
         const Index width = width_of(r);
         if (range.count == 0 || width == 0) continue;
-        add_product(values[k].middleCols(range.first, range.count), by.at_all.block(range.first, 0, range.count, width),
+        add_product(values[k].middleCols(range.first, range.count),
+                    factors.at_all.block(range.first, 0, range.count, width),
                     sums_[k].block(2 * first, 0, 2 * count, width));
       }
       worker.checkpoint();

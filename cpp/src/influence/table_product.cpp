@@ -44,7 +44,7 @@ std::vector<ComplexBuffer> inverse(const std::vector<Symbol>& symbols, double po
 /// Number of nodes up to which products of a window are sums over nodes if few of them are loaded.
 constexpr Index kSmallWindow = 4096;
 
-/// Operations of sums over nodes in the time of one operation of a transform.
+/// Number of operations of a sum over nodes that take as long as one operation of a transform.
 constexpr double kPerTransformed = 3.0;
 
 /// Rows of a table, beginning with that of the first row of the window.
@@ -63,7 +63,7 @@ void add_influence(double value, const Influence& influence, const WindowShape& 
 }
 
 /// Whether a field is symmetric about the middle column of a window.
-bool is_its_image(const double* field, const WindowShape& shape) {
+bool is_symmetric_field(const double* field, const WindowShape& shape) {
   const Index width = shape.theta_nodes;
   for (Index row = 0; row < shape.phi_nodes; ++row, field += width) {
     for (Index k = 0; k < width / 2; ++k) {
@@ -201,7 +201,7 @@ Eigen::ArrayXXd TableProduct::by_nodes(const Eigen::ArrayXXd& operands) const {
   const Index width = shape_.theta_nodes;
   const bool is_symmetric = std::ranges::all_of(terms_, [&](const ConvolutionTerm& term) {
     return (*tables_)[term.table].mirror() > 0.0 &&
-           is_its_image(operands.col(static_cast<Index>(term.operand)).data(), shape_);
+           is_symmetric_field(operands.col(static_cast<Index>(term.operand)).data(), shape_);
   });
   const Index columns = is_symmetric ? (width + 1) / 2 : width;
   for (const ConvolutionTerm& term : terms_) {

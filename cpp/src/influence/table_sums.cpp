@@ -140,7 +140,7 @@ Table LineSum::table(const TableRequest& request, int phi_reach, const std::vect
           request.power ? cplx(0.0, mesh_.turns() * m) * patch : std::polar(1.0, m * spacing * request.phi_shift);
       summand[i] = scale * band.weights[i] * patch * received * value(spectrum_[order], request.entry);
     }
-    // Re[(cos + i sin)(a + i b)]
+    // Re[(cos + i sin)(a + i b)] = a cos - b sin
     even.head(waves[b].cosines.cols()) += waves[b].cosines.transpose() * summand.real();
     odd.head(waves[b].sines.cols()) -= waves[b].sines.transpose() * summand.imag();
   }

@@ -20,12 +20,12 @@ struct Waves {
   RowMajorMatrix sines;
 };
 
-/// @param[in] orders orders, not necessarily whole
+/// @param[in] orders orders, not necessarily integers
 /// @param[in] spacing spacing of the offsets, which start at 0 [rad]
 /// @param[in] last_offset number of spacings to the largest offset
 [[nodiscard]] Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int last_offset);
 
-/// @param[in] orders orders, not necessarily whole
+/// @param[in] orders orders, not necessarily integers
 /// @param[in] offsets any offsets [rad]
 [[nodiscard]] Waves make_waves(const Eigen::ArrayXd& orders, const Eigen::ArrayXd& offsets);
 

@@ -3,7 +3,7 @@
 ///
 /// A state contains u_r, v_phi, v_theta and the stresses on the surface r = const, r sigma = (s, tau_phi, tau_theta).
 /// The other stresses follow from the strains along the surface. The formulas of docs/theory/inside.md do not divide by
-/// b.
+/// b = (1 - 2 nu) / (2 (1 - nu)), which is 0 in an incompressible medium.
 #pragma once
 
 #include <Eigen/Core>

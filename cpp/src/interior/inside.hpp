@@ -13,7 +13,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief Layers and the angular speed of their orders.
+/// @brief Layers of a body, and the angular speed that determines the frequencies of their orders.
 struct Inside {
   LayeredBody body;
   double angular_speed;  ///< order m has the frequency m Omega [rad/s]; the angular speed of the body if it rotates

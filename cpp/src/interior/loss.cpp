@@ -88,20 +88,21 @@ WeightedPlaces volume_nodes(const LayeredBody& body, double lowest, double max_o
 
 ArrayXd whole_numbers(int highest) { return ArrayXd::LinSpaced(highest + 1, 0.0, highest); }
 
-/// Orders m with the weights of an integral over them. In a periodic direction they are whole numbers, of which 0
-/// dissipates nothing; on a plane, Gauss points on panels.
-struct PassingOrders {
+/// Orders m along the path, with the weights of an integral over them. In a periodic direction they are whole numbers,
+/// of which 0 dissipates nothing; on a plane, Gauss points on panels.
+struct OrdersAlong {
   std::vector<double> orders;
   std::vector<double> weights;
 
-  PassingOrders(const Metric& metric, int highest) {
+  OrdersAlong(const Metric& metric, int highest) {
     if (metric.is_curved()) {
       for (int m = 0; m <= highest; ++m) orders.push_back(m);
       weights.assign(orders.size(), 1.0);
       weights.front() = 0.0;
       return;
     }
-    // Waves of 1e4 revolutions. Lower orders contribute at most this fraction of an order's dissipation.
+    // The wavelength is 1e4 revolutions. Lower orders together contribute at most this fraction of one order's
+    // dissipation.
     constexpr double kLowest = 1e-4;
     constexpr double kLossPanelRatio = 1.5;  // the response of layers is smooth in ln(m)
     const double widest = 0.05 * highest;    // tractions vary on the scale r / a in m, typically up to 40 r / a
@@ -150,7 +151,7 @@ struct OrderLoads {
   LoadRows opposite;
 };
 
-/// Boundaries of all places, and the surface, where the power is put in.
+/// Boundaries at all places, followed by the surface, where the tractions do work.
 std::vector<std::size_t> boundaries_of(const LayerCuts& cuts, std::size_t places) {
   std::vector<std::size_t> boundaries;
   boundaries.reserve(places + 1);
@@ -159,9 +160,10 @@ std::vector<std::size_t> boundaries_of(const LayerCuts& cuts, std::size_t places
   return boundaries;
 }
 
+/// Dissipation inside the layers, summed over the orders m in parallel blocks.
 class LossSum {
  public:
-  LossSum(const Inside& inside, const Tractions& tractions, PassingOrders m, WeightedPlaces nodes, int max_order)
+  LossSum(const Inside& inside, const Tractions& tractions, OrdersAlong m, WeightedPlaces nodes, int max_order)
       : places_(std::move(nodes.places)),
         weights_(std::move(nodes.weights)),
         cuts_(inside.body, places_),
@@ -253,7 +255,7 @@ class LossSum {
            (2.0 * medium.mu.imag() * (square - trace.abs2() / 3.0) + bulk * trace.abs2());
   }
 
-  /// Sum both symmetries over n of both signs, by a transform.
+  /// Sum the fields of both symmetries over n of both signs, by a Fourier transform.
   void to_theta(const std::array<ComponentRows, 2>& fields, std::size_t component, ComplexBuffer& line) const {
     std::ranges::fill(line, 0.0);
     const auto row = static_cast<Index>(component);
@@ -317,7 +319,7 @@ class LossSum {
   std::vector<double> weights_;
   LayerCuts cuts_;
   DepthLimit limit_;
-  PassingOrders m_;
+  OrdersAlong m_;
   OrdersAcross across_;
   HarmonicBody body_;
   LoadSpectrum loads_;
@@ -338,7 +340,7 @@ LossDensity loss_density(const LayeredShape& shape, double angular_speed, const 
   if (max_order < 1 || max_order > kHighestOrder) {
     detail::reject("max_order", "in [1, " + std::to_string(kHighestOrder) + "]", std::to_string(max_order));
   }
-  detail::PassingOrders m(inside.body.metric, max_order);
+  detail::OrdersAlong m(inside.body.metric, max_order);
   auto nodes = detail::volume_nodes(inside.body, m.orders.front(), max_order);
   const std::size_t integrated = nodes.places.size();
   nodes.places.insert(nodes.places.end(), places.begin(), places.end());

@@ -123,6 +123,7 @@ double largest_offset(std::span<const double> offsets, int nodes, double spacing
   return kind == AxisKind::ring ? std::min(largest, std::numbers::pi) : largest;
 }
 
+/// Fields at given places and angles, summed over the orders n and then over the orders m.
 class WindowSum {
  public:
   WindowSum(const Inside& inside, const Tractions& tractions, std::span<const Place> places,
@@ -183,7 +184,7 @@ class WindowSum {
       const bool is_unbounded = !std::isfinite(inside.body.boundaries.front());
       const LowestOrder lowest = inside.body.metric.across == AxisKind::nothing && is_unbounded
                                      ? LowestOrder{}
-                                     : LowestOrder{.share = 1e-6, .stands_for_longer = true};
+                                     : LowestOrder{.share = 1e-6, .represents_longer_waves = true};
       return unbounded_octaves_within(spacing, highest_order(), largest, lowest, refinement_of(inside.body.layers));
     }
     return bands(spacing, largest, material_rough_orders(inside.body, inside.angular_speed, tractions.mesh),
@@ -202,7 +203,7 @@ class WindowSum {
       const LowestOrder lowest{.share = body.metric.is_wheel() ? 1e-9
                                         : is_held              ? 1e-4
                                                                : 1e-6,
-                               .stands_for_longer = true};
+                               .represents_longer_waves = true};
       return unbounded_octaves_within(spacing, highest_order(), largest, lowest);
     }
     return bands(spacing, largest, 0.0, tractions.mesh);
@@ -331,7 +332,7 @@ class WindowSum {
     return sums;
   }
 
-  /// Re[(cos + i sin)(a + i b)], whose two terms are even and odd in phi.
+  /// Sum over m of Re[(cos + i sin)(a + i b)] = a cos - b sin, whose two terms are even and odd in phi.
   void sum_along_phi(const RowMajor& waves, double* values, const Worker& worker) const {
     using Part = Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>;
     const Index orders = waves.rows() / 2;

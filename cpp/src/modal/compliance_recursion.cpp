@@ -17,8 +17,9 @@ namespace {
 
 using cplx = std::complex<double>;
 
-constexpr double kDepth = 24.0;        // e-folds below which material does not affect the surface
-constexpr double kDepthInside = 36.0;  // e-folds below which the fields of the surface tractions are negligible
+// Depths in e-folds of a solution.
+constexpr double kDepth = 24.0;        // deeper material does not affect the surface
+constexpr double kDepthInside = 36.0;  // deeper fields due to surface tractions are negligible
 
 /// Compliance of a half-space for waves with k = 1, in units of 1 / modulus (docs/theory/planes-and-pairs.md).
 template <class Scalar>
@@ -90,7 +91,7 @@ class Batch {
   /// stresses down through the layer.
   /// @param[in] keep called with the lane, Y in the layer's unit, and the product of all F^-1 of the layer
   template <class Keep>
-  void carry_keeping(const Keep& keep) {
+  void carry_with_inverses(const Keep& keep) {
     std::array<Matrix3<Scalar>, kLanes> down;
     MatrixLanes<Scalar> inverse_stress;
     for (std::size_t layer = 0; layer < media(0).size(); ++layer) {
@@ -368,7 +369,7 @@ void depth_states(std::span<const OrderInLayers<cplx>> orders, std::span<std::ve
     const std::size_t count = std::min(kLanes, orders.size() - first);
     Batch<cplx> batch(orders.subspan(first, count), kDepthInside);
     for (KeptOrder& order : kept) order = {};
-    batch.carry_keeping([&](std::size_t l, const Matrix3<cplx>& y, const Matrix3<cplx>& down) {
+    batch.carry_with_inverses([&](std::size_t l, const Matrix3<cplx>& y, const Matrix3<cplx>& down) {
       kept[l].compliance.push_back(y);
       kept[l].down.push_back(down);
     });

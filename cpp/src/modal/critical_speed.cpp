@@ -77,7 +77,7 @@ double rayleigh_limit(const LayerStack<double>& stack) {
 }
 
 /// Upper bound of the critical speed. On a plane, waves of any length can escape into a layer with a lower shear wave
-/// speed; around a center only whole orders resonate.
+/// speed; around a center only integer orders resonate.
 double speed_limit(const LayerStack<double>& stack) {
   const double rayleigh = rayleigh_limit(stack);
   return stack.metric.is_curved() ? rayleigh : std::min(rayleigh, slowest_shear_wave(stack));
@@ -85,7 +85,7 @@ double speed_limit(const LayerStack<double>& stack) {
 
 /// Orders m that are checked, spaced geometrically because resonances depend smoothly on the order. Around a center
 /// they are whole numbers; on a plane the waves reach from far longer than the thickness of the layers to far shorter.
-std::vector<double> orders_to_look_at(const LayerStack<double>& stack) {
+std::vector<double> orders_to_check(const LayerStack<double>& stack) {
   std::vector<double> orders;
   if (stack.metric.is_curved()) {
     constexpr int kHighestOrder = 2000;
@@ -120,7 +120,7 @@ bool are_stiff(const LayerStack<double>& stack, const std::vector<double>& order
 
 /// Whether no order resonates at or below this speed.
 bool all_subcritical(const LayerStack<double>& stack, double angular_speed) {
-  return angular_speed < speed_limit(stack) && are_stiff(at_speed(stack, angular_speed), orders_to_look_at(stack));
+  return angular_speed < speed_limit(stack) && are_stiff(at_speed(stack, angular_speed), orders_to_check(stack));
 }
 
 /// Lowest speed at which a wave of undamped layers keeps up with the contact: Omega [rad/s], for a plane the speed

@@ -20,8 +20,8 @@ using std::numbers::sqrt2;
 /// (1, sqrt(2)).
 using State = Eigen::Matrix<cplx, 6, 1>;
 
-/// Matrix B of z' = B z, with the derivative with respect to ln r.
-Eigen::Matrix<cplx, 6, 6> weighed_matrix(const Medium<cplx>& medium, double stress_unit) {
+/// Matrix B of the equations z' = B z of this state, with the derivative with respect to ln r.
+Eigen::Matrix<cplx, 6, 6> body_force_matrix(const Medium<cplx>& medium, double stress_unit) {
   const cplx mu = medium.mu / stress_unit;
   const cplx b = medium.b;
   const cplx a = 1.0 - 2.0 * b;
@@ -39,8 +39,8 @@ Eigen::Matrix<cplx, 6, 6> weighed_matrix(const Medium<cplx>& medium, double stre
 
 /// Compliance of degree 1 of a hollow or solid ball; see `degree_compliance`.
 DegreeCompliance free_degree_one(const LayerStack<cplx>& layers) {
-  constexpr double kCavity =
-      1e-4;                      // relative radius of a cavity in a solid ball; its effect falls with the third power
+  // Relative radius of the cavity that replaces the center of a solid ball; its effect is of third order.
+  constexpr double kCavity = 1e-4;
   constexpr double kStep = 0.5;  // step in ln r, over which the size of solutions changes little
   const double surface = layers.metric.radius;
   const double stress_unit = std::abs(layers.media.back().mu);
@@ -56,7 +56,7 @@ DegreeCompliance free_degree_one(const LayerStack<cplx>& layers) {
     const double extent = std::log(medium.outer / surface / radius);
     if (extent <= 0.0) continue;
     const int steps = static_cast<int>(std::ceil(extent / kStep));
-    const Eigen::Matrix<cplx, 6, 6> step = (weighed_matrix(medium, stress_unit) * (extent / steps)).exp();
+    const Eigen::Matrix<cplx, 6, 6> step = (body_force_matrix(medium, stress_unit) * (extent / steps)).exp();
     for (int i = 0; i < steps; ++i) {
       states = step * states;
       states.col(0) /= states.col(0).head<4>().cwiseAbs().maxCoeff();

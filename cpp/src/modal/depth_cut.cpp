@@ -10,8 +10,8 @@
 namespace viscoroll::detail {
 
 double shear_decay(std::complex<double> mach2) {
-  constexpr double kLeast = 0.05;  // close to a critical speed the depth would be unbounded
-  return std::clamp(std::sqrt(1.0 - mach2).real(), kLeast, 1.0);
+  constexpr double kMinDecay = 0.05;  // close to a critical speed the depth would be unbounded
+  return std::clamp(std::sqrt(1.0 - mach2).real(), kMinDecay, 1.0);
 }
 
 namespace {
@@ -42,8 +42,8 @@ class DepthDecay {
     if (across_ == 0.0) return metric_.deeper_position(position, folds / around_);
     // The rate decreases with depth, so that a step with the rate at its start ends above the wanted position.
     double deep = position;
-    for (double left = folds; left > kCloseEnough * folds; left = folds - e_folds(position, deep)) {
-      deep = metric_.deeper_position(deep, left / root(deep));
+    for (double remaining = folds; remaining > kCloseEnough * folds; remaining = folds - e_folds(position, deep)) {
+      deep = metric_.deeper_position(deep, remaining / root(deep));
       if (deep < kCenter * position) return 0.0;
     }
     return deep;
@@ -70,19 +70,20 @@ double deepest_position(const LayerStack<Scalar>& layers, double m, double n, do
   const DepthDecay decay(layers.metric, m, n, has_core ? 1e-300 : 0.5);
   const double k = std::hypot(m, n);
   const double cosine = k > 0.0 ? m / k : 0.0;
-  double left = exponent;
+  double remaining = exponent;
   for (auto medium = layers.media.rbegin(); medium != layers.media.rend(); ++medium) {
-    const bool still = medium->inertia == 0.0;
-    const double share = still ? 1.0 : shear_decay(layers.mach2(*medium) * (cosine * cosine));
-    const double reach = decay.deeper_position(medium->outer, left / share);
+    const bool is_static = medium->inertia == 0.0;
+    const double share = is_static ? 1.0 : shear_decay(layers.mach2(*medium) * (cosine * cosine));
+    const double reach = decay.deeper_position(medium->outer, remaining / share);
     if (reach >= medium->inner) return reach;
-    left -= share * decay.e_folds(medium->outer, medium->inner);
+    remaining -= share * decay.e_folds(medium->outer, medium->inner);
   }
   return -std::numeric_limits<double>::infinity();
 }
 
 DepthLimit::DepthLimit(const LayeredBody& body, double angular_speed) : metric_(body.metric) {
-  const std::array passing{10.0 * angular_speed};  // below the frequencies of a contact: softer, which is conservative
+  // Below the frequencies of a contact [rad/s], where the layer is softer and the decay slower, which is conservative.
+  const std::array passing{10.0 * angular_speed};
   for (const Layer& layer : body.layers) {
     const double modulus = std::abs(complex_modulus(layer.shear_modulus, passing).front());
     decay_ = std::min(decay_, shear_decay(layer.density * std::pow(angular_speed * metric_.radius, 2) / modulus));
@@ -90,7 +91,7 @@ DepthLimit::DepthLimit(const LayeredBody& body, double angular_speed) : metric_(
 }
 
 double DepthLimit::operator()(double position, double exponent) const {
-  // On a wheel the decay of orders across counts, which is slower than that of orders along.
+  // On a wheel, orders across decay more slowly than orders along, so that their decay determines the limit.
   const double depth =
       metric_.is_wheel() ? (metric_.radius - position) / metric_.radius : metric_.depth(metric_.surface(), position);
   return depth > 0.0 ? exponent / (depth * decay_) - metric_.decay_exponent(0.0)

@@ -100,8 +100,8 @@ void require_subcritical(const LayeredBody& body, double angular_speed, double h
 
 /// @brief Reject a speed at which a wave returns around the body with little damping, exp(-pi m tan(delta)).
 ///
-/// The storage moduli at the frequency of order m lose the stiffness of that order. The critical speed does not show
-/// this if the short-time modulus is high or infinite but is not reached at the frequencies of rolling.
+/// At such a speed, order m has no positive stiffness with the storage moduli at its own frequency. The critical speed
+/// does not show this if the short-time modulus is high or infinite but is not reached at the frequencies of rolling.
 /// @param[in] body body with its orders in ascending order
 /// @throws InvalidInput with the order
 void require_damped_waves(const HarmonicBody& body);

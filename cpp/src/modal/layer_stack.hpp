@@ -18,8 +18,8 @@ enum class AxisKind {
   nothing,  ///< a straight line along which nothing varies: forces and powers are per unit length
 };
 
-/// @brief Value of k^2 below which the torus of the orders (m, n) has orders that a sphere does not have: those of a
-/// sphere start with its rigid motions, L = 2.
+/// @brief Value of k^2 below which some orders (m, n) have no counterpart on a sphere, whose lowest tangential
+/// harmonics are the rigid motions, L = l (l + 1) = 2.
 constexpr double kLowOrders = 4.0;
 
 /// @brief Metric of a surface: conversion of orders to wave numbers and of angles to lengths. Positions along the
@@ -66,7 +66,7 @@ struct Metric {
     return length(along, position) * length(across, position);
   }
 
-  /// @return area of a period of the surface, over which the work of the waves of whole orders is summed [m^2], or [m]
+  /// @return area of a period of the surface, over which the work of waves of integer orders is summed [m^2], or [m]
   /// in plane strain
   [[nodiscard]] constexpr double area_of_waves() const {
     constexpr double kTurn = 2.0 * std::numbers::pi;

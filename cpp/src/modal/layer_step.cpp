@@ -26,7 +26,7 @@ struct Terms {
 /// Derivatives (B - c j) z in the directions r, k and across k.
 /// @param[in] order c j
 template <class Scalar>
-VISCOROLL_PART_OF_CALLER auto turned_rates(const StepLanes<Scalar>& step, double order, const Terms<Scalar>& terms) {
+VISCOROLL_PART_OF_CALLER auto rates_along_k(const StepLanes<Scalar>& step, double order, const Terms<Scalar>& terms) {
   const auto& [z, before, earlier, spread, l] = terms;
   const double along = step.along;
   const double across = step.across;
@@ -87,7 +87,7 @@ VISCOROLL_PART_OF_CALLER void add_term(const StepLanes<Scalar>& step, int j, con
       if constexpr (IsWheel) {
         return wheel_rates(step, order, terms);
       } else {
-        return turned_rates(step, order, terms);
+        return rates_along_k(step, order, terms);
       }
     }();
     if constexpr (HasInertia) {

@@ -19,7 +19,7 @@ std::vector<double> radii(double inner, const std::vector<Layer>& layers) {
 
 /// Crown radius, in thicknesses, above which the reference is the cylinder of this radius. Cylinders of smaller radii
 /// would have almost no hub.
-constexpr double kLeastRadius = 3.0;
+constexpr double kMinReferenceRadius = 3.0;
 
 /// Radius of the reference for smaller crown radii, in thicknesses; the effect is proportional to the curvature.
 constexpr double kLinearRadius = 20.0;
@@ -36,7 +36,8 @@ Crown crown_of(const CoatedWheel& wheel) {
   };
   if (std::isinf(wheel.crown_radius)) return {};
   if (wheel.sides == Sides::free) return relative_to(std::max(wheel.crown_radius, kLinearRadiusOfSection * thickness));
-  return relative_to(wheel.crown_radius > kLeastRadius * thickness ? wheel.crown_radius : kLinearRadius * thickness);
+  return relative_to(wheel.crown_radius > kMinReferenceRadius * thickness ? wheel.crown_radius
+                                                                          : kLinearRadius * thickness);
 }
 
 /// Boundaries of layers below a plane.

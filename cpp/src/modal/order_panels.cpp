@@ -35,7 +35,7 @@ using Cell = OrderPanels::Cell;
 using SmoothRun = OrderPanels::SmoothRun;
 using CellTerms = decltype(Cell::series);
 
-constexpr int kLeastOrderNodes = 6;  // Chebyshev nodes and terms in ln m
+constexpr int kMinOrderNodes = 6;  // Chebyshev nodes and terms in ln m
 constexpr int kMaxOrderNodes = 24;
 // Distances of singularities from the real axis of ln m.
 constexpr double kNearestPole = 0.5 * std::numbers::pi;   // poles and branch cuts of a modulus
@@ -52,7 +52,7 @@ auto k_transform() { return panel_transform().cast<cplx>(); }
 int order_terms(double lowest_m, double highest_m, double distance) {
   const double reach = 2.0 * distance / std::log(highest_m / lowest_m);  // per half the range
   const double terms = -std::log(kSeriesTolerance) / std::asinh(reach);
-  return std::clamp(static_cast<int>(std::ceil(terms)) + 1, kLeastOrderNodes, kMaxOrderNodes);
+  return std::clamp(static_cast<int>(std::ceil(terms)) + 1, kMinOrderNodes, kMaxOrderNodes);
 }
 
 /// Compliance at the nodes of a cell, multiplied by m and the modulus of the outer layer. Entries that are odd in n are
@@ -370,7 +370,7 @@ OrderPanels::OrderPanels(std::shared_ptr<const HarmonicBody> body, double highes
 }
 
 void OrderPanels::find_ranges() {
-  const double lowest_m = body_->metric().is_curved() ? 2.0 : 0.0;  // there are few whole orders below
+  const double lowest_m = body_->metric().is_curved() ? 2.0 : 0.0;  // below, the few integer orders do not need panels
   const std::vector<double>& m = body_->orders();
   std::vector<std::size_t> ascending(m.size());
   std::iota(ascending.begin(), ascending.end(), std::size_t{0});

@@ -45,7 +45,8 @@ struct SignedEntry {
 /// The compliance is positive definite, so that C_rphi and C_rtheta are at most the geometric mean of their diagonal
 /// neighbors; they may be far smaller by cancellation.
 /// @param[in] rr,phiphi sizes of these two entries
-/// @param[in] m_divisor,n_divisor divisors of C_rphi, C_rtheta and C_phitheta for an index phi and an index theta
+/// @param[in] m_divisor,n_divisor divisors of the entries of mixed directions: m_divisor if one of the directions is
+/// phi, n_divisor if one is theta, both for C_phitheta
 [[nodiscard]] inline std::array<double, kEntries> entry_sizes(double rr, double phiphi, double m_divisor,
                                                               double n_divisor) {
   const double mixed = std::sqrt(rr * phiphi);
@@ -61,8 +62,8 @@ constexpr double kSeriesTolerance = 1e-13;
   return kSeriesTolerance * body.body().crown.proportion;
 }
 
-/// @brief Value of k^2 below which (0, 0) is the only order. It has a panel of its own, because its compliance is a
-/// spike on a small core, around which the coating rotates almost freely.
+/// @brief Value of k^2 below which (0, 0) is the only order. This order has a panel of its own: on a small core, around
+/// which the coating rotates almost freely, its compliance is far larger than that of other orders.
 constexpr double kZeroOrder = 0.5;
 
 /// @return value of k^2 below which the compliance of order (0, 0) is used; on a wheel, whose orders n are continuous,

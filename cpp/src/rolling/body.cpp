@@ -12,8 +12,9 @@ Eigen::ArrayXd drops(const Eigen::ArrayXd& x, double curvature) {
 }
 
 /// Height of every node above the lowest node of its column [m]. Its derivative with respect to r_o phi is the
-/// undeformed x / r_o, so that the moment of the pressure is the derivative of the gap. The drop of a circle at x would
-/// deviate from it by (x / r_o)^2 / 2, which leaves the energy balance of a close fit open.
+/// undeformed x / r_o, so that the moment of the pressure is the derivative of the gap. The depth of a circle as a
+/// function of x has another derivative, since the nodes are equally spaced along the arc. In a closely conforming
+/// groove, where the gap is a small difference of two depths, this would violate the energy balance.
 Eigen::ArrayXd height_along(const SurfaceWindow& points) {
   const SurfaceWindow middle(points.grid(), {{0, 0}, points.window().theta});
   return points.height() - middle.height().replicate(points.shape().phi_nodes, 1);

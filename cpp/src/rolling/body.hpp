@@ -132,7 +132,7 @@ class RoundBody : public Body {
  public:
   /// @return the noun of this body in messages
   [[nodiscard]] virtual std::string_view name() const = 0;
-  [[nodiscard]] virtual const ContactForm& form() const { return kSpotContact; }
+  [[nodiscard]] virtual const ContactForm& form() const { return kPointContact; }
   /// @return nodes of a mesh; a deformable counterbody has the same nodes
   [[nodiscard]] virtual Nodes nodes(const Mesh& mesh, const Body& on) const = 0;
   /// @throws InvalidInput for options that the type of body does not support

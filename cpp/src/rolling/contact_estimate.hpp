@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rolling/rolling_pair.hpp"
+#include "viscoroll/load_case.hpp"
 
 namespace viscoroll::detail {
 
@@ -24,6 +25,17 @@ namespace viscoroll::detail {
 /// @param[in] load P [N], for a roller per length
 /// @return half-widths along and across; both are a for a ball
 [[nodiscard]] ContactReach estimate_contact(const RollingPair& pair, double angular_speed, double load);
+
+/// @brief Same estimate for a load case, whose load or penetration is given.
+///
+/// A contact of half-width a on thin layers has the penetration a^2 / (2 R), or d a^2 / (2 (d + 2) R) in d dimensions
+/// if they are incompressible, and on a thick layer that of Hertz, a^2 / R in point contact. Each part contributes the
+/// mean of both limits weighted by their loads; parts are weighted by their compliance. The result is made as much too
+/// large as that for a load.
+/// @param[in] pair rolling body and counterbody
+/// @param[in] load_case load case
+/// @param[in] centrifugal centrifugal displacement, which adds to the penetration [m]
+[[nodiscard]] ContactReach estimate_contact(const RollingPair& pair, const LoadCase& load_case, double centrifugal);
 
 /// @brief Upper bound of the loads that a coating of such layers can support: a thousand times the loads of Hertz and
 /// of the thin incompressible bonded layer for a contact as wide as the body, with the stiffest layer at the highest

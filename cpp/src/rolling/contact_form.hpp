@@ -26,13 +26,13 @@ struct ContactForm {
   [[nodiscard]] bool is_line() const { return dimensions == 1; }
 };
 
-inline constexpr ContactForm kSpotContact{.dimensions = 2,
-                                          .load_unit = "N",
-                                          .torque_unit = "N m",
-                                          .half_space_rests = true,
-                                          .thick = 8.0 / 3.0,
-                                          .incompressible = std::numbers::pi / 32.0,
-                                          .confined = std::numbers::pi / 4.0};
+inline constexpr ContactForm kPointContact{.dimensions = 2,
+                                           .load_unit = "N",
+                                           .torque_unit = "N m",
+                                           .half_space_rests = true,
+                                           .thick = 8.0 / 3.0,
+                                           .incompressible = std::numbers::pi / 32.0,
+                                           .confined = std::numbers::pi / 4.0};
 
 inline constexpr ContactForm kLineContact{.dimensions = 1,
                                           .load_unit = "N/m",

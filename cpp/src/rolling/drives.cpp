@@ -20,8 +20,8 @@ DriveReport reported(const DriveForce& /*drive*/, const LoadCase& /*load_case*/,
 
 void validate(const DriveForce& drive, const LoadCase& load_case, const RoundBody& body) {
   require_finite("drive.force", drive.force);
-  if (drive.force == 0.0) return;
-  const double largest = load_case.friction * load_case.load;
+  if (drive.force == 0.0 || !load_case.load) return;  // at a given penetration, the load is known only afterwards
+  const double largest = load_case.friction * *load_case.load;
   if (std::abs(drive.force) < largest) return;
   const string unit = " " + string(body.form().load_unit);
   reject("drive.force",

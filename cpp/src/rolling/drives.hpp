@@ -14,8 +14,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief Quantities that a drive prescribes: force, torque or creepage of the center, and the motion of the guide. The
-/// solver finds the others.
+/// @brief Quantities that a drive prescribes: the force on the center, the torque or the creepage; and lateral creepage
+/// and spin, which a guide imposes. The solver finds the others.
 struct GivenMotion {
   std::optional<double> force;     ///< Q [N]
   std::optional<double> torque;    ///< T [N m]
@@ -27,7 +27,7 @@ struct GivenMotion {
 /// @return the quantities that a drive prescribes
 [[nodiscard]] GivenMotion given_motion(const LoadCase& load_case);
 
-/// @brief How messages state the force or torque that a drive prescribes.
+/// @brief Parameter and unit in which messages report the force or torque that a drive prescribes.
 struct DriveReport {
   std::string_view parameter;  ///< for example "drive.torque"
   double factor;               ///< value of the parameter divided by the force or torque
@@ -38,7 +38,7 @@ struct DriveReport {
 [[nodiscard]] DriveReport drive_report(const LoadCase& load_case, const RoundBody& body);
 
 /// @brief Condition of a drive, which is a row of the system.
-/// @param[in] load_case load case, whose drive closes the equations for the speed
+/// @param[in] load_case load case, whose drive determines the speed of the center
 /// @param[in] pressure_work_factor same as in `moment_about_center`
 [[nodiscard]] std::shared_ptr<const DriveCondition> condition_of(const LoadCase& load_case,
                                                                  double pressure_work_factor);

@@ -47,7 +47,7 @@ SideSum sum_of_sides(const CoatedWheel& wheel, const LayeredBody& layers, const 
   auto difference = cached_difference(wheel, sampled, tangential, execution.threads, execution.watch);
   std::vector<OrderBand> bands = phi_bands(layers, angular_speed, mesh.rounded());
   const HarmonicBody harmonics(layers, angular_speed, all_orders(bands), limit);
-  return {std::move(difference), std::move(bands), outer_softness(harmonics), mesh};
+  return {std::move(difference), std::move(bands), inverse_outer_modulus(harmonics), mesh};
 }
 
 }  // namespace viscoroll::detail

@@ -11,23 +11,25 @@ namespace {
 
 auto all_of(const SurfaceWindow& points) { return Eigen::seqN(Index{0}, points.shape().size()); }
 
-/// @param[in] nodes numbers of some or all of them
+/// @param[in] points nodes of the rolling body
+/// @param[in] pair both bodies
+/// @param[in] nodes numbers of the nodes to evaluate
 template <class Nodes>
-ArrayXd lever_at(const SurfaceWindow& points, const RollingPair& pair, const Nodes& nodes) {
+ArrayXd moment_arm_at(const SurfaceWindow& points, const RollingPair& pair, const Nodes& nodes) {
   ArrayXd slope = points.x()(nodes) / points.grid().radius;
-  const ArrayXd tilt = pair.on->profile(points).slope;
-  if (tilt.size() > 0) slope += tilt(nodes);
+  const ArrayXd counterbody_slopes = pair.on->profile(points).slope;
+  if (counterbody_slopes.size() > 0) slope += counterbody_slopes(nodes);
   return relative_radius(pair) * slope;
 }
 
 template <class Nodes>
 ArrayXd slope_at(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair,
                  const Nodes& nodes) {
-  return -growth.met() * pair.on->curvatures().along * lever_at(points, pair, nodes);
+  return -growth.met() * pair.on->curvatures().along * moment_arm_at(points, pair, nodes);
 }
 
-/// Gap for centrifugal growth in all directions.
-ArrayXd swollen_gap(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair) {
+/// Gap if both bodies grow by the same fraction in all directions.
+ArrayXd uniformly_grown_gap(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair) {
   ArrayXd gap = growth.own * points.height();
   const ArrayXd drop = pair.on->profile(points).drop;
   if (drop.size() > 0) gap += growth.met() * drop;
@@ -37,11 +39,11 @@ ArrayXd swollen_gap(const SurfaceWindow& points, const CentrifugalGrowth& growth
 }  // namespace
 
 ArrayXd initial_gap(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair) {
-  ArrayXd gap = swollen_gap(points, growth, pair);
+  ArrayXd gap = uniformly_grown_gap(points, growth, pair);
   if (growth == CentrifugalGrowth{} || !std::isfinite(width(pair))) return gap;
   // A tread does not grow along its axis, so that its crown does not change.
   const SurfaceWindow across(points.grid(), {{0, 0}, points.window().theta});
-  const ArrayXd grown = swollen_gap(across, growth, pair) - swollen_gap(across, {}, pair);
+  const ArrayXd grown = uniformly_grown_gap(across, growth, pair) - uniformly_grown_gap(across, {}, pair);
   gap -= grown.replicate(points.shape().phi_nodes, 1);
   return gap;
 }
@@ -52,12 +54,12 @@ ArrayXd counterbody_delay(const SurfaceWindow& points, const CentrifugalGrowth& 
   return growth.met() * pair.on->curvatures().along * drop;
 }
 
-ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair) {
-  return lever_at(points, pair, all_of(points));
+ArrayXd pressure_moment_arm(const SurfaceWindow& points, const RollingPair& pair) {
+  return moment_arm_at(points, pair, all_of(points));
 }
 
-ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair, const std::vector<Index>& nodes) {
-  return lever_at(points, pair, nodes);
+ArrayXd pressure_moment_arm(const SurfaceWindow& points, const RollingPair& pair, const std::vector<Index>& nodes) {
+  return moment_arm_at(points, pair, nodes);
 }
 
 ArrayXd counterbody_slope(const SurfaceWindow& points, const CentrifugalGrowth& growth, const RollingPair& pair) {

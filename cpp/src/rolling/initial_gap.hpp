@@ -30,10 +30,10 @@ namespace viscoroll::detail {
 /// @param[in] points nodes of the rolling body
 /// @param[in] pair both bodies
 /// @return moment arm of every node [m]
-[[nodiscard]] Eigen::ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair);
+[[nodiscard]] Eigen::ArrayXd pressure_moment_arm(const SurfaceWindow& points, const RollingPair& pair);
 /// @return the same for some nodes [m]
-[[nodiscard]] Eigen::ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair,
-                                            const std::vector<Eigen::Index>& nodes);
+[[nodiscard]] Eigen::ArrayXd pressure_moment_arm(const SurfaceWindow& points, const RollingPair& pair,
+                                                 const std::vector<Eigen::Index>& nodes);
 
 /// @return slope of the counterbody's surface where a node of the rolling body meets it, with centrifugal growth but
 /// without deformation, downwards in the direction in which material passes, at every node [-]

@@ -69,20 +69,27 @@ void require_between(const DriveReport& report, double given, double least, doub
 
 }  // namespace
 
-void reject_load(const RollingPair& pair, double load, const std::string& reason) {
-  reject("load", "small enough for the coating",
-         text(load) + " " + std::string(pair.body->form().load_unit) + " (the " + std::string(pair.body->name()) + " " +
-             reason + ")");
+void reject_load(const RollingPair& pair, const LoadCase& load_case, const std::string& reason) {
+  const bool is_load = load_case.load.has_value();
+  reject(is_load ? "load" : "penetration", "small enough for the coating",
+         text(is_load ? *load_case.load : *load_case.penetration) + " " +
+             std::string(is_load ? pair.body->form().load_unit : "m") + " (the " + std::string(pair.body->name()) +
+             " " + reason + ")");
+}
+
+void reject_contact_over_60_degrees(const RollingPair& pair, const LoadCase& load_case) {
+  reject_load(pair, load_case, "is in contact beyond 60 degrees to either side");
 }
 
 void reject_contact_over_60_degrees(const RollingPair& pair, double load) {
-  reject_load(pair, load, "is in contact beyond 60 degrees to either side");
+  reject_contact_over_60_degrees(pair, LoadCase{.load = load});
 }
 
 void require_depth(const RollingPair& pair, double load, double depth) {
   const double most = thickness(pair);
   if (!(depth < most)) {
-    reject_load(pair, load, "is pressed " + rounded(depth) + " m into a coating of thickness " + text(most) + " m");
+    reject_load(pair, LoadCase{.load = load},
+                "is pressed " + rounded(depth) + " m into a coating of thickness " + text(most) + " m");
   }
 }
 
@@ -94,22 +101,36 @@ void require_formulation(const MeshModel& model, const Options& options) {
   if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");
 }
 
-void require_supported_load(const MeshModel& model, double load) {
-  if (load <= load_upper_bound(model.pair, model.stiffest_modulus)) return;
-  reject_load(model.pair, load, "would be pressed through any coating of this stiffness");
+void require_supported(const MeshModel& model, const LoadCase& load_case) {
+  if (load_case.load) {
+    if (*load_case.load <= load_upper_bound(model.pair, model.stiffest_modulus)) return;
+    reject_load(model.pair, load_case, "would be pressed through any coating of this stiffness");
+  }
+  const double penetration = *load_case.penetration;
+  const std::string value = text(penetration) + " m";
+  if (!approach_exists(model.pair)) {
+    reject("penetration", "left out in line contact on a half-space, where it is undetermined: give the load", value);
+  }
+  const double least = -model.centrifugal;
+  if (!(penetration > least)) {
+    reject("penetration", "> " + (least == 0.0 ? "0 m" : rounded(least) + " m (minus the centrifugal displacement)"),
+           value);
+  }
+  const double most = thickness(model.pair);
+  if (!(penetration < most)) reject("penetration", "< " + text(most) + " m, the thickness of the coating", value);
 }
 
 void require_relaxed_stiffness(const ContactSetup& setup) {
-  constexpr double kLeastRatio = 3e-3;  // below it, the iteration for the nodes in contact does not converge
+  constexpr double kMinModulusRatio = 3e-3;  // below it, the iteration for the nodes in contact does not converge
   const double contact_frequency =
       setup.load_case.angular_speed * std::max(1.0, setup.nodes.grid.radius / setup.contact.along);
   const Relaxation relaxation = strongest_relaxation(setup.pair(), contact_frequency);
-  if (relaxation.ratio >= kLeastRatio) return;
-  reject(
-      relaxation.layer + ".shear_modulus",
-      "such that the relaxed modulus is at least " + text(kLeastRatio) + " times the modulus at the contact frequency",
-      "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, which is " + rounded(relaxation.ratio) +
-          " times that modulus");
+  if (relaxation.ratio >= kMinModulusRatio) return;
+  reject(relaxation.layer + ".shear_modulus",
+         "such that the relaxed modulus is at least " + text(kMinModulusRatio) +
+             " times the modulus at the contact frequency",
+         "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, which is " + rounded(relaxation.ratio) +
+             " times that modulus");
 }
 
 void require_node_limit(const Window& window, const Mesh& mesh) {
@@ -126,14 +147,14 @@ void require_contact(const ContactSetup& setup, double friction, double penetrat
       setup.pair().body->require_stiffness();
       setup.pair().on->require_stiffness();
       // The remaining cause of a penetration that is not positive is a contact too wide for the equations.
-      reject_load(setup.pair(), setup.load_case.load, "would be pressed through the coating");
+      reject_load(setup.pair(), setup.load_case, "would be pressed through the coating");
     }
     reject("friction",
            "so small that the tangential forces do not lift the " + std::string(setup.pair().body->name()) +
                " out of contact",
            text(friction));
   }
-  require_depth(setup.pair(), setup.load_case.load, penetration - setup.model.centrifugal);
+  if (setup.load_case.load) require_depth(setup.pair(), *setup.load_case.load, penetration - setup.model.centrifugal);
 }
 
 void require_reachable_drive(const ContactSetup& setup, const ContactProblem& problem) {
@@ -146,9 +167,10 @@ void require_reachable_drive(const ContactSetup& setup, const ContactProblem& pr
   try {
     limits = sliding_drives(setup, problem);
   } catch (const ConvergenceError&) {
+    if (!load_case.load) return;
     // Bounds instead of solutions: the moment arms of friction and of pressure are at most the radius, and the slope of
     // the counterbody is at most 1.
-    const double largest = (load_case.friction + 2.0) * load_case.load;
+    const double largest = (load_case.friction + 2.0) * *load_case.load;
     limits = {SlidingDrive{-largest, -largest * body.radius()}, SlidingDrive{largest, largest * body.radius()}};
   }
   const auto& [skidding, spinning] = limits;

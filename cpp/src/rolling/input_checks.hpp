@@ -12,8 +12,9 @@ namespace viscoroll::detail {
 /// @brief Reject formulations for which the bodies have no tables.
 void require_formulation(const MeshModel& model, const Options& options);
 
-/// @brief Reject loads that no coating of such layers can support.
-void require_supported_load(const MeshModel& model, double load);
+/// @brief Reject loads that no coating of such layers can support, and penetrations that are too large for the layers
+/// or at which the bodies do not touch.
+void require_supported(const MeshModel& model, const LoadCase& load_case);
 
 /// @brief Reject moduli that relax to almost nothing. In steady state, order m = 0 has relaxed completely: the load
 /// leaves a groove around the whole circumference, whose depth such a modulus does not limit.
@@ -35,13 +36,16 @@ void require_contact(const ContactSetup& setup, double friction, double penetrat
 /// found no state.
 void require_reachable_drive(const ContactSetup& setup, const ContactProblem& problem);
 
-/// @brief Reject the load unconditionally.
+/// @brief Reject the load, or the penetration if that is given, unconditionally.
 /// @param[in] pair both bodies
-/// @param[in] load [N], or per length
-/// @param[in] reason effect of the load on the rolling body, for the message
-[[noreturn]] void reject_load(const RollingPair& pair, double load, const std::string& reason);
+/// @param[in] load_case load case
+/// @param[in] reason effect on the rolling body, for the message
+[[noreturn]] void reject_load(const RollingPair& pair, const LoadCase& load_case, const std::string& reason);
 
-/// @brief Reject a load whose contact fits into no window.
+/// @brief Reject a load or penetration whose contact fits into no window.
+[[noreturn]] void reject_contact_over_60_degrees(const RollingPair& pair, const LoadCase& load_case);
+
+/// @brief Same for a load [N], or per length.
 [[noreturn]] void reject_contact_over_60_degrees(const RollingPair& pair, double load);
 
 /// @brief Reject a load that presses the rolling body deeper than the total thickness of all layers.

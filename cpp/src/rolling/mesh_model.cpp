@@ -15,21 +15,24 @@ namespace {
 /// Forces that alternate from row to row excite the highest order m of the mesh, whose compliance is C = |C| exp(-ia).
 /// Displacements at the nodes resist such forces with |C| cos(a) only. This vanishes as the phase a approaches 90
 /// degrees, as in a Kelvin-Voigt material, and pressures behind the leading edge alternate at much smaller phases.
-/// Displacements s spacings downstream resist with |C| cos(a - pi s), which is the full |C| at s = a / pi. Up to the
-/// largest phase of a modulus with one relaxation time that falls by half, such as the paper's rubber, displacements
-/// are evaluated at the nodes, as in the paper. See docs/theory/normal-contact.md, "Strong memory".
-/// @param[in] normal,along compliance of that order
+/// Displacements s spacings downstream resist with |C| cos(a - pi s), which is the full |C| at s = a / pi.
+///
+/// A modulus with one relaxation time that relaxes by half, such as the paper's rubber, has a largest phase of
+/// atan(1 / sqrt(8)). Up to this phase displacements are evaluated at the nodes, as in the paper. See
+/// docs/theory/normal-contact.md, "Strong memory".
+/// @param[in] normal,along compliance of that order in the normal and in the rolling direction
 double stable_collocation(std::complex<double> normal, std::complex<double> along) {
   const double halved = std::atan(1.0 / std::sqrt(8.0)) / std::numbers::pi;
-  constexpr double kOnset = 4.0;  // slope of a ramp to a / pi at 4/3 of that phase: torques do not jump
-  constexpr double kMaxShift =
-      0.25;  // a larger shift increases the error of the power balance of nearly viscous materials
+  // The shift rises with this slope from 0 and reaches a / pi at 4/3 of that phase, so that torques do not jump.
+  constexpr double kOnset = 4.0;
+  // A larger shift would increase the error of the power balance of nearly viscous materials.
+  constexpr double kMaxShift = 0.25;
   const double full = std::max(-std::arg(normal), -std::arg(along)) / std::numbers::pi;
   return std::clamp(std::min(full, kOnset * (full - halved)), 0.0, kMaxShift);
 }
 
 /// @throws InvalidInput if the rolling body would grow to fill the counterbody in which it rolls
-void require_room_to_swell(const RollingPair& pair, const CentrifugalGrowth& growth, double angular_speed) {
+void require_room_for_growth(const RollingPair& pair, const CentrifugalGrowth& growth, double angular_speed) {
   const Curvatures& own = pair.body->curvatures();
   const Curvatures& on = pair.on->curvatures();
   const bool is_tread = std::isfinite(width(pair));
@@ -52,7 +55,7 @@ MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& 
   BodySurface counterbody = pair.on->surface(kinematics);
   const CentrifugalGrowth growth{.own = 1.0 + own.centrifugal * pair.body->curvatures().along,
                                  .counterbody = 1.0 + counterbody.centrifugal * pair.on->curvatures().along};
-  require_room_to_swell(pair, growth, angular_speed);
+  require_room_for_growth(pair, growth, angular_speed);
   return {.pair = pair,
           .angular_speed = angular_speed,
           .mesh = mesh,

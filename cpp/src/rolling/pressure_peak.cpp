@@ -4,8 +4,8 @@
 
 namespace viscoroll::detail {
 
-double unseen_peak(const Eigen::Ref<const Eigen::ArrayXd>& pressure, const std::vector<Eigen::Index>& contact,
-                   Eigen::Index stride) {
+double unresolved_peak(const Eigen::Ref<const Eigen::ArrayXd>& pressure, const std::vector<Eigen::Index>& contact,
+                       Eigen::Index stride) {
   const double largest = pressure.maxCoeff();
   double ahead = largest;
   for (const Eigen::Index node : contact) {

@@ -7,7 +7,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief Height of a pressure peak that may lie between the nodes.
+/// @brief Excess of a pressure peak that may lie between the nodes.
 ///
 /// If material enters the contact faster than it relaxes, the pressure rises behind the leading edge within less than a
 /// spacing, and the nodes resolve its peak only by chance. The pressure extrapolated to one spacing ahead of a node,
@@ -18,7 +18,7 @@ namespace viscoroll::detail {
 /// @param[in] stride nodes of a row; the rows follow one another downstream
 /// @return excess of the largest extrapolated pressure over the largest pressure of a node, relative to the latter [-],
 /// >= 0
-[[nodiscard]] double unseen_peak(const Eigen::Ref<const Eigen::ArrayXd>& pressure,
-                                 const std::vector<Eigen::Index>& contact, Eigen::Index stride);
+[[nodiscard]] double unresolved_peak(const Eigen::Ref<const Eigen::ArrayXd>& pressure,
+                                     const std::vector<Eigen::Index>& contact, Eigen::Index stride);
 
 }  // namespace viscoroll::detail

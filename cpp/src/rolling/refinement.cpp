@@ -13,6 +13,7 @@
 #include "base/validate.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
+#include "rolling/input_checks.hpp"
 #include "rolling/result.hpp"
 #include "rolling/solve_load_case.hpp"
 #include "viscoroll/errors.hpp"
@@ -21,16 +22,17 @@ namespace viscoroll::detail {
 namespace {
 
 constexpr int kFewestNodesPerRevolution = 64;
-constexpr double kMaxContactNodes = 3e6;  // fields of a third of a gigabyte
+constexpr double kMaxContactNodes = 3e6;  // whose fields need a third of a gigabyte
 constexpr double kInertiaShare = 1e-3;    // relative error of the inertia terms, as a fraction of the accuracy
 constexpr double kMaxFrictionalContactNodes = 4e5;  // their Krylov methods store some tens of vectors
 constexpr double kMaxFurtherEffort = 6e6;           // nodes in contact times operator applications
 constexpr double kMaxNodesForPressure = 5e4;        // in contact, after all other results have settled: 1 to 2 s
 constexpr double kMaxLineNodesForPressure = 4e3;    // in line contact, after all other results have settled
 constexpr double kMaxEffortForPressure = 1e6;       // nodes of a line contact times operator applications: 0.5 s
-constexpr double kFruitful = 0.9;                   // a mesh that leaves more of the error has not reduced it
-constexpr int kMaxFruitlessMeshes = 2;              // the first of them may only have detected a narrow peak
-constexpr double kLeftByMesh = 0.25;  // fraction of an error that remains on the next mesh if it falls as expected
+// Ratio of the errors on two successive meshes above which the second mesh has been ineffective.
+constexpr double kIneffectiveRatio = 0.9;
+constexpr int kMaxIneffectiveMeshes = 2;  // the first of them may only have detected a narrow peak
+constexpr double kExpectedRatio = 0.25;   // of the errors on two successive meshes
 
 int whole_nodes(double nodes_per_revolution) {
   const double nodes = std::round(nodes_per_revolution);
@@ -46,8 +48,8 @@ double aspect_of(const ContactReach& contact) {
 
 /// Number of nodes in the estimated contact radius that should suffice. Nodes that join the contact one by one leave a
 /// staircase in the torque over load or speed: 0.4 % with 41 nodes across the contact of the paper's example, falling
-/// with the power 2.3 of their number. It should be a tenth of the accuracy. The estimated contact is half as wide
-/// again as the contact.
+/// with the power 2.3 of their number. It should be a tenth of the accuracy. The estimated contact is about
+/// 1.5 times as wide as the contact.
 double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 0.004 / accuracy, 1.0 / 2.3); }
 
 /// Largest number of nodes in contact. A mesh that the accuracy itself requires may have many. Further meshes, which
@@ -70,10 +72,14 @@ struct Answer {
 /// Scalar results that are checked for convergence, always in the same order for the same load case.
 std::vector<Answer> answers(const Result& result, const LoadCase& load_case, double radius) {
   const double torque = std::abs(result.resisting_torque);
-  const double negligible = std::max(1e-10 * load_case.load * result.semi_axis_x, std::numeric_limits<double>::min());
+  const double negligible = std::max(1e-10 * result.load * result.semi_axis_x, std::numeric_limits<double>::min());
   const double force = torque / radius;
   std::vector<Answer> answers{{result.resisting_torque, std::max(torque, negligible)}};
-  if (result.penetration) answers.push_back({*result.penetration, std::abs(*result.penetration)});
+  if (!load_case.load) {
+    answers.push_back({result.load, result.load});
+  } else if (result.penetration) {
+    answers.push_back({*result.penetration, std::abs(*result.penetration)});
+  }
   if (load_case.friction == 0.0) return answers;
   answers.push_back(
       {result.dissipated_power, std::max(std::abs(result.dissipated_power), negligible * load_case.angular_speed)});
@@ -112,7 +118,7 @@ class Refiner {
  public:
   Refiner(const RollingPair& pair, const LoadCase& load_case, const Options& options, Watch& watch)
       : pair_(pair), load_case_(load_case), options_(options), watch_(watch) {
-    const ContactReach contact = estimate_contact(pair, load_case.angular_speed, load_case.load);
+    const ContactReach contact = estimate_contact(pair, load_case, centrifugal());
     if (std::isfinite(width(pair))) aspect_ = aspect_of(contact);
     // The first mesh serves to estimate the error of the second, which should suffice.
     const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * pair.body->radius() / contact.along;
@@ -131,6 +137,16 @@ class Refiner {
   }
 
  private:
+  /// Centrifugal displacement if the estimate of the contact depends on it, which is the case at a given penetration.
+  [[nodiscard]] double centrifugal() const {
+    if (load_case_.load) return 0.0;
+    const Mesh coarse{.nodes_per_revolution = kFewestNodesPerRevolution};
+    const MeshModel model = make_model(pair_, load_case_.angular_speed, coarse, options_.curvature,
+                                       {.threads = options_.threads, .watch = watch_});
+    require_supported(model, load_case_);
+    return model.centrifugal;
+  }
+
   [[nodiscard]] Mesh make_mesh(double nodes_per_revolution) const {
     Mesh mesh{.nodes_per_revolution = whole_nodes(nodes_per_revolution)};
     if (aspect_) mesh.theta_nodes_per_revolution = whole_nodes(mesh.nodes_per_revolution / *aspect_);
@@ -177,8 +193,8 @@ class Refiner {
     const double meshes = std::floor(std::log(most / nodes) / std::log(per_mesh));
     const bool is_cheap = !is_line || nodes * best_->operator_applications < kMaxEffortForPressure;
     return best_->max_pressure_error > options_.accuracy && meshes >= 1.0 && is_cheap &&
-           fruitless_ < kMaxFruitlessMeshes &&
-           best_->max_pressure_error * std::pow(kLeftByMesh, meshes) <= options_.accuracy;
+           ineffective_meshes_ < kMaxIneffectiveMeshes &&
+           best_->max_pressure_error * std::pow(kExpectedRatio, meshes) <= options_.accuracy;
   }
 
   /// Whether the next mesh would exceed the limits of memory or time.
@@ -208,9 +224,10 @@ class Refiner {
   void note(Result&& result) {
     if (best_) {
       result.max_pressure_error = std::max(
-          {result.max_pressure_error, change_of_pressure(result, *best_), kLeftByMesh * best_->max_pressure_error});
+          {result.max_pressure_error, change_of_pressure(result, *best_), kExpectedRatio * best_->max_pressure_error});
     }
-    if (best_ && is_settled(*best_) && result.max_pressure_error > kFruitful * best_->max_pressure_error) ++fruitless_;
+    if (best_ && is_settled(*best_) && result.max_pressure_error > kIneffectiveRatio * best_->max_pressure_error)
+      ++ineffective_meshes_;
     Refinement& step = result.refinements.back();
     std::vector<Answer> found = answers(result, load_case_, pair_.body->radius());
     // The first mesh has no previous mesh to compare with.
@@ -231,7 +248,7 @@ class Refiner {
   std::optional<double> aspect_;  // of patches, if those of the body are not square
   Mesh mesh_;
   bool has_ended_ = false;
-  int fruitless_ = 0;           // meshes that hardly reduced the error of the largest pressure
+  int ineffective_meshes_ = 0;  // meshes that hardly reduced the error of the largest pressure
   std::optional<Result> best_;  // on the finest mesh that was solved
   std::vector<Answer> answers_;
   std::vector<Refinement> refinements_;

@@ -56,8 +56,8 @@ std::vector<unsigned char> mask(const std::vector<Index>& nodes, Index size) {
 /// value.
 double settled(double sum, double largest_summand, std::optional<double> given = std::nullopt) {
   constexpr double kRoundOff = 1e-12;
-  constexpr double kLeftBySteps = 1e-9;
-  if (given && std::abs(sum - *given) < kLeftBySteps * largest_summand) return *given;
+  constexpr double kIterationError = 1e-9;
+  if (given && std::abs(sum - *given) < kIterationError * largest_summand) return *given;
   return std::abs(sum) < kRoundOff * largest_summand ? 0.0 : sum;
 }
 
@@ -79,6 +79,7 @@ double deformed_slope_force(const ContactSetup& given, const WindowContact& solv
   }
 }
 
+/// Computes the results of a solved contact, one group of members after the other.
 class Summary {
  public:
   Summary(const ContactSetup& given, const WindowContact& solved)
@@ -109,7 +110,7 @@ class Summary {
     r.semi_axis_z = extent.semi_axis_z;
     r.contact_width = extent.width;
     if (!given_.approach_exists()) return;
-    const double penetration = contact_.penetration - given_.model.centrifugal;
+    const double penetration = given_.load_case.penetration.value_or(contact_.penetration - given_.model.centrifugal);
     r.penetration = penetration;
     r.center_height = radius() - penetration;
     // In a half-space, the contact width takes the place of the thickness.
@@ -120,8 +121,9 @@ class Summary {
   void add_forces(Result& r) const {
     const auto forward = force_.col(kForward);
     const std::vector<Index>& contact = contact_.contact;
-    r.resisting_torque = -(pressure_lever(window_, given_.pair(), contact) * force_.col(kDown)).sum();
-    const double load = given_.load_case.load;
+    r.resisting_torque = -(pressure_moment_arm(window_, given_.pair(), contact) * force_.col(kDown)).sum();
+    const double load = given_.load_case.load.value_or(-force_.col(kDown).sum());
+    r.load = load;
     const GivenMotion motion = given_motion(given_.load_case);
     r.driving_force = settled(-forward.sum() + counterbody_force(r), load, motion.force);
     const auto sideways = force_.col(kSideways);
@@ -147,14 +149,14 @@ class Summary {
     }
     r.dissipated_power = r.bulk_power + r.slip_power;
     r.rolling_resistance_coefficient =
-        r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (load_case.load * std::abs(speed));
+        r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (r.load * std::abs(speed));
     double work =
         r.driving_torque * load_case.angular_speed + (r.driving_force + force_of_turning_counterbody(r)) * speed;
     const double guided = r.lateral_force * motion.lateral_creepage + r.spin_moment * motion.spin;
     work -= guided * load_case.angular_speed * radius();
     // Smaller powers, relative to the largest torque that the load could cause, are round-off of a lossless coating.
     const double negligible =
-        std::max(1e-10 * load_case.load * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());
+        std::max(1e-10 * r.load * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());
     r.energy_balance_error =
         std::abs(work - r.dissipated_power) / std::max({std::abs(work), std::abs(r.dissipated_power), negligible});
   }
@@ -168,7 +170,7 @@ class Summary {
     const Eigen::Map<ArrayXd> pressures(r.pressure.data(), size_);
     put(pressure, pressures);
     r.max_pressure = pressure.maxCoeff();
-    r.max_pressure_error = unseen_peak(pressures, contact_.contact, window_.shape().theta_nodes);
+    r.max_pressure_error = unresolved_peak(pressures, contact_.contact, window_.shape().theta_nodes);
     r.mesh = given_.model.mesh;
     r.phi_nodes = window_.shape().phi_nodes;
     r.theta_nodes = window_.shape().theta_nodes;

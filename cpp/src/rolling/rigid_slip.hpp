@@ -15,7 +15,7 @@ namespace viscoroll::detail {
 /// @brief Displacements from row to row along x and z [m]; 0 in the first row.
 struct RigidDisplacements {
   /// Slip of the rolling body over the counterbody at zero creepage of the drive: radii are smaller away from the
-  /// middle (Heathcote slip), and a guide adds lateral creepage and spin about the vertical axis
+  /// middle (Heathcote slip), and the drive may prescribe lateral creepage and spin about the vertical axis
   Eigen::ArrayX2d slip;
   Eigen::ArrayX2d counterbody;  ///< displacement of the counterbody's surface at zero creepage
 };

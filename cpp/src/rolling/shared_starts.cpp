@@ -10,7 +10,7 @@ namespace viscoroll::detail {
 namespace {
 
 /// Number of starts that are kept: as many loads and drives as a study alternates between.
-constexpr std::size_t kKept = 16;
+constexpr std::size_t kMaxStarts = 16;
 
 std::vector<double> numbers_of(const GivenMotion& motion) {
   std::vector<double> numbers{motion.lateral_creepage, motion.spin};
@@ -25,18 +25,18 @@ std::vector<double> numbers_of(const GivenMotion& motion) {
 
 std::shared_ptr<SharedStart> SharedStarts::of(const LoadCase& load_case, const Options& options, const Window& window) {
   Key key = numbers_of(given_motion(load_case));
-  for (const double number :
-       {load_case.load, static_cast<double>(options.compliance), static_cast<double>(options.patch_load),
-        static_cast<double>(options.slip_kinematics), static_cast<double>(options.max_iterations),
-        static_cast<double>(window.phi.first), static_cast<double>(window.phi.last),
-        static_cast<double>(window.theta.first), static_cast<double>(window.theta.last)}) {
+  for (const double number : {load_case.load.value_or(0.0), load_case.penetration.value_or(0.0),
+                              static_cast<double>(options.compliance), static_cast<double>(options.patch_load),
+                              static_cast<double>(options.slip_kinematics), static_cast<double>(options.max_iterations),
+                              static_cast<double>(window.phi.first), static_cast<double>(window.phi.last),
+                              static_cast<double>(window.theta.first), static_cast<double>(window.theta.last)}) {
     key.push_back(number);
   }
   const std::scoped_lock lock(mutex_);
   const auto found = std::ranges::find(starts_, key, [](const auto& entry) { return entry.first; });
   if (found != starts_.end()) return found->second;
   starts_.emplace_front(std::move(key), std::make_shared<SharedStart>());
-  if (starts_.size() > kKept) starts_.pop_back();
+  if (starts_.size() > kMaxStarts) starts_.pop_back();
   return starts_.front().second;
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Starting points for the load cases of a model with friction, found by everything that they depend on.
+/// @brief Starting points for the load cases of a model with friction, stored with the inputs that they depend on.
 #pragma once
 
 #include <deque>

@@ -19,7 +19,16 @@ namespace viscoroll {
 namespace {
 
 void validate(const LoadCase& load_case, const detail::RoundBody& body) {
-  detail::require_positive("load", load_case.load, body.form().load_unit);
+  if (load_case.load && load_case.penetration) {
+    detail::reject("penetration", "left out if the load is given", detail::text(*load_case.penetration) + " m");
+  }
+  if (load_case.load) {
+    detail::require_positive("load", *load_case.load, body.form().load_unit);
+  } else if (load_case.penetration) {
+    detail::require_finite("penetration", *load_case.penetration);
+  } else {
+    detail::reject("load", "given, or penetration instead of it", "neither");
+  }
   detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
   detail::require_friction(load_case.friction);
   detail::validate_drive(load_case, body);

@@ -59,7 +59,7 @@ ContactSolution start_of(const FrozenContact& state, const SurfaceWindow& nodes,
 Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
                        const std::optional<ContactReach>& coarse_contact) {
   require_formulation(model, options);
-  require_supported_load(model, load_case.load);
+  require_supported(model, load_case);
   const ContactSetup setup = assemble(model, load_case, options, watch);
   require_relaxed_stiffness(setup);
   return make_result(setup, find_contact_in_window(setup, coarse_contact));
@@ -68,6 +68,7 @@ Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const 
 Result solve_frozen_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
                          const FrozenContact& state) {
   require_formulation(model, options);
+  require_supported(model, load_case);
   const ContactSetup setup = assemble(model, load_case, options, watch);
   const SurfaceWindow nodes(setup.nodes.grid, window_of(state, setup.nodes.widest));
   const ContactProblem problem = setup.problem(nodes);

@@ -10,10 +10,10 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr int kFewestNodesAcross = 10;     // with 5 nodes the paper's example is 14 % off, and its own estimate is 1 %
+constexpr int kMinNodesAcross = 10;        // with 5, the paper's example has an error of 14 % but an estimate of 1 %
 constexpr double kLargestEstimate = 0.05;  // largest error estimate of a useful mesh
-constexpr double kLargestDoubt = 0.1;      // of the largest pressure; smooth pressures have 0.08 with ten nodes across
-constexpr double kLargestStrain = 0.2;     // no finite-strain computation supports the model error beyond this strain
+constexpr double kLargestPressureError = 0.1;  // a smooth pressure has 0.08 with ten nodes across the contact
+constexpr double kLargestStrain = 0.2;  // no finite-strain computation supports the model error beyond this strain
 
 /// Lines of nodes that cross the contact, in the direction with fewer of them.
 int nodes_across(const Result& result) {
@@ -32,7 +32,7 @@ int nodes_across(const Result& result) {
 
 std::string coarse_mesh_text(int across, double estimate) {
   return "the mesh is too coarse: " + std::to_string(across) + " nodes across the contact (recommended: at least " +
-         std::to_string(kFewestNodesAcross) + "), error estimate " + rounded(estimate) + " (recommended: at most " +
+         std::to_string(kMinNodesAcross) + "), error estimate " + rounded(estimate) + " (recommended: at most " +
          rounded(kLargestEstimate) + "); refine the mesh or leave it out";
 }
 
@@ -64,13 +64,13 @@ std::vector<Warning> warnings_of(const Result& result, const Options& options, b
                                                                rounded(options.accuracy)});
   }
   const int across = nodes_across(result);
-  if (mesh_given && across < kFewestNodesAcross) {
+  if (mesh_given && across < kMinNodesAcross) {
     warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, result.error_estimate)});
   } else if (mesh_given && !(result.energy_balance_error <= kLargestEstimate)) {
     warnings.push_back({WarningKind::power_balance, power_balance_text(result)});
   }
-  const double good = mesh_given ? kLargestDoubt : options.accuracy;
-  if (across >= kFewestNodesAcross && !(result.max_pressure_error <= good)) {
+  const double good = mesh_given ? kLargestPressureError : options.accuracy;
+  if (across >= kMinNodesAcross && !(result.max_pressure_error <= good)) {
     warnings.push_back({WarningKind::pressure_peak, pressure_peak_text(result, good)});
   }
   if (result.strain && *result.strain > kLargestStrain) {

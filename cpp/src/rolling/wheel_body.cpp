@@ -14,7 +14,7 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr int kFewestColumns = 4;  // on either side of the middle, so that coarser meshes still have some
+constexpr int kMinColumns = 4;  // on either side of the middle, so that coarsened meshes have columns as well
 
 void require_wheel_options(const Options& options) {
   if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT for a wheel", "SPHERICAL");
@@ -60,7 +60,7 @@ Nodes nodes_of(const CoatedWheel& wheel, const Mesh& mesh, const Body& on) {
   const double radius = outer_radius(wheel);
   const double width = std::min(wheel.width, on.width());
   const double columns = width / (radius * theta_spacing(mesh));
-  const int aside = std::max(kFewestColumns, static_cast<int>(std::lround(0.5 * (columns - 1.0))));
+  const int aside = std::max(kMinColumns, static_cast<int>(std::lround(0.5 * (columns - 1.0))));
   const int phi = nodes_to_60_degrees(mesh.nodes_per_revolution);
   return {.grid = {.radius = radius,
                    .phi_spacing = phi_spacing(mesh),
@@ -73,8 +73,8 @@ Nodes nodes_of(const CoatedWheel& wheel, const Mesh& mesh, const Body& on) {
 /// faces, from finite elements of the section at Poisson's ratio 1/2 (docs/theory/wheels.md).
 double error_of_sides(const CoatedWheel& wheel, double across) {
   constexpr double kAtSides = 0.11;
-  constexpr double kFall = 2.2;  // decay exponent per thickness
-  return kAtSides * std::exp(-kFall * (0.5 * wheel.width - across) / coating_thickness(wheel));
+  constexpr double kDecayPerThickness = 2.2;  // exponent per thickness of distance
+  return kAtSides * std::exp(-kDecayPerThickness * (0.5 * wheel.width - across) / coating_thickness(wheel));
 }
 
 /// Relative error of the torque due to the crown, and due to a thickness that is taken as equal everywhere. With free

@@ -16,11 +16,10 @@ namespace {
 /// box.
 constexpr double kOverclosure = 1e-8;
 
-constexpr double kMarginOfEstimate = 1.1;  // of windows around an estimated contact, which is rather too large
-constexpr double kMarginOfSeen = 1.2;      // of windows around a contact that was found on a coarser mesh
+constexpr double kMarginOfEstimate = 1.1;  // of windows around an estimated contact; the estimate is rather too large
+constexpr double kMarginOfCoarseContact = 1.2;  // of windows around a contact that was found on a coarser mesh
 
-constexpr double kRoundOff =
-    1e-9;  // in nodes: a contact on a coarser mesh is a whole number of nodes, times the margin
+constexpr double kRoundOff = 1e-9;  // [nodes], of the extent of a contact that ends at nodes of a coarser mesh
 
 constexpr int kRoughNodes = 16;  // from the lowest node to the edge of a window, on a mesh that shows its size
 
@@ -28,7 +27,8 @@ constexpr double kPressedThrough = 10.0;  // depth, in thicknesses, that no coat
 
 constexpr Eigen::Index kFewNodes = 1024;    // enough to show whether a window contains a contact
 constexpr Eigen::Index kManyNodes = 16384;  // enough to show whether a contact extends far beyond a window
-constexpr double kOverrun = 1.0 / 3.0;  // fraction of a side; reached by a circle a twentieth larger than the window
+// Fraction of a side that is in contact. A circle a twentieth larger than the window has this fraction.
+constexpr double kOverrun = 1.0 / 3.0;
 
 /// Nodes to either side of the lowest one.
 struct HalfWidths {
@@ -149,7 +149,9 @@ bool holds_contact_roughly(const ContactSetup& setup, const HalfWidths& half, bo
     if (curvature == Curvature::exact) curvature = Curvature::sphere;
   }
   const MeshModel rough = make_model(setup.pair(), load_case.angular_speed, mesh, curvature, setup.execution);
-  const LoadCase pressed{.load = load_case.load, .angular_speed = load_case.angular_speed};
+  LoadCase pressed = load_case;
+  pressed.friction = 0.0;
+  pressed.drive = {};
   const ContactSetup roughly = assemble(rough, pressed, options, setup.execution.watch);
   const int to_side = setup.has_sides() ? roughly.nodes.widest.theta.last : std::numeric_limits<int>::max();
   const HalfWidths width{.phi = coarsened(half.phi) + 1, .theta = std::min(coarsened(half.theta) + 1, to_side)};
@@ -167,7 +169,7 @@ bool holds_rough_contact(const ContactSetup& setup, const HalfWidths& half, bool
   const double depth_at_edge = grid.radius * (1.0 - std::cos(angle));
   const double bearable_depth = kPressedThrough * thickness(setup.pair());
   const auto reject_if_beyond = [&](double depth) {
-    if (depth > bearable_depth) reject_load(setup.pair(), setup.load_case.load, "would be pressed through it");
+    if (depth > bearable_depth) reject_load(setup.pair(), setup.load_case, "would be pressed through it");
   };
   // The simplified equations may require a larger window than the given ones, which costs little. In the widest window
   // they might reject a load that the given equations support, so that the given ones decide.
@@ -187,7 +189,7 @@ bool holds_rough_contact(const ContactSetup& setup, const HalfWidths& half, bool
 WindowContact find_contact_in_window(const ContactSetup& setup, const std::optional<ContactReach>& coarse_contact) {
   const SurfaceGrid& grid = setup.nodes.grid;
   const ContactReach likely = coarse_contact.value_or(setup.contact);
-  const double margin = coarse_contact ? kMarginOfSeen : kMarginOfEstimate;
+  const double margin = coarse_contact ? kMarginOfCoarseContact : kMarginOfEstimate;
   const auto half_width = [&](double reach, double spacing) {
     return static_cast<int>(std::ceil(margin * reach / (grid.radius * spacing) - kRoundOff)) + 2;
   };
@@ -208,7 +210,7 @@ WindowContact find_contact_in_window(const ContactSetup& setup, const std::optio
     }
     is_seen = false;
     if (is_widest) {
-      reject_contact_over_60_degrees(setup.pair(), setup.load_case.load);
+      reject_contact_over_60_degrees(setup.pair(), setup.load_case);
     }
     half = at_most_widest(half.phi + half.phi / 2 + 1, half.theta + half.theta / 2 + 1);
   }

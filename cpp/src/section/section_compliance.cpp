@@ -31,9 +31,9 @@ constexpr double kUnboundedSectionReach = 6.0;
 /// Edges of elements from `first` to `last` with about the given size.
 std::vector<double> edges(double first, double last, const Size& size) {
   // The number of samples resolves the size function, also at fine ends.
-  constexpr double kFewestSamples = 400.0;
-  const double in_ends = 4.0 * (last - first) / std::min(size(first), size(last));
-  const int samples = static_cast<int>(std::max(kFewestSamples, in_ends));
+  constexpr double kMinSamples = 400.0;
+  const double samples_for_ends = 4.0 * (last - first) / std::min(size(first), size(last));
+  const int samples = static_cast<int>(std::max(kMinSamples, samples_for_ends));
   const double step = (last - first) / samples;
   std::vector<double> elements{0.0};
   for (int i = 0; i < samples; ++i) elements.push_back(elements.back() + step / size(first + (i + 0.5) * step));
@@ -63,9 +63,9 @@ Eigen::ArrayXd with_middles(const std::vector<double>& edges) {
 /// Slope of the crown at a distance from the middle. It is limited where the crown is vertical.
 double crown_slope(const CoatedWheel& wheel, double z) {
   if (std::isinf(wheel.crown_radius)) return 0.0;
-  constexpr double kLeastCosine = 1e-3;
+  constexpr double kMinCosine = 1e-3;
   const double sine = z / wheel.crown_radius;
-  return sine / std::max(std::sqrt(1.0 - sine * sine), kLeastCosine);
+  return sine / std::max(std::sqrt(1.0 - sine * sine), kMinCosine);
 }
 
 using StrainRows = Eigen::Matrix<double, 6, kElementUnknowns>;
@@ -220,11 +220,11 @@ SectionMesh::SectionMesh(const CoatedWheel& wheel, SectionEnd end, const Section
   r_ = straight.replicate(1, z_.size());
   slope_.resize(z_.size());
   const double outermost = wheel.layers.back().thickness;
-  const Eigen::ArrayXd falls = wheel.hub == Hub::crowned
-                                   ? Eigen::ArrayXd::Ones(straight.size())
-                                   : Eigen::ArrayXd(((straight - surface) / outermost + 1.0).max(0.0));
+  const Eigen::ArrayXd drop_fractions = wheel.hub == Hub::crowned
+                                            ? Eigen::ArrayXd::Ones(straight.size())
+                                            : Eigen::ArrayXd(((straight - surface) / outermost + 1.0).max(0.0));
   for (Eigen::Index i = 0; i < z_.size(); ++i) {
-    r_.col(i) -= falls * crown_drop(wheel, z_[i]);
+    r_.col(i) -= drop_fractions * crown_drop(wheel, z_[i]);
     slope_[i] = crown_slope(wheel, z_[i]);
   }
 }

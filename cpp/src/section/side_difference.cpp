@@ -22,7 +22,7 @@ using cplx = std::complex<double>;
 
 /// Ratio mu / (lambda + 2 mu) of incompressible layers in the elements. It changes compliances by 1e-6, multiplied by
 /// the square of width over thickness. Elements with linear pressures do not lock.
-constexpr double kLeastShearRatio = 1e-6;
+constexpr double kMinShearRatio = 1e-6;
 
 /// Phase per element at the face of the last sampled order. Its waves, 2 pi / 3.4 elements long, are the shortest that
 /// the elements represent.
@@ -62,7 +62,7 @@ CoatedWheel straight_along(CoatedWheel wheel, double crown_radius) {
 double length(const SectionMesh& mesh) { return mesh.z()[mesh.z().size() - 1]; }
 
 /// Wheel whose width is reduced, if it is flat, to the part that its faces affect.
-CoatedWheel felt_part(CoatedWheel wheel) {
+CoatedWheel affected_part(CoatedWheel wheel) {
   if (std::isinf(wheel.crown_radius)) wheel.width = std::min(wheel.width, kWide * coating_thickness(wheel));
   return wheel;
 }
@@ -85,7 +85,7 @@ std::optional<std::vector<SectionMedium<double>>> real_media(const std::vector<S
 constexpr std::size_t kMaxTreads = 8;
 constexpr Eigen::Index kMaxNumbers = 16777216;  // largest number of complex numbers in the cache, 256 MB
 
-/// All numbers that determine the difference between a tread with faces and an endless one.
+/// All numbers that determine the difference between a tread with faces and an unbounded one.
 using Key = std::vector<double>;
 
 Key key_of(const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers) {
@@ -107,6 +107,7 @@ bool are_equal(const Key& first, const Key& second) {
 
 using Differences = std::shared_ptr<const std::vector<SampledDifference>>;
 
+/// Differences of the treads that were computed last. Thread-safe.
 class TreadCache {
  public:
   [[nodiscard]] Differences find(const Key& key) {
@@ -170,7 +171,7 @@ std::vector<SectionMedium<cplx>> section_media(const LayerStack<Scalar>& layers,
   std::vector<SectionMedium<cplx>> media;
   for (const Medium<Scalar>& medium : layers.media) {
     const cplx shear = medium.mu / unit;
-    const cplx ratio = std::abs(medium.b) < kLeastShearRatio ? kLeastShearRatio : medium.b;
+    const cplx ratio = std::abs(medium.b) < kMinShearRatio ? kMinShearRatio : medium.b;
     media.push_back({.shear = shear, .lame = shear * (1.0 / ratio - 2.0)});
   }
   return media;
@@ -204,21 +205,21 @@ std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCrown::at(double m,
 }
 
 SideDifference::SideDifference(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness)
-    : left_out_(0.5 * (wheel.width - felt_part(wheel).width)),
-      face_(SectionMesh(felt_part(wheel), SectionEnd::face, fineness), tangential),
-      unbounded_(SectionMesh(straight_across(felt_part(wheel)), SectionEnd::unbounded, fineness), tangential),
+    : omitted_(0.5 * (wheel.width - affected_part(wheel).width)),
+      face_(SectionMesh(affected_part(wheel), SectionEnd::face, fineness), tangential),
+      unbounded_(SectionMesh(straight_across(affected_part(wheel)), SectionEnd::unbounded, fineness), tangential),
       tangential_(tangential) {
   if (std::isfinite(wheel.crown_radius)) crown_.emplace(wheel, tangential, fineness);
 }
 
 SampledDifference SideDifference::at_orders(const ArrayXd& orders) const {
-  SampledDifference room{.orders = orders,
-                         .z = left_out_ + face_.mesh().z().head(static_cast<Index>(face_.mesh().loaded_lines())),
-                         .components = tangential_ ? 3 : 1,
-                         .parts = {}};
-  const Index entries = room.amplitudes() * room.amplitudes();
-  for (Eigen::MatrixXcd& part : room.parts) part.resize(orders.size(), entries);
-  return room;
+  SampledDifference result{.orders = orders,
+                           .z = omitted_ + face_.mesh().z().head(static_cast<Index>(face_.mesh().loaded_lines())),
+                           .components = tangential_ ? 3 : 1,
+                           .parts = {}};
+  const Index entries = result.amplitudes() * result.amplitudes();
+  for (Eigen::MatrixXcd& part : result.parts) part.resize(orders.size(), entries);
+  return result;
 }
 
 /// The result is half of the difference, because a force on a line includes that on its mirror image.

@@ -107,14 +107,14 @@ class SideDifference {
   [[nodiscard]] SampledDifference at_orders(const Eigen::ArrayXd& orders) const;
 
  private:
-  double left_out_;  // omitted part of half the width, in the middle [m]
+  double omitted_;  // omitted part of half the width, in the middle [m]
   SectionCompliance face_;
   SectionCompliance unbounded_;
   std::optional<SectionCrown> crown_;
   bool tangential_;
 };
 
-/// @brief Differences between a tread with faces and an endless one, from a cache of the last few treads of the
+/// @brief Differences between a tread with faces and an unbounded one, from a cache of the last few treads of the
 /// process.
 ///
 /// The key contains the dimensions of the wheel and all other numbers on which the differences depend.
@@ -127,7 +127,7 @@ class SideDifference {
     const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers,
     const std::function<std::vector<SampledDifference>()>& compute);
 
-/// @brief Difference between a rolling tread with faces and an endless one.
+/// @brief Difference between a rolling tread with faces and an unbounded one.
 ///
 /// The key contains the moduli relative to that of the outermost layer, so that layers that share one relaxation
 /// function are solved once for all speeds.

@@ -93,8 +93,9 @@ class Terms {
   std::size_t shapes_;
 };
 
-/// Fraction of the period of a whole window below which forces on part of the window have a product of their own.
-constexpr double kWorthOwnProduct = 0.8;
+/// If the loaded part of a window has a period below this fraction of the whole window's period, a separate product
+/// for this part takes less time.
+constexpr double kSeparateProductPeriod = 0.8;
 
 /// Rows, and columns around the middle, that contain all forces.
 LoadedNodes loaded_nodes(const VectorField& force, const Window& window) {
@@ -278,7 +279,7 @@ VectorField TableOperator::displacement(const VectorField& force) const {
   const LoadedNodes loaded = loaded_nodes(force, window_);
   const WindowShape shape = window_.shape();
   const WindowShape period = doubled(shape, {.phi_nodes = loaded.rows, .theta_nodes = loaded.columns});
-  if (static_cast<double>(period.size()) > kWorthOwnProduct * static_cast<double>(doubled(shape).size())) {
+  if (static_cast<double>(period.size()) > kSeparateProductPeriod * static_cast<double>(doubled(shape).size())) {
     return displacement(force, spectral_displacements());
   }
   return displacement(force, Convolution(shape, loaded, *tables_, Terms(formulation_).displacement(),
@@ -415,7 +416,7 @@ Losses TableOperator::dissipation(const VectorField& force) const {
   const Tables tables = dissipation_source_(rows - 1, columns - 1);
   const std::vector<ConvolutionTerm> terms = Terms(formulation_).dissipation();
   Eigen::ArrayXd lost = Eigen::ArrayXd::Zero(rows);  // summed in an order that does not depend on the threads
-  const auto lose = [&, width = columns](bool mirrored) -> SpectralProduct::Take {
+  const auto accumulate = [&, width = columns](bool mirrored) -> SpectralProduct::Take {
     const Eigen::Index middle = mirrored ? width / 2 : 0;
     return [&, mirrored, middle, width](int row, std::size_t field, const double* line) {
       for (Eigen::Index k = middle; k < width; ++k) {
@@ -424,15 +425,15 @@ Losses TableOperator::dissipation(const VectorField& force) const {
       }
     };
   };
-  if (TableProduct({rows, columns}, tables, terms).apply(fields(), loads(force, 0), lose(false))) {
+  if (TableProduct({rows, columns}, tables, terms).apply(fields(), loads(force, 0), accumulate(false))) {
     return losses(lost.sum());
   }
   const auto& [threads, watch] = execution_;
   const Convolution product({rows, columns}, loaded_nodes(force, window_), *tables, terms, threads, watch);
   if (takes_mirrored() && is_mirrored(force, window_)) {
-    product.apply_mirrored(odd_components(), loads(force, columns / 2), lose(true), threads, watch);
+    product.apply_mirrored(odd_components(), loads(force, columns / 2), accumulate(true), threads, watch);
   } else {
-    product.apply(fields(), loads(force, 0), lose(false), threads, watch);
+    product.apply(fields(), loads(force, 0), accumulate(false), threads, watch);
   }
   return losses(lost.sum());
 }

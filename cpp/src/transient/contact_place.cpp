@@ -66,7 +66,7 @@ ContactPlace place_of(const ViscoelasticPair& pair, Index first, SurfaceWindow n
   const Index count = nodes.shape().phi_nodes;
   Eigen::ArrayXd weights = half_weights(pair.half_nodes()).replicate(count, 1);
   Eigen::ArrayXd gap = initial_gap(nodes, {}, pair.pair);
-  Eigen::ArrayXd moment_arm = pressure_lever(nodes, pair.pair);
+  Eigen::ArrayXd moment_arm = pressure_moment_arm(nodes, pair.pair);
   std::vector<Axes> axes = axes_at(pair, nodes);
   return {.first = first,
           .count = count,

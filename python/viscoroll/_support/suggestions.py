@@ -39,6 +39,7 @@ _SYNONYMS = (
     ("R_c crown crowning", "crown_radius", ""),
     ("P F W force normal_force normal_load weight", "load", ""),
     ("mass", "load", "9.81 mass"),
+    ("d depth indentation approach overlap deflection", "penetration", ""),
     ("V v speed velocity linear_speed belt_speed", "angular_speed", "V / r_o"),
     ("omega w angular_velocity", "angular_speed", ""),
     ("rpm", "angular_speed", "2 pi rpm / 60"),

@@ -10,6 +10,7 @@ _PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "J": "J/m", "m^2": "m"}
 #: Units of parameters of this package. Moduli and drives add those of their parameters.
 UNITS = {
     "load": "N",
+    "penetration": "m",
     "angular_speed": "rad/s",
     "friction": "1",
     "accuracy": "1",

@@ -76,8 +76,10 @@ class Rolling(StrictTable):
     """The table `rolling`: the load case."""
 
     documented_by = (solve,)
+    one_of = ("load", "penetration")
 
-    load: float
+    load: float | None = None
+    penetration: float | None = None
     angular_speed: float
     friction: float = 0.0
     drive: Annotated[Drive, Table()] = Drive(force=0.0)
@@ -186,7 +188,8 @@ class Case:
 
     body: RollingBody
     on: Counterbody | None = None
-    load: float
+    load: float | None
+    penetration: float | None
     angular_speed: float
     friction: float
     drive: Drive
@@ -200,7 +203,14 @@ class Case:
 
     def arguments(self) -> dict[str, Any]:
         """Return the arguments of `viscoroll.solve`."""
-        return {field.name: getattr(self, field.name) for field in fields(self) if field.name != "thermal"}
+        given = {field.name: getattr(self, field.name) for field in fields(self) if field.name != "thermal"}
+        return {name: value for name, value in given.items() if value is not None}
+
+    def given_load(self) -> float:
+        """Return the load, for evaluations that need one; raise a ValueError if the case gives the penetration."""
+        if self.load is None:
+            raise InvalidInput("rolling.load", "must be given here, instead of rolling.penetration")
+        return self.load
 
     def solve(self, **options: Any) -> Result:
         """Solve the case; if layers soften, with the moduli at their strain. `options` go to `viscoroll.solve`."""
@@ -228,6 +238,7 @@ class Case:
                     f"thermal.{name}",
                     "must be left out with thermal.shift: self-heating considers only the rolling body",
                 )
+        self.given_load()
         cooling = {name: value for name, value in self.thermal if name not in ("of", "base_convection", "period")}
         return self_heating(**self.arguments(), **cooling, **options)
 

@@ -165,6 +165,7 @@ def compare_torques(
         Same as in `viscoroll.solve`.
     """
     require_feasible({"speeds": points})
+    load = case.given_load()
     low, high = speeds or (
         case.angular_speed / 30.0,
         min(10.0 * case.angular_speed, max(0.9 * critical_speed(case.body), case.angular_speed)),
@@ -177,7 +178,7 @@ def compare_torques(
 
     results = run_all(point, omega.tolist(), progress=progress)
     forms = {
-        name: (np.asarray(form(case.load, omega)), np.asarray(form.is_valid(case.load, omega)))
+        name: (np.asarray(form(load, omega)), np.asarray(form.is_valid(load, omega)))
         for name, form in applicable(case.body, on=case.on).items()
     }
     return Comparison(

@@ -102,7 +102,7 @@ def outcome_of(case: Case, names: Collection[str], report: Report | None) -> Out
         result, heated = hot.states[0].result, hot.states[0].temperature
         if "load_to_fold" in names:
             fold = hot.largest_load()
-            inside["load_to_fold"] = 0.0 if fold is None else case.load / fold.load
+            inside["load_to_fold"] = 0.0 if fold is None else case.given_load() / fold.load
     else:
         result = case.solve(progress=report)
         if "temperature" in names and case.thermal is not None:

@@ -170,7 +170,7 @@ def _plan(
         cases.append(LoadCase(body=body, arguments=_arguments(case) | {"on": on}, draws=pairs))
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
     names = {dimension.name for dimension in dimensions}
-    same = {k: v for k, v in (every[0] if every else {}).items() if all(other[k] == v for other in every)}
+    same = {k: v for k, v in (every[0] if every else {}).items() if all(other.get(k) == v for other in every)}
     fixed = {name: value for name, value in same.items() if name not in names}
     intervals = {} if draws is None else {"method": draws.method, "confidence": as_confidence(draws.confidence)}
     return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases), **intervals)  # type: ignore[arg-type]

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from enum import Enum
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Literal, TypeAlias, TypeVar
+from typing import Annotated, Any, ClassVar, Literal, Self, TypeAlias, TypeVar
 
 from .._support.errors import InvalidInput, in_file
 from .._support.extras import extra
@@ -29,12 +29,13 @@ with extra("cli"):
         Field,
         GetCoreSchemaHandler,
         GetJsonSchemaHandler,
+        ModelWrapValidatorHandler,
         ValidationError,
         ValidationInfo,
         create_model,
         model_validator,
     )
-    from pydantic_core import CoreSchema, ErrorDetails, core_schema
+    from pydantic_core import CoreSchema, ErrorDetails, InitErrorDetails, core_schema
 
 __all__ = [
     "AlsoAs",
@@ -61,10 +62,33 @@ class StrictTable(BaseModel):
     #: Classes and functions whose docstrings describe the keys.
     documented_by: ClassVar[tuple[Callable[..., Any], ...]] = ()
 
+    #: Keys of which the table must have one; the class that is made from the table rejects several. Messages about a
+    #: missing key name the first one.
+    one_of: ClassVar[tuple[str, ...]] = ()
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _has_one(cls, table: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        """Report a missing key of `one_of` as pydantic reports any other missing key, together with all errors."""
+        if not cls.one_of or not isinstance(table, dict) or not table.keys().isdisjoint(cls.one_of):
+            return handler(table)
+        missing = InitErrorDetails(type="missing", loc=(cls.one_of[0],), input=table)
+        try:
+            handler(table)
+        except ValidationError as error:
+            others = [
+                InitErrorDetails(type=one["type"], loc=one["loc"], input=one["input"], ctx=one.get("ctx", {}))
+                for one in error.errors()
+            ]
+            raise ValidationError.from_exception_data(cls.__name__, [missing, *others]) from None
+        raise ValidationError.from_exception_data(cls.__name__, [missing])
+
     @classmethod
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         """Return the JSON Schema with descriptions and ranges from the docstrings."""
         made = handler(schema)
+        if cls.one_of:
+            handler.resolve_ref_schema(made)["oneOf"] = [{"required": [name]} for name in cls.one_of]
         keys = handler.resolve_ref_schema(made).get("properties", {})
         for name in keys:  # a missing value is None in Python, but not in a file
             kinds = [kind for kind in keys[name].get("anyOf", []) if kind != {"type": "null"}]

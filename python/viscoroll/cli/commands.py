@@ -301,6 +301,7 @@ def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None
     balls_of(case.body, case.on)  # rejects unsupported bodies before the study
     factors = np.geomspace(1.0 / span, span, 5)
     factors[2] = 1.0
-    varied = {"load": case.load * factors, "angular_speed": case.angular_speed * factors}
+    load = case.given_load()
+    varied = {"load": load * factors, "angular_speed": case.angular_speed * factors}
     study = sweep(**case.arguments() | varied, progress=sys.stderr.isatty())
-    return study, case.load * factors[2], case.angular_speed * factors[2]
+    return study, load * factors[2], case.angular_speed * factors[2]

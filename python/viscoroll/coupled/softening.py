@@ -33,7 +33,7 @@ def strain_softening(
     body: RollingBody,
     *,
     on: Counterbody | None = None,
-    load: float,
+    load: float | None = None,
     angular_speed: float,
     loss: NetworkLoss = "network",
     sublayers: int = 1,
@@ -65,7 +65,8 @@ def strain_softening(
     progress : bool or callable, optional
         True shows a progress bar; a callable is called as progress(stage, fraction) after every pass.
     **options
-        Options of `solve`: friction, drive, accuracy, mesh, compliance, and so on. Curvature EXACT is not allowed.
+        Options of `solve`: penetration instead of the load, friction, drive, accuracy, mesh, compliance, and so on.
+        Curvature EXACT is not allowed.
 
     Returns
     -------
@@ -129,7 +130,7 @@ def strain_softening(
             body=body,
             on=on,
             layers=layers,
-            load=as_float("load", load),
+            load=None if load is None else as_float("load", load),
             angular_speed=as_float("angular_speed", angular_speed),
             options=dict(options),
             depths=columns,

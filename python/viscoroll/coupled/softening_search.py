@@ -83,7 +83,7 @@ class SofteningSearch:
     body: RollingBody
     on: Counterbody | None
     layers: tuple[SofteningLayer, ...]
-    load: float
+    load: float | None
     angular_speed: float
     options: dict[str, Any]
     depths: int

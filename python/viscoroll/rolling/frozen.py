@@ -74,11 +74,14 @@ class FrozenContact:
         return _core.solve_frozen(
             given.body._to_core(),
             core_counterbody(given.on),
-            load=given.load,
-            angular_speed=given.angular_speed,
+            _core.LoadCase(
+                load=given.load,
+                penetration=given.penetration,
+                angular_speed=given.angular_speed,
+                friction=given.friction,
+                drive=given.drive._to_core(),
+            ),
             mesh=result.mesh._to_core(),
-            friction=given.friction,
-            drive=given.drive._to_core(),
             compliance=result.compliance,
             curvature=result.curvature,
             patch_load=result.patch_load,

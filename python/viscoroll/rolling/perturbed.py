@@ -47,7 +47,8 @@ class Given:
 
     body: RollingBody
     on: Counterbody | None
-    load: float
+    load: float | None
+    penetration: float | None
     angular_speed: float
     friction: float
     drive: Drive
@@ -55,7 +56,8 @@ class Given:
     @classmethod
     def of(cls, result: Solution) -> Given:
         """Return the input of a result."""
-        return cls(**{field.name: getattr(result, field.name) for field in fields(cls)})
+        values = {field.name: getattr(result, field.name) for field in fields(cls)}
+        return cls(**{**values, result.unprescribed: None})
 
 
 #: Function of a relative change that returns the changed input.
@@ -132,10 +134,10 @@ def material_positions(given: Given) -> Iterator[MaterialPosition]:
 
 
 def numbers_of(given: Given) -> Iterator[Number]:
-    """Yield all nonzero numbers: load, speed, friction, drive, and the numbers of all materials."""
-    for name in ("load", "angular_speed", "friction"):
+    """Yield all nonzero numbers: load or penetration, speed, friction, drive, and the numbers of all materials."""
+    for name in ("load", "penetration", "angular_speed", "friction"):
         value = getattr(given, name)
-        if 0.0 < value < math.inf:
+        if value and math.isfinite(value):
             yield Number(name, _change_of(given, name, value))
     for field in fields(given.drive):
         value = getattr(given.drive, field.name)

@@ -43,7 +43,7 @@ __all__ = ["Sensitivity", "sensitivity"]
 _STEP = 1e-4
 
 #: Scalars whose sensitivity is computed by default.
-_ANSWERS = ("resisting_torque", "penetration", "max_pressure")
+_ANSWERS = ("resisting_torque", "load", "penetration", "max_pressure")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -173,7 +173,7 @@ def sensitivity(
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> Sensitivity:
-    """Return the derivatives of torque, penetration and pressure by each parameter.
+    """Return the derivatives of torque, penetration or load, and pressure by each parameter.
 
     The nodes in contact, stick and slip are kept. The remaining equations are smooth, and each solve of them takes a
     fraction of the time of the first solve. The derivatives are those of the whole problem on this mesh, because nodes
@@ -183,7 +183,8 @@ def sensitivity(
     Parameters
     ----------
     answers : sequence of str, optional
-        Scalars of the result; by default resisting torque, largest pressure and, if determined, penetration.
+        Scalars of the result; by default resisting torque, largest pressure and, if determined, penetration; the load
+        instead if the penetration is given.
     bands_per_decade : int, default 1
         Number of frequency bands per decade in which the moduli are changed, ≥ 1.
     threads : int, default 0
@@ -194,8 +195,8 @@ def sensitivity(
     Returns
     -------
     Sensitivity
-        Sensitivities to load, angular_speed, friction and drive unless they are 0, and to thickness, Poisson's ratio
-        or bulk modulus, density and shear modulus of all materials.
+        Sensitivities to load or penetration, angular_speed, friction and drive unless they are 0, and to thickness,
+        Poisson's ratio or bulk modulus, density and shear modulus of all materials.
 
     Raises
     ------
@@ -264,9 +265,9 @@ def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
     """Return the names of scalars of a result; raise a ValueError for other names."""
     scalars = result.scalars()
     if wanted is None:
-        return tuple(answer for answer in _ANSWERS if scalars[answer] is not None)
+        return tuple(answer for answer in _ANSWERS if scalars[answer] is not None and answer != result.prescribed)
     for answer in wanted:
-        if answer not in SCALARS or not isinstance(scalars[answer], float):
+        if answer not in SCALARS or answer == result.prescribed or not isinstance(scalars[answer], float):
             raise InvalidInput("answers", "must be names of scalars of this result", shown(answer))
     return tuple(wanted)
 

@@ -24,7 +24,8 @@ def solve(
     body: RollingBody,
     *,
     on: Counterbody | None = None,
-    load: float,
+    load: float | None = None,
+    penetration: float | None = None,
     angular_speed: float,
     mesh: Mesh | None = None,
     accuracy: float | None = None,
@@ -51,8 +52,15 @@ def solve(
         a plane, in a groove that is curved along its path, or on another cylinder; a wheel on a plane, in a groove, on
         a cylinder or another wheel with a parallel axis. One of the two bodies may be rigid, without layers. In both
         bodies, the material passes the contact at the speed Ω r_o.
-    load : float
-        Normal load P [N], > 0. For rollers, load per length [N/m].
+    load : float, optional
+        Normal load P [N], > 0. For rollers, load per length [N/m]. Exactly one of `load` and `penetration` must be
+        given.
+    penetration : float, optional
+        Penetration r_o - H [m], as for rollers with a fixed gap; the load is then the result `Result.load`. It is the
+        same quantity as `Result.penetration`: radius of the rolling body at rest minus height of its center above the
+        undeformed counterbody. It must be larger than minus `Result.centrifugal_displacement`, which is 0 without
+        density, and smaller than the thickness of the layers of both bodies. In line contact on a half-space it is
+        undetermined and cannot be given. It does not contain thermal expansion: use the radius of the warm body.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the angular speed relative to
         the line of centers.
@@ -61,7 +69,7 @@ def solve(
     accuracy : float, default 0.01
         Requested relative error [-], in [1e-4, 0.5]; only without `mesh`. The error estimate is the larger of the
         energy-balance error and the largest change from the previous mesh of all results that are not given:
-        penetration, torques, forces, speed and powers. The largest pressure has an estimate of its own,
+        load, penetration, torques, forces, speed and powers. The largest pressure has an estimate of its own,
         `Result.max_pressure_error`. The solver refines the mesh further for it, within some seconds; if that does not
         suffice, it issues a warning.
     friction : float, default 0
@@ -92,14 +100,14 @@ def solve(
     Returns
     -------
     Result
-        Torque, penetration, fields and powers. Check `status`.
+        Torque, load, penetration, fields and powers. Check `status`.
 
     Raises
     ------
     ValueError
-        If an argument is out of range, the load is too large for the coating (penetration ≥ thickness), the speed is at
-        or above the critical one, or the body would slide without end under the drive. The message contains parameter,
-        value, unit and allowed range.
+        If an argument is out of range, both or neither of load and penetration are given, the load is too large for
+        the coating (penetration ≥ thickness), the speed is at or above the critical one, or the body would slide
+        without end under the drive. The message contains parameter, value, unit and allowed range.
     TypeError
         If an argument has the wrong type.
     ConvergenceError
@@ -135,19 +143,20 @@ def solve(
     if mesh is not None and accuracy is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
     speed = as_float("angular_speed", angular_speed)
-    case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
+    load_case = _core_load_case(load, penetration, speed, friction, drive)
+    options = _core_options(compliance, patch_load, slip_kinematics, max_iterations, threads)
     with reporting(progress) as report, si_hints(body, on, angular_speed=speed):
         solution = _core.solve(
             body._to_core(),
             core_counterbody(on),
-            angular_speed=speed,
+            load_case,
             mesh=None if mesh is None else mesh._to_core(),
             curvature=curvature,
             accuracy=0.01 if accuracy is None else as_float("accuracy", accuracy),
             progress=report,
-            **case,
+            **options,
         )
-    return _result(solution, body, on, speed, drive, curvature, case)
+    return _result(solution, body, on, load_case, drive, curvature, options)
 
 
 class RollingModel:
@@ -231,7 +240,8 @@ class RollingModel:
     def solve(
         self,
         *,
-        load: float,
+        load: float | None = None,
+        penetration: float | None = None,
         friction: float = 0.0,
         drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
         compliance: Compliance | str = Compliance.RADIAL,
@@ -242,34 +252,39 @@ class RollingModel:
         progress: ProgressLike = None,
     ) -> Result:
         """Solve one load case; parameters, result and errors are the same as in `viscoroll.solve`."""
-        case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
+        load_case = _core_load_case(load, penetration, self.angular_speed, friction, drive)
+        options = _core_options(compliance, patch_load, slip_kinematics, max_iterations, threads)
         with reporting(progress) as report, si_hints(self.body, self.on, angular_speed=self.angular_speed):
-            solution = self._core.solve(angular_speed=self.angular_speed, progress=report, **case)
-        return _result(solution, self.body, self.on, self.angular_speed, drive, self.curvature, case)
+            solution = self._core.solve(load_case, progress=report, **options)
+        return _result(solution, self.body, self.on, load_case, drive, self.curvature, options)
 
 
-def _core_case(
-    load: float,
-    friction: float,
-    drive: Drive,
+def _core_load_case(
+    load: float | None, penetration: float | None, angular_speed: float, friction: float, drive: Drive
+) -> _core.LoadCase:
+    """Convert a load case to the type of the core."""
+    require_type("drive", drive, Drive)
+    return _core.LoadCase(
+        load=None if load is None else as_float("load", load),
+        penetration=None if penetration is None else as_float("penetration", penetration),
+        angular_speed=angular_speed,
+        friction=as_float("friction", friction),
+        drive=drive._to_core(),
+    )
+
+
+def _core_options(
     compliance: Compliance | str,
     patch_load: PatchLoad | str,
     slip_kinematics: SlipKinematics | str,
     max_iterations: int,
     threads: int,
 ) -> dict[str, Any]:
-    """Convert a load case and its options to the types of the core."""
-    compliance = as_member("compliance", compliance, Compliance)
-    patch_load = as_member("patch_load", patch_load, PatchLoad)
-    slip_kinematics = as_member("slip_kinematics", slip_kinematics, SlipKinematics)
-    require_type("drive", drive, Drive)
+    """Convert options of all load cases to the types of the core."""
     return {
-        "load": as_float("load", load),
-        "friction": as_float("friction", friction),
-        "drive": drive._to_core(),
-        "compliance": compliance,
-        "patch_load": patch_load,
-        "slip_kinematics": slip_kinematics,
+        "compliance": as_member("compliance", compliance, Compliance),
+        "patch_load": as_member("patch_load", patch_load, PatchLoad),
+        "slip_kinematics": as_member("slip_kinematics", slip_kinematics, SlipKinematics),
         "max_iterations": as_int("max_iterations", max_iterations),
         "threads": as_int("threads", threads),
     }
@@ -279,15 +294,23 @@ def _result(
     solution: _core.Result,
     body: RollingBody,
     on: Counterbody | None,
-    angular_speed: float,
+    load_case: _core.LoadCase,
     drive: Drive,
     curvature: Curvature | str,
-    case: dict[str, Any],
+    options: dict[str, Any],
 ) -> Result:
     """Return the result, and issue its warnings."""
-    given = {name: case[name] for name in ("load", "friction", "compliance", "patch_load")}
     result = Result._from_core(
-        solution, body=body, on=on, angular_speed=angular_speed, drive=drive, curvature=curvature, **given
+        solution,
+        body=body,
+        on=on,
+        prescribed="penetration" if load_case.load is None else "load",
+        angular_speed=load_case.angular_speed,
+        friction=load_case.friction,
+        drive=drive,
+        curvature=curvature,
+        compliance=options["compliance"],
+        patch_load=options["patch_load"],
     )
     warn(result_warnings(result))
     return result

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from .. import _core
 from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .._support.extras import extra
 from .._support.scalars import with_scalars
-from .._support.units import UNITS, unit_in_contact
+from .._support.units import unit_in_contact
 from ..bodies import Counterbody, Drive, Mesh, RollingBody
 from .scalars import SCALARS, ScalarFields
 
@@ -88,8 +88,10 @@ class Solution(ScalarFields):
 
     Attributes
     ----------
-    body, on, load, angular_speed, friction, drive, compliance, curvature, patch_load
-        Input; load in [N], or [N/m] for a roller; angular_speed in [rad/s].
+    body, on, angular_speed, friction, drive, compliance, curvature, patch_load
+        Input; angular_speed in [rad/s].
+    prescribed : {"load", "penetration"}
+        Which of load and penetration was given; the other one is a result.
     status : Status
         Outcome of the solve.
     %(scalars)s
@@ -120,7 +122,7 @@ class Solution(ScalarFields):
 
     body: RollingBody
     on: Counterbody | None
-    load: float
+    prescribed: Literal["load", "penetration"]
     angular_speed: float
     friction: float
     drive: Drive
@@ -161,8 +163,13 @@ class Solution(ScalarFields):
             values[name] = getattr(solution, name).view(np.bool_)
         return cls(**inputs, **values)
 
+    @property
+    def unprescribed(self) -> Literal["load", "penetration"]:
+        """Which of load and penetration is a result."""
+        return "load" if self.prescribed == "penetration" else "penetration"
+
     def unit(self, name: str) -> str:
-        """Return the unit of a scalar result, or of ``"load"``; for a roller, forces and powers are per length.
+        """Return the unit of a scalar result; for a roller, forces and powers are per length.
 
         Raises
         ------
@@ -175,14 +182,12 @@ class Solution(ScalarFields):
         >>> solve(paper.ball(), load=100.0, angular_speed=2.5, accuracy=0.05).unit("bulk_power")
         'W'
         """
-        unit = UNITS["load"] if name == "load" else SCALARS[name][0]
-        return unit_in_contact(unit, line_contact=self.body.line_contact)
+        return unit_in_contact(SCALARS[name][0], line_contact=self.body.line_contact)
 
     def scalars(self) -> dict[str, float | int | str | None]:
         """Return scalar results, input and mesh sizes by name in SI units, and names of status, options, warnings."""
         values: dict[str, float | int | str | None] = {name: getattr(self, name) for name in SCALARS}
         values |= {
-            "load": self.load,
             "angular_speed": self.angular_speed,
             "friction": self.friction,
             "status": self.status.name,

@@ -39,7 +39,7 @@ def result_summary(result: Solution) -> str:
     ]
     width = max(len(label) for label, _ in rows)
     model = f"{result.compliance.name} compliance, {result.curvature.name} curvature"
-    head = f"Result of P = {result.load:g} {result.unit('load')} at Ω = {result.angular_speed:g} rad/s ({model})"
+    head = f"Result of {_prescribed_text(result)} at Ω = {result.angular_speed:g} rad/s ({model})"
     return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
 
 
@@ -65,9 +65,15 @@ def with_unit(label: str, unit: str) -> str:
 def result_title(result: Solution) -> str:
     """Return the input on one line."""
     return (
-        f"P = {result.load:g} {result.unit('load')}, Ω = {result.angular_speed:g} rad/s, friction {result.friction:g}, "
+        f"{_prescribed_text(result)}, Ω = {result.angular_speed:g} rad/s, friction {result.friction:g}, "
         f"{result.compliance.name.lower()} compliance, {result.curvature.name.lower()} curvature"
     )
+
+
+def _prescribed_text(result: Solution) -> str:
+    """Return the given load or penetration with its unit."""
+    symbol = "P" if result.prescribed == "load" else "penetration"
+    return f"{symbol} = {getattr(result, result.prescribed):g} {result.unit(result.prescribed)}"
 
 
 def result_html(result: Solution) -> str:
@@ -102,6 +108,8 @@ def _shape_rows(result: Solution) -> list[tuple[str, str]]:
     if result.semi_axis_z is not None:
         shape = ("contact semi-axes x, z", f"{result.semi_axis_x:.4g}, {result.semi_axis_z:.4g} m")
     rows = [("penetration", penetration), shape]
+    if result.prescribed == "penetration":
+        rows.insert(0, ("normal load P", _quantity(result, "load")))
     if result.face_distance is not None:
         reached = "0 m (the contact reaches a face)" if result.face_distance == 0.0 else f"{result.face_distance:.4g} m"
         rows.append(("contact width, distance from the faces", f"{result.contact_width:.4g} m, {reached}"))

@@ -29,6 +29,7 @@ __all__ = ["Abscissa", "Colors", "Scale", "choose_scale", "quantity_name", "valu
 #: Symbols of parameters.
 _SYMBOLS = {
     "load": "P",
+    "penetration": "d",
     "angular_speed": r"\Omega",
     "friction": r"\mu",
     "thickness": "h",

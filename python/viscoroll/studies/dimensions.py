@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 import sys
 from collections.abc import Mapping, Sequence
@@ -20,6 +21,7 @@ from .._support.text import shown
 from .._support.units import UNITS
 from ..bodies import Counterbody, Drive, Mesh, is_body
 from ..materials import Draws
+from ..rolling import solve
 
 __all__ = ["LOAD_CASE", "MOST_POINTS", "Dimension", "checked", "label", "require_feasible", "split"]
 
@@ -38,7 +40,10 @@ _TYPES: dict[str, type] = {
 }
 
 #: Arguments of `viscoroll.solve` that a study may fix or vary. All other parameters are passed to functions of bodies.
-LOAD_CASE = frozenset({"on", "load", "angular_speed", "friction", "accuracy", "max_iterations", *_TYPES})
+LOAD_CASE = frozenset(inspect.signature(solve).parameters) - {"body", "threads", "progress"}
+
+#: Arguments that are left out if they are None.
+_OPTIONAL = frozenset(name for name in LOAD_CASE if inspect.signature(solve).parameters[name].default is None)
 
 #: Longest text that is used as a label [characters].
 _LONGEST_LABEL = 80
@@ -160,7 +165,7 @@ def checked(name: str, value: object) -> object:
     TypeError
         If an argument of `viscoroll.solve` has the wrong type.
     """
-    if value is None and name in ("on", "mesh", "accuracy"):
+    if value is None and name in _OPTIONAL:
         return None
     if name == "max_iterations":
         return as_int(name, value)

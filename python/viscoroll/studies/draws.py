@@ -98,11 +98,12 @@ def drawn_scalars(
     ValueError, ConvergenceError
         If a draw is rejected or has no solution: an interval from the remaining draws would be wrong.
     """
-    left_out = _OF_THE_SOLVER | (_OF_THE_CONTACT if method == "linear" else set())
+    left_out = _OF_THE_SOLVER | {result.prescribed} | (_OF_THE_CONTACT if method == "linear" else set())
     answers = [name for name in SCALARS if name not in left_out and isinstance(getattr(result, name), float)]
     if method == "linear":
         values = propagated(result, draws, answers, threads=threads, progress=progress)
-        _require_near(values[:, answers.index("penetration")] if "penetration" in answers else (), result)
+        free = result.unprescribed
+        _require_near(free, values[:, answers.index(free)] if free in answers else (), result)
         if not _peaks_inside(result):
             values[:, answers.index("max_pressure")] = np.nan
     else:
@@ -113,13 +114,13 @@ def drawn_scalars(
     return dict(zip(answers, values.T, strict=True))
 
 
-def _require_near(penetrations: Floats | tuple[()], result: Result) -> None:
+def _require_near(name: str, values: Floats | tuple[()], result: Result) -> None:
     """Raise a ValueError if a draw is too far from the best estimate for a first-order result."""
-    largest = max((abs(value / result.penetration - 1.0) for value in penetrations), default=0.0)
+    largest = max((abs(value / getattr(result, name) - 1.0) for value in values), default=0.0)
     if largest > _LARGEST_CHANGE:
         raise InvalidInput(
             "draws",
-            f"must change the penetration by at most {_LARGEST_CHANGE:.0%} for draws='linear'",
+            f"must change the {name} by at most {_LARGEST_CHANGE:.0%} for draws='linear'",
             f"{largest:.0%}; use draws='solve' to solve each draw",
         )
 

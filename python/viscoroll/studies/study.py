@@ -16,6 +16,7 @@ from .._support.intervals import as_confidence
 from .._support.progress import ProgressLike, counted
 from .._support.result_warnings import warn
 from .._support.suggestions import suggestion
+from .._support.text import shown
 from ..bodies import RollingBody
 from ..solution import FIELDS, VECTOR_FIELDS
 from .cache import DAMAGED, StudyCache, as_cache_path
@@ -78,11 +79,11 @@ def sweep(
         Probability that an interval contains the true value, as far as the draws represent the uncertainty [-],
         in (0, 1).
     **parameters : float, object, or sequence of them
-        Arguments of `viscoroll.solve`: load [N], angular_speed [rad/s], on, friction [-], drive, mesh, accuracy [-],
-        compliance, curvature, patch_load, slip_kinematics, max_iterations. The counterbody `on` can also be given by a
-        function. All other names are parameters of these two functions; each function receives the parameters that it
-        takes. `Draws` of a material, or of a quantity from which a function makes a material, count as one value of a
-        parameter and give the results intervals, for the body as well as for the counterbody.
+        Arguments of `viscoroll.solve`: load [N] or penetration [m], angular_speed [rad/s], on, friction [-], drive,
+        mesh, accuracy [-], compliance, curvature, patch_load, slip_kinematics, max_iterations. The counterbody `on` can
+        also be given by a function. All other names are parameters of these two functions; each function receives the
+        parameters that it takes. `Draws` of a material, or of a quantity from which a function makes a material, count
+        as one value of a parameter and give the results intervals, for the body as well as for the counterbody.
 
     Returns
     -------
@@ -222,10 +223,13 @@ def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:
 
 
 def _check_names(parameters: dict[str, Any]) -> None:
-    if missing := sorted({"load", "angular_speed"} - parameters.keys()):
+    wanted = {"load", "angular_speed"} if parameters.get("penetration") is None else {"angular_speed"}
+    if missing := sorted(wanted - parameters.keys()):
         guesses = [guess for name in parameters if (guess := suggestion(name, missing))]
         hint = f"; did you mean {', '.join(guesses)}?" if guesses else ""
         raise TypeError(f"sweep requires {' and '.join(missing)}{hint}")
+    if parameters.get("load") is not None and parameters.get("penetration") is not None:
+        raise InvalidInput("penetration", "must be left out if the load is given", shown(parameters["penetration"]))
     if parameters.get("mesh") is not None and parameters.get("accuracy") is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", f"{parameters['accuracy']!r}")
     if taken := sorted(parameters.keys() & RESERVED - LOAD_CASE):

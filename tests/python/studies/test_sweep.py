@@ -175,7 +175,7 @@ def test_progress_shows_the_remaining_time(capsys, paper_ball):
         ({"max_iterations": 1.5}, TypeError, "max_iterations must be a whole number"),
         ({"accuracy": 0.1}, ValueError, "accuracy must be left out if a mesh is given"),
         ({"thicknes": 1e-3}, TypeError, "body, called with thicknes: got an unexpected keyword argument"),
-        ({"penetration": 1e-3}, ValueError, "must not have names of results, got penetration"),
+        ({"strain": 1e-3}, ValueError, "must not have names of results, got strain"),
         (
             {"thickness": [-1.0, -2.0]},
             ValueError,

@@ -70,8 +70,11 @@ TREAD = layer(thickness=10e-3, poisson_ratio=0.49)
 WHEEL = {"core_radius": 40e-3, "layers": [TREAD], "width": 30e-3, "crown_radius": 300e-3}
 
 
-def case(nodes=400, numerics=None, *, load=100.0, angular_speed=2.5, friction=None, drive=None, **bodies):
-    rolling = {"load": load, "angular_speed": angular_speed, "friction": friction, "drive": drive}
+def case(
+    nodes=400, numerics=None, *, load=100.0, angular_speed=2.5, friction=None, drive=None, penetration=None, **bodies
+):
+    rolling = {"load": load if penetration is None else None, "penetration": penetration}
+    rolling |= {"angular_speed": angular_speed, "friction": friction, "drive": drive}
     return {
         **bodies,
         "rolling": {key: value for key, value in rolling.items() if value is not None},
@@ -89,6 +92,7 @@ CASES = {
         ball=BALL, friction=0.2, drive={"creepage": 1e-3, "lateral_creepage": 5e-4, "spin": 0.1}
     ),
     "towed ball": case(ball=BALL, friction=0.5, drive={"torque": 0.0}),
+    "ball at a penetration": case(ball=BALL, penetration=1e-4, friction=0.2),
     "ball with a power": case(ball=BALL, friction=0.5, drive={"power": 0.1}),
     "as the paper": case(
         nodes=300,
@@ -140,6 +144,9 @@ CASES = {
 BAD = {
     "a load that is none": case(ball=BALL, load=-100.0),
     "a load too large": case(ball=BALL, load=1e5),
+    "a penetration too large": case(ball=BALL, penetration=2e-3),
+    "load and penetration": {"ball": BALL, "rolling": {"load": 1.0, "penetration": 1e-4, "angular_speed": 1.0}},
+    "neither load nor penetration": {"ball": BALL, "rolling": {"angular_speed": 1.0}},
     **{f"a load of {load}": case(ball=BALL, load=load) for load in (-1.2e6, -1e-4, -0.1 - 0.2, -1 / 3, -(2.0**70))},
     "a speed too high": case(ball={"core_radius": 20e-3, "layers": [layer(2e3, density=1e3)]}, angular_speed=90.0),
     "a layer without thickness": case(ball=BALL | {"layers": [layer(thickness=0.0)]}),

@@ -24,7 +24,9 @@ export function initialState() {
     on: "rigid",
     ground: [newLayer()],
     radius: [30, "mm"],
+    pressed: "load", // or "penetration"
     load: [100, "N"],
+    penetration: [0.2, "mm"],
     speed: [2.5, "rad/s"],
     friction: 0,
     drive: "force",
@@ -51,6 +53,7 @@ export function quantity(name, state) {
     thickness: "length",
     density: "density",
     load: line ? "line_force" : "force",
+    penetration: "length",
     speed: "speed",
   }[name];
 }
@@ -170,7 +173,7 @@ function groundTables(state) {
 
 function rollingTable(state) {
   const rolling = {
-    load: toSI(state.load, quantity("load", state)),
+    [state.pressed]: toSI(state[state.pressed], quantity(state.pressed, state)),
     angular_speed: angularSpeed(state),
     friction: state.friction,
   };
@@ -204,6 +207,9 @@ export function stateOf(tables) {
   const rolling = tables.rolling ?? {};
   const line = isLine(state);
   state.load = fromSI(rolling.load ?? 100, line ? "N/mm" : "N", quantity("load", state));
+  if (rolling.penetration !== undefined) {
+    Object.assign(state, { pressed: "penetration", penetration: mm(rolling.penetration) });
+  }
   state.speed = [rolling.angular_speed ?? 2.5, "rad/s"];
   state.friction = rolling.friction ?? 0;
   Object.assign(state, driveZeros(line));

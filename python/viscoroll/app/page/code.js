@@ -20,7 +20,7 @@ const MODULI = {
 };
 
 /** The class of a modulus: "KelvinVoigt" for the type "kelvin_voigt". */
-const classOf = (type) => MODULI[type] ?? type.replace(/(?:^|_)(.)/g, (_, letter) => letter.toUpperCase());
+export const classOf = (type) => MODULI[type] ?? type.replace(/(?:^|_)(.)/g, (_, letter) => letter.toUpperCase());
 
 const ROLLING_BODIES = ["ball", "cylinder", "wheel"];
 

@@ -12,10 +12,10 @@ export const ALONG = {
     vary: (state, factor) => ({ speed: scaled(state.speed, factor) }),
   },
   load: {
-    label: "load",
+    label: "load or penetration",
     span: [1 / 10, 4],
     count: 15,
-    vary: (state, factor) => ({ load: scaled(state.load, factor) }),
+    vary: (state, factor) => ({ [state.pressed]: scaled(state[state.pressed], factor) }),
   },
   thickness: {
     label: "thickness of the outer layer",
@@ -33,6 +33,7 @@ const scaled = ([value, unit], factor) => [tidy(value * factor), unit];
 
 /** The number that a curve varies, with its unit, as the user typed it. */
 export function typedAlong(state, along) {
+  if (along === "load") return state[state.pressed];
   return along === "thickness" ? state.layers.at(-1)?.thickness : state[along];
 }
 

@@ -8,9 +8,16 @@ import { layerRow, layerRows } from "./layer_rows.js";
 import { numberText, quantityText } from "./units.js";
 
 /** Fields at which warnings appear, by the kind of the warning; other warnings appear with the results. */
-const WARNED = { large_strain: "load", contact_at_side: "width", edge_pressure: "sides", tight_crown: "crown_radius" };
+const WARNED = { contact_at_side: "width", edge_pressure: "sides", tight_crown: "crown_radius" };
 
 const INSIDES = { rigid: "rigid core", hollow: "hollow", solid: "solid, no core" };
+
+/** Label and slider ranges of load and penetration, for total values and per length (`line`), in SI units. */
+const PRESSED = {
+  load: { label: "load", range: [0.1, 1e5], line: [10, 1e6], lineLabel: "load per length" },
+  penetration: { label: "penetration", range: [1e-6, 1e-2], line: [1e-6, 1e-2], lineLabel: "penetration" },
+};
+const PRESSED_BY = { load: "a load", penetration: "a fixed gap: given penetration" };
 
 export class Form {
   #root;
@@ -51,7 +58,8 @@ export class Form {
   /** Show warnings at their fields; return the warnings without a field. */
   sayWarnings(warnings) {
     return warnings.filter(({ kind, message }) => {
-      const field = WARNED[kind] && this.#field(WARNED[kind]);
+      const name = kind === "large_strain" ? this.#state.pressed : WARNED[kind];
+      const field = name && this.#field(name);
       field?.say(message, "warning");
       return !field;
     });
@@ -219,13 +227,14 @@ export class Form {
   }
 
   #rolling() {
-    const { body, drive } = this.#state;
+    const { body, drive, pressed } = this.#state;
     const line = body === "cylinder";
     const rubs = () => this.#state.friction > 0;
     const offers = Object.fromEntries(Object.entries(DRIVES).map(([name, { offer }]) => [name, offer]));
     return group(
       "Motion and friction",
-      this.#number("load", line ? "load per length" : "load", { range: line ? [10, 1e6] : [0.1, 1e5] }),
+      this.#choice("pressed", "pressed by", PRESSED_BY),
+      this.#number(pressed, PRESSED[pressed][line ? "lineLabel" : "label"], { range: PRESSED[pressed][line ? "line" : "range"] }),
       this.#number("speed", "speed", { parameter: "angular_speed", range: [1e-2, 1e3] }),
       this.#number("friction", "friction coefficient", { range: [0, 1], linear: true, step: 0.01 }),
       this.#shownWhile(rubs, this.#choice("drive", "driven by", offers)),

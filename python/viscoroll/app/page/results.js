@@ -45,8 +45,8 @@ export class Results {
   show(result, tables, warnings) {
     this.#last = { result, line: "cylinder" in tables };
     const { scalars } = result;
-    const names = [...FIRST, ...(tables.rolling.friction > 0 ? WITH_FRICTION : [])];
-    this.#numbers.replaceChildren(...names.map((name) => this.#card(name, scalars, tables)));
+    const names = [...FIRST, ...("penetration" in tables.rolling ? ["load"] : []), ...(tables.rolling.friction > 0 ? WITH_FRICTION : [])];
+    this.#numbers.replaceChildren(...names.map((name) => this.#card(name, scalars)));
     this.#table.replaceChildren(
       ...this.#scalars.map(({ name, description }) =>
         el(
@@ -89,8 +89,8 @@ export class Results {
     return this.#scalars.find((scalar) => scalar.name === name);
   }
 
-  #card(name, scalars, tables) {
-    const note = this.#note(name, scalars, tables);
+  #card(name, scalars) {
+    const note = this.#note(name, scalars);
     return el(
       "div",
       { class: "card" },
@@ -101,9 +101,9 @@ export class Results {
   }
 
   /** Note below a number, for example the force that corresponds to the coefficient. */
-  #note(name, scalars, { rolling }) {
+  #note(name, scalars) {
     if (name === "rolling_resistance_coefficient" && scalars[name] !== null) {
-      return `resisting force ${quantityText(scalars[name] * rolling.load, this.#last.line ? "N/m" : "N")}`;
+      return `resisting force ${quantityText(scalars[name] * scalars.load, this.#last.line ? "N/m" : "N")}`;
     }
     if (name === "strain") return "penetration divided by thickness";
     if (name === "model_error") return "estimated error of linear theory";

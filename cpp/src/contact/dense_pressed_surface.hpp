@@ -14,15 +14,15 @@ namespace viscoroll::detail {
 /// @brief A surface with so few nodes in contact that products with a matrix take less time than operator applications.
 /// If a contact is mirror-symmetric, only one side is solved for. Factors precondition a Krylov method; they are kept
 /// while few nodes join or leave.
-class PressedByMatrix : public PressedSurface {
+class DensePressedSurface : public PressedSurface {
  public:
   /// @param[in] problem problem whose surface provides single entries of its compliance; must outlive this object
-  explicit PressedByMatrix(const ContactProblem& problem);
+  explicit DensePressedSurface(const ContactProblem& problem);
 
   /// @param[in] problem contact problem
   /// @param[in] nodes nodes that may be in contact
   /// @return whether the nodes are few enough and the compliance between them is available
-  [[nodiscard]] static bool serves(const ContactProblem& problem, const std::vector<Eigen::Index>& nodes);
+  [[nodiscard]] static bool is_applicable(const ContactProblem& problem, const std::vector<Eigen::Index>& nodes);
 
   void press(PressedNodes& contact, double tolerance) override;
   [[nodiscard]] Eigen::ArrayXd height(const PressedNodes& contact) override;
@@ -41,8 +41,8 @@ class PressedByMatrix : public PressedSurface {
   [[nodiscard]] Eigen::Index image_of(Eigen::Index node) const;
   [[nodiscard]] Unknowns unknowns_of(const std::vector<Eigen::Index>& contact) const;
   [[nodiscard]] Eigen::MatrixXd compliance(const Unknowns& unknowns) const;
-  void follow(const std::vector<Eigen::Index>& nodes, const Eigen::MatrixXd& matrix);
-  [[nodiscard]] Eigen::VectorXd about_forces(const Eigen::VectorXd& displacements) const;
+  void update_factors(const std::vector<Eigen::Index>& nodes, const Eigen::MatrixXd& matrix);
+  [[nodiscard]] Eigen::VectorXd approximate_forces(const Eigen::VectorXd& displacements) const;
 
   const ContactProblem& problem_;
   bool is_symmetric_;

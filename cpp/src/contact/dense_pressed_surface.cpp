@@ -1,4 +1,4 @@
-#include "contact/pressed_by_matrix.hpp"
+#include "contact/dense_pressed_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,39 +16,39 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMaxNodes = 600;  // up to which factors take less time than the transforms of the window
-constexpr double kExact = 1e-14;        // residual at which no error of the previous pass remains
-constexpr double kOfRound = 1e-5;       // reduction of the residual before a restart
+constexpr std::size_t kMaxNodes = 600;       // up to which factors take less time than the transforms of the window
+constexpr double kFullAccuracy = 1e-14;      // relative residual; solutions are independent of the guess
+constexpr double kReductionPerRound = 1e-5;  // of the residual, before a restart
 constexpr int kMaxRounds = 5;
-constexpr std::size_t kChanged = 6;  // factors are renewed if one node in this many has changed
+constexpr std::size_t kNodesPerChange = 6;  // the matrix is factored again if more than one node in six has changed
 
 }  // namespace
 
-PressedByMatrix::PressedByMatrix(const ContactProblem& problem)
+DensePressedSurface::DensePressedSurface(const ContactProblem& problem)
     : problem_(problem),
       is_symmetric_(is_mirror_symmetric(problem)),
       weights_(ArrayXd::Ones(problem.initial_gap.size())) {}
 
-bool PressedByMatrix::serves(const ContactProblem& problem, const std::vector<Index>& nodes) {
+bool DensePressedSurface::is_applicable(const ContactProblem& problem, const std::vector<Index>& nodes) {
   return !nodes.empty() && nodes.size() <= kMaxNodes &&
          problem.surface->normal_compliance({nodes.front()}, {nodes.front()}).has_value();
 }
 
-Index PressedByMatrix::image_of(Index node) const {
+Index DensePressedSurface::image_of(Index node) const {
   const Index width = problem_.surface->shape().theta_nodes;
   return node + width - 1 - 2 * (node % width);
 }
 
-/// Nodes of one side of the path if both sides are in contact at the same places, else all nodes.
-PressedByMatrix::Unknowns PressedByMatrix::unknowns_of(const std::vector<Index>& contact) const {
-  const bool is_alike = is_symmetric_ && std::ranges::all_of(contact, [&](Index node) {
-                          return std::ranges::binary_search(contact, image_of(node));
-                        });
+/// Nodes of one side of the path if the contact is mirror-symmetric, else all nodes.
+DensePressedSurface::Unknowns DensePressedSurface::unknowns_of(const std::vector<Index>& contact) const {
+  const bool is_mirrored = is_symmetric_ && std::ranges::all_of(contact, [&](Index node) {
+                             return std::ranges::binary_search(contact, image_of(node));
+                           });
   Unknowns unknowns;
   std::ranges::copy_if(contact, std::back_inserter(unknowns.nodes),
-                       [&](Index node) { return !is_alike || node <= image_of(node); });
+                       [&](Index node) { return !is_mirrored || node <= image_of(node); });
   unknowns.counts = VectorXd::Ones(static_cast<Index>(unknowns.nodes.size()));
-  for (Index i = 0; is_alike && i < unknowns.counts.size(); ++i) {
+  for (Index i = 0; is_mirrored && i < unknowns.counts.size(); ++i) {
     const Index node = unknowns.nodes[static_cast<std::size_t>(i)];
     if (node != image_of(node)) unknowns.counts[i] = 2.0;
   }
@@ -56,7 +56,7 @@ PressedByMatrix::Unknowns PressedByMatrix::unknowns_of(const std::vector<Index>&
 }
 
 /// Compliance between the unknowns, including the mirror images that they represent.
-MatrixXd PressedByMatrix::compliance(const Unknowns& unknowns) const {
+MatrixXd DensePressedSurface::compliance(const Unknowns& unknowns) const {
   MatrixXd matrix = *problem_.surface->normal_compliance(unknowns.nodes, unknowns.nodes);
   std::vector<Index> images;
   std::vector<Index> doubled;
@@ -71,11 +71,11 @@ MatrixXd PressedByMatrix::compliance(const Unknowns& unknowns) const {
   return matrix;
 }
 
-void PressedByMatrix::follow(const std::vector<Index>& nodes, const MatrixXd& matrix) {
+void DensePressedSurface::update_factors(const std::vector<Index>& nodes, const MatrixXd& matrix) {
   std::vector<Index> common;
   std::ranges::set_intersection(nodes, factored_, std::back_inserter(common));
   const std::size_t changed = nodes.size() + factored_.size() - 2 * common.size();
-  if (factored_.empty() || kChanged * changed > nodes.size()) {
+  if (factored_.empty() || kNodesPerChange * changed > nodes.size()) {
     factors_.compute(matrix);
     factored_ = nodes;
   }
@@ -87,10 +87,10 @@ void PressedByMatrix::follow(const std::vector<Index>& nodes, const MatrixXd& ma
   }
 }
 
-/// Approximate forces from the factors of nearly the same nodes. A node that these do not contain has the force of its
-/// own stiffness alone.
+/// Forces that approximately cause displacements, by the factors for nearly the same nodes. If a node is not among
+/// them, its force is its displacement times its own stiffness.
 /// @param[in] displacements displacements times the stiffness
-VectorXd PressedByMatrix::about_forces(const VectorXd& displacements) const {
+VectorXd DensePressedSurface::approximate_forces(const VectorXd& displacements) const {
   VectorXd known = VectorXd::Zero(static_cast<Index>(factored_.size()));
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (places_[i] >= 0) known[places_[i]] = displacements[static_cast<Index>(i)];
@@ -104,37 +104,40 @@ VectorXd PressedByMatrix::about_forces(const VectorXd& displacements) const {
   return forces;
 }
 
-void PressedByMatrix::press(PressedNodes& contact, double tolerance) {
+void DensePressedSurface::press(PressedNodes& contact, double tolerance) {
   const Unknowns unknowns = unknowns_of(contact.nodes);
   const double stiffness = this->stiffness();
   const MatrixXd matrix = stiffness * compliance(unknowns);
-  follow(unknowns.nodes, matrix);
+  update_factors(unknowns.nodes, matrix);
   const Index count = matrix.rows();
   const VectorXd& counts = unknowns.counts;
-  const VectorXd uniform = about_forces(VectorXd::Ones(count));  // forces that lower all nodes by the same amount
-  // Forces come first, then the penetration times the stiffness; the preconditioner returns forces that sum to zero.
+  const VectorXd uniform = approximate_forces(VectorXd::Ones(count));  // forces that lower all nodes by the same amount
+  const NormalCondition condition = problem_.normal_condition(stiffness);
+  const double response = condition.per_force * counts.dot(uniform) + condition.per_penetration;
+  // Forces come first, then the penetration times the stiffness; the preconditioner satisfies the last equation.
   const auto times = [&](const VectorXd& vector) {
     VectorXd result(count + 1);
     result.head(count).noalias() = matrix * vector.head(count);
     result.head(count).array() -= vector[count];
-    result[count] = counts.dot(vector.head(count));
+    result[count] = condition.per_force * counts.dot(vector.head(count)) + condition.per_penetration * vector[count];
     return result;
   };
   const auto precondition = [&](const VectorXd& right) {
     VectorXd result(count + 1);
-    result.head(count) = about_forces(right.head(count));
-    result[count] = (right[count] - counts.dot(result.head(count))) / counts.dot(uniform);
+    result.head(count) = approximate_forces(right.head(count));
+    result[count] = (right[count] - condition.per_force * counts.dot(result.head(count))) / response;
     result.head(count) += result[count] * uniform;
     return result;
   };
   VectorXd right(count + 1);
   right.head(count) = -stiffness * problem_.initial_gap(unknowns.nodes).matrix();
-  right[count] = problem_.normal_force;
+  right[count] = condition.value;
   VectorXd guess(count + 1);
   guess.head(count) = contact.pressing(unknowns.nodes).matrix();
-  guess[count] = stiffness * contact.penetration.value_or(0.0);
+  guess[count] = stiffness * problem_.penetration.value_or(contact.penetration.value_or(0.0));
   // A preconditioner in single precision is linear to six digits, so GMRES restarts after five.
-  const KrylovTolerance round{.absolute = kExact * right.norm(), .relative = kOfRound, .small_system = count + 1};
+  const KrylovTolerance round{
+      .absolute = kFullAccuracy * right.norm(), .relative = kReductionPerRound, .small_system = count + 1};
   KrylovSolution solution{.unknowns = guess, .products = 0, .residual = right.norm()};
   for (int i = 0; i < kMaxRounds && solution.residual > round.absolute; ++i) {
     solution = solve_krylov(times, precondition, right, solution.unknowns, round);
@@ -146,7 +149,7 @@ void PressedByMatrix::press(PressedNodes& contact, double tolerance) {
         "the iterative solver of the contact equations did not converge: the relative residual is " + rounded(error),
         contact.passes, error);
   }
-  contact.penetration = solution.unknowns[count] / stiffness;
+  contact.penetration = problem_.penetration.value_or(solution.unknowns[count] / stiffness);
   contact.pressing.setZero();
   for (Index i = 0; i < count; ++i) {
     const Index node = unknowns.nodes[static_cast<std::size_t>(i)];
@@ -155,7 +158,7 @@ void PressedByMatrix::press(PressedNodes& contact, double tolerance) {
   }
 }
 
-ArrayXd PressedByMatrix::height(const PressedNodes& contact) {
+ArrayXd DensePressedSurface::height(const PressedNodes& contact) {
   ++products_;
   return problem_.initial_gap + problem_.surface->normal_displacement(contact.pressing);
 }
