@@ -9,8 +9,8 @@ pendulum of the length L = 2 (ρ - R):
 The platform is displaced by L sin θ and lifted by L (1 - cos θ). m is its mass, a_g the horizontal acceleration of the
 ground and N the number of balls, whose mass is neglected. P is the normal load of a contact and M its resisting moment.
 The two contacts of a ball dissipate the energy 2 M (1/R - 1/ρ) per contact travel s, which equals M / R per L θ. If the
-platform moves slowly, a ball that carries the weight W has the load P = W / cos θ and exerts the horizontal force
-W tan θ + M / (R cos θ): restoring force plus rolling resistance.
+platform moves slowly, a ball that supports the weight W has the load P = W / cos θ + (M / R) tan θ and exerts the
+horizontal force W tan θ + M / (R cos θ): restoring force plus rolling resistance.
 
 M depends on the whole history of the motion. `by_newmark` therefore advances a rolling history with each step of
 Newmark's method. `by_solve_ivp` approximates M by its steady value, a fitted function of load and speed that works
