@@ -1,6 +1,6 @@
 """Run the benchmarks and append medians with errors to results.csv: python bench/run.py [--runs N] [--keep-dirty].
 
-Every case runs in a separate process, so that its peak memory is measured separately.
+Every case runs in a process of its own, whose peak memory is measured.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Randomized tests: many small solves over wide ranges of all inputs, checked for relations that hold for any of them.
+"""Randomized tests: many small solves over wide ranges of all inputs, checked for relations that always hold.
 
 ``python -m tests.campaign --cases 2000 --seed 1 --jobs 2``
 """

@@ -1,4 +1,4 @@
-"""Steady cases with one number far too small or too large: solved or refused, without hangs or NaN.
+"""Steady cases with one number far too small or too large, which must be solved or rejected, without hangs or NaN.
 
 The solution is not compared with other solutions, because the number often has no effect or dominates the solution.
 """
@@ -108,7 +108,7 @@ def _changed(value: Any, path: Path, factor: float) -> Any:
 
 
 def run_case(case: Extreme, before_each: Callable[[Outcome], object] = lambda _: None) -> Outcome:
-    """Solve a case; a solution must be finite, and a refusal must name a parameter."""
+    """Solve a case; a solution must be finite, and the message of a rejection must name a parameter."""
     outcome = Outcome(case=case.name, has_friction=case.base.has_friction, source=case.source())
     before_each(outcome)
     start = time.process_time()

@@ -1,7 +1,7 @@
-"""Friction over a regular grid, from a cold start on every mesh: ``python -m tests.campaign.friction_grid``.
+"""Friction over a regular grid, without an initial guess on any mesh: ``python -m tests.campaign.friction_grid``.
 
-The paper's ball and rubber, driven without a force on the center; 324 coatings, speeds and coefficients on five meshes
-each. A case fails if no state of stick and slip is found, or if the residual is more than 1e-10 of the load.
+The paper's ball and rubber roll without a force on the center, with 324 combinations of coating, speed and coefficient
+on five meshes each. A case fails if no state of stick and slip is found, or if the residual exceeds 1e-10 of the load.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ ANSWERS = ("resisting_torque", "dissipated_power", "penetration", "max_pressure"
 TEMPERATURES = (303.15, 313.15, 323.15, 333.15, 343.15)
 REFERENCE = 323.15
 
-#: A rubber of 25 terms over twelve decades, at times that are not round numbers, and its law.
+#: Relaxation times [s] of a rubber of 25 terms over twelve decades; they are no powers of ten, unlike those of fits.
 _TIMES = 0.7 * np.logspace(-9, 3, 25)
 _SHAPE = np.exp(-0.5 * ((np.log10(_TIMES) + 5.0) / 1.8) ** 2)
 RUBBER = vr.Prony(
@@ -39,9 +39,9 @@ LAW = vr.materials.WilliamsLandelFerry(c1=10.0, c2=110.0, reference_temperature=
 #: Measured range of each sweep [rad/s].
 LOWEST, HIGHEST = 0.1, 100.0
 
-#: With 500 nodes per revolution, the contact at the lowest temperature has 55 nodes. A material that ends as a series
-#: does then has 1.8 % less torque than the rubber itself, because each is collocated by its phase at the mesh's own
-#: frequency. With 1000 nodes, the difference is 0.2 %.
+#: With 500 nodes per revolution, the contact at the lowest temperature has 55 nodes, and a fitted series has 1.8 % less
+#: torque than the rubber, because both differ in phase at the highest frequency of the mesh. With 1000 nodes, the
+#: difference is 0.2 %.
 CASE = {"load": 30.0, "angular_speed": 3.0, "mesh": vr.Mesh(nodes_per_revolution=1000), "progress": False}
 
 
@@ -113,7 +113,7 @@ def study(seed, noise, *, draws=100, method="linear"):
     return vr.sweep(of_curve, curve=curve.draws(draws, seed=seed), temperature=TEMPERATURES, draws=method, **CASE)
 
 
-def held(found, truth):
+def coverage(found, truth):
     """Return whether intervals contain the truth (1 or 0), and errors per half width, shape (answers, temperatures).
 
     Results without an interval, such as a largest pressure at the edge, give NaN.
@@ -134,7 +134,7 @@ def torques(sets, draws, noise, method):
         start = time.process_time()
         found = study(seed, noise, draws=draws, method=method)
         times.append(time.process_time() - start)
-        holds, error = held(found, truth)
+        holds, error = coverage(found, truth)
         inside.append(holds)
         errors.append(error)
         widths.append([(0.5 * (found[f"{a}_upper"] - found[f"{a}_lower"]) / found[a]).values for a in ANSWERS])

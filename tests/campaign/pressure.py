@@ -164,8 +164,8 @@ def _given(load, angular_speed, **others):
 def zigzag(result):
     """Return the alternation of pressures along a row, relative to the largest pressure.
 
-    The difference of a node from the mean of it and its neighbors is p - (¼ ½ ¼) p. Where it changes sign twice in a
-    row of three nodes inside the contact, the least of the three differences counts.
+    The difference of a node from a weighted mean with its neighbors is p - (¼ ½ ¼) p. If its signs alternate at three
+    successive nodes inside the contact, the smallest of the three differences counts; return the largest.
     """
     columns = (result.pressure.shape[0], -1)
     pressure, touching = result.pressure.reshape(columns), result.contact.reshape(columns).astype(bool)

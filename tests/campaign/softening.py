@@ -17,10 +17,10 @@ import numpy as np
 import viscoroll as vr
 from viscoroll.coupled.softening_search import SofteningSearch, softening_layers
 
-#: Largest number of contact solutions in one search, and the allowed difference between both sides: slopes up to 0.62
-#: of the tolerance's last step.
+#: Largest number of contact solutions in one search.
 MOST_CONTACTS = 20
 TOLERANCE = 1e-3
+#: Allowed relative difference between both searches, for slopes of the iteration up to 0.62.
 AGREEMENT = 4e-3
 
 
@@ -77,8 +77,7 @@ def draw(seed, number):
     )
     kind = vr.CoatedSphere if random.random() < 0.5 else vr.CoatedCylinder
     half_width = min(radius * spread(0.05, 0.25), 3.0 * thickness)
-    # The load follows from Hertz for the matrix alone, or from the pressure of a strain of (half-width)²/2Rh: an order
-    # of magnitude is enough.
+    # The order of magnitude of the load follows from Hertz for the matrix alone, or from the strain (half-width)²/2Rh.
     strain = half_width**2 / (2.0 * radius * min(thickness, half_width))
     load = 3.0 * relaxed * strain * half_width * (half_width if kind is vr.CoatedSphere else 1.0)
     on_plane = random.random() < 0.4

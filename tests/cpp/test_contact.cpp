@@ -72,7 +72,7 @@ TEST_P(NormalContactTest, AgreesWithADenseSolution) {
   EXPECT_NEAR(contact.penetration, dense[count], 1e-9 * dense[count]);
   EXPECT_GE(contact.gap.minCoeff(), -1e-9 * contact.penetration);
 
-  // The iterative solver finds the same forces as the matrix.
+  // The iterative solver finds the same forces as the dense solution.
   NormalContactGuess same{.contact = contact.contact,
                           .pressing = Eigen::ArrayXd::Zero(guess.pressing.size()),
                           .penetration = contact.penetration};
@@ -104,12 +104,12 @@ INSTANTIATE_TEST_SUITE_P(Formulations, NormalContactTest,
                                           testing::Values(PatchLoad::flat, PatchLoad::spherical)));
 
 /// The multilevel solver cannot enlarge a box around a contact beyond the end of its window.
-TEST(MultilevelContact, EndsWhereItsWindowCutsItOff) {
+TEST(MultilevelContact, ReachesTheEdgeOfItsWindow) {
   const Model model(elastic_sphere(), {.compliance = Compliance::radial, .tangential = false}, {{-40, 40}, {-40, 40}},
                     600);
   ContactProblem problem = model.problem(20.0);
   const Eigen::ArrayXd x = model.nodes.x();
-  // the lowest point is at an edge
+  // The tilt moves the lowest point to an edge of the window.
   problem.initial_gap += x.maxCoeff() / 23e-3 * x;
   const LocatedContact located = solve_multilevel(problem, 1e-5, {.max_iterations = 100});
   EXPECT_TRUE(touches_edge(located, located.window()));
@@ -118,9 +118,9 @@ TEST(MultilevelContact, EndsWhereItsWindowCutsItOff) {
 
 class CoarserSelfTest : public testing::TestWithParam<std::tuple<bool, double>> {};
 
-/// A coarse node represents the fine nodes whose patches form its own. If displacements are taken downstream of the
-/// nodes, it has the mean of two fine displacements.
-TEST_P(CoarserSelfTest, IsTheSameSurface) {
+/// A coarse node represents the fine nodes whose patches form its patch. If displacements are evaluated downstream of
+/// the nodes, its displacement is the mean of two fine ones.
+TEST_P(CoarserSelfTest, RepresentsTheFineSurface) {
   const auto& [tangential, collocation] = GetParam();
   const Model model(cases::dissimilar_layers(), {Compliance::radial, PatchLoad::flat, tangential, collocation},
                     {{-9, 11}, {-10, 10}});
@@ -167,7 +167,7 @@ TEST(SurfaceOperator, ScalesDoNotDependOnTheWindow) {
   const Eigen::Index nodes = model.nodes.shape().size();
   EXPECT_NEAR(model.surface->normal_stiffness() * matrix(nodes + lowest, nodes + lowest), 1.0, 1e-12);
   EXPECT_NEAR(model.surface->slip_stiffness() * (matrix(lowest, lowest) - matrix(lowest - 19, lowest)), 1.0,
-              1e-2);  // plus u_r x/r
+              1e-2);  // the difference is u_r x/r
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ Matrix filled(Index rows, Index columns, double phase) {
   return matrix;
 }
 
-/// Error of sum += left right; neighboring elements must not change.
+/// Largest error of sum += left * right, where elements of `sum` around the product must not change.
 template <class Left, class Right>
 double error_of(const DenseProducts& products, Index rows, Index depth, Index columns) {
   const auto left = filled<Left>(rows, depth, 0.1);
@@ -50,7 +50,7 @@ double error_of(const DenseProducts& products, Index rows, Index depth, Index co
   return (sum - expected).cwiseAbs().maxCoeff();
 }
 
-TEST(DenseProductsTest, AreSumsOfProducts) {
+TEST(DenseProductsTest, AgreeWithScalarSums) {
   for (const DenseProducts& products : usable_products()) {
     for (const Index columns : {1, 7, 64, 250}) {
       EXPECT_LT((error_of<RowMajor, RowMajor>(products, 32, 66, columns)), 1e-13);
@@ -96,7 +96,7 @@ Eigen::MatrixXd well_posed(Eigen::Index size) {
   return matrix;
 }
 
-TEST(DenseFactors, SolveWithRowsThatChangePlaces) {
+TEST(DenseFactors, SolveWithRowExchanges) {
   const Eigen::MatrixXd matrix = well_posed(90).colwise().reverse();
   const Eigen::VectorXd wanted = Eigen::VectorXd::LinSpaced(90, -1.0, 2.0);
   const Eigen::VectorXd right = matrix * wanted;
@@ -105,11 +105,11 @@ TEST(DenseFactors, SolveWithRowsThatChangePlaces) {
   EXPECT_LT((factors.solve(right) - wanted).cwiseAbs().maxCoeff(), 1e-13);
   SingleFactors rough;
   rough.compute(matrix);
-  EXPECT_LT((rough.solve(1e-60 * right) - 1e-60 * wanted).cwiseAbs().maxCoeff(), 1e-65);  // at any scale
+  EXPECT_LT((rough.solve(1e-60 * right) - 1e-60 * wanted).cwiseAbs().maxCoeff(), 1e-65);  // the scale has no effect
   EXPECT_EQ(rough.solve(Eigen::VectorXd::Zero(90)).cwiseAbs().maxCoeff(), 0.0);
 }
 
-TEST(BorderedInverse, IsThatOfTheWholeMatrix) {
+TEST(BorderedInverse, AgreesWithTheInverseOfTheWholeMatrix) {
   const Eigen::MatrixXd matrix = well_posed(60);
   const Eigen::MatrixXd first = bordered_inverse({}, Eigen::MatrixXd(0, 45), matrix.topLeftCorner(45, 45));
   const Eigen::MatrixXd whole =

@@ -27,11 +27,11 @@ TEST(LegendreFunctions, AgreeWithMpmath) {
   EXPECT_NEAR(value(3, 2, 0.7), 0.813152088440889, 1e-12);
   EXPECT_NEAR(value(400, 37, 1.3), -0.74833703711548, 1e-11);
   EXPECT_NEAR(value(3000, 2000, 0.9), 0.295531517637442, 1e-10);
-  // 0.53^2000 is below every double.
+  // The factor sin(theta)^2000 = 0.53^2000 is below the smallest double.
   EXPECT_NEAR(value(4000, 2000, 0.56), 0.443920413301403, 1e-10);
 }
 
-TEST(LegendreFunctions, AreOrthonormalAndHaveTheirSlopes) {
+TEST(LegendreFunctions, AreOrthonormalWithCorrectSlopes) {
   const auto [x, weights] = gauss_legendre(200);
   const Eigen::ArrayXd theta = x.acos();
   for (const int order : {0, 1, 17}) {
@@ -57,7 +57,7 @@ class SphereSumTest : public testing::TestWithParam<CoatedSphere> {
         .front();
   }
 
-  /// Table [j][to, from] of one entry, summed order by order and power by power.
+  /// Table [j][to, from] of one entry, summed over single orders and powers.
   static std::vector<Eigen::MatrixXd> table(const SphereInfluence& influence, std::size_t entry) {
     const Index nodes = influence.root.size();
     const std::size_t tables = influence.powers == 0 ? 0 : influence.local.size() / influence.powers;
@@ -128,7 +128,7 @@ class SphereSumTest : public testing::TestWithParam<CoatedSphere> {
 /// The sum over degrees and the sum with the local metric give the same result for any transition degree. The error for
 /// the r-r entry is of second order in the inverse degree. For tangential directions, which turn by cos(theta) per phi,
 /// it is of the order of cos(theta) per degree.
-TEST_P(SphereSumTest, DoesNotDependOnWhereDegreesEnd) {
+TEST_P(SphereSumTest, DoesNotDependOnTheTransitionDegree) {
   constexpr double kCoarse = 32.0;
   const double turn = std::sin(6.0 * 2.0 * std::numbers::pi / 200.0);
   for (const bool power : {false, true}) {
@@ -146,7 +146,7 @@ TEST_P(SphereSumTest, DoesNotDependOnWhereDegreesEnd) {
 }
 
 /// Sums over the degrees between all thetas, with harmonics evaluated one by one, on both sides of the equator.
-TEST_P(SphereSumTest, OneSideOfTheEquatorIsEnough) {
+TEST_P(SphereSumTest, OneSideOfTheEquatorDeterminesTheSums) {
   const SphereRequest request{.tangential = true, .patch_load = PatchLoad::spherical};
   const SphereInfluence all = influence(32.0, request);
   constexpr int kOrder = 3;
@@ -204,8 +204,8 @@ TEST_P(SphereSumTest, WidePatchesAreAveragesOfNarrowOnes) {
       same(k, node) = 1.0;
       mean.row(k).segment(node - 1, 3) << 0.25, 0.5, 0.25;
     }
-    // for dissipation, the displacement is a mean as well
-    const Eigen::MatrixXd& seen = power ? mean : same;
+    // For the dissipation, the displacement is a mean over the patch as well.
+    const Eigen::MatrixXd& measured = power ? mean : same;
     const std::array<double, 3> seen_shares = power ? std::array{0.25, 0.5, 0.25} : std::array{0.0, 1.0, 0.0};
     const auto loaded_shares = wide_patch_shares(downstream);
     for (const std::size_t entry : {std::size_t{0}, std::size_t{5}, std::size_t{7}}) {
@@ -216,7 +216,7 @@ TEST_P(SphereSumTest, WidePatchesAreAveragesOfNarrowOnes) {
         for (int from = -1; from <= 2; ++from) {
           for (int to = -1; to <= 1; ++to) {
             sum += loaded_shares[static_cast<std::size_t>(from + 1)] * seen_shares[static_cast<std::size_t>(to + 1)] *
-                   seen * narrow[static_cast<std::size_t>(kReach + 2 * j + from + to)] * mean.transpose();
+                   measured * narrow[static_cast<std::size_t>(kReach + 2 * j + from + to)] * mean.transpose();
           }
         }
         EXPECT_LT((wide[static_cast<std::size_t>(coarse.phi_reach + j)] - sum).cwiseAbs().maxCoeff(),
@@ -227,12 +227,12 @@ TEST_P(SphereSumTest, WidePatchesAreAveragesOfNarrowOnes) {
   }
 }
 
-TEST_P(SphereSumTest, ProductsAreSumsOverNodes) {
+TEST_P(SphereSumTest, ProductsAgreeWithSumsOverNodes) {
   for (const bool tangential : {true, false}) {
     for (const bool power : {true, false}) {
       const SphereInfluence fine = influence(32.0, {.tangential = tangential, .power = power});
       expect_sums_over_nodes(fine, {.phi_nodes = 9, .theta_nodes = 5}, -3);
-      expect_sums_over_nodes(fine, {.phi_nodes = 4, .theta_nodes = 3}, 2);  // all on one side of the equator
+      expect_sums_over_nodes(fine, {.phi_nodes = 4, .theta_nodes = 3}, 2);  // on one side of the equator
       expect_sums_over_nodes(with_wide_patches(fine, 0.0, power), {.phi_nodes = 4, .theta_nodes = 5}, -2);
     }
   }

@@ -18,7 +18,7 @@ ComplexBuffer ramp(std::size_t length) {
   return data;
 }
 
-/// sum_q a_q exp(2 pi i q j / n), term by term.
+/// Sum of a_q exp(2 pi i q j / n) over q, term by term.
 cplx direct_sum(const ComplexBuffer& a, std::size_t j) {
   cplx sum = 0.0;
   for (std::size_t q = 0; q < a.size(); ++q) {
@@ -56,7 +56,7 @@ TEST(RealFft, BackwardUndoesForwardTimesTheLength) {
   }
 }
 
-TEST(RealFft, TransformsSeveralLinesAsItDoesOne) {
+TEST(RealFft, TransformsSeveralLinesLikeSingleOnes) {
   for (const int length : {30, 25}) {
     const auto points = static_cast<std::size_t>(length);
     RealBuffer scratch(RealFft::scratch_size(length));
@@ -82,7 +82,7 @@ TEST(RealFft, TransformsSeveralLinesAsItDoesOne) {
   }
 }
 
-TEST(Fft, PlansMoveAndOutliveTheirFirstOwner) {
+TEST(Fft, PlansCanBeMoved) {
   ComplexFft first(25);
   ComplexFft second(std::move(first));
   first = ComplexFft(16);
@@ -93,7 +93,7 @@ TEST(Fft, PlansMoveAndOutliveTheirFirstOwner) {
   EXPECT_LT(std::abs(data[5] - direct_sum(input, 5)), 1e-12);
 }
 
-TEST(Fft, ThreadsPlanAndExecuteAtOnce) {
+TEST(Fft, ThreadsPlanAndExecuteConcurrently) {
   const ComplexFft shared(64);
   const ComplexBuffer input = ramp(64);
   ComplexBuffer expected = input;
@@ -116,7 +116,7 @@ TEST(Fft, ThreadsPlanAndExecuteAtOnce) {
   }
 }
 
-TEST(FastLength, HasSmallFactorsAndIsLessThanTwice) {
+TEST(FastLength, HasSmallFactorsAndIsLessThanTwiceTheLength) {
   for (int length = 1; length < 5000; ++length) {
     for (const int fast : {ComplexFft::fast_length(length), RealFft::fast_length(length)}) {
       EXPECT_GE(fast, length);

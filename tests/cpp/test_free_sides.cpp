@@ -27,7 +27,7 @@ CoatedWheel tread(double core, double width, std::vector<Layer> layers, double c
   return {.core_radius = core, .layers = std::move(layers), .width = width, .crown_radius = crown};
 }
 
-/// Cubic splines that end with the slope of 1/m.
+/// The splines are cubic in ln m and end with the slope of 1/m.
 TEST(SideSum, SplinesAreExactForCubicPolynomialsOfTheLogarithm) {
   Eigen::ArrayXd sampled(9);
   sampled << 0.0, Eigen::ArrayXd::LinSpaced(8, 0.0, 4.0).exp();
@@ -75,8 +75,8 @@ class SideInfluence : public testing::Test {
   }
 };
 
-/// Compare with all integer orders, one by one, up to the last order of the octaves.
-TEST_F(SideInfluence, OctavesAddUpToAllOrders) {
+/// Compare with the sum of all integer orders up to the last order of the octaves.
+TEST_F(SideInfluence, OctavesAgreeWithTheSumOfAllOrders) {
   const SideSum by_octaves = sum(phi_bands(layers_, kSpeed, mesh_));
   const SideSum one_by_one = sum(whole_orders(40 * mesh_.nodes_per_revolution, mesh_.nodes_per_revolution));
   for (const SideRequest& request :
@@ -90,7 +90,7 @@ TEST_F(SideInfluence, OctavesAddUpToAllOrders) {
 }
 
 /// Wide patches of one entry agree with the widened table.
-TEST_F(SideInfluence, WidePatchesAreThoseOfTables) {
+TEST_F(SideInfluence, WidePatchesAgreeWithWidenedTables) {
   const SideSum orders = sum(phi_bands(layers_, kSpeed, mesh_));
   const SideFactors fine = orders.factors({.phi_reach = kReach, .phi_shift = 0.25});
   const Eigen::VectorXcd entry = orders.difference()->parts[kEvenPart].col(0);
@@ -107,14 +107,14 @@ TEST_F(SideInfluence, WidePatchesAreThoseOfTables) {
   }
 }
 
-/// Every pair of nodes separately: a load's effect on both sides is the sum of the even and the odd part.
+/// Compare with the sum over all pairs of nodes; the effect of a load is the sum of its even and its odd part.
 TEST_F(SideInfluence, ProductIsTheSumOverAllPairs) {
   const SideSum orders = sum(phi_bands(layers_, kSpeed, mesh_));
   const SampledDifference& difference = *orders.difference();
   const SideFactors factors = orders.factors({.phi_reach = kReach});
   constexpr WindowShape kShape{5, 6};
   const double face = difference.z[difference.z.size() - 1];
-  // columns are lines of the section, except for the patch widths
+  // Columns of nodes are lines of the section; only the widths of their patches differ.
   const double line = difference.z[1];
   const TreadColumns columns{.first = -2, .spacing = line};
   ASSERT_LT(4.0 * line, face);
@@ -126,8 +126,8 @@ TEST_F(SideInfluence, ProductIsTheSumOverAllPairs) {
   loads(from, 2) = 0.25;
   const Eigen::ArrayXXd moved = product.apply(loads);
   const Index lines = difference.z.size();
-  // A patch around the first line extends from the middle of the first element to the middle of the next one: means of
-  // the quadratic shape functions.
+  // A patch around the first line extends from the middle of one element to the middle of the next one, so a mean over
+  // it is one of the quadratic shape functions.
   const auto gathered = [&](bool odd) {
     Eigen::VectorXd shares = Eigen::VectorXd::Zero(lines);
     constexpr int kPoints = 20000;
@@ -161,12 +161,13 @@ TEST_F(SideInfluence, ProductIsTheSumOverAllPairs) {
       }
       const Index node = row * 6 + 2 + side;
       EXPECT_LT((moved.row(node).matrix().transpose() - expected).cwiseAbs().maxCoeff(),
-                1e-6 * moved.abs().maxCoeff());  // error of the rectangle rule for the means
+                1e-6 * moved.abs().maxCoeff());  // error of the rectangle rule
     }
   }
 }
 
-/// Layers with one relaxation function are solved with real moduli; a tiny difference leads to complex ones.
+/// Layers with one relaxation function are solved with real moduli; a tiny difference between them requires complex
+/// ones.
 TEST_F(SideInfluence, RealAndComplexSectionsAgree) {
   const auto difference = [&](double outer_time) {
     CoatedCylinder body{.core_radius = 40e-3, .layers = wheel_.layers};
@@ -188,8 +189,8 @@ CoatedWheel thick_wheel(double width, double crown, Sides sides = Sides::free) {
           .sides = sides};
 }
 
-/// The store distinguishes treads that differ only in the radius of the crown, one of which is infinite.
-TEST(TreadCache, TellsCrownedTreadsFromFlatOnes) {
+/// The cache distinguishes treads that differ only in the radius of the crown, one of which is infinite.
+TEST(TreadCache, DistinguishesCrownedFromFlatTreads) {
   const Observer silent;
   Watch watch(silent);
   const auto of_tread = [&](double crown, auto find) {
@@ -217,7 +218,7 @@ Result rolled(const CoatedWheel& wheel, double load, double speed, double fricti
 
 /// A flat wheel three times as wide as its tread is thick. An independent program computes its compliance by finite
 /// elements of the section, order by order, extrapolated in the size of its patches.
-TEST(FreeSides, FlatWheelIsThatOfElementsAlone) {
+TEST(FreeSides, FlatWheelAgreesWithFiniteElements) {
   constexpr double kMesh = 3e-3;  // error of the mesh of 0.4 mm by 0.8 mm
   const CoatedWheel wheel = thick_wheel(30e-3, INFINITY);
   const Result slow = rolled(wheel, 500.0, 2.5);
@@ -240,7 +241,7 @@ TEST(FreeSides, CrownedWheelOnAStraightHub) {
 
 /// With a hub crowned like the tread and equal radii, the wheel is a ball with all of its curvature. The faces are
 /// three thicknesses away from the contact.
-TEST(FreeSides, RoundWheelIsABall) {
+TEST(FreeSides, RoundWheelAgreesWithABall) {
   const std::vector<Layer> layers{{.thickness = 2e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5}};
   CoatedWheel wheel = tread(48e-3, 20e-3, layers, 50e-3);
   wheel.hub = Hub::crowned;
@@ -267,7 +268,7 @@ TEST(FreeSides, SkateWheel) {
 }
 
 /// From 16 thicknesses on, the section contains only the parts next to the faces.
-TEST(FreeSides, WideTreadsAreCutNoWider) {
+TEST(FreeSides, EffectDecreasesSmoothlyWithTheWidth) {
   const auto per_width = [](double width) {
     const LoadCase load_case{.load = 500.0 / 30e-3 * width, .angular_speed = 2.5};
     const Result result = solve(thick_wheel(width, INFINITY), load_case, {.mesh = Mesh{.nodes_per_revolution = 400}});
@@ -277,7 +278,7 @@ TEST(FreeSides, WideTreadsAreCutNoWider) {
   const auto middle = per_width(159e-3);
   const auto wide = per_width(161e-3);
   for (const std::size_t of : {std::size_t{0}, std::size_t{1}}) {
-    // the effect of the faces decreases like 1/w, here by 1e-3 of the total
+    // The effect of the faces is proportional to 1/width, and decreases here by 1e-3 of the total.
     const double step = narrow[of] - middle[of];
     EXPECT_GT(step, 3e-4 * middle[of]);
     EXPECT_NEAR(middle[of] - wide[of], step, 1e-4 * middle[of]);
@@ -286,7 +287,7 @@ TEST(FreeSides, WideTreadsAreCutNoWider) {
 
 /// For a crown radius much smaller than the tread thickness, the first order in its curvature gives unbounded sides a
 /// negative compliance.
-TEST(FreeSides, KnowCrownsThatUnboundedSidesRefuse) {
+TEST(FreeSides, AcceptCrownsThatUnboundedSidesReject) {
   const auto pressed = [](Sides sides) {
     const CoatedWheel wheel = tread(2.2e-3, 30e-6,
                                     {{.thickness = 120e-6, .shear_modulus = Elastic{1e4}, .poisson_ratio = 0.43},
@@ -306,7 +307,7 @@ TEST(FreeSides, KnowCrownsThatUnboundedSidesRefuse) {
   }
 }
 
-TEST(FreeSides, AreFarAwayFromSmallContacts) {
+TEST(FreeSides, DoNotAffectSmallContacts) {
   const Result free = rolled(thick_wheel(90e-3, INFINITY, Sides::free), 500.0, 2.5);
   const Result unbounded = rolled(thick_wheel(90e-3, INFINITY, Sides::unbounded), 500.0, 2.5);
   EXPECT_GT(free.resisting_torque, unbounded.resisting_torque);
@@ -314,7 +315,7 @@ TEST(FreeSides, AreFarAwayFromSmallContacts) {
   crowned.hub = Hub::crowned;
   const Result far = rolled(crowned, 300.0, 2.5);
   crowned.sides = Sides::unbounded;
-  // Crown by the section, compared with the crown to first order.
+  // Free sides contain the crown in the section, and unbounded sides to first order.
   EXPECT_NEAR(far.resisting_torque / rolled(crowned, 300.0, 2.5).resisting_torque, 1.0, 2e-3);
 }
 
@@ -330,7 +331,7 @@ double sideways_difference(const Result& one, const Result& other) {
 }
 
 /// The contact, 1.4 by 4.7 mm, is smaller than the elements below it, and the faces are 3.5 thicknesses away.
-TEST(FreeSides, AreNotFeltInTheSlipOfSmallContacts) {
+TEST(FreeSides, DoNotAffectTheSlipOfSmallContacts) {
   const auto result = [](Sides sides) {
     CoatedWheel wheel = thick_wheel(80e-3, 300e-3, sides);
     wheel.hub = Hub::crowned;
@@ -340,24 +341,24 @@ TEST(FreeSides, AreNotFeltInTheSlipOfSmallContacts) {
   const Result free = result(Sides::free);
   const Result unbounded = result(Sides::unbounded);
   ASSERT_EQ(free.pressure.size(), unbounded.pressure.size());
-  // Both curvatures together change the part of the crown by h / R_c = 1/30 of itself, and the elongation due to
-  // rolling as well.
+  // The product of both curvatures changes the effect of the crown, and the elongation due to rolling, by the relative
+  // amount h / R_c = 1/30.
   EXPECT_LT(sideways_difference(free, unbounded), 1e-2);
   EXPECT_NEAR(*free.creepage / *unbounded.creepage, 1.0, 3e-2);
   EXPECT_NEAR(free.slip_power / unbounded.slip_power, 1.0, 1e-2);
   EXPECT_NEAR(free.resisting_torque / unbounded.resisting_torque, 1.0, 1e-3);
-  // 14 nodes leave 2e-2 in both
+  // With 14 nodes across, both errors are 2e-2.
   EXPECT_NEAR(free.energy_balance_error, unbounded.energy_balance_error, 1e-3);
 }
 
-TEST(FreeSides, PowerIsBalancedWithFrictionToo) {
+TEST(FreeSides, PowerBalancesWithFriction) {
   for (const double friction : {0.0, 0.3}) {
     EXPECT_LT(rolled(thick_wheel(30e-3, INFINITY), 500.0, 2.5, friction).energy_balance_error, 3e-3);
   }
 }
 
 /// Layers with different relaxation functions have complex sections at each speed.
-TEST(FreeSides, DissimilarLayersLoseWhatTheTorquePays) {
+TEST(FreeSides, PowerOfDissimilarLayersEqualsTheLoss) {
   const CoatedWheel wheel =
       tread(40e-3, 40e-3,
             {{.thickness = 6e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5},
@@ -365,7 +366,7 @@ TEST(FreeSides, DissimilarLayersLoseWhatTheTorquePays) {
             300e-3);
   const Result result = rolled(wheel, 300.0, 2.5);
   EXPECT_LT(result.energy_balance_error, 3e-3);
-  // Unbounded sides: 451.6 mN m. Faces 0.3 mm from the contact add more than the thinner sides subtract.
+  // Unbounded sides give 451.6 mN m. The faces, 0.3 mm from the contact, add more than the thinner sides subtract.
   EXPECT_GT(result.resisting_torque, 451.6e-3);
 }
 

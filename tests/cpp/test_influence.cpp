@@ -146,7 +146,7 @@ TEST_P(CoatingTest, FftProductEqualsTheDirectSum) {
 }
 
 TEST_P(CoatingTest, ProductOfMirrorImagesEqualsTheDirectSum) {
-  // Half of the nodes determine mirrored forces; the lateral ones have the opposite sign.
+  // Forces that are mirror images are determined by half of the nodes; lateral forces change their sign.
   VectorField force = forces(1.0);
   const Eigen::Index columns = nodes_.shape().theta_nodes;
   for (Eigen::Index node = 0; node < force.rows(); ++node) {
@@ -157,7 +157,7 @@ TEST_P(CoatingTest, ProductOfMirrorImagesEqualsTheDirectSum) {
   const VectorField expected = direct_sum(force);
   EXPECT_LT((surface_->displacement(force) - expected).abs().maxCoeff(), 1e-13 * expected.abs().maxCoeff());
   const double lost = surface_->dissipation(force).rolling;
-  force(0, kDown) = std::nextafter(force(0, kDown), 2.0);  // no longer mirrored
+  force(0, kDown) = std::nextafter(force(0, kDown), 2.0);  // no longer symmetric
   EXPECT_NEAR(surface_->dissipation(force).rolling, lost, 1e-12 * lost);
 
   if (!surface_->takes_mirrored()) return;
@@ -168,7 +168,7 @@ TEST_P(CoatingTest, ProductOfMirrorImagesEqualsTheDirectSum) {
 }
 
 TEST_P(CoatingTest, ProductOfForcesOnAPartEqualsTheDirectSum) {
-  // The period is shorter if fewer nodes are loaded, also away from the middle.
+  // If only a part of the window is loaded, also away from its middle, the period of the transforms is shorter.
   VectorField force = forces(1.0);
   const Eigen::Index columns = nodes_.shape().theta_nodes;
   for (Eigen::Index node = 0; node < force.rows(); ++node) {
@@ -180,7 +180,7 @@ TEST_P(CoatingTest, ProductOfForcesOnAPartEqualsTheDirectSum) {
   EXPECT_LT((surface_->displacement(force) - expected).abs().maxCoeff(), 1e-13 * expected.abs().maxCoeff());
 }
 
-TEST_P(CoatingTest, ForcesLoseNoEnergyToThePlane) {
+TEST_P(CoatingTest, IsPassive) {
   // Passivity: the compliance has a positive symmetric part, and the dissipated work is never negative.
   for (int k = 1; k < 40; ++k) {
     const VectorField force = forces(3.7 * k);
@@ -202,11 +202,11 @@ TEST(Synthesis, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(sum(1), sum(5));
 }
 
-/// All orders that `octaves` samples, one by one.
+/// All single orders in the range that `octaves` samples.
 std::vector<OrderBand> one_by_one(const std::vector<OrderBand>& octaves, int nodes_per_revolution) {
   const auto& last = octaves.back().orders;
   const auto count = static_cast<Eigen::Index>(last[last.size() - 1]);
-  // The octaves telescope: their weights sum to the last step, whose middle follows from the highest orders.
+  // The weights of all octaves sum to one smooth cutoff, around this order.
   const double middle = 16.0 * nodes_per_revolution;
   const Eigen::ArrayXd orders = Eigen::ArrayXd::LinSpaced(count + 1, 0.0, static_cast<double>(count));
   Eigen::ArrayXd weights =
@@ -287,9 +287,9 @@ INSTANTIATE_TEST_SUITE_P(Coatings, OctavesTest,
                                          OctaveCase{"DissimilarLayers", cases::dissimilar_layers(), 2.5, 24, 24}),
                          [](const auto& info) { return info.param.name; });
 
-TEST(MeshOnBody, NodesAtTheArcsOfAnotherBodyAreThoseOfAMeshOfItsOwn) {
+TEST(MeshOnBody, AgreesWithAMeshOfItsOwn) {
   const Mesh own{.nodes_per_revolution = 32, .theta_nodes_per_revolution = 24};
-  // of 40 by 30 nodes around the rolling body
+  // The mesh has 40 by 30 nodes around the rolling body.
   const double turns = 1.25;
   const MeshOnBody of_other({.nodes_per_revolution = 40, .theta_nodes_per_revolution = 30}, turns);
   const Observer observer;
@@ -333,7 +333,7 @@ TEST(InterpolatedOrders, SumSmoothFunctionsAsAllOrdersDo) {
         interpolated.add_sums(b, terms, sums);
       }
       const Eigen::RowVectorXd by_few = compliance(sampled) * sums;
-      // round-off of some thousand summands
+      // The tolerance is the round-off of some thousand terms.
       EXPECT_LT((by_few - direct).cwiseAbs().maxCoeff(), 1e-14 * size) << m;
     }
   }

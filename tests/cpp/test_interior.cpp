@@ -33,7 +33,7 @@ struct Rolling {
   }
 };
 
-TEST(Interior, StatesAtTheSurfaceAreTheCompliance) {
+TEST(Interior, StatesAtTheSurfaceAgreeWithTheCompliance) {
   const detail::HarmonicBody coating(detail::layered_body(cases::dissimilar_layers(1000.0)), 20.0, {0.0, 3.0, 40.0});
   for (std::size_t i = 0; i < coating.orders().size(); ++i) {
     const auto layers = coating.layers_at(i);
@@ -50,7 +50,7 @@ TEST(Interior, StatesAtTheSurfaceAreTheCompliance) {
   }
 }
 
-TEST(Interior, PlacesKnowBothSidesOfABoundary) {
+TEST(Interior, FieldsExistOnBothSidesOfABoundary) {
   const CoatedSphere sphere = cases::dissimilar_layers();
   const std::vector<double> radii{22e-3, 20e-3, 22.5e-3};
   const auto places = places_at(sphere, radii);
@@ -71,7 +71,7 @@ TEST(Interior, FieldsAndLossDoNotDependOnThreads) {
   EXPECT_EQ(loss(1).volume_power, loss(3).volume_power);
 }
 
-TEST(Interior, LossInTheVolumeIsWhatTheSurfacePutsIn) {
+TEST(Interior, LossInTheVolumeEqualsThePowerAtTheSurface) {
   const Rolling rolling(cases::dissimilar_layers(1000.0));
   const LossDensity loss = loss_density(rolling.sphere, 2.5, rolling.tractions, {}, 120);
   // Errors of the radial nodes of the volume integral, and of the series of the fields.
@@ -87,7 +87,7 @@ TEST(Interior, LossInTheVolumeIsWhatTheSurfacePutsIn) {
   EXPECT_NEAR(2.5 * spacing * sum / loss.volume_power, 1.0, 1e-12);
 }
 
-TEST(Interior, ColumnsOfAWheelAreItsOwn) {
+TEST(Interior, ColumnsOfAWheelHaveTheirOwnSpacing) {
   const CoatedWheel wheel{.core_radius = 40e-3,
                           .layers = {{.thickness = 10e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.45}},
                           .width = 30e-3,
@@ -103,7 +103,7 @@ TEST(Interior, ColumnsOfAWheelAreItsOwn) {
   EXPECT_GT(std::abs(*tractions.theta_spacing - theta_spacing(result.mesh)), 1e-3 * *tractions.theta_spacing);
   const LossDensity loss = loss_density(wheel, 2.5, tractions, {}, 200);
   EXPECT_NEAR(loss.volume_power / loss.surface_power, 1.0, 1e-8);
-  // Sums over the patches of the mesh would belong to another load.
+  // With the patches of the mesh in place of the wheel's own, the sum of the tractions would be another load.
   Tractions of_mesh = tractions;
   of_mesh.theta_spacing.reset();
   EXPECT_GT(std::abs(loss_density(wheel, 2.5, of_mesh, {}, 200).surface_power / loss.surface_power - 1.0), 1e-3);
@@ -115,7 +115,7 @@ TEST(Interior, CanBeStopped) {
   EXPECT_THROW((void)loss_density(rolling.sphere, 2.5, rolling.tractions, {}, 2000, 1, stop), Canceled);
 }
 
-TEST(Interior, BadTractionsAreRefused) {
+TEST(Interior, RejectsBadTractions) {
   const Rolling rolling(cases::paper_sphere());
   Tractions few = rolling.tractions;
   few.pressure.pop_back();

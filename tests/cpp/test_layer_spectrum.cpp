@@ -36,7 +36,7 @@ Material solid(double instantaneous, double relaxed, double time, double poisson
       .thickness = 5e-4, .poisson_ratio = poisson_ratio, .series = standard_linear_solid(instantaneous, relaxed, time)};
 }
 
-/// Example: 0.5 mm of 6/3 MPa, 0.125 s on 0.5 mm of 4/1 MPa, 0.02 s.
+/// A layer of 0.5 mm with 6 and 3 MPa and 0.125 s, on a layer of 0.5 mm with 4 and 1 MPa and 0.02 s.
 std::vector<Material> two_solids() { return {solid(4e6, 1e6, 0.02), solid(6e6, 3e6, 0.125)}; }
 
 std::vector<Material> three_solids() {
@@ -102,7 +102,7 @@ Modes modes_of(const std::vector<Material>& materials, double k) {
   std::vector<Eigen::VectorXd> columns;
   std::vector<double> times;
   for (std::size_t l = 0; l < materials.size(); ++l) {
-    // over the interfaces; that of the base is fixed
+    // Spread the layer's matrix over its interfaces; the base is fixed.
     Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(size, size);
     const auto outer = static_cast<Eigen::Index>(2 * l);
     const Eigen::Matrix4d own = stiffness(materials[l], k);
@@ -150,10 +150,10 @@ Eigen::VectorXd shared_out(const Modes& modes, const std::vector<double>& times)
   return weights;
 }
 
-// for larger ones, transition matrices lose their digits
+// For larger ones, transition matrices lose their digits.
 constexpr std::array kWaveNumbersByThickness{0.1, 0.5, 2.0, 5.0};
 
-TEST(LayerSpectrum, WeighsTheModesOfEachOrder) {
+TEST(LayerSpectrum, WeightsAgreeWithTheModesOfEachOrder) {
   for (const auto& materials : {two_solids(), three_solids(), two_broad()}) {
     const LayerSpectrum spectrum(mat(materials), kRange, 1e-4);
     for (const double kh : kWaveNumbersByThickness) {
@@ -172,8 +172,8 @@ TEST(LayerSpectrum, WeighsTheModesOfEachOrder) {
   }
 }
 
-TEST(RetardationIntervals, HoldEveryModeOfEveryOrder) {
-  constexpr double kRoundOff = 1e-6;  // accuracy of the eigenproblem's times
+TEST(RetardationIntervals, ContainEveryModeOfEveryOrder) {
+  constexpr double kRoundOff = 1e-6;  // accuracy of the times from the eigenproblem
   for (const auto& materials : {two_solids(), three_solids(), two_broad()}) {
     const auto moduli = creep_functions(mat(materials).layers, kRange);
     const auto intervals = retardation_intervals(moduli, false);
@@ -200,7 +200,7 @@ TEST(RetardationIntervals, LieBetweenTheTimesOfEachMaterial) {
   EXPECT_NEAR(intervals[1].longest, 0.25, 1e-14);
 }
 
-TEST(LayerSpectrum, HoldsItsToleranceWithFewTimes) {
+TEST(LayerSpectrum, MeetsItsToleranceWithFewTimes) {
   struct Expected {
     std::vector<Material> materials;
     double tolerance;
@@ -220,7 +220,7 @@ TEST(LayerSpectrum, HoldsItsToleranceWithFewTimes) {
   }
 }
 
-TEST(LayerSpectrum, OfBallsAndCylindersHoldsItTooAndOverElasticLayers) {
+TEST(LayerSpectrum, MeetsItsToleranceOnBallsCylindersAndElasticLayers) {
   constexpr double kTolerance = 1e-3;
   CoatedSphere ball{.core_radius = 0.02, .layers = {}};
   for (const Material& material : two_solids()) {
@@ -241,7 +241,7 @@ TEST(LayerSpectrum, OfBallsAndCylindersHoldsItTooAndOverElasticLayers) {
   EXPECT_LT(LayerSpectrum(layered_body(on_elastic, kRadius), kRange, kTolerance).error(kRange), kTolerance);
 }
 
-TEST(LayerSpectrum, KnowsBulkModuli) {
+TEST(LayerSpectrum, SupportsBulkModuli) {
   constexpr double kTolerance = 1e-3;
   auto materials = two_solids();
   LayeredBody body = mat(materials);
@@ -250,12 +250,12 @@ TEST(LayerSpectrum, KnowsBulkModuli) {
     layer.bulk_modulus = 1e7;
   }
   EXPECT_LT(LayerSpectrum(body, kRange, kTolerance).error(kRange), kTolerance);
-  body.layers.pop_back();  // with one layer as well, creep depends on the order
+  body.layers.pop_back();  // with a bulk modulus, the creep of one layer depends on the order
   body.boundaries.pop_back();
   EXPECT_LT(LayerSpectrum(body, kRange, kTolerance).error(kRange), kTolerance);
 }
 
-TEST(LayerSpectrum, OfMeasuredModuliIsOffByTheirFits) {
+TEST(LayerSpectrum, OfMeasuredModuliHasTheErrorOfTheirFits) {
   LayeredBody body = mat(two_solids());
   body.layers[0].shear_modulus =
       FractionalZener{.instantaneous_modulus = 6e6, .relaxed_modulus = 1e6, .relaxation_time = 0.02, .order = 0.6};
@@ -273,13 +273,13 @@ TEST(LayerSpectrum, OfMeasuredModuliIsOffByTheirFits) {
   EXPECT_LT(LayerSpectrum(body, kSeconds, 1e-3).error(kSeconds), 5e-3);  // error of the fit of the table
 }
 
-TEST(LayerSpectrum, IsExactAtRestAndAtOnce) {
+TEST(LayerSpectrum, IsExactInTheRelaxedAndInstantaneousLimits) {
   const auto materials = three_solids();
   const LayeredBody body = mat(materials);
   const LayerSpectrum spectrum(body, kRange, 1e-2);
   for (const SurfaceOrder& order : compared_orders(body)) {
     const auto weights = spectrum.weights_of(std::span(&order, 1)).front();
-    // [rad/s], so fast that the layers' relaxation has no effect to ten digits
+    // At this frequency [rad/s], relaxation has no effect to ten digits.
     constexpr double kAtOnce = 1e12;
     for (const double omega : {0.0, kAtOnce}) {
       const Eigen::Matrix3cd exact = compliance_at(body, order, omega);
@@ -289,8 +289,8 @@ TEST(LayerSpectrum, IsExactAtRestAndAtOnce) {
   }
 }
 
-TEST(LayerSpectrum, OfLayersAlikeIsThatOfTheMaterial) {
-  LayeredBody body = mat({solid(4e6, 1e6, 0.02), solid(8e6, 2e6, 0.02)});  // one layer is twice as stiff
+TEST(LayerSpectrum, OfLayersWithOneRelaxationFunctionIsThatOfTheMaterial) {
+  LayeredBody body = mat({solid(4e6, 1e6, 0.02), solid(8e6, 2e6, 0.02)});  // same relaxation function
   const LayerSpectrum spectrum(body, kRange, 1e-3);
   ASSERT_EQ(spectrum.retardation_times().size(), 1U);
   EXPECT_NEAR(spectrum.retardation_times()[0], 0.08, 1e-14);
@@ -329,7 +329,7 @@ std::vector<Material> random_materials(std::mt19937& random) {
   return materials;
 }
 
-TEST(LayerSpectrum, OfLayersAtRandomLosesEnergyAtEveryOrderAndFrequency) {
+TEST(LayerSpectrum, OfRandomLayersDissipatesAtEveryOrderAndFrequency) {
   std::mt19937 random(27);
   constexpr double kTolerance = 1e-3;
   for (int stack = 0; stack < 100; ++stack) {
@@ -367,7 +367,7 @@ std::vector<TableRequest> all_entries() {
   return requests;
 }
 
-/// Return the body with the instantaneous moduli.
+/// Body of elastic layers with the instantaneous moduli of `body`.
 LayeredBody at_once(LayeredBody body) {
   for (Layer& layer : body.layers) {
     layer.shear_modulus = Elastic{std::get<Prony>(layer.shear_modulus).instantaneous_modulus};
@@ -397,7 +397,7 @@ std::vector<Table> at_rest(const std::vector<std::vector<Table>>& tables, int ph
   return sums;
 }
 
-TEST(Weights, TablesAreThoseOfElasticLayersAtOnceAndAtRest) {
+TEST(Weights, TablesAgreeWithElasticLayersInBothLimits) {
   constexpr int kPhiReach = 20;
   constexpr int kThetaReach = 10;
   const Mesh mesh{.nodes_per_revolution = 200};
@@ -423,7 +423,7 @@ TEST(Weights, TablesAreThoseOfElasticLayersAtOnceAndAtRest) {
   }
 }
 
-TEST(Weights, OfAWheelAreThoseOfItsOrders) {
+TEST(Weights, OfAWheelAgreeWithItsOrders) {
   constexpr double kHighest = 300.0;
   const CoatedWheel wheel{.core_radius = 0.02, .layers = mat(two_solids()).layers, .width = 0.01, .crown_radius = 0.1};
   const LayerSpectrum spectrum(layered_body(wheel), kRange, 1e-2);
@@ -454,7 +454,7 @@ TEST(Weights, OfAWheelAreThoseOfItsOrders) {
   }
 }
 
-TEST(Weights, TablesUnderALineAreThoseOfElasticLayersAtOnceAndAtRest) {
+TEST(Weights, TablesOfALineContactAgreeWithElasticLayersInBothLimits) {
   constexpr int kReach = 40;
   const Mesh mesh{.nodes_per_revolution = 400};
   const Observer silent;

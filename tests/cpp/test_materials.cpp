@@ -14,13 +14,13 @@ namespace {
 
 using cplx = std::complex<double>;
 
-TEST(ComplexModulus, RefusesWhatACustomFunctionLeavesOut) {
+TEST(ComplexModulus, RejectsMissingValuesOfACustomFunction) {
   const CustomModulus lazy{[](std::span<const double>, std::span<cplx> mu) { mu[0] = 1e6; }};
   const std::array omega{0.0, 1.0};
   EXPECT_THROW(std::ignore = complex_modulus(lazy, omega), std::invalid_argument);
 }
 
-TEST(ComplexModulus, TakesNoLossAtRest) {
+TEST(ComplexModulus, IgnoresALossAtRest) {
   const CustomModulus hysteretic{[](std::span<const double>, std::span<cplx> mu) {
     for (cplx& value : mu) value = cplx(1e6, 1e5);
   }};
@@ -36,7 +36,7 @@ TEST(ComplexModulus, StaysFiniteAtAnyFrequency) {
   EXPECT_DOUBLE_EQ(complex_modulus(FractionalZener{6e6, 3e6, 0.125, 0.7}, omega)[0].real(), 6e6);
 }
 
-TEST(ComplexModulus, TakesWeightsThatSumToOneButForRoundOff) {
+TEST(ComplexModulus, AcceptsWeightsThatSumToOneExceptForRoundOff) {
   const Prony fluid{1e6, {0.7, 0.0, 0.3 + 4e-16}, {1.0, 2.0, 3.0}};
   const std::array omega{1e-3, 1e9};
   const auto mu = complex_modulus(fluid, omega);

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Coatings, SpectrumTest,
                                          SpectrumCase{"Auxetic", 20e-3, 5e-3, -0.5, 1000.0, 2.5}),
                          [](const auto& info) { return info.param.name; });
 
-TEST(Spectrum, OrderByOrderTakesDissimilarLayersAndHighSpeeds) {
+TEST(Spectrum, OrderByOrderSupportsDissimilarLayersAndHighSpeeds) {
   for (const double speed : {2.5, 300.0}) {
     const HarmonicBody coating(layered_body(cases::dissimilar_layers(1000.0)), speed, some_orders());
     EXPECT_LT(
@@ -143,7 +143,7 @@ TEST(Spectrum, SelfSimilarityIsRecognized) {
   EXPECT_FALSE(is_shared(cases::paper_sphere(), 1000.0)) << "inertia beyond its series";
 }
 
-TEST(Spectrum, InertiaMayMissWhatIsLeftToIt) {
+TEST(Spectrum, SelfSimilarSpectrumNeglectsInertiaWithinItsTolerance) {
   const Observer observer;
   Watch watch(observer);
   const HarmonicBody coating(layered_body(cases::paper_sphere()), 100.0, some_orders());
@@ -154,7 +154,7 @@ TEST(Spectrum, InertiaMayMissWhatIsLeftToIt) {
   EXPECT_LT(worst_spectrum_error(*spectrum, coating), kTolerance);
 }
 
-TEST(HighestKink, IsFoundWhereverItLies) {
+TEST(HighestKink, IsFoundAtAnyFrequency) {
   const auto bent_at = [](double kink) {
     return CustomModulus{[kink](std::span<const double> omega, std::span<std::complex<double>> modulus) {
       std::ranges::transform(omega, modulus.begin(), [kink](double w) {
@@ -171,15 +171,15 @@ TEST(HighestKink, IsFoundWhereverItLies) {
   }
 }
 
-/// A later stage, which evaluates the function at its orders, reports where it has no value.
-TEST(HighestKink, TakesForRoughWhatHasNoValue) {
+/// A later stage evaluates the function at the frequencies of its orders, and reports those without a value.
+TEST(HighestKink, CountsMissingValuesAsRough) {
   const CustomModulus nowhere{[](std::span<const double>, std::span<std::complex<double>> modulus) {
     std::ranges::fill(modulus, std::numeric_limits<double>::quiet_NaN());
   }};
   EXPECT_EQ(highest_kink(nowhere, 0.5, 2000.0), 2000.0);
 }
 
-TEST(CriticalSpeed, OfOneLayerIsItsRayleighWave) {
+TEST(CriticalSpeed, OfOneLayerIsThatOfRayleighWaves) {
   // 0.9553 sqrt(mu0 / rho), the root of the Rayleigh equation at Poisson's ratio 1/2 (docs/theory/inertia.md).
   EXPECT_NEAR(critical_speed(cases::paper_sphere()), 0.95531 * std::sqrt(6e6 / 1000.0) / 21e-3, 0.01);
   EXPECT_TRUE(std::isinf(critical_speed(cases::paper_sphere(0.0))));

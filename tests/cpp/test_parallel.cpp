@@ -72,23 +72,23 @@ TEST(ParallelFor, VisitsEveryIndexOnceOnAnyNumberOfThreads) {
   }
 }
 
-TEST(ParallelFor, UsesAsManyThreadsAsAskedForEachWithItsNumber) {
+TEST(ParallelFor, UsesTheGivenNumberOfThreadsEachWithItsNumber) {
   std::vector<std::atomic<int>> numbers(7);
   run_at_once(7, [&](std::size_t, const Worker& worker) { ++numbers[worker.number]; });
   for (const auto& count : numbers) EXPECT_EQ(count, 1);
 }
 
-TEST(ParallelFor, KeepsItsThreads) {
+TEST(ParallelFor, ReusesItsThreads) {
   constexpr int kThreads = 3;
   ThreadCounter::threads = 0;
   for (int call = 0; call < 50; ++call) {
     run_at_once(kThreads, [](std::size_t, const Worker&) { thread_counter.touch(); });
   }
-  // threads that other tests have started; new ones in each call would be 100
+  // Other tests have started at most ten threads. If each call started new ones, there would be 100.
   EXPECT_LE(ThreadCounter::threads, 10);
 }
 
-TEST(ParallelFor, ThrowsTheFirstExceptionAgainAndStopsTheRest) {
+TEST(ParallelFor, RethrowsTheFirstExceptionAndStopsTheRest) {
   std::atomic<int> visits = 0;
   EXPECT_THROW(run(1'000'000, 2,
                    [&](std::size_t i, const Worker&) {
@@ -99,7 +99,7 @@ TEST(ParallelFor, ThrowsTheFirstExceptionAgainAndStopsTheRest) {
   EXPECT_LT(visits, 1'000'000);
 }
 
-TEST(ParallelFor, ThrowsTheExceptionOfAHelperAndServesTheNext) {
+TEST(ParallelFor, RethrowsTheExceptionOfAHelperAndStaysUsable) {
   for (int call = 0; call < 20; ++call) {
     EXPECT_THROW(run_at_once(2,
                              [](std::size_t, const Worker& worker) {
@@ -113,7 +113,7 @@ TEST(ParallelFor, DoesNothingForNoIndex) {
   run(0, 2, [](std::size_t, const Worker&) { FAIL(); });
 }
 
-TEST(ParallelFor, MayBeCalledByItsBodies) {
+TEST(ParallelFor, CanBeNested) {
   std::vector<std::atomic<int>> visits(512);
   run(8, 3, [&](std::size_t i, const Worker&) {
     run(8, 3, [&](std::size_t j, const Worker&) {
@@ -123,7 +123,7 @@ TEST(ParallelFor, MayBeCalledByItsBodies) {
   for (const auto& count : visits) EXPECT_EQ(count, 1);
 }
 
-TEST(ParallelFor, MayBeCalledByManyThreads) {
+TEST(ParallelFor, CanBeCalledByManyThreads) {
   std::vector<long> sums(8);
   {
     std::vector<JoinedThread> callers;
@@ -172,7 +172,7 @@ TEST(LockWatched, IsCancelledWhileAnotherThreadHoldsTheMutex) {
   EXPECT_TRUE(lock_watched(mutex, watch, "").owns_lock());
 }
 
-TEST(WorkerCount, IsThatOfTheCoresUnlessGivenAndAtMostThatOfTheWork) {
+TEST(WorkerCount, IsTheNumberOfCoresUnlessGivenAndAtMostThatOfTasks) {
   EXPECT_EQ(worker_count(1000, 0), static_cast<std::size_t>(core_count()));
   EXPECT_EQ(worker_count(1000, 7), 7U);
   EXPECT_EQ(worker_count(3, 7), 3U);

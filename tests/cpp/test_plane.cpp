@@ -139,7 +139,7 @@ TEST(FlatLayers, LayerOnAHalfSpace) {
   }
 }
 
-TEST(FlatLayers, LayersOnAHalfSpaceOfTheirOwnMaterialAreThatHalfSpace) {
+TEST(FlatLayers, LayersOnAHalfSpaceOfTheirMaterialAgreeWithTheHalfSpace) {
   // With memory and inertia, this is the only exact test of the start of the recursion.
   for (const double nu : {0.2, 0.5}) {
     for (const double inertia : {0.0, 0.4e6, 2e6}) {
@@ -186,7 +186,7 @@ TEST(PlaneCompliance, CrossTermsAreOpposite) {
       EXPECT_EQ(c[1][3 * p + q], std::conj(c[0][3 * p + q]));  // real fields
     }
   }
-  EXPECT_LT(c[0][0].imag(), 0.0);  // displacement lags behind where material crosses towards growing xi
+  EXPECT_LT(c[0][0].imag(), 0.0);  // the displacement lags behind the load, towards growing xi
 }
 
 TEST(PlaneCompliance, CriticalSpeedIsThatOfRayleighWaves) {
@@ -207,7 +207,7 @@ TEST(PlaneCompliance, CriticalSpeedIsThatOfRayleighWaves) {
   }
 }
 
-/// Largest difference between a spectrum and the recursion, relative as in test_modal.cpp.
+/// Largest difference between a spectrum and the recursion, relative to the entries as in test_modal.cpp.
 double spectrum_error(const CoatedPlane& plane) {
   std::vector<double> orders;
   for (double m = 1e-4; m < 4e3; m *= 1.3) orders.push_back(m);
@@ -253,7 +253,7 @@ TEST(PlaneSpectrum, DissimilarLayersWithInertia) {
 double love(double x, double z, double a, double b) {
   const auto corner = [](double p, double q) {
     const double r = std::hypot(p, q);
-    // q ln(p + r) without cancellation
+    // This form of q ln(p + r) has no cancellation.
     const auto term = [r](double far, double near) {
       if (near == 0.0) return 0.0;
       return near * (far > 0.0 ? std::log(far + r) : 2.0 * std::log(std::abs(near)) - std::log(r - far));
@@ -280,21 +280,21 @@ class PlaneTable : public testing::Test {
   Watch watch_{observer_};
 };
 
-TEST_F(PlaneTable, HalfSpaceWithMemoryIsLovesRectangleThatPassed) {
+TEST_F(PlaneTable, HalfSpaceWithMemoryAgreesWithAMovingLoveRectangle) {
   const double tau = 0.125;
   const CoatedPlane plane{
       .layers = {}, .base = HalfSpace{.shear_modulus = standard_linear_solid(6e6, 3e6, tau), .poisson_ratio = 0.5}};
   for (const double angular_speed : {0.1, 2.5, 1000.0}) {
     const Table table = normal_table(plane, angular_speed);
     const double speed = angular_speed * kRadius;
-    // The creep compliance is 1/G_0 + (1/G_inf - 1/G_0) (1 - exp(-t/T)), T = tau G_0 / G_inf; the material at xi was at
-    // xi - V t.
+    // The creep compliance is 1/G_0 + (1/G_inf - 1/G_0) (1 - exp(-t/T)) with T = tau G_0 / G_inf. A time t ago, the
+    // material now at xi was at xi - V t.
     const double wake = speed * tau * 2.0;
     const auto creeping = [&](double xi, double zeta) {
       const auto at = [&](double x) { return love(x, zeta, 0.5 * along_, 0.5 * across_); };
       double sum = 0.0;
       constexpr int kIntervals = 40000;
-      for (int i = 0; i < kIntervals; ++i) {  // midpoints of equal shares exp(-t/T)
+      for (int i = 0; i < kIntervals; ++i) {  // midpoints of equal intervals of exp(-t/T)
         const double share = (i + 0.5) / kIntervals;
         sum += at(xi + wake * std::log(share)) / kIntervals;
       }
@@ -302,14 +302,14 @@ TEST_F(PlaneTable, HalfSpaceWithMemoryIsLovesRectangleThatPassed) {
     };
     const double center = table(0, 0);
     for (const auto& [j, l] : {std::pair{0, 0}, {1, 0}, {-1, 2}, {-40, 3}, {60, -30}, {-60, 30}}) {
-      // 40 000 midpoints have an error of 1e-6 of the center if the rectangle passes within few of them.
+      // 40 000 midpoints have an error of 1e-6 of the central value, even if the rectangle covers few of them.
       EXPECT_NEAR(table(j, l) / center, creeping(j * along_, l * across_) / center, 3e-6)
           << angular_speed << ' ' << j << ' ' << l;
     }
   }
 }
 
-TEST_F(PlaneTable, ElasticHalfSpaceIsLovesRectangle) {
+TEST_F(PlaneTable, ElasticHalfSpaceAgreesWithLovesRectangle) {
   const double nu = 0.3;
   const CoatedPlane plane{.layers = {}, .base = HalfSpace{.shear_modulus = Elastic{1e7}, .poisson_ratio = nu}};
   const Table table = normal_table(plane, 1.0);
@@ -321,11 +321,11 @@ TEST_F(PlaneTable, ElasticHalfSpaceIsLovesRectangle) {
           std::max(worst, std::abs(table(j, l) - scale * love(j * along_, l * across_, 0.5 * along_, 0.5 * across_)));
     }
   }
-  // the octaves above end at the ball's
+  // The sum ends at the last octave of a ball, which leaves this error.
   EXPECT_LT(worst / table(0, 0), 2e-8);
 }
 
-TEST_F(PlaneTable, MeasuredModulusIsNearlyThatOfItsModel) {
+TEST_F(PlaneTable, MeasuredModulusAgreesWithItsModel) {
   const Prony model = standard_linear_solid(6e6, 3e6, 0.125);
   MasterCurve curve{.frequency = {}, .storage = {}, .loss = {}, .extrapolation = Extrapolation::hold};
   for (double omega = 1e-3; omega < 1e4; omega *= 1.02) {
@@ -341,14 +341,14 @@ TEST_F(PlaneTable, MeasuredModulusIsNearlyThatOfItsModel) {
   const Table measured = normal_table(plane(curve), 2.5);
   const Table exact = normal_table(plane(model), 2.5);
   for (int j = -kPhiReach; j <= kPhiReach; ++j) {
-    // error of the table: (0.02)^2 / 8
+    // Linear interpolation in steps of 0.02 has an error of 0.02^2 / 8.
     EXPECT_NEAR(measured(j, 0) / exact(0, 0), exact(j, 0) / exact(0, 0), 1e-4);
   }
 }
 
-TEST_F(PlaneTable, DissimilarLayersAreSummedLikeOneByOne) {
-  // The same two layers with identical materials, and with materials that differ in the last digits, which use another
-  // branch of the spectrum.
+TEST_F(PlaneTable, NearlyIdenticalMaterialsAgreeWithIdenticalOnes) {
+  // Two layers whose materials differ only in the last digits use another branch of the spectrum than two layers with
+  // identical materials.
   const auto plane = [](double modulus) {
     CoatedPlane result{.layers = {layer(0.5e-3, 0.0), layer(0.5e-3, 0.0)}};
     result.layers.front().shear_modulus = standard_linear_solid(6e6, modulus, 0.125);
@@ -417,7 +417,7 @@ TEST_F(PlaneContact, EqualSurfacesHaveTwiceTheComplianceAndNoCrossTerms) {
   EXPECT_GT(std::abs(lower->local().table(Entry::rphi)(2, 0)), 1e-3 * local.table(Entry::rr)(0, 0));
 }
 
-TEST(PatchSlope, DisplacementsDownstreamLeadBackToTheNodes) {
+TEST(PatchSlope, DownstreamDisplacementsGiveThoseAtTheNodes) {
   constexpr Eigen::Index kRow = 2;
   constexpr Eigen::Index kRows = 12;
   const auto cubic = [](double row, Eigen::Index column) {

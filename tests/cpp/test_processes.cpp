@@ -29,7 +29,7 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr unsigned kPatience = 60;  // [s] until a process counts as hanging
+constexpr unsigned kPatience = 60;  // time after which a process counts as hanging [s]
 
 /// @return 0 if the sum of 0 to 999 is correct
 int sum(const std::function<void(std::size_t)>& before_each) {
@@ -65,13 +65,13 @@ int in_child(const std::function<int()>& work) {
   return waitpid(child, &status, 0) == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(Fork, LeavesBothProcessesWithThreads) {
+TEST(Fork, BothProcessesCanUseThreads) {
   ASSERT_EQ(sum_together(), 0);
-  EXPECT_EQ(in_child([] { return sum_together() + in_child(sum_together); }), 0);  // a child and its own child
+  EXPECT_EQ(in_child([] { return sum_together() + in_child(sum_together); }), 0);  // a child and a grandchild
   EXPECT_EQ(sum_together(), 0);
 }
 
-TEST(Fork, LeavesBothProcessesWithThreadsWhileOthersCompute) {
+TEST(Fork, BothProcessesCanUseThreadsWhileOthersCompute) {
   std::atomic<bool> stop = false;
   {
     const JoinedThread other([&] {
@@ -88,7 +88,7 @@ TEST(Fork, FindsNoThreadWithoutWork) {
 #ifdef __SANITIZE_THREAD__
   GTEST_SKIP() << "the sanitizer has a thread of its own";
 #endif
-  // Python warns of forks if it counts such threads: the threads of the parent, after the fork.
+  // After a fork, Python counts the threads of the parent and warns if it finds any.
   const auto threads = [] { return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}); };
   EXPECT_EQ(in_child([&] {
               const auto before = threads();
@@ -99,7 +99,7 @@ TEST(Fork, FindsNoThreadWithoutWork) {
 }
 #endif
 
-TEST(Exit, WaitsForNoThread) {
+TEST(Exit, DoesNotWaitForThreads) {
   EXPECT_EXIT(
       {
         alarm(kPatience);
@@ -127,7 +127,7 @@ TEST(Cores, AreThoseOfTheAffinityMask) {
     cpu_set_t one;
     CPU_ZERO(&one);
     CPU_SET(static_cast<std::size_t>(sched_getcpu()), &one);
-    ASSERT_EQ(sched_setaffinity(0, sizeof(one), &one), 0);  // this thread
+    ASSERT_EQ(sched_setaffinity(0, sizeof(one), &one), 0);  // 0 is the calling thread
     bound = usable_cores();
   }).join();
   EXPECT_GE(before, core_count());

@@ -116,7 +116,7 @@ class RandomCoating {
     return sphere;
   }
 
-  /// The same coating with one to all layers measured at up to 1e4 times a frequency.
+  /// The same coating, in which one or more layers have moduli that are measured at up to 1e4 times `frequency`.
   [[nodiscard]] CoatedSphere measured_sphere(bool with_inertia, double frequency) {
     CoatedSphere sphere = this->sphere(with_inertia);
     const int first = integer(0, static_cast<int>(sphere.layers.size()) - 1);
@@ -183,8 +183,8 @@ TEST_P(RandomCoatings, FastSpectraAgreeWithTheEquations) {
   int refused = 0;
   std::vector<unsigned> seeds(16);
   std::iota(seeds.begin(), seeds.end(), 0U);
-  // Waves that reach deep near the critical speed, and two thin shells without a core, whose inertia series converges
-  // slowly.
+  // These seeds give waves that reach deep near the critical speed, and two thin shells without a core, whose inertia
+  // series converges slowly.
   seeds.insert(seeds.end(), {28U, 48U, 144U});
   for (const unsigned seed : seeds) {
     RandomCoating random(seed);

@@ -55,14 +55,14 @@ bool is_subcritical(const LayerStack<double>& layers, double m) {
 LineCompliance<cplx> michell(cplx mu, double nu, double m) {
   using Matrix = Eigen::Matrix<cplx, 4, 4>;
   const double kappa = 3.0 - 4.0 * nu;
-  // Columns: unit amplitudes; rows: 2 mu u / cos, 2 mu u_phi / sin, sigma_rr / cos, sigma_rphi / sin.
+  // Columns are unit amplitudes; rows are 2 mu u / cos, 2 mu u_phi / sin, sigma_rr / cos and sigma_rphi / sin.
   const auto rows = [&](double r) {
     Matrix z;
     const std::array<double, 4> n{m, m + 2.0, -m, 2.0 - m};
     for (int j = 0; j < 4; ++j) {
       const double p = n[static_cast<std::size_t>(j)];
       const bool biharmonic = j % 2 == 1;
-      // phi = r^p cos(m phi): sigma_rr = (p - m^2) r^(p-2), sigma_rphi = m (p - 1) r^(p-2).
+      // The stress function r^p cos(m phi) has sigma_rr = (p - m^2) r^(p-2) and sigma_rphi = m (p - 1) r^(p-2).
       z(2, j) = (p - m * m) * std::pow(r, p - 2.0);
       z(3, j) = m * (p - 1.0) * std::pow(r, p - 2.0);
       // 2 mu u_r = -d phi/dr + (kappa + 1)/4 r d psi/dphi with laplace(phi) = d(r d psi/dphi)/dr, see Barber,
@@ -101,7 +101,7 @@ LineCompliance<cplx> michell(cplx mu, double nu, double m) {
 
 void expect_near(cplx value, cplx expected, double size) { EXPECT_LT(std::abs(value - expected), 1e-12 * size); }
 
-TEST(CylinderCompliance, IsMichells) {
+TEST(CylinderCompliance, AgreesWithMichell) {
   const cplx mu(3e6, 1e6);
   for (const double nu : {0.3, 0.5, -0.4}) {
     for (const double m : {2.0, 5.0, 40.0}) {
@@ -116,8 +116,8 @@ TEST(CylinderCompliance, IsMichells) {
   }
 }
 
-TEST(CylinderCompliance, SwellsAndTwistsAtOrderZero) {
-  // A tube under uniform pressure, and one turned against its core: docs/theory/rollers.md.
+TEST(CylinderCompliance, OfOrderZeroExpandsAndTwists) {
+  // Compare with a tube under uniform pressure and a tube twisted about its core: docs/theory/rollers.md.
   const double mu = 2e6;
   const double nu = 0.3;
   const double lambda = 2.0 * mu * nu / (1.0 - 2.0 * nu);
@@ -131,7 +131,7 @@ TEST(CylinderCompliance, SwellsAndTwistsAtOrderZero) {
 
 TEST(CylinderCompliance, OfTwoLayersOfOneMaterialIsThatOfOne) {
   const cplx mu(3e6, 1e6);
-  // a fifth of the square of the shear wave's speed
+  // V^2 is a fifth of the squared speed of shear waves.
   const double inertia = 0.2 * 3e6 / std::pow(kOuter, 2);
   const auto medium = [&](double inner, double outer) {
     return Medium<cplx>{.inner = inner, .outer = outer, .mu = mu, .b = 0.1, .inertia = inertia};
@@ -150,15 +150,15 @@ TEST(CylinderCompliance, OfHighOrdersIsThatOfAHalfPlane) {
   const double nu = 0.4;
   const auto found = cylinder_compliance<double>(
       {{.inner = kInner, .outer = kOuter, .mu = 1.0, .b = ratio_of(nu), .inertia = 0.0}}, m);
-  // errors of the order 1/m due to the curvature
+  // The curvature causes differences of the order 1/m.
   EXPECT_NEAR(found.normal * m / kOuter, 1.0 - nu, 2.0 / m);
   EXPECT_NEAR(found.along * m / kOuter, 1.0 - nu, 2.0 / m);
   EXPECT_NEAR(found.mixed * m / kOuter, -0.5 * (1.0 - 2.0 * nu), 2.0 / m);
   EXPECT_NEAR(found.axial * m / kOuter, 1.0, 2.0 / m);
 }
 
-TEST(CylinderCompliance, WithInertiaLosesItsStiffnessAtTheRayleighSpeed) {
-  // mu = rho = 1, r_o = 1: incompressible waves of high order run at 0.9553 of the shear wave's speed (Graff).
+TEST(CylinderCompliance, HasNoStiffnessAtTheRayleighSpeed) {
+  // With mu = rho = r_o = 1, incompressible waves of high order travel at 0.9553 of the speed of shear waves (Graff).
   const auto at_speed = [](double speed) {
     return stack_of<double>({{.inner = 0.5, .outer = 1.0, .mu = 1.0, .b = 0.0, .inertia = speed * speed}});
   };
@@ -166,7 +166,7 @@ TEST(CylinderCompliance, WithInertiaLosesItsStiffnessAtTheRayleighSpeed) {
   EXPECT_FALSE(is_subcritical(at_speed(0.957), 2000.0));
 }
 
-TEST(CylinderCompliance, SwellsByItsWeightInTurning) {
+TEST(CylinderCompliance, GrowsByCentrifugalForce) {
   // u'' + u'/r - u/r^2 = -rho Omega^2 r / (lambda + 2 mu), u(r_i) = 0 and sigma_rr(r_o) = 0, without the inertia of the
   // displacement itself, which is of the order rho (Omega r)^2 / mu = 1e-6.
   const double nu = 0.3;
@@ -183,13 +183,13 @@ TEST(CylinderCompliance, SwellsByItsWeightInTurning) {
   EXPECT_NEAR(centrifugal_states(layers).back()(0) / (amplitude.sum() - f), 1.0, 1e-5);
 }
 
-/// Standard linear solid of 6 and 3 MPa and 0.125 s, incompressible, 10 mm on a core of 50 mm.
+/// Roller with a core of 50 mm and 10 mm of an incompressible standard linear solid, 6 and 3 MPa and 0.125 s.
 CoatedCylinder rubber_roller() {
   return {.core_radius = 50e-3,
           .layers = {{.thickness = 10e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5}}};
 }
 
-TEST(Roller, RollsAsComputedIndependently) {
+TEST(Roller, AgreesWithAnIndependentProgram) {
   // Moments per length from an independent code in NumPy, accurate to 0.3 % (docs/theory/rollers.md).
   const std::array<std::array<double, 2>, 3> known{{{0.1, 2.806}, {1.0, 2.456}, {10.0, 0.2888}}};
   for (const auto& [speed, moment] : known) {
@@ -201,14 +201,15 @@ TEST(Roller, RollsAsComputedIndependently) {
   }
 }
 
-/// Hertz: a^2 = 2 (1 - nu) P R / (pi G), p_0 = 2 P / (pi a) (Johnson, Contact Mechanics, section 4.2).
-TEST(Roller, PressesAnElasticHalfPlaneAsHertzHasIt) {
+/// Hertz's line contact has a^2 = 2 (1 - nu) P R / (pi G), p_0 = 2 P / (pi a) (Johnson, Contact Mechanics,
+/// section 4.2).
+TEST(Roller, AgreesWithHertzOnAnElasticHalfPlane) {
   const CoatedCylinder rigid{.core_radius = 0.1, .layers = {}};
   const CoatedPlane floor{.layers = {}, .base = HalfSpace{.shear_modulus = Elastic{1e8}, .poisson_ratio = 0.3}};
   const double load = 1e4;
   const double a = std::sqrt(2.0 * 0.7 * load * 0.1 / (std::numbers::pi * 1e8));
   const Result result = solve(rigid, floor, {.load = load, .angular_speed = 1.0}, {.mesh = Mesh{150000}});
-  double second_moment = 0.0;  // a^2 / 4 times the load
+  double second_moment = 0.0;  // of the pressure about the center: a^2 / 4 times the load
   for (std::size_t i = 0; i < result.x.size(); ++i) second_moment += std::pow(result.x[i], 2) * result.pressure[i];
   second_moment *= 0.1 * phi_spacing(result.mesh) / load;
   EXPECT_NEAR(2.0 * std::sqrt(second_moment) / a, 1.0, 1e-4);
@@ -218,7 +219,7 @@ TEST(Roller, PressesAnElasticHalfPlaneAsHertzHasIt) {
   EXPECT_NEAR(result.resisting_torque, 0.0, 1e-9 * load * a);
 }
 
-TEST(Roller, LosesNothingItselfWhereItIsRigid) {
+TEST(Roller, NeedsNoTorqueIfItIsRigid) {
   const CoatedCylinder rigid{.core_radius = 0.05, .layers = {}};
   const CoatedPlane floor{.layers = {}, .base = HalfSpace{.shear_modulus = cases::rubber(), .poisson_ratio = 0.5}};
   const Result result = solve(rigid, floor, {.load = 5e3, .angular_speed = 1.0}, {.accuracy = 1e-3});
@@ -229,13 +230,13 @@ TEST(Roller, LosesNothingItselfWhereItIsRigid) {
   EXPECT_NEAR(result.resisting_torque / 4.26712, 1.0, 1e-3);
 }
 
-TEST(Roller, OnItsLikeTurnsAsOnARigidPlane) {
+TEST(Roller, OnAnIdenticalRollerActsAsOnARigidPlane) {
   const Result plane = solve(rubber_roller(), {.load = 5e3, .angular_speed = 1.0}, {.mesh = Mesh{6000}});
   const Result pair =
       solve(rubber_roller(), rubber_roller(), {.load = 5e3, .angular_speed = 1.0}, {.mesh = Mesh{6000}});
   // Twice the gap and twice the compliance give the same forces and twice the approach.
   EXPECT_NEAR(pair.resisting_torque / plane.resisting_torque, 1.0, 1e-9);
-  // difference quotient on the mesh
+  // The torque of the pair follows from difference quotients on the mesh.
   EXPECT_NEAR(pair.driving_torque / plane.driving_torque, 1.0, 1e-3);
   EXPECT_NEAR(*pair.penetration / *plane.penetration, 2.0, 1e-9);
   EXPECT_NEAR(pair.bulk_power / plane.bulk_power, 2.0, 1e-9);
@@ -243,8 +244,8 @@ TEST(Roller, OnItsLikeTurnsAsOnARigidPlane) {
 }
 
 TEST(Roller, FollowsCartersCurve) {
-  // Incompressible on a rigid plane, so that pressure causes no slip on a thick coating; a = R / 1000, so that the
-  // creepage of free rolling, of the order (a/R)^2, is small compared with mu a / R, at which everything slides.
+  // A thick incompressible coating on a rigid plane does not slip under pressure alone. With a = R / 1000, the creepage
+  // of free rolling, of the order (a/R)^2, is small compared with mu a / R, at which the whole contact slides.
   const double radius = 0.1;
   const double shear = 1e7;
   const double a = 1e-3 * radius;

@@ -11,7 +11,8 @@
 namespace viscoroll {
 namespace {
 
-/// ln T = -4 + x + y / 2 + x (2 y^2 - 1) / 4, x and y from -1 at 10 N and 1 rad/s to 1 at 1000 N and 100 rad/s.
+/// Surface ln T = -4 + x + y / 2 + x (2 y^2 - 1) / 4, where x and y are -1 at 10 N and 1 rad/s, 1 at 1000 N and 100
+/// rad/s.
 constexpr const char* kFile = R"({
  "what": "ln T = sum c_ij T_i(x) T_j(y), \"x\" [and] y",
  "load": [10.0, 1e3], "angular_speed": [1, 100.0], "radius": 2.1e-2,
@@ -40,7 +41,7 @@ TEST(RollingResistance, IsReadFromItsFile) {
   EXPECT_NEAR(resisting_torque(surface, 10.0, 10.0 * std::sqrt(10.0)), std::exp(-4.0 - 1.0 + 0.25 + 0.125), 1e-15);
 }
 
-TEST(RollingResistance, IsOddAndGoesToRestInProportion) {
+TEST(RollingResistance, IsOddAndProportionalToTheSpeedNearRest) {
   const RollingResistance surface = read(kFile);
   const double lowest = resisting_torque(surface, 100.0, 1.0);
   EXPECT_EQ(resisting_torque(surface, 100.0, 0.0), 0.0);
@@ -48,7 +49,7 @@ TEST(RollingResistance, IsOddAndGoesToRestInProportion) {
   EXPECT_EQ(resisting_torque(surface, 100.0, -7.0), -resisting_torque(surface, 100.0, 7.0));
 }
 
-TEST(RollingResistance, HoldsTheTorquePerLoadOutside) {
+TEST(RollingResistance, HoldsTheTorquePerLoadOutsideTheFit) {
   const RollingResistance surface = read(kFile);
   EXPECT_THROW(std::ignore = resisting_torque(surface, 5.0, 10.0), std::invalid_argument);
   EXPECT_THROW(std::ignore = resisting_torque(surface, 100.0, -101.0), std::invalid_argument);
@@ -59,7 +60,7 @@ TEST(RollingResistance, HoldsTheTorquePerLoadOutside) {
   EXPECT_EQ(resisting_torque(surface, 100.0, 1e9, Extrapolation::hold), resisting_torque(surface, 100.0, 100.0));
 }
 
-TEST(RollingResistance, RefusesOtherFiles) {
+TEST(RollingResistance, RejectsOtherFiles) {
   const std::string file = kFile;
   EXPECT_THROW(std::ignore = read("{}"), nlohmann::json::out_of_range);
   EXPECT_THROW(std::ignore = read(R"({"load": null})"), nlohmann::json::type_error);

@@ -58,7 +58,7 @@ TEST(SectionElement, RigidMotionsStoreNoEnergy) {
   EXPECT_GT(largest_force(2.0, [](double, double) { return Vector3d(1.0, 1.0, 0.0); }), 0.1);
 }
 
-/// Loads of a line per unit traction, averaged over a meter.
+/// Nodal loads of a uniform traction, whose product with the displacement is its mean over a meter.
 Eigen::VectorXd uniform_load(const SectionMesh& mesh, double radius) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(static_cast<Index>(mesh.loaded_lines()));
   for (Index i = 0; i + 2 < load.size(); i += 2) {
@@ -69,7 +69,7 @@ Eigen::VectorXd uniform_load(const SectionMesh& mesh, double radius) {
 
 /// Under a uniform load over a large width, the middle of a tread acts as a cylinder in plane strain. The compliances
 /// of rollers come from the recursion through layers, which is tested against closed forms, for all entries that exist.
-TEST(Section, MiddleOfAWideTreadIsARoller) {
+TEST(Section, MiddleOfAWideTreadAgreesWithARoller) {
   const CoatedWheel wheel = tread(3.0, 16.0,
                                   {{.thickness = 0.6, .shear_modulus = Elastic{1.0}, .poisson_ratio = 0.45},
                                    {.thickness = 0.4, .shear_modulus = Elastic{1.0}, .poisson_ratio = 0.5}});
@@ -86,7 +86,7 @@ TEST(Section, MiddleOfAWideTreadIsARoller) {
     const Matrix3<cplx> y = surface_compliance(stack, m, 0.0);
     const Eigen::MatrixXcd even = section.at(m, media)[kEvenPart];
     const double size = std::abs(y(1, 1));
-    // Error of elements of a 32nd to a third of the thickness.
+    // Error of elements with sizes of 1/32 to 1/3 of the thickness.
     constexpr double kElements = 2e-4;
     for (const Index p : {0, 1}) {
       for (const Index q : {0, 1}) {
@@ -97,8 +97,9 @@ TEST(Section, MiddleOfAWideTreadIsARoller) {
   }
 }
 
-/// Uniform along the axis: p h/(G d) of a bonded strip under a flat punch, by tests/reference/bonded_strip.py: free
-/// sides by scikit-fem, extrapolated in the size of its elements; an unbounded strip by Fourier integrals.
+/// Stiffness p h/(G d) of a bonded strip under a flat punch, uniform along the axis, by
+/// tests/reference/bonded_strip.py: with free sides from scikit-fem, extrapolated in the element size, and unbounded
+/// from Fourier integrals.
 struct Strip {
   double width;  ///< width / thickness
   double free, unbounded;
@@ -106,7 +107,7 @@ struct Strip {
 
 class StripUnderPunch : public testing::TestWithParam<Strip> {};
 
-TEST_P(StripUnderPunch, IsAsStiffAsByAnotherCode) {
+TEST_P(StripUnderPunch, StiffnessAgreesWithAnotherProgram) {
   // radius / thickness; the effect of curvature is of the order of its inverse
   constexpr double kStraight = 1e4;
   const auto [width, free, unbounded] = GetParam();
@@ -118,7 +119,7 @@ TEST_P(StripUnderPunch, IsAsStiffAsByAnotherCode) {
   };
   EXPECT_NEAR(stiffness(SectionEnd::face, kFine), free, 1e-3 * free);
   EXPECT_NEAR(stiffness(SectionEnd::face, {}), free, 2e-3 * free);
-  // the edge of a punch is singular there
+  // In an unbounded strip, the pressure is singular at the edge of the punch.
   EXPECT_NEAR(stiffness(SectionEnd::unbounded, kFine), unbounded, 4e-3 * unbounded);
 }
 
@@ -128,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Widths, StripUnderPunch,
                                          Strip{6.0, 12.72475, 28.74107}));
 
 /// Elements of half the size have less than half of the error, although the corners at the hub are singular.
-TEST(Section, ConvergesWithItsElements) {
+TEST(Section, ConvergesWithSmallerElements) {
   const auto middle = [](double share) {
     const SectionFineness fineness{.finest = share / 16.0, .growth = 0.5 * share, .largest = share / 2.0};
     const SectionCompliance section(SectionMesh(plain_tread(4.0, 3.0), SectionEnd::face, fineness), false);
@@ -169,7 +170,7 @@ TEST(Section, WideTreadsNeedNoMoreElements) {
   EXPECT_LT(lines(1000.0, {}), 1.3 * static_cast<double>(lines(36.0, {})));
 }
 
-TEST(Section, ProfilesLeaveTheTreadAsThickAsTheyAre) {
+TEST(Section, RadiiAtTheFaceFollowCrownAndHub) {
   CoatedWheel wheel = plain_tread(4.0, 3.0);
   wheel.crown_radius = 6.0;
   const double drop = crown_drop(wheel, 1.5);

@@ -36,14 +36,14 @@ class LateCorrection : public StickSlipSystem {
   double assumed_ = 0.1;
 };
 
-TEST(SemismoothNewton, ComparesStepsWithStatesOfTheCorrectedEquationsAlone) {
+TEST(SemismoothNewton, ComparesStepsOnlyWithStatesOfTheCorrectedEquations) {
   LateCorrection system;
   ContactSolution start{.force = VectorField::Zero(1, 3),
                         .displacement = {},
                         .gap = Eigen::ArrayXd::Zero(1),
                         .contact = {},
                         .slip = Eigen::ArrayX2d::Zero(1, 2)};
-  // solution of the equations before the correction
+  // This force solves the equations before the correction.
   start.force.row(0) << 0.1, -1.0, 0.0;
   start.creepage = 0.0;
   SemismoothNewton newton(system, {.tolerance = 1e-12, .round_off = 1e-10, .full_steps = 1});

@@ -34,7 +34,7 @@ FrozenContact kept_of(const Result& result) {
           .creepage = result.creepage.value_or(0.0)};
 }
 
-TEST(SolveKept, ComesBackToTheSameState) {
+TEST(SolveKept, ReproducesTheState) {
   for (const double friction : {0.0, 0.3}) {
     const LoadCase load_case{.load = 100.0, .angular_speed = 2.5, .friction = friction};
     const Result result = solve(cases::paper_sphere(), load_case, kCoarse);
@@ -62,7 +62,7 @@ TEST(Solve, FindsTheLoadOfAPenetration) {
   }
 }
 
-TEST(SolveKept, RefusesAStateOfAnotherMesh) {
+TEST(SolveKept, RejectsAStateOfAnotherMesh) {
   const LoadCase load_case{.load = 100.0, .angular_speed = 2.5};
   const FrozenContact kept = kept_of(solve(cases::paper_sphere(), load_case, kCoarse));
   const auto refused = [&](auto change, const Options& options = kCoarse) {
@@ -78,7 +78,7 @@ TEST(SolveKept, RefusesAStateOfAnotherMesh) {
   refused([](FrozenContact&) {}, Options{});
 }
 
-TEST(Solve, ManyThreadsSolveAtOnce) {
+TEST(Solve, ManyThreadsSolveConcurrently) {
   const auto torque = [] {
     return solve(cases::dissimilar_layers(), {.load = 50.0, .angular_speed = 2.5}, kCoarse).resisting_torque;
   };
@@ -107,7 +107,7 @@ TEST(Solve, FrictionDoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-TEST(RollingModel, ThreadsShareIt) {
+TEST(RollingModel, CanBeSharedByThreads) {
   const RollingModel model(cases::dissimilar_layers(), 2.5, *kCoarse.mesh);
   // Each load needs wider tables than the previous one.
   const std::vector<double> loads{1.0, 10.0, 50.0, 100.0};
@@ -123,7 +123,7 @@ TEST(RollingModel, ThreadsShareIt) {
   }
 }
 
-TEST(RollingModel, RefusesAnotherSpeed) {
+TEST(RollingModel, RejectsAnotherSpeed) {
   const RollingModel model(cases::paper_sphere(), 2.5, *kCoarse.mesh);
   EXPECT_THROW(std::ignore = model.solve({.load = 1.0, .angular_speed = 2.0}), std::invalid_argument);
 }
@@ -135,7 +135,7 @@ TEST(Solve, StopsOnRequest) {
   EXPECT_THROW(std::ignore = solve(cases::paper_sphere(), {.load = 100.0, .angular_speed = 2.5}, options), Canceled);
 }
 
-TEST(Solve, NamesWhatIsWrong) {
+TEST(Solve, NamesTheWrongParameter) {
   const auto message = [](const CoatedSphere& sphere, const LoadCase& load_case) -> std::string {
     try {
       std::ignore = solve(sphere, load_case, kCoarse);

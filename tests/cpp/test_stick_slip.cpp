@@ -14,7 +14,7 @@ namespace {
 
 enum class DriveKind { force, torque, creepage, oblique };
 
-/// A contact of 121 nodes, whose front sticks and whose rear slips, with forces that are not a solution yet.
+/// A contact of 121 nodes, whose front sticks and whose rear slips, with forces that are not in equilibrium.
 class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, DriveKind, Deforming>> {
  protected:
   StickSlipTest() {
@@ -31,7 +31,7 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
         const Eigen::Index node = i * shape.theta_nodes + k;
         const auto aside = static_cast<double>(k - 8);
         const double angle = aside * (0.1 + 0.02 * static_cast<double>(i));
-        // Rows of sticking nodes with gaps, symmetric to the middle.
+        // Rows of sticking nodes have gaps, symmetric about the middle.
         const bool stick = i < 9 && (i + 2 * std::abs(k - 8)) % 11 != 0;
         sets_.contact.push_back(node);
         sets_.states.push_back({.stick = stick,
@@ -89,7 +89,7 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
   Execution execution_{2, watch_};
 };
 
-TEST_P(StickSlipTest, ProductsTakeTheStepOfADenseSolution) {
+TEST_P(StickSlipTest, IterativeStepAgreesWithADenseSolution) {
   const ContactProblem problem = this->problem();
   StickSlipByProducts system(problem);
   const Eigen::VectorXd dense =
@@ -104,7 +104,7 @@ TEST_P(StickSlipTest, ProductsTakeTheStepOfADenseSolution) {
 }
 
 /// Compare with differences of antiderivatives in long doubles, because small windows lose the last digits.
-TEST(SurfaceWindow, FallsBehindByTheIntegralOfItsHeight) {
+TEST(SurfaceWindow, LagIsTheIntegralOfItsHeight) {
   constexpr double kRadius = 0.5;
   for (const double spacing : {1e-5, 0.03}) {
     for (const bool is_paraboloid : {false, true}) {

@@ -38,7 +38,7 @@ double error_of(const CreepSpectrum& spectrum, const ShearModulus& modulus, doub
   return largest;
 }
 
-TEST(CreepSpectrum, OfAStandardLinearSolidIsTheClosedForm) {
+TEST(CreepSpectrum, OfAStandardLinearSolidHasItsClosedForm) {
   const CreepSpectrum spectrum = creep_spectrum(cases::rubber(), kRange);
   ASSERT_EQ(spectrum.size(), 1U);
   EXPECT_NEAR(spectrum.instantaneous, 0.5, 1e-15);
@@ -158,7 +158,7 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
     for (Eigen::Index node = first; node < last; ++node) range.push_back(node);
     return range;
   };
-  const Axes own;  // irrelevant in the frame of a single body
+  const Axes own;  // has no effect for a single body
   const StepOperator surface({{1.0, &tables, &own}}, [] {});
   ContactStiffness stiffness;
   EXPECT_TRUE(stiffness.cover(surface, nodes(10, 14)));
@@ -176,14 +176,14 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
     }
     return product.cwiseAbs().maxCoeff();
   };
-  // round-off for the condition number of an incompressible coating
+  // The tolerance is the round-off times the condition number of an incompressible coating.
   EXPECT_LT(largest_error(), 1e-11);
   EXPECT_TRUE(stiffness.cover(surface, nodes(20, 30)));
   EXPECT_EQ(stiffness.nodes(), nodes(20, 30));
   EXPECT_LT(largest_error(), 1e-11);
 }
 
-/// Long products are split by offsets along the path, so that they can be canceled.
+/// Long products are computed in batches of offsets along the path, between which they can be canceled.
 TEST(MirroredTables, LongProductsPollAndAgreeWithTheCompliance) {
   const Observer silent;
   Watch watch(silent);
@@ -204,7 +204,7 @@ TEST(MirroredTables, LongProductsPollAndAgreeWithTheCompliance) {
   }
   int polled = 0;
   const HalfField found = tables.displacement(loads, 3, 40, [&polled] { ++polled; });
-  // one block of at most 64 rows of loads, with 41 offsets in batches of 7
+  // One block of at most 64 rows of loads has 41 offsets, in six batches of 7.
   EXPECT_GE(polled, 6);
   const Eigen::VectorXd expected = tables.compliance(displaced, loaded) * forces;
   for (Eigen::Index i = 0; i < expected.size(); ++i) {

@@ -111,7 +111,7 @@ class SideInfluenceOfRows : public testing::TestWithParam<Index> {
 
 /// Work of one set of forces on the displacements of another. The product of steady rolling gathers forces over patches
 /// and reads values at nodes; histories use the mean of both directions.
-TEST_P(SideInfluenceOfRows, DoesTheWorkOfTheSteadyProduct) {
+TEST_P(SideInfluenceOfRows, HasTheWorkOfTheSteadyProduct) {
   const SideSum sum = this->sum();
   const SideFactors factors = sum.factors({.phi_reach = Rows::kReach});
   const SampledDifference& difference = *sum.difference();
@@ -125,7 +125,7 @@ TEST_P(SideInfluenceOfRows, DoesTheWorkOfTheSteadyProduct) {
   const auto work = [&](const HalfField& on, const HalfField& by) {
     return (unfolded(on, rows_) * product.apply(unfolded(by, rows_))).sum();
   };
-  // Behind a row, phi is reversed.
+  // Rows behind the load have the mirrored influence, in which phi components change their sign.
   Eigen::VectorXd reversed = Eigen::VectorXd::Ones(rows_.height());
   if (rows_.components == 3) reversed.segment(Rows::kHalfNodes, Rows::kHalfNodes).setConstant(-1.0);
   double by_rows = 0.0;
@@ -144,7 +144,7 @@ TEST_P(SideInfluenceOfRows, DoesTheWorkOfTheSteadyProduct) {
 INSTANTIATE_TEST_SUITE_P(Components, SideInfluenceOfRows, testing::Values(1, 3));
 
 /// At every frequency, and in the relaxed and instantaneous limits, the weights agree with sections solved there.
-TEST(SideWeights, AddUpToSectionsAtAnyFrequency) {
+TEST(SideWeights, AgreeWithSectionsAtAnyFrequency) {
   const CoatedWheel wheel = creeping_wheel();
   const Observer silent;
   Watch watch(silent);

@@ -30,21 +30,21 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double ratio_of(double nu) { return (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)); }
 
-/// Compliance of layers that end at a radius of 1 m, where the direction across is straight or nothing varies along it.
+/// Compliance of layers with an outer radius of 1 m, whose fields vary along a straight axis or not at all.
 template <class Scalar>
 Matrix3<Scalar> compliance_of(std::vector<Medium<Scalar>> media, AxisKind across, double m, double n) {
   const LayerStack<Scalar> layers{.metric = {.radius = 1.0, .across = across}, .media = std::move(media)};
   return surface_compliance(layers, m, n);
 }
 
-/// One layer on a rigid base, per length of 1 m.
+/// Compliance of one layer on a rigid base, for wave numbers m and n in 1/m.
 Matrix3<double> plane_compliance(double thickness, double nu, double m, double n) {
   const LayerStack<double> layers{.metric = {.radius = 1.0, .along = AxisKind::line, .across = AxisKind::line},
                                   .media = {{-thickness, 0.0, 1.0, ratio_of(nu), 0.0}}};
   return surface_compliance(layers, m, n);
 }
 
-TEST(WheelOrders, AreThoseOfARollerWhereNothingVariesAcross) {
+TEST(WheelOrders, AgreeWithARollerWithoutAxialVariation) {
   const std::vector<Medium<cplx>> media{{0.7, 0.85, cplx(3.0, 1.0), ratio_of(0.5), 1e-3},
                                         {0.85, 1.0, cplx(1.0, 0.2), cplx(ratio_of(0.4), 0.01), 2e-3}};
   for (const double m : {0.0, 1.0, 2.0, 7.0, 60.0, 900.0}) {
@@ -54,7 +54,7 @@ TEST(WheelOrders, AreThoseOfARollerWhereNothingVariesAcross) {
   }
 }
 
-TEST(WheelOrders, TendToAPlaneLayersLinearlyInTheThickness) {
+TEST(WheelOrders, TendToAPlaneLayerInProportionToTheThickness) {
   for (const double nu : {0.3, 0.5}) {
     const auto deviation = [nu](double thickness) {
       const double m = 0.7 / thickness;
@@ -65,7 +65,8 @@ TEST(WheelOrders, TendToAPlaneLayersLinearlyInTheThickness) {
     };
     const Matrix3<double> thin = deviation(1e-4);
     EXPECT_LT(thin.norm(), 1e-3);
-    EXPECT_LT((thin - 0.1 * deviation(1e-3)).norm(), 0.01 * thin.norm()) << nu;  // second order: h / R
+    // The remainder is of second order in h / R.
+    EXPECT_LT((thin - 0.1 * deviation(1e-3)).norm(), 0.01 * thin.norm()) << nu;
   }
 }
 
@@ -80,7 +81,7 @@ TEST(WheelOrders, TendToAHalfSpace) {
   }
 }
 
-TEST(WheelOrders, OrderZeroOfAnIncompressibleTreadIsHeld) {
+TEST(WheelOrders, OrderZeroOfAnIncompressibleTreadHasNoRadialCompliance) {
   const Medium<double> layer{0.8, 1.0, 1.0, 0.0, 0.0};
   EXPECT_EQ(compliance_of<double>({layer}, AxisKind::line, 0.0, 0.0)(0, 0), 0.0);
   const double tenth = compliance_of<double>({layer}, AxisKind::line, 0.0, 0.1)(0, 0);
@@ -96,7 +97,7 @@ CoatedWheel crowned(double crown_radius, double width = 0.08) {
           .sides = Sides::unbounded};
 }
 
-TEST(WheelOrders, BothCurvaturesCountAlike) {
+TEST(WheelOrders, HaveSymmetricEffectsOfBothCurvatures) {
   CoatedWheel wheel = crowned(0.05, 0.02);
   wheel.layers[0].shear_modulus = Elastic{2e6};
   const LayeredBody layers = layered_body(wheel);
@@ -108,7 +109,7 @@ TEST(WheelOrders, BothCurvaturesCountAlike) {
   EXPECT_LT((one - other).norm(), 1e-12 * one.norm());
 }
 
-TEST(WheelOrders, ATightCrownCountsInProportion) {
+TEST(WheelOrders, ChangeInProportionToTheCurvatureOfATightCrown) {
   const auto change = [](double crown_radius) {
     CoatedWheel wheel = crowned(crown_radius, 0.01);
     wheel.hub = Hub::crowned;
@@ -121,9 +122,9 @@ TEST(WheelOrders, ATightCrownCountsInProportion) {
   EXPECT_LT(std::abs(change(0.2) - 0.1 * change(0.02)), 1e-9 * std::abs(change(0.2)));  // 20 thicknesses
 }
 
-/// The proportion amplifies round-off, which no panel could resolve, however narrow.
-TEST(WheelOrders, RoundOffOfATightCrownIsNotTakenForAFunction) {
-  std::vector<double> orders(60);  // as close as orders that are solved together
+/// Scaling the first order of a tight crown amplifies round-off, which panels of any width cannot resolve.
+TEST(WheelOrders, RoundOffOfATightCrownIsNotResolvedByPanels) {
+  std::vector<double> orders(60);  // as close as the orders of one panel
   for (std::size_t i = 0; i < orders.size(); ++i) orders[i] = 2.0 * std::pow(8.0, static_cast<double>(i) / 59.0);
   const auto panels = [&](double crown_radius) {
     CoatedWheel wheel = crowned(crown_radius, 0.01);
@@ -138,7 +139,7 @@ TEST(WheelOrders, RoundOffOfATightCrownIsNotTakenForAFunction) {
   EXPECT_LE(panels(0.005), 2 * panels(0.3));
 }
 
-TEST(WheelOrders, WavesAreHeardAtTheSpeedOfARollersAtTheLatest) {
+TEST(WheelOrders, CriticalSpeedIsAtMostThatOfARoller) {
   CoatedWheel wheel = crowned(kInfinity);
   wheel.layers[0].density = 1000.0;
   const CoatedCylinder roller{.core_radius = wheel.core_radius, .layers = wheel.layers};
@@ -165,12 +166,12 @@ class TreadTables : public ::testing::Test {
       {.entry = Entry::rr}, {.entry = Entry::rphi}, {.entry = Entry::thetatheta}, {.entry = Entry::rr, .power = true}};
 };
 
-TEST_F(TreadTables, SumsAcrossAreTheTablesOfALine) {
+TEST_F(TreadTables, SumsAcrossAgreeWithTablesOfALineContact) {
   CoatedWheel wheel = crowned(kInfinity);
   wheel.layers.insert(wheel.layers.begin(), {.thickness = 0.004, .shear_modulus = Elastic{2e6}, .poisson_ratio = 0.4});
   const double radius = outer_radius(wheel);
   const double theta = 0.0127;
-  // twenty thicknesses: the tread has no effect at this distance
+  // At a distance of twenty thicknesses, the influence vanishes.
   const int aside = 400;
   const std::vector<Table> tables = tables_of(layered_body(wheel), theta, aside);
   const LayeredBody roller = layered_body(CoatedCylinder{.core_radius = wheel.core_radius, .layers = wheel.layers});
@@ -188,7 +189,7 @@ TEST_F(TreadTables, SumsAcrossAreTheTablesOfALine) {
       largest = std::max(largest, std::abs(lines[k](j, 0)));
       error = std::max(error, std::abs(sum * radius * theta - lines[k](j, 0)));
     }
-    // nine digits of a table's center, at each of 801 offsets
+    // Each of 801 offsets has an error of 1e-9 of the central value.
     EXPECT_LT(error, 4e-7 * largest) << k;
   }
 }
@@ -247,9 +248,9 @@ struct Rolling {
   double approach;  ///< [m]
 };
 
-// An independent program in plain NumPy, with its own periodic sums over both wave numbers and the crown only in the
-// gap: to its five digits or the mesh's 2e-4.
-TEST(WheelRolling, IsThatOfAnotherProgram) {
+// The independent program in plain NumPy sums over both wave numbers and includes the crown only in the gap. The
+// tolerance covers its five digits and the error of the mesh, 2e-4.
+TEST(WheelRolling, AgreesWithAnotherProgram) {
   for (const Rolling& known : {Rolling{2.5, 0.24749, 0.58429e-3}, Rolling{25.0, 0.028318, 0.55510e-3}}) {
     const Result r = roll(crowned(0.3), 500.0, known.speed, {.nodes_per_revolution = 1600}, false);
     EXPECT_NEAR(torque_of(r, known.speed), known.torque, 2e-4 * known.torque);
@@ -257,7 +258,7 @@ TEST(WheelRolling, IsThatOfAnotherProgram) {
   }
 }
 
-TEST(WheelRolling, DissimilarLayersAreThatOfAnotherProgram) {
+TEST(WheelRolling, DissimilarLayersAgreeWithAnotherProgram) {
   CoatedWheel wheel = crowned(0.3);
   wheel.layers = {{.thickness = 0.006, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5},
                   {.thickness = 0.004, .shear_modulus = standard_linear_solid(4e6, 1e6, 0.02), .poisson_ratio = 0.45}};
@@ -267,7 +268,7 @@ TEST(WheelRolling, DissimilarLayersAreThatOfAnotherProgram) {
   EXPECT_NEAR(r.max_pressure, 1.1856e6, 5e-4 * 1.1856e6);
 }
 
-TEST(WheelRolling, FlatTreadsConvergeLikeTheirSpacing) {
+TEST(WheelRolling, FlatTreadsConvergeInProportionToTheSpacing) {
   for (const Rolling& known : {Rolling{2.5, 0.24121, 0.4595e-3}, Rolling{25.0, 0.026760, 0.4278e-3}}) {
     const auto at = [&](int nodes) {
       return roll(crowned(kInfinity, 0.03), 500.0, known.speed, {.nodes_per_revolution = nodes}, false);
@@ -282,7 +283,7 @@ TEST(WheelRolling, FlatTreadsConvergeLikeTheirSpacing) {
   }
 }
 
-TEST(WheelRolling, WithTheRadiusOfItsCrownIsABalls) {
+TEST(WheelRolling, WithEqualRadiiAgreesWithABall) {
   const Mesh mesh{.nodes_per_revolution = 1600};
   CoatedWheel wheel = crowned(0.05, 0.06);
   wheel.core_radius = 0.048;
@@ -296,12 +297,12 @@ TEST(WheelRolling, WithTheRadiusOfItsCrownIsABalls) {
   const Result r = roll(wheel, 100.0, 2.5, mesh);
   EXPECT_NEAR(torque_of(r, 2.5), torque_of(ball, 2.5), 3e-4 * torque_of(ball, 2.5));
   EXPECT_NEAR(*r.penetration, *ball.penetration, 3e-4 * *ball.penetration);
-  // without the first order in the curvature
+  // A wheel without the first order in the curvature has a larger error.
   const Result plain = roll(wheel, 100.0, 2.5, mesh, false);
   EXPECT_GT(std::abs(torque_of(plain, 2.5) / torque_of(ball, 2.5) - 1.0), 5e-3);
 }
 
-TEST(WheelRolling, TorqueGrowsWithTheWidthAsARollersPerLength) {
+TEST(WheelRolling, AddedTorquePerWidthIsThatOfARoller) {
   const Mesh mesh{.nodes_per_revolution = 1600, .theta_nodes_per_revolution = 400};
   const double per_length = 500.0 / 0.03;
   const auto at = [&](double width) {
@@ -316,7 +317,7 @@ TEST(WheelRolling, TorqueGrowsWithTheWidthAsARollersPerLength) {
   EXPECT_NEAR(added, torque_of(roller, 2.5), 1e-3 * added);
 }
 
-TEST(WheelRolling, CirclesBesideTheMiddleAreSmaller) {
+TEST(WheelRolling, HeathcoteSlipFollowsTheSmallerCircles) {
   const CoatedWheel wheel = crowned(0.3);
   const RollingPair pair = rolling_pair(wheel, CoatedPlane{});
   const Nodes nodes = pair.body->nodes({.nodes_per_revolution = 2000}, *pair.on);
@@ -327,7 +328,7 @@ TEST(WheelRolling, CirclesBesideTheMiddleAreSmaller) {
   for (const int k : {-60, -7, 0, 31}) {
     const Eigen::Index node = range.number_of(1, k);
     const double z = window.z()[node];
-    const double drop = z * z / 0.6;  // Heathcote's z^2 / 2 R_c, of a parabola
+    const double drop = z * z / 0.6;  // z^2 / 2 R_c of a parabola, which causes Heathcote slip
     const double more = rigid.slip(node, 0) - rigid.slip(range.number_of(1, 0), 0);
     EXPECT_NEAR(more, step / window.grid().radius * drop, 4e-3 * step / window.grid().radius * drop + 1e-18) << k;
   }
@@ -335,9 +336,9 @@ TEST(WheelRolling, CirclesBesideTheMiddleAreSmaller) {
   EXPECT_NEAR((2 * nodes.widest.theta.last + 1) * nodes.grid.radius * nodes.grid.theta_spacing, wheel.width, 1e-12);
 }
 
-// With 70 to 85 rows of nodes in contact. The tables determine the dissipated power, and forces and moment arms the
-// power input.
-TEST(WheelRolling, PowersBalanceWithFriction) {
+// The contact has 70 to 85 rows of nodes. The dissipated power follows from tables, and the power input from forces and
+// moment arms.
+TEST(WheelRolling, PowerBalancesWithFriction) {
   Options options;
   options.mesh = Mesh{.nodes_per_revolution = 1600, .theta_nodes_per_revolution = 800};
   LoadCase load_case{.load = 500.0, .angular_speed = 2.5, .friction = 0.5};
@@ -356,13 +357,13 @@ TEST(WheelRolling, PowersBalanceWithFriction) {
 /// J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3: nu = 1/2, by the ratio of the
 /// semi-axis along to that across. On a rigid plane, the combined modulus is twice that of the tread.
 struct Kalker {
-  double ratio;  ///< R_c / R: by Hertz, 6.24 has the semi-axes 0.3 and 1
+  double ratio;  ///< R_c / R; with 6.24, Hertz's semi-axes have the ratio 0.3
   double along, across, spin;
 };
 
 class KalkersCoefficients : public ::testing::TestWithParam<Kalker> {};
 
-TEST_P(KalkersCoefficients, AreThoseOfASmallContactOnAThickTread) {
+TEST_P(KalkersCoefficients, AgreeWithASmallContactOnAThickTread) {
   const Kalker& known = GetParam();
   constexpr double kModulus = 1e6;
   constexpr double kRadius = 0.05;
@@ -399,7 +400,7 @@ TEST_P(KalkersCoefficients, AreThoseOfASmallContactOnAThickTread) {
 INSTANTIATE_TEST_SUITE_P(AlongPerAcross, KalkersCoefficients,
                          ::testing::Values(Kalker{6.24, 4.80, 2.81, 0.889}, Kalker{1.0, 5.20, 3.98, 1.63}));
 
-TEST(WheelRolling, TwoAlikeAreOneOnItsMirrorPlane) {
+TEST(WheelRolling, TwoIdenticalWheelsAreMirrorImages) {
   Options options;
   options.mesh = Mesh{.nodes_per_revolution = 600};
   const LoadCase load_case{.load = 500.0, .angular_speed = 2.5};

@@ -1,5 +1,5 @@
-"""Published benchmarks, posed to the library: the contents of docs/published-results.md and their tests.
+"""Published benchmarks solved by the library, for docs/published-results.md and its tests.
 
-Each source has a module; `rows` is the table of both sides' numbers, and `pictures` draws the figure of the page:
+Each source has a module; `rows` reads the table of published and computed numbers, and `pictures` draws the figure:
 `python -m tests.published.pictures`.
 """

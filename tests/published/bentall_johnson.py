@@ -1,8 +1,8 @@
 """Two dissimilar elastic rollers with friction: R. H. Bentall and K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404.
 
-An aluminum roller on a steel one, as in the example `bentall` of CONTACT (revision d431cdb, user guide, section 5.3),
-with 200 elements. The pressure draws both surfaces towards the middle, the softer one's further, so that the rollers
-slip without a tangential force, and the free roller creeps.
+An aluminum roller is pressed on a steel one, as in the example `bentall` of CONTACT (revision d431cdb, user guide,
+section 5.3), with 200 elements. The pressure displaces both surfaces towards the middle, the softer one further, so
+that the rollers slip without a tangential force, and the free roller creeps.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Layered planes with ν < ½ under a disc: ELLEA1 at rest, ELLVA for moving loads (E. Levenberg, printed by ALVA).
 
-The fields are sums of the orders of the library's plane: a disc of radius a presses with q, so its Hankel transform is
-q a J₁(ka)/k, and a point off the path is displaced by a sum over the directions of the waves. Asphalt on a base on
-soil.
+The plane consists of asphalt on a base on soil. The fields are sums over the library's orders of this plane. The
+pressure q of a disc of radius a has the Hankel transform q a J₁(ka)/k; the displacement of a point off the path is a
+sum over all directions of waves.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ class Waves:
 
 def at_rest(depth: float) -> tuple[float, float, float]:
     """Return deflection [m], vertical and horizontal pressure [Pa] on the axis of a disc at rest, at a depth [m]."""
-    # shorter waves contribute 1e-4 of the deflection, due to the disc's edge
+    # Shorter waves contribute 1e-4 of the deflection because of the disc's edge.
     waves = Waves.up_to(490.0, 1.5)
     displacement, stress = waves.fields(plane(_elastic(ASPHALT, ASPHALT_RATIO)), depth)
     level = 0.5 * (stress[:, 1] + stress[:, 2])  # mean over all directions
@@ -121,7 +121,7 @@ def moving(past) -> np.ndarray:
     """Return the deflection [m] of the point when the disc is `past` [m] beyond it, from complex moduli."""
     waves = Waves.up_to(62.0, 1.0)
     direction, turn = np.polynomial.legendre.leggauss(256)
-    # over a quarter turn
+    # Gauss points of the direction over a quarter turn.
     direction, turn = 0.25 * np.pi * (1.0 + direction), 0.25 * np.pi * turn
     along = np.maximum(np.rint(np.outer(waves.number, np.cos(direction)) * waves.radius), 1.0) / waves.radius
     across = np.outer(waves.number, np.sin(direction))

@@ -1,4 +1,4 @@
-"""Rows of docs/published-results.toml: published number, our number, and allowed difference."""
+"""Rows of docs/published-results.toml: published number, number computed by the library, and allowed difference."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ TABLE = Path(__file__).parents[2] / "docs" / "published-results.toml"
 
 @dataclass(frozen=True)
 class Row:
-    """A published number and our number.
+    """A published number and the number computed by the library.
 
     Attributes
     ----------
     what : str
         Description with the unit.
     theirs, ours : str
-        The number as printed, and our number with the digits of the page.
+        The published number as printed, and the library's number with the digits of the page.
     within : float
         Largest difference [-], relative to theirs; the page gives the reason for its size.
     test : str
@@ -35,7 +35,7 @@ class Row:
     test: str
 
     def judge(self, found: float) -> None:
-        """Compare a number with both: ours to one unit of its last digit, since other processors round differently."""
+        """Compare a number with both; with `ours` to one unit of the last digit, since processors round differently."""
         digits = len(self.ours.partition(".")[2])
         assert found == pytest.approx(float(self.ours), rel=0.0, abs=1.01 * 10.0**-digits), self.what
         assert found == pytest.approx(float(self.theirs), rel=self.within, abs=0.0), self.what

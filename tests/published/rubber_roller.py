@@ -1,7 +1,7 @@
 """A rubber roller pressed on a plane at finite strain, by another program, FElupe (felupe on PyPI, A. Dutzler).
 
-Neo-Hookean, nearly incompressible, 20 mm around a core of 20 mm, plane strain, without friction. data/felupe_roller.csv
-contains FElupe's results, and `press` computes them again if FElupe is installed.
+The cover is neo-Hookean, nearly incompressible and 20 mm thick on a core of 20 mm, in plane strain without friction.
+data/felupe_roller.csv contains FElupe's results, and `press` computes them again if FElupe is installed.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import viscoroll as vr
 CORE_RADIUS, OUTER_RADIUS = 20e-3, 40e-3  # [m]
 YOUNG, POISSON_RATIO = 1.4e6, 0.4995
 SHEAR = YOUNG / (2.0 * (1.0 + POISSON_RATIO))
-# stiffness of the contact [MPa], hundreds of times that of the elements of a node
+# Penalty stiffness of the contact [MPa], hundreds of times the stiffness of the elements at a node.
 PENALTY = 1e3
 
 

@@ -1,7 +1,7 @@
 """Two viscoelastic rollers with traction: G. Wang and K. Knothe, J. Appl. Mech. 60 (1993) 310-317.
 
-PA6 on PA6, as in the example `visc_cylindr` of CONTACT (revision d431cdb, user guide, section 5.4): half-planes of a
-standard linear solid, on elements of 0.16 mm, 80 of which cover the widest contact.
+Both rollers are of PA6, as in the example `visc_cylindr` of CONTACT (revision d431cdb, user guide, section 5.4), which
+models half-planes of a standard linear solid. Its elements have 0.16 mm, and 80 of them cover the widest contact.
 """
 
 from __future__ import annotations

@@ -10,8 +10,8 @@ import numpy as np
 def bonded_layer(slenderness, poisson_ratio):
     """Return load and approach of a rigid paraboloid for h = R = G = 1 and the contact radius `slenderness`.
 
-    For the pressure p(r) = int_r^a psi(t) / sqrt(t^2 - r^2) dt, whose Hankel transform is the integral of psi(t)
-    sin(kt)/k, contact is a Fredholm equation of the second kind for psi.
+    The pressure is p(r) = int_r^a psi(t) / sqrt(t^2 - r^2) dt, whose Hankel transform is the integral of psi(t)
+    sin(kt)/k. The contact condition is then a Fredholm equation of the second kind for psi.
     """
     a, kappa = slenderness, 3.0 - 4.0 * poisson_ratio
 

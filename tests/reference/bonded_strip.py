@@ -1,8 +1,8 @@
 """A strip of thickness 1 on a rigid base, incompressible, in plane strain, under a flat frictionless punch.
 
-With free sides, another finite-element code solves the strip by Taylor-Hood elements, Q2 and Q1 (incompressible without
-a large bulk modulus), on meshes refined towards the sides and extrapolated. For a part of an unbounded strip,
-Galerkin's method uses its closed compliance
+With free sides, scikit-fem solves the strip with Taylor-Hood elements, Q2 and Q1, which need no large bulk modulus; the
+meshes are refined towards the sides, and the results extrapolated. For an unbounded strip, Galerkin's method uses the
+closed compliance
 
     C(k) = (sinh 2k - 2k) / (cosh 2k + 1 + 2k^2) / (2 G k)
 
@@ -31,7 +31,7 @@ def _volume(u, q, _):
 
 
 def free_stiffness(width, elements):
-    """Return p/(G d) with `elements` across half of the width, and across the thickness."""
+    """Return p/(G d) for free sides, with `elements` across half of the width and as many across the thickness."""
     half = 0.5 * width
     across = half * np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, elements + 1))
     down = 0.5 * (1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, elements + 1)))
@@ -51,7 +51,7 @@ def free_stiffness(width, elements):
 
 
 def extrapolated_free_stiffness(width, elements=24):
-    """Return p/(G d) on a fine mesh, and extrapolated; the error has at least second order in the element size."""
+    """Return p/(G d) on a fine mesh and the extrapolated value; the error is of second order in the element size."""
     coarse, fine = free_stiffness(width, elements), free_stiffness(width, 2 * elements)
     return fine, fine + (fine - coarse) / 3.0
 
@@ -68,7 +68,8 @@ def unbounded_stiffness(width, terms=8, longest=400.0, panels=1600):
     softness = (0.5 * (1.0 - decay**2) - 2.0 * k * decay) / (0.5 * (1.0 + decay**2) + decay * (1.0 + 2.0 * k**2))
     shapes = np.array([(-1) ** n * jv(2 * n, k * half) for n in range(terms)])
     matrix = (shapes * (weight * softness / (2.0 * k))) @ shapes.T / np.pi
-    # tail: the half-plane's 1/2k, with the mean of the Bessel functions
+    # Beyond the longest wave number, the compliance is 1/2k as for a half-plane, and products of Bessel functions have
+    # their mean value.
     matrix += 1.0 / (2.0 * np.pi**2 * longest)
     return float(np.linalg.solve(matrix, np.eye(terms)[0])[0]) / width
 

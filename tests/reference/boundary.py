@@ -38,7 +38,7 @@ def compliance_matrix(order_compliance, max_order, radius, spacing, phi, theta, 
     columns, column = np.unique(theta, return_inverse=True)
     to_rows, to_columns = np.exp(1j * np.outer(rows, orders)), np.exp(1j * np.outer(columns, orders))
     matrix = np.empty((3, 3, phi.size, phi.size))
-    # first along phi for all patches of a row, then along theta for each of them
+    # Sum over m for all patches of a row, then over n for each patch.
     for source in np.unique(row):
         stress = flat_patch(orders, rows[source], spacing) / (2 * np.pi * radius) ** 2
         along_phi = np.tensordot(to_rows * stress, compliance, axes=1)
@@ -69,7 +69,7 @@ def to_rectangular(matrix, phi, theta):
 
 
 def to_turned(matrix, phi, theta):
-    """Return C_RR and its other blocks, docs/theory/friction.md: W is r, and u_r also moves a node along U and V."""
+    """Return C_RR and its other blocks (docs/theory/friction.md): W is the r component, and u_r contributes to U, V."""
     q = np.broadcast_to(np.eye(3), (phi.size, 3, 3)).copy()
     q[:, 0, 1] = -np.sin(theta) * np.cos(phi)
     q[:, 0, 2] = -np.cos(theta)

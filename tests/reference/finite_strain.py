@@ -12,9 +12,9 @@ and Q1 for p (Taylor and Hood), or of first order, Q1 and Q0, to show their erro
 that the sphere is exact.
 
 The edge of the contact is given, at a line of the mesh, which is refined towards it. Nodes up to the edge lie on the
-plane, and the last of them has zero force, because pressure falls to zero at the edge; this is the equation for the
-height of the plane. There is no active set and no penalty. Load as a function of penetration is accurate to 1e-5 if the
-finest element is h/50, because an error of the edge moves a state along this curve.
+plane. The pressure decreases to zero at the edge, so the last node has zero force, which determines the height of the
+plane. There is no active set and no penalty. Load as a function of penetration is accurate to 1e-5 if the finest
+element is h/50, because an error of the edge moves a state along this curve.
 """
 
 from __future__ import annotations
@@ -51,9 +51,9 @@ def points_of(basis):
 
 
 def strain_entries(basis):
-    """Return y at rest and the derivatives of its entries by the unknowns, [unknown][entry][element][point].
+    """Return y at rest, and the derivatives of its entries by the unknowns, [unknown][entry][element][point].
 
-    Rows of F are along the radius from the vertical axis and down it, columns along theta and R.
+    Rows of F are the directions away from the vertical axis and down along it; columns are theta and R.
     """
     theta, radius = points_of(basis)
     s, c = np.sin(theta), np.cos(theta)
@@ -72,7 +72,7 @@ def volumes(basis):
 
 
 def graded(start, end, focus, finest, coarsest, growth):
-    """Return nodes on [start, end] with one at `focus`, from which spacings grow by `growth` up to `coarsest`."""
+    """Return nodes on [start, end], one of them at `focus`; spacings increase from there, `finest` to `coarsest`."""
 
     def one_side(length):
         steps, spacing = [0.0], finest
@@ -109,7 +109,7 @@ class Coating:
         self.volumes = volumes(self.basis)
 
     def _number(self):
-        """Distinguish the free unknowns, those on the plane, and the rows of the equations."""
+        """Set the numbers of the free unknowns, of those on the plane, and of the equations."""
         locations, dofs, (thetas, radii) = self.basis.doflocs, self.basis.get_dofs, self.grid
         core = dofs(lambda x: x[1] == radii[0]).all(["u^1^1", "u^2^1"])
         axis = dofs(lambda x: x[0] == thetas[0]).all(["u^1^1"])
@@ -168,7 +168,7 @@ class Coating:
         return theta, height[0] - height, -self.equations(state)[0][dofs]
 
     def guess_from(self, other, state):
-        """Return the state of another edge, stretched along theta and scaled to the depth of this one."""
+        """Return a guess from the state of another edge, stretched along theta and scaled to the depth of this edge."""
         values, stretch = np.zeros(self.basis.N), self.edge / other.edge
         theta, radius = self.basis.doflocs
         points = np.column_stack([np.minimum(theta / stretch, other.grid[0][-1]), radius])

@@ -1,9 +1,9 @@
 """Both compliances of the library compared with finite strain: `python -m tests.reference.finite_strain_table`.
 
-Prints a table for every geometry, which takes about twenty minutes on one core. With `--first-order`, it prints within
-half a minute the first geometry with coarse elements of first order and a contact found node by node. This is the only
-file of the reference that imports the package, which it evaluates. Lengths are in mm, moduli in units of G; the
-comparison is at equal load.
+The program prints a table for every geometry, which takes about twenty minutes on one core. With `--first-order`, it
+prints within half a minute the first geometry with coarse first-order elements and the contact of
+`finite_strain_obstacle`. Only this file of tests/reference imports the package. Lengths are in mm, moduli in units of
+G. Results are compared at equal load.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ GEOMETRIES = (  # core radius, outer radius, Poisson's ratio
 STRAINS = (0.02, 0.06, 0.10, 0.15, 0.20)
 FIRST_ORDER_SIZES = (1 / 12, 1 / 12, 1 / 8, 1 / 8, 1 / 8)  # element size / thickness
 THIN_STRAINS = (0.04, 0.08, 0.16, 0.24)
-# Omega tau r_o / a: the lowest of three speeds, each twice the previous one
-SLOWNESS = 0.015
+# Omega tau r_o / a at the lowest of three speeds, each twice the previous one
+LOWEST_SPEED = 0.015
 
 
 def press_to(geometry, strains, **sizes):
@@ -66,15 +66,14 @@ def penetration(geometry, load, edge, compliance, nodes=100):
 def low_speed_torques(geometry, load, edge, compliance, nodes=100):
     """Return sum x p and the driving torque in units of P Omega r_o eta/G as the speed goes to zero.
 
-    Any material with one short memory is suitable, here a standard linear solid with tau = eta/G = 1 s. Meshes must
-    resolve r_o Omega tau, so the limit is that of a parabola through three speeds. With C_RR, the limit is known, the
-    mean of y/r_o under the pressure (u_r = y - H in contact, and the power is that of -p d^2u_r/dphi^2): the error is
-    3e-4.
+    The material is a standard linear solid with tau = eta/G = 1 s. Meshes must resolve r_o Omega tau, so a parabola
+    through three speeds is extrapolated. With C_RR, the limit is known: it is the mean of y/r_o weighted by the
+    pressure, since u_r = y - H in contact and the power is that of -p d^2u_r/dphi^2. The error is 3e-4.
     """
     solid = ball(geometry, vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1.0))
     mesh = vr.Mesh(nodes_per_revolution=round(2.0 * np.pi * nodes / edge))
     torques = []
-    for speed in SLOWNESS * edge * np.array([1.0, 2.0, 4.0]):
+    for speed in LOWEST_SPEED * edge * np.array([1.0, 2.0, 4.0]):
         result = vr.solve(solid, load=load, angular_speed=speed, mesh=mesh, compliance=compliance)
         unit = load * speed * solid.outer_radius
         torques.append((result.resisting_torque / unit, result.driving_torque / unit))
@@ -112,7 +111,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--finest", type=float, default=0.002, help="smallest element, in thicknesses")
     parser.add_argument("--coarsest", type=float, default=0.2, help="largest element, in thicknesses")
-    parser.add_argument("--first-order", action="store_true", help="what coarse elements of first order would show")
+    parser.add_argument("--first-order", action="store_true", help="use coarse elements of first order")
     sizes = vars(parser.parse_args())
     if sizes.pop("first_order"):
         print_first_order()

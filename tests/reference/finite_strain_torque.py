@@ -1,4 +1,4 @@
-"""Finite-strain reference, slow rolling: the torque from the dissipation of a Kelvin-Voigt coating.
+"""Finite-strain reference for slow rolling: the torque follows from the dissipation of a Kelvin-Voigt coating.
 
 While the ball turns at Omega about the lateral axis e, material passes through the static field: x = chi(X), where X
 moves at w = Omega e x X. The deformation rate is the rate of C = F^T F in the material frame,
@@ -11,9 +11,9 @@ sin(phi)/sin(theta). C has the entries RR, R theta, theta theta and phi phi, equ
 
     Cdot / Omega = cos(phi) dC/dtheta - sin(phi)/sin(theta) [C_Rtheta on R phi, C_thetatheta - C_phiphi on theta phi].
 
-The second part has exactly the entries that C lacks, so the two parts do not mix in the power, and the mean over phi
-takes half of each. Three viscosities are objective and equal the linear one at small strain; their power per undeformed
-volume is 2 eta times
+The second part has exactly the entries that are zero in C, so the power contains no products of both parts, and the
+mean over phi is half of each. Three viscosities are objective and equal the linear one at small strain. Their power
+per undeformed volume is 2 eta times
 
     newton     J D : D                          Cauchy's stress 2 eta D
     jaumann    D : b D = tr(C^-1 Cdot Cdot)/4   Kirchhoff's stress eta (b D + D b), Jaumann's rate of eta b

@@ -1,7 +1,7 @@
-"""Sections 4 and 13: contact with Coulomb friction, with all blocks of C_r and the lateral variation of (55a).
+"""Sections 4 and 13: contact with Coulomb friction, with all blocks of C_r and slip (55a) that varies laterally.
 
-All forces of all nodes, the height H and the linear speed are unknowns. Components are (W, U, V): down, backward and
-sideways (-z), as in (39); forces act on the coating, with F_W <= 0.
+The unknowns are three forces at every node, the height H and the linear speed. Components are (W, U, V): down, backward
+and sideways (-z), as in (39). The forces act on the coating, so F_W <= 0.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ def solve_frictional_contact(
 ):
     """Find nodal forces, H and V_s / (Omega r_o) by Newton steps on the projections of Alart and Curnier.
 
-    Parameters: `compliance` C_r of shape (3, 3, nodes, nodes); `profile` and `forward`, undeformed y and x of the
-    nodes; `step`, r_o Delta; `first`, the upstream neighbors. One of force Q, torque T (at displaced points) and
-    creepage is given. Friction decreases from full stick in steps. Returns the forces (3, nodes), H and the speed
-    ratio.
+    `compliance` is C_r with shape (3, 3, nodes, nodes), `profile` and `forward` the undeformed y and x of the nodes,
+    `step` is r_o Delta, and `first` contains the upstream neighbors. Exactly one of force Q, torque T (at displaced
+    points) and creepage is given. Friction decreases in steps from full stick. Returns the forces (3, nodes), H, and
+    V_s / (Omega r_o).
     """
     nodes = profile.size
     dense = compliance.transpose(0, 2, 1, 3).reshape(3 * nodes, 3 * nodes)

@@ -75,23 +75,23 @@ def _transition(elastic, inertia, q, x):
     return total
 
 
-def order_fields(shells, angular_speed, m, n, places, *, within="rigid", paper=True, digits=50):
+def order_fields(shells, angular_speed, m, n, places, *, inner_boundary="rigid", paper=True, digits=50):
     """Return displacement, stress and strain per unit surface stress at places (radius, number of the shell).
 
     Returns arrays (places, 3 or 6, 3) of components r, phi, theta and rr, phiphi, thetatheta, rphi, rtheta, phitheta.
-    `paper` selects the membrane term of (26); otherwise that of a sphere, without stress and strain along the surface
-    (nan).
+    `paper` selects the membrane term of (26). Otherwise the term is that of a sphere, and stress and strain along the
+    surface are nan.
     """
     k = math.hypot(m, n)
     outer = shells[-1].outer
     growth = k * math.log(outer / shells[0].inner) if shells[0].inner > 0 else 40.0
     with mpmath.workdps(int(digits + 1.0 * growth + 30)):
         inner = mpmath.mpf(shells[0].inner)
-        if within == "solid":
+        if inner_boundary == "solid":
             inner = mpmath.mpf(outer) * mpmath.exp(-40 / mpmath.mpf(k))
         z = mpmath.zeros(6, 3)
         for i in range(3):
-            z[i if within == "hollow" else 3 + i, i] = 1
+            z[i if inner_boundary == "hollow" else 3 + i, i] = 1
         found = {}
         omega = mpmath.mpf(m) * mpmath.mpf(angular_speed)
         for number, shell in enumerate(shells):

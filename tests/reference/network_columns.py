@@ -1,7 +1,7 @@
-"""A roller on columns of filled rubber, exactly: `python -m tests.reference.network_columns` prints the table.
+"""A roller on independent columns of filled rubber: `python -m tests.reference.network_columns` prints a table.
 
 Every column is a spring and a Maxwell arm parallel to a network of springs and dry sliders, whose first loading is E_N
-ε/(1 + ε/ε_c). The roller has passed before: elements of the network that broke at the peak stay broken. The pass starts
+ε/(1 + ε/ε_c). The roller has passed before, so the sliders have already slid at the peak strain. The pass starts
 from the free strain of the network, the set, follows the roller, and ends where the column would be in tension. Under
 such passes, the network stays between two turning points, by Masing's rule, and the arm is an ordinary differential
 equation.
@@ -18,7 +18,7 @@ from scipy.optimize import brentq
 
 @dataclass(frozen=True)
 class Columns:
-    """Moduli of compression [Pa], relaxation time [s], strain [-], radius * height [m²], speed [m/s]."""
+    """Moduli in compression [Pa], relaxation time [s], critical strain [-], radius * height [m²], speed [m/s]."""
 
     spring: float = 3e6
     arm: float = 1.5e6
@@ -49,7 +49,7 @@ class Columns:
         return brentq(stress, -peak, peak, xtol=1e-15 * peak, rtol=1e-14)
 
     def pass_of(self, peak, points=20001):
-        """Return load [N/m], moment of the pressure [N], and set / peak [-], of a roller that presses to a peak."""
+        """Return load [N/m], moment of the pressure [N], and permanent set / peak [-] for a peak strain [-]."""
         lowest = self.free_strain(peak)
         entry = np.sqrt(2.0 * self.radius_by_height * (peak - lowest))
         x = np.linspace(entry, -entry, points)
@@ -72,7 +72,7 @@ class Columns:
         """Return the stress of the Maxwell arm [Pa], σ' + σ/τ = E ε', with ε' = V x/(R h), in closed form from x[0]."""
         length = self.speed * self.relaxation_time
         rate = self.arm * length / self.radius_by_height
-        # A particular solution rate (x + length), for d/dt = -V d/dx, and a decaying part from rest at the entry.
+        # With d/dt = -V d/dx, rate (x + length) is a particular solution; the decaying part makes it zero at x[0].
         return rate * (x + length - (x[0] + length) * np.exp((x - x[0]) / length))
 
 

@@ -2,9 +2,9 @@
 
 The layer lies on a rigid base. Its rubber is a standard linear solid with constant Poisson's ratio, parallel to springs
 and sliders that yield by von Mises, separate for each Gauss point. Steady rolling is periodic along the layer, with
-waves along it and quadratic elements through it. The stress of the network beyond the share of a linear solid is a
-given stress, found by iteration; the contact has pressures without tension, at a given depth of the roller. The command
-prints load and moment of two contacts, in minutes.
+waves along it and quadratic elements through it. A part of the network is included in the linear solid; an iteration
+finds the rest of its stress. The contact has no tension, at a given depth of the roller. The command prints load and
+moment of two contacts, which takes minutes.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-#: Number of springs with sliders. Their yield strains have equal shares of x/(1 + x), by Gauss points in y/(1 + y).
+#: Number of springs with sliders. Their yield strains y are Gauss points in y/(1 + y).
 _SLIDERS = 24
 
 
@@ -22,7 +22,7 @@ class Layer:
     """Thickness and radius [mm], shear moduli [Pa], speed [mm/s], length of a period [mm] and its nodes."""
 
     poisson_ratio: float = 0.3
-    bulk_modulus: float | None = None  # replaces the ratio
+    bulk_modulus: float | None = None  # replaces Poisson's ratio
     radius: float = 20.0
     thickness: float = 1.0
     speed: float = 100.0
@@ -34,7 +34,7 @@ class Layer:
     length: float = 24.0
     nodes: int = 1024
     elements: int = 8
-    share: float = 0.5  # of the network, included in the linear solid
+    share: float = 0.5  # part of the network in the linear solid
     compliance: np.ndarray = field(init=False)
 
     def __post_init__(self):
@@ -69,7 +69,7 @@ class Layer:
             g = rubber + self.share * self.network
             extra = ratio * rubber if self.bulk_modulus is None else self.bulk_modulus - 2.0 / 3.0 * rubber
             stiffness = np.zeros((2 * free, 2 * free), complex)
-            # Network: a deviator in three directions; rubber: including the change of volume.
+            # The network has only deviatoric stress; the rubber also resists a change of volume.
             trace = b[0] + b[1]
             w = self.weights[:, None]
             for c, factor in ((0, 2.0), (1, 2.0), (2, 1.0)):
@@ -78,7 +78,7 @@ class Layer:
             stiffness += bulk * (trace.conj().T @ (w * trace))
             self.operator.append(b)
             self.inverse.append(np.linalg.inv(stiffness))
-        # of the surface, along y
+        # vertical compliance of the surface
         self.compliance = np.array([inv[-1, -1] for inv in self.inverse])
         self.yields, self.share_of = _sliders()
 
@@ -101,7 +101,7 @@ class Layer:
         p = np.stack([root * (strain[0] - mean), root * (strain[1] - mean), -root * mean, strain[2]])[:, :, ::-1]
         yields = self.critical_strain * self.yields[:, None]
         q = np.zeros((4, len(self.yields), p.shape[1]))
-        # no strain before the first round, after which the set remains
+        # There is no strain before the first round, after which the permanent set remains.
         before = np.zeros(p.shape[:2])
         out = np.empty((4, *p.shape[1:]))
         for turn in range(2):
@@ -115,7 +115,7 @@ class Layer:
         return np.stack([root * out[0], root * out[1], out[3]])
 
     def contact(self, free, depth):
-        """Return the pressure that lifts the surface to the roller, without tension."""
+        """Return the pressure, without tension, that deforms the surface from heights `free` to the roller."""
         x = (np.arange(self.nodes) - self.nodes // 2) * self.length / self.nodes
         gap = x**2 / (2.0 * self.radius) - depth - free
         kernel = np.fft.irfft(-self.compliance, self.nodes)

@@ -1,8 +1,7 @@
 """A ball or roller with one incompressible layer on a rigid core: compliance of orders, tables of offsets, contact.
 
-For a single layer with a real Poisson's ratio, the compliance of an order is G / mu*(m Omega), with G real and equal
-for any modulus: the part that depends on the layer alone is summed once. Forces and displacements are normal to the
-surface.
+For a single layer with a real Poisson's ratio, the compliance of an order is G / mu*(m Omega), where the real number G
+does not depend on the modulus, so it is computed once. Forces and displacements are normal to the surface.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from scipy.linalg import expm
 from scipy.special import erfc
 from viscoroll.reproduce.plain import Layer, system_matrix
 
-# the sums end smoothly at this many times the nodes per revolution: 1e-7 of the torque
+# The sums end smoothly at this multiple of the nodes per revolution, which leaves an error of 1e-7 of the torque.
 FOLDS = 8
 
 
@@ -31,7 +30,7 @@ def ball_equations(k):
 
 
 def roller_equations(k):
-    """Return the same in plane strain, u_k and sigma_rk divided by i: docs/theory/rollers.md, with a = 1, b = 0."""
+    """Return B of `ball_equations` in plane strain, with u_k and sigma_rk divided by i (docs/theory/rollers.md)."""
     one, zero = np.ones_like(k), np.zeros_like(k)
     rows = [
         [-one, k, zero, zero],
@@ -43,7 +42,7 @@ def roller_equations(k):
 
 
 def layer_compliance(equations, core_radius, radius, highest):
-    """Return G(k) [m]: outward displacement due to an outward traction of wave number k, modulus 1, up to `highest`."""
+    """Return G(k) [m] up to `highest`: outward displacement due to an outward traction of wave number k, modulus 1."""
     k = np.concatenate([np.arange(0.0, 8.0, 0.125), np.geomspace(8.0, highest, 400)])
     # Material 40 e-folds below the surface has no effect on it.
     thickness = np.minimum(np.log(radius / core_radius), 40.0 / np.maximum(k, 1.0))
@@ -55,7 +54,7 @@ def layer_compliance(equations, core_radius, radius, highest):
 
 
 def patch(orders, nodes):
-    """Return the factor of an order on a patch as wide as the spacing, times that of the truncation."""
+    """Return the transform of a patch as wide as the spacing, times the smooth truncation, at each order."""
     return np.sinc(orders / nodes) * 0.5 * erfc(4.8 * (orders / (FOLDS * nodes) - 1.0))
 
 

@@ -1,4 +1,4 @@
-"""Rollers in line contact, rubber of section 14 with Poisson's ratio 1/2: python -m tests.reference.roller.
+"""Rollers in line contact, with the rubber of section 14, incompressible: python -m tests.reference.roller.
 
 Loads, forces and moments are per length.
 """
@@ -15,13 +15,13 @@ __all__ = ["coating", "half_plane_moment", "steady"]
 def half_plane_moment(speed, *, load, radius, nodes):
     """Return M [N] of a rigid cylinder on a half-plane of this rubber, by collocation on uniform strips.
 
-    Boussinesq's and Flamant's line load with a creep compliance J_0 + (J_inf - J_0)(1 - exp(-t/tau_c)), 1/mu* of the
-    solid: the memory is an integral over the past of the elastic kernel, by Gauss's rule on panels.
+    The solid has the creep compliance J_0 + (J_inf - J_0)(1 - exp(-t/tau_c)). The displacement is an integral of
+    Flamant's kernel over the past, by Gauss's rule on panels.
     """
     stiff, soft = 6e6, 3e6
     retarded = speed * 0.125 * stiff / soft
     width = 2.6 * np.sqrt(load * radius / (np.pi * soft)) / nodes
-    # position of the material, backward
+    # Positions of the strips in the direction of the material, which moves backward.
     place = (np.arange(nodes) - nodes / 2 + 0.5) * width
     offset = np.arange(-nodes + 1, nodes) * width
 

@@ -1,8 +1,8 @@
-"""A coated roller starts on a coated plane out of its flat spot: python -m tests.reference.roller_start [nodes ...].
+"""A coated roller starts on a coated plane from a flat spot: python -m tests.reference.roller_start [nodes ...].
 
-Both have a layer of 10 mm, the roller around 50 mm, with different relaxation functions: the memory is one force per
-node and body. The gap is that of a parabola, as in flat theory, or that of the roller's circle at its own nodes, as in
-the library: docs/theory/transient-bodies.md. Loads and moments are per length.
+Both layers are 10 mm thick, and the core of the roller has a radius of 50 mm. The relaxation functions differ, so the
+memory is one force per node and body. The gap is that of a parabola, as in flat theory, or that of the roller's circle
+at its nodes, as in the library (docs/theory/transient-bodies.md). Loads and moments are per length.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ GAPS = {
 }
 
 
-class Creeping(NamedTuple):
-    """Displacements at offsets of whole nodes on a ring due to a permanent force, and their creep."""
+class Viscoelastic(NamedTuple):
+    """Final displacements at offsets of whole nodes on a ring due to a constant unit force, and their creep."""
 
     table: np.ndarray
-    at_once: float  # share of the final displacement
+    at_once: float  # instantaneous fraction of the final displacement
     retardation_time: float
 
     def displacement(self, force):
@@ -44,7 +44,7 @@ class Creeping(NamedTuple):
 
 
 def relaxed(omega):
-    """Return the relaxed modulus [Pa] of the roller's solid, whose instantaneous one is 6 MPa and time 0.125 s."""
+    """Return the relaxed modulus [Pa] of the roller, which is elastic here (6 MPa instantaneous, 0.125 s)."""
     return np.full(np.shape(omega), 3e6)
 
 
@@ -64,8 +64,8 @@ def bonded_layer(nodes, modulus):
 
 def start(nodes, gap, turn=1.5, angular_speed=1.0):
     """Return rotation angles and moments [N], the mean of four phase-shifted meshes, with four steps per spacing."""
-    ring = Creeping(coating(nodes).offsets(relaxed, 0.0)[:, 0], 0.5, 0.25)
-    plane = Creeping(bonded_layer(nodes, 1e6), 0.25, 0.08)
+    ring = Viscoelastic(coating(nodes).offsets(relaxed, 0.0)[:, 0], 0.5, 0.25)
+    plane = Viscoelastic(bonded_layer(nodes, 1e6), 0.25, 0.08)
     spacing = 2.0 * np.pi / nodes
     angle = np.arange(0.0, turn, spacing / 4.0)
     moments = [_roll((ring, plane), angle + s, angular_speed, gap) for s in spacing / 4.0 * np.arange(4)]

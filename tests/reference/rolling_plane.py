@@ -1,7 +1,7 @@
 """A rigid ball that rolls on a flat rubber layer, frictionless: python -m tests.reference.rolling_plane [spacing [m]].
 
-The method uses periodic transforms of closed forms of the layer's compliance, its own grid on the plane, and any gap:
-the choice among three that agree to the second order of x/R changes the moment by some tenths of a percent
+The method uses closed forms of the layer's compliance, periodic transforms, its own grid on the plane, and any gap.
+Three gaps that agree to second order in x/R change the moment by some tenths of a percent
 (docs/theory/planes-and-pairs.md).
 """
 
@@ -19,7 +19,7 @@ INSTANTANEOUS, RELAXED, TIME = 6e6, 3e6, 0.125  # the shear modulus is RELAXED +
 #: x.
 GAPS = {
     "paraboloid": lambda x, z: ((x**2 + z**2) / (2 * RADIUS), x),
-    # the ball's own nodes, with arcs along the ball as distances on the plane
+    # Nodes on the ball, whose arcs along the ball are taken as distances on the plane.
     "arcs": lambda x, z: (
         RADIUS * (1 - np.cos(z / RADIUS) * np.cos(x / RADIUS)),
         RADIUS * np.cos(z / RADIUS) * np.sin(x / RADIUS),
@@ -32,7 +32,7 @@ GAPS = {
 
 
 def compliance(k, omega, base_modulus):
-    """Return the normal compliance [m³/N] of the incompressible layer: Johnson's bonded one, Burmister's on a base."""
+    """Return the normal compliance [m³/N] of the layer: Johnson's on a rigid base, Burmister's on a half-space."""
     rate = 1j * omega * TIME
     modulus = RELAXED + (INSTANTANEOUS - RELAXED) * rate / (1 + rate)
     s, e = k * THICKNESS, np.exp(-2 * k * THICKNESS)
@@ -51,7 +51,7 @@ def influence(speed, base_modulus, spacing, half):
     k_x = 2 * np.pi * np.fft.rfftfreq(count_x, spacing)[None, :]
     k_z = 2 * np.pi * np.fft.fftfreq(count_z, spacing)[:, None]
     total, round_trip = 0.0, 2 * np.pi / spacing
-    for p in range(-2, 3):  # aliases of longer waves on the grid
+    for p in range(-2, 3):  # aliases of shorter waves on the grid
         for q in range(-2, 3):
             x, z = k_x + p * round_trip, k_z + q * round_trip
             k = np.maximum(np.hypot(x, z), 1e-3 / across)
@@ -73,7 +73,7 @@ def rolling_moment(speed, base_modulus=None, gap="paraboloid", spacing=50e-6, re
     """Return the moment [N m] of the pressure, and the depth [m], from contact on a square of ± `reach`."""
     half = int(np.ceil(reach / spacing))
     axis = spacing * np.arange(-half, half + 1)
-    height, lever = GAPS[gap](-axis[:, None], axis[None, :])  # x = -ξ
+    height, arm = GAPS[gap](-axis[:, None], axis[None, :])  # x = -ξ
     size = 6 * half + 2
     kernel = np.zeros((size, size))
     offset = np.arange(-2 * half, 2 * half + 1)
@@ -108,7 +108,7 @@ def rolling_moment(speed, base_modulus=None, gap="paraboloid", spacing=50e-6, re
         assert not now[[0, -1]].any()
         assert not now[:, [0, -1]].any()
         if (now == touching).all():
-            return (lever * force).sum(), depth
+            return (arm * force).sum(), depth
         touching = now
     raise AssertionError("the contact did not settle")
 

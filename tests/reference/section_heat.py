@@ -1,7 +1,8 @@
 """Conduction in the section of a wheel by another finite-element code: python -m tests.reference.section_heat.
 
--∇·(r k ∇T) = r q(r, z) on [r_i, r_o] x [-L/2, L/2], with convection at the surface, which may vary along z, at the hub,
-or a given hub temperature, and at both faces; biquadratic elements, Crank-Nicolson steps.
+The program solves -∇·(r k ∇T) = r q(r, z) on [r_i, r_o] x [-L/2, L/2] with scikit-fem: biquadratic elements and
+Crank-Nicolson steps. The surface, where the coefficient may vary along z, and both faces have convection; the hub has
+convection or a given temperature.
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ def _mass(u, v, w):
 class Section:
     """A section divided into elements.
 
-    Lengths in m; conductivity in W/(m K), convection coefficients in W/(m² K), `hub` is one of them, or None for a
-    given rise.
+    Lengths are in m, the conductivity in W/(m K), and convection coefficients in W/(m² K). `hub` is a convection
+    coefficient, or None for a given temperature rise.
     """
 
     def __init__(self, radii, width, conductivity, *, film, side, hub, elements=(24, 48)):
@@ -81,7 +82,7 @@ class Section:
 
 
 def sample_source(radius, z):
-    """Return a heat source that is off the middle, near the surface [W/m³]."""
+    """Return an asymmetric heat source near the surface [W/m³]."""
     return 4e4 * np.exp(-(((z - 4e-3) / 6e-3) ** 2)) * (radius / 50e-3) ** 6
 
 

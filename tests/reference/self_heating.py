@@ -1,8 +1,8 @@
 """Torque and temperature of a coating with uniform temperature: python -m tests.reference.self_heating.
 
-A layer of 5 mm of the rubber of section 14 on a core of 20 mm, under 100 N. For a standard linear solid, a shift of the
-frequencies is a shift of the speed alone, so that one torque curve applies to every temperature. All the heat leaves
-through the surface: Omega T(a_T Omega) = 4 pi r_o^2 h_c (T - T_ambient).
+The ball has a core of 20 mm and 5 mm of the rubber of section 14, under 100 N. A shift of all frequencies is a shift of
+the speed, so that one torque curve applies to every temperature. All the heat leaves through the surface:
+Omega T(a_T Omega) = 4 pi r_o^2 h_c (T - T_ambient), where T on the left side is the torque.
 """
 
 from __future__ import annotations

@@ -19,9 +19,8 @@ def compliance(degree):
 def approach(contact_radius, *, rings=80, planes=1):
     """Return d / a^2 for radius and shear modulus 1, under Hertz's load for the contact radius a.
 
-    The approach is that of one plane relative to the mean of the ball (the degrees 0 and 1 move it as a whole), or of
-    two opposite planes. Pressure is constant on rings of polar angle; it acts along the radius, and the plane is at 1 -
-    d.
+    The approach is that of one plane relative to the mean of the ball, without the degrees 0 and 1, or half that of two
+    opposite planes. Pressure is constant on rings of polar angle and acts along the radius; the plane is at 1 - d.
     """
     edges = np.linspace(0.0, 1.3 * contact_radius, rings + 1)
     x, middle = np.cos(edges), np.cos(0.5 * (edges[1:] + edges[:-1]))

@@ -1,8 +1,8 @@
 """Transient rolling of the ball of section 14, without friction: python -m tests.reference.transient.
 
-The memory is one force per node: 1/mu* of the solid is that of springs with the instantaneous compliance J_0 and,
-behind a dashpot, J_1 with the retardation time (docs/theory/transient.md). The contact at each instant is dense, and a
-ring of nodes turns with the ball.
+The memory is one force per node: the solid acts as a spring with the instantaneous compliance J_0 in series with a
+retarded spring J_1 (docs/theory/transient.md). The contact at each instant is solved with dense matrices, and a ring of
+nodes rotates with the ball.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class Ring:
 
 
 def roll(time, angle, load, *, relaxed, ring):
-    """Return torques [N m] and depths [m] at the instants, with linear forces between them; equal times are a jump.
+    """Return torques [N m] and depths [m] at the instants; forces are linear between them, and equal times are a jump.
 
     At the first instant, the ball is pressed in zero time or, if `relaxed`, has supported the load permanently.
     """

@@ -1,9 +1,9 @@
-"""Frictionless rolling of two viscoelastic half-spaces on each other: sums over the past of Love's rectangle.
+"""Frictionless rolling of two viscoelastic half-spaces on each other, by sums over the past of Love's rectangle.
 
-A pressed point of a moving body was loaded everywhere upstream: with the creep compliance J(s), its displacement is
-that of Love's rectangle times J(0), plus, for every past time s, that at the distance V s downstream times dJ. A dense
-matrix gives the pressure, and the slope of each body's own displacement under every patch gives its loss. Nothing here
-is periodic or a transform.
+With the creep compliance J(s), the displacement of a point of a moving body is that of Love's rectangle times J(0),
+plus, for every past time s, the displacement where the point was then, V s upstream, times dJ. A dense matrix gives the
+pressure, and the slope of each body's displacement under every patch gives its loss. The method uses no transforms and
+nothing periodic.
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ def _love(x, z, half_x, half_z):
 def kernel(solid: Solid, speed, spacing, xi, zeta):
     """Return displacements [m/N] at (ξ, ζ), ξ in the direction of the material, due to a force on a square patch."""
     retardation = solid.time * solid.instantaneous / solid.relaxed
-    # Upstream distances, in panels of one spacing across the window, beyond which the rectangle is a smooth function of
-    # them.
+    # Panels of upstream distances have the width of one spacing within the window. Farther away, the displacement is a
+    # smooth function of the distance.
     across = np.arange(0.0, np.ptp(xi) + 4.0 * spacing, spacing)
     ends = np.append(across, across[-1] + np.geomspace(spacing, 40.0 * speed * retardation, 16))
     nodes, weights = np.polynomial.legendre.leggauss(4)

@@ -1,4 +1,4 @@
-"""Orders of a wheel's tread from closed forms: Bessel functions, by the order around and the wave number across.
+"""Closed forms of the orders of a wheel's tread: Bessel functions of the order and the axial wave number.
 
 With Z_m a modified Bessel function of either kind and e = exp(i (m phi + k z)), displacements in a tube are sums of
 
@@ -80,7 +80,7 @@ def _amplitudes(hub, layers, m, k):
         inner = _solutions(m, k, mpmath.mpf(nu), radius)
         radius += mpmath.mpf(thickness)
         outer = _solutions(m, k, mpmath.mpf(nu), radius)
-        # columns of similar size, which may be 1e-70 and 1e70
+        # Scale the columns to similar sizes; they may be 1e-70 and 1e70.
         for column in range(6):
             size_of = max(abs(value) for value in [*inner[:, column], *outer[:, column]])
             inner[:, column] /= size_of

@@ -24,7 +24,7 @@ TOLERANCE = 1e-7
 #: coarse meshes. For a body that slides as a whole, `_turned_back` bounds an additional part.
 TURNED_BACK = 3e-3
 
-#: Series that may be undefined: the approach on a half-plane, the width of a line, the spread of a single mesh.
+#: Series that may be undefined: approach on a half-plane, width of a line contact, error estimate of a single mesh.
 UNTOLD = ("penetration", "semi_axis_z", "error_estimate")
 
 
@@ -106,7 +106,7 @@ def _lifted(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float
     # A patch supports at most the largest pressure.
     borne = history.max_pressure * history.contact_area
     short = (history.load - borne)[~lifted] / history.load.max()
-    # its patches are smaller away from the middle
+    # The patches of a ball on a rigid body are smaller away from the middle.
     slack = 1.0 if _is_ball_on_rigid(case) else 0.0
     yield "load > largest pressure times area", float(short.max(initial=0.0)) / TOLERANCE * (1.0 - slack)
 

@@ -23,7 +23,7 @@ ELASTIC = {"radius": RADIUS, "shear_modulus": MODULUS}
 
 
 def close(expected, *, rel):
-    """Return a relative comparison: the absolute tolerance of pytest.approx, 1e-12, would hide small torques."""
+    """Return a relative comparison, without the absolute tolerance of pytest.approx, which exceeds small torques."""
     return pytest.approx(expected, rel=rel, abs=0.0)
 
 
@@ -35,7 +35,7 @@ def nearly_solid(**material):
 
 def roll(ball, *, load, angular_speed=1.0, nodes=800, order=None):
     mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=order or 3 * nodes // 2)
-    # PAPER gives a pressure closer to that of a half-space than SPHERE: at a/R = 0.2 its peak is 0.4 % below Hertz's,
+    # With PAPER, the pressure is closer to that of a half-space: at a/R = 0.2, its peak is 0.4 % below Hertz's, and
     # with SPHERE 1.3 %.
     return vr.solve(ball, load=load, angular_speed=angular_speed, mesh=mesh, curvature=enums.Curvature.PAPER)
 
@@ -93,8 +93,8 @@ def test_materials_without_a_loss_time(modulus, message):
     bulk_viscosity=st.floats(0.0, 1e6),
 )
 def test_sphere_loss_time_by_correspondence(poisson_ratio, shear_viscosity, bulk_viscosity):
-    # Correspondence: with complex Young's modulus and Poisson's ratio, the compliance of a half-space is (1-nu^2)/Y.
-    # With 60 digits, the term of first order in omega = 1e-30 is accurate to 1e-20.
+    # By the correspondence principle, the compliance of a half-space is (1-nu^2)/Y with complex Young's modulus Y and
+    # Poisson's ratio. With 60 digits, the term of first order in omega = 1e-30 is accurate to 1e-20.
     with mpmath.workdps(60):
         omega = mpmath.mpf("1e-30")
         g = MODULUS + 1j * omega * shear_viscosity
@@ -113,8 +113,8 @@ def test_sphere_loss_time_by_correspondence(poisson_ratio, shear_viscosity, bulk
 
 @pytest.mark.parametrize(("poisson_ratio", "printed_over_right"), [(0.1, 17.8), (0.3, 0.689), (0.4, 0.148)])
 def test_short_waves_on_a_solid_ball_lag_by_the_sphere_loss_time(poisson_ratio, printed_over_right):
-    # At order m, the solver's compliance differs from that of a half-space by a share of order 1/m, 6e-5 at m = 10000.
-    # This accuracy distinguishes the two coefficients.
+    # At order m, the solver's compliance differs from that of a half-space by a relative amount of order 1/m: 6e-5 at
+    # m = 10000, which is small enough to distinguish the two coefficients.
     kelvin_voigt = vr.KelvinVoigt(modulus=MODULUS, viscosity=3e4)
     ball = nearly_solid(shear_modulus=kelvin_voigt, bulk_modulus=bulk_modulus(poisson_ratio))
     constants = {"shear_modulus": MODULUS, "poisson_ratio": poisson_ratio, "shear_viscosity": 3e4}
@@ -126,7 +126,7 @@ def test_short_waves_on_a_solid_ball_lag_by_the_sphere_loss_time(poisson_ratio, 
 
 @settings(deadline=None)
 @given(poisson_ratio=st.floats(0.01, 0.499), time=st.floats(1e-6, 1.0))
-def test_both_coefficients_agree_where_bulk_and_shear_share_one_time(poisson_ratio, time):
+def test_both_coefficients_agree_if_bulk_and_shear_have_the_same_loss_time(poisson_ratio, time):
     constants = {
         "shear_modulus": MODULUS,
         "poisson_ratio": poisson_ratio,
@@ -148,9 +148,8 @@ def test_defects_of_the_coefficient_of_1998():
     assert times(poisson_ratio=1e-3)[0] > 1e4 * times(poisson_ratio=1e-3)[1]
 
 
-def test_layers_of_one_loss_time_lag_by_it():
-    # The layers differ in relaxation function, modulus and Poisson's ratio but share one loss time; then every order
-    # (m, n) has this loss time.
+def test_all_orders_of_layers_with_the_same_loss_time_have_it():
+    # The layers differ in relaxation function, modulus and Poisson's ratio, but not in their loss time.
     layers = [
         vr.Layer(thickness=3e-3, shear_modulus=standard_linear_solid(3.0), poisson_ratio=0.3),
         vr.Layer(thickness=1e-3, shear_modulus=vr.KelvinVoigt(modulus=1e5, viscosity=2e3), poisson_ratio=0.5),
@@ -177,8 +176,8 @@ def limit_at_low_speed(ball, time, *, load, shifts, **mesh):
 
 
 def test_solver_on_a_thick_and_a_thin_kelvin_voigt_coating():
-    # 10 and 13 nodes per contact radius. The shift smears the step of the pressure at the trailing edge, so it must
-    # cover some nodes; the parabola through such large shifts leaves an error of 1 %.
+    # There are 10 and 13 nodes per contact radius. The pressure has a step at the trailing edge, which the surface must
+    # cross by several nodes in the loss time. Extrapolation from such large shifts has an error of 1 %.
     kelvin_voigt = vr.KelvinVoigt(modulus=MODULUS, viscosity=MODULUS * TAU)
     solid = nearly_solid(shear_modulus=kelvin_voigt, poisson_ratio=0.5)
     limit = limit_at_low_speed(solid, TAU, load=hertz_load(2e-3, 0.5), shifts=[2.0, 4.0, 8.0], nodes=800)
@@ -190,7 +189,7 @@ def test_solver_on_a_thick_and_a_thin_kelvin_voigt_coating():
 
 
 def test_solver_on_a_solid_ball_with_an_elastic_bulk():
-    # nu = 0.4 at rest, where the coefficient of 1998 would give 6.7. 13 nodes per contact radius and few orders.
+    # With nu = 0.4 at rest, the coefficient of 1998 would give 6.7. The mesh has 13 nodes per contact radius.
     time = analytic.sphere_loss_time(shear_modulus=MODULUS, poisson_ratio=0.4, shear_viscosity=MODULUS * TAU)
     kelvin_voigt = vr.KelvinVoigt(modulus=MODULUS, viscosity=MODULUS * TAU)
     ball = nearly_solid(shear_modulus=kelvin_voigt, bulk_modulus=bulk_modulus(0.4))
@@ -223,8 +222,8 @@ def persson(modulus, *, load, angular_speed, **changes):
 @pytest.mark.parametrize("speed", [1.0, 1e3])
 @pytest.mark.parametrize("bulk", [math.inf, bulk_modulus(0.1)], ids=["incompressible", "elastic bulk"])
 def test_persson_by_direct_quadrature(speed, bulk):
-    # Polar coordinates, x = qa up to 100 pi; waves beyond contribute 1e-6. The half-space's compliance is (1-nu^2)/E
-    # with complex nu and Young's modulus E, which changes 20-fold; the contact radius is found as a root.
+    # Integrate in polar coordinates up to x = qa = 100 pi; larger wave numbers contribute 1e-6. The compliance is
+    # (1-nu^2)/E with complex nu and Young's modulus E, which changes 20-fold. The contact radius is found as a root.
     load, velocity, ratio = 10.0, speed * RADIUS, 20.0
 
     def compliance(omega):
@@ -254,8 +253,8 @@ ELASTIC_BULK = {"poisson_ratio": None, "bulk_modulus": bulk_modulus(0.3)}
 
 @pytest.mark.parametrize("material", [{"poisson_ratio": 0.5}, ELASTIC_BULK])
 def test_persson_at_low_speed(material):
-    # The limit also holds for a sphere with an elastic bulk. In tau the surface travels 1e-6 of the contact radius; the
-    # quadrature rule has an error of 1e-5.
+    # The limit also holds for a sphere with an elastic bulk. In the time tau, the surface travels 1e-6 of the contact
+    # radius; the quadrature has an error of 1e-5.
     at_rest = {"shear_modulus": MODULUS, "poisson_ratio": material["poisson_ratio"] or 0.3}
     time = analytic.sphere_loss_time(shear_viscosity=MODULUS * TAU, **at_rest)
     case = {"load": 1.0, "angular_speed": 1e-5}
@@ -264,7 +263,8 @@ def test_persson_at_low_speed(material):
 
 
 def test_frequency_factor_chooses_the_modulus_of_the_contact():
-    # At c = 0 and at c = infinity the contact radius is Hertz's; T a^2 is then a function of V/a alone.
+    # At c = 0 and at c = infinity, the contact radius is Hertz's with the relaxed and the instantaneous modulus. Then
+    # T a^2 depends only on V/a.
     rubber = standard_linear_solid(8.0)
     radii = np.array([analytic.hertz(load=1.0, poisson_ratio=0.5, **ELASTIC).radius] * 2) * [1.0, 0.5]
     low = persson(rubber, load=1.0, angular_speed=2.0, frequency_factor=0.0)
@@ -276,9 +276,9 @@ def test_frequency_factor_chooses_the_modulus_of_the_contact():
 
 @pytest.mark.parametrize(("path", "tolerance"), [(0.1, 0.01), (0.5, 4e-3), (2.0, 4e-3), (10.0, 0.012)])
 def test_persson_is_exact_for_little_loss(path, tolerance):
-    # The moduli differ by 2 %, so the pressure is Hertz's. The dissipated power is compared because it is less
-    # sensitive to the mesh of 13 nodes per contact radius; a travel of 0.1 a is one spacing, and at 10 a the size of
-    # the ball matters.
+    # The moduli differ by 2 %, so the pressure is Hertz's. The dissipated power is less sensitive to the mesh of 13
+    # nodes per contact radius than the torque. The tolerances are larger for a travel of 0.1 a, which is one spacing,
+    # and of 10 a, where the finite size of the ball has an effect.
     nearly_elastic = standard_linear_solid(1.02)
     load, speed = hertz_load(2e-3, 0.5), path * 2e-3 / RADIUS / TAU
     r = roll(nearly_solid(shear_modulus=nearly_elastic, poisson_ratio=0.5), load=load, angular_speed=speed)
@@ -299,9 +299,8 @@ def test_persson_is_exact_for_little_loss(path, tolerance):
     ],
 )
 def test_solver_relative_to_persson_as_in_the_docstring(ratio, path, slenderness, nodes, share):
-    # Compare with the two decimals of the docstring. 13 nodes per contact radius resolve them at low speed, where the
-    # size of the contact does not matter; at high speed, the contact has a fifth of its size at rest if the moduli
-    # differ by a factor of 100.
+    # Compare with the two decimals of the docstring. At low speed, 13 nodes per contact radius are enough. At high
+    # speed, the contact has a fifth of its size at rest if the moduli differ by a factor of 100.
     load, speed = hertz_load(slenderness * RADIUS, 0.5), path * slenderness / TAU
     rubber = standard_linear_solid(ratio)
     ball = nearly_solid(shear_modulus=rubber, poisson_ratio=0.5)
@@ -410,7 +409,7 @@ ALL = {"low_speed", "greenwood_tabor", "persson"}
         (ball_of(lambda omega: MODULUS + 1e3j * omega, poisson_ratio=0.5), ALL),
     ],
 )
-def test_which_forms_a_ball_has(ball, names):
+def test_closed_forms_that_apply_to_a_ball(ball, names):
     forms = analytic.applicable(ball)
     assert set(forms) == names
     loads, speeds = np.array([[1e-3], [1.0]]), np.array([1e-3, 1.0, 1e3])
@@ -422,7 +421,7 @@ def test_which_forms_a_ball_has(ball, names):
 
 
 @pytest.mark.parametrize("material", [{"poisson_ratio": 0.4}, {"bulk_modulus": bulk_modulus(0.4)}])
-def test_forms_of_a_ball_are_the_closed_forms(material):
+def test_forms_of_a_ball_agree_with_the_functions(material):
     ball = ball_of(RUBBER, **material)
     ball = vr.CoatedSphere(core_radius=0.55 * RADIUS, layers=ball.layers)
     forms = analytic.applicable(ball)
@@ -442,7 +441,7 @@ def test_forms_of_a_ball_are_the_closed_forms(material):
 
 
 @pytest.mark.parametrize("material", [{"poisson_ratio": 0.5}, {"bulk_modulus": 1e2 * MODULUS}])
-def test_forms_hold_for_small_contacts_and_slow_rolling(material):
+def test_forms_are_valid_for_small_contacts_and_slow_rolling(material):
     # The thickness is 0.55 of the radius, so a fifth of the thickness is 0.11 R.
     ball = ball_of(RUBBER, **material)
     ball = vr.CoatedSphere(core_radius=0.55 * RADIUS, layers=ball.layers)
@@ -456,8 +455,8 @@ def test_forms_hold_for_small_contacts_and_slow_rolling(material):
 
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
-def test_low_speed_on_a_thin_coating_is_measured_against_its_contact(poisson_ratio):
-    # a/h = 20. The limit of validity is 5 % of the exact contact radius, to within 10 %.
+def test_limit_of_low_speed_on_a_thin_coating_depends_on_the_contact_radius(poisson_ratio):
+    # At a/h = 20, the limit of validity is a travel of 5 % of the exact contact radius, to within 10 %.
     load = bonded_layer(20, poisson_ratio)[0] * MODULUS * 1e-3**3 / 0.25
     layer = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=poisson_ratio)
     form = analytic.applicable(vr.CoatedSphere(core_radius=0.249, layers=[layer]))["low_speed"]
@@ -473,7 +472,7 @@ def test_everything_public_is_documented_with_an_example():
             assert all(section in doc for section in ("Parameters", "Returns", "Raises", "Examples")), name
 
 
-def test_balls_on_balls_have_the_forms_of_their_relative_radius():
+def test_closed_forms_of_balls_on_balls_use_the_relative_radius():
     # Both forms agree within some percent with the solver here, as they do on the plane.
     soft = vr.KelvinVoigt(modulus=2e4, viscosity=20.0)
     gel = vr.Layer(thickness=18e-3, shear_modulus=soft, poisson_ratio=0.5)

@@ -18,7 +18,7 @@ THIN = ELASTIC | {"thickness": 1e-3}
 
 
 def close(expected, *, rel):
-    """Return a relative comparison: the absolute tolerance of pytest.approx, 1e-12, would hide small torques."""
+    """Return a relative comparison, without the absolute tolerance of pytest.approx, which exceeds small torques."""
     return pytest.approx(expected, rel=rel, abs=0.0)
 
 
@@ -30,7 +30,7 @@ def nearly_solid(**material):
 
 def press(ball, *, load, nodes):
     mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=3 * nodes // 2)
-    # PAPER gives a pressure closer to that of a half-space than SPHERE: at a/R = 0.2 its peak is 0.4 % below Hertz's,
+    # With PAPER, the pressure is closer to that of a half-space: at a/R = 0.2, its peak is 0.4 % below Hertz's, and
     # with SPHERE 1.3 %.
     return vr.solve(ball, load=load, angular_speed=1.0, mesh=mesh, curvature=enums.Curvature.PAPER)
 
@@ -47,7 +47,7 @@ CONTACTS = {
 
 
 @pytest.mark.parametrize("contact", CONTACTS.values(), ids=CONTACTS)
-def test_pressure_carries_the_load(contact):
+def test_pressure_supports_the_load(contact):
     load, _ = integrate.quad(lambda r: 2.0 * np.pi * r * contact.pressure(r), 0.0, contact.radius)
     assert load == close(100.0, rel=1e-10)
     assert contact.pressure(0.0) == contact.max_pressure
@@ -56,8 +56,8 @@ def test_pressure_carries_the_load(contact):
 
 @pytest.mark.parametrize("share", [0.0, 0.3, 0.7, 1.0])
 def test_hertz_pressure_flattens_a_half_space(share):
-    # Boussinesq: u = (1-nu)/(2 pi G) * integral of p over the distance, in polar coordinates (s, phi) around the point
-    # at r, where the distance cancels. u must be d - r^2/2R. The square root of p at the edge limits the quadrature to
+    # By Boussinesq, u = (1-nu)/(2 pi G) * integral of p / distance, which must be d - r^2/2R. In polar coordinates
+    # (s, phi) around the point at r, the distance cancels. The square root of p at the edge limits the quadrature to
     # 1e-7.
     contact = CONTACTS["hertz"]
     a, r = contact.radius, share * contact.radius
@@ -73,8 +73,8 @@ def test_hertz_pressure_flattens_a_half_space(share):
     assert displacement == close(contact.approach - r**2 / (2.0 * RADIUS), rel=1e-7)
 
 
-def test_springs_press_by_their_confined_modulus():
-    # Confined modulus as K + 4G/3, with K from nu = 0.3.
+def test_springs_have_the_confined_modulus():
+    # The confined modulus is K + 4G/3, with K from nu = 0.3.
     contact = CONTACTS["springs"]
     confined = 2.0 * MODULUS * 1.3 / (3.0 * 0.4) + 4.0 / 3.0 * MODULUS
     r = np.linspace(0.0, 1.0, 7) * contact.radius
@@ -83,8 +83,8 @@ def test_springs_press_by_their_confined_modulus():
 
 
 def test_squeezed_layer_is_a_film():
-    # The film satisfies div((h^3/3G) grad p) = -(d - r^2/2R), without flow at the edge. mpmath differentiates p = p0 (1
-    # - r^2/a^2)^2.
+    # The film satisfies div((h^3/3G) grad p) = -(d - r^2/2R), without flow at the edge. mpmath differentiates
+    # p = p0 (1 - r^2/a^2)^2.
     contact = CONTACTS["squeezed"]
 
     def pressure(r):
@@ -113,8 +113,8 @@ def thin_contact(poisson_ratio, **arguments):
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
 def test_thin_layers_are_the_limit_of_bonded_ones(poisson_ratio):
-    # The radius found from the exact load is a + const h. A parabola in h/a extrapolates it from a/h = 10, 20, 40; the
-    # next order, (h/a)^3 at most, is 2e-5 at a/h = 40.
+    # The contact radius that the closed form gives for the exact load is a + const h. A parabola in h/a extrapolates it
+    # from a/h = 10, 20 and 40; the next order, (h/a)^3, is 2e-5 at a/h = 40.
     shares = []
     for slenderness in (10, 20, 40):
         load, approach = bonded_layer(slenderness, poisson_ratio)
@@ -137,16 +137,16 @@ def test_numbers_of_the_docstrings():
     assert excess(10, 0.5)[0] == pytest.approx(2.2, abs=0.05)
     assert 1.0 - 1.0 / excess(10, 0.5)[1] == pytest.approx(0.13, abs=0.005)
     assert 1.0 - 1.0 / excess(20, 0.5)[1] == pytest.approx(0.04, abs=0.005)
-    # Limit h/a = 0, near which the exact load at given a is larger by s h/a.
+    # Near h/a = 0, the exact load at given a is larger by the fraction s h/a.
     shares = {0.0: 0.73, 0.1: 0.76, 0.2: 0.72, 0.3: 0.49, 0.4: -0.45, 0.45: -2.2, 0.48: -6.1, 0.49: -10.8}
     for poisson_ratio, share in shares.items():
         s40, s80 = ((excess(a, poisson_ratio)[0] - 1.0) * a for a in (40, 80))
         assert 2.0 * s80 - s40 == pytest.approx(share, abs=0.006 if abs(share) < 1.0 else 0.06), poisson_ratio
 
 
-def test_an_exact_sphere_comes_closer_by_less_than_hertz_says():
-    # Numbers of the docstring; the rings have an error of 2e-4. With the compliance 1/(2n+1) of a half-space, the
-    # degrees would give Hertz's approach.
+def test_approach_of_an_exact_sphere_is_smaller_than_hertz():
+    # Compare with numbers of the docstring; the rings have an error of 2e-4. With the compliance 1/(2n+1) of a
+    # half-space for degree n, the approach would be Hertz's.
     assert sphere.compliance(1e4) == close(1.0 / 2e4, rel=1e-3)
     for slenderness, share, between in ((0.1, 0.06, 0.029), (0.05, 0.03, 0.014)):
         assert 1.0 - sphere.approach(slenderness) == pytest.approx(share, abs=1.5e-3)
@@ -154,7 +154,7 @@ def test_an_exact_sphere_comes_closer_by_less_than_hertz_says():
 
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
-def test_solver_on_a_nearly_solid_ball_finds_hertz(poisson_ratio):
+def test_solver_on_a_nearly_solid_ball_agrees_with_hertz(poisson_ratio):
     # The approach differs from that of a half-space in proportion to a/R, so it is extrapolated from two values.
     material = {"shear_modulus": vr.Elastic(modulus=MODULUS), "poisson_ratio": poisson_ratio}
     shares = []
@@ -165,7 +165,7 @@ def test_solver_on_a_nearly_solid_ball_finds_hertz(poisson_ratio):
         r = press(nearly_solid(**material), load=load, nodes=nodes)
         shares.append(r.penetration / contact.approach)
         assert r.max_pressure == close(contact.max_pressure, rel=5e-3)
-        # Greenwood-Tabor: the moment of the front half. 13 nodes per contact radius.
+        # The torque of Greenwood and Tabor is the moment of the front half. There are 13 nodes per contact radius.
         front = (np.clip(r.x, 0.0, None) * r.pressure).sum() / r.pressure.sum() * load
         torque = analytic.greenwood_tabor_torque(load=load, poisson_ratio=poisson_ratio, **ELASTIC)
         assert front == close(torque, rel=5e-3)
@@ -175,8 +175,8 @@ def test_solver_on_a_nearly_solid_ball_finds_hertz(poisson_ratio):
 
 @pytest.mark.parametrize(("poisson_ratio", "tolerance"), [(0.3, 2e-3), (0.5, 0.015)])
 def test_solver_on_a_thin_coating(poisson_ratio, tolerance):
-    # a/h = 20, a/R = 0.08, 24 nodes per contact radius. Relative to the exact layer, the closed form is 0.1 % low at nu
-    # = 0.3 and 1.4 % high at 1/2, where the error of the mesh cancels half of it.
+    # Here a/h = 20 and a/R = 0.08, with 24 nodes per contact radius. Relative to the exact layer, the closed form is
+    # 0.1 % low at nu = 0.3 and 1.4 % high at nu = 1/2, where the error of the mesh cancels half of it.
     thickness, radius = 1e-3, 20e-3 / 0.08
     load = bonded_layer(20, poisson_ratio)[0] * MODULUS * thickness**3 / radius
     layer = vr.Layer(thickness=thickness, shear_modulus=vr.Elastic(modulus=MODULUS), poisson_ratio=poisson_ratio)

@@ -56,15 +56,15 @@ def test_a_long_ellipse_is_a_line_in_the_middle():
         load=0.5 * np.pi * contact.semi_axis_x * contact.max_pressure,
         **{name: value for name, value in HERTZ.items() if name != "load"},
     )
-    # Accurate to first order in a²/b² and its logarithm.
+    # The difference is of first order in a²/b² times its logarithm.
     assert contact.semi_axis_x == pytest.approx(line.half_width, rel=1e-6)
 
 
-def test_the_pressure_bears_the_load():
+def test_the_pressure_supports_the_load():
     contact = analytic.hertz_ellipse(**HERTZ, crown_radius=0.3)
     nodes, weights = np.polynomial.legendre.leggauss(40)
     angle, share = 0.25 * np.pi * (1.0 + nodes), 0.25 * np.pi * weights
-    # x = a sin s sin t, z = b sin s cos t over a quarter: the pressure is p0 cos s.
+    # On a quarter, x = a sin s sin t and z = b sin s cos t, so the pressure is p0 cos s.
     s, t = angle[:, None], angle
     x, z = contact.semi_axis_x * np.sin(s) * np.sin(t), contact.semi_axis_z * np.sin(s) * np.cos(t)
     area = contact.semi_axis_x * contact.semi_axis_z * np.sin(s) * np.cos(s)
@@ -101,8 +101,8 @@ def test_torque_by_the_spectrum_of_the_ellipse(crown_radius):
     assert torque == pytest.approx(radius * 4.0 * quarter / (2.0 * np.pi) ** 2, rel=1e-4)
 
 
-def test_half_of_the_ellipse_pushes_back():
-    """A crowned wheel that dissipates all energy has the moment of the front half of its pressure, 3/16 P a."""
+def test_torque_of_a_crowned_wheel_with_complete_loss():
+    """If all energy is dissipated, the torque is the moment of the front half of the pressure, 3/16 P a."""
     contact = analytic.hertz_ellipse(**HERTZ, crown_radius=0.3)
     torque = analytic.greenwood_tabor_torque(**HERTZ, crown_radius=0.3)
     assert torque == pytest.approx(3.0 / 16.0 * HERTZ["load"] * contact.semi_axis_x, rel=1e-14)

@@ -31,8 +31,8 @@ def load_at(contact_radius, poisson_ratio):
 @pytest.mark.parametrize("speed", [0.05, 1.0, 20.0])
 @pytest.mark.parametrize("bulk", [None, 2e6], ids=["one function", "elastic bulk"])
 def test_against_the_memory_integral(speed, bulk):
-    # Quadrature over the past gives p, a root gives the end of a strip, and quadrature over the contact gives load and
-    # torque. The second of the two relaxation times is long.
+    # Quadrature over the past gives the pressure, its root gives the end of a strip, and quadrature over the contact
+    # gives load and torque. The second of the two relaxation times is long.
     weights, times, stiff, nu = np.array([0.3, 0.5]), np.array([TAU, 0.2]), 1e6, 0.25
     factor, stays = (2.0 * 0.75 / 0.5, 0.0) if bulk is None else (4.0 / 3.0, bulk)
     a0, velocity = 15e-3, speed * RADIUS
@@ -72,8 +72,8 @@ def test_slow_rolling(material):
 
 
 def test_fast_rolling_on_dashpots():
-    # Dashpots carry all the load: p = c Omega x / h with c = 2 (1-nu)/(1-2nu) eta on the front half-disk. The resultant
-    # is P = c Omega 2 a^3 / (3h), and T = P (3 pi/16) a.
+    # Dashpots support the load: p = c Omega x / h with c = 2 (1-nu)/(1-2nu) eta on the front half-disk, so that
+    # P = c Omega 2 a^3 / (3h) and T = P (3 pi/16) a.
     viscosity, speed, load = 100.0, 1e5, 20.0
     material = vr.KelvinVoigt(modulus=1e-3, viscosity=viscosity)
     a = np.cbrt(1.5 * load * THICKNESS / (3.5 * viscosity * speed))
@@ -99,8 +99,8 @@ def test_no_loss_no_torque():
     ],
 )
 def test_solver_on_a_thin_coating(slenderness, poisson_ratio, path, ratio, tolerance):
-    # a/R = 0.02, 50 nodes per contact radius: the mesh has an error of 2e-4. Larger tolerances are those of the
-    # docstring.
+    # With a/R = 0.02 and 50 nodes per contact radius, the mesh has an error of 2e-4. Larger tolerances are errors of
+    # the closed form, which its docstring states.
     a = 1.001 * slenderness * THICKNESS
     radius, material = a / 0.02, solid(ratio)
     load = load_at(a, poisson_ratio) * RADIUS / radius

@@ -1,4 +1,4 @@
-"""Server of the page for the tests of its answers and of attacks."""
+"""Fixture with a server of the page, for tests of its answers and of attacks."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ def test_numbers_are_those_of_solve(tmp_path):
     assert "fields" not in found
 
 
-def test_the_table_of_scalars_is_that_of_results():
+def test_the_table_of_scalars_agrees_with_that_of_results():
     table = scalars()
     assert {one["name"] for one in table} <= set(answer({"case": example()})["result"]["scalars"])
     torque = next(one for one in table if one["name"] == "resisting_torque")
@@ -39,7 +39,7 @@ def test_the_table_of_scalars_is_that_of_results():
     }
 
 
-def test_fields_are_those_of_the_result():
+def test_fields_agree_with_the_result():
     tables = example(friction=0.3)
     fields = answer({"case": tables, "fields": True})["result"]["fields"]
     rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
@@ -52,7 +52,7 @@ def test_fields_are_those_of_the_result():
     assert np.array_equal(stick == 1, r.stick)
     assert np.array_equal(stick == 2, r.slip)
     # The lowest point of the undeformed body lies below the plane by the penetration, and the gap is zero in contact.
-    # The displacement of nodes that move along is reported at their original positions.
+    # The displacement of a node is reported at its undeformed position.
     profile = {name: np.array(values) for name, values in fields["profile"].items()}
     assert profile["rigid"].min() == pytest.approx(-r.penetration, rel=1e-9)
     assert np.abs(profile["surface"][r.contact[:, r.x.shape[1] // 2]]).max() < 1e-6 * r.penetration
@@ -111,22 +111,22 @@ def with_layer(**changes):
         ("case.toml", "case", "case must be an object"),
     ],
 )
-def test_what_is_wrong_is_told_with_its_parameter(tables, parameter, message):
+def test_errors_name_the_parameter(tables, parameter, message):
     error = answer({"case": tables})["error"]
     assert message in error["message"]
     assert error["parameter"] == parameter
 
 
 @pytest.mark.parametrize("request_", [None, [], {}, {"case": {}, "other": 1}])
-def test_requests_of_another_kind_are_refused(request_):
+def test_requests_of_another_kind_are_rejected(request_):
     assert "request must be an object" in answer(request_)["error"]["message"]
 
 
-def test_a_case_that_is_none_is_refused():
+def test_a_case_that_is_not_a_table_is_rejected():
     assert "rolling" in answer({"case": {}})["error"]["message"]
 
 
-def test_progress_ends_a_solve():
+def test_progress_can_end_a_solve():
     def end(_stage, _fraction):
         raise EOFError
 

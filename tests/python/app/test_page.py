@@ -29,8 +29,8 @@ from viscoroll.case.case import BODIES, COUNTERBODIES
 ROOT = Path(__file__).parents[3]
 TESTS = ROOT / "tests" / "page"
 LIBRARY = ROOT / "build" / "wasm" / "package" / "viscoroll.single.js"
-#: Largest size of the whole page as servers send it [B].
-MOST_TO_DOWNLOAD = 700e3
+#: Largest total size of the compressed files of the page [B].
+LARGEST_DOWNLOAD = 700e3
 
 NODE = shutil.which("node")
 BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -81,7 +81,7 @@ def served(server):
             thread.join()
 
 
-class Quiet(http.server.SimpleHTTPRequestHandler):
+class QuietHandler(http.server.SimpleHTTPRequestHandler):
     """Server of the files in a folder, like any static host."""
 
     def log_message(self, *_):
@@ -102,12 +102,12 @@ def site(tmp_path_factory):
 def seen(request, tmp_path_factory):
     """Yield what a page displayed, and its address."""
     if not has_driver():
-        pytest.skip("no browser, or no puppeteer-core: `make test-page` brings it")
+        pytest.skip("no browser, or no puppeteer-core: `make test-page` installs it")
     if request.param == "site from a folder":
         server = contextlib.nullcontext()
         address = (request.getfixturevalue("site") / "index.html").as_uri()
     elif request.param == "site over http":
-        handler = functools.partial(Quiet, directory=request.getfixturevalue("site"))
+        handler = functools.partial(QuietHandler, directory=request.getfixturevalue("site"))
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
         address = f"http://127.0.0.1:{server.server_port}/"
         server = served(server)
@@ -119,12 +119,12 @@ def seen(request, tmp_path_factory):
         yield driven(address, tmp_path_factory.mktemp("seen")) | {"address": address.removesuffix("index.html")}
 
 
-#: Numbers that depend on the round-off of each compiler: effort of the solution, and residuals and error estimates.
+#: Scalars that depend on the round-off of each compiler.
 ROUNDED = {"iterations", "operator_applications", "residual", "energy_balance_error", "error_estimate"}
 
 
 def assert_numbers(shown, result):
-    """Assert that a page displays the numbers of a result, to round-off: both come from the same sources."""
+    """Assert that a page displays the numbers of a result, to the round-off of different compilers."""
     assert shown["penetration"] > 0.0
     for name, value in shown.items():
         expected = getattr(result, name)
@@ -158,10 +158,10 @@ def test_the_case_of_the_readme_gives_its_numbers(seen):
 
 
 @pytest.mark.slow
-def test_the_last_place_of_a_slider_is_answered(seen):
+def test_the_last_position_of_a_slider_is_solved(seen):
     """Print the response times; newest.test.js tests that at most two of many positions of a slider are solved."""
     print(f"{seen['address']}: {seen['first']:.2f} s to the first answer, {seen['start']:.2f} s to the refined one")
-    print(f"{seen['answered']:.2f} s from the last of 30 places of a slider to its answer")
+    print(f"{seen['answered']:.2f} s from the last of 30 positions of a slider to its answer")
     load, unit = seen["load"]
     assert unit == "N"
     assert load != 100.0
@@ -185,12 +185,12 @@ def test_a_link_restores_the_case(seen):
 
 
 @pytest.mark.slow
-def test_what_is_wrong_is_told_at_its_field(seen):
+def test_errors_are_shown_at_their_field(seen):
     assert "thickness must be > 0 m" in seen["problem"]
 
 
 @pytest.mark.slow
-def test_a_unit_that_is_typed_goes_to_its_place(seen):
+def test_a_unit_typed_with_a_number_is_selected(seen):
     assert seen["typed"] == ["0.1", "cm"]
 
 
@@ -205,17 +205,17 @@ def test_examples_solve_to_the_same_in_python_and_as_case_files(seen, tmp_path):
 
 
 @pytest.mark.slow
-def test_nothing_but_the_page_is_asked_for(seen):
+def test_the_page_loads_nothing_from_elsewhere(seen):
     assert seen["requests"]
     elsewhere = [url for url in seen["requests"] if not url.startswith((seen["address"], "blob:", "data:"))]
     assert elsewhere == []
     assert seen["complaints"] == []
 
 
-def test_what_is_downloaded(site):
+def test_size_of_the_download(site):
     sizes = {path.name: len(gzip.compress(path.read_bytes())) for path in site.iterdir()}
     assert set(sizes) == {"index.html", "page.css", "page.js", "solver.js"}
-    assert sum(sizes.values()) < MOST_TO_DOWNLOAD, sizes
+    assert sum(sizes.values()) < LARGEST_DOWNLOAD, sizes
     print(f"{sum(sizes.values()) / 1e3:.0f} kB, zipped: {sizes}")
 
 
@@ -232,7 +232,7 @@ def test_the_page_of_the_site_is_one_script(tmp_path):
 
 
 @needs_node
-def test_copied_code_knows_every_body_and_material():
+def test_copied_code_supports_every_body_and_material():
     page = ROOT / "python" / "viscoroll" / "app" / "page" / "code.js"
     classes = page.read_text(encoding="utf-8").split("const CLASSES = ")[1].split("};")[0]
     bodies = dict(re.findall(r'(\w+): "([\w.]+)"', classes))

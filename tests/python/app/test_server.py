@@ -1,4 +1,4 @@
-"""The server of the page: whom it answers, what it serves, and how it ends."""
+"""The server of the page: access by the token, served files, and the end of the server."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from viscoroll.case import example_text
 CASE = tomllib.loads(example_text())
 
 
-def asked(server, method, path, body=None):
+def response(server, method, path, body=None):
     """Return status, headers and content of the server's answer."""
     with closing(http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=60)) as connection:
         connection.request(method, path, body)
@@ -31,29 +31,29 @@ def asked(server, method, path, body=None):
 
 
 def test_the_page_is_served_with_its_case(server):
-    status, headers, content = asked(server, "GET", f"/{server.token}/")
+    status, headers, content = response(server, "GET", f"/{server.token}/")
     assert status == 200
     assert headers["Content-Type"] == "text/html; charset=utf-8"
     start = content.decode().split('id="start">')[1].split("</script>")[0]
     assert json.loads(start) == {"solver": "native", "case": CASE}
 
 
-def test_all_that_the_page_names_is_served(server):
-    content = asked(server, "GET", f"/{server.token}/")[2].decode()
+def test_all_files_that_the_page_refers_to_are_served(server):
+    content = response(server, "GET", f"/{server.token}/")[2].decode()
     names = [part.split('"')[0] for part in content.split('href="')[1:] + content.split('src="')[1:]]
     files = [name for name in names if not name.startswith("data:")]
     assert sorted(files) == ["main.js", "page.css"]
     types = {"js": "text/javascript; charset=utf-8", "css": "text/css; charset=utf-8"}
     for name in files:
-        status, headers, _ = asked(server, "GET", f"/{server.token}/{name}")
+        status, headers, _ = response(server, "GET", f"/{server.token}/{name}")
         assert (status, headers["Content-Type"]) == (200, types[name.rpartition(".")[2]])
 
 
 @pytest.mark.parametrize("path", ["/", "/solve", "/page.css", "/{wrong}/", "/{wrong}/solve", "/{token}"])
 @pytest.mark.parametrize("method", ["GET", "POST"])
-def test_nobody_without_the_token_is_answered(server, path, method):
+def test_requests_without_the_token_are_rejected(server, path, method):
     wrong = server.token[:-1] + ("A" if server.token[-1] != "A" else "B")
-    status, _, content = asked(server, method, path.format(wrong=wrong, token=server.token), "{}")
+    status, _, content = response(server, method, path.format(wrong=wrong, token=server.token), "{}")
     assert (status, content) == (403, b"Forbidden")
 
 
@@ -61,24 +61,24 @@ def test_nobody_without_the_token_is_answered(server, path, method):
     "name", ["server.py", "../server.py", "..%2Fserver.py", "package.json", "/etc/passwd", "../../../../../etc/passwd"]
 )
 def test_no_other_file_is_served(server, name):
-    assert asked(server, "GET", f"/{server.token}/{name}")[0] == 404
+    assert response(server, "GET", f"/{server.token}/{name}")[0] == 404
 
 
-def test_it_listens_to_this_machine_alone(server):
+def test_the_server_listens_only_to_this_machine(server):
     assert server.server_address[0] == "127.0.0.1"
 
 
-def test_answers_are_those_of_the_package(server):
+def test_answers_agree_with_the_package(server):
     request = {"case": CASE, "fields": True}
-    status, headers, content = asked(server, "POST", f"/{server.token}/solve", json.dumps(request))
+    status, headers, content = response(server, "POST", f"/{server.token}/solve", json.dumps(request))
     assert (status, headers["Content-Type"]) == (200, "application/json; charset=utf-8")
     assert json.loads(content) == answer(request)
-    assert json.loads(asked(server, "POST", f"/{server.token}/scalars")[2]) == scalars()
+    assert json.loads(response(server, "POST", f"/{server.token}/scalars")[2]) == scalars()
 
 
 def test_errors_are_answers(server):
     request = {"case": CASE | {"rolling": CASE["rolling"] | {"load": -1.0}}}
-    status, _, content = asked(server, "POST", f"/{server.token}/solve", json.dumps(request))
+    status, _, content = response(server, "POST", f"/{server.token}/solve", json.dumps(request))
     assert status == 200
     assert json.loads(content)["error"]["parameter"] == "load"
 
@@ -87,8 +87,8 @@ def test_errors_are_answers(server):
     ("name", "body", "status"),
     [("solve", b"{", 400), ("solve", b"\xff", 400), ("solve", b"[" * 100_000, 400), ("other", b"{}", 404)],
 )
-def test_requests_that_are_none(server, name, body, status):
-    assert asked(server, "POST", f"/{server.token}/{name}", body)[0] == status
+def test_malformed_requests(server, name, body, status):
+    assert response(server, "POST", f"/{server.token}/{name}", body)[0] == status
 
 
 def test_requests_that_are_too_long(server):
@@ -102,17 +102,17 @@ def test_requests_that_are_too_long(server):
 def test_two_windows_are_answered(server):
     slow = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-3}}
     found = []
-    ask = lambda case: found.append(asked(server, "POST", f"/{server.token}/solve", json.dumps({"case": case})))  # noqa: E731
+    ask = lambda case: found.append(response(server, "POST", f"/{server.token}/solve", json.dumps({"case": case})))  # noqa: E731
     windows = [threading.Thread(target=ask, args=(case,)) for case in (slow, CASE)]
     for window in windows:
         window.start()
     for window in windows:
         window.join()
-    # The quick request does not wait for the slow one.
+    # The fast request does not wait for the slow one.
     assert [json.loads(content)["result"]["scalars"]["friction"] for *_, content in found] == [0.0, 0.3]
 
 
-def test_a_solve_ends_with_the_window_that_asked(server):
+def test_a_solve_ends_if_its_window_is_closed(server):
     demanding = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-4}}
     body = json.dumps({"case": demanding}).encode()
     host = f"127.0.0.1:{server.server_port}"
@@ -128,8 +128,8 @@ def test_a_solve_ends_with_the_window_that_asked(server):
     assert threading.active_count() == before
 
 
-@pytest.mark.skipif(os.name == "nt", reason="there SIGINT goes to a whole console")
-def test_ctrl_c_ends_it_with_a_solve_under_way():
+@pytest.mark.skipif(os.name == "nt", reason="on Windows, SIGINT goes to all processes of a console")
+def test_ctrl_c_ends_the_server_during_a_solve():
     words = [sys.executable, "-m", "viscoroll", "app", "--no-browser"]
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as program:
         address = program.stdout.readline().split()[0]
@@ -137,7 +137,7 @@ def test_ctrl_c_ends_it_with_a_solve_under_way():
         demanding = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-4}}
         with closing(http.client.HTTPConnection("127.0.0.1", int(port))) as window:
             window.request("POST", f"/{token}/solve", json.dumps({"case": demanding}))
-            # sends nothing, like the connections that browsers open in advance
+            # This connection sends nothing, like those that browsers open in advance.
             with socket.create_connection(("127.0.0.1", int(port))):
                 time.sleep(0.3)
                 program.send_signal(signal.SIGINT)
@@ -145,7 +145,7 @@ def test_ctrl_c_ends_it_with_a_solve_under_way():
     assert (program.returncode, output, messages) == (0, "", "")
 
 
-def test_the_command_says_what_it_leaves_out_and_what_is_wrong(tmp_path, monkeypatch):
+def test_the_command_reports_skipped_tables_and_errors(tmp_path, monkeypatch):
     begun = []
     monkeypatch.setattr("viscoroll.app.serve", lambda case, **_: begun.append(case))
     path = tmp_path / "case.toml"

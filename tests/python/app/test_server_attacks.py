@@ -25,7 +25,7 @@ CASE = tomllib.loads(example_text())
 def exchange(server, raw, *, timeout=20.0):
     """Return all that the server sends in answer to the bytes of a request."""
     with socket.create_connection(("127.0.0.1", server.server_port), timeout=timeout) as connection:
-        with contextlib.suppress(ConnectionError):  # the server may refuse before it has read all
+        with contextlib.suppress(ConnectionError):  # the server may answer before it has read all
             connection.sendall(raw)
         received = b""
         with contextlib.suppress(ConnectionError):
@@ -49,7 +49,7 @@ def posted(server, body, *headers):
 
 
 ATTACKS = {
-    "a page whose name leads to this machine": (403, lambda s: request(s, host="evil.example:{port}")),
+    "another host name that resolves to this machine": (403, lambda s: request(s, host="evil.example:{port}")),
     "another port in the host": (403, lambda s: request(s, host="127.0.0.1:1")),
     "no host": (403, lambda s: request(s, host=None)),
     "two hosts": (403, lambda s: request(s, "GET /{token}/ HTTP/1.1", "Host: evil.example")),
@@ -59,7 +59,7 @@ ATTACKS = {
     "no token": (403, lambda s: request(s, "GET / HTTP/1.1")),
     "a token that is not ASCII": (403, lambda s: request(s, "GET /\xff\xfe/ HTTP/1.1")),
     "a path with NUL": (404, lambda s: request(s, "GET /{token}/page.css\x00 HTTP/1.1")),
-    "a folder above": (404, lambda s: request(s, "GET /{token}/../server.py HTTP/1.1")),
+    "a parent folder": (404, lambda s: request(s, "GET /{token}/../server.py HTTP/1.1")),
     "an absolute address": (403, lambda s: request(s, "GET http://evil.example/{token}/ HTTP/1.1")),
     "another method": (501, lambda s: request(s, "PUT /{token}/ HTTP/1.1")),
     "a tunnel": (501, lambda s: request(s, "CONNECT evil.example:443 HTTP/1.1")),
@@ -80,12 +80,12 @@ ATTACKS = {
     "not a number": (400, lambda s: posted(s, b'{"case": NaN}')),
     "an infinite number": (400, lambda s: posted(s, b'{"case": {"ball": -Infinity}}')),
     "deep nesting": (400, lambda s: posted(s, b"[" * 100_000)),
-    "bytes that are no text": (400, lambda s: posted(s, b"\xff\xfe")),
+    "bytes that are not UTF-8": (400, lambda s: posted(s, b"\xff\xfe")),
 }
 
 
 @pytest.mark.parametrize("name", ATTACKS)
-def test_attacks_are_refused(server, name):
+def test_attacks_are_rejected(server, name):
     status, attack = ATTACKS[name]
     received = exchange(server, attack(server))
     head, _, content = received.partition(b"\r\n\r\n")
@@ -95,7 +95,7 @@ def test_attacks_are_refused(server, name):
     assert exchange(server, request(server)).startswith(b"HTTP/1.0 200")  # the server continues
 
 
-def test_answers_carry_the_headers_that_protect_them(server):
+def test_answers_have_security_headers(server):
     for raw in (request(server), request(server, "GET / HTTP/1.1"), request(server, "PUT / HTTP/1.1")):
         head = exchange(server, raw).partition(b"\r\n\r\n")[0].decode()
         headers = dict(line.split(": ", 1) for line in head.split("\r\n")[1:])
@@ -107,7 +107,7 @@ def test_answers_carry_the_headers_that_protect_them(server):
         assert "unsafe" not in policy
 
 
-def test_a_request_that_arrives_slowly_is_cut(server, monkeypatch):
+def test_a_request_that_arrives_too_slowly_is_closed(server, monkeypatch):
     monkeypatch.setattr(server_module, "_LONGEST_TRANSFER", 0.3)
     for beginning in (b"", b"GET /", posted(server, b"{" + b" " * 100)[:-50]):
         begun = time.monotonic()
@@ -143,7 +143,7 @@ SECRET = '[secret]\npassword = "swordfish"\n'
 
 
 def naming_a_file(path):
-    """Yield cases that name a file in every place where a table may stand."""
+    """Yield cases that name a file at every key that may refer to one."""
     network = {"type": "kraus", "plateau": 1e6, "strain": 0.01, "loss": 1e5}
     moduli = [
         path,
@@ -166,7 +166,7 @@ def naming_a_file(path):
     yield path
 
 
-def test_no_case_has_a_file_read(tmp_path, monkeypatch):
+def test_no_case_can_make_the_server_read_a_file(tmp_path, monkeypatch):
     path = tmp_path / "secret.toml"
     path.write_text(SECRET, encoding="utf-8")
     opened = []

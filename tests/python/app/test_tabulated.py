@@ -13,7 +13,7 @@ from viscoroll.app.tabulated import tabulated_materials
 from viscoroll.case import build_case, example_text
 from viscoroll.case.tables import read_toml
 
-#: Relative tolerance. Weights are powers of a ratio, and their sum leaves as little as 1.4e-5 for the modulus at rest.
+#: Relative tolerance. The modulus at rest is 1 minus the sum of weights, as small as 1.4e-5, which amplifies round-off.
 DIGITS = 1e-9
 
 OMEGA = np.geomspace(1e-2, 1e5, 15)
@@ -41,7 +41,7 @@ def test_hardness(tables, scale, shore):
 @pytest.mark.parametrize(
     ("name", "percent"), [("rebound", 2), ("rebound", 55), ("loss_factor", 1), ("loss_factor", 100)]
 )
-def test_series_are_those_of_a_constant_loss_factor(tables, name, percent):
+def test_series_agree_with_a_constant_loss_factor(tables, name, percent):
     share = percent / 100
     loss_factor = vr.rheology.rebound_to_loss_factor(share).value if name == "rebound" else share
     decades = tables[name]["decades"]
@@ -53,7 +53,7 @@ def test_series_are_those_of_a_constant_loss_factor(tables, name, percent):
     assert found.complex_modulus(OMEGA) == pytest.approx(expected.complex_modulus(OMEGA), rel=DIGITS)
 
 
-def test_tables_hold_for_the_decades_that_the_page_asks_for(tables):
+def test_tables_cover_the_decades_that_the_page_requests(tables):
     text = (resources.files("viscoroll") / "app" / "page" / "materials.js").read_text(encoding="utf-8")
     kinds = {name: text.split(f"  {kind}: {{")[1] for name, kind in (("rebound", "hardness"), ("loss_factor",) * 2)}
     for name, kind in kinds.items():

@@ -20,7 +20,7 @@ OTHER = vr.CoatedSphere(
 RIGID = vr.CoatedSphere(core_radius=33e-3)
 HEAVY = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5, density=2e3)
 MESH = vr.Mesh(nodes_per_revolution=1400)
-# 33 mm: the distance between nodes is that of MESH on 21 mm
+# On a radius of 33 mm, the distance between nodes equals that of MESH on 21 mm.
 MESH_OF_OTHER = vr.Mesh(nodes_per_revolution=2200)
 
 
@@ -29,12 +29,12 @@ def rolled(ball, on, *, load=60.0, speed=52.5e-3, mesh=MESH, **options):
 
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
-def test_two_alike_are_one_on_its_mirror(poisson_ratio):
+def test_two_identical_balls_are_mirror_images(poisson_ratio):
     layer = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=poisson_ratio)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     pair = rolled(ball, ball)
-    # On a nearly rigid plane, the nodes are the same but lie on a paraboloid; those of the rigid plane lie on the ball.
-    # The difference is (a/R)².
+    # Two balls and a ball on a nearly rigid plane have their nodes on a paraboloid. On a rigid plane, the nodes lie on
+    # the ball, which changes the results by (a/R)².
     stiff = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=1e16), poisson_ratio=0.3)
     for mirror, tolerance in ((vr.CoatedPlane(layers=[stiff]), 1e-7), (None, 3e-3)):
         one = rolled(ball, mirror)
@@ -44,12 +44,12 @@ def test_two_alike_are_one_on_its_mirror(poisson_ratio):
         assert pair.max_pressure == pytest.approx(one.max_pressure, rel=tolerance)
         assert pair.semi_axis_x == pytest.approx(one.semi_axis_x, rel=tolerance)
     assert pair.counterbody_bulk_power == pytest.approx(pair.rolling_bulk_power, rel=1e-9)
-    # each body supplies its own loss, to the error of the mesh
+    # Each torque supplies the loss in its own body, so no force remains, to the error of the mesh.
     assert abs(pair.driving_force) < 1e-3 * pair.resisting_torque / 21e-3
 
 
 def test_hertz_with_both_radii_and_moduli():
-    """The coatings are thick compared with the contact, ν = 0.3 and ½, so neither cores nor curvature matter."""
+    """The coatings are so thick compared with the contact that neither cores nor curvature matter; ν = 0.3 and ½."""
 
     def hard(radius, modulus, nu):
         layer = vr.Layer(thickness=0.9 * radius, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=nu)
@@ -72,8 +72,8 @@ def test_hertz_with_both_radii_and_moduli():
     assert abs(r.bulk_power) < 1e-9 * load * a
 
 
-def test_dissimilar_balls_as_two_half_spaces():
-    """Both balls are nearly solid; the independent sum uses no transform but the creep of the material that passes."""
+def test_dissimilar_balls_agree_with_two_half_spaces():
+    """Both balls are nearly solid; the independent program sums the creep of passing material, without transforms."""
     solids = Solid(6e6, 3e6, 0.125, 0.5), Solid(8e6, 2e6, 0.02, 0.3)
     radii, load, speed = (21e-3, 40e-3), 0.03, 5e-3
     expected = roll(solids, 1.0 / (1.0 / radii[0] + 1.0 / radii[1]), load, speed, 30e-6, 6.2e-4)
@@ -95,8 +95,8 @@ def test_dissimilar_balls_as_two_half_spaces():
         for solid, radius in zip(solids, radii, strict=True)
     ]
     r = rolled(balls[0], balls[1], load=load, speed=speed, mesh=vr.Mesh(nodes_per_revolution=4400))
-    # The sum's own mesh, 28 nodes across, leaves a difference of 2e-3 between moment and losses; the wakes, 0.6 mm, and
-    # the contact, 0.42 mm, are 1/50 of the radii.
+    # The program's mesh has 28 nodes across, which causes a difference of 2e-3 between moment and losses. Contact
+    # (0.42 mm) and wakes (0.6 mm) are 1/50 of the radii.
     assert r.resisting_torque == pytest.approx(expected.moment, rel=1e-2)
     assert r.rolling_bulk_power == pytest.approx(expected.losses[0] * speed, rel=1e-2)
     assert r.counterbody_bulk_power == pytest.approx(expected.losses[1] * speed, rel=1e-2)
@@ -105,7 +105,7 @@ def test_dissimilar_balls_as_two_half_spaces():
 
 @pytest.mark.filterwarnings("ignore:the relative error of the power balance")  # at the low speed
 @pytest.mark.parametrize("speed", [2.1e-3, 52.5e-3])
-def test_torques_about_both_centers_pay_for_what_each_loses(speed):
+def test_torque_about_each_center_supplies_the_loss_of_its_body(speed):
     errors = []
     for nodes in (1200, 4800):
         r = rolled(BALL, OTHER, speed=speed, mesh=vr.Mesh(nodes_per_revolution=nodes))
@@ -115,27 +115,27 @@ def test_torques_about_both_centers_pay_for_what_each_loses(speed):
         relative = 1.0 / (1.0 / 21e-3 + 1.0 / 33e-3)
         both = speed * r.resisting_torque / relative / r.bulk_power - 1.0
         errors.append(np.abs([own, others, both]))
-    # Error of the mesh, 200 nodes across; it is five times as large relative to the body that dissipates a fifth of the
-    # other's power.
+    # The mesh has 200 nodes across. One body dissipates a fifth of the other's power, so its relative error is five
+    # times as large.
     assert errors[-1][2] < 5e-4
     assert np.all(errors[-1] < 3e-3)
     assert errors[-1].max() < 0.25 * errors[0].max()
     assert r.energy_balance_error < 1e-3
 
 
-def test_which_is_called_the_first_does_not_matter():
+def test_exchanged_balls_have_the_same_results():
     first, other = rolled(BALL, OTHER), rolled(OTHER, BALL, mesh=MESH_OF_OTHER)
-    # The nodes are the same, and so are the sums except for the order of summation.
+    # The nodes are the same, and only the order of summation differs.
     assert first.rolling_bulk_power == pytest.approx(other.counterbody_bulk_power, rel=1e-6)
     assert first.counterbody_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-6)
     assert first.penetration == pytest.approx(other.penetration, rel=1e-6)
     assert first.resisting_torque == pytest.approx(other.resisting_torque, rel=1e-6)
-    # The force follows from the slopes of the other body alone, whose errors are those of the mesh.
+    # Each force is computed from the slopes of the counterbody only, with the error of the mesh.
     assert first.driving_force == pytest.approx(-other.driving_force, rel=3e-3)
 
 
 @pytest.mark.parametrize("creepage", [-3e-3, 3e-3])
-def test_nor_does_it_with_friction(creepage):
+def test_exchanged_balls_have_the_same_results_with_friction(creepage):
     back = 1.0 / (1.0 + creepage) - 1.0
     first = rolled(BALL, OTHER, friction=0.2, drive=vr.Drive(creepage=creepage))
     other = rolled(
@@ -148,7 +148,7 @@ def test_nor_does_it_with_friction(creepage):
     )
     traction = [-r.shear_traction[0].sum() * r.contact_area / r.contact.sum() for r in (first, other)]
     assert traction[0] == pytest.approx(-traction[1], abs=2e-3 * 0.2 * 60.0)
-    # The loss per distance is the same at the surface speed of the first ball.
+    # The loss per distance is the same, but the surface speeds differ by the creepage.
     assert first.rolling_bulk_power == pytest.approx(other.counterbody_bulk_power, rel=1e-3 + abs(creepage))
     assert first.counterbody_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-3 + abs(creepage))
     assert first.slip_power == pytest.approx(other.slip_power, rel=1e-2)
@@ -172,7 +172,7 @@ def test_power_balance_in_every_drive(bodies, drive):
 
 
 def test_equal_balls_do_not_slip():
-    # The balls are mirror images whatever Poisson's ratio, so pressure causes no slip without creepage.
+    # The balls are mirror images for any Poisson's ratio, so pressure causes no slip at zero creepage.
     layer = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.3)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     r = rolled(ball, ball, friction=0.2, drive=vr.Drive(creepage=0.0))
@@ -180,8 +180,9 @@ def test_equal_balls_do_not_slip():
     assert np.abs(r.shear_traction).max() < 1e-3 * r.max_pressure
 
 
-def test_the_coated_one_loses_as_much_whichever_rolls():
-    # The nodes lie on the ball if the counterbody is rigid, otherwise on a paraboloid: they differ by (a/R)².
+def test_a_coated_ball_dissipates_equally_as_rolling_body_and_counterbody():
+    # The nodes lie on the rolling ball if the counterbody is rigid, and on a paraboloid otherwise, which changes the
+    # results by (a/R)².
     first, other = rolled(BALL, RIGID), rolled(RIGID, BALL, mesh=MESH_OF_OTHER)
     assert other.rolling_bulk_power == first.counterbody_bulk_power == 0.0
     assert other.counterbody_bulk_power == pytest.approx(first.rolling_bulk_power, rel=5e-3)
@@ -190,7 +191,7 @@ def test_the_coated_one_loses_as_much_whichever_rolls():
     assert abs(other.driving_torque) < 1e-12 * other.resisting_torque
 
 
-def test_a_large_ball_is_a_plane():
+def test_a_large_ball_acts_as_a_plane():
     layers = OTHER.layers
     large = vr.CoatedSphere(core_radius=50.0, layers=layers)
     given = {"friction": 0.2, "drive": vr.Drive(force=0.0)}
@@ -199,7 +200,7 @@ def test_a_large_ball_is_a_plane():
         assert getattr(on_large, name) == pytest.approx(getattr(on_plane, name), rel=2e-3), name
 
 
-def test_a_bulging_track_with_thin_layers_is_a_ball():
+def test_a_convex_track_with_thin_layers_acts_as_a_ball():
     # A groove's layers are flat, which changes the result by h/R = 1/330. Its normals tilt in both directions, as the
     # ball's do.
     layer = vr.Layer(thickness=0.1e-3, shear_modulus=RUBBER, poisson_ratio=0.3)
@@ -211,7 +212,7 @@ def test_a_bulging_track_with_thin_layers_is_a_ball():
         assert getattr(on_track, name) == pytest.approx(getattr(on_other, name), rel=3e-3), name
 
 
-# full stick: the denominator of the balance is nearly zero
+# With full stick on elastic bodies, the power in the denominator of the error is nearly zero.
 @pytest.mark.filterwarnings("ignore:the relative error of the power balance")
 def test_kalkers_coefficients_of_two_balls():
     # J. J. Kalker (1990), table E3, ν = ½, circle. For two identical bodies, the combined shear modulus is their own
@@ -248,15 +249,14 @@ def test_model_sweep_and_accuracy():
     assert torques[1] != torques[0]
 
 
-def test_a_coarser_theta_is_taken_over_to_the_other_ball():
+def test_the_counterbody_has_the_same_coarser_spacing_in_theta():
     mesh = vr.Mesh(nodes_per_revolution=1400, theta_nodes_per_revolution=1000)
     r = rolled(BALL, OTHER, mesh=mesh)
     assert r.resisting_torque == pytest.approx(rolled(BALL, OTHER).resisting_torque, rel=3e-3)
 
 
-def test_truncation_keeps_its_wave_number_on_the_other_ball():
-    # Both meshes have equally many nodes and orders per distance, so the sums are the same for either order of the
-    # balls.
+def test_truncation_has_the_same_wave_number_on_both_balls():
+    # Both meshes have equally many nodes and orders per distance, so exchanging the balls does not change the sums.
     cut = vr.Mesh(nodes_per_revolution=700, max_order=700), vr.Mesh(nodes_per_revolution=1100, max_order=1100)
     first, other = rolled(BALL, OTHER, mesh=cut[0]), rolled(OTHER, BALL, mesh=cut[1])
     assert first.resisting_torque == pytest.approx(other.resisting_torque, rel=1e-6)
@@ -287,7 +287,7 @@ def test_case_file():
         ),
     ],
 )
-def test_refusals(arguments, message):
+def test_bad_input(arguments, message):
     given = {"body": BALL, "load": 100.0, "angular_speed": 2.5, "mesh": vr.Mesh(nodes_per_revolution=600)}
     with pytest.raises(ValueError, match=message):
         vr.solve(**given | arguments)

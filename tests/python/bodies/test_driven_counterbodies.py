@@ -9,9 +9,9 @@ STEEL = vr.CoatedCylinder(core_radius=50e-3, layers=[])
 
 
 @pytest.mark.parametrize("creepage", [0.1, -0.02])
-def test_materials_of_two_rollers_pass_at_speeds_of_their_own(creepage):
-    # Elastic bodies may be exchanged. Pressure shears compressible thin layers strongly: if the displacements of both
-    # were advected at one speed, forces would differ by up to a tenth and slip powers by a seventh.
+def test_exchanged_elastic_rollers_have_the_same_forces(creepage):
+    # Pressure shears compressible thin layers strongly. If both displacements were advected at the same speed, forces
+    # would differ by up to a tenth and slip powers by a seventh.
     def roller(thickness, modulus, poisson_ratio):
         layer = vr.Layer(thickness=thickness, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=poisson_ratio)
         return vr.CoatedCylinder(core_radius=50e-3 - thickness, layers=[layer])
@@ -31,8 +31,7 @@ def test_materials_of_two_rollers_pass_at_speeds_of_their_own(creepage):
     "drive", [vr.Drive(torque=50.0), vr.Drive(force=-2e3), vr.Drive(creepage=0.1), vr.Drive(creepage=1.0)]
 )
 def test_power_balance_of_a_rigid_roller_that_slides_on_a_soft_mat(drive):
-    # The balance would be open by 8 to 28 % if the mat's displacement were advected at the speed of the roller's
-    # surface.
+    # If the mat's displacement were advected at the speed of the roller's surface, the error would be 8 to 28 %.
     layer = vr.Layer(thickness=5e-3, shear_modulus=vr.Elastic(modulus=1e6 / 2.99), poisson_ratio=0.495)
     r = vr.solve(STEEL, on=vr.CoatedPlane(layers=[layer]), load=1e4, angular_speed=10.0, friction=0.5, drive=drive)
     assert r.energy_balance_error < 3e-3

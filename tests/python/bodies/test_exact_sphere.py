@@ -42,12 +42,12 @@ def incompressible_solutions(degree):
 
     solutions = []
     for power in (mpmath.mpf(degree), mpmath.mpf(-degree - 1)):
-        # Gradient of r^power Y: exponent power - 1.
+        # The gradient of r^power Y has the exponent power - 1.
         solutions.append(stress(power - 1, power, root, mpmath.mpf(0)))
-        # r times the radial part of laplace(u) = grad p is laplace(x . u) = x . grad p + 2 div u = power p, where
-        # x . u = c r^(power + 2) Y.
+        # The product of x and laplace(u) = grad p is laplace(x . u) = x . grad p + 2 div u = power p, which
+        # x . u = c r^(power + 2) Y solves.
         c = power / ((power + 2) * (power + 3) - degree * (degree + 1))
-        # div u = 0: (s + 2) u = sqrt(L) v with s = power + 1.
+        # From div u = 0 follows (s + 2) u = sqrt(L) v, with s = power + 1.
         solutions.append(stress(power + 1, c, (power + 3) * c / root, mpmath.mpf(1)))
     return solutions
 
@@ -68,7 +68,7 @@ def closed_compliance(degree, core):
             load[2 + column] = 1
             moved = surface * mpmath.lu_solve(system, load)
             result[:2, column] = float(moved[0]), float(moved[1])
-        # w = r^l - c r^(-l-1), chi = w' - w.
+        # The toroidal displacement is w = r^l - c r^(-l-1), and its stress at r = 1 is w' - w.
         c = core ** (2 * degree + 1)
         result[2, 2] = float((1 - c) / (degree - 1 + c * (degree + 2)))
         return result
@@ -84,7 +84,7 @@ def test_degrees_agree_with_the_closed_solutions(degree, core):
     assert (np.abs(c - expected) <= 1e-9 * size + 1e-14 * np.abs(expected).max()).all()
 
 
-def test_material_sees_the_order_and_not_the_degree(rubber):
+def test_frequency_depends_on_the_order_and_not_on_the_degree(rubber):
     layer = vr.Layer(thickness=0.3, shear_modulus=rubber, poisson_ratio=0.4)
     ball = vr.CoatedSphere(core_radius=0.7, layers=[layer])
     order = np.arange(-5, 6)
@@ -96,11 +96,11 @@ def test_material_sees_the_order_and_not_the_degree(rubber):
 
 
 @pytest.mark.parametrize("poisson_ratio", [0.0, 0.3, 0.45])
-def test_degree_one_of_a_solid_ball_is_the_rest_of_a_slow_shaking(poisson_ratio):
-    """Compare with a free ball under slow harmonic surface loads, without the rigid motion of its mass."""
+def test_degree_one_of_a_solid_ball_is_the_limit_of_slow_vibration(poisson_ratio):
+    """Compare with a free ball under slow harmonic surface loads, whose rigid motion is subtracted."""
 
-    def shaken(omega2, load):
-        # grad(j1(alpha r) Y) and curl curl(x j1(beta r) Y), with mu = rho = 1.
+    def vibration(omega2, load):
+        # The displacement is a sum of grad(j1(alpha r) Y) and curl curl(x j1(beta r) Y), with mu = rho = 1.
         confined = mpmath.mpf(2 * (1 - poisson_ratio)) / (1 - 2 * poisson_ratio)
         alpha, beta = mpmath.sqrt(omega2 / confined), mpmath.sqrt(omega2)
         root = mpmath.sqrt(2)
@@ -128,10 +128,10 @@ def test_degree_one_of_a_solid_ball_is_the_rest_of_a_slow_shaking(poisson_ratio)
         omega2 = mpmath.mpf("1e-9")
         expected = np.zeros((2, 2))
         for column, load in enumerate(([1, 0], [0, 1])):
-            # Rigid motion (1, sqrt(2)): the projected force s + sqrt(2) tau per projected mass, 1/3 of (1, sqrt(2))
-            # squared; the mass is 4 pi / 3.
+            # The rigid motion is (1, sqrt(2)). Its amplitude is the projected force s + sqrt(2) tau per projected
+            # mass; the latter is 1/3 of the square of (1, sqrt(2)), because the mass is 4 pi / 3.
             rigid = -(load[0] + mpmath.sqrt(2) * load[1]) / omega2
-            moved = shaken(omega2, load)
+            moved = vibration(omega2, load)
             expected[:, column] = float(moved[0] - rigid), float(moved[1] - mpmath.sqrt(2) * rigid)
     ball = elastic_ball(1.0, poisson_ratio=poisson_ratio, inner_boundary=enums.InnerBoundary.SOLID)
     c = vr.modal.degree_compliance(ball, 1.0, 1, 0)
@@ -156,7 +156,7 @@ def test_every_degree_is_passive(rubber, inner_boundary):
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
 def test_hertz_on_a_solid_ball(poisson_ratio):
-    """The penetration tends to Hertz's linearly in a / R: the ball's center moves less than a point at infinity."""
+    """The penetration differs from Hertz's in proportion to a / R: the center moves less than a point at infinity."""
     radius, modulus = 20e-3, 1e6
     ball = elastic_ball(
         radius, modulus=modulus, poisson_ratio=poisson_ratio, radius=radius, inner_boundary=enums.InnerBoundary.SOLID
@@ -172,8 +172,8 @@ def test_hertz_on_a_solid_ball(poisson_ratio):
         assert r.max_pressure == pytest.approx(1.5 * load / (np.pi * a**2), rel=0.5 * share**2 + 5e-3)
         assert abs(r.resisting_torque) < 1e-9 * load * a
     assert penetrations[0] < penetrations[1] < penetrations[2] < 1.0
-    # Besides the half-space's pole, the influence function of a compressible sphere has a logarithm: E. Sternberg and
-    # F. Rosenthal, J. Appl. Mech. 19 (1952) 413-421.
+    # The influence function of a compressible sphere is singular like 1/r, as for a half-space, plus a logarithm:
+    # E. Sternberg and F. Rosenthal, J. Appl. Mech. 19 (1952) 413-421.
     s = np.array(shares)
     limit = np.linalg.solve(np.stack([s**0, s, s * np.log(s)], axis=1), penetrations)[0]
     assert limit == pytest.approx(1.0, abs=1e-3)
@@ -193,7 +193,7 @@ ERRORS = {
 
 
 @pytest.mark.parametrize("share", ERRORS)
-def test_what_the_other_curvatures_leave_out(share):
+def test_errors_of_the_approximate_curvatures(share):
     ball = paper_ball(share * OUTER)
     mesh = vr.Mesh(nodes_per_revolution=800)
     exact = roll(ball, EXACT, mesh=mesh, compliance=RADIAL)
@@ -234,7 +234,7 @@ def test_low_speed():
     assert np.polynomial.Polynomial.fit(shifts, ratios, 2)(0.0) == pytest.approx(1.0, abs=0.02)
 
 
-def test_truncated_sums_tend_to_the_whole():
+def test_truncated_sums_converge_to_the_sum_of_all_degrees():
     ball = paper_ball(8e-3)
     whole = roll(ball, EXACT, mesh=vr.Mesh(nodes_per_revolution=200), compliance=RADIAL)
     cut = roll(ball, EXACT, mesh=vr.Mesh(nodes_per_revolution=200, max_order=600), compliance=RADIAL)
@@ -242,7 +242,7 @@ def test_truncated_sums_tend_to_the_whole():
     assert cut.penetration == pytest.approx(whole.penetration, rel=1e-3)
 
 
-def test_inertia_is_refused_where_it_counts():
+def test_inertia_that_is_not_negligible_is_rejected():
     ball = paper.ball(thickness=5e-3)
     mesh = vr.Mesh(nodes_per_revolution=100)
     slow = vr.solve(ball, load=50.0, angular_speed=2.5, mesh=mesh, curvature=EXACT)
@@ -254,7 +254,7 @@ def test_inertia_is_refused_where_it_counts():
         vr.solve(ball, load=50.0, angular_speed=500.0, mesh=mesh, curvature=EXACT)
 
 
-def test_orders_are_refused(paper_ball):
+def test_bad_orders_and_degrees_are_rejected(paper_ball):
     with pytest.raises(ValueError, match="curvature must be SPHERE or PAPER"):
         vr.modal.surface_compliance(paper_ball, 2.5, 1, 2, curvature=EXACT)
     with pytest.raises(ValueError, match="order must be at most the degree 2 in magnitude, got 3"):
@@ -266,7 +266,7 @@ def test_orders_are_refused(paper_ball):
 @pytest.mark.parametrize("compliance", enums.Compliance)
 @pytest.mark.parametrize("angular_speed", [1.0, 4.0])
 def test_strong_memory_of_a_thin_coating(compliance, angular_speed):
-    """Compare with the torus, from which a thin coating differs little, if displacements persist behind the contact."""
+    """Compare with the curvature SPHERE, from which a thin coating differs little; displacements decay slowly."""
     layer = vr.Layer(thickness=1e-3, shear_modulus=vr.KelvinVoigt(modulus=3e6, viscosity=3e4), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     case = {"load": 50.0, "angular_speed": angular_speed, "mesh": vr.Mesh(nodes_per_revolution=800)}
@@ -276,9 +276,9 @@ def test_strong_memory_of_a_thin_coating(compliance, angular_speed):
     assert exact.energy_balance_error < torus.energy_balance_error + 1e-3
 
 
-def test_shell_that_rests_on_a_rim():
-    # About twenty nodes around a dent support the load, each by bending the whole shell. 120 search directions were not
-    # enough.
+def test_shell_that_rests_on_the_rim_of_a_dent():
+    # About twenty nodes around the dent support the load, and each bends the whole shell. The iterative solver once
+    # kept 120 search directions, which were not enough.
     material = vr.Prony(
         instantaneous_modulus=3.609e8, weights=[0.3147, 0.68495], relaxation_times=[0.03267702, 0.04400252]
     )
@@ -300,8 +300,8 @@ def rolled_exactly(ball, on, *, load=10.0, nodes=600, **options):
 
 
 @pytest.mark.parametrize("thickness", [1e-3, 10e-3])
-def test_exact_ball_on_what_deforms(thickness):
-    """Both operators add; on a nearly rigid plane, only the positions of the nodes differ, by (a/R)² = 1e-2."""
+def test_exact_ball_on_a_deformable_plane(thickness):
+    """The compliances add; on a nearly rigid plane, only the positions of the nodes differ, by (a/R)² = 1e-2."""
     ball = paper_ball(thickness)
     bare = rolled_exactly(ball, None)
     stiff = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=1e14), poisson_ratio=0.3)
@@ -321,7 +321,7 @@ def test_exact_ball_on_what_deforms(thickness):
     assert rubbing.energy_balance_error < 5e-3
 
 
-def test_which_exact_ball_is_called_the_first_does_not_matter():
+def test_exchanged_exact_balls_have_the_same_results():
     ball, small = paper_ball(5e-3), paper.ball(thickness=5e-3, core_radius=8e-3, density=0.0)
     first = rolled_exactly(ball, small, nodes=840)
     other = vr.solve(
@@ -350,5 +350,5 @@ def test_two_solid_balls_are_hertzian():
     r = rolled_exactly(first, other, load=load, nodes=round(40 * math.pi * 20e-3 / a))
     second_moment = (r.pressure * r.x**2).sum() / r.pressure.sum()
     assert math.sqrt(5.0 * second_moment) == pytest.approx(a, rel=2e-3)
-    # Each ball approaches by less than a²/R, in proportion to a/R, here 1/50: see the docstring of hertz.
+    # The approach of each ball is smaller than Hertz's by a relative amount of a/R = 1/50: see the docstring of hertz.
     assert r.penetration == pytest.approx(a**2 / radius, rel=2e-2)

@@ -52,8 +52,8 @@ def test_torque_and_penetration_grow_with_inertia():
     results = [roll(ball_at(group)) for group in (0.0, *RATIOS)]
     assert (np.diff([r.penetration for r in results]) > 0.0).all()
     torques = [r.resisting_torque / results[0].resisting_torque for r in results[1:]]
-    # The mesh cuts the orders at twice its Nyquist order, and with 20 rows in contact the torque varies in steps: 7 %
-    # at most.
+    # The sums end at twice the Nyquist order of the mesh, and 20 rows in contact make the torque vary in steps. Both
+    # cause errors of at most 7 %.
     assert torques == pytest.approx([torque for torque, _ in RATIOS.values()], rel=0.07)
 
 
@@ -64,9 +64,9 @@ def test_inertia_is_negligible_in_the_papers_example():
     assert 0.0 < abs(change) < 1e-5
 
 
-def test_small_inertia_is_as_exact_as_large(rubber):
-    # Slow rolling uses the series in the Mach number, fast rolling the full equations of every order. Dissimilar layers
-    # never use the series, so nearly identical layers must give the same result by both.
+def test_series_for_small_inertia_agrees_with_the_full_equations(rubber):
+    # The library uses a series in the Mach number for slow rolling of identical layers, and the full equations
+    # otherwise. Nearly identical layers are solved by the full equations at the same speed.
     def ball(epsilon):
         inner = vr.Layer(thickness=2e-3, shear_modulus=rubber, poisson_ratio=0.45, density=1000.0)
         other = vr.StandardLinearSolid(
@@ -137,7 +137,7 @@ def test_centrifugal_displacement_in_the_limit_of_low_speed():
     assert displacement == pytest.approx(a * outer + b / outer**2 - q * outer**3, rel=1e-9, abs=0.0)
 
 
-def test_centrifugal_displacement_of_equal_layers_is_that_of_one(rubber):
+def test_centrifugal_displacement_of_identical_layers_is_that_of_one(rubber):
     def ball(count):
         layer = vr.Layer(thickness=6e-3 / count, shear_modulus=rubber, poisson_ratio=0.3, density=1000.0)
         return vr.CoatedSphere(core_radius=20e-3, layers=[layer] * count)
@@ -160,21 +160,21 @@ def test_centrifugal_displacement_enters_the_contact():
     assert fast.displacement[0, 0] == pytest.approx(-fast.centrifugal_displacement * depth[0, 0], abs=2e-5)
 
 
-def swelling_roller(density):
+def growing_roller(density):
     """Return a roller whose radius grows by 5.5e-3 at 300 rad/s if its density is 2000 kg/m³."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1e-2)
     layer = vr.Layer(thickness=15e-3, shear_modulus=rubber, poisson_ratio=0.2, density=density)
     return vr.CoatedCylinder(core_radius=10e-3, layers=[layer])
 
 
-BARE = vr.CoatedCylinder(core_radius=25e-3, layers=[])
-SWOLLEN = swelling_roller(2000.0)
+RIGID_ROLLER = vr.CoatedCylinder(core_radius=25e-3, layers=[])
+GROWN = growing_roller(2000.0)
 
 
 @pytest.mark.parametrize(
-    ("roller", "on"), [(SWOLLEN, SWOLLEN), (SWOLLEN, BARE), (BARE, SWOLLEN), (SWOLLEN, vr.CoatedPlane())]
+    ("roller", "on"), [(GROWN, GROWN), (GROWN, RIGID_ROLLER), (RIGID_ROLLER, GROWN), (GROWN, vr.CoatedPlane())]
 )
-def test_powers_of_what_swells_balance_as_they_do_at_rest(roller, on):
+def test_power_balance_with_centrifugal_growth(roller, on):
     mesh = vr.Mesh(nodes_per_revolution=12000)
     r = vr.solve(roller, on=on, load=2000.0, angular_speed=300.0, mesh=mesh)
     assert r.centrifugal_displacement > 5e-3 * 25e-3
@@ -182,18 +182,18 @@ def test_powers_of_what_swells_balance_as_they_do_at_rest(roller, on):
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.5])
-def test_two_that_swell_alike_have_no_force_between_them(friction):
+def test_identical_growing_rollers_have_no_driving_force(friction):
     drive = vr.Drive(creepage=0.0) if friction else vr.Drive(force=0.0)
     mesh = vr.Mesh(nodes_per_revolution=6000)
     given = {"load": 2000.0, "angular_speed": 300.0, "friction": friction, "drive": drive, "mesh": mesh}
-    still, fast = (vr.solve(b, on=b, **given) for b in (swelling_roller(0.0), SWOLLEN))
+    still, fast = (vr.solve(b, on=b, **given) for b in (growing_roller(0.0), GROWN))
     forces = [r.driving_force * 25e-3 / r.resisting_torque for r in (still, fast)]
-    # error of the mesh; centrifugal growth of one body alone would leave 0.01 or more
+    # The tolerance is the error of the mesh. If only one body grew, forces of 0.01 or more would remain.
     assert forces == pytest.approx([0.0, 0.0], abs=4e-4)
 
 
-def test_a_tread_does_not_swell_along_its_axis():
-    """Nor does its crown: in a close groove the contact is as wide as at rest, except for the softening by inertia."""
+def test_a_tread_does_not_grow_along_its_axis():
+    """The crown radius does not grow either: in a close groove, inertia changes the width only by softening."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1e-2)
 
     def semi_axis(density, on):
@@ -205,11 +205,11 @@ def test_a_tread_does_not_swell_along_its_axis():
     on_plane, in_groove = (
         semi_axis(1500.0, on) / semi_axis(0.0, on) for on in (vr.CoatedPlane(), vr.Groove(radius=51.2e-3))
     )
-    # they would differ by 0.02 if the crown grew, which counts 49-fold in this close groove
+    # Growth of the crown radius would be amplified 49 times in this close groove, to a difference of 0.02.
     assert in_groove == pytest.approx(on_plane, abs=3e-3)
 
 
-def test_what_would_swell_to_fill_its_groove_is_refused():
+def test_a_ball_that_would_fill_its_groove_is_rejected():
     rubber = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1e-2)
     layer = vr.Layer(thickness=15e-3, shear_modulus=rubber, poisson_ratio=0.2, density=2000.0)
     ball = vr.CoatedSphere(core_radius=10e-3, layers=[layer])
@@ -221,8 +221,8 @@ def test_what_would_swell_to_fill_its_groove_is_refused():
         )
 
 
-def test_a_rigid_ball_does_not_swell_with_what_it_rolls_on():
-    """The moment arm is the ball's own radius: the driving force of the result is the prescribed one."""
+def test_a_rigid_ball_does_not_grow_with_its_counterbody():
+    """The moment arm is the radius of the ball at rest: the driving force of the result is the prescribed one."""
     soft = vr.StandardLinearSolid(instantaneous_modulus=2800.0, relaxed_modulus=64.0, relaxation_time=233.0)
     layer = vr.Layer(thickness=0.6, shear_modulus=soft, poisson_ratio=-0.25, density=1720.0)
     on = vr.CoatedSphere(layers=[layer], inner_boundary="SOLID")
@@ -233,7 +233,7 @@ def test_a_rigid_ball_does_not_swell_with_what_it_rolls_on():
     assert r.driving_force == pytest.approx(1.5e-5, rel=1e-9, abs=0.0)
 
 
-def test_incompressible_layers_do_not_swell(paper_ball):
+def test_incompressible_layers_do_not_grow(paper_ball):
     assert vr.modal.centrifugal_displacement(paper_ball, 1000.0) == 0.0
 
 
@@ -256,7 +256,7 @@ def test_critical_speed_depends_on_poissons_ratio(poisson_ratio, ratio):
     assert vr.modal.critical_speed(ball) * 25e-3 == pytest.approx(ratio * math.sqrt(4e3), rel=1e-4)
 
 
-def test_above_the_critical_speed_is_refused():
+def test_speeds_above_the_critical_speed_are_rejected():
     ball = ball_at(0.6)
     critical = vr.modal.critical_speed(ball)
     message = rf"angular_speed must be below the critical speed {critical!r} rad/s, .*, got 2.5 rad/s"
@@ -294,7 +294,7 @@ def test_critical_speed_of_a_callable_is_that_of_its_modulus(rubber):
     ],
     ids=["Kelvin-Voigt", "standard linear"],
 )
-def test_short_time_stiffness_out_of_reach_hides_no_waves(modulus):
+def test_waves_are_detected_if_the_short_time_modulus_is_far_above_that_of_rolling(modulus):
     # Both materials are elastic at all frequencies of rolling.
     def ball(material):
         layer = vr.Layer(thickness=5e-3, shear_modulus=material, poisson_ratio=0.5, density=1000.0)
@@ -313,8 +313,8 @@ def test_short_time_stiffness_out_of_reach_hides_no_waves(modulus):
     ids=["thick", "thin", "thin, incompressible"],
 )
 def test_growth_scales_the_arcs_between_nodes(thickness, poisson_ratio, load, exponent):
-    # Nodes keep their arcs at rest. If the other ball, which does not grow, is the rolling body, the gap curvature of
-    # the same pair is that of lengths smaller by the factor s.
+    # Distances between nodes are those at rest. If the other ball, which does not grow, is the rolling body, the same
+    # pair has the gap curvature of lengths smaller by the factor s.
     def ball(radius, density):
         layer = vr.Layer(
             thickness=thickness,

@@ -122,7 +122,7 @@ def exact_compliance(layers, angular_speed, m, n, curvature, *, digits=50, hollo
 
 
 CURVATURES = [enums.Curvature.SPHERE, enums.Curvature.PAPER]
-# of 21 mm: from 1e-3 of the radius to a core of 1e-3 of it
+# Radius 21 mm: from a layer of 1e-3 of the radius to a core of 1e-3 of it [m].
 THICKNESSES = [21e-6, 0.2e-3, 1e-3, 5e-3, 20.979e-3]
 ORDERS = [
     (0, 0),
@@ -145,7 +145,7 @@ KINDS = [(1, enums.Curvature.SPHERE), (2, enums.Curvature.SPHERE), (1, enums.Cur
 
 @pytest.mark.parametrize(
     ("thickness", "poisson_ratio", "count", "curvature"),
-    # each pair of thickness, ratio and kind occurs once or twice, because a matrix with fifty digits takes time
+    # Not all combinations are tested, because matrix exponentials with fifty digits are slow.
     [
         (thickness, poisson_ratio, *KINDS[(i + j) % 3])
         for i, thickness in enumerate(THICKNESSES)
@@ -164,15 +164,15 @@ def test_surface_compliance_agrees_with_fifty_digits(thickness, poisson_ratio, c
     for m, n in ORDERS:
         expected = exact_compliance(layers, 2.5, m, n, curvature)
         compliance = vr.modal.surface_compliance(ball, 2.5, m, n, curvature=curvature)
-        # C is positive definite, so C_ij is at most of the size (C_ii C_jj)^(1/2); a thickness that is a difference of
-        # radii loses a digit or two.
+        # C is positive definite, so C_ij is at most (C_ii C_jj)^(1/2). The thickness is a difference of radii, which
+        # loses a digit or two.
         diagonal = np.abs(np.diag(expected))
         size = np.sqrt(np.outer(diagonal, diagonal))
         assert (np.abs(compliance - expected) <= 1e-9 * size).all(), (m, n)
         assert abs(compliance[0, 0] - expected[0, 0]) <= 1e-9 * abs(expected[0, 0]), (m, n)
 
 
-def test_exponents_of_the_paper_are_the_closed_ones(rubber):
+def test_exponents_of_the_paper_agree_with_their_closed_form(rubber):
     nu, m, n = 0.3, 3, 4
     layer = vr.Layer(thickness=1e-3, shear_modulus=rubber, poisson_ratio=nu)
     k = math.hypot(m, n)
@@ -186,7 +186,7 @@ def test_exponents_of_the_paper_are_the_closed_ones(rubber):
 
 @pytest.mark.parametrize("poisson_ratio", [0.0, 0.3, 0.5])
 @pytest.mark.parametrize(("m", "n"), [(2, 0), (3, -4), (4, 12)])
-def test_exponents_on_a_sphere_are_the_classical_ones(rubber, poisson_ratio, m, n):
+def test_exponents_on_a_sphere_agree_with_classical_solutions(rubber, poisson_ratio, m, n):
     """Compare with the powers of r of the spheroidal and toroidal solutions, with l (l + 1) = k^2."""
     degree = math.sqrt(m**2 + n**2 + 0.25) - 0.5
     spheroidal = [degree + 1, degree - 1, -degree, -degree - 2]
@@ -230,14 +230,14 @@ def test_symmetries(two_layer_ball):
     np.testing.assert_allclose(c.transpose(0, 2, 1), c * reciprocal, rtol=1e-11, atol=1e-22)
 
 
-def test_equal_layers_are_one_layer(rubber):
+def test_identical_layers_act_as_one_layer(rubber):
     def ball(count):
         layer = vr.Layer(thickness=5e-3 / count, shear_modulus=rubber, poisson_ratio=0.5, density=1000.0)
         return vr.CoatedSphere(core_radius=20e-3, layers=[layer] * count)
 
     m, n = np.meshgrid([0, 1, 7, 80, 400], [0, 3, 50])
     one, seven = (vr.modal.surface_compliance(ball(count), 25.0, m, n) for count in (1, 7))
-    # C_rr; the other entries relative to the geometric mean of their diagonal entries.
+    # Errors are relative to the geometric mean of the diagonal entries.
     diagonal = np.abs(np.einsum("...ii->...i", one))
     size = np.sqrt(diagonal[..., :, None] * diagonal[..., None, :])
     assert (np.abs(one - seven) <= 1e-12 * size).all()
@@ -305,9 +305,9 @@ def test_hollow_ball_agrees_with_fifty_digits(thickness, poisson_ratio):
     for m, n in [(0, 1), (1, 0), (2, 1), (3, -5), (40, 7), (300, 300)]:
         expected = exact_compliance(layers, 2.5, m, n, enums.Curvature.SPHERE, hollow=True)
         compliance = vr.modal.surface_compliance(ball, 2.5, m, n)
-        # A thin shell bends far more easily than it stretches; the ratio costs digits.
+        # A thin shell is far more compliant in bending than in stretching, and the ratio costs digits.
         assert np.abs(compliance - expected).max() < 1e-9 / thickness * np.abs(expected).max()
-        if thickness * math.hypot(m, n) > 40.0:  # the inner surface has no influence
+        if thickness * math.hypot(m, n) > 40.0:  # fields decay before they reach the inner surface
             np.testing.assert_allclose(compliance, vr.modal.surface_compliance(solid_core, 2.5, m, n), rtol=1e-12)
 
 

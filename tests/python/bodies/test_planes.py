@@ -41,8 +41,7 @@ def rolled(ball, on, *, load=100.0, speed=52.5e-3, mesh=MESH, **options):
 
 @pytest.mark.parametrize(
     ("speed", "base", "moment"),
-    # Independent computations with the gap of a paraboloid, 20.10, 31.41, 11.179, 3.109 and 4.405;
-    # tests/reference/rolling_plane.py is the one in plain NumPy.
+    # Moments of independent computations with the gap of a paraboloid; one of them is tests/reference/rolling_plane.py.
     [
         (2.1e-3, None, 20.10e-3),
         (10.5e-3, None, 31.41e-3),
@@ -70,7 +69,8 @@ def test_rigid_ball_on_a_layer(speed, base, moment):
     ("s", "torque", "depth"), [(0.1, 0.0850, 1.5806), (0.5, 0.1992, 1.4859), (2.0, 0.1256, 1.2585)]
 )
 def test_viscoelastic_half_space(s, torque, depth):
-    # Independent computation: T / (P a_0) and d R / a_0^2 over V tau / a_0, with a_0 of Hertz for G_0; a/R = 0.03.
+    # An independent computation gives T / (P a_0) and d R / a_0^2 for s = V tau / a_0, where a_0 is Hertz's contact
+    # radius for G_0; a/R = 0.03.
     load = 0.3
     a = (3.0 * load * RADIUS / (16.0 * 6e6)) ** (1 / 3)
     ground = CoatedPlane(base=HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5))
@@ -80,8 +80,8 @@ def test_viscoelastic_half_space(s, torque, depth):
 
 
 def test_compliances_add_up_exactly():
-    # If the ball's coating were flat, ball and mat would be mirror images: two identical planes, equivalent to one of
-    # twice the compliance. The ball's equations include the curvature of its coating, so the results differ a little.
+    # If the ball's coating were flat, ball and mat would act as one plane of twice the compliance. The ball's equations
+    # include the curvature of the coating, so the results differ a little.
     half = StandardLinearSolid(instantaneous_modulus=3e6, relaxed_modulus=1.5e6, relaxation_time=0.125)
     both = rolled(SOFT, MAT)
     one = rolled(RIGID, CoatedPlane(layers=[Layer(thickness=1e-3, shear_modulus=half, poisson_ratio=0.5)]))
@@ -90,8 +90,8 @@ def test_compliances_add_up_exactly():
 
 
 @pytest.mark.parametrize("speed", [2.1e-3, 52.5e-3, 210e-3])
-def test_each_body_pays_for_itself(speed):
-    # More than 100 nodes across on the fine mesh. The deviation is the error of the mesh in both balances.
+def test_power_balance_of_each_body(speed):
+    # The fine mesh has more than 100 nodes across. The deviations of both balances are errors of the mesh.
     errors = []
     for nodes in (600, 2400):
         r = rolled(SOFT, MAT, speed=speed, mesh=Mesh(nodes_per_revolution=nodes))
@@ -104,7 +104,7 @@ def test_each_body_pays_for_itself(speed):
     assert errors[-1].max() < 0.25 * errors[0].max()
 
 
-def test_friction_too_small_to_push_a_ball_over_its_mat_is_told_by_the_force():
+def test_friction_too_small_for_the_rolling_resistance_is_rejected_with_the_range_of_forces():
     # The mat resists with 0.53 N, and friction supports 0.3 N.
     message = r"drive\.force must be between 0\.\d+ N and 0\.\d+ N, otherwise the ball slides permanently, got 0 N"
     with pytest.raises(ValueError, match=message):
@@ -143,13 +143,14 @@ def test_two_soft_bodies_with_friction():
         (Drive(creepage=0.03), "creepage", 0.03),
     ],
 )
-def test_what_a_drive_prescribes_comes_back_without_round_off(drive, name, given):
+def test_results_contain_the_prescribed_value_of_the_drive_exactly(drive, name, given):
     r = rolled(SOFT, MAT, friction=0.05, drive=drive, mesh=Mesh(nodes_per_revolution=600))
     assert getattr(r, name) == r.scalars()[name] == given
 
 
-def test_creepage_of_free_rolling_has_the_sign_of_what_deforms():
-    # An incompressible coating lengthens in contact and drives ahead; under a rigid ball, the layer does.
+def test_creepage_of_free_rolling_depends_on_which_body_deforms():
+    # An incompressible surface lengthens in contact. A coating on the ball moves the center ahead; one on the plane
+    # makes it lag.
     free = {"friction": 1.0, "mesh": Mesh(nodes_per_revolution=600)}
     assert rolled(SOFT, None, **free).creepage > 1e-3
     assert rolled(RIGID, MAT, **free).creepage < -1e-3
@@ -195,7 +196,7 @@ def kalker(pair, ratio, across):
     )
 
 
-# full stick: the denominator of the balance is nearly zero
+# With full stick on elastic bodies, the power in the denominator of the error is nearly zero.
 @pytest.mark.filterwarnings("ignore:the relative error of the power balance")
 @pytest.mark.parametrize(
     ("pair", "ratio"), [(ON_GROUND, 40), (THICKLY_COATED, 160)], ids=["half-space", "thick coating"]
@@ -205,7 +206,7 @@ def test_kalkers_coefficients_of_spin(pair, ratio):
     # body is rigid.
     exact = np.array([1.63, 1.63, 1.16])
     coarse, fine = kalker(pair, ratio, 20), kalker(pair, ratio, 40)
-    # the ball's own mesh is curved
+    # The mesh of a coated ball is curved, so C_23 and C_32 differ slightly.
     assert fine[0] == pytest.approx(fine[1], rel=1e-6 if pair is ON_GROUND else 1e-4)
     np.testing.assert_allclose(fine[:2], exact[:2], rtol=0.03)
     assert fine[2] == pytest.approx(exact[2], rel=0.05)
@@ -225,18 +226,18 @@ def test_straight_groove():
     assert rubbing.energy_balance_error < 1e-2
 
 
-def test_dish_turns_the_pressure_back():
+def test_power_balance_in_a_dish():
     r = rolled(SOFT, Groove(radius=60e-3, path_radius=60e-3))
     relative = 1.0 / (1.0 / RADIUS - 1.0 / 60e-3)
     assert r.driving_torque == pytest.approx(r.resisting_torque * RADIUS / relative, rel=1e-12)
-    # The whole power, with the relative radius: 2.4e-4 on this mesh. A gap whose slope is not the moment arm of the
-    # pressure would leave terms of (a/R)^2: 2.7e-3.
+    # The power is the torque times V / R_relative, with an error of 2.4e-4 on this mesh. If the slope of the gap were
+    # not the moment arm of the pressure, terms of (a/R)^2 would leave 2.7e-3.
     assert r.bulk_power == pytest.approx(52.5e-3 * r.resisting_torque / relative, rel=5e-4)
 
 
-def test_close_rigid_grooves_balance():
-    # In a close fit, the gap is a small difference of two circles. Terms of (a/R)^2 that one of them lacks are 1 / (1 -
-    # R/rho) times as large: they left the power balance open by 5 and 4 %, where the mesh causes 0.1 and 0.5 %.
+def test_power_balance_in_close_rigid_grooves():
+    # In a close fit, the gap is a small difference of two circles. Terms of (a/R)^2 that are missing in one of them
+    # grow by 1 / (1 - R/rho), and would cause errors of 5 and 4 %; the mesh causes 0.1 and 0.5 %.
     mesh = Mesh(nodes_per_revolution=600)
     assert rolled(SOFT, Groove(radius=23e-3, path_radius=23e-3), mesh=mesh).energy_balance_error < 3e-3
     layer = replace(LAYER, thickness=10e-3)
@@ -248,7 +249,7 @@ def test_close_rigid_grooves_balance():
 @pytest.mark.parametrize("layers", [[], [LAYER]])
 @pytest.mark.parametrize("drive", [Drive(force=0.0), Drive(torque=0.0), Drive(creepage=5e-3)])
 def test_dish_with_friction(drive, layers):
-    # A raceway that turns about its own axis: away from the middle its surface lags, as the ball's does.
+    # A dish is a raceway that rotates about its own axis: its surface is slower away from the middle, like the ball's.
     dish = Groove(radius=40e-3, path_radius=80e-3, layers=layers)
     r = rolled(SOFT, dish, friction=0.3, drive=drive, mesh=Mesh(nodes_per_revolution=900))
     assert r.slip_power > 0.0
@@ -259,14 +260,14 @@ def test_dish_with_friction(drive, layers):
 
 
 @pytest.mark.parametrize("ball", [RIGID, SOFT])
-def test_what_a_towed_ball_loses_is_what_tows_it(ball):
+def test_towing_power_of_a_ball_is_dissipated(ball):
     # The mat passes at the speed of the center, not at that of the ball's surface.
     r = rolled(ball, MAT, load=200.0, friction=0.4, drive=Drive(torque=0.0))
     assert r.creepage < -1e-3
     assert r.driving_force / 200.0 == pytest.approx(r.rolling_resistance_coefficient, rel=3e-3)
 
 
-def test_power_is_lost_whichever_way_the_mat_passes():
+def test_power_is_dissipated_in_both_directions_of_the_mat():
     # The whole contact slides, and the center moves equally fast in both directions.
     forth, back = (
         rolled(SOFT, MAT, friction=0.3, drive=Drive(creepage=creepage), mesh=Mesh(nodes_per_revolution=600))
@@ -276,7 +277,7 @@ def test_power_is_lost_whichever_way_the_mat_passes():
     assert back.counterbody_bulk_power == pytest.approx(forth.counterbody_bulk_power, rel=2e-2)
 
 
-def test_elastic_ground_loses_nothing():
+def test_an_elastic_half_space_dissipates_nothing():
     ground = CoatedPlane(base=HalfSpace(shear_modulus=Elastic(modulus=1e7), poisson_ratio=0.3))
     r = rolled(RIGID, ground, mesh=Mesh(nodes_per_revolution=600))
     assert abs(r.resisting_torque) < 1e-9 * 100.0 * r.semi_axis_x
@@ -358,7 +359,7 @@ def test_case_file():
         ({"load": 1e9}, "load must be small enough"),
     ],
 )
-def test_refusals(arguments, message):
+def test_bad_input(arguments, message):
     given = {"on": MAT, "load": 100.0, "angular_speed": 2.5, "mesh": Mesh(nodes_per_revolution=600)}
     with pytest.raises(ValueError, match=message):
         solve(RIGID, **given | arguments)

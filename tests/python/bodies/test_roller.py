@@ -16,13 +16,13 @@ STEEL = vr.CoatedCylinder(core_radius=50e-3, layers=[])
 
 
 @pytest.mark.parametrize("speed", [0.005, 0.05, 0.5])
-def test_hunters_closed_form_is_what_collocation_finds(speed):
+def test_hunters_closed_form_agrees_with_collocation(speed):
     # 800 strips have an error of about 1e-5; 400 strips differ from them by as much.
     found = analytic.hunter(load=5e3, speed=speed, radius=50e-3, shear_modulus=RUBBER, poisson_ratio=0.5).moment
     assert found == pytest.approx(reference.half_plane_moment(speed, load=5e3, radius=50e-3, nodes=400), rel=1e-4)
 
 
-def test_hunter_meets_hertz_and_the_slow_limit():
+def test_hunter_tends_to_hertz_and_the_low_speed_limit():
     common = {"load": 5e3, "radius": 50e-3, "poisson_ratio": 0.3}
     slow = analytic.hunter(**common, speed=1e-6, shear_modulus=RUBBER)
     hertz = analytic.hertz_line(**common, shear_modulus=3e6)
@@ -34,7 +34,7 @@ def test_hunter_meets_hertz_and_the_slow_limit():
 
 
 @pytest.mark.parametrize("angular_speed", [0.1, 1.0, 10.0])
-def test_rigid_roller_on_a_half_plane_is_hunters(angular_speed):
+def test_rigid_roller_on_a_half_plane_agrees_with_hunter(angular_speed):
     r = vr.solve(STEEL, on=HALF_PLANE, load=5e3, angular_speed=angular_speed, accuracy=1e-3)
     exact = analytic.hunter(
         load=5e3, speed=angular_speed * 50e-3, radius=50e-3, shear_modulus=RUBBER, poisson_ratio=0.5
@@ -52,8 +52,8 @@ def coating():
 
 @pytest.mark.parametrize(("angular_speed", "moment"), [(0.1, 2.806), (1.0, 2.456), (10.0, 0.2888)])
 def test_roller_on_a_rigid_plane(coating, angular_speed, moment):
-    # Results of an independent program (docs/theory/rollers.md): in the limit of the mesh, to its own 0.3 %; and on one
-    # mesh, where its sums and the library's differ by 2e-9.
+    # Compare with an independent program (docs/theory/rollers.md): first with its limit of fine meshes, which is
+    # accurate to 0.3 %; then on the same mesh, where the sums differ by 2e-9.
     given = {"load": 5e3, "angular_speed": angular_speed}
     r = vr.solve(ROLLER, accuracy=1e-3, **given)
     assert r.resisting_torque == pytest.approx(moment, rel=3e-3)
@@ -64,9 +64,9 @@ def test_roller_on_a_rigid_plane(coating, angular_speed, moment):
     assert r.penetration == pytest.approx(depth, rel=1e-8)
 
 
-def test_mirrored_pairs_share_the_resistance_out():
-    # The curved layer of a large roller acts like a flat one: which body deforms decides who is driven, and nothing
-    # else.
+def test_resistance_does_not_depend_on_which_body_is_coated():
+    # The layer on a large roller acts like a flat one. Whether it is on the roller or the plane changes only whether a
+    # torque or a force drives.
     mat = vr.CoatedPlane(layers=[SOFT])
     on_mat = vr.solve(vr.CoatedCylinder(core_radius=2.0, layers=[]), on=mat, load=5e3, angular_speed=0.02)
     thick = vr.CoatedCylinder(core_radius=1.99, layers=[SOFT])
@@ -78,7 +78,7 @@ def test_mirrored_pairs_share_the_resistance_out():
     assert coated.driving_torque == coated.resisting_torque
 
 
-def test_thin_layers_come_to_their_limits():
+def test_thin_layers_tend_to_their_closed_forms():
     # Errors of the order h/a = 1/30; an incompressible layer approaches the limit slowly.
     hard = vr.Elastic(modulus=1e6)
     for nu, form in ((0.3, analytic.thin_compressible_layer_line), (0.5, analytic.thin_incompressible_layer_line)):
@@ -104,7 +104,7 @@ def test_winkler_line_is_near_the_solver_on_a_thin_foam():
     assert forms["winkler_line"](1e3, 2.0) == pytest.approx(r.resisting_torque, rel=0.03)  # h/a = 0.08
 
 
-def test_compare_knows_hunter_where_layers_are_thick_and_wakes_short():
+def test_hunters_validity_requires_thick_layers_and_short_wakes():
     thick = vr.Layer(thickness=40e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
     roller = vr.CoatedCylinder(core_radius=20e-3, layers=[thick])
     form = analytic.applicable(roller)["hunter"]
@@ -123,9 +123,9 @@ def test_pictures_of_rollers_are_profiles(tmp_path):
         assert (tmp_path / f"roller.{suffix}").stat().st_size > 0
 
 
-def test_slow_rolling_loses_load_times_distance_times_loss_time():
-    # Linear in speed only if the travel in the loss time is small compared with the contact; extrapolated from two
-    # speeds.
+def test_low_speed_torque_is_load_times_speed_times_loss_time():
+    # The torque is proportional to the speed only if the travel in the loss time is small compared with the contact,
+    # so two speeds are extrapolated.
     torque = [
         vr.solve(ROLLER, load=5e3, angular_speed=speed, mesh=vr.Mesh(nodes_per_revolution=12000)).resisting_torque
         / (5e3 * speed * 60e-3 * 0.125)
@@ -151,7 +151,7 @@ def test_units_are_per_length():
     assert r.contact_area == pytest.approx(2.0 * r.semi_axis_x)
 
 
-def test_roller_model_gives_what_solve_gives():
+def test_roller_model_gives_the_results_of_solve():
     mesh = vr.Mesh(nodes_per_revolution=3000)
     model = vr.RollingModel(ROLLER, angular_speed=1.0, mesh=mesh)
     one = vr.solve(ROLLER, load=5e3, angular_speed=1.0, mesh=mesh)
@@ -159,9 +159,9 @@ def test_roller_model_gives_what_solve_gives():
 
 
 def test_lateral_creepage_shears_a_roller_along_its_axis():
-    # Elastic, thick, full stick at the leading edge: shear along the axis follows Carter's curve with the antiplane
-    # compliance of a half-plane, 1/(μk) in place of (1-ν)/(μk). At ν = ½ it is half as stiff, so the same creepage has
-    # half the effect.
+    # On a thick elastic coating, shear along the axis follows Carter's curve with the antiplane compliance of a
+    # half-plane, 1/(μk) in place of (1-ν)/(μk). At ν = ½ this compliance is twice as large, so the same creepage
+    # causes half the force.
     a = 1e-4
     load = np.pi * 1e7 * a**2 / 0.1
     layer = vr.Layer(thickness=60e-3, shear_modulus=vr.Elastic(modulus=1e7), poisson_ratio=0.5)
@@ -181,7 +181,7 @@ def _carter_pair(nu: float, share: float, across: int):
     layer = vr.Layer(thickness=60e-3, shear_modulus=hard, poisson_ratio=nu)
     ground = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=hard, poisson_ratio=nu))
     given = {"load": np.pi * 1e7 * a**2 / (4.0 * (1.0 - nu) * radius), "radius": radius, "poisson_ratio": nu}
-    given["shear_modulus"] = 0.5e7  # of the two bodies together
+    given["shear_modulus"] = 0.5e7  # combined modulus of both bodies
     drive = vr.Drive(creepage=share * 0.3 * a / radius)
     mesh = vr.Mesh(nodes_per_revolution=round(across * np.pi * radius / a))
     roller = vr.CoatedCylinder(core_radius=40e-3, layers=[layer])
@@ -190,7 +190,7 @@ def _carter_pair(nu: float, share: float, across: int):
 
 
 @pytest.mark.parametrize("nu", [0.3, 0.5])
-def test_two_alike_follow_carter(nu):
+def test_two_identical_bodies_follow_carter(nu):
     for share in (-0.5, 0.2, 0.8):
         r, force = _carter_pair(nu, share, 100)
         assert r.driving_force / (0.3 * r.load) == pytest.approx(force / (0.3 * r.load), abs=0.01)
@@ -198,9 +198,9 @@ def test_two_alike_follow_carter(nu):
     assert errors[1] < 0.4 * errors[0]  # first order, except for the creepage of the free roller
 
 
-def test_friction_knows_which_body_is_soft_by_signs_alone():
-    # A flat layer, and the same layer around a roller so large that it is nearly flat: which body slides over the other
-    # is a matter of convention.
+def test_creepage_changes_its_sign_with_the_body_that_deforms():
+    # The same layer is on a plane, and on a roller so large that the layer is nearly flat. Only the signs of creepage
+    # and traction differ.
     radius, given = 2.0, {"load": 5e3, "angular_speed": 0.02, "friction": 0.3}
     mesh = vr.Mesh(nodes_per_revolution=100_000)
     thick = vr.CoatedCylinder(core_radius=radius - 10e-3, layers=[SOFT])
@@ -229,7 +229,7 @@ def test_power_balance_of_two_soft_bodies_with_friction(drive):
             assert abs(value) < 1e-8 * r.resisting_torque
 
 
-def test_each_roller_pays_for_itself():
+def test_power_balance_of_each_roller():
     floor = vr.CoatedPlane(layers=[SOFT])
     r = vr.solve(ROLLER, on=floor, load=5e3, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=8000))
     assert r.driving_torque * r.angular_speed == pytest.approx(r.rolling_bulk_power, rel=1e-3)
@@ -250,7 +250,7 @@ def test_exchanged_rollers_dissipate_the_same_power():
     assert max(first.energy_balance_error, other.energy_balance_error) < 2e-4
 
 
-def test_large_roller_is_a_plane():
+def test_a_large_roller_acts_as_a_plane():
     layers = OTHER.layers
     given = {"load": 5e3, "angular_speed": 1.0, "friction": 0.2, "drive": vr.Drive(force=0.0)}
     mesh = vr.Mesh(nodes_per_revolution=6000)
@@ -261,7 +261,7 @@ def test_large_roller_is_a_plane():
 
 
 @pytest.mark.parametrize("creepage", [-3e-3, 0.0, 3e-3])
-def test_two_rollers_do_not_care_which_is_called_the_first(creepage):
+def test_exchanged_rollers_have_the_same_results(creepage):
     speed, given = 60e-3, {"load": 5e3, "friction": 0.2}
     back = 1.0 / (1.0 + creepage) - 1.0
     meshes = [vr.Mesh(nodes_per_revolution=n) for n in (6000, 10000)]  # the same distance between nodes
@@ -278,7 +278,7 @@ def test_two_rollers_do_not_care_which_is_called_the_first(creepage):
     )
     traction = [-r.shear_traction[0].sum() * np.ptp(r.x) / (len(r.x) - 1) for r in (first, other)]
     assert traction[0] == pytest.approx(-traction[1], abs=2e-3 * 0.2 * 5e3)
-    # The loss per distance is the same at the surface speed of the first roller.
+    # The loss per distance is the same, but the surface speeds differ by the creepage.
     assert first.rolling_bulk_power == pytest.approx(other.counterbody_bulk_power, rel=1e-3 + abs(creepage))
     assert first.counterbody_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-3 + abs(creepage))
     assert first.slip_power == pytest.approx(other.slip_power, rel=1e-2)
@@ -295,7 +295,7 @@ def test_power_balance_of_two_rollers_with_friction(drive):
 
 
 def test_equal_rollers_do_not_slip():
-    # The rollers are mirror images whatever Poisson's ratio, so pressure causes no slip without creepage.
+    # The rollers are mirror images for any Poisson's ratio, so pressure causes no slip at zero creepage.
     mesh = vr.Mesh(nodes_per_revolution=6000)
     layer = vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.3)
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
@@ -323,7 +323,7 @@ def test_roller_in_a_ring_has_the_relative_radius():
     assert hertz.penetration is None
 
 
-def test_bulging_track_with_a_thin_layer_is_a_roller():
+def test_a_convex_track_with_a_thin_layer_acts_as_a_roller():
     # A groove's layers are flat, which changes the result by h/R = 1/500.
     layer = vr.Layer(thickness=0.2e-3, shear_modulus=RUBBER, poisson_ratio=0.3)
     given = {"load": 2e3, "angular_speed": 1.0, "friction": 0.2, "mesh": vr.Mesh(nodes_per_revolution=6000)}
@@ -398,7 +398,7 @@ def test_traction_along_the_contact_is_carters(share):
         ({"core_radius": 1.0, "layers": [3.0]}, r"layers\[0\] must be a viscoroll.Layer"),
     ],
 )
-def test_bad_cylinders_are_refused_by_name(arguments, message):
+def test_bad_cylinders(arguments, message):
     with pytest.raises((ValueError, TypeError), match=message):
         vr.CoatedCylinder(**arguments)
 
@@ -434,7 +434,7 @@ def test_bad_cylinders_are_refused_by_name(arguments, message):
         ),
     ],
 )
-def test_bad_input_is_refused_by_name(roller, given, message):
+def test_bad_input(roller, given, message):
     with pytest.raises(ValueError, match=message):
         vr.solve(roller, **{"load": 5e3, "angular_speed": 1.0} | given)
 
@@ -458,7 +458,7 @@ def test_studies_of_rollers_have_units_per_length():
     assert study["bulk_power"].attrs["units"] == "W/m"
 
 
-def test_case_files_know_cylinders(tmp_path):
+def test_case_files_with_cylinders(tmp_path):
     from viscoroll.case import load_case
 
     path = tmp_path / "roller.toml"

@@ -28,17 +28,17 @@ def error(found, expected):
 @pytest.mark.parametrize("nu", [0.0, 0.3, 0.5])
 @pytest.mark.parametrize("hub", [40e-3, 15e-3])
 @pytest.mark.parametrize(("m", "k_radius"), [(0, 0.3), (1, 0.3), (2, 1.0), (3, 7.0), (5, 80.0), (20, 0.5), (60, 3.0)])
-def test_one_layer_is_bessels(m, k_radius, hub, nu):
+def test_one_layer_agrees_with_bessel_functions(m, k_radius, hub, nu):
     k = k_radius / 50e-3
     thickness = 50e-3 - hub
     found = vr.modal.surface_compliance(wheel(hub, [(thickness, RUBBER, nu)]), SPEED, m, k)
     modulus = RUBBER.complex_modulus(m * SPEED)
-    # About a hundred times the round-off.
+    # The tolerance is about a hundred times the round-off.
     assert error(found, reference.surface_compliance(hub, [(thickness, complex(modulus), nu)], m, k)) < 1e-12
 
 
 @pytest.mark.parametrize(("m", "k"), [(0, 100.0), (4, 60.0), (-7, 90.0), (30, -200.0)])
-def test_layers_are_bessels(m, k):
+def test_several_layers_agree_with_bessel_functions(m, k):
     soft = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
     layers = [(6e-3, RUBBER, 0.5), (4e-3, soft, 0.45)]
     found = vr.modal.surface_compliance(wheel(40e-3, layers), SPEED, m, k)
@@ -51,7 +51,7 @@ def test_layers_are_bessels(m, k):
     assert error(found, flip @ expected @ flip) < 1e-12
 
 
-def test_equal_layers_are_one():
+def test_identical_layers_act_as_one():
     parts = wheel(40e-3, [(3e-3, RUBBER, 0.45), (7e-3, RUBBER, 0.45)])
     whole = wheel(40e-3, [(10e-3, RUBBER, 0.45)])
     for m, k in [(0, 3.0), (2, 100.0), (300, 5e3)]:
@@ -59,6 +59,6 @@ def test_equal_layers_are_one():
         assert error(vr.modal.surface_compliance(parts, SPEED, m, k), one) < 1e-12
 
 
-def test_bad_orders_are_refused():
+def test_bad_orders_are_rejected():
     with pytest.raises(ValueError, match="k must be"):
         vr.modal.surface_compliance(wheel(40e-3, [(10e-3, RUBBER, 0.45)]), SPEED, 2, np.nan)

@@ -1,4 +1,4 @@
-"""Wheels beyond the numbers of a solve: parameters, messages, files, studies, closed forms."""
+"""Wheels in the user interface: parameters, messages, files, studies, and closed forms."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_bad_types_and_names(keywords, message):
         vr.CoatedWheel(**WHEEL | keywords)
 
 
-def test_lengths_in_millimeters_are_told():
+def test_lengths_in_millimeters_are_a_warning():
     wheel = vr.CoatedWheel(core_radius=40.0, layers=[replace(TREAD, thickness=10.0)], width=30.0)
     assert "SI units, got outer_radius = 50 m, width = 30 m, layers[0].thickness = 10 m" in str(wheel)
     assert "SI units" not in str(CROWNED)
@@ -86,7 +86,7 @@ def test_table_of_a_notebook():
         assert cells in table
 
 
-def test_a_word_is_no_wheel():
+def test_a_word_is_not_a_wheel():
     with pytest.raises(TypeError, match=r"or viscoroll\.CoatedWheel, got 'wheel'"):
         vr.solve("wheel", load=1.0, angular_speed=1.0)
 
@@ -144,7 +144,7 @@ def test_bad_case_files(tmp_path, before, after, message):
         load_case(path)
 
 
-def test_studies_tell_wheels_apart():
+def test_cache_keys_and_groups_distinguish_wheels():
     """The keys of a cache and the groups that share tables depend on every parameter that changes the result."""
     changes = [{}, {"width": 29e-3}, {"crown_radius": 0.31}, {"hub": "crowned"}, {"sides": "unbounded"}]
     keys = []
@@ -156,7 +156,7 @@ def test_studies_tell_wheels_apart():
     assert len(set(keys)) == 2 * len(changes)
 
 
-def test_flat_wheels_have_the_forms_of_rollers():
+def test_closed_forms_of_flat_wheels_are_those_of_rollers():
     wide = vr.CoatedWheel(core_radius=20e-3, layers=[one_layer(thickness=30e-3)], width=0.4)
     roller = analytic.applicable(vr.CoatedCylinder(core_radius=20e-3, layers=wide.layers))
     forms = analytic.applicable(wide)
@@ -166,11 +166,11 @@ def test_flat_wheels_have_the_forms_of_rollers():
     assert forms["hunter"].is_valid(40.0, 0.5)
     narrow = analytic.applicable(replace(wide, width=0.2))
     assert narrow["hunter"](20.0, 0.5) == pytest.approx(0.5 * forms["hunter"](40.0, 0.5), rel=1e-14)
-    assert not narrow["hunter"].is_valid(20.0, 0.5)  # the faces matter
-    assert narrow["low_speed"].is_valid(20.0, 1e-3)  # but not where the torque does not depend on the contact
+    assert not narrow["hunter"].is_valid(20.0, 0.5)  # the faces change the contact
+    assert narrow["low_speed"].is_valid(20.0, 1e-3)  # this torque does not depend on the contact
 
 
-def test_crowned_wheels_have_the_forms_of_ellipses():
+def test_closed_forms_of_crowned_wheels_are_those_of_ellipses():
     forms = analytic.applicable(CROWNED)
     assert forms.keys() == {"low_speed", "greenwood_tabor", "persson"}
     contact = analytic.hertz_ellipse(
@@ -206,12 +206,12 @@ def test_frequencies_of_rolling():
 
 @pytest.fixture(scope="module")
 def rolled():
-    """Return a crowned wheel in rolling contact, which ends before the faces."""
+    """Return the result for a crowned wheel whose contact ends before the faces."""
     return vr.solve(UNBOUNDED, load=100.0, angular_speed=2.5, accuracy=0.05)
 
 
-def test_where_the_contact_ends(rolled):
-    """Compare with the nodes in contact, whose patches end at the faces if the whole width is in contact."""
+def test_contact_width_and_distance_from_the_faces(rolled):
+    """Compare with the nodes in contact; if the whole width is in contact, their patches end at the faces."""
     columns = rolled.z[0, rolled.contact.any(axis=0)]
     patch = abs(rolled.z[0, 1] - rolled.z[0, 0])
     assert rolled.contact_width == pytest.approx(np.ptp(columns) + patch, rel=1e-12)
@@ -226,7 +226,7 @@ def test_where_the_contact_ends(rolled):
     assert (line.contact_width, line.face_distance) == (None, None)
 
 
-def test_columns_are_as_wide_as_the_wheel(rolled):
+def test_columns_of_nodes_cover_the_width(rolled):
     """The angles of a dataset are those of the nodes, whose spacing is not the mesh's."""
     theta = rolled.to_xarray().theta.to_numpy()
     np.testing.assert_allclose(np.abs(theta - 0.5 * np.pi) * UNBOUNDED.outer_radius, np.abs(rolled.z[0]), atol=1e-15)
@@ -298,7 +298,7 @@ def test_a_study(tmp_path):
         )
 
 
-def test_from_the_shell(tmp_path):
+def test_command_line(tmp_path):
     (tmp_path / "case.toml").write_text(CASE + "[numerics]\naccuracy = 0.1\n", encoding="utf-8")
     text = (tmp_path / "case.toml").read_text().replace('hub = "crowned"', 'sides = "unbounded"')
     (tmp_path / "case.toml").write_text(text.replace("load = 500.0", "load = 100.0"))
@@ -310,18 +310,18 @@ def test_from_the_shell(tmp_path):
 
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # the faces of an unbounded tread
 @pytest.mark.parametrize("wheel", [replace(FLAT, sides="unbounded"), UNBOUNDED], ids=["flat", "crowned"])
-def test_slow_rolling_is_that_of_any_contact(wheel):
+def test_low_speed_torque(wheel):
     """T = P Ω R t for any shape of the contact, wherever the closed form declares itself valid."""
     form = analytic.applicable(wheel)["low_speed"]
     speed = 0.02
     assert form.is_valid(500.0, speed)
     r = vr.solve(wheel, load=500.0, angular_speed=speed, accuracy=0.02)
-    # The torque approaches the limit slowly from below: 9 % remain where the surface travels 5 % of the contact in the
-    # loss time.
+    # The torque approaches the limit slowly from below: if the surface travels 5 % of the contact in the loss time, it
+    # is 9 % too small.
     assert 0.9 < r.driving_torque / form(500.0, speed) < 1.01
 
 
-def test_small_contacts_see_a_half_space():
+def test_small_contacts_agree_with_a_half_space():
     """On a thick tread far from its faces, compare with Hertz's ellipse and the torque of its spectrum."""
     tread = one_layer(vr.StandardLinearSolid(instantaneous_modulus=3.3e6, relaxed_modulus=3e6, relaxation_time=0.125))
     wheel = vr.CoatedWheel(
@@ -332,6 +332,7 @@ def test_small_contacts_see_a_half_space():
     assert torque.is_valid(load, speed)
     r = vr.solve(wheel, load=load, angular_speed=speed, accuracy=0.01)
     contact = analytic.hertz_ellipse(load=load, radius=50e-3, crown_radius=0.1, shear_modulus=3.1e6, poisson_ratio=0.5)
-    # The modulus is between 3 and 3.3 MPa: 3 % of a length. The torque is accurate to the loss, a tenth of the modulus.
+    # The modulus varies between 3 and 3.3 MPa, which changes lengths by 3 %. The closed form of the torque has a
+    # relative error of the order of the loss factor, 0.1.
     assert (r.semi_axis_x, r.semi_axis_z) == pytest.approx((contact.semi_axis_x, contact.semi_axis_z), rel=0.03)
     assert r.driving_torque == pytest.approx(torque(load, speed), rel=0.1)

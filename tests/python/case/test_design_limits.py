@@ -1,4 +1,4 @@
-"""Limits on inner quantities: tractions at bonds, temperature, and the load at which the cold state ends."""
+"""Design limits on bond tractions, temperature, and the largest load of the cold steady state."""
 
 from __future__ import annotations
 
@@ -67,8 +67,8 @@ def test_every_body_has_bonds_and_a_temperature(file, body):
     assert outcome.value("strain") == result.strain
 
 
-def test_the_load_at_which_the_cold_state_ends(file):
-    """Compare with `self_heating`: the case is its own coldest state, as warm as it makes itself."""
+def test_ratio_of_the_load_to_the_largest_load_of_the_cold_state(file):
+    """Compare with `self_heating`; the results of the case are those of its coldest steady state."""
     case = load_case(file("roller", COOLED + SHIFT, nodes=300))
     outcome = outcome_of(case, ["load_to_fold", "temperature"], None)
     hot = case.self_heating()
@@ -80,8 +80,8 @@ def test_the_load_at_which_the_cold_state_ends(file):
     assert outcome.result.resisting_torque == pytest.approx(cold.result.resisting_torque, rel=1e-6)
 
 
-def test_a_design_from_the_shell(file, tmp_path):
-    """The shell reports the end of the range that the bond allows, with its unit, and the roller's power per length."""
+def test_a_design_on_the_command_line(file, tmp_path):
+    """The command prints the value at which the bond limit is reached, its unit, and the roller's power per length."""
     middle = outcome_of(load_case(file("roller", nodes=300)), ["bond_shear"], None).value("bond_shear")
     table = '[design]\nvary = "cylinder.layers[0].thickness"\nfrom = 3e-3\nto = 12e-3\n'
     path = file("roller", f"{table}limits = {{ bond_shear = {middle!r}, strain = 0.3 }}\n", nodes=300)
@@ -124,7 +124,7 @@ def test_a_design_from_the_shell(file, tmp_path):
         ),
     ],
 )
-def test_what_has_no_such_limit_says_so(file, body, more, limits, message):
+def test_limits_that_do_not_apply_are_rejected(file, body, more, limits, message):
     table = f'[design]\nvary = "rolling.load"\nfrom = 20.0\nto = 60.0\nlimits = {{ {limits} }}\n'
     with pytest.raises(ValueError, match=message):
         design_case(file(body, more + table))

@@ -1,4 +1,4 @@
-"""Draws of materials in files: stored with the material, and used by a study from the shell."""
+"""Draws of materials in files: stored with the material, and used by a study on the command line."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def roller(modulus):
     return vr.CoatedCylinder(core_radius=20e-3, layers=[layer])
 
 
-def test_a_study_from_the_shell_is_that_of_the_draws(folder):
+def test_a_study_on_the_command_line_uses_the_draws(folder):
     folder, curve = folder
     ended = command("sweep", "study.toml", "--table", "study.csv", cwd=folder)
     assert ended.returncode == 0, ended.stderr
@@ -89,7 +89,7 @@ def test_draws_of_a_file(folder):
         vr.rheology.save_material(folder[0] / "other.toml", curve, draws=curve.draws(2))
 
 
-def test_the_shell_saves_draws_of_one_curve(folder):
+def test_the_command_line_saves_draws_of_one_curve(folder):
     folder, _ = folder
     omega = np.geomspace(0.1, 100.0, 16)
     rows = "".join(f"{w},{1e6 * w**0.1},{1e5 * w**0.1}\n" for w in omega)
@@ -106,7 +106,7 @@ def test_the_shell_saves_draws_of_one_curve(folder):
         (["--draws", 5], "--save must be given with --draws, because draws are saved with the material"),
     ],
 )
-def test_draws_that_nobody_keeps_are_told_of_before_the_work(folder, options, message):
+def test_draws_that_would_not_be_saved_are_rejected(folder, options, message):
     ended = command("material", "data.csv", "--shear", *options, cwd=folder[0])
     assert ended.returncode == 2
     assert message in ended.stderr

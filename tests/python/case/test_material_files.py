@@ -117,7 +117,7 @@ def test_material_at_its_own_and_another_temperature(curve, saved):
         ),
     ],
 )
-def test_what_is_no_material(saved, content, options, message):
+def test_files_that_are_not_a_material(saved, content, options, message):
     if content is not None:
         saved.write_text(content, encoding="utf-8")
     with pytest.raises(ValueError, match=message):
@@ -130,7 +130,7 @@ def test_arguments_of_another_type(saved, option):
         vr.rheology.load_material(saved, **option)
 
 
-def test_one_sweep_has_no_temperatures(curve, tmp_path):
+def test_a_material_of_one_sweep_has_no_shift(curve, tmp_path):
     sweep = curve.data.isotherms[0]
     vr.rheology.save_material(tmp_path / "one.toml", sweep)
     table = vr.rheology.load_material(tmp_path / "one.toml")
@@ -163,11 +163,11 @@ def test_one_sweep_has_no_temperatures(curve, tmp_path):
         ),
     ],
 )
-def test_case_files_take_what_data_sheets_have(tmp_path, modulus, expected):
+def test_case_files_accept_values_of_data_sheets(tmp_path, modulus, expected):
     assert load_case(case_file(tmp_path, modulus)).body.layers[0].shear_modulus == expected
 
 
-def test_case_files_name_measured_materials(curve, saved, tmp_path):
+def test_case_files_refer_to_material_files(curve, saved, tmp_path):
     for modulus, expected in (
         ('"a.toml"', curve.curve),
         ('{ type = "measured", file = "a.toml", temperature = 313.15 }', curve.at(temperature=313.15)),
@@ -218,7 +218,7 @@ def test_case_files_with_bad_materials(saved, tmp_path, modulus, message):
         load_case(case_file(tmp_path, modulus))
 
 
-def test_material_asks_for_what_it_does_not_know(tmp_path):
+def test_the_material_command_requires_options_that_it_cannot_infer(tmp_path):
     data = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
     for words, message in (
         ((data, "--reference", 293.15), "may be a tensile or a shear modulus"),
@@ -235,7 +235,7 @@ def test_material_asks_for_what_it_does_not_know(tmp_path):
         assert message in done.stderr
 
 
-def test_export_writes_beside_the_case(tmp_path):
+def test_export_writes_next_to_the_case(tmp_path):
     path = case_file(tmp_path, RUBBER)
     done = command("export", path, "--for", "lethe", "--style", "viscous", "--span", 1.5)
     assert done.returncode == 0, done.stderr
@@ -246,7 +246,7 @@ def test_export_writes_beside_the_case(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["solve", "export", "roll", "sweep", "design"])
-def test_nesting_is_refused_by_every_command(tmp_path, name):
+def test_deep_nesting_is_rejected_by_every_command(tmp_path, name):
     path = tmp_path / "deep.toml"
     path.write_text("a = " + 5000 * "[", encoding="utf-8")
     done = command(name, path, *(["--for", "yade"] if name == "export" else []))
@@ -263,13 +263,13 @@ def test_nesting_is_refused_by_every_command(tmp_path, name):
         ("", "column frequency occurs 0 times"),
     ],
 )
-def test_tables_beside_cases_are_named(tmp_path, columns, message):
+def test_messages_name_tables_next_to_cases(tmp_path, columns, message):
     (tmp_path / "c.csv").write_text(columns, encoding="utf-8")
     with pytest.raises(ValueError, match=message):
         load_case(case_file(tmp_path, '{ type = "master_curve", file = "c.csv" }'))
 
 
-def test_export_takes_the_study_of_the_file(tmp_path):
+def test_export_uses_the_study_of_the_file(tmp_path):
     sweep = '\n[sweep]\n"rolling.load" = [40.0, 50.0, 60.0]\n"rolling.angular_speed" = [2.0, 2.5]\n'
     path = case_file(tmp_path, RUBBER, sweep)
     done = command("export", path, "--for", "yade", "--output", tmp_path / "floor.py")
@@ -294,12 +294,12 @@ def power(thickness, folder):
 
 
 def test_design_stops_at_the_limit(tmp_path):
-    """A thicker coating has less pressure and more power loss: the thinnest allowed coating is the best."""
+    """A thicker coating has a lower pressure and a larger power loss, so the best coating is the thinnest allowed."""
     _, middle = power(1.5e-3, tmp_path)
     path = case_file(tmp_path, RUBBER, DESIGN.replace("{limits}", f"{{ max_pressure = {middle.max_pressure!r} }}"))
     found = design_case(path)
     assert found.result.max_pressure <= middle.max_pressure * (1.0 + 1e-9)
-    # All of the twelve that meet the limit dissipate at least as much, to the error of the mesh.
+    # All of twelve thicknesses that meet the limit dissipate at least as much, to the error of the mesh.
     for thickness in np.geomspace(0.5e-3, 6e-3, 12):
         watts, result = power(float(thickness), tmp_path)
         if result.max_pressure <= middle.max_pressure:
@@ -308,9 +308,9 @@ def test_design_stops_at_the_limit(tmp_path):
     assert found.plot().axes[0].get_ylabel() == "power dissipated [W]"
 
 
-def test_design_under_a_temperature(tmp_path):
-    """The result is at most as hot as the limit; without a table [thermal] there is no temperature."""
-    coarse = {"nodes": "160\nmax_order = 240"}  # the search sums the inner losses at every point
+def test_design_with_a_limit_of_temperature(tmp_path):
+    """The temperature of the result is at most the limit; a case without a table [thermal] is rejected."""
+    coarse = {"nodes": "160\nmax_order = 240"}  # because every point of the search computes the inner losses
     cooled = "\n[thermal]\nconvection = 20.0\nambient = 293.15\nconductivity = 0.2\n"
     middle = load_case(case_file(tmp_path, RUBBER, cooled, **coarse))
     heated = middle.thermal.temperature(middle.solve())
@@ -322,8 +322,8 @@ def test_design_under_a_temperature(tmp_path):
         design_case(case_file(tmp_path, RUBBER, table))
 
 
-def test_design_of_any_number(tmp_path):
-    """The load itself may vary: the power is smallest at the lower end."""
+def test_design_of_the_load(tmp_path):
+    """Any number may vary, also the load; the power is smallest at the lower end."""
     table = (
         DESIGN.replace('"ball.layers[0].thickness"', '"rolling.load"').replace("0.5e-3", "20.0").replace("6e-3", "60.0")
     )

@@ -30,7 +30,7 @@ def measurement_file(tmp_path):
     return write
 
 
-def test_bands_are_those_of_the_results(case_file, measurement_file):
+def test_bands_are_the_error_estimates_of_the_results(case_file, measurement_file):
     # The loads are unordered, and one occurs twice.
     path = measurement_file("load,penetration,error\n100,1e-4,1e-6\n50, 8e-5, 2e-6\n100,2e-4,1e-6\n")
     case = load_case(case_file)

@@ -48,11 +48,11 @@ def test_the_schema_is_valid():
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
 
 
-def test_the_command_prints_it():
+def test_the_command_prints_the_schema():
     assert json.loads(command("schema").stdout) == json.loads(json.dumps(SCHEMA))
 
 
-def test_types_of_the_npm_package_follow_from_it():
+def test_types_of_the_npm_package_follow_from_the_schema():
     script = ROOT / "wasm" / "make_types.py"
     subprocess.run([sys.executable, script, "--check"], check=True)
 
@@ -89,7 +89,7 @@ def test_ranges_and_units_are_those_of_the_docstrings():
 
 
 def places(error: jsonschema.ValidationError) -> Iterator[str]:
-    """Yield the paths that an error and its alternatives are about."""
+    """Yield the paths that an error and its alternatives name."""
     path = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in error.absolute_path).lstrip(".")
     within = path and f"{path}."
     yield path
@@ -102,7 +102,7 @@ def places(error: jsonschema.ValidationError) -> Iterator[str]:
 
 
 def changed(path: str, value: object) -> dict:
-    """Return the example case with another value at a place; None deletes it."""
+    """Return the example case with `value` at `path`; None deletes the key."""
     case = tomllib.loads(example_text("motion" if path.startswith("motion") else "case"))
     *above, last = [int(part) if part.isdigit() else part for part in re.findall(r"\w+", path)]
     table = case

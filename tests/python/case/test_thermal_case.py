@@ -57,7 +57,7 @@ def test_the_commented_table_is_valid(case):
         ("[thermal]\nambient = 300.0", "thermal.convection must be given"),
     ],
 )
-def test_mistakes_are_named(case, table, message):
+def test_messages_name_the_mistake(case, table, message):
     with pytest.raises(ValueError, match=message):
         load_case(case(COARSE + table))
 
@@ -66,7 +66,7 @@ def test_solve_reports_temperatures_and_draws_the_section(case, capsys, tmp_path
     picture = tmp_path / "section.png"
     run("solve", case(COARSE + THERMAL), "--json", "--section", picture)
     (found,) = json.loads(capsys.readouterr().out)["thermal"]
-    # Result on the mesh of π/100; fine meshes give 1.90 K.
+    # Fine meshes give 1.90 K; the mesh here is π/100.
     assert found["maximum"] == pytest.approx(1.90, rel=0.1)
     assert found["heat_to_surroundings"] == pytest.approx(found["heat"], rel=1e-9)
     assert picture.stat().st_size > 10000

@@ -25,7 +25,7 @@ def program(*words, encoding="utf-8"):
     return subprocess.run(words, capture_output=True, encoding=encoding, env=environment, check=False)
 
 
-def assert_refused(done, message):
+def assert_rejected(done, message):
     assert done.returncode == 2, done.stderr
     assert done.stderr.startswith("viscoroll: ")
     assert len(done.stderr.splitlines()) == 1
@@ -61,7 +61,7 @@ def rows_of(table):
     return {label.strip(): [cell.strip() for cell in cells] for label, *cells in lines}
 
 
-def test_tables_fit_eighty_columns_in_handy_units(case_file):
+def test_tables_fit_eighty_columns_and_use_suitable_units(case_file):
     path = case_file(accuracy="0.1")
     thermal = "\n[thermal]\nconvection = 10.0\nambient = 293.15\nconductivity = 0.2\n"
     path.write_text(path.read_text() + thermal, encoding="utf-8")
@@ -196,7 +196,7 @@ CURVE = 'type = "master_curve"\n'
         ('type = "elastic"\nmodulus = ' + "{a = " * 90 + "1" + "}" * 90, "modulus must be a real number, got dict"),
     ],
 )
-def test_bad_materials_are_one_line(tmp_path, text, message):
+def test_bad_materials_have_messages_of_one_line(tmp_path, text, message):
     (tmp_path / "curve.csv").write_text("frequency, storage, loss\n1.0, 1e6, 0\n2.0, 2e6, 1e5\n")
     (tmp_path / "long.csv").write_text(f"frequency, storage, loss\n1.0, 1e6, {'0' * 200_000}\n")
     path = tmp_path / "case.toml"
@@ -230,12 +230,12 @@ def test_bad_materials_are_one_line(tmp_path, text, message):
         ({"load": '5.0\n"a\\nb" = 1'}, r"rolling.a\nb is not a parameter"),
     ],
 )
-def test_bad_cases_are_one_line_and_exit_code_2(case_file, replacements, message):
+def test_bad_cases_have_messages_of_one_line_and_exit_code_2(case_file, replacements, message):
     done = command("solve", case_file(**replacements))
     if not message:
         assert done.returncode == 0
         return
-    assert_refused(done, message)
+    assert_rejected(done, message)
 
 
 @pytest.mark.parametrize(
@@ -252,10 +252,10 @@ def test_bad_cases_are_one_line_and_exit_code_2(case_file, replacements, message
         ("plot study.nc --output", "a", "--output must end in .png, .svg or .pdf, got 'a'"),
     ],
 )
-def test_files_that_cannot_be_written_are_refused_before_the_solve(tmp_path, words, path, message):
+def test_files_that_cannot_be_written_are_rejected_before_the_solve(tmp_path, words, path, message):
     (tmp_path / "folder.csv").mkdir()
     # There is no case file, so a message about the option shows that the option is checked first.
-    assert_refused(command(*words.split(), path, cwd=tmp_path), message)
+    assert_rejected(command(*words.split(), path, cwd=tmp_path), message)
 
 
 @pytest.mark.parametrize(
@@ -266,20 +266,20 @@ def test_files_that_cannot_be_written_are_refused_before_the_solve(tmp_path, wor
         ('[sweep]\n"rolling.load" = 1' + "0" * 5000, "study.toml: not a TOML file: "),
     ],
 )
-def test_bad_studies_are_one_line(tmp_path, text, message):
+def test_bad_studies_have_messages_of_one_line(tmp_path, text, message):
     (tmp_path / "study.toml").write_text(text, encoding="utf-8-sig")
-    assert_refused(command("sweep", "study.toml", cwd=tmp_path), message)
+    assert_rejected(command("sweep", "study.toml", cwd=tmp_path), message)
 
 
-def test_too_little_memory_is_one_line(case_file, monkeypatch):
+def test_too_little_memory_has_a_message_of_one_line(case_file, monkeypatch):
     def fails(*arguments, **options):
         raise MemoryError("std::bad_alloc")
 
     monkeypatch.setattr("viscoroll.case.case.solve", fails)
-    assert_refused(command("solve", case_file()), "this case: use a coarser mesh, or a larger accuracy")
+    assert_rejected(command("solve", case_file()), "this case: use a coarser mesh, or a larger accuracy")
 
 
-def test_json_has_no_numbers_that_are_none(case_file, monkeypatch):
+def test_json_has_no_nan_or_infinity(case_file, monkeypatch):
     mesh = vr.Mesh(nodes_per_revolution=100, max_order=100)
     r = vr.solve(vr.paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh)
     r = dataclasses.replace(r, residual=np.nan, creepage=-np.inf)
@@ -289,14 +289,14 @@ def test_json_has_no_numbers_that_are_none(case_file, monkeypatch):
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
-def test_what_the_terminal_cannot_show_is_replaced(case_file, encoding):
+def test_characters_that_the_terminal_cannot_show_are_replaced(case_file, encoding):
     done = program("-m", "viscoroll", "solve", case_file(accuracy="0.1"), encoding=encoding)
     assert done.returncode == 0, done.stderr
     assert "? = 2.5 rad/s" in done.stdout
     assert "resisting torque T_r" in done.stdout
 
 
-def test_coarse_meshes_are_a_warning(case_file):
+def test_a_coarse_mesh_is_a_warning(case_file):
     path = case_file(load="1e-9", accuracy="#")
     path.write_text(path.read_text().replace("accuracy = #", COARSE), encoding="utf-8")
     case = load_case(path)
@@ -328,7 +328,7 @@ def test_missing_files_and_unknown_commands_exit_with_2(tmp_path):
     assert (done.returncode, len(done.stderr.strip().splitlines())) == (2, 1)
     assert "nowhere.toml: No such file or directory" in done.stderr
     assert command("roll").returncode == 2
-    assert_refused(command("solve", "a\nb.toml", cwd=tmp_path), r"viscoroll: a\nb.toml: No such file or directory")
+    assert_rejected(command("solve", "a\nb.toml", cwd=tmp_path), r"viscoroll: a\nb.toml: No such file or directory")
 
 
 def test_help_explains_every_command():
@@ -342,7 +342,7 @@ def test_help_explains_every_command():
     assert command("--version").stdout in [f"viscoroll {vr.__version__} ({fft})\n" for fft in ("FFTW", "PocketFFT")]
 
 
-def test_accuracy_that_is_not_reached_is_a_warning(case_file):
+def test_a_missed_accuracy_is_a_warning(case_file):
     done = command("solve", case_file(load="1e-13", accuracy="0.02", density="0.0"), "--json")
     assert done.returncode == 0
     assert json.loads(done.stdout)["status"] == "ACCURACY_NOT_REACHED"
@@ -350,7 +350,7 @@ def test_accuracy_that_is_not_reached_is_a_warning(case_file):
     assert np.isfinite(json.loads(done.stdout)["error_estimate"])
 
 
-def test_import_needs_numpy_alone():
+def test_import_requires_only_numpy():
     text = """
 import sys
 for name in ("matplotlib", "xarray", "typer", "rich", "pydantic", "meshio", "scipy", "tqdm", "netCDF4"):
@@ -392,12 +392,12 @@ def test_roll_follows_the_example_motion(tmp_path):
         ("time = [0.0, 1.0]\nangle = [0.0, 1.0]\nload = 1.0\nspeed = 1.0", "motion.speed is not a parameter"),
     ],
 )
-def test_roll_refuses_in_one_line(tmp_path, lines, message):
+def test_bad_motions_have_messages_of_one_line(tmp_path, lines, message):
     head, tail = example_text("motion").split("[motion]")
     numerics = tail[tail.index("[numerics]") :]
     (tmp_path / "bad.csv").write_text("time,angle\n0,x\n")
     (tmp_path / "motion.toml").write_text(f"{head}[motion]\n{lines}\n{numerics}", encoding="utf-8")
-    assert_refused(command("roll", tmp_path / "motion.toml"), message)
+    assert_rejected(command("roll", tmp_path / "motion.toml"), message)
 
 
 def test_roll_reads_motions_from_files_and_oscillations(tmp_path):
@@ -428,4 +428,6 @@ def test_roll_follows_a_distance_along_a_mat(tmp_path):
     assert h.distance[-1] == pytest.approx(0.01)
     assert h.on.layers[0].thickness == 1e-3
     (tmp_path / "motion.csv").write_text("time,distance,angle,load\n0,0,0,100\n")
-    assert_refused(command("roll", tmp_path / "motion.toml"), "must have exactly one of the columns angle and distance")
+    assert_rejected(
+        command("roll", tmp_path / "motion.toml"), "must have exactly one of the columns angle and distance"
+    )

@@ -22,7 +22,7 @@ def data(tmp_path):
     return vr.rheology.read_rheology(path)
 
 
-def test_measurements_are_no_moduli_yet(data):
+def test_measurements_in_place_of_moduli(data):
     with pytest.raises(TypeError, match=r"; give superpose\(...\).at\(temperature=...\) of the data$"):
         one_layer(data)
     with pytest.raises(TypeError, match=r"; give fit_prony\(...\).series of the curve$"):
@@ -35,7 +35,7 @@ def test_measurements_are_no_moduli_yet(data):
     assert one_layer(fit.series).shear_modulus == fit.series
 
 
-def test_what_a_data_sheet_gives_has_a_value_beside_its_interval():
+def test_fitted_parameters_in_place_of_numbers():
     stiffness, loss = vr.rheology.hardness_to_modulus(60.0), vr.rheology.rebound_to_loss_factor(0.5)
     with pytest.raises(TypeError, match=r"got Parameter\(value=.*; give its value$"):
         one_layer(stiffness)
@@ -51,14 +51,14 @@ def test_what_a_data_sheet_gives_has_a_value_beside_its_interval():
     ],
 )
 @pytest.mark.parametrize("temperature", [20.0, np.nan, np.inf])
-def test_degrees_celsius_are_told(make, temperature):
+def test_messages_recognize_degrees_celsius(make, temperature):
     with pytest.raises(ValueError, match="reference_temperature must be >"):
         make(temperature)
     with pytest.raises(ValueError, match=r"reference_temperature must be .* \(20 °C are 293.15 K\), got 20 K"):
         make(20)
 
 
-def test_names_serve_in_transient_rolling_as_in_steady():
+def test_transient_rolling_accepts_names_of_options():
     named = vr.roll(
         paper.ball(), **MOTION, compliance="vertical", curvature="paper", start="undeformed", averaged_meshes=1
     )
@@ -129,39 +129,39 @@ def ball_of(*, length=1.0, modulus=1.0, density=0.0):
             {"angular_speed": 3e4},
             r"angular_speed must .*, got 30000 rad/s; 30000 rad/s are 286479 revolutions per minute$",
         ),
-        (ball_of(), {"load": 2e4}, r"load must be small enough .*\)$"),  # no hint at other units
+        (ball_of(), {"load": 2e4}, r"load must be small enough .*\)$"),  # no hint about units
         (ball_of(length=MM), {"friction": -1.0}, r"friction must be >= 0, got -1$"),  # the error does not involve units
     ],
 )
-def test_other_units_are_told(ball, case, message):
+def test_messages_recognize_other_units(ball, case, message):
     with pytest.raises(ValueError, match=message):
         vr.solve(ball, **{"load": 100.0, "angular_speed": 2.5} | case)
 
 
-def test_other_units_are_told_by_models_histories_and_strain():
+def test_models_histories_and_strain_warnings_recognize_other_units():
     soft = ball_of(modulus=1e-6)
-    told = r"; viscoroll expects SI units, got layers\[0\].shear_modulus = 3 Pa at rest$"
+    hint = r"; viscoroll expects SI units, got layers\[0\].shear_modulus = 3 Pa at rest$"
     mesh = vr.Mesh(nodes_per_revolution=100)
-    with pytest.raises(ValueError, match=told):
+    with pytest.raises(ValueError, match=hint):
         vr.RollingModel(soft, angular_speed=2.5, mesh=mesh).solve(load=100.0)
-    with pytest.raises(ValueError, match=told):
+    with pytest.raises(ValueError, match=hint):
         vr.roll(soft, time=[0.0, 0.1], angle=[0.0, 0.1], load=50.0, mesh=mesh)
     with pytest.warns(vr.ResultWarning, match="3 Pa at rest; were megapascals meant") as said:
         vr.solve(soft, load=2.5e-4, angular_speed=2.5)
     assert str(said[0].message).startswith("the strain, ")
 
 
-def test_other_units_are_told_of_what_it_rolls_on():
+def test_messages_recognize_other_units_of_the_counterbody():
     mat = vr.CoatedPlane(layers=ball_of(length=MM).layers, base=vr.HalfSpace(shear_modulus=10.0, poisson_ratio=0.5))
-    told = r"units, got on.layers\[0\].thickness = 1 m, on.base.shear_modulus = 10 Pa at rest$"
-    with pytest.raises(ValueError, match=told):
+    hint = r"units, got on.layers\[0\].thickness = 1 m, on.base.shear_modulus = 10 Pa at rest$"
+    with pytest.raises(ValueError, match=hint):
         vr.solve(ball_of(), on=mat, load=1e9, angular_speed=2.5)
 
 
 MILLIMETERS = "viscoroll expects SI units, got outer_radius = 21 m, layers[0].thickness = 1 m; were millimeters meant?"
 
 
-def test_a_ball_of_21_meters_is_solved_and_asked_about():
+def test_a_ball_of_21_meters_is_solved_with_a_warning():
     with pytest.warns(vr.ResultWarning) as said:
         result = vr.solve(ball_of(length=MM), load=1e6, angular_speed=2.5, accuracy=0.1)
     assert result.status is enums.Status.CONVERGED
@@ -176,7 +176,7 @@ def test_a_ball_of_21_meters_is_solved_and_asked_about():
         vr.solve(ball_of(), load=10.0, angular_speed=2.5, accuracy=0.1)  # the ball of 21 mm
 
 
-def test_a_ball_of_21_meters_in_a_study_and_from_the_shell(tmp_path):
+def test_a_ball_of_21_meters_in_a_study_and_on_the_command_line(tmp_path):
     mesh = vr.Mesh(nodes_per_revolution=2000)
     with pytest.warns(vr.ResultWarning) as said:
         study = vr.sweep(ball_of(length=MM), load=[1e6, 2e6], angular_speed=2.5, mesh=mesh, progress=False)
@@ -192,7 +192,7 @@ def test_a_ball_of_21_meters_in_a_study_and_from_the_shell(tmp_path):
         assert f"warning: {MILLIMETERS}\n" in command(*words, cwd=tmp_path).stderr
 
 
-def test_printed_balls_and_rollers_tell_of_other_units():
+def test_printed_bodies_recognize_other_units():
     assert str(ball_of()) == repr(ball_of())
     large = ball_of(length=MM)
     assert str(large) == f"{large!r}\nviscoroll expects SI units, got outer_radius = 21 m, layers[0].thickness = 1 m"
@@ -200,15 +200,15 @@ def test_printed_balls_and_rollers_tell_of_other_units():
     assert str(roller).splitlines()[1:] == ["viscoroll expects SI units, got outer_radius = 50 m"]
 
 
-def test_discrete_elements_need_a_result():
+def test_export_requires_a_result():
     with pytest.raises(
         TypeError, match=r"source must be a viscoroll.Result, a StrainSoftening, or a study of viscoroll.sweep, got 'r'"
     ):
         vr.export.dem("r", code="lammps")
 
 
-def told(*words):
-    """Return the message of a command that is refused."""
+def message_of(*words):
+    """Return the error message of a command."""
     done = command(*words)
     assert (done.returncode, done.stdout) == (2, "")
     return done.stderr.removeprefix("viscoroll: ").removesuffix("\n")
@@ -218,17 +218,17 @@ def test_files_of_another_kind(tmp_path):
     case, unknown = tmp_path / "case.toml", tmp_path / "unknown.csv"
     case.write_text(example_text(), encoding="utf-8")
     unknown.write_text("f,A,B\n1,2,3\n", encoding="utf-8")
-    assert told("roll", case) == f"{case}: motion must be given; this file is for `viscoroll solve`"
+    assert message_of("roll", case) == f"{case}: motion must be given; this file is for `viscoroll solve`"
     case.write_text(example_text().replace("angular_speed", "angularspeed"), encoding="utf-8")
     extra = "is not a parameter, got 2.5"
-    assert told("solve", case) == f"{case}: rolling.angularspeed {extra}; did you mean angular_speed?"
+    assert message_of("solve", case) == f"{case}: rolling.angularspeed {extra}; did you mean angular_speed?"
     case.write_text(example_text().replace("angular_speed", "speed"), encoding="utf-8")
     meant = "did you mean angular_speed = V / r_o?"
-    assert told("solve", case) == f"{case}: rolling.speed {extra}; {meant}"
+    assert message_of("solve", case) == f"{case}: rolling.speed {extra}; {meant}"
     case.write_text(example_text().replace("angular_speed", "speed") + example_text("sweep"), encoding="utf-8")
-    assert told("solve", case) == f"{case}: rolling.speed {extra}; {meant}"  # [sweep] does not set it
+    assert message_of("solve", case) == f"{case}: rolling.speed {extra}; {meant}"  # [sweep] does not set it
     case.write_text(example_text() + "[belt]\nlayers = []\n", encoding="utf-8")
-    assert told("solve", case).endswith("; did you mean plane?")
+    assert message_of("solve", case).endswith("; did you mean plane?")
     layer = "thickness = 5e-3\npoisson_ratio = 0.5\nshear_modulus = 1e6\n"
     for wrong, meant in {
         layer.replace("shear_modulus = 1e6", "hardness = 60"): 'shear_modulus = { type = "hardness", hardness = ... }',
@@ -237,17 +237,17 @@ def test_files_of_another_kind(tmp_path):
         ),
     }.items():
         case.write_text(f"[ball]\ncore_radius = 0.1\n[[ball.layers]]\n{wrong}", encoding="utf-8")
-        assert f"; did you mean {meant}?" in told("solve", case)
+        assert f"; did you mean {meant}?" in message_of("solve", case)
     for word, table in {"caster": "wheel", "idler": "cylinder", "sphere": "ball", "dish": "groove"}.items():
         case.write_text(f"[{word}]\ncore_radius = 0.1\n[rolling]\nload = 1.0\nangular_speed = 1.0\n", encoding="utf-8")
-        assert told("solve", case).partition("; and ")[0].endswith(f"; did you mean {table}?"), word
+        assert message_of("solve", case).partition("; and ")[0].endswith(f"; did you mean {table}?"), word
     case.write_text(example_text("motion"), encoding="utf-8")
-    assert told("solve", case) == f"{case}: rolling must be given; this file is for `viscoroll roll`"
+    assert message_of("solve", case) == f"{case}: rolling must be given; this file is for `viscoroll roll`"
     case.write_text((example_text() + example_text("sweep")).replace("load = 100.0", ""), encoding="utf-8")
     varied = "; only `viscoroll sweep` uses the values of [sweep]"
-    assert told("solve", case) == f"{case}: rolling.load must be given{varied}"
-    assert told("plot", case) == "study must be a .nc file written by `viscoroll sweep`, got 'case.toml'"
-    assert "in the shell --columns frequency=name:unit,storage=name:unit" in told("material", unknown)
+    assert message_of("solve", case) == f"{case}: rolling.load must be given{varied}"
+    assert message_of("plot", case) == "study must be a .nc file written by `viscoroll sweep`, got 'case.toml'"
+    assert "in the shell --columns frequency=name:unit,storage=name:unit" in message_of("material", unknown)
 
 
 def test_layers_without_a_core_are_a_solid_ball(tmp_path):
@@ -261,7 +261,7 @@ def test_layers_without_a_core_are_a_solid_ball(tmp_path):
         vr.CoatedSphere(layers=[one_layer(thickness=0.02)], inner_boundary="hollow")
 
 
-def test_one_file_serves_several_commands(tmp_path):
+def test_commands_skip_tables_of_other_commands(tmp_path):
     text = example_text().replace("accuracy = 0.01", "nodes_per_revolution = 300") + example_text("design")
     study = '[sweep]\n"rolling.load" = [50.0, 100.0]\n'
     (tmp_path / "case.toml").write_text(text + study, encoding="utf-8")
@@ -277,7 +277,7 @@ def test_one_file_serves_several_commands(tmp_path):
 
 
 @pytest.mark.parametrize("body", ["[cylinder]", "[wheel]\nwidth = 0.1"])
-def test_a_rigid_idler_needs_no_layers(tmp_path, body):
+def test_a_rigid_roller_requires_no_layers(tmp_path, body):
     layer = "thickness = 5e-3\npoisson_ratio = 0.5\nshear_modulus = 1e6\n"
     text = f"{body}\ncore_radius = 0.08\n[plane]\n[[plane.layers]]\n{layer}"
     text += "[rolling]\nload = 100.0\nangular_speed = 10.0\n[numerics]\nnodes_per_revolution = 600\n"

@@ -1,6 +1,6 @@
-"""Equivalent linear rolling compared with a roller on columns with an exact network.
+"""Equivalent linear rolling compared with a roller on independent columns of a rate-independent network.
 
-The columns are computed by `tests/reference/network_columns.py`.
+`tests/reference/network_columns.py` computes the columns.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def test_network_torque_agrees_with_columns(peak, bound):
     )
     harmonic_torque, network_torque = np.array(found.torque_bounds) / moment
     assert network_torque == pytest.approx(1.0, abs=bound)
-    # Summed over the harmonics of a parabolic strain history, the loss is 1.62 times that of the network.
+    # For a parabolic strain history, the loss summed over harmonics is 1.62 times that of the network.
     assert harmonic_torque > 1.2
     # The penetration is measured from the surface of the track, which its permanent set has lowered.
     assert found.result.penetration == pytest.approx(height * peak * (1.0 - permanent_set), rel=bound)

@@ -1,4 +1,4 @@
-"""Equivalent linear rolling compared with a layer of exact network, `tests/reference/network_layer.py`."""
+"""Equivalent linear rolling compared with a layer of a rate-independent network (tests/reference/network_layer.py)."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import pytest
 import viscoroll as vr
 from reference.network_layer import Layer
 
-#: Load [Pa mm] and moment [Pa mm²] from another program by Poisson's ratio and depth [mm]: to 0.1 and 1 %.
+#: Load [Pa mm] to 0.1 % and moment [Pa mm²] to 1 % from another program, by Poisson's ratio and depth [mm].
 ROWS = {(0.3, 0.02): (120573.0, 9280.0), (0.3, 0.1): (1.0577e6, 2.196e5), (0.45, 0.02): (241242.0, 25294.0)}
 
 
 @pytest.mark.parametrize(("ratio", "depth"), ROWS)
-def test_layers_of_two_programs(ratio, depth):
+def test_layer_agrees_with_another_program(ratio, depth):
     load, moment = ROWS[ratio, depth]
     found = Layer(poisson_ratio=ratio, nodes=2048).pass_of(depth)
     assert found[0] == pytest.approx(load, rel=2e-3)
@@ -20,8 +20,8 @@ def test_layers_of_two_programs(ratio, depth):
 
 
 @pytest.mark.parametrize(("depth", "plain"), [(0.02, 0.98), (0.1, 1.144)])
-def test_matched_torque_is_that_of_the_layer(depth, plain):
-    """At equal load, the torque agrees to 5 %, which the sum over harmonics need not do; the volume is elastic."""
+def test_network_torque_agrees_with_the_layer(depth, plain):
+    """At equal load, the torque of the loss method "network" agrees to 5 %, unlike the sum over harmonics."""
     exact = Layer(bulk_modulus=2.7e6, nodes=2048)
     load, moment = exact.pass_of(depth)
     matrix = vr.StandardLinearSolid(
@@ -43,4 +43,4 @@ def test_matched_torque_is_that_of_the_layer(depth, plain):
     harmonic, matched = np.array(found.torque_bounds) / (1e-6 * moment)
     assert matched == pytest.approx(1.0, abs=0.05)
     assert harmonic == pytest.approx(plain, abs=0.01)
-    assert 0.9 < found.result.penetration / (1e-3 * depth) < 1.0  # measured from the actual track, which the set lowers
+    assert 0.9 < found.result.penetration / (1e-3 * depth) < 1.0  # measured from the track, lowered by its set

@@ -1,4 +1,4 @@
-"""Self-heating: torque and temperature found together."""
+"""Self-heating: steady states in which the moduli, the heat and the temperature are consistent."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ UNIFORM = COOLING | {"conductivity": 1e3}  # uniform temperature, as in the inde
 MESH = vr.Mesh(nodes_per_revolution=240)
 
 
-def falling(temperature):
+def exponential_shift(temperature):
     """Return the shift factor a_T = e^(-0.1 (T - ambient))."""
     return math.exp(-0.1 * (temperature - AMBIENT))
 
 
 def heated(angular_speed, **options):
     ball = paper.ball(thickness=5e-3, density=0.0)
-    arguments = {"shift": falling, "limit": AMBIENT + 120.0, "mesh": MESH, "load": 100.0} | COOLING | options
+    arguments = {"shift": exponential_shift, "limit": AMBIENT + 120.0, "mesh": MESH, "load": 100.0} | COOLING | options
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", vr.ResultWarning)
         return vr.self_heating(ball, angular_speed=angular_speed, **arguments)
@@ -37,7 +37,7 @@ def heated(angular_speed, **options):
 
 @pytest.fixture(scope="module")
 def curve():
-    """Return the torque as a function of speed on the same mesh, by the reference program."""
+    """Return the torque as a function of speed on the same mesh, for the reference program."""
     return torque_curve(1e-4, 100.0, nodes=240)
 
 
@@ -48,7 +48,7 @@ def rises(curve, angular_speed):
 
 @pytest.mark.parametrize("angular_speed", [2.5, 25.0])
 def test_one_state(curve, angular_speed):
-    """The reference program gives 1.19 and 1.53 K, to 1 %."""
+    """The reference program gives temperature rises of 1.19 and 1.53 K, to 1 %."""
     (state,) = heated(angular_speed, limit=AMBIENT + 30.0, points=8, **UNIFORM).states
     assert state.stable
     assert rises(curve, angular_speed) == [(pytest.approx(state.mean_temperature - AMBIENT, rel=0.01), True)]
@@ -58,21 +58,21 @@ def test_one_state(curve, angular_speed):
 
 
 def test_three_states(curve):
-    """The reference program gives 1.54, 33.5 and 61.1 K at 100 rad/s, to 1 %; the middle one is unstable."""
+    """The reference program gives rises of 1.54, 33.5 and 61.1 K at 100 rad/s, to 1 %; the middle state is unstable."""
     hot = heated(100.0, **UNIFORM)
     found = [(pytest.approx(state.mean_temperature - AMBIENT, rel=0.01), state.stable) for state in hot.states]
     assert rises(curve, 100.0) == found
     assert [state.stable for state in hot.states] == [True, False, True]
     for state in hot.states:
-        # A steady state: a solve with its moduli gives its temperature.
-        ball = coated_ball(shifted(RUBBER, falling(state.mean_temperature)), thickness=5e-3)
+        # In a steady state, a solve with the shifted moduli gives the same temperature.
+        ball = coated_ball(shifted(RUBBER, exponential_shift(state.mean_temperature)), thickness=5e-3)
         again = vr.solve(ball, load=100.0, angular_speed=100.0, mesh=MESH)
         found = again.temperature(**UNIFORM)
         assert found.mean == pytest.approx(state.mean_temperature - AMBIENT, rel=2e-3)
 
 
-def test_no_state_is_refused_with_the_largest_speed():
-    """The limit is below the hot branch, and heat brings the moduli to their peak of loss."""
+def test_speeds_without_a_state_are_rejected_with_the_largest_speed():
+    """The temperature limit lies below the hot branch, and heating moves the moduli to their loss peak."""
     coarse = vr.Mesh(nodes_per_revolution=120)
     fast = {"load": 400.0, "convection": 3.0, "limit": AMBIENT + 60.0, "points": 8, "mesh": coarse}
     with pytest.raises(ValueError, match=r"angular_speed must be at most about .* rad/s for a steady temperature") as e:
@@ -82,13 +82,13 @@ def test_no_state_is_refused_with_the_largest_speed():
     assert heated(0.9 * largest, **fast).states
 
 
-def test_speeds_of_temperatures_lead_back():
+def test_solving_at_the_speed_of_a_temperature_gives_this_temperature():
     hot = heated(25.0, limit=AMBIENT + 30.0, points=8, **UNIFORM)
     (state,) = hot.states
     assert hot.speeds([state.mean_temperature])[0] == pytest.approx(25.0, rel=0.02)
 
 
-def test_without_a_shift_the_temperature_is_that_of_the_moduli():
+def test_without_a_shift_the_temperature_is_that_of_a_single_solve():
     ball = paper.ball(density=0.0)
     hot = vr.self_heating(
         ball, load=100.0, angular_speed=25.0, shift=lambda temperature: 1.0, mesh=MESH, points=4, **COOLING
@@ -102,10 +102,12 @@ def test_sublayers_have_temperatures_of_their_own():
     given = {"load": 100.0, "angular_speed": 25.0, "mesh": vr.Mesh(nodes_per_revolution=160)}
     cooling = COOLING | {"core": enums.Core.ISOTHERMAL}
     ball = coated_ball(thickness=5e-3)
-    hot = vr.self_heating(ball, shift=falling, points=4, limit=AMBIENT + 20.0, sublayers=2, **given, **cooling)
+    hot = vr.self_heating(
+        ball, shift=exponential_shift, points=4, limit=AMBIENT + 20.0, sublayers=2, **given, **cooling
+    )
     inner, outer = hot.states[0].layer_temperatures
     assert AMBIENT < inner < outer
-    halves = [one_layer(shifted(RUBBER, falling(there)), thickness=2.5e-3) for there in (inner, outer)]
+    halves = [one_layer(shifted(RUBBER, exponential_shift(there)), thickness=2.5e-3) for there in (inner, outer)]
     found = vr.solve(vr.CoatedSphere(core_radius=20e-3, layers=halves), **given).temperature(**cooling)
     np.testing.assert_allclose(found.layer_means, [inner - AMBIENT, outer - AMBIENT], rtol=5e-3)
 
@@ -141,14 +143,14 @@ def test_a_roller_has_three_states_and_a_fold_in_load(roller):
     assert fold.load == pytest.approx(10154.4, rel=1e-3)
     assert fold.mean_temperature - AMBIENT == pytest.approx(5.582, rel=0.02)  # the maximum is flat
     assert 0.0 < fold.strain < 0.1
-    # At this load, the cold state exists at any speed: ΔT a_T has its maximum above the plateau of the torque.
+    # At this load, a cold state exists at any speed, because the maximum of ΔT a_T exceeds the plateau of the torque.
     assert roller.largest_speed() is None
     assert len(roller.plot(points=3).axes) == 2
     assert roller.loads([AMBIENT + 5.0, AMBIENT + 30.0])[1] < roller.loads([AMBIENT + 5.0])[0]
 
 
-def test_a_vertical_shift_is_a_load_per_modulus():
-    """T(F; b) = b T(F/b; 1), to the last digits on the same mesh."""
+def test_a_vertical_shift_scales_load_and_torque():
+    """With a vertical shift b, T(F; b) = b T(F/b; 1), to round-off on the same mesh."""
     half = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(RUBBER, thickness=10e-3)])
     given = {"conductivity": 1e3, "convection": 15.0, "ambient": AMBIENT, "mesh": vr.Mesh(nodes_per_revolution=2000)}
     hot = vr.self_heating(
@@ -165,31 +167,40 @@ def test_a_vertical_shift_is_a_load_per_modulus():
     assert hot.states[0].result.resisting_torque == pytest.approx(0.5 * plain.resisting_torque, rel=1e-9)
 
 
-#: A wheel of 50 + 10 mm, 50 mm wide, with a crown; convection removes its heat.
+#: A crowned wheel with a hub of 50 mm and a tread of 10 mm, 50 mm wide.
 WHEEL = vr.CoatedWheel(core_radius=50e-3, layers=[one_layer(thickness=10e-3)], width=50e-3, crown_radius=0.2)
 EVEN = {"conductivity": 1e3, "convection": 15.0, "ambient": AMBIENT}  # uniform temperature
 
 
-def test_a_wheel_is_as_warm_as_its_moduli():
-    """A solve with its moduli gives its temperature; the load of this temperature is the given load."""
+def test_state_of_a_wheel_is_consistent():
+    """A solve with the shifted moduli gives the same temperature, and the load of this temperature is the given one."""
     given = COOLING | {"side_convection": 8.0, "hub_conductance": 0.1}
     mesh = vr.Mesh(nodes_per_revolution=80)
     hot = vr.self_heating(
-        WHEEL, load=150.0, angular_speed=20.0, shift=falling, limit=AMBIENT + 20.0, points=4, mesh=mesh, **given
+        WHEEL,
+        load=150.0,
+        angular_speed=20.0,
+        shift=exponential_shift,
+        limit=AMBIENT + 20.0,
+        points=4,
+        mesh=mesh,
+        **given,
     )
     state = hot.states[0]
     assert state.stable
-    heated = replace(WHEEL, layers=[one_layer(shifted(RUBBER, falling(state.mean_temperature)), thickness=10e-3)])
+    heated = replace(
+        WHEEL, layers=[one_layer(shifted(RUBBER, exponential_shift(state.mean_temperature)), thickness=10e-3)]
+    )
     again = vr.solve(heated, load=150.0, angular_speed=20.0, mesh=mesh).temperature(**given)
     assert again.mean == pytest.approx(state.mean_temperature - AMBIENT, rel=2e-3)
     assert hot.loads([state.mean_temperature])[0] == pytest.approx(150.0, rel=2e-3)
     assert "mN m" in repr(state)  # a wheel's torque is not per length
     with pytest.raises(ValueError, match="width must be left out with a wheel"):
-        vr.self_heating(WHEEL, load=150.0, angular_speed=20.0, shift=falling, width=0.05, mesh=mesh, **given)
+        vr.self_heating(WHEEL, load=150.0, angular_speed=20.0, shift=exponential_shift, width=0.05, mesh=mesh, **given)
 
 
 def test_loads_of_a_softening_wheel_have_a_maximum():
-    """Contacts of one modulus give every state, also beyond the largest load: T(F; b) = b T(F/b; 1)."""
+    """By T(F; b) = b T(F/b; 1), contacts with one modulus give all states, also beyond the largest load."""
     body = replace(WHEEL, core_radius=20e-3, width=30e-3, crown_radius=0.1)
     mesh, speed = vr.Mesh(nodes_per_revolution=60), 15.0
 
@@ -218,7 +229,7 @@ def test_loads_of_a_softening_wheel_have_a_maximum():
             **EVEN,
         )
     assert hot.states[0].mean_temperature == pytest.approx(temperatures[0], abs=0.02)
-    # on so coarse a mesh, powers increase in steps
+    # On this coarse mesh, the power increases in steps.
     np.testing.assert_allclose(hot.loads(temperatures), loads, rtol=0.01)
 
 
@@ -233,9 +244,9 @@ FILLED = {
 
 
 def filled(name, **options):
-    """Return filled rubber and its self-heating; the heat shifts the matrix."""
+    """Return a body of filled rubber and its self-heating; the temperature shifts only the matrix."""
     body, load, speed, nodes = FILLED[name]
-    given = {"load": load, "angular_speed": speed, "shift": falling, "limit": AMBIENT + 40.0, "points": 4}
+    given = {"load": load, "angular_speed": speed, "shift": exponential_shift, "limit": AMBIENT + 40.0, "points": 4}
     mesh = vr.Mesh(nodes_per_revolution=nodes)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", vr.ResultWarning)
@@ -243,11 +254,11 @@ def filled(name, **options):
 
 
 @pytest.mark.parametrize("name", ["ball", "roller", "wheel"])
-def test_filled_rubber_is_at_rest_in_strain_and_heat(name):
-    """A separate search with the shifted moduli gives the same contact, whose heat gives the same temperature."""
+def test_state_of_filled_rubber_is_consistent_in_strain_and_temperature(name):
+    """Strain softening with the shifted moduli gives the same contact, and its heat gives the same temperature."""
     body, hot = filled(name)
     state = hot.states[0]
-    warm = shifted(TREAD, falling(state.layer_temperatures[0]))
+    warm = shifted(TREAD, exponential_shift(state.layer_temperatures[0]))
     rubber = replace(body, layers=[replace(body.layers[0], shear_modulus=warm)])
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", vr.ResultWarning)
@@ -257,13 +268,13 @@ def test_filled_rubber_is_at_rest_in_strain_and_heat(name):
     assert state.softening.torque_bounds == pytest.approx(found.torque_bounds, rel=1e-3)
     assert state.softening.layer_amplitudes == pytest.approx(found.layer_amplitudes, rel=1e-3)
     assert state.result.resisting_torque == state.softening.torque_bounds[1]
-    orders = default_max_order(found.result, 12.0)  # the same as in the search for a state
+    orders = default_max_order(found.result, 12.0)  # as in self_heating
     rise = found.result.temperature(**COOLING, max_order=orders).mean
     assert AMBIENT + rise == pytest.approx(state.mean_temperature, abs=2e-3 * rise)
 
 
 def test_filled_rubber_by_harmonics():
-    """The loss method with the larger loss gives the hotter state."""
+    """The loss method "harmonic", which gives the larger loss, leads to the hotter state."""
     hot, harmonic = (filled("roller", softening=method)[1].states[0] for method in ("network", "harmonic"))
     assert harmonic.softening.loss == "harmonic"
     assert harmonic.result.resisting_torque == harmonic.softening.torque_bounds[0]
@@ -274,7 +285,7 @@ def test_filled_rubber_by_harmonics():
 
 
 def test_filled_rubber_has_a_largest_load():
-    """A matrix that melts beside a network: the cold state ends in a fold, with smaller loads on both sides."""
+    """If the matrix softens with temperature, the cold state ends at a largest load; hotter states need less."""
     melting = {"vertical_shift": lambda kelvin: 1.0 / (1.0 + math.exp((kelvin - AMBIENT - 10.0) / 2.0))}
     matrix = vr.StandardLinearSolid(instantaneous_modulus=12e6, relaxed_modulus=9e6, relaxation_time=0.01)
     network = vr.materials.MasingNetwork(storage=2e6, critical_strain=0.02)
@@ -292,7 +303,7 @@ def test_filled_rubber_has_a_largest_load():
     assert loads.max() < fold.load
 
 
-def test_shift_factors():
+def test_shift_factors_in_self_heating():
     wlf = vr.materials.WilliamsLandelFerry(c1=17.44, c2=51.6, reference_temperature=200.0)
     assert wlf(200.0) == 1.0
     assert wlf(251.6) == pytest.approx(10.0**-8.72)
@@ -340,7 +351,11 @@ def test_shifted_moduli(modulus):
     ("arguments", "error", "message"),
     [
         ({"shift": 1.0}, TypeError, "shift must be a function"),
-        ({"shift": [falling, falling]}, ValueError, "shift must have one function for each of 1 layers, got 2"),
+        (
+            {"shift": [exponential_shift, exponential_shift]},
+            ValueError,
+            "shift must have one function for each of 1 layers, got 2",
+        ),
         ({"points": 2}, ValueError, r"points must be in \[4, 1000\]"),
         ({"sublayers": 0}, ValueError, r"sublayers must be in \[1, 20\]"),
         ({"limit": 200.0}, ValueError, "limit must be > ambient"),

@@ -40,7 +40,7 @@ def line(x):
         ([1, 0, 0, 0, 0, 0], 2.0 / math.sqrt(3.0)),  # compression between walls
     ],
 )
-def test_length_of_the_strain_vector(strain, expected):
+def test_norm_of_the_strain_vector(strain, expected):
     p = deviatoric_path(np.array(strain, dtype=float))
     assert np.linalg.norm(p) == pytest.approx(expected, rel=1e-14)
 
@@ -71,7 +71,7 @@ def test_harmonics_of_a_pulse(name):
         layer=0, phi=x, period=200.0, p=path_of(pulse), volumes=np.ones(1), depth=np.zeros(1), theta=np.zeros(1)
     )
     squares = harmonic_squares(path)[1].sum()
-    # A pulse that ends like a square root has harmonics that decay like 1/k^(3/2); 1500 nodes omit 2e-3 of them.
+    # If a pulse ends like a square root, its harmonics decay like 1/k^(3/2); 1500 nodes omit 2e-3 of the loss.
     assert squares / (np.pi * half_range(path.p)[0] ** 2) == pytest.approx(expected, rel=3e-3)
 
 
@@ -86,7 +86,7 @@ def test_network_on_a_straight_path(x, expected):
     ("x", "expected"), [(0.01, 3.133262), (0.3, 2.935023), (1.0, 2.648818), (3.0, 2.299736), (100.0, 1.660626)]
 )
 def test_network_on_a_circle(x, expected):
-    """After some rounds, an element that yields at y follows the strain on a circle of radius √(x² - y²)."""
+    """After several revolutions, an element that yields at y follows the strain on a circle of radius √(x² - y²)."""
     loop = np.pi * x**2 * vr.materials.MasingNetwork(storage=1.0, critical_strain=1.0).at(x)[1]
     angle, weight = np.polynomial.legendre.leggauss(2000)
     angle, weight = 0.25 * np.pi * (1.0 + angle), 0.25 * np.pi * weight
@@ -94,12 +94,12 @@ def test_network_on_a_circle(x, expected):
     steady = (weight * 2.0 * np.pi * y * (x * np.cos(angle)) ** 2 * 2.0 / (1.0 + y) ** 3).sum()
     assert steady / loop == pytest.approx(expected, rel=1e-6)
     found = iwan_loss(circle(x)[:, ::4], np.array([x]), rounds=20)[0]
-    assert found == pytest.approx(steady, rel=2e-4)  # 250 chords: (2π/250)²/6 = 1e-4; transient after 20 rounds: 1e-5
+    assert found == pytest.approx(steady, rel=2e-4)  # chords 1e-4, transient 1e-5
 
 
 def test_turning_ratio_on_a_circle_tends_to_pi_at_small_strain():
     found = turning_ratio(circle(1e-6), np.array([1e-6]), math.inf)[0]
-    assert found == pytest.approx(math.pi, rel=0.02)  # the transient after two rounds
+    assert found == pytest.approx(math.pi, rel=0.02)  # transient after two revolutions
 
 
 #: Positions along a half-plane in half-widths, dense in the loaded part.
@@ -116,7 +116,7 @@ def half_plane(depth, x):
     along = -(m * (1.0 + (depth**2 + n**2) / (m**2 + n**2)) - 2.0 * depth)
     normal = -m * (1.0 - (depth**2 + n**2) / (m**2 + n**2))
     shear = -n * (m**2 - depth**2) / (m**2 + n**2)
-    # e = s/2G; in plane strain at constant volume, the normal components of s are ± (normal - along)/2.
+    # The deviator is e = s/2G. In plane strain at constant volume, the normal components of s are ± (normal - along)/2.
     difference = 0.25 * (normal - along)
     return path_of(math.sqrt(2.0) * difference, -math.sqrt(2.0) * difference, np.zeros(len(x)), shear)
 

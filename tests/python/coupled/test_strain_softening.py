@@ -1,4 +1,4 @@
-"""Rolling of filled rubber: exact relations without iteration, limits, scaling, and input checks."""
+"""Rolling of filled rubber: limits without iteration, scaling, convergence, and input checks."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ def soft_roller():
     return softened(roller())
 
 
-def test_without_a_network_it_is_solve():
+def test_without_a_network_the_result_is_that_of_solve():
     linear = vr.solve(roller(RUBBER), load=2e3, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=600))
     found = softened(roller(RUBBER))
     assert found.torque_bounds == (linear.resisting_torque, linear.resisting_torque)
     np.testing.assert_array_equal(found.result.pressure, linear.pressure)
 
 
-def test_a_network_that_no_strain_softens_is_a_linear_one():
+def test_a_network_of_large_critical_strain_is_linear():
     network = vr.materials.StrainSweep(
         strain=[1e-4, 1e-2, 1.0], storage=[5e6] * 3, loss=[4e5] * 3, matrix=vr.Elastic(modulus=3e6), frequency=1.0
     )
@@ -56,7 +56,7 @@ def test_a_network_that_no_strain_softens_is_a_linear_one():
     assert contact.penetration == pytest.approx(expected.penetration, rel=2e-3)
 
 
-def test_a_network_that_loses_nothing_needs_no_matching():
+def test_a_network_without_loss_gives_the_torque_of_its_moduli():
     network = vr.materials.KrausNetwork(storage=6e6, loss=0.0, critical_strain=0.01)
     found = softened(roller(vr.materials.SofteningModulus(matrix=RUBBER, network=network)))
     assert found.loss_scales == (1.0,)
@@ -64,8 +64,8 @@ def test_a_network_that_loses_nothing_needs_no_matching():
     assert found.torque_bounds[0] == pytest.approx(found.torque_bounds[1], rel=1e-9)
 
 
-def test_the_modulus_is_that_of_the_strain_it_makes(soft_roller):
-    """A solve at the amplitude found has this amplitude: a fixed point, to the tolerance."""
+def test_the_amplitude_is_a_fixed_point(soft_roller):
+    """A solve with the moduli at the found amplitude has the same amplitude, to the tolerance."""
     modulus = soft_roller.result.body.layers[0].shear_modulus
     storage = NETWORK.at(soft_roller.layer_amplitudes[0])[0]
     assert modulus.network.modulus == pytest.approx(storage, rel=1e-12)
@@ -73,11 +73,11 @@ def test_the_modulus_is_that_of_the_strain_it_makes(soft_roller):
     assert soft_roller.iterations <= 20
 
 
-def test_it_comes_to_the_same_from_the_other_side(soft_roller):
+def test_iteration_from_a_larger_strain_converges_to_the_same_amplitude(soft_roller):
     search = search_of(roller(), nodes=600)
     start = search.at(np.array([0.5]), np.ones(1))
     state = search.converged(start, matched=True, tolerance=1e-4)
-    assert state.amplitudes == pytest.approx(soft_roller.layer_amplitudes, rel=3e-3)  # tolerance 1e-3, slopes to 0.42
+    assert state.amplitudes == pytest.approx(soft_roller.layer_amplitudes, rel=3e-3)  # tolerance 1e-3 / (1 - 0.42)
     assert state.result.resisting_torque == pytest.approx(soft_roller.torque_bounds[1], rel=3e-3)
 
 
@@ -98,7 +98,7 @@ def test_scaling_of_lengths(soft_roller):
     assert np.array(found.torque_bounds) / 4.0 == pytest.approx(soft_roller.torque_bounds, rel=1e-6)
 
 
-def test_sublayers_are_layers():
+def test_sublayers_equal_separate_layers():
     cut = softened(roller(), sublayers=2, loss="harmonic")
     halves = [one_layer(TREAD, thickness=5e-3)] * 2
     given = softened(vr.CoatedCylinder(core_radius=50e-3, layers=halves), loss="harmonic")
@@ -106,7 +106,7 @@ def test_sublayers_are_layers():
     assert cut.result.resisting_torque == given.result.resisting_torque
 
 
-def test_sublayers_hardly_matter(soft_roller):
+def test_sublayers_change_the_torque_little(soft_roller):
     """docs/theory/filled-rubber.md: the torque changes by about 3 % at equal load."""
     cut = softened(roller(), sublayers=3)
     assert cut.torque_bounds == pytest.approx(soft_roller.torque_bounds, rel=0.04)
@@ -136,7 +136,7 @@ SLOPES = {
 
 @pytest.mark.parametrize("name", SLOPES)
 def test_slope_of_the_iteration(name):
-    """An elastic layer at two amplitudes: d ln g/d ln G = -α, because the contact grows."""
+    """The slope d ln g/d ln G is -α, computed from two moduli of an elastic layer."""
     make, load, nodes, alpha, tolerance = SLOPES[name]
     network = vr.materials.KrausNetwork(storage=1e7, loss=0.0, critical_strain=0.01)
     body = make(vr.materials.SofteningModulus(matrix=vr.Elastic(modulus=1e7), network=network))
@@ -149,7 +149,7 @@ def test_slope_of_the_iteration(name):
 
 
 def test_base_ball():
-    """Torques relative to the rubber without network, compared with another program; the matched one to 3 %."""
+    """Compare torques, relative to those of the rubber without network, with another program; "network" to 3 %."""
     ball = coated_ball(TREAD)
     mesh = vr.Mesh(nodes_per_revolution=600)
     linear = vr.solve(coated_ball(), load=100.0, angular_speed=2.5, mesh=mesh)
@@ -160,7 +160,7 @@ def test_base_ball():
     assert found.iterations <= 20
 
 
-def test_both_of_a_pair_soften_alike():
+def test_identical_rollers_soften_equally():
     """Two identical rollers have the same strain."""
     found = softened(roller(), on=roller(), load=4e3)
     assert found.layer_amplitudes[0] == pytest.approx(found.layer_amplitudes[1], rel=1e-6)
@@ -169,7 +169,7 @@ def test_both_of_a_pair_soften_alike():
     np.testing.assert_allclose(*sides, rtol=1e-6)
 
 
-def test_a_base_softens_and_friction_is_kept():
+def test_a_half_space_softens_with_friction():
     plane = vr.CoatedPlane(
         layers=[one_layer(RUBBER, thickness=2e-3)], base=vr.HalfSpace(shear_modulus=TREAD, poisson_ratio=0.5)
     )
@@ -179,7 +179,7 @@ def test_a_base_softens_and_friction_is_kept():
     assert 0.0 < found.layer_amplitudes[0] < found.largest_amplitudes[0]
 
 
-def test_what_is_to_be_known_is_said(soft_roller):
+def test_warnings_about_strain(soft_roller):
     assert any("linear theory is inaccurate above 0.2" in text for text in softened(coated_ball(TREAD), 100.0).warnings)
     sweep = vr.materials.StrainSweep(strain=[1e-4, 1e-3, 1e-2], storage=[9e6, 8e6, 6e6], loss=[4e5, 8e5, 9e5])
     tread = vr.materials.SofteningModulus(matrix=RUBBER, network=sweep)
@@ -209,6 +209,6 @@ def test_files_and_pictures(soft_roller, tmp_path):
         ({"tolerance": 1.0}, r"tolerance must be in \[1e-9, 0\.1\], got 1\.0"),
     ],
 )
-def test_what_is_refused(given, message):
+def test_bad_arguments(given, message):
     with pytest.raises(ValueError, match=message):
         softened(roller(), **given)

@@ -1,7 +1,7 @@
 """Two balls on each other in discrete-element codes, and the input checks.
 
-The codes' laws are implemented here a second time, as in `test_dem.py`: equal torques on both balls, in opposite
-senses.
+As in `test_dem.py`, the tests implement the laws of the codes a second time. The torques on both balls are equal and
+opposite.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def dissimilar():
 
 
 @pytest.fixture(scope="module")
-def alike():
+def identical():
     return vr.solve(BALL, on=BALL, load=60.0, angular_speed=2.5, mesh=MESH)
 
 
@@ -96,20 +96,20 @@ def test_torque_law_dissipates_the_power_of_both_balls(dissimilar, code, style):
     assert "two balls (R1 = 0.021 m rotates at Omega, R2 = 0.033 m" in exported.text
 
 
-def test_alike_ones_are_one_type_and_all_of_one_radius_will_do(alike):
+def test_identical_balls_are_one_particle_type(identical):
     relative_speed = 2.0 * 2.5
-    assert "pair_coeff 1 1 hertz" in vr.export.dem(alike, code="lammps").text
-    assert "peratomtypepair 1 " in vr.export.dem(alike, code="liggghts").text
-    assert vr.export.dem(alike, code="lethe").text.count("subsection particle type") == 1
-    text = vr.export.dem(alike, code="chrono", style="dem").text
+    assert "pair_coeff 1 1 hertz" in vr.export.dem(identical, code="lammps").text
+    assert "peratomtypepair 1 " in vr.export.dem(identical, code="liggghts").text
+    assert vr.export.dem(identical, code="lethe").text.count("subsection particle type") == 1
+    text = vr.export.dem(identical, code="chrono", style="dem").text
     torque = number(r"SetRollingCoeff_SPH2SPH\((\S+)f\)", text) * 60.0 * FIRST
-    assert torque * relative_speed == pytest.approx(alike.dissipated_power, rel=1e-12)
-    depth = alike.penetration
+    assert torque * relative_speed == pytest.approx(identical.dissipated_power, rel=1e-12)
+    depth = identical.penetration
     force = number(r"SetKn_SPH2SPH\((\S+)f\)", text) * depth * np.sqrt(depth / (2.0 * 0.5 * FIRST))  # 2 R_eff
     assert force == pytest.approx(60.0, rel=1e-12)
 
 
-def test_stiffness_is_that_of_the_reduced_radius(dissimilar):
+def test_stiffness_uses_the_reduced_radius(dissimilar):
     exported = vr.export.dem(dissimilar, code="lammps")
     assert exported.stiffness.hertz * np.sqrt(REDUCED) * dissimilar.penetration**1.5 == pytest.approx(60.0, rel=1e-12)
     yade = vr.export.dem(dissimilar, code="yade")
@@ -118,7 +118,7 @@ def test_stiffness_is_that_of_the_reduced_radius(dissimilar):
     assert stiffness * dissimilar.penetration == pytest.approx(60.0, rel=1e-12)
 
 
-def test_studies_know_both_balls(dissimilar):
+def test_studies_of_two_balls(dissimilar):
     study = vr.sweep(BALL, on=OTHER, load=[30.0, 60.0], angular_speed=2.5, friction=0.3, mesh=MESH, progress=False)
     exported = vr.export.dem(study, code="lammps", load=60.0)
     assert exported.point.balls.radii == pytest.approx((FIRST, SECOND))
@@ -135,12 +135,12 @@ def test_studies_know_both_balls(dissimilar):
         ("lethe", "viscous", "style of lethe must be constant for two balls, got viscous"),
     ],
 )
-def test_laws_that_are_none_for_two_balls(dissimilar, code, style, message):
+def test_laws_that_do_not_support_two_balls(dissimilar, code, style, message):
     with pytest.raises(ValueError, match=message):
         vr.export.dem(dissimilar, code=code, style=style)
 
 
-def test_what_is_no_ball_on_a_plane_or_ball_is_refused():
+def test_other_bodies_and_counterbodies_are_rejected():
     layer = vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
     wanted = "source must be for a ball on a plane or on another ball"
@@ -161,14 +161,14 @@ def test_what_is_no_ball_on_a_plane_or_ball_is_refused():
         vr.export.dem(several.isel(on=1), code="lammps")
 
 
-def test_a_third_dimension_is_named(paper_ball):
+def test_the_message_names_a_third_dimension(paper_ball):
     study = vr.sweep(paper_ball, load=[50.0, 100.0], angular_speed=2.5, friction=[0.0, 0.1], mesh=MESH, progress=False)
     with pytest.raises(ValueError, match=r"got also friction: select one value, as in study\.isel\(friction=0\)"):
         vr.export.dem(study, code="lammps")
     assert len(vr.export.dem(study.isel(friction=1), code="lammps").points) == 2
 
 
-def test_export_from_the_shell(tmp_path):
+def test_export_on_the_command_line(tmp_path):
     path = tmp_path / "pair.toml"
     mesh = (
         example_text().replace("accuracy = 0.01", "nodes_per_revolution = 300").replace("load = 100.0", "load = 60.0")
@@ -178,8 +178,8 @@ def test_export_from_the_shell(tmp_path):
     assert done.returncode == 0, done.stderr
     assert "pair_coeff 1 2 hertz" in (tmp_path / "pair.lammps").read_text()
     # The check precedes any solve, which would refuse this load.
-    unbearable = mesh.replace("load = 60.0", "load = 1e12")
-    path.write_text(f"{unbearable}\n[groove]\nradius = 0.03\n", encoding="utf-8")
+    too_large = mesh.replace("load = 60.0", "load = 1e12")
+    path.write_text(f"{too_large}\n[groove]\nradius = 0.03\n", encoding="utf-8")
     done = command("export", path, "--for", "lammps")
     assert done.returncode == 2
     assert "got a ball on a groove" in done.stderr

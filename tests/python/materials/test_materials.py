@@ -43,7 +43,7 @@ def compliance_modulus(instantaneous, compliances, times):
         ((1e-6 * 10.0 ** -np.arange(40.0)).tolist(), np.geomspace(1e-8, 1e8, 40).tolist()),
     ],
 )
-def test_creep_compliance_is_its_prony_series(compliances, times):
+def test_creep_compliance_agrees_with_its_prony_series(compliances, times):
     solid = vr.CreepCompliance(instantaneous_compliance=1e-6, compliances=compliances, retardation_times=times)
     expected = compliance_modulus(1e-6, compliances, times)
     np.testing.assert_allclose(solid.complex_modulus(OMEGA), expected, rtol=1e-12)
@@ -162,7 +162,7 @@ def test_master_curve_is_linear_in_log_frequency():
     np.testing.assert_allclose(curve.complex_modulus(omega), expected, rtol=1e-13)
 
 
-def test_master_curve_refuses_or_holds_what_is_outside():
+def test_master_curve_raises_or_holds_outside_its_table():
     table = ([1.0, 10.0], [1e6, 2e6], [1e5, 2e5])
     message = r"frequency must be within the master curve's table, 1 to 10 rad/s .*, got 10.5 rad/s"
     with pytest.raises(ValueError, match=message):
@@ -173,7 +173,7 @@ def test_master_curve_refuses_or_holds_what_is_outside():
     np.testing.assert_array_equal(held.complex_modulus([0.0, 0.5, 99.0]), [1e6, 1e6 + 1e5j, 2e6 + 2e5j])
 
 
-def test_master_curve_takes_a_static_modulus_at_zero():
+def test_master_curve_may_contain_a_static_modulus_at_zero():
     curve = vr.MasterCurve([0.0, 1.0, 10.0], [0.8e6, 1e6, 2e6], [0.0, 1e5, 2e5])
     np.testing.assert_array_equal(curve.complex_modulus([0.0, 1.0]), [0.8e6, 1e6 + 1e5j])
     with pytest.raises(ValueError, match=r"\(widen the table or set extrapolation to HOLD\), got 0.5 rad/s"):
@@ -195,11 +195,11 @@ def test_prony_is_passive_and_grows_with_frequency(weights, decades):
         np.geomspace(1e-8, 1e8, 60)
     )
     assert (modulus.imag >= 0.0).all()
-    # Round-off of sums of a few terms.
+    # The tolerance is the round-off of sums of a few terms.
     assert (np.diff(modulus.real) >= -1e-15 * 1e6 * len(weights)).all()
 
 
-def test_a_callable_serves_as_modulus(paper_ball, rubber):
+def test_a_callable_may_be_a_modulus(paper_ball, rubber):
     mesh = vr.Mesh(nodes_per_revolution=100, max_order=100)
     layer = vr.Layer(thickness=1e-3, shear_modulus=rubber.complex_modulus, poisson_ratio=0.5, density=1000.0)
     custom = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
@@ -222,8 +222,8 @@ def test_a_number_is_an_elastic_modulus(modulus):
     np.testing.assert_array_equal(found, expected)
 
 
-def test_weights_that_sum_to_1_but_for_round_off():
-    """Ten weights of 0.1 sum to 0.9999999999999999 or 1.0000000000000002: a fluid, with no loss at rest."""
+def test_weights_that_sum_to_1_except_for_round_off():
+    """Ten weights of 0.1 sum to 1 within round-off, which describes a fluid without a modulus at rest."""
     for weights in ([0.1] * 10, [0.7, 0.2, 0.1 + 2e-16], [1.0]):
         series = vr.Prony(instantaneous_modulus=1e6, weights=weights, relaxation_times=np.arange(len(weights)) + 1.0)
         assert series.complex_modulus(1e9).real == pytest.approx(1e6)
@@ -239,7 +239,7 @@ def test_zero_weights_are_dropped():
     assert rigid.weights == rigid.relaxation_times == ()
 
 
-def test_a_relaxed_modulus_of_next_to_nothing_is_refused_by_its_name():
+def test_a_relaxed_modulus_near_zero_is_rejected():
     for rest in (1e-6, 0.0):
         series = vr.Prony(instantaneous_modulus=1e7, weights=[1.0 - rest], relaxation_times=[0.1])
         layer = vr.Layer(thickness=1e-3, shear_modulus=series, poisson_ratio=0.5)
@@ -293,7 +293,7 @@ def test_frequencies_must_be_real_numbers(rubber, frequency, error, message):
         rubber.complex_modulus(frequency)
 
 
-def test_a_callable_may_return_objects_that_are_numbers(rubber):
+def test_a_callable_may_return_an_object_array_of_numbers(rubber):
     layer = vr.Layer(thickness=0.1, shear_modulus=lambda w: [mpmath.mpc(1e6, 1e3)] * len(w), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=1.0, layers=[layer])
     elastic = vr.Layer(thickness=0.1, shear_modulus=lambda w: np.full(w.shape, 1e6 + 1e3j), poisson_ratio=0.5)

@@ -12,8 +12,8 @@ MASING = vr.materials.MasingNetwork(storage=6e6, critical_strain=0.01)
 STRAINS = np.array([0.001, 0.003, 0.01, 0.03, 0.1])
 
 
-def test_kraus_at_its_critical_strain_and_a_decade_off():
-    # Hand calculation: u = 10^(±0.6) = 3.98107; 1/(1 + u²) = 0.05935096.
+def test_kraus_at_its_critical_strain_and_a_decade_from_it():
+    # A hand calculation gives u = 10^(±0.6), and 1/(1 + u²) = 0.05935096 for 10^0.6.
     storage, loss = KRAUS.at([0.001, 0.01, 0.1])
     np.testing.assert_allclose(storage + 2e6, [9525192.5, 6e6, 2474807.5], atol=0.05)
     np.testing.assert_allclose(loss + 0.2e6, [578048.58, 1e6, 578048.58], atol=0.005)
@@ -28,14 +28,14 @@ def test_masing_is_the_first_harmonic_of_its_loop(x):
     first = x / (1.0 + x)
     stress = first - 2.0 * (0.5 * (x - strain)) / (1.0 + 0.5 * (x - strain))
     storage = 2.0 / np.pi * (weights * stress * np.cos(phase)).sum() / x
-    # cos(φ) precedes cos(φ - δ): the lag has a positive component along sin.
+    # The strain leads the stress of the loss by δ, so the loss is the component of the stress along sin φ.
     loss = 2.0 / np.pi * (weights * stress * np.sin(phase)).sum() / x
     np.testing.assert_allclose(
         vr.materials.MasingNetwork(storage=1.0, critical_strain=1.0).at(x), (storage, abs(loss)), rtol=1e-9, atol=1e-14
     )
 
 
-def test_masing_loses_most_where_carbon_black_does():
+def test_strain_of_largest_loss_in_masings_network():
     network = vr.materials.MasingNetwork(storage=1.0, critical_strain=1.0)
     x = np.linspace(1.5, 1.65, 15001)
     loss = network.at(x)[1]
@@ -44,7 +44,7 @@ def test_masing_loses_most_where_carbon_black_does():
 
 
 @pytest.mark.parametrize(("kind", "factor"), [("shear", 1.0), ("double_shear", 2.0), ("tension", 1.0 / np.sqrt(3.0))])
-def test_a_sweep_is_the_network_that_made_it(kind, factor):
+def test_a_sweep_reproduces_its_network(kind, factor):
     """Double amplitudes are twice as large, and an incompressible bar shears by √3 of its elongation."""
     matrix = RUBBER.complex_modulus(10.0)
     storage, loss = KRAUS.at(STRAINS)
@@ -58,19 +58,20 @@ def test_a_sweep_is_the_network_that_made_it(kind, factor):
     )
     np.testing.assert_allclose(sweep.at(STRAINS), (storage, loss), rtol=1e-12)
     assert sweep.known_strains == pytest.approx((0.001, 0.1))
-    # Strain at half of the first value, which is 1/(1 + u²) at u² = 10^-1.2; points are joined linearly in ln g.
+    # The yield strain is that at half of the first storage modulus, whose 1/(1 + u²) has u² = 10^-1.2. The sweep is
+    # interpolated linearly in ln g.
     half = 0.01 * (1.0 + 2.0 * 10.0**-1.2) ** (1.0 / 1.2)
     assert sweep.yield_strain == pytest.approx(half, rel=0.03)
 
 
-def test_without_a_matrix_the_last_storage_and_the_least_loss_are_its():
+def test_without_a_matrix_the_last_storage_and_the_smallest_loss_define_it():
     storage, loss = KRAUS.at(STRAINS)
     sweep = vr.materials.StrainSweep(strain=STRAINS, storage=storage + 2e6, loss=loss + 2e5)
     np.testing.assert_allclose(sweep.at(STRAINS), (storage - storage[-1], loss - loss.min()), rtol=1e-9, atol=1e-6)
     np.testing.assert_array_equal(sweep.at(10.0), sweep.at(0.1))  # extrapolation holds the last value
 
 
-def test_a_softening_modulus_is_matrix_and_network():
+def test_a_softening_modulus_is_the_sum_of_matrix_and_network():
     tread = vr.materials.SofteningModulus(matrix=RUBBER, network=MASING)
     at = tread.at(0.01, reference_frequency=50.0, loss_scale=0.7)
     storage, loss = MASING.at(0.01)
@@ -80,14 +81,14 @@ def test_a_softening_modulus_is_matrix_and_network():
     assert at.complex_modulus(0.0).imag == 0.0
 
 
-def test_an_elastic_network_is_an_elastic_one():
+def test_a_network_without_loss_is_elastic():
     network = vr.materials.KrausNetwork(storage=1e6, loss=0.0, critical_strain=0.01)
     at = vr.materials.SofteningModulus(matrix=RUBBER, network=network).at(0.01, reference_frequency=1.0)
     omega = np.array([0.0, 0.1, 100.0])
     np.testing.assert_allclose(at.complex_modulus(omega), RUBBER.complex_modulus(omega) + 0.5e6, rtol=1e-14)
 
 
-def test_without_a_strain_it_is_refused_by_its_name():
+def test_a_softening_modulus_without_a_strain_is_rejected():
     ball = coated_ball(vr.materials.SofteningModulus(matrix=RUBBER, network=MASING))
     refused = r"viscoroll\.materials\.SofteningModulus: pass the body to viscoroll\.strain_softening"
     for call in (
@@ -103,7 +104,7 @@ def test_without_a_strain_it_is_refused_by_its_name():
             call()
 
 
-def test_a_layer_of_it_is_still_checked():
+def test_layers_with_a_softening_modulus_are_checked():
     tread = vr.materials.SofteningModulus(matrix=RUBBER, network=MASING)
     with pytest.raises(ValueError, match=r"poisson_ratio must be in \(-1, 0\.5\], got 0\.6"):
         vr.Layer(thickness=1e-3, shear_modulus=tread, poisson_ratio=0.6)
@@ -141,6 +142,6 @@ def sweep(strain=(0.1, 0.2, 0.4), storage=(1e6, 1e6, 1e6), loss=(1e5, 1e5, 1e5),
         (lambda: sweep(matrix=2e6), "frequency must be given if and only if matrix"),
     ],
 )
-def test_what_is_refused(make, message):
+def test_bad_arguments(make, message):
     with pytest.raises(ValueError, match=message):
         make()

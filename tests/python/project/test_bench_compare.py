@@ -1,4 +1,4 @@
-"""Comparison of benchmarks with the last recorded ones: what is compared, and the verdicts."""
+"""Comparison of benchmarks with the last recorded ones: which rows are compared, and the judgments."""
 
 from __future__ import annotations
 
@@ -29,19 +29,19 @@ def row(commit, seconds, error=1e-4, **changes):
     ("seconds", "error", "judgment"),
     [(1.2, 1e-4, ""), (1.3, 1e-4, "slower"), (0.7, 1e-4, "faster"), (0.7, 2e-4, "less accurate"), (1.0, 0.9e-4, "")],
 )
-def test_changes_beyond_the_tolerance_are_told(compare, seconds, error, judgment):
+def test_changes_beyond_the_tolerance_are_reported(compare, seconds, error, judgment):
     (change,) = compare.changes([row("a", 9.0), row("b", 1.0), row("c", seconds, error)])
     assert change.commits == ("b", "c")
     assert change.judgment(0.25) == judgment
 
 
-def test_only_like_is_compared_with_like(compare):
+def test_only_rows_of_the_same_case_and_machine_are_compared(compare):
     before = [row("a", 1.0, cpu="B"), row("a", 1.0, clock="cpu"), row("a", 1.0, threads="1"), row("a", 1.0, case="x")]
     assert compare.changes([*before, row("b", 2.0)]) == []
     assert compare.changes([row("b", 1.0), row("b", 2.0)]) == []  # the same sources
 
 
-def test_what_is_worse_is_an_exit_code(compare, tmp_path, monkeypatch, capsys):
+def test_a_worse_row_sets_the_exit_code(compare, tmp_path, monkeypatch, capsys):
     path = tmp_path / "results.csv"
     rows = [row("a", 1.0), row("b", 2.0)]
     path.write_text("\n".join([",".join(rows[0]), *(",".join(r.values()) for r in rows)]))

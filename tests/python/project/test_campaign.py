@@ -39,12 +39,12 @@ def test_slice(outcomes, number):
     assert outcome.violations == {}, outcome
 
 
-def test_cases_are_those_of_their_seed_and_number():
+def test_seed_and_number_determine_the_case():
     assert draw(1, 7).source() == draw(1, 7).source()
     assert len({draw(seed, number).source() for seed in (1, 2) for number in range(50)}) == 100
 
 
-def test_source_makes_the_case_again():
+def test_source_reproduces_the_case():
     names = vars(vr) | vars(enums) | vars(materials)
     for number in range(50):
         case = draw(3, number)
@@ -68,13 +68,13 @@ def elastic_case(**changes) -> Case:
     return Case(name="0:0", body=ball, arguments=arguments | changes)
 
 
-def test_a_sound_case_has_no_violation():
+def test_a_valid_case_has_no_violation():
     outcome = run_case(elastic_case())
     assert (outcome.kind, outcome.violations, outcome.stage) == ("solved", {}, "case")
     assert outcome.nodes > 20
 
 
-DOCTORED = {
+ALTERED = {
     "not finite": lambda r: {"driving_torque": np.nan},
     "pressure < 0": lambda r: {"pressure": np.where(r.contact, r.pressure, -1e-3 * r.max_pressure)},
     "gap < 0": lambda r: {"gap": r.gap - 1e-4 * r.penetration},
@@ -97,15 +97,15 @@ DOCTORED = {
 
 
 @pytest.fixture(scope="module")
-def sound() -> vr.Result:
+def valid_result() -> vr.Result:
     case = elastic_case()
     return vr.solve(case.body, **case.arguments)
 
 
-@pytest.mark.parametrize("name", DOCTORED)
-def test_doctored_solutions_are_seen(sound, name):
-    assert violations(elastic_case(), sound) == {}
-    assert name in violations(elastic_case(), replace(sound, **DOCTORED[name](sound)))
+@pytest.mark.parametrize("name", ALTERED)
+def test_altered_results_are_detected(valid_result, name):
+    assert violations(elastic_case(), valid_result) == {}
+    assert name in violations(elastic_case(), replace(valid_result, **ALTERED[name](valid_result)))
 
 
 def pair_case() -> Case:
@@ -116,7 +116,7 @@ def pair_case() -> Case:
     return elastic_case(on=ball, friction=0.0, drive=vr.Drive(force=0.0), load=5.0, body=ball)
 
 
-def test_a_sound_pair_has_no_violation():
+def test_a_valid_pair_has_no_violation():
     case = pair_case()
     assert [twin.kind for twin in twins(case)] == ["scaling", "split layer", "swap", "mirror plane"]
     outcome = run_case(case)
@@ -131,13 +131,13 @@ def test_a_sound_pair_has_no_violation():
         ("total power of a pair", lambda r: {"dissipated_power": 10.0 * r.dissipated_power}),
     ],
 )
-def test_what_a_pair_leaves_unpaid_is_seen(name, changed):
+def test_a_wrong_power_balance_of_a_pair_is_detected(name, changed):
     case = pair_case()
     result = vr.solve(case.body, **case.arguments)
     assert name in violations(case, replace(result, **changed(result)))
 
 
-def test_an_absolute_number_in_the_solution_is_seen(monkeypatch):
+def test_a_solution_that_does_not_scale_is_detected(monkeypatch):
     solve = vr.solve
 
     def shifted(*args, **kwargs):
@@ -167,7 +167,7 @@ def test_messages_are_judged(monkeypatch, message, kind):
     assert run_case(elastic_case()).kind == kind
 
 
-def test_a_bearable_load_that_is_refused_is_seen(monkeypatch):
+def test_rejection_of_a_supportable_load_is_detected(monkeypatch):
     solve = vr.solve
 
     def refuse(body, *, load, **kwargs):
@@ -189,7 +189,7 @@ def end(omega):
 
 
 def bad_case(seed: int, number: int) -> Case:
-    """Return a case that hangs, one that crashes, and then sound cases."""
+    """Return a case that hangs, one that crashes, and then valid cases."""
     case = elastic_case()
     if number > 1:
         return replace(case, name=f"{seed}:{number}")
@@ -197,7 +197,7 @@ def bad_case(seed: int, number: int) -> Case:
     return replace(case, name=f"{seed}:{number}", body=replace(case.body, layers=[layer]))
 
 
-def test_cases_that_hang_or_crash_are_outlived():
+def test_the_runner_survives_cases_that_hang_or_crash():
     kinds = {outcome.case: outcome for outcome in run(0, range(3), jobs=1, limit=1.0, draw=bad_case)}
     assert [kinds[f"0:{number}"].kind for number in range(3)] == ["hang", "crash", "solved"]
     text = summary(list(kinds.values()))

@@ -7,7 +7,7 @@ from campaign.extremes import draw, run_case
 from campaign.runner import run
 
 
-def test_the_number_changes_alone():
+def test_only_one_number_of_the_case_changes():
     case = draw(33, 5)
     given, changed = {"body": case.base.body, **case.base.arguments}, case.arguments
     again = [name for name, value in changed().items() if value is not given[name] and value != given[name]]
@@ -15,7 +15,7 @@ def test_the_number_changes_alone():
 
 
 @pytest.mark.slow
-def test_extreme_numbers_are_solved_or_refused():
+def test_extreme_numbers_are_solved_or_rejected():
     kinds = {
         outcome.case: outcome.kind for outcome in run(33, range(30), jobs=1, limit=120.0, draw=draw, run_case=run_case)
     }

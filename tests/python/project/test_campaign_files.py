@@ -15,7 +15,7 @@ SEED = 1
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_slice(kind):
-    """Fifteen files of each kind: 225 files, which take 4 s in total."""
+    """Test fifteen files of each kind."""
     kinds = list(KINDS)
     first = kinds.index(kind)
     for number in range(first, first + 15 * len(kinds), len(kinds)):
@@ -23,7 +23,7 @@ def test_slice(kind):
         assert not outcome.failed, outcome
 
 
-def test_files_are_those_of_their_seed_and_number():
+def test_seed_and_number_determine_the_file():
     assert draw(1, 7) == draw(1, 7)
     assert len({draw(seed, number).seed for seed in (1, 2) for number in range(25)}) == 50
 
@@ -69,6 +69,6 @@ def test_commands_are_judged(tmp_path, monkeypatch):
     )
 
 
-def test_a_changed_state_is_seen(monkeypatch, tmp_path):
+def test_a_changed_state_is_detected(monkeypatch, tmp_path):
     monkeypatch.setattr(states, "reading_failure", lambda read, path, judge: judge(states.vr.RollingState([1.0])))
     assert states.check(1, tmp_path) == "numbers differ from the file"

@@ -34,12 +34,12 @@ def test_slice(outcomes, number):
     assert outcome.violations == {}, outcome
 
 
-def test_histories_are_those_of_their_seed_and_number():
+def test_seed_and_number_determine_the_history():
     assert draw(1, 7).source() == draw(1, 7).source()
     assert len({draw(seed, number).source() for seed in (1, 2) for number in range(25)}) == 50
 
 
-def test_source_makes_the_history_again():
+def test_source_reproduces_the_history():
     names = vars(vr) | vars(enums) | vars(materials) | {"inf": np.inf}
     for number in range(25):
         case = draw(3, number)
@@ -69,7 +69,7 @@ def history_case(**changes: object) -> HistoryCase:
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.3])
-def test_a_sound_history_has_no_violation(friction):
+def test_a_valid_history_has_no_violation(friction):
     case = history_case(friction=friction)
     assert [twin.kind for twin in twins(case)] == ["mirror", "scaling", "elsewhere", "interrupted"]
     outcome = run_case(case)
@@ -83,7 +83,7 @@ def changed(values: np.ndarray, where: slice | int, by: float) -> np.ndarray:
     return values
 
 
-DOCTORED = {
+ALTERED = {
     "not finite": lambda h: {"driving_torque": changed(h.driving_torque, 3, np.nan)},
     "end differs from the last waypoint": lambda h: {"angle": changed(h.angle, -1, 1e-9)},
     "time decreases": lambda h: {"time": changed(h.time, 5, -0.1)},
@@ -100,25 +100,25 @@ DOCTORED = {
 
 
 @pytest.fixture(scope="module")
-def sound() -> vr.History:
+def valid_history() -> vr.History:
     case = history_case()
     return vr.roll(case.body, **case.arguments)
 
 
-@pytest.mark.parametrize("name", DOCTORED)
-def test_doctored_histories_are_seen(sound, name):
-    assert violations(history_case(), sound) == {}
-    assert name in violations(history_case(), replace(sound, **DOCTORED[name](sound)))
+@pytest.mark.parametrize("name", ALTERED)
+def test_altered_histories_are_detected(valid_history, name):
+    assert violations(history_case(), valid_history) == {}
+    assert name in violations(history_case(), replace(valid_history, **ALTERED[name](valid_history)))
 
 
-def test_the_size_of_energies_is_positive(sound):
+def test_energy_turnover_is_positive(valid_history):
     """With friction, the counterbody may gain energy, even more than the slip dissipates."""
-    gaining = replace(sound, dissipated_energy=-2.0 * sound.dissipated_energy)
-    assert turnover(gaining) > turnover(sound) > 0.0
+    gaining = replace(valid_history, dissipated_energy=-2.0 * valid_history.dissipated_energy)
+    assert turnover(gaining) > turnover(valid_history) > 0.0
 
 
-def test_sliding_that_turns_back_may_seem_to_give_work():
-    """A locked ball slides 20 mm and returns in one step, in which the mean of opposite forces acts."""
+def test_slip_that_reverses_in_a_step_may_gain_energy():
+    """A locked ball slides 20 mm and returns in one step, whose work is that of the mean of opposite forces."""
     moved = {
         "time": [0.0, 1.0, 1.0],
         "angle": [0.0, 0.0, 0.0],
@@ -135,7 +135,7 @@ def test_sliding_that_turns_back_may_seem_to_give_work():
     assert "energy gained by slip" in violations(case, forth)
 
 
-def test_torque_without_force_is_seen():
+def test_torque_without_force_is_detected():
     case = history_case(friction=0.0)
     history = vr.roll(case.body, **case.arguments)
     wrong = replace(history, driving_torque=1.001 * history.driving_torque)
@@ -151,7 +151,7 @@ def test_torque_without_force_is_seen():
         ("interrupted", lambda h: {"max_pressure": h.max_pressure * (1.0 + 1e-15 * len(h.time))}),
     ],
 )
-def test_what_twins_do_not_share_is_seen(kind, shift):
+def test_differences_between_twins_are_detected(kind, shift):
     case = history_case(friction=0.0)
     one = vr.roll(case.body, **case.arguments)
     twin = next(twin for twin in twins(case) if twin.kind == kind)

@@ -87,7 +87,7 @@ def test_no_package_imports_from_a_later_layer(path):
     assert not later, f"{path} imports {later}"
 
 
-def test_no_imports_run_in_circles():
+def test_no_imports_are_circular():
     try:
         TopologicalSorter({module_of(path): imports_of(path) for path in PATHS}).prepare()
     except CycleError as error:

@@ -70,13 +70,13 @@ def test_all_applications_are_listed_and_have_a_card():
 
 
 @pytest.mark.parametrize("query", SEARCH.SEARCHED)
-def test_a_search_can_lead_to_its_page(query):
+def test_words_of_a_query_occur_on_its_page(query):
     page = (DOCS / f"{SEARCH.SEARCHED[query]}.md").read_text(encoding="utf-8")
     prose = re.sub(r"```.*?```", "", page, flags=re.DOTALL).lower()
     assert all(re.search(rf"\b{word}", prose) for word in query.lower().split())
 
 
-def test_an_index_is_searched_for_all_words_that_count(tmp_path):
+def test_all_words_of_a_query_except_stop_words_are_searched(tmp_path):
     index = {"docnames": ["a", "b"], "terms": {"lammp": [0, 1], "pair": 1}, "titleterms": {"shore": 0}}
     (tmp_path / "searchindex.js").write_text(f"Search.setIndex({json.dumps(index)})", encoding="utf-8")
     read = SEARCH.read_index(tmp_path / "searchindex.js")
@@ -93,13 +93,13 @@ def test_measurements_give_a_torque_with_an_interval(tmp_path):
     printed = run("dma", tmp_path)
     assert "339 points in 20 sweeps" in printed
     assert "undetermined              233.15 to 243.16 K (-40 to -29.99 °C)" in printed
-    # The intervals cover 95 %: all nine contain the truth for this noise; for other noise, one of nine may not.
+    # The intervals have a confidence of 95 %. With this noise, all nine contain the exact value.
     held = re.search(r"the interval contains the exact value at (\d) of 9 temperatures", printed)
     assert held
     assert int(held[1]) >= 8
 
 
-def test_particles_have_lines_of_a_wall_and_of_a_pair(tmp_path):
+def test_particles_page_exports_a_wall_and_a_pair(tmp_path):
     printed = run("particles", tmp_path)
     assert "fix floor all wall/gran granular hertz" in printed
     assert "pair_style granular\npair_coeff 1 1 hertz" in printed
@@ -107,7 +107,7 @@ def test_particles_have_lines_of_a_wall_and_of_a_pair(tmp_path):
     assert len((tmp_path / "wall.csv").read_text(encoding="utf-8").splitlines()) == 29  # 4 loads by 7 speeds
 
 
-def test_table_of_codes_is_whole():
+def test_table_of_codes_is_complete():
     from viscoroll.export.dem import CODES
 
     rows = re.findall(r"^\| (?:`(\w+)`)? ?\| ((?:`\w+`(?:, )?)+) \|", text_of("particles"), re.MULTILINE)

@@ -21,7 +21,7 @@ def metadata(build_state: str) -> dict[str, object]:
     return fields
 
 
-def test_a_wheel_with_fftw_says_gpl_and_carries_its_text(monkeypatch):
+def test_a_wheel_with_fftw_declares_and_includes_the_gpl(monkeypatch):
     monkeypatch.delenv("VISCOROLL_FFT", raising=False)
     fields = metadata("wheel")
     assert fields["license"] == "BSD-3-Clause AND GPL-2.0-or-later AND MIT AND MPL-2.0"
@@ -42,13 +42,13 @@ def test_sources_are_under_the_mit_license(monkeypatch):
     assert metadata("sdist")["license"] == "MIT"
 
 
-def test_an_unknown_transform_is_refused(monkeypatch):
+def test_an_unknown_transform_is_rejected(monkeypatch):
     monkeypatch.setenv("VISCOROLL_FFT", "MKL")
     with pytest.raises(ValueError, match="VISCOROLL_FFT must be one of FFTW, PocketFFT, got MKL"):
         metadata("wheel")
 
 
-def test_all_files_name_the_version_of_the_library():
+def test_all_files_have_the_version_of_the_library():
     for file, pattern in [
         ("CMakeLists.txt", r"VERSION (\d+\.\d+\.\d+)$"),
         ("CITATION.cff", r"^version: (\S+)"),
@@ -59,7 +59,7 @@ def test_all_files_name_the_version_of_the_library():
         assert found[1] == vr.__version__, file
 
 
-def test_the_recipe_of_conda_has_the_bounds_of_pyproject():
+def test_the_conda_recipe_has_the_version_bounds_of_pyproject():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     extras = project["optional-dependencies"]
     lines = [f"python{project['requires-python']}", *project["dependencies"], *extras["cli"], *extras["plot"]]

@@ -36,7 +36,7 @@ _SHORT = {"viscoroll reproduce": "viscoroll reproduce table2 --coarse"}
 _SLOW = {"caster", "dma", "shell"}
 
 #: Command that ends only on Ctrl-C, tested in `app/test_server.py`.
-_SERVES = "app"
+_SERVER = "app"
 
 
 def steps(page: Path) -> list[tuple[str, str]]:
@@ -53,10 +53,10 @@ def steps(page: Path) -> list[tuple[str, str]]:
     return found
 
 
-COMMANDED = [page for page in PAGES if steps(page)]
+COMMAND_PAGES = [page for page in PAGES if steps(page)]
 
 
-def brought_along(folder: Path) -> None:
+def write_files_of_readers(folder: Path) -> None:
     """Write the files that readers provide: measurements in one file of each kind, and a case."""
     source = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
     (folder / "dma.txt").write_bytes(source.read_bytes())
@@ -81,7 +81,7 @@ def run_line(line: str, folder: Path) -> None:
     words, arrow, target = line.partition(">")
     program, *arguments = shlex.split(_SHORT.get(words.partition("#")[0].strip(), words), comments=True)
     assert program == "viscoroll"
-    if arguments[0] == _SERVES:
+    if arguments[0] == _SERVER:
         return
     done = command(*arguments, cwd=folder)
     assert done.returncode == 0, f"{line}: {done.stderr}"
@@ -92,16 +92,19 @@ def run_line(line: str, folder: Path) -> None:
 
 
 def test_pages_have_commands_of_all_kinds():
-    assert {"README.md", "shell.md", "dma.md", "studies.md", "transient.md"} <= {p.name for p in COMMANDED}
+    assert {"README.md", "shell.md", "dma.md", "studies.md", "transient.md"} <= {p.name for p in COMMAND_PAGES}
     listed = [line for kind, line in steps(ROOT / "docs" / "shell.md") if kind == "run"]
     assert len({line.split()[1] for line in listed}) == 12  # all commands but `demo`
 
 
 @pytest.mark.parametrize(
     "page",
-    [pytest.param(page, marks=[pytest.mark.slow] if page.stem in _SLOW else [], id=page.stem) for page in COMMANDED],
+    [
+        pytest.param(page, marks=[pytest.mark.slow] if page.stem in _SLOW else [], id=page.stem)
+        for page in COMMAND_PAGES
+    ],
 )
 def test_commands_and_files_of_a_page(page, tmp_path):
-    brought_along(tmp_path)
+    write_files_of_readers(tmp_path)
     for kind, text in steps(page):
         (write_file if kind == "toml" else run_line)(text, tmp_path)

@@ -31,12 +31,12 @@ def declaration(test: str) -> tuple[Path, str]:
 
 
 @pytest.mark.parametrize("test", sorted(TESTS))
-def test_what_is_said_to_be_tested_is(test):
+def test_every_cited_test_exists(test):
     path, pattern = declaration(test)
     assert re.search(pattern, path.read_text(encoding="utf-8"), re.MULTILINE)
 
 
-def test_rows_of_the_readme_are_rows_of_the_table():
+def test_rows_of_the_readme_occur_in_the_validation_table():
     section = README.split("## How right is it?")[1].split("\n## ")[0]
     rows = re.findall(r"^\| (?!what|---)(.*) \| (.*) \| (.*) \|$", section, re.MULTILINE)
     assert len(rows) == 6
@@ -44,7 +44,7 @@ def test_rows_of_the_readme_are_rows_of_the_table():
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_links_between_files_lead_somewhere(page):
+def test_targets_of_links_exist(page):
     """The links must also work in a repository browser, which shows the sources."""
     targets = re.findall(r"\]\((?!https?:|#)([^)#\s]+)", page.read_text(encoding="utf-8"))
     missing = [t for t in targets if not t.startswith("api/generated/") and not (page.parent / t).exists()]
@@ -78,7 +78,7 @@ def tables() -> ModuleType:
     return module
 
 
-def test_tables_of_pages_are_as_they_would_be_made():
+def test_tables_of_pages_are_up_to_date():
     """`make tables` writes the tables; a repository browser shows them as they are in the sources."""
     written = tables().pages()
     assert {"validation.md", "performance.md", "signs.md", "bodies.md", "published-results.md"} <= {
@@ -88,7 +88,7 @@ def test_tables_of_pages_are_as_they_would_be_made():
     assert stale == []
 
 
-def test_every_table_stands_on_a_page():
+def test_every_table_is_on_a_page():
     made = tables().parts()
     text = "".join(page.read_text(encoding="utf-8") for page in PAGES)
     assert all(f"<!-- {name}: made by docs/tables.py -->\n\n" in text for name in made)
@@ -97,7 +97,7 @@ def test_every_table_stands_on_a_page():
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_pages_that_draw_say_how(page):
+def test_pages_with_matplotlib_figures_enable_inline_plots(page):
     """Plots of the library display themselves; other figures need `%matplotlib inline`."""
     text = page.read_text(encoding="utf-8")
     assert "from matplotlib.figure import Figure" not in text or "%matplotlib inline" in text

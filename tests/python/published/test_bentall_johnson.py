@@ -17,9 +17,9 @@ def creepages(model, name, scale=1.0, **options):
 
 
 def test_flat_half_plane(judge):
-    # The flat theory that Bentall and Johnson solve. The resolution of 200 nodes limits two cases: one where everything
-    # slips, with one sign at each end, and one where everything sticks, with unbounded traction at the leading edge.
-    # One more node across changes them by 0.3 and 1.5 %.
+    # Bentall and Johnson solve flat theory. The resolution of 200 nodes limits two cases: in one, all nodes slip, in
+    # opposite directions at both ends; in the other, all stick, and the traction is unbounded at the leading edge. One
+    # more node across changes them by 0.3 and 1.5 %.
     model = source.on_half_plane(scale=FLAT)
     judge(creepages(model, "flat half-plane", FLAT, slip_kinematics="flat"))
 
@@ -54,16 +54,16 @@ def test_two_solid_rollers(judge):
 
 
 @pytest.mark.parametrize("case", ["μ = 0.05, no force", "μ = 0.05, ¾ of sliding, aluminum braked"])
-def test_what_is_left_is_curvature(case):
-    # The rest of the creepage is proportional to a/R: rollers four times as large halve it. The arc of a rigid roller
-    # exceeds its chord by about (a/R)²; the layers of a solid roller are curved as well.
+def test_deviation_from_flat_theory_is_curvature(case):
+    # The deviation of the creepage is proportional to a/R: rollers four times as large halve it. The arc of a rigid
+    # roller exceeds its chord by about (a/R)²; the layers of a solid roller are curved as well.
     flat = 5.0 * source.roll(source.on_half_plane(scale=25.0), case, slip_kinematics="flat").creepage
     for pose in (source.on_half_plane, source.on_each_other):
         near, far = (scale**0.5 * source.roll(pose(scale=scale), case).creepage - flat for scale in (1.0, 4.0))
         assert far == pytest.approx(0.5 * near, rel=0.15)
 
 
-def test_free_rolling_is_their_closed_form():
+def test_creepage_of_free_rolling_agrees_with_the_closed_form():
     # 0.457 κ a/R with κ = 2β = 0.2877, as the user guide evaluates it; 600 nodes have an error of 0.1 %.
     model = source.on_half_plane(scale=4.0, across=600)
     creepage = 2.0 * source.roll(model, "μ = 1e-4, no force", slip_kinematics="flat").creepage

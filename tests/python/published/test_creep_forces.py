@@ -8,7 +8,7 @@ from published import creep_forces as source
 FRACTIONS = {0.0: "0", 0.25: "¼", 0.5: "½"}
 
 
-# full stick: the denominator of the balance is nearly zero
+# With full stick on elastic bodies, the power in the denominator of the error is nearly zero.
 @pytest.mark.filterwarnings("ignore:the relative error of the power balance")
 def test_kalkers_coefficients(judge):
     # 80 nodes across take eight seconds. C₁₁ and C₂₂ converge from above and C₂₃ from below, with half the error on
@@ -30,8 +30,8 @@ def test_carter(judge):
 
 
 def test_creep_force_of_a_steel_wheel(judge):
-    # Eleven solves on as many elements as CONTACT has, 1400 in contact: they differ by 0.5 %. The first slope of
-    # CONTACT differs from Kalker's by 1.5 %, ours by 1 %.
+    # Eleven solves, each with as many elements as CONTACT (1400 in contact), differ by 0.5 %. The initial slope of
+    # CONTACT differs from Kalker's by 1.5 %, and that of the library by 1 %.
     wheel = source.SteelWheel()
     judge(
         {
@@ -41,6 +41,6 @@ def test_creep_force_of_a_steel_wheel(judge):
     )
 
 
-def test_first_slope_is_kalkers(judge):
+def test_initial_slope_agrees_with_kalker(judge):
     judge({"its slope at rest [μP], Kalker's C₁₁": source.SteelWheel(finer=2.0).force(1e-5) / 1e-5})
     assert source.kalkers_slope() == pytest.approx(691.2, abs=0.05)

@@ -13,7 +13,7 @@ def name_of(place: float) -> str:
 
 
 def test_disc_at_rest(judge):
-    # ELLEA1 prints four digits; 1.6e-4 of the deflection at the surface.
+    # ELLEA1 prints four digits. At the surface, the library's deflection has an error of 1.6e-4.
     found = {}
     for depth in (0, 50, 100, 200, 500, 1000):
         deflection, vertical, level = source.at_rest(1e-3 * depth)
@@ -26,12 +26,12 @@ def test_disc_at_rest(judge):
 
 
 def test_moving_disc(judge):
-    # Python evaluates the modulus for 75 000 waves: some seconds.
+    # Python evaluates the modulus for 75 000 waves, which takes some seconds.
     found = zip(PLACES, source.moving(PLACES), strict=True)
     judge({f"deflection [mm], moving disc {name_of(place)}": 1e3 * deflection for place, deflection in found})
 
 
-def test_moving_disc_summed_as_there(judge):
+def test_moving_disc_by_the_method_of_ellva(judge):
     # ELLVA uses moduli at the age of each load, which lowers the deflection by up to 0.8 %, and its load is half a step
     # behind. With both and the library's compliance, a difference of 0.2 % remains near the disc.
     found = zip(PLACES, source.moving_quasi_elastic([place - 0.5 * STEP for place in PLACES]), strict=True)

@@ -18,15 +18,15 @@ def test_penetration_and_pressure(judge):
 
 
 @pytest.mark.parametrize("row", source.printed(), ids=lambda row: f"{row['penetration [m]']}")
-def test_model_error_covers_them(row):
+def test_model_error_covers_the_difference(row):
     r = source.linear(row["load [N/m]"])
     assert abs(r.penetration / row["penetration [m]"] - 1.0) < r.model_error
     assert abs(r.max_pressure / row["largest pressure [Pa]"] - 1.0) < r.model_error
 
 
 @pytest.mark.filterwarnings("ignore")  # warnings of another program, in any version
-def test_felupe_itself():
-    # Half as many elements in each direction, with errors of 1.2e-3 of the load and 8e-4 of the pressure.
+def test_felupe_reproduces_its_stored_results():
+    # With half as many elements in each direction, the errors are 1.2e-3 of the load and 8e-4 of the pressure.
     pytest.importorskip("felupe")
     rows = source.printed()
     again = source.press([row["penetration [m]"] for row in rows])

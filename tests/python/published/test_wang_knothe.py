@@ -23,7 +23,7 @@ def test_largest_pressure(judge, fine):
     judge({f"largest pressure [MPa], {name}": 1e-6 * pressure for name, (_, pressure) in fine.items()})
 
 
-def test_elastic_limits_are_carters(judge, fine):
+def test_elastic_limits_agree_with_carter(judge, fine):
     # 320 nodes across have an error of 0.2 %, of first order.
     relaxed, stiff = (100.0 * fine[name][0] for name in list(fine)[:: len(fine) - 1])
     judge({"creepage [%], relaxed, by Carter": relaxed, "creepage [%], stiff, by Carter": stiff})

@@ -18,7 +18,7 @@ def scattered(omega, storage, loss, seed, scatter=0.03):
 
 
 @pytest.mark.parametrize("omega", [np.logspace(-4, 1, 51), np.logspace(-1, 2, 31)], ids=["on a plateau", "rising"])
-def test_scatter_of_3_percent_is_no_fall_of_the_storage_modulus(omega):
+def test_scatter_of_3_percent_is_not_a_decrease_of_the_storage_modulus(omega):
     """Each check refuses at most two of 40 sweeps of a passive rubber, because its limit is statistical."""
     modulus = RUBBER.complex_modulus(omega)
     refused = np.zeros(4)
@@ -28,7 +28,7 @@ def test_scatter_of_3_percent_is_no_fall_of_the_storage_modulus(omega):
     assert (refused <= 2).all()
 
 
-def test_a_fall_that_scatter_does_not_explain_is_found():
+def test_a_decrease_larger_than_the_scatter_is_detected():
     """A decrease by a fifth over three decades is six times the scatter, and is found in each of 40 sweeps."""
     omega = np.logspace(-1, 2, 31)
     falling = 1e6 * np.linspace(1.0, 0.8, omega.size)
@@ -38,7 +38,7 @@ def test_a_fall_that_scatter_does_not_explain_is_found():
         assert "scatter of the points" in monotonicity.message
 
 
-def test_limits_without_scatter_are_as_they_were():
+def test_limits_of_a_smooth_curve():
     """A single point 3 % below a smooth curve is reported, and one 1 % below passes."""
     omega = np.logspace(-1, 2, 31)
     modulus = RUBBER.complex_modulus(omega)

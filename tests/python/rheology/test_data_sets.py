@@ -41,7 +41,7 @@ def test_rows_of_a_creep_step_are_not_moduli():
         read("trios_frequency_then_creep.txt", tensile=False, step=3)
 
 
-def test_an_amplitude_sweep_is_no_frequency_sweep(tmp_path):
+def test_an_amplitude_sweep_is_not_a_frequency_sweep(tmp_path):
     data = read("trios_amplitude_then_frequency.txt", tensile=False)
     (sweep,) = data.isotherms
     assert (sweep.frequency.size, sweep.frequency[-1]) == (8, 12.8)
@@ -64,7 +64,7 @@ def test_frequencies_in_the_names_of_moduli(name):
     np.testing.assert_allclose(first.storage, np.array(expected) * 1e6 / 3.0, rtol=1e-14)
 
 
-def test_compared_files_are_chosen_by_number():
+def test_one_of_several_data_sets_is_selected_by_number():
     with pytest.raises(ValueError, match=r"step must be given for .*, which contains several data sets, got 1: temp"):
         read("netzsch_compare.txt")
     for step, storage in ((1, 628.67), (2, 691.53)):
@@ -82,7 +82,7 @@ def test_angular_frequencies_per_second(name):
 
 
 @pytest.mark.parametrize("name", ["japanese.csv", "japanese_cp932.csv"])
-def test_japanese(name):
+def test_japanese_column_names(name):
     data = read(name, tensile=False)
     assert [sweep.frequency.size for sweep in data.isotherms] == [13, 13, 13]
     assert data.isotherms[0].storage[0] == 2.77067e6
@@ -141,7 +141,7 @@ def test_temperatures_in_celsius(tmp_path, unit):
         ("T (K)", "column 'T' must be above absolute zero, got -20 K"),
     ],
 )
-def test_wrong_units_of_temperatures_are_refused(tmp_path, header, message):
+def test_wrong_units_of_temperatures_are_rejected(tmp_path, header, message):
     text = f"{header},f (Hz),G' (Pa),G'' (Pa)\n-20,1,2e6,1e5\n40,1,1e6,1e5\n"
     with pytest.raises(ValueError, match=message):
         vr.rheology.read_rheology(written(tmp_path, text))

@@ -7,8 +7,8 @@ import viscoroll as vr
 from scipy.integrate import solve_ivp
 
 
-def kept(loss_factor):
-    """Return the share of its energy that a mass retains after a blow on a spring and a dashpot until zero force."""
+def retained_energy(loss_factor):
+    """Return the fraction of its energy that a mass retains after impact on a spring and dashpot, until zero force."""
 
     def force(_, state):
         return -state[0] - loss_factor * state[1]
@@ -24,12 +24,12 @@ def kept(loss_factor):
 
 
 @pytest.mark.parametrize("rebound", [0.05, 0.2, 0.55, 0.9])
-def test_spread_of_a_rebound_holds_both_ends_of_the_blow(rebound):
-    """Integrate a blow until the force is zero; data sheets round the rebound to half a percent."""
+def test_upper_end_of_a_rebounds_spread_is_an_impact_until_zero_force(rebound):
+    """Integrate an impact until the force is zero; data sheets round the rebound to half a percent."""
     loss = vr.rheology.rebound_to_loss_factor(rebound)
     assert loss.unit == "1"
     assert loss.lower < loss.value < loss.upper
-    assert kept(loss.upper) == pytest.approx(rebound - 0.005, abs=1e-6)
+    assert retained_energy(loss.upper) == pytest.approx(rebound - 0.005, abs=1e-6)
 
 
 def test_spread_of_a_rebound_at_the_ends_of_its_range():
@@ -37,8 +37,8 @@ def test_spread_of_a_rebound_at_the_ends_of_its_range():
     assert vr.rheology.rebound_to_loss_factor(0.02).upper < 2.0  # limit of `LossFactor`
 
 
-def test_hardness_beyond_shore_a_names_shore_d():
-    """Qi, Joyce and Boyce let both scales meet at S = S_A = S_D + 50."""
+def test_messages_about_hardness_beyond_shore_a_name_shore_d():
+    """The relation of Qi, Joyce and Boyce uses S = S_A = S_D + 50."""
     with pytest.raises(ValueError, match=r"got 95; use scale='D' for harder materials: 95 Shore A is about 45 Shore D"):
         vr.rheology.hardness_to_modulus(95.0)
     with pytest.raises(ValueError, match=r"hardness must be in \[20, 90\] Shore A, got 101$"):

@@ -30,7 +30,7 @@ def scatter(draws):
     return values.real.std(axis=0) / middle.real, values.imag.std(axis=0) / middle.imag
 
 
-def test_draws_scatter_as_fits_to_other_data():
+def test_draws_scatter_like_fits_to_new_data():
     """Compare, to a third, 60 fits to new noise with 60 draws of each of 4 data sets.
 
     The standard deviations themselves have errors of about 10 % and 20 %.
@@ -41,8 +41,8 @@ def test_draws_scatter_as_fits_to_other_data():
     np.testing.assert_allclose(drawn.mean(axis=1), np.mean(refitted, axis=1), rtol=0.35)
 
 
-def test_copies_keep_errors_but_for_signs_and_leverage():
-    """Copies keep the size of each error, divided by 1 - leverage, at most ten times as large."""
+def test_simulated_data_have_errors_of_random_sign_corrected_for_leverage():
+    """The size of each error is that of the data divided by 1 - leverage, at most ten times as large."""
     expected = np.array([1.0, 2.0, 4.0, 8.0])
     data = expected * [1.1, 0.9, 1.05, 1.0]
     columns = np.array([[1.0], [1.0], [0.0], [0.0]])  # leverage ½, ½, 0 and 0
@@ -54,7 +54,7 @@ def test_copies_keep_errors_but_for_signs_and_leverage():
     np.testing.assert_allclose(error, np.where(error > 0.0, [1.0, 1.0, 0.5, 0.0], [-0.9, -0.9, -0.5, 0.0]), atol=1e-12)
 
 
-def test_draws_are_those_of_seed_and_data():
+def test_seed_and_data_determine_the_draws():
     fit = vr.rheology.fit_prony(sampled(0.03, 0.03))
     first, again, other = (fit.draws(3, seed=seed) for seed in (0, 0, 1))
     assert first[0] == again[0] != other[0]
@@ -76,7 +76,7 @@ def curve():
     return vr.rheology.superpose(measured(2, Noise()), reference=REFERENCE)
 
 
-def test_shifts_are_found_anew(curve):
+def test_draws_fit_the_shifts_again(curve):
     """The shifts scatter by their linear covariance, to a half; the scatter of 40 draws is accurate to a tenth."""
     draws = curve.draws(40)
     factors = np.array([draw.factors.log10_factor for draw in draws])
@@ -97,7 +97,7 @@ def test_factors_of_the_user_are_kept():
     assert not np.array_equal(draws[0].storage, draws[1].storage)
 
 
-def test_vertical_shifts_are_found_anew():
+def test_draws_fit_the_vertical_shifts_again():
     draws = vr.rheology.superpose(measured(2, Noise()), reference=REFERENCE, vertical=True).draws(3)
     assert len({draw.vertical for draw in (draws.best_estimate, *draws)}) == 4
 

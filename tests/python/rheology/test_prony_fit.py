@@ -49,7 +49,7 @@ def test_known_series_from_noise_of_3_percent():
     np.testing.assert_allclose(found, torque(KNOWN), rtol=0.02)
 
 
-def test_intervals_hold_the_truth():
+def test_intervals_contain_the_true_value():
     """Coverage over 40 noisy data sets and 10 frequencies; `tests/campaign/intervals.py` tests many more.
 
     Neighboring frequencies and both moduli are correlated: about 200 independent cases, standard deviation 2 %.
@@ -67,13 +67,13 @@ def test_intervals_hold_the_truth():
     assert 0.88 <= np.mean(inside) <= 0.985
 
 
-def test_scatter_is_the_noise():
+def test_scatter_estimates_the_noise():
     fits = [vr.rheology.fit_prony(sampled(KNOWN, OMEGA, 0.03, seed)).scatter for seed in range(10)]
     assert np.mean(fits) == pytest.approx(0.03, rel=0.1)
 
 
 def test_sharp_terms_need_more_times():
-    """A single term lies between the times of the grid: two per decade leave an error that eight do not."""
+    """A single term between the times of the grid is fitted poorly with two times per decade, and well with eight."""
     series = vr.Prony(instantaneous_modulus=1e7, weights=[0.3, 0.2, 0.3], relaxation_times=[1.3e-3, 0.9, 57.0])
     omega = np.geomspace(1e-3, 1e4, 71)
     coarse, fine = (vr.rheology.fit_prony(sampled(series, omega), terms_per_decade=n) for n in (2, 8))
@@ -212,7 +212,7 @@ def test_rebound():
         vr.rheology.rebound_to_loss_factor("55 %")
 
 
-def test_hardness_as_data_sheets_write_it():
+def test_messages_about_hardness_copied_from_data_sheets():
     assert vr.rheology.hardness_to_modulus(60.0, scale="a") == vr.rheology.hardness_to_modulus(60.0)
     assert vr.rheology.hardness_to_modulus(40.0, scale="d") == vr.rheology.hardness_to_modulus(40.0, scale="D")
     with pytest.raises(TypeError, match=r"^hardness must be a real number, got str '60 A'; pass the scale separately"):

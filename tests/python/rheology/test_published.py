@@ -15,7 +15,7 @@ PAGE = (Path(__file__).parents[3] / "docs" / "published-materials.md").read_text
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_each_says_whose_it_is_and_what_is_not_known(name):
+def test_each_material_names_its_source_and_unknowns(name):
     material = vr.rheology.example_material(name)
     assert max(map(len, repr(material).splitlines())) <= 92
     said = " ".join(repr(material).split())
@@ -37,7 +37,7 @@ def test_each_says_whose_it_is_and_what_is_not_known(name):
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_each_rolls(name):
+def test_each_material_can_roll(name):
     material = vr.rheology.example_material(name)
     ratio = 0.5 if material.poisson_ratio is None else material.poisson_ratio
     layer = vr.Layer(thickness=2e-3, shear_modulus=material.at(temperature=293.15), poisson_ratio=ratio)
@@ -45,7 +45,7 @@ def test_each_rolls(name):
     assert vr.solve(ball, load=0.1, angular_speed=0.5, accuracy=0.1).rolling_resistance_coefficient > 0.0
 
 
-def test_the_adhesive_is_what_its_data_give():
+def test_the_adhesive_follows_from_its_data():
     """The adhesive is the result of the steps of the tutorial with the data of the package."""
     data = vr.rheology.read_rheology(vr.rheology.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
     curve = vr.rheology.superpose(data.between(238.15, 433.15), reference=293.15)
@@ -61,7 +61,7 @@ def test_the_adhesive_is_what_its_data_give():
 @pytest.mark.parametrize(
     ("kelvin", "ratio", "time"), [(293.1633333, 335.9818859, 0.227690381), (313.153, 38.61426008, 0.229855055)]
 )
-def test_the_foam_is_what_was_measured_at_10_radians_a_second(kelvin, ratio, time):
+def test_the_foam_agrees_with_measurements_at_10_radians_per_second(kelvin, ratio, time):
     """Compare with the authors' summary of the same sheets: tan δ = 1/(ωτ), E' = 24 545.2584 Pa γ ω²τ² / (1 + ω²τ²)."""
     foam = vr.rheology.example_material("vinyl_nitrile_foam")
     assert foam.poisson_ratio == 0.228250439894909
@@ -72,7 +72,7 @@ def test_the_foam_is_what_was_measured_at_10_radians_a_second(kelvin, ratio, tim
     assert tension.imag / tension.real == pytest.approx(1.0 / relaxing, rel=6e-3)
 
 
-def test_another_name():
+def test_an_unknown_name():
     with pytest.raises(
         ValueError, match="name must be one of pressure_sensitive_adhesive, vinyl_nitrile_foam, got 'NR'"
     ):
@@ -92,6 +92,6 @@ def test_in_a_case_file(tmp_path):
         load_case(path)
 
 
-def test_the_page_says_how_many_there_are():
+def test_the_page_states_the_number_of_materials():
     assert re.search(r"There are two", PAGE)
     assert len(EXAMPLES) == 2

@@ -1,4 +1,4 @@
-"""A temperature ramp at one frequency, as most laboratories send it: what it provides, and what it cannot."""
+"""Temperature ramps at one frequency, the most common laboratory data: available and unavailable results."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def written(path, step, *, noise=0.0, frequencies=(FREQUENCY,), head="Temperatur
 
 
 @pytest.mark.parametrize("step", [0.2, 0.7, 2.5])  # below and above the gaps that separate sweeps
-def test_a_ramp_is_seen_as_one_and_says_what_it_gives(tmp_path, step):
+def test_a_ramp_is_recognized_and_described(tmp_path, step):
     data = vr.rheology.read_rheology(written(tmp_path / "ramp.csv", step), tensile=True)
     ramp = data.ramp
     assert isinstance(ramp, TemperatureRamp)
@@ -59,7 +59,7 @@ def test_no_shift_is_fitted_to_a_ramp(tmp_path):
         vr.rheology.superpose(data, reference=303.15)
 
 
-def test_a_law_makes_a_master_curve_of_a_ramp_and_the_checks_judge_it(tmp_path):
+def test_a_shift_law_gives_a_master_curve_of_a_ramp_that_is_checked(tmp_path):
     data = vr.rheology.read_rheology(written(tmp_path / "ramp.csv", 1.0, noise=0.003), tensile=True)
     curve = vr.rheology.superpose(data, reference=303.15, factors=LAW)
     omega = np.geomspace(1e-2, 1e5, 15)
@@ -94,14 +94,14 @@ def test_modulus_and_loss_factor_of_a_ramp_at_a_temperature(tmp_path):
         ramp.at(temperature=20.0)
 
 
-def test_frequencies_that_are_stepped_through_while_it_heats_are_sweeps(tmp_path):
+def test_frequency_steps_during_heating_are_sweeps(tmp_path):
     steps = tuple(FREQUENCY * np.array([1.0, 3.0, 10.0]))
     data = vr.rheology.read_rheology(written(tmp_path / "ramp.csv", 0.2, frequencies=steps), tensile=True)
     assert data.ramp is None
     assert {sweep.frequency.size for sweep in data.isotherms[:-1]} == {3}
 
 
-def test_a_ramp_without_a_column_of_the_frequency(tmp_path):
+def test_a_ramp_without_a_frequency_column(tmp_path):
     path = written(tmp_path / "ramp.csv", 2.0, head="Temperature")
     with pytest.raises(
         ValueError, match=r"without a frequency column, as in a ramp at one frequency: pass frequency=... in rad/s"
@@ -114,7 +114,7 @@ def test_a_ramp_without_a_column_of_the_frequency(tmp_path):
         vr.rheology.read_rheology(written(tmp_path / "with.csv", 2.0), tensile=True, frequency=5.0)
 
 
-def test_a_ramp_from_the_shell(tmp_path):
+def test_a_ramp_on_the_command_line(tmp_path):
     written(tmp_path / "ramp.csv", 2.5)
 
     def answered(*words):

@@ -118,7 +118,7 @@ def test_a_frequency_in_radians_and_in_hertz(tmp_path):
     assert repr(data).endswith("; frequency from 'Angular frequency', with which 'Frequency' agrees")
 
 
-def test_the_other_way_around_and_without_a_unit(tmp_path):
+def test_frequency_columns_in_reverse_order_and_without_a_unit(tmp_path):
     rows = "f,G',G'',omega\nHz,MPa,MPa,{unit}\n1,1,0.1,6.2832\n2,1.1,0.1,12.566\n"
     data = vr.rheology.read_rheology(written(tmp_path, rows.format(unit="rad/s")))
     np.testing.assert_array_equal(data.isotherms[0].frequency, [6.2832, 12.566])
@@ -127,7 +127,7 @@ def test_the_other_way_around_and_without_a_unit(tmp_path):
     assert data.remarks == ("frequency from 'f', because 'omega' has no unit",)
 
 
-def test_frequencies_that_disagree_are_refused(tmp_path):
+def test_contradictory_frequencies_are_rejected(tmp_path):
     path = written(tmp_path, TRIOS_ALL.format(low="0.1"))
     with pytest.raises(ValueError, match=r"'Angular frequency' and 'Frequency' must agree .* got 0.1 rad/s and 0.1 Hz"):
         vr.rheology.read_rheology(path, tensile=False)
@@ -174,7 +174,7 @@ def test_names_and_units_given_by_the_caller(tmp_path):
     np.testing.assert_allclose(sweep.loss, [400.0, 400.0], rtol=1e-15)
 
 
-def test_sweeps_of_one_table_are_told_apart_by_temperature(tmp_path):
+def test_sweeps_of_one_table_are_separated_by_temperature(tmp_path):
     rows = [f"{f},{1.0 + f},0.1,{t + d}" for d, f in ((0.1, 1), (0.0, 2), (-0.1, 3)) for t in (0, 10, 20)]
     text = "f,G',G'',T\nHz,MPa,MPa,C\n" + "\n".join(rows)
     data = vr.rheology.read_rheology(written(tmp_path, text))
@@ -220,18 +220,18 @@ def test_nonpositive_moduli_are_dropped_and_counted(tmp_path):
         ("f,G',tan d\nHz,Pa,\n1,2,1e300\n", r"column 'tan d' \(tan_delta\) must be at most 1e\+20 in magnitude"),
     ],
 )
-def test_what_a_file_does_not_say_is_asked_for(tmp_path, text, message):
+def test_messages_ask_for_missing_information(tmp_path, text, message):
     with pytest.raises(ValueError, match=message):
         vr.rheology.read_rheology(written(tmp_path, text))
 
 
-def test_case_counts_where_it_makes_a_difference(tmp_path):
+def test_units_that_differ_only_in_case(tmp_path):
     (sweep,) = vr.rheology.read_rheology(written(tmp_path, "f,G',G''\nhz,mPa,KPA\n1,2,1\n")).isotherms
     assert sweep.storage[0] == pytest.approx(2e-3)
     assert sweep.loss[0] == 1e3
 
 
-def test_a_file_that_is_no_text(tmp_path):
+def test_a_binary_file(tmp_path):
     path = tmp_path / "sweep.tri"
     path.write_bytes(bytes(range(256)) * 2000)
     with pytest.raises(ValueError, match="must have a header"):

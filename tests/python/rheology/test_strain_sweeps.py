@@ -51,7 +51,7 @@ def test_tension_by_tan_delta_and_several_sweeps(tmp_path):
     np.testing.assert_allclose(found.loss, [6e5, 5e5, 6e5], rtol=1e-14)
 
 
-def test_a_sweep_of_frequency_is_read_as_before_beside_a_strain(tmp_path):
+def test_a_frequency_sweep_with_a_strain_column(tmp_path):
     text = "f [Hz],Strain [%],G' [MPa],G'' [MPa]\n1,0.1,2,0.2\n10,,3,0.3\n100,0.1,4,0.4\n"
     data = vr.rheology.read_rheology(written(tmp_path, text))
     np.testing.assert_allclose(data.isotherms[0].frequency, 2.0 * math.pi * np.array([1.0, 10.0, 100.0]), rtol=1e-14)
@@ -66,13 +66,13 @@ def test_a_sweep_of_frequency_is_read_as_before_beside_a_strain(tmp_path):
         ("Strain [%],G' [MPa],f [Hz]\n1,2,1\n", "must have a column of the loss modulus or of tan δ"),
     ],
 )
-def test_what_a_file_must_say(tmp_path, text, message):
+def test_files_without_required_columns(tmp_path, text, message):
     with pytest.raises(ValueError, match=message):
         vr.rheology.read_strain_sweep(written(tmp_path, text), kind="shear")
 
 
 @pytest.mark.parametrize("law", ["kraus", "masing"])
-def test_a_fit_finds_what_made_the_sweep(law):
+def test_a_fit_recovers_the_law_of_the_sweep(law):
     network = KRAUS if law == "kraus" else vr.materials.MasingNetwork(storage=6e6, critical_strain=0.02)
     storage, loss = network.at(STRAINS)
     sweep = vr.materials.StrainSweep(
@@ -85,7 +85,7 @@ def test_a_fit_finds_what_made_the_sweep(law):
     assert abs(fit.storage_error).max() < 1e-8
 
 
-def test_intervals_hold_what_noise_leaves():
+def test_intervals_contain_the_true_value():
     """At least 34 of the 95 % intervals of 40 noisy sweeps contain the truth, with 99.9 % probability."""
     random = np.random.default_rng(7)
     storage, loss = KRAUS.at(STRAINS)
@@ -101,7 +101,7 @@ def test_intervals_hold_what_noise_leaves():
     assert held >= 34
 
 
-def test_a_fit_is_drawn_and_told():
+def test_picture_and_summary_of_a_fit():
     storage, loss = KRAUS.at(STRAINS)
     fit = vr.rheology.fit_network(vr.materials.StrainSweep(strain=STRAINS, storage=storage + 2e6, loss=loss + 2e5))
     assert len(fit.plot().axes[0].lines) == 4

@@ -127,7 +127,7 @@ def _data(sweeps):
     return RheologyData(isotherms=tuple(sweeps), source="made", is_tensile=False, poisson_ratio=0.5, dropped=0)
 
 
-def test_vertical_shift_is_found_where_it_is_asked_for():
+def test_vertical_shift_is_fitted_on_request():
     lifts = np.linspace(0.9, 1.1, 9)
     data = measured_isotherms(0.002)
     sweeps = [
@@ -142,7 +142,7 @@ def test_vertical_shift_is_found_where_it_is_asked_for():
     np.testing.assert_allclose(found, lifts / lifts[3], rtol=0.02)
 
 
-def test_flat_sweeps_leave_their_shift_open():
+def test_shifts_of_flat_sweeps_are_undetermined():
     omega = np.logspace(-1, 2, 16)
     sweeps = [
         Isotherm(temperature=t, frequency=omega, storage=np.full(16, 1e6), loss=np.full(16, 1e3))
@@ -182,7 +182,7 @@ def test_units_of_shift_factors(tmp_path, head):
     assert found.log10_factor == (0.0, -1.0)
 
 
-def test_degrees_celsius_are_refused(noisy, adhesive):
+def test_degrees_celsius_are_rejected(noisy, adhesive):
     message = r"must be >= 100 K \(20 °C are 293.15 K\), got 20 K"
     for refused in (
         lambda: vr.rheology.superpose(adhesive, reference=20.0),
@@ -266,7 +266,7 @@ def test_pyvisco_data_are_named_as_inconsistent():
 
 @pytest.mark.parametrize("temperature", [273.15, 293.15, 313.15])
 @pytest.mark.parametrize("speed", [1e-3, 1e-2, 1e-1])
-def test_torque_of_the_fit_is_that_of_the_table(master, temperature, speed):
+def test_torque_of_the_fit_agrees_with_the_table(master, temperature, speed):
     """Read, shift, fit, solve: within 1 %, of which the meshes may contribute 0.2 %."""
     torques = []
     for material in (master.at(temperature=temperature), master.series_at(temperature=temperature)):
@@ -276,7 +276,7 @@ def test_torque_of_the_fit_is_that_of_the_table(master, temperature, speed):
     assert torques[1] == pytest.approx(torques[0], rel=0.01)
 
 
-def test_checks_tell_what_is_wrong():
+def test_checks_detect_errors():
     omega = np.logspace(-2, 4, 61)
     modulus = RUBBER.complex_modulus(omega)
     good = vr.rheology.check_modulus(SimpleNamespace(frequency=omega, storage=modulus.real, loss=modulus.imag))
@@ -304,7 +304,7 @@ def test_range_against_the_harmonics_of_rolling(rubber):
     assert "1 decades below and 1 above it are extrapolated" in check.message
 
 
-def test_constants_of_shifts_that_do_not_bend_are_not_told():
+def test_wlf_constants_of_shifts_without_curvature_are_undetermined():
     """WLF shifts are farther apart at low temperatures; these are closer, and the best fit is a straight line."""
     temperature = 273.15 + np.arange(-40.0, 61.0, 10.0)
     above = temperature - REFERENCE

@@ -13,7 +13,7 @@ PAPER = enums.Curvature.PAPER
 
 @pytest.mark.parametrize("accuracy", [0.1, 0.03, 0.01])
 @pytest.mark.parametrize("compliance", [enums.Compliance.RADIAL, enums.Compliance.VERTICAL])
-def test_error_is_within_what_was_asked_for(paper_ball, accuracy, compliance):
+def test_error_is_within_the_prescribed_accuracy(paper_ball, accuracy, compliance):
     r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=accuracy, compliance=compliance, curvature=PAPER)
     assert r.status is enums.Status.CONVERGED
     assert r.error_estimate <= accuracy
@@ -32,7 +32,7 @@ def test_default_accuracy_is_one_percent(paper_ball):
     assert all(step.error_estimate > 0.01 for step in r.refinements[:-1])
 
 
-def test_a_thousandth(paper_ball):
+def test_accuracy_of_a_thousandth(paper_ball):
     """Compare with continuum limits from meshes up to pi/6600: 11.3867 mN m, and 11.1854 mN m with VERTICAL."""
     for compliance, limit in ((enums.Compliance.RADIAL, 11.3867e-3), (enums.Compliance.VERTICAL, 11.1854e-3)):
         r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=1e-3, compliance=compliance, curvature=PAPER)
@@ -51,8 +51,8 @@ def test_torque_is_a_smooth_function_of_load(paper_ball):
     assert (exponents <= np.minimum.accumulate(exponents) * 1.005).all()
 
 
-def test_says_when_the_accuracy_was_not_reached():
-    # The contact is narrower than the spacing of any mesh allowed.
+def test_status_says_that_the_accuracy_was_not_reached():
+    # The contact is narrower than the spacing of the finest allowed mesh.
     r = vr.solve(paper.ball(density=0.0), load=1e-13, angular_speed=2.5, accuracy=0.02)
     assert r.status is enums.Status.ACCURACY_NOT_REACHED
     assert r.error_estimate > 0.02

@@ -164,7 +164,7 @@ def test_patch_loads_differ_little(paper_ball):
 @pytest.mark.parametrize("compliance", COMPLIANCES)
 @pytest.mark.parametrize("patch_load", PATCHES)
 def test_large_contacts_without_a_matrix(paper_ball, compliance, patch_load):
-    """The conditions hold if products by FFT replace elimination, and refinement still converges."""
+    """Contacts of many nodes are solved iteratively, with matrix products by FFT: the contact conditions hold."""
     mesh = vr.Mesh(nodes_per_revolution=1200, max_order=1800)
     r = vr.solve(
         paper_ball,
@@ -210,7 +210,7 @@ def test_different_spacings_in_both_directions_agree(paper_ball):
         assert r.pressure.sum() * patch == pytest.approx(100.0, rel=1e-12)
 
 
-def test_contacts_are_found_whatever_they_are_started_from(paper_ball):
+def test_contact_does_not_depend_on_the_initial_guess(paper_ball):
     """A start from the contact of a coarse level and a dense solution from all candidates give the same contact."""
     mesh = vr.Mesh(nodes_per_revolution=600)
     model = vr.RollingModel(paper_ball, angular_speed=2.5, mesh=mesh)
@@ -227,7 +227,7 @@ def test_contacts_are_found_whatever_they_are_started_from(paper_ball):
 
 @pytest.mark.parametrize("nodes", [60_000, 200_000])
 def test_hertz_on_the_finest_meshes(nodes):
-    """A homogeneous elastic ball follows Hertz, to the order (a/R)^2 and the error of the mesh."""
+    """A homogeneous elastic ball follows Hertz; pressure deviates by (a/R)^2, and the penetration by a/R."""
     modulus, radius, across = 1e6, 20e-3, 128
     ball = coated_ball(vr.Elastic(modulus=modulus), thickness=radius, core_radius=0.0, inner_boundary="SOLID")
     a = 0.5 * across * 2.0 * np.pi / nodes * radius
@@ -240,7 +240,7 @@ def test_hertz_on_the_finest_meshes(nodes):
     assert abs(r.resisting_torque) < 1e-9 * load * a
 
 
-def test_products_agree_with_a_dense_solution(paper_ball):
+def test_iterative_solution_agrees_with_a_dense_one(paper_ball):
     """About 500 nodes, solved iteratively from the contact of a coarser mesh; NumPy uses the same influence tables."""
     mesh = vr.Mesh(nodes_per_revolution=600, theta_nodes_per_revolution=540)
     r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=mesh, compliance=enums.Compliance.RADIAL)
@@ -261,7 +261,7 @@ def test_products_agree_with_a_dense_solution(paper_ball):
 @pytest.mark.parametrize("compliance", COMPLIANCES)
 @pytest.mark.parametrize(("viscosity", "angular_speed"), [(3e4, 1.0), (3e4, 4.0), (1.5e5, 1.0), (1.5e5, 5.0)])
 def test_pressure_does_not_alternate_where_memory_is_strong(compliance, viscosity, angular_speed):
-    """V tau / a of 0.1 to 3: with the compliance taken at the nodes, alternating rows would meet no resistance."""
+    """For V tau / a of 0.1 to 3, the compliance at the nodes would not resist pressure that alternates between rows."""
     torques = []
     for nodes in (800, 1600):
         r = vr.solve(
@@ -276,7 +276,7 @@ def test_pressure_does_not_alternate_where_memory_is_strong(compliance, viscosit
         torques.append(r.driving_torque)
     assert torques[0] == pytest.approx(torques[1], rel=1e-2)  # discrete contact of 30 nodes across
     assert r.energy_balance_error < 1e-2
-    # The contact is connected, and some rows behind the jump at the leading edge the pressure has at most one maximum.
+    # The contact is connected, and behind the jump at the leading edge the pressure has at most one maximum.
     middle = r.pressure[:, r.pressure.shape[1] // 2]
     inside = np.flatnonzero(middle)
     assert len(inside) == inside[-1] - inside[0] + 1

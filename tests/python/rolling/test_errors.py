@@ -65,8 +65,8 @@ def coated(body=vr.CoatedSphere, core_radius=0.05, layers=({},), **changes):
 
 THIN = coated(layers=({"thickness": 1e-9}, {"shear_modulus": vr.Elastic(modulus=6e6)}))
 DAMPED = {"shear_modulus": vr.KelvinVoigt(modulus=1e6, viscosity=1e3)}
-UNBOUNDED = [
-    # These inputs once took minutes or more, or did not end for the largest ratios of lengths.
+TOO_MUCH_WORK = [
+    # These inputs once took minutes; for the largest ratios of lengths, the solver did not return.
     (lambda: coated(core_radius=1e8), {}, r"layers\[0\].thickness must be at least 1e-09 of .*, 0.1 m, got 0.001 m"),
     (
         lambda: coated(vr.CoatedCylinder, core_radius=1e8),
@@ -100,8 +100,8 @@ UNBOUNDED = [
 ]
 
 
-@pytest.mark.parametrize(("body", "changes", "message"), UNBOUNDED)
-def test_refused_where_the_work_would_have_no_bound(body, changes, message):
+@pytest.mark.parametrize(("body", "changes", "message"), TOO_MUCH_WORK)
+def test_inputs_of_unlimited_work_are_rejected(body, changes, message):
     with pytest.raises(ValueError, match=message):
         vr.solve(body(), **CASE | changes)
 
@@ -115,7 +115,7 @@ def test_refused_where_the_work_would_have_no_bound(body, changes, message):
         if value is not None or name != "load"  # without a load, the penetration must be given
     ],
 )
-def test_numbers_that_are_none(make, valid, name, value):
+def test_values_that_are_not_numbers(make, valid, name, value):
     with pytest.raises(TypeError, match=rf"^{name} must be a real number, got "):
         make(**valid | {name: value})
 
@@ -227,7 +227,7 @@ def test_values_of_another_type(make, valid, changes, message):
         make(**valid | changes)
 
 
-def test_a_text_serves_where_a_member_does():
+def test_a_text_may_replace_an_enumeration_member():
     layer = vr.Layer(**LAYER)
     hollow = {"core_radius": 20e-3, "layers": [layer]}
     assert vr.CoatedSphere(**hollow, inner_boundary="Hollow") == vr.CoatedSphere(
@@ -241,7 +241,7 @@ def test_a_text_serves_where_a_member_does():
     assert result.patch_load is enums.PatchLoad.SPHERICAL
 
 
-def test_something_else_than_a_ball():
+def test_a_body_of_another_type():
     with pytest.raises(
         TypeError, match=r"body must be a viscoroll.CoatedSphere or .*CoatedCylinder or .*CoatedWheel, got 'ball'"
     ):
@@ -287,7 +287,7 @@ def test_reach_is_one_number_or_two():
         tables(reach=(1, 2, 3))
 
 
-def test_long_values_are_cut(paper_ball):
+def test_messages_shorten_long_values(paper_ball):
     with pytest.raises(TypeError, match=r"^mesh must be a viscoroll.Mesh or None, got \[0, 1, .*\.\.\.$") as caught:
         vr.solve(paper_ball, **CASE, mesh=list(range(10000)))
     assert len(str(caught.value)) < 200
@@ -319,8 +319,8 @@ def test_absurd_loads(paper_ball, load):
         vr.solve(paper_ball, load=load, angular_speed=2.5)
 
 
-def test_load_that_the_mesh_cannot_see(paper_ball):
-    # One node supports a tiny load: this is solved, with a large error estimate.
+def test_load_that_a_single_node_supports(paper_ball):
+    # A tiny load is solved with one node in contact; its error estimate is large.
     r = vr.solve(paper_ball, load=1e-9, angular_speed=2.5, mesh=vr.Mesh(**MESH))
     assert r.contact.sum() == 1
     assert np.isfinite(r.pressure).all()

@@ -50,17 +50,18 @@ def test_small_strain_is_a_bonded_layer(poisson_ratio):
     coating = Coating(radius - 1.0, radius, poisson_ratio, 1.0 / radius)
     state, penetration, load = coating.press()
     exact_load, exact_approach = bonded_layer(1.0, poisson_ratio)
-    # proportional to the cube of the edge, which is accurate to h/500
+    # The load is proportional to the cube of the contact radius, which is accurate to h/500.
     assert load * radius == pytest.approx(exact_load, rel=5e-3)
     assert penetration * radius == pytest.approx(exact_approach, rel=2e-3)
-    # Linear theory: P Omega r_o eta/G for each viscosity. The check detects a wrong rate of C, factor or missing term.
+    # In linear theory, the torque is P Omega r_o eta/G for each viscosity. A wrong rate of C, a wrong factor or a
+    # missing term would change it.
     for torque in slow_torques(coating, state, load).values():
         assert torque == pytest.approx(1.0, abs=2e-3)
 
 
-def test_contact_found_node_by_node_is_the_same(pressed):
-    # Load at given penetration without the condition at the edge, on uniform elements of h/10: the difference is -2e-5,
-    # on h/20 it is -1e-5 (at 6 %, it falls from -3e-4 to -9e-5).
+def test_contact_without_the_condition_at_the_edge_has_the_same_load(pressed):
+    # On uniform elements of h/10, the load at given penetration differs by -2e-5; on h/20, by -1e-5. At a strain of
+    # 6 %, these differences are -3e-4 and -9e-5.
     _, _, strain, load = pressed[0.15]
     plain = Coating(*PAPER, 0.1, finest=0.1, coarsest=0.1, growth=1.0)
     state, first = press_node_by_node(plain, 0.5 * strain)
@@ -71,9 +72,9 @@ def test_contact_found_node_by_node_is_the_same(pressed):
 
 
 def test_elements_of_first_order_are_stiffer_until_they_are_small(pressed):
-    # First-order elements without the condition at the edge, as in a first attempt. On h/8 the load is 2.7e-3 too
-    # large, and at given load the penetration is 1.1e-3 too small: C_RR would seem to be off by -0.2 %, not -0.3 %. On
-    # h/20, 2.6e-4 remain.
+    # The test uses first-order elements without the condition at the edge. On h/8, the load is too large by 2.7e-3,
+    # and at given load the penetration is too small by 1.1e-3, which would reduce the apparent error of C_RR from
+    # -0.3 to -0.2 %. On h/20, the error of the load is 2.6e-4.
     _, _, strain, load = pressed[0.15]
     errors = []
     for size in (0.125, 0.05):
@@ -107,10 +108,10 @@ def turned(angle):
     return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
 
 
-def test_power_is_that_of_turning_the_ball():
-    # Power of a given analytic field: C of a particle before and after a small rotation of the ball, in the particle's
-    # axes, in Cartesian coordinates. An error of the rate in azimuth or spin would make a difference. The finite
-    # elements end at 2.5 rad, where `squeezed` is sampled.
+def test_power_of_a_rotating_ball_agrees_with_finite_differences():
+    # For an analytic deformation, the rate of C follows from C of a particle before and after a small rotation of the
+    # ball, in Cartesian coordinates that rotate with the particle. An error in the rate of azimuth or spin would
+    # change the power. The finite elements end at 2.5 rad, which also bounds the sum here.
     coating = Coating(4.0, 5.0, 0.3, 0.5, finest=0.1, coarsest=0.1, growth=1.0)
     state = np.zeros(coating.basis.N)
     theta, radius = coating.basis.doflocs
@@ -145,8 +146,8 @@ def test_power_is_that_of_turning_the_ball():
     [(0.06, -0.0022, 0.0342), (0.15, -0.0032, 0.1116)],
 )
 def test_radial_penetration_is_nearer_to_finite_strain(pressed, strain, radial, vertical):
-    # C_RR is accurate within half a percent; C_WW is 3 and 11 % too soft. Other numbers would indicate another
-    # compliance, or wrong digits in docs/accuracy.md, which depend on the curvature terms that the paper omits.
+    # C_RR is accurate within half a percent; C_WW is too soft by 3 and 11 %. docs/accuracy.md contains these numbers,
+    # which depend on the curvature terms that the paper omits.
     coating, _, found, load = pressed[strain]
     for compliance, expected in ((RADIAL, radial), (VERTICAL, vertical)):
         error = table.penetration(PAPER, load, coating.edge, compliance) / found - 1.0

@@ -1,4 +1,4 @@
-"""Coulomb friction: conditions on the returned fields, drives, limits, the power balance, the dense reference."""
+"""Coulomb friction: contact conditions, drives, limits, the power balance, and a dense reference solution."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def assert_conditions_hold(r):
 @pytest.mark.parametrize("mu", [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 2.0, 4.0])
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.45, 0.5])
 @pytest.mark.parametrize("thickness", [0.5e-3, 1e-3, 5e-3])
-def test_every_friction_from_a_cold_start(rubber, thickness, poisson_ratio, mu):
+def test_every_friction_without_an_initial_guess(rubber, thickness, poisson_ratio, mu):
     layer = vr.Layer(thickness=thickness, shear_modulus=rubber, poisson_ratio=poisson_ratio, density=1000.0)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     for angular_speed in (0.05, 0.2, 1.0, 5.0):
@@ -274,18 +274,18 @@ def kalker_coefficients(nodes_across, lateral=False):
 
 
 @pytest.mark.parametrize("drive", [DRIVES["driven"], DRIVES["towed"], DRIVES["rolling"]], ids=str)
-def test_full_stick_is_what_much_friction_leads_to(paper_ball, drive):
+def test_large_friction_tends_to_full_stick(paper_ball, drive):
     given = {"drive": drive, "compliance": enums.Compliance.VERTICAL, "mesh": vr.Mesh(nodes_per_revolution=500)}
     stuck, *rough = (roll(paper_ball, mu=mu, **given) for mu in (math.inf, 4.0, 1.0))
     assert_conditions_hold(stuck)
     np.testing.assert_array_equal(stuck.stick, stuck.contact)
-    # Error of the mesh, caused by the singular tractions at the trailing edge.
+    # The tractions are singular at the trailing edge, which causes this error of the mesh.
     assert stuck.energy_balance_error < 0.02
-    pressed = np.abs([r.pressure - stuck.pressure for r in rough]).max(axis=(1, 2))
-    assert pressed[0] < 0.5 * pressed[1]
+    differences = np.abs([r.pressure - stuck.pressure for r in rough]).max(axis=(1, 2))
+    assert differences[0] < 0.5 * differences[1]
 
 
-def test_full_stick_is_any_friction_with_which_all_of_the_contact_sticks(paper_ball):
+def test_full_stick_equals_a_finite_friction_without_slip(paper_ball):
     stuck, rough = (roll(paper_ball, mu=mu) for mu in (math.inf, 4.0))
     assert not rough.slip.any()
     np.testing.assert_allclose(stuck.pressure, rough.pressure, rtol=0.0, atol=1e-9 * rough.max_pressure)
@@ -294,8 +294,8 @@ def test_full_stick_is_any_friction_with_which_all_of_the_contact_sticks(paper_b
     assert not any("bound" in text.get_text() for a in axes if a.get_legend() for text in a.get_legend().get_texts())
 
 
-def test_full_stick_that_asks_for_tension_is_said_so(paper_ball):
-    # At the edge of this contact, sticking nodes are in tension, and in compression if they are removed.
+def test_full_stick_with_tension_is_rejected(paper_ball):
+    # At the edge of this contact, nodes that stick are in tension, and nodes that are removed overlap the plane.
     message = (
         "no state of full stick without tension was found in .* of the load; with a finite friction, nodes can slip"
     )
@@ -330,7 +330,7 @@ def test_large_creepage_saturates_with_stick_at_the_leading_edge():
 BAD = {
     "friction": ({"friction": -0.1}, ValueError, "friction must be >= 0, got"),
     "nan": ({"friction": float("nan")}, ValueError, "friction must be >= 0, got"),
-    "more than there is": (
+    "too large": (
         {"friction": 4.01},
         ValueError,
         r"friction must be at most 4 \(no pair of materials has more\), or infinite for full stick, got 4.01",
@@ -403,7 +403,7 @@ def test_plot_shows_stick_and_slip(paper_ball, tmp_path):
     figure.savefig(tmp_path / "friction.png")
 
 
-def test_the_summary_tells_the_speed_of_the_center(paper_ball):
+def test_the_summary_contains_the_speed_of_the_center(paper_ball):
     r = roll(paper_ball, drive=DRIVES["skidding"])
     line = next(line for line in repr(r).splitlines() if "creepage" in line)
     assert line.split("V_s")[1].strip() == f"-0.5, {0.5 * SLOW * paper_ball.outer_radius:.6g} m/s"
@@ -440,7 +440,7 @@ def one_layer(core_radius, thickness, modulus, **options):
 
 
 HARD = {
-    # Contacts of 1 to 34 nodes, which full stick as a start does not solve.
+    # Contacts of 1 to 34 nodes, in which the iteration from full stick does not converge.
     "slippery, driven hard": (
         one_layer(
             0.23718672545634156,
@@ -473,14 +473,14 @@ HARD = {
 
 
 @pytest.mark.parametrize(("ball", "nodes", "options"), HARD.values(), ids=HARD)
-def test_states_that_full_stick_does_not_lead_to(ball, nodes, options):
+def test_states_that_iterations_from_full_stick_do_not_reach(ball, nodes, options):
     mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=nodes)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", vr.ResultWarning)  # few nodes on purpose
         assert_conditions_hold(roll(ball, mesh=mesh, **options))
 
 
-def test_towed_by_way_of_less_friction():
+def test_towed_ball_solved_from_a_state_of_less_friction():
     # Iterations from full stick and from zero friction diverge; those from mu = 0.3 converge.
     material = vr.Prony(
         instantaneous_modulus=15004.339,

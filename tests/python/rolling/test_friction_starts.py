@@ -14,7 +14,7 @@ from viscoroll import enums
 FOUND = tomllib.loads((Path(__file__).parent / "friction_states.toml").read_text(encoding="utf-8"))
 
 
-def found(kind):
+def rows(kind):
     return pytest.mark.parametrize("row", [pytest.param(row, id=row["name"]) for row in FOUND[kind]])
 
 
@@ -37,7 +37,7 @@ def solve(row):
 
 
 def measured(r):
-    """Return the criteria of a state, among them its residual and the largest slip of sticking nodes."""
+    """Return quantities that the file bounds, among them the residual and the largest slip of sticking nodes."""
     speed = np.hypot(*r.slip_velocity)
     creeping = speed.max(initial=0.0, where=r.stick)
     curving = (r.semi_axis_x / r.body.outer_radius) ** 2 * r.angular_speed * r.body.outer_radius
@@ -46,12 +46,12 @@ def measured(r):
         "stick_share": r.stick.sum() / r.contact.sum(),
         "residual": r.residual,
         "iterations": r.iterations,
-        "creep": creeping / curving,  # relative to the slip due to the ball's curvature
+        "creep": creeping / curving,  # slip of sticking nodes, relative to the slip due to the ball's curvature
         "creep_of_fastest": creeping / speed.max(),
     }
 
 
-@found("state")
+@rows("state")
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # loads that indent a coating by a tenth
 def test_hard_states_are_found(row):
     r = solve(row)
@@ -66,16 +66,16 @@ def test_hard_states_are_found(row):
         assert values[name] < bound, name
 
 
-@found("refusal")
+@rows("refusal")
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")
-def test_what_has_no_state_is_refused_as_such(row):
+def test_inputs_without_a_state_are_rejected(row):
     with pytest.raises(ValueError, match=row["message"]):
         solve(row)
 
 
 def test_a_drive_between_the_states_of_two_creepages():
-    # Neither full stick nor zero friction leads to this state, but states at given creepages do; one of these is
-    # reached only from less friction.
+    # Iterations from full stick and from zero friction do not reach this state. Those from states at prescribed
+    # creepages do, and one of these states is reached only from a smaller friction.
     modulus = vr.Prony(
         instantaneous_modulus=719306705.8964465,
         weights=[
@@ -114,7 +114,8 @@ def test_a_drive_between_the_states_of_two_creepages():
 
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # large strain
 def test_a_contact_that_fits_with_friction_if_it_fits_without():
-    # Every fourth node of the widest window ends within the contact: only with friction, the load was refused.
+    # With friction, the load was once rejected: the coarse mesh, every fourth node of the widest window, ends within
+    # the contact.
     modulus = vr.StandardLinearSolid(instantaneous_modulus=1e6, relaxed_modulus=5e5, relaxation_time=0.1)
     ball = coated_ball(modulus, thickness=21e-3, poisson_ratio=0.3, core_radius=0.0, inner_boundary="SOLID")
     mesh = vr.Mesh(nodes_per_revolution=200)
@@ -122,7 +123,7 @@ def test_a_contact_that_fits_with_friction_if_it_fits_without():
     assert rough.contact.sum() == pytest.approx(smooth.contact.sum(), rel=0.1)
 
 
-def test_harmonics_beyond_memory_are_refused_by_the_order_that_asks_for_them(paper_ball):
+def test_harmonics_that_exceed_the_memory_are_rejected_with_a_limit_of_max_order(paper_ball):
     mesh = vr.Mesh(nodes_per_revolution=400, max_order=200_000)
     with pytest.raises(
         ValueError,
@@ -131,8 +132,8 @@ def test_harmonics_beyond_memory_are_refused_by_the_order_that_asks_for_them(pap
         vr.solve(paper_ball, load=10.0, angular_speed=1.0, curvature="EXACT", mesh=mesh)
 
 
-def test_coefficients_that_share_a_start_do_not_depend_on_their_order():
-    """A model computes its start from full stick once, with the same bits as for a single coefficient."""
+def test_results_of_a_model_do_not_depend_on_the_order_of_frictions():
+    """A model computes the state of full stick once; each friction gives the same bits as a single solve."""
     given = {"load": 20.0, "angular_speed": 2.5}
     mesh = vr.Mesh(nodes_per_revolution=100)
     coefficients = [0.05, 0.3, 1.0]
@@ -152,13 +153,13 @@ def test_coefficients_that_share_a_start_do_not_depend_on_their_order():
 
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # one node is a coarse mesh
 @pytest.mark.parametrize("load", [1e-9, 1.12e-7])
-def test_one_node_under_a_load_far_below_the_forces_of_its_lag(load):
-    # Without creepage, the node lags by forces of 6e5 loads, which one step removes. Steps above 1000 loads used to be
-    # rejected: "no state of stick and slip was found in 37 iterations".
+def test_a_tiny_load_on_one_node(load):
+    # At zero creepage, the sticking node carries a traction of 6e5 loads, which one iteration removes. Iterations
+    # that changed forces by more than 1000 loads were once rejected, so that no state was found.
     ball = coated_ball(vr.Elastic(modulus=1.26e5), thickness=0.555e-3, poisson_ratio=0.5, core_radius=0.110145)
     mesh = vr.Mesh(nodes_per_revolution=93)
     r = vr.solve(ball, load=load, angular_speed=1.0, friction=0.366, compliance="VERTICAL", mesh=mesh)
     assert r.stick.sum() == r.contact.sum() == 1
-    lag = 1.0 - np.sin(mesh.spacing) / mesh.spacing  # mean of 1 - cos(phi) over the spacing up to the node
+    lag = 1.0 - np.sin(mesh.spacing) / mesh.spacing  # mean of 1 - cos(phi) over one spacing
     assert abs(r.driving_force) < 1e-8 * load
     assert r.creepage == pytest.approx(-lag, rel=1e-8)  # the penetration adds its share of the radius

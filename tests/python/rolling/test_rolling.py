@@ -92,7 +92,7 @@ def test_power_balance_closes_on_a_fine_mesh(paper_ball, order):
 
 @pytest.mark.parametrize("radial", [True, False])
 @pytest.mark.parametrize("thickness", [1e-3, 5e-3])
-def test_work_at_displaced_points_is_what_the_coating_loses(radial, thickness):
+def test_work_at_displaced_points_is_the_dissipated_power(radial, thickness):
     r = roll(paper.ball(thickness=thickness), nodes=800, order=1200, radial=radial)
     assert r.driving_torque * r.angular_speed == pytest.approx(r.dissipated_power, rel=5e-3)
     if radial:
@@ -190,14 +190,14 @@ def test_dimensional_scaling(length, stiffness, time, radial):
     poisson_ratio=st.floats(0.0, 0.5),
     order=st.floats(0.3, 1.0),
 )
-def test_rolling_always_dissipates_what_drives_it(load, speed, thickness, poisson_ratio, order):
+def test_driving_power_is_dissipated(load, speed, thickness, poisson_ratio, order):
     material = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=order)
     ball = coated_ball(material, thickness=thickness, poisson_ratio=poisson_ratio, density=1000.0)
     r = roll(ball, load=load, angular_speed=speed, nodes=300, order=300, radial=False)
     assert r.status is enums.Status.CONVERGED
     assert min(r.resisting_torque, r.dissipated_power) > 0.0
-    # The work at the surface is the loss in the layer, except for the rows of nodes at the edge: in 127 random cases
-    # the largest difference was 0.73 / sqrt(nodes) for 80 to 350 nodes; with fewer nodes, the result warns.
+    # Work at the surface and loss in the layer differ because of the nodes at the edge. In 127 random cases with 80 to
+    # 350 nodes, the largest difference was 0.73 / sqrt(nodes). With fewer nodes, the result warns.
     work = r.driving_torque * r.angular_speed
     if not r.warnings:
         assert work == pytest.approx(r.dissipated_power, rel=1.2 / np.sqrt(r.contact.sum()))

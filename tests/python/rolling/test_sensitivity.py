@@ -1,4 +1,4 @@
-"""Derivatives of results by the inputs, compared with whole solves, scaling laws, and a scaled modulus."""
+"""Derivatives of results by the inputs, compared with difference quotients, scaling laws, and a scaled modulus."""
 
 from __future__ import annotations
 
@@ -50,8 +50,8 @@ def solved(request):
     return body, given, result, result.sensitivity()
 
 
-def whole(result, body, given, change):
-    """Return central difference quotients of whole solves, relative to the result."""
+def difference_quotients(result, body, given, change):
+    """Return central difference quotients of separate solves, relative to the result."""
     answers = ("resisting_torque", "penetration", "max_pressure")
     more, less = (vr.solve(b, **g) for b, g in (change(body, given, STEP), change(body, given, -STEP)))
     return np.array([(getattr(more, a) - getattr(less, a)) / (2.0 * STEP * getattr(result, a)) for a in answers])
@@ -73,7 +73,7 @@ def thicker(body, given, share):
 
 
 @pytest.mark.parametrize("change", [more_load, more_speed, thicker])
-def test_derivatives_are_those_of_whole_solves(solved, change):
+def test_derivatives_agree_with_difference_quotients(solved, change):
     body, given, result, found = solved
     layered, prefix = (body, "") if body.layers else (given["on"], "on.")
     name = {
@@ -81,10 +81,10 @@ def test_derivatives_are_those_of_whole_solves(solved, change):
         more_speed: "angular_speed",
         thicker: f"{prefix}layers[{len(layered.layers) - 1}].thickness",
     }[change]
-    np.testing.assert_allclose(list(found[name].values()), whole(result, body, given, change), atol=1e-3)
+    np.testing.assert_allclose(list(found[name].values()), difference_quotients(result, body, given, change), atol=1e-3)
 
 
-def test_forces_and_moduli_have_one_unit(solved):
+def test_results_are_homogeneous_in_load_and_moduli(solved):
     """Torque and pressure are homogeneous of degree 1 in load and all moduli, and the penetration of degree 0."""
     _, _, _, found = solved
     loads = [name for name in found.parameters if name in ("load", "drive.torque", "drive.force")]
@@ -94,7 +94,7 @@ def test_forces_and_moduli_have_one_unit(solved):
     np.testing.assert_allclose(total, [1.0, 0.0, 1.0], atol=2e-5)
 
 
-def test_a_whole_modulus_is_the_sum_of_its_bands():
+def test_derivative_by_a_scaled_modulus_is_the_sum_over_its_bands():
     def torque(share):
         modulus = replace(RUBBER, instantaneous_modulus=6e6 * (1.0 + share), relaxed_modulus=3e6 * (1.0 + share))
         ball = replace(BALL, layers=[replace(SOFT, shear_modulus=modulus)])
@@ -108,7 +108,7 @@ def test_a_whole_modulus_is_the_sum_of_its_bands():
     assert fine.moduli[0].loss[0].sum() == pytest.approx(coarse.moduli[0].loss[0].sum(), abs=1e-4)
 
 
-def test_a_small_loss_pays_for_the_torque():
+def test_torque_is_proportional_to_a_small_loss():
     """For a small loss, the torque is proportional to the loss at all frequencies."""
     modulus = replace(RUBBER, instantaneous_modulus=3.003e6)
     ball = replace(BALL, layers=[replace(SOFT, shear_modulus=modulus)])
@@ -116,7 +116,7 @@ def test_a_small_loss_pays_for_the_torque():
     assert found.moduli[0].loss[0].sum() == pytest.approx(1.0, abs=2e-3)
 
 
-def test_what_it_tells(tmp_path):
+def test_summary_and_files(tmp_path):
     result = vr.solve(BALL, load=50.0, angular_speed=5.0, mesh=MESH)
     calls = []
     found = result.sensitivity(answers=["dissipated_power"], progress=lambda stage, share: calls.append((stage, share)))
@@ -149,7 +149,7 @@ def test_one_picture_of_loss_and_sensitivity():
         found.plot(measured=(5, 1))
 
 
-def test_what_tables_hold_was_measured():
+def test_measured_range_is_that_of_the_tables():
     table = vr.MasterCurve([0.0, 10.0, 100.0], [2e6, 3e6, 4e6], [0.0, 3e5, 4e5], extrapolation="hold")
     ball = replace(BALL, layers=[HARD, replace(SOFT, shear_modulus=table)])
     assert measured_range(vr.solve(ball, load=20.0, angular_speed=5.0, mesh=MESH)) == (10.0, 100.0)
@@ -163,7 +163,7 @@ def test_only_solutions_have_derivatives():
         flat.sensitivity()
 
 
-def test_bad_questions():
+def test_bad_arguments():
     result = vr.solve(BALL, load=50.0, angular_speed=5.0, mesh=MESH)
     with pytest.raises(ValueError, match="answers must be names of scalars of this result, got 'status'"):
         result.sensitivity(answers=["status"])

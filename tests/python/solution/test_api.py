@@ -1,4 +1,4 @@
-"""Python behavior besides the numbers: reprs, copies, threads, Ctrl-C, files."""
+"""Behavior of the Python interface: reprs, copies, threads, Ctrl-C, and files."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def test_options_of_histories_are_the_same_everywhere():
         paper.ball(),
     ],
 )
-def test_inputs_are_values(value):
+def test_inputs_are_immutable_and_equal_their_repr(value):
     assert pickle.loads(pickle.dumps(value)) == value
     assert copy.deepcopy(value) == value
     assert hash(copy.copy(value)) == hash(value)
@@ -136,7 +136,7 @@ def test_inputs_are_values(value):
         ),
     ],
 )
-def test_inputs_store_numbers_of_python(value, twin):
+def test_inputs_store_python_numbers(value, twin):
     # Arrays would remain mutable and have no hash; NumPy scalars would appear in the repr.
     assert repr(value) == repr(twin)
     assert hash(value) == hash(twin)
@@ -236,7 +236,7 @@ def test_every_field_is_documented():
     assert "linear_speed : float or None\n    Speed of the center V_s [m/s]. None without friction" in text
 
 
-def test_a_model_gives_what_single_solves_give():
+def test_a_model_gives_the_results_of_single_solves():
     model = vr.RollingModel(paper.ball(), angular_speed=0.5, mesh=MESH)
     cases = [
         {"load": 10.0},
@@ -341,10 +341,10 @@ ROLL = (
     "vr.roll(vr.CoatedSphere(core_radius=21e-3), on=vr.CoatedPlane(layers=paper.ball().layers), time=[0.0, 1e3],"
     " distance=[0.0, 100.0], load=100.0, mesh=vr.Mesh(nodes_per_revolution=400))"
 )
-# calls, and the time after which each is in the stage that it is named for [s]
+# Calls, and a time after which each is in the stage of its name [s].
 LONG_CALLS = {
     "tables": (SOLVE.format(20000, 30000, ""), 2.0),
-    "many orders to a node": (SOLVE.format(64, 200000, ""), 0.5),
+    "many orders per node": (SOLVE.format(64, 200000, ""), 0.5),
     "contact": (SOLVE.format(24000, 12000, ""), 3.0),
     "friction": (SOLVE.format(16000, None, ", friction=0.1"), 2.0),
     "a history": (ROLL, 2.0),

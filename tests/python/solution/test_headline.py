@@ -26,15 +26,14 @@ def elastic_ball(core_radius, thickness):
 
 
 @pytest.mark.parametrize("drive", DRIVES, ids=str)
-def test_coefficient_is_power_lost_per_load_and_distance(paper_ball, drive):
+def test_coefficient_is_dissipated_energy_per_load_and_distance(paper_ball, drive):
     r = vr.solve(paper_ball, drive=drive, **EXAMPLE)
     expected = (r.bulk_power + r.slip_power) / (r.load * r.linear_speed)
     assert r.rolling_resistance_coefficient == pytest.approx(expected, rel=1e-14)
 
 
 def test_coefficient_of_a_towed_ball_is_its_drag_per_load(paper_ball):
-    # Without a torque, the force alone supplies the dissipated power; the rest is the error of the mesh's power
-    # balance.
+    # Without a torque, the force alone supplies the dissipated power. The tolerance is the error of the power balance.
     r = vr.solve(paper_ball, drive=vr.Drive(torque=0.0), **EXAMPLE | {"mesh": vr.Mesh(nodes_per_revolution=500)})
     assert r.rolling_resistance_coefficient == pytest.approx(r.driving_force / r.load, rel=5e-3)
 
@@ -49,18 +48,18 @@ def test_statics_hold_with_the_radial_compliance(paper_ball, drive):
     """Pressure acts at its offset and tractions at the height of the plane, so T = T_r - Q H."""
     r = vr.solve(paper_ball, drive=drive, **EXAMPLE)
     moment = r.resisting_torque - r.driving_force * r.center_height
-    # Residual of the contact conditions, 1e-10 of the load, with the moment arm H.
+    # The contact conditions have a residual of 1e-10 of the load, and H is its moment arm.
     assert r.driving_torque == pytest.approx(moment, abs=1e-9 * r.load * r.center_height)
 
 
 @pytest.mark.parametrize(("core_radius", "thickness", "load"), [(15e-3, 6e-3, 3.0), (6.3e-3, 14.7e-3, 0.3)])
 @pytest.mark.parametrize("friction", [0.05, 0.3, 3.0])
 def test_creepage_of_free_elastic_rolling(core_radius, thickness, load, friction):
-    """With u_r in its kinematics, the radial formulation has the creepage of the full one, to the order (a/R)^2.
+    """The compliances RADIAL and VERTICAL give the same creepage to the order (a/R)^2, because slip includes u_r.
 
-    Without u_r they would differ by 0.3 (a/R)^2 on the nearly solid ball (+0.19 in place of -0.11), and by a factor of
-    two on the other. The remaining difference is of the order (a/R)^3, plus that of the tractions, about 0.01 (a/R)^2,
-    and that of the mesh.
+    Without u_r, the creepages would differ by 0.3 (a/R)^2 on the nearly solid ball (+0.19 in place of -0.11), and by a
+    factor of two on the other. The remaining differences are of the order (a/R)^3, about 0.01 (a/R)^2 from the
+    tractions, and the error of the mesh.
     """
     ball = elastic_ball(core_radius, thickness)
     case = {"load": load, "angular_speed": 1.0, "friction": friction, "mesh": vr.Mesh(nodes_per_revolution=900)}
@@ -81,8 +80,8 @@ def test_a_coarse_mesh_is_a_warning(paper_ball):
     assert r.scalars()["warnings"] == "COARSE_MESH"
 
 
-def test_an_open_balance_is_a_warning():
-    """A ball that dissipates almost nothing: its slip is in a ring that contains no node of this mesh."""
+def test_a_large_error_of_the_power_balance_is_a_warning():
+    """A ball dissipates almost nothing if it slips in a ring that contains no node of this mesh."""
     layer = vr.Layer(thickness=2e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     with pytest.warns(vr.ResultWarning, match=r"power balance is 0\.\d+ \(recommended: at most 0.05\), for a rolling"):
@@ -106,14 +105,14 @@ def test_a_model_warns_too(paper_ball):
     assert caught[0].filename == __file__
 
 
-def test_a_good_result_is_no_warning(paper_ball):
+def test_a_good_result_has_no_warning(paper_ball):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=0.1).warnings == {}
 
 
 def test_the_same_mesh_is_not_solved_twice():
-    """A large contact on a solid ball needs fewer nodes than the minimum; twice the minimum may still be too few."""
+    """A large contact on a solid ball may need fewer nodes than the minimum, on coarse and fine meshes alike."""
     layer = vr.Layer(thickness=20e-3, shear_modulus=vr.KelvinVoigt(modulus=1e6, viscosity=1e5), poisson_ratio=0.5)
     ball = vr.CoatedSphere(layers=[layer], inner_boundary=enums.InnerBoundary.SOLID)
     r = vr.solve(ball, load=600.0, angular_speed=1.0, accuracy=0.4)
@@ -122,8 +121,8 @@ def test_the_same_mesh_is_not_solved_twice():
     assert r.refinements[1].error_estimate > 0.0
 
 
-def test_the_estimate_covers_the_force_of_a_given_creepage():
-    """At 5 mm, mu = 0.3, 1 rad/s, c = 0.01, torque and penetration had converged while the force was 4 % off."""
+def test_the_error_estimate_includes_the_force_at_a_given_creepage():
+    """In this case, torque and penetration converge on a mesh on which the force has an error of 4 %."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
     layer = vr.Layer(thickness=5e-3, shear_modulus=rubber, poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
@@ -140,7 +139,7 @@ def slow_ball(relaxed_modulus, relaxation_time):
     return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
 
 
-def test_a_material_that_relaxes_to_next_to_nothing_is_refused_by_its_name():
+def test_a_material_that_relaxes_almost_completely_is_rejected():
     message = r"layers\[0\]\.shear_modulus must be such that .* at least 0\.003 times .* 0\.6 Pa, which is 1e-07 times"
     with pytest.raises(ValueError, match=message):
         vr.solve(slow_ball(0.6, 1e4), load=100.0, angular_speed=2.5)

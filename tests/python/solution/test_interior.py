@@ -74,7 +74,7 @@ def test_principal_stresses_and_pressure(inside):
 
 @pytest.mark.parametrize("friction", [0.0, 0.3])
 @pytest.mark.parametrize("compliance", enums.Compliance)
-def test_at_the_surface_the_tractions_come_back(friction, compliance):
+def test_stresses_at_the_surface_are_the_tractions(friction, compliance):
     """The sum over all orders gives the tractions at the centers of the patches."""
     mesh = vr.Mesh(nodes_per_revolution=200)
     r = vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh, friction=friction, compliance=compliance)
@@ -84,7 +84,7 @@ def test_at_the_surface_the_tractions_come_back(friction, compliance):
     pressure, (along, across) = r.pressure, r.shear_traction
     ball = r.body.outer_radius
     if compliance is enums.Compliance.RADIAL:
-        # Along the plane, forward is -φ; tractions that are not normal to the radius contribute to the radial stress.
+        # The forward direction along the plane is -φ. Tractions along the plane also have a radial component.
         radial = -pressure + (along * r.x + across * r.z) / ball
         tangential = -along
     else:
@@ -96,17 +96,17 @@ def test_at_the_surface_the_tractions_come_back(friction, compliance):
     np.testing.assert_allclose(surface.stress.sel(component="rphi"), tangential, atol=1e-5 * size)
 
 
-def test_displacement_at_the_surface_is_that_of_the_solver(coarse):
+def test_displacement_at_the_surface_agrees_with_the_solver(coarse):
     """The influence tables and the inner fields sum the same orders independently."""
     with pytest.warns(vr.ResultWarning):
         surface = coarse.interior(depth=[0.0]).isel(depth=0)
     radial = surface.displacement.sel(direction="r").to_numpy()
-    # The solver's displacement is positive upwards, against r at the lowest point.
+    # The solver's displacement is positive upwards, which is opposite to r at the lowest point.
     np.testing.assert_allclose(radial, -coarse.displacement, atol=1e-6 * np.abs(coarse.displacement).max())
 
 
-def test_orders_one_by_one_agree_with_octaves():
-    """The truncation order of the second mesh exceeds the orders that reach these depths."""
+def test_sum_of_single_orders_agrees_with_sum_by_octaves():
+    """The truncation order of the second mesh exceeds all orders whose fields reach these depths."""
     case = {"load": 100.0, "angular_speed": 2.5}
     every = vr.solve(paper.ball(), mesh=vr.Mesh(nodes_per_revolution=200), **case)
     whole = vr.solve(paper.ball(), mesh=vr.Mesh(nodes_per_revolution=200, max_order=900), **case)
@@ -117,7 +117,7 @@ def test_orders_one_by_one_agree_with_octaves():
     assert float(np.abs(a.stress - b.stress).max()) < 2e-3 * size
 
 
-def test_sections_and_single_points_are_parts_of_the_window(coarse):
+def test_sections_and_single_points_agree_with_the_window(coarse):
     whole = coarse.interior(depth=[0.4e-3])
     phi, theta = whole.phi.to_numpy(), whole.theta.to_numpy()
     part = coarse.interior(depth=[0.4e-3], phi=phi[5:8], theta=theta[[9, 3]])
@@ -126,8 +126,8 @@ def test_sections_and_single_points_are_parts_of_the_window(coarse):
     np.testing.assert_allclose(around.stress[..., 0, :], around.stress[..., -1, :], atol=1.0)  # one revolution
 
 
-def test_a_sum_that_ends_earlier_is_the_same_but_near_the_surface(coarse):
-    """A sum up to order N has an error of order N exp(-N d/r_o) at depth d: large near the surface, 6e-5 at core."""
+def test_truncation_changes_fields_only_near_the_surface(coarse):
+    """The error of a sum up to order N is about N exp(-N d/r_o) at depth d: large near the surface, 6e-5 at core."""
     depths = np.array([0.1e-3, 1e-3])
     whole, ended = (coarse.interior(depth=depths, max_order=order).strain.to_numpy() for order in (None, 200.0))
     off = abs(ended - whole).max(axis=(0, 2, 3)) / abs(whole).max(axis=(0, 2, 3))
@@ -230,7 +230,7 @@ def test_loss_in_the_volume_is_the_power_of_the_surface(name, rubber):
     np.testing.assert_allclose(loss.relaxation_power.sum("term"), loss.layer_power, rtol=1e-12)
 
 
-def test_both_compliances_and_patches_lose_what_is_put_in(rubber):
+def test_loss_equals_the_power_for_both_compliances_and_patches(rubber):
     ball = vr.CoatedSphere(core_radius=20e-3, layers=_balls(rubber)["base"])
     mesh = vr.Mesh(nodes_per_revolution=200, max_order=150)
     for patch_load in enums.PatchLoad:
@@ -243,12 +243,12 @@ def test_both_compliances_and_patches_lose_what_is_put_in(rubber):
             compliance=enums.Compliance.VERTICAL,
             patch_load=patch_load,
         )
-        # The tables of spherical patches omit shapes whose degrees sum to more than 2.
+        # The tables of spherical patches omit Legendre terms whose degrees sum to more than 2.
         tolerance = 1e-8 if patch_load is enums.PatchLoad.FLAT else 1e-5
         assert r.loss(max_order=150).attrs["power"] == pytest.approx(r.bulk_power, rel=tolerance)
 
 
-def test_an_elastic_coating_loses_nothing():
+def test_an_elastic_coating_dissipates_nothing():
     layer = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.3)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     r = vr.solve(ball, load=50.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=200))
@@ -257,7 +257,7 @@ def test_an_elastic_coating_loses_nothing():
     assert float(loss.loss_density.max()) == 0.0
 
 
-def test_files_hold_what_was_computed(coarse, tmp_path):
+def test_files_contain_the_computed_fields(coarse, tmp_path):
     inside = coarse.interior(depth=THICKNESS * np.array([0.3, 0.6, 1.0]))
     save_interior(inside, tmp_path / "inside.nc")
     xarray.testing.assert_allclose(xarray.load_dataset(tmp_path / "inside.nc"), inside)
@@ -310,7 +310,7 @@ def test_bad_input_is_named(coarse, arguments, message):
         coarse.interior(**arguments)
 
 
-def test_the_exact_sphere_is_refused():
+def test_the_exact_sphere_is_rejected():
     r = vr.solve(
         paper.ball(density=0.0),
         load=100.0,
@@ -327,14 +327,14 @@ def test_the_exact_sphere_is_refused():
 
 
 @pytest.mark.parametrize("on", [vr.CoatedPlane(layers=paper.ball().layers), vr.Groove(radius=30e-3), paper.ball()])
-def test_inside_of_a_ball_on_something_else_than_a_rigid_plane(on):
+def test_interior_of_a_ball_on_other_counterbodies(on):
     r = vr.solve(paper.ball(), on=on, load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=500))
     loss = r.loss(depth=[0.5e-3])
     assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-7)
     assert loss.attrs["power"] == pytest.approx(r.rolling_bulk_power, rel=3e-3)
 
 
-def test_what_is_rigid_has_no_inside():
+def test_rigid_bodies_have_no_interior():
     layers = paper.ball().layers
     mesh = vr.Mesh(nodes_per_revolution=500)
     rigid = vr.solve(

@@ -26,7 +26,7 @@ def roller(poisson_ratio=0.5, modulus=RUBBER, core_radius=50e-3, thickness=10e-3
 
 
 def largest_error(got, expected):
-    """Return the largest error of any component, relative to the largest value of its kind at the place."""
+    """Return the largest error of any component, relative to the largest component of the same field at that point."""
     worst = 0.0
     for kind in range(3):
         exact = np.array([place[kind] for place in expected])
@@ -106,7 +106,7 @@ def test_a_belt_agrees_with_an_independent_program():
     np.testing.assert_allclose(loss.loss_density[:, 0], [11.819, 17.733, 14.170, 9.992, 8.674, 11.771], rtol=3e-4)
     assert loss.attrs["power"] / 5.0 == pytest.approx(0.074324, rel=3e-4)
     assert "power_density" not in loss
-    far = np.linspace(-0.25, 0.25, 1001)  # 20 mm to each side
+    far = np.linspace(-0.25, 0.25, 1001)  # angles [rad]: 20 mm to each side
     inside = r.interior(depth=[1.8e-3, 6e-3], phi=0.5 * np.pi + far)
     assert inside.von_mises[0].max() == pytest.approx(0.28773e6, rel=1e-4)
     shear = inside.stress.sel(component="rphi")[1, :, 0]
@@ -135,8 +135,8 @@ def test_a_mat_under_a_ball_agrees_with_an_independent_program():
     ("poisson_ratio", "von_mises", "where"),
     [(0.3, 0.55752, 0.70429), (0.45, 0.52238, 0.78118), (0.5, 0.52011, 0.78615)],
 )
-def test_a_half_plane_under_a_roller_is_mcewens(poisson_ratio, von_mises, where):
-    """On and off the axis, compare with K. L. Johnson, Contact Mechanics (1985), equations (4.49)."""
+def test_a_half_plane_under_a_roller_agrees_with_mcewen(poisson_ratio, von_mises, where):
+    """Compare stresses on and off the axis with K. L. Johnson, Contact Mechanics (1985), equations (4.49)."""
     base = vr.HalfSpace(shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=poisson_ratio)
     mesh = vr.Mesh(nodes_per_revolution=20000)
     r = vr.solve(PIN, on=vr.CoatedPlane(base=base), load=500.0, angular_speed=1.0, mesh=mesh)
@@ -173,7 +173,7 @@ def test_a_half_plane_under_a_roller_is_mcewens(poisson_ratio, von_mises, where)
         (0.3, 2.0, 0.634, 0.174),
     ],
 )
-def test_where_a_bonded_layer_is_strained_most(poisson_ratio, width, von_mises, shear):
+def test_largest_stresses_in_a_bonded_layer(poisson_ratio, width, von_mises, shear):
     """Largest von Mises stress and bond shear / largest pressure, from an independent program accurate to 0.002."""
     thickness, radius = 1e-3, 0.4
     layer = vr.Layer(thickness=thickness, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=poisson_ratio)
@@ -197,8 +197,8 @@ def test_where_a_bonded_layer_is_strained_most(poisson_ratio, width, von_mises, 
     assert r.bonds().shear_traction.max().item() / r.max_pressure == pytest.approx(shear, abs=0.003)
 
 
-def test_thin_films_lose_by_shear_alone():
-    """Lubrication gives w = 3 w_mean (d/h)^2; the contact is fifty times as wide as the film is thick."""
+def test_thin_films_dissipate_by_shear():
+    """Lubrication theory gives the power density w = 3 w_mean (d/h)^2; the film is 1/50 of the contact's width."""
     film = roller(thickness=0.1e-3, core_radius=1.0)
     r = vr.solve(film, load=4e6, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=200000))
     assert r.semi_axis_x > 45 * 0.1e-3
@@ -209,7 +209,7 @@ def test_thin_films_lose_by_shear_alone():
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.3])
-def test_each_of_two_rollers_loses_its_own_power(friction):
+def test_loss_of_each_of_two_rollers(friction):
     soft = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
     r = vr.solve(
         roller(),
@@ -235,7 +235,7 @@ def test_each_of_two_rollers_loses_its_own_power(friction):
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.3])
-def test_a_coated_ball_on_a_mat_loses_in_both(friction):
+def test_losses_of_a_coated_ball_and_a_mat(friction):
     ball = vr.CoatedSphere(
         core_radius=20e-3, layers=[vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5)]
     )

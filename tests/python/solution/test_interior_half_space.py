@@ -1,4 +1,4 @@
-"""Fields in an elastic half-space: Hertz's pressure on its axis, and Cerruti's shear along and across the path."""
+"""Fields in an elastic half-space: stresses of Hertz's pressure on the axis, and of shear by Cerruti's solution."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def rolled(poisson_ratio, contact, nodes, friction=0.0):
 
 @pytest.mark.parametrize(("poisson_ratio", "shear", "depth"), [(0.3, 0.310, 0.48), (0.5, 0.266, 0.55)])
 def test_hertz_under_a_ball(poisson_ratio, shear, depth):
-    """Largest shear and both stresses on the axis (K. L. Johnson, Contact Mechanics, 3.45 and section 4.2)."""
+    """Largest shear and stresses on the axis (K. L. Johnson, Contact Mechanics, equation 3.45 and section 4.2)."""
     contact = 0.01 * RADIUS
     r = rolled(poisson_ratio, contact, 12500)  # twenty nodes per contact radius
     peak = 1.5 * r.load / (math.pi * contact**2)
@@ -68,7 +68,7 @@ def cerruti(x, y, z, poisson_ratio):
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
 @pytest.mark.parametrize("across", [False, True])
-def test_shear_by_itself_is_cerrutis(poisson_ratio, across):
+def test_shear_tractions_agree_with_cerruti(poisson_ratio, across):
     """All six stresses below a round patch of asymmetric shear, compared with the sum over its point forces."""
     contact = 0.02 * RADIUS
     r = rolled(poisson_ratio, contact, 3000, friction=0.3)
@@ -81,7 +81,7 @@ def test_shear_by_itself_is_cerrutis(poisson_ratio, across):
     steps = np.array([-1.2, -0.4, 0.0, 0.7]) / RADIUS * contact
     found = r.interior(depth=depths, phi=0.5 * math.pi - steps, theta=0.5 * math.pi - 1.3 * steps, of="counterbody")
     here_x, here_z = found.x.to_numpy()[:, None], found.z.to_numpy()[None, :]
-    # The plane is loaded by the reaction of the ball's tractions: φ points backward, θ to -z and r upwards.
+    # The reaction of the ball's tractions loads the plane. φ points backward, θ to -z and r upwards.
     for level, depth in enumerate(depths):
         along, aside = here_x[..., None, None] - x, here_z[..., None, None] - z
         if across:
@@ -100,7 +100,7 @@ def test_shear_by_itself_is_cerrutis(poisson_ratio, across):
 
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
-def test_shear_under_a_roller_is_that_of_its_pressure(poisson_ratio):
+def test_stresses_of_shear_under_a_roller_follow_from_those_of_pressure(poisson_ratio):
     """For tractions q of Hertz's shape, σ_zz is q τ_xz/p and τ_xz is q σ_xx/p of Hertz's p (Johnson, section 7.1)."""
     radius, load = 79.5e-3, 500.0
     base = vr.HalfSpace(shear_modulus=vr.Elastic(modulus=MODULUS), poisson_ratio=poisson_ratio)
@@ -123,6 +123,6 @@ def test_shear_under_a_roller_is_that_of_its_pressure(poisson_ratio):
     m, n = np.sqrt(0.5 * (root + difference)), np.sign(x) * np.sqrt(0.5 * (root - difference))
     along = -(m * (1.0 + (y**2 + n**2) / (m**2 + n**2)) - 2.0 * y) / a
     shear = -n * (m**2 - y**2) / (m**2 + n**2) / a
-    # The plane is loaded by the reaction of the roller's tractions.
+    # The reaction of the roller's tractions loads the plane.
     np.testing.assert_allclose(inside.stress.sel(component="rr"), -1e5 * shear, atol=2e2)
     np.testing.assert_allclose(inside.stress.sel(component="rphi"), -1e5 * along, atol=2e2)

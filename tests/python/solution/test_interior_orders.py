@@ -33,13 +33,13 @@ def shells(inner=CORE, outer=SURFACE, density=0.0, bulk=None):
     ]
 
 
-def layers_of(layers, within="rigid"):
+def layers_of(layers, inner_boundary="rigid"):
     def modulus(prony):
         return vr.Prony(instantaneous_modulus=prony[0], weights=prony[1], relaxation_times=prony[2])
 
     return [
         vr.Layer(
-            thickness=shell.outer - (0.0 if within == "solid" and j == 0 else shell.inner),
+            thickness=shell.outer - (0.0 if inner_boundary == "solid" and j == 0 else shell.inner),
             shear_modulus=modulus(shell.prony),
             poisson_ratio=shell.poisson_ratio,
             bulk_modulus=shell.bulk_modulus,
@@ -49,11 +49,11 @@ def layers_of(layers, within="rigid"):
     ]
 
 
-def ball_of(layers, within="rigid"):
+def ball_of(layers, inner_boundary="rigid"):
     return vr.CoatedSphere(
-        core_radius=0.0 if within == "solid" else layers[0].inner,
-        inner_boundary=enums.InnerBoundary[within.upper()],
-        layers=layers_of(layers, within),
+        core_radius=0.0 if inner_boundary == "solid" else layers[0].inner,
+        inner_boundary=enums.InnerBoundary[inner_boundary.upper()],
+        layers=layers_of(layers, inner_boundary),
     )
 
 
@@ -64,20 +64,20 @@ def places_in(layers, ball):
     return sorted([*radii, *middles])
 
 
-def compare(layers, within, angular_speed, m, n, curvature=enums.Curvature.PAPER):
-    """Return the largest error of any field, relative to the largest value of its kind at the place.
+def compare(layers, inner_boundary, angular_speed, m, n, curvature=enums.Curvature.PAPER):
+    """Return the largest error of any component, relative to the largest component of the same field at that point.
 
     The recursion starts 36 e-folds below the surface, so its relative error at depth d is exp(2d - 72): 4e-11 at 24
     e-folds. Deeper, where a field is at most exp(-24) of its surface value, the error is relative to 1e-3 of the
     surface value.
     """
-    ball = ball_of(layers, within)
+    ball = ball_of(layers, inner_boundary)
     radii = places_in(layers, ball)
     got = order_fields(ball, angular_speed, [m], [n], radius=radii, curvature=curvature)
     core = vr._core.places_at(ball._to_core(), np.array(radii))
     places = list(zip(core[0].tolist(), core[1].tolist(), strict=True))
     expected = reference.order_fields(
-        layers, angular_speed, m, n, places, within=within, paper=curvature is enums.Curvature.PAPER
+        layers, angular_speed, m, n, places, inner_boundary=inner_boundary, paper=curvature is enums.Curvature.PAPER
     )
     worst = 0.0
     for kind in range(3):
@@ -95,15 +95,15 @@ HIGH_ORDERS = [(150, 40), (350, 360)]  # these fields end above the innermost la
 
 
 @pytest.mark.parametrize(
-    ("within", "m", "n"),
+    ("inner_boundary", "m", "n"),
     [("solid", *order) for order in LOW_ORDERS]
-    + [(within, *order) for within in ("rigid", "hollow") for order in LOW_ORDERS + HIGH_ORDERS],
+    + [(inner_boundary, *order) for inner_boundary in ("rigid", "hollow") for order in LOW_ORDERS + HIGH_ORDERS],
 )
-def test_fields_agree_with_fifty_digits(within, m, n):
-    """Test up to 70 e-folds from the surface to the core: k ln(23/20) = 70 at the last order."""
-    inner = SOLID_CORE if within == "solid" else CORE
+def test_fields_agree_with_fifty_digits(inner_boundary, m, n):
+    """At the last order, fields decay by k ln(23/20) = 70 e-folds from the surface to the core."""
+    inner = SOLID_CORE if inner_boundary == "solid" else CORE
     layers = shells(inner=inner)
-    assert compare(layers, within, 2.5, m, n) < 1e-10
+    assert compare(layers, inner_boundary, 2.5, m, n) < 1e-10
 
 
 @pytest.mark.parametrize(("m", "n"), [(4, 3), (13, 7), (80, 20)])
@@ -121,13 +121,13 @@ def test_fields_with_inertia(m, n):
     assert compare(layers, "hollow", speed, m, n) < 1e-10
 
 
-@pytest.mark.parametrize("within", ["rigid", "hollow", "solid"])
+@pytest.mark.parametrize("inner_boundary", ["rigid", "hollow", "solid"])
 @pytest.mark.parametrize("curvature", [enums.Curvature.PAPER, enums.Curvature.SPHERE])
 @pytest.mark.parametrize("density", [0.0, 1000.0])
-def test_every_order_loses_what_is_put_in(within, curvature, density):
+def test_every_order_dissipates_the_work_of_the_surface(inner_boundary, curvature, density):
     """The work of a surface stress is the integral of the inner dissipation: ν < ½, ν = ½ and a real bulk modulus."""
-    layers = shells(inner=8e-3 if within == "solid" else CORE, bulk=3e7, density=density)
-    ball = ball_of(layers, within)
+    layers = shells(inner=8e-3 if inner_boundary == "solid" else CORE, bulk=3e7, density=density)
+    ball = ball_of(layers, inner_boundary)
     points, weights = np.polynomial.legendre.leggauss(60)
     speed = 20.0
     m, n = np.array([1, 1, 2, 9, 30]), np.array([0, 1, -3, 12, -40])
@@ -136,7 +136,7 @@ def test_every_order_loses_what_is_put_in(within, curvature, density):
         inner = ball.core_radius
         for layer in ball.layers:
             outer = inner + layer.thickness
-            # Non-integer powers of r need points concentrated at the center.
+            # The integrand contains non-integer powers of r, which need points concentrated at the center.
             y, crowding = 0.5 * (1.0 + points), 4 if inner == 0.0 else 1
             radius = inner + (outer - inner) * y**crowding
             widths = (outer - inner) * crowding * y ** (crowding - 1) * 0.5 * weights
@@ -157,23 +157,23 @@ def test_every_order_loses_what_is_put_in(within, curvature, density):
         np.testing.assert_allclose(lost, put_in, rtol=1e-10)
 
 
-def test_nothing_moves_on_a_rigid_core_and_nothing_pulls_at_a_cavity():
+def test_displacement_on_a_rigid_core_and_traction_at_a_cavity_vanish():
     """Both boundary conditions hold exactly; core traction and cavity displacement agree with fifty digits."""
     layers = shells()
     rigid, hollow = (
-        order_fields(ball_of(layers, within), 2.5, [5], [3], radius=[CORE], curvature=enums.Curvature.PAPER)
-        for within in ("rigid", "hollow")
+        order_fields(ball_of(layers, inner_boundary), 2.5, [5], [3], radius=[CORE], curvature=enums.Curvature.PAPER)
+        for inner_boundary in ("rigid", "hollow")
     )
     pulls = [0, 3, 4]
     assert np.abs(rigid[0]).max() == 0.0
     assert np.abs(hollow[1][0, 0, pulls]).max() == 0.0
-    ((_, traction, _),) = reference.order_fields(layers, 2.5, 5, 3, [(CORE, 0)], within="rigid")
-    ((expected, _, _),) = reference.order_fields(layers, 2.5, 5, 3, [(CORE, 0)], within="hollow")
+    ((_, traction, _),) = reference.order_fields(layers, 2.5, 5, 3, [(CORE, 0)], inner_boundary="rigid")
+    ((expected, _, _),) = reference.order_fields(layers, 2.5, 5, 3, [(CORE, 0)], inner_boundary="hollow")
     np.testing.assert_allclose(rigid[1][0, 0, pulls], traction[pulls], atol=1e-10 * np.abs(traction).max())
     np.testing.assert_allclose(hollow[0][0, 0], expected, atol=1e-10 * np.abs(expected).max())
 
 
-def test_a_boundary_has_two_sides():
+def test_fields_on_both_sides_of_an_interface():
     layers = shells()
     ball = ball_of(layers)
     _, stress, strain = order_fields(ball, 2.5, [5], [3], radius=[layers[0].outer])

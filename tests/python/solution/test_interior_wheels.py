@@ -28,7 +28,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:the pressure of a flat tread:vis
 
 
 def largest_error(found, expected):
-    """Return the largest error of any component, relative to the largest value of its kind at the place.
+    """Return the largest error of any component, relative to the largest component of the same field at that point.
 
     On the hub, whose displacement is zero, the error is relative to the largest value at all places.
     """
@@ -42,7 +42,7 @@ def largest_error(found, expected):
 
 
 @pytest.mark.parametrize(("m", "n"), [(0, 1), (0, 15), (1, 1), (2, 3), (13, 20), (60, 7)])
-def test_orders_are_bessels(m, n):
+def test_orders_agree_with_bessel_functions(m, n):
     positions, numbers = vr._core.places_at(DISSIMILAR._to_core(), np.array(RADII))
     places = list(zip(positions.tolist(), numbers.tolist(), strict=True))
     assert len(places) == len(RADII) + 1
@@ -60,15 +60,15 @@ def test_orders_are_bessels(m, n):
 
 
 @pytest.mark.parametrize("m", [1, 2, 13, 150])
-def test_without_waves_across_it_is_a_roller(m):
+def test_orders_without_axial_variation_agree_with_a_roller(m):
     roller = vr.CoatedCylinder(core_radius=HUB, layers=DISSIMILAR.layers)
     found = order_fields(DISSIMILAR, SPEED, [m], [0], radius=RADII)
     expected = order_fields(roller, SPEED, [m], [0], radius=RADII)
     assert largest_error(found, [tuple(kind[0, place] for kind in expected) for place in range(len(RADII) + 1)]) < 1e-10
 
 
-def test_a_large_wheel_is_a_plane():
-    """The difference is linear in h/R."""
+def test_a_large_wheel_acts_as_a_plane():
+    """The difference is proportional to h/R."""
     depth = np.array([0.0, 2e-3, 4e-3, 7e-3, 10e-3])
     plane = vr.CoatedPlane(layers=DISSIMILAR.layers)
     errors = []
@@ -83,7 +83,7 @@ def test_a_large_wheel_is_a_plane():
 
 
 @pytest.mark.parametrize("density", [0.0, 1000.0])
-def test_every_order_loses_what_is_put_in(density):
+def test_every_order_dissipates_the_work_of_the_surface(density):
     layers = [
         replace(one_layer(SOFT, thickness=3e-3, poisson_ratio=0.45), density=density),
         replace(one_layer(thickness=4e-3), density=density),
@@ -105,7 +105,7 @@ def test_every_order_loses_what_is_put_in(density):
             nu = layer.poisson_ratio
             bulk = (mu * 2 * (1 + nu) / (3 * (1 - 2 * nu))).imag[:, None] if nu is not None and nu < 0.5 else 0.0
             density_lost = 2 * mu.imag[:, None] * (square - abs(trace) ** 2 / 3) + bulk * abs(trace) ** 2
-            # In the measure r dr dphi dz, the length along z is that of the surface.
+            # The volume element is r dr dphi dz; only the arc length depends on the radius.
             lost += (density_lost * radius) @ (0.5 * layer.thickness * weights)
             inner += layer.thickness
         displacement = order_fields(wheel, SPEED, m, n, depth=[0.0])[0][:, 0] @ load
@@ -118,33 +118,33 @@ def flat():
     return vr.solve(FLAT, load=300.0, angular_speed=SPEED, friction=0.3, mesh=MESH)
 
 
-def test_the_loss_is_what_the_surface_puts_in(flat):
+def test_loss_equals_the_power_at_the_surface(flat):
     loss = flat.loss()
     assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-7)
-    # The truncated orders describe the steep ends of the pressure at the sides.
+    # The tolerance covers truncated orders, which contribute at the steep ends of the pressure near the sides.
     assert loss.attrs["power"] == pytest.approx(flat.bulk_power, rel=2e-3)
     assert loss.attrs["bulk_power"] == flat.bulk_power
     assert flat.loss_spectrum().power.sum() == pytest.approx(flat.bulk_power, rel=1e-2)
 
 
-def test_displacement_at_the_surface_is_that_of_the_solver(flat):
+def test_displacement_at_the_surface_agrees_with_the_solver(flat):
     with pytest.warns(vr.ResultWarning, match="less than a quarter of the node spacing"):
         surface = flat.interior(depth=[0.0]).isel(depth=0)
     radial = surface.displacement.sel(direction="r").to_numpy()
-    # The solver's displacement is positive upwards, against r at the lowest point.
+    # The solver's displacement is positive upwards, which is opposite to r at the lowest point.
     np.testing.assert_allclose(radial, -flat.displacement, atol=1e-9 * np.abs(flat.displacement).max())
 
 
 @pytest.mark.parametrize(
     ("wheel", "friction"), [(FLAT, 0.0), (CROWNED, 0.3), (replace(CROWNED, width=40e-3, sides="free"), 0.3)]
 )
-def test_at_the_surface_the_tractions_come_back(wheel, friction):
+def test_stresses_at_the_surface_are_the_tractions(wheel, friction):
     """The sum over all orders gives the tractions at the centers of patches, which are not those of the mesh."""
     r = vr.solve(wheel, load=100.0, angular_speed=SPEED, friction=friction, mesh=MESH)
     with pytest.warns(vr.ResultWarning):
         surface = r.interior(depth=[0.0]).isel(depth=0)
     along, across = r.shear_traction
-    # Along the plane, forward is -φ; tractions that are not normal to the radius contribute to the radial stress.
+    # The forward direction along the plane is -φ. Tractions along the plane also have a radial component.
     radial = -r.pressure + along * r.x / wheel.outer_radius + across * r.z / wheel.crown_radius
     size = r.pressure.max()
     np.testing.assert_allclose(surface.stress.sel(component="rr"), radial, atol=2e-5 * size)
@@ -153,14 +153,14 @@ def test_at_the_surface_the_tractions_come_back(wheel, friction):
     np.testing.assert_allclose(surface.z, r.z[0], atol=1e-15)
 
 
-def test_the_middle_of_a_wide_wheel_is_a_roller():
-    """Load per length is equal; the wheel is four radii wide, and its periodic tracks are two circumferences apart."""
+def test_the_middle_of_a_wide_wheel_agrees_with_a_roller():
+    """The load per length is equal. The wheel is four radii wide; its periodic images are two circumferences apart."""
     wide = replace(FLAT, width=0.2)
     mesh = vr.Mesh(nodes_per_revolution=400, theta_nodes_per_revolution=60)
     roller = vr.CoatedCylinder(core_radius=HUB, layers=[TREAD])
     line = vr.solve(roller, load=5e3, angular_speed=SPEED, mesh=vr.Mesh(nodes_per_revolution=400))
     wheel = vr.solve(wide, load=5e3 * 0.2, angular_speed=SPEED, mesh=mesh)
-    # Effect of the edges in a tread of twenty thicknesses.
+    # The tolerance covers the effect of the edges on a tread of twenty thicknesses.
     share = wheel.pressure[:, wheel.pressure.shape[1] // 2].sum() / line.pressure[:, 0].sum()
     assert share == pytest.approx(1.0, abs=0.02)
     depth = [3e-3, 5e-3, 8e-3, 10e-3]
@@ -184,8 +184,8 @@ def test_the_middle_of_a_wide_wheel_is_a_roller():
     ],
     ids=["half-space", "rail", "roller", "wheel"],
 )
-def test_what_is_under_a_wheel(on):
-    """Each body dissipates its own power; under a flat wheel, the orders of the solve have no crown."""
+def test_interior_of_wheel_and_counterbody(on):
+    """The loss of each body equals its bulk power; for a flat wheel, the orders of the solve include no crown."""
     r = vr.solve(FLAT, on=on, load=100.0, angular_speed=SPEED, friction=0.3, mesh=MESH)
     for of, power in (("body", r.rolling_bulk_power), ("counterbody", r.counterbody_bulk_power)):
         loss = r.loss(of=of, depth=[])
@@ -202,31 +202,31 @@ def test_bonds(flat):
     bonds = flat.bonds()
     np.testing.assert_allclose(bonds.depth, [10e-3])
     assert np.abs(bonds.displacement).max() == 0.0
-    # ν = ½ on a hub that does not stretch.
+    # For ν = ½ on a rigid hub, the normal stresses are equal, so shear alone causes the von Mises stress.
     np.testing.assert_allclose(bonds.von_mises, math.sqrt(3.0) * bonds.shear_traction, rtol=1e-5, atol=10.0)
     assert bonds.attrs["body"] == "CoatedWheel"
 
 
-def test_free_sides_are_told_where_they_are_near():
+def test_interior_near_free_sides_is_a_warning():
     free = replace(CROWNED, sides="free")
     near = vr.solve(free, load=100.0, angular_speed=SPEED, mesh=MESH)
     assert near.face_distance < 10e-3
     with pytest.warns(
         vr.ResultWarning, match="stresses and loss near the faces are those of a tread without side faces"
-    ) as told:
+    ) as caught:
         near.interior(depth=[2e-3], theta=[0.5 * np.pi])
-    assert len(told) == 1
-    with pytest.warns(vr.ResultWarning, match="stresses and loss near the faces") as told:
+    assert len(caught) == 1
+    with pytest.warns(vr.ResultWarning, match="stresses and loss near the faces") as caught:
         near.loss(depth=[])
-    assert len(told) == 1
+    assert len(caught) == 1
     far = vr.solve(replace(free, width=50e-3), load=20.0, angular_speed=SPEED, mesh=MESH)
     assert far.face_distance > 10e-3
     far.interior(depth=[2e-3], theta=[0.5 * np.pi])  # the test would fail on a warning
-    # There, the tread is unaffected by its ends, but its crown changes the dissipation.
+    # At this distance, the faces have no effect; the crown, which the orders neglect, changes the loss.
     assert far.loss(depth=[]).attrs["power"] == pytest.approx(far.bulk_power, rel=0.02)
 
 
-def test_tables_of_measurements_know_what_is_outside():
+def test_loss_outside_a_measured_table():
     frequency = np.geomspace(1.0, 1e3, 30)
     modulus = RUBBER.complex_modulus(frequency)
     curve = vr.MasterCurve(frequency=frequency, storage=modulus.real, loss=modulus.imag, extrapolation="hold")
@@ -241,7 +241,7 @@ def test_files_and_pictures(flat, tmp_path):
     save_interior(inside, tmp_path / "inside.vtu")
     volume = meshio.read(tmp_path / "inside.vtu")
     assert {block.type for block in volume.cells} == {"hexahedron"}
-    # z is that of the nodes at every depth.
+    # At every depth, z is that of the nodes.
     np.testing.assert_allclose(np.unique(volume.points[:, 1].round(9)), np.sort(flat.z[0].round(9)))
     radius = np.hypot(volume.points[:, 0], volume.points[:, 2])
     np.testing.assert_allclose(np.unique(radius.round(9)), [42e-3, 45e-3, 47e-3])

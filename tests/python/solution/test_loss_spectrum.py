@@ -29,8 +29,8 @@ def summed(result):
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.3])
-def test_harmonics_are_those_of_all_orders(paper_ball, friction):
-    """Orders up to 32 are summed singly, and samples represent the rest, for pressure alone and for three tractions."""
+def test_harmonics_agree_with_the_sum_of_all_orders(paper_ball, friction):
+    """The library sums orders up to 32 and samples the rest; test pressure alone and three tractions."""
     result = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=COARSE, friction=friction)
     spectrum, power = result.loss_spectrum(), summed(result)
     np.testing.assert_allclose(spectrum.power[:31], power[:31], rtol=2e-3)
@@ -47,7 +47,7 @@ def test_harmonics_add_up_to_the_power_of_the_core(paper_ball):
 
 
 def test_harmonics_with_friction(paper_ball):
-    """Tractions along the surface contribute; the sum on the torus neglects the curvature in their directions."""
+    """Shear tractions contribute to the power; the sum neglects the curvature of the surface in their directions."""
     result = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=MESH, friction=0.3)
     assert result.loss_spectrum().power.sum() == pytest.approx(result.bulk_power, rel=0.03)
 

@@ -1,4 +1,4 @@
-"""Damaged caches give the numbers of the undamaged study, or an error that names the file, the point and the remedy."""
+"""A damaged cache gives the undamaged results, or an error that names the file, the point and the remedy."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ def test_a_damaged_point_is_named_and_solved_again_on_request(cached, statement)
     assert study(folder / "study.nc").identical(found)
 
 
-def test_rows_of_other_points_are_not_taken(cached):
-    """A row with the checksum of another point, as a damaged index finds it, counts as damaged."""
+def test_a_row_of_another_point_counts_as_damaged(cached):
+    """A damaged index may find a row whose checksum is that of another point."""
     folder, _ = cached
     columns = ("scalars", "fields", "draws", "error", "checksum")
     others = ", ".join(f"{name} = (SELECT {name} FROM point WHERE rowid = 1)" for name in columns)
@@ -55,8 +55,8 @@ def test_rows_of_other_points_are_not_taken(cached):
         study(folder / "study.nc")
 
 
-def test_a_study_of_one_changed_bit_is_not_read(cached):
-    """The netCDF file itself has no checksums."""
+def test_a_study_file_with_one_changed_bit_is_rejected(cached):
+    """The cache stores a checksum of the netCDF file, because netCDF has none."""
     folder, before = cached
     path = folder / "study.nc"
     content = bytearray(path.read_bytes())
@@ -83,7 +83,7 @@ def test_a_study_of_one_changed_bit_is_not_read(cached):
         ("PRAGMA application_id = 7", r"is damaged, or is not a file .*: delete it and study.nc"),
     ],
 )
-def test_another_database_is_refused(cached, statement, wanted):
+def test_another_database_is_rejected(cached, statement, wanted):
     folder, _ = cached
     changed(folder, statement)
     with pytest.raises(ValueError, match=rf"study.nc.points {wanted}"):
@@ -91,7 +91,7 @@ def test_another_database_is_refused(cached, statement, wanted):
 
 
 @pytest.mark.parametrize("size", [2, 1000, 4096, 9000, -1000])
-def test_a_truncated_database_gives_no_other_numbers(cached, size):
+def test_a_truncated_database_is_rejected(cached, size):
     folder, before = cached
     points = folder / "study.nc.points"
     points.write_bytes(points.read_bytes()[:size])
@@ -102,7 +102,7 @@ def test_a_truncated_database_gives_no_other_numbers(cached, size):
     assert study(folder / "study.nc").resisting_torque.equals(before.resisting_torque)
 
 
-def test_the_shell_says_what_to_do(tmp_path):
+def test_the_command_line_names_the_remedy(tmp_path):
     text = example_text("case").replace("accuracy = 0.01", "accuracy = 0.3")
     (tmp_path / "study.toml").write_text(text + '\n[sweep]\n"rolling.load" = [50.0, 60.0]\n')
     assert command("sweep", "study.toml", cwd=tmp_path).returncode == 0

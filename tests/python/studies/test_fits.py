@@ -22,7 +22,7 @@ def saturating(x):
     return 0.06 * np.tanh(61.0 * x**0.835)
 
 
-def matched(x):
+def friction_law(x):
     """Return equations (60)-(63) in full, with a_i = 11.8, a_o = 11 mN m, b_o = 0.15, c_o = 0.6, c_i = 0.25."""
     a_i, a_o, b_o, c_o, c_i, width = 11.8e-3, 11e-3, 0.15, 0.6, 0.25, 0.1
     delta = a_o * (1.0 + b_o)
@@ -36,7 +36,7 @@ LAWS = {
     "thickness": (vr.studies.fit_thickness_law, saturating, THICKNESS, {"a": 0.06, "b": 61.0, "c": 0.835}, 1e-4),
     "friction": (
         vr.studies.fit_friction_law,
-        matched,
+        friction_law,
         FRICTION,
         {"a_o": 11e-3, "b_o": 0.15, "c_o": 0.6, "c_i": 0.25},
         2e-5,
@@ -48,14 +48,14 @@ LAWS = {
 def test_exact_data_give_the_exact_law(fit, law, x, true, noise):
     found = fit(x, law(x))
     for name, value in true.items():
-        # Least squares to 1e-14 in the squares gives about 1e-7 in the parameters.
+        # A tolerance of 1e-14 of the sum of squares gives parameters to about 1e-7.
         assert found.parameters[name].value == pytest.approx(value, rel=1e-6)
     np.testing.assert_allclose(found.predict(x.reshape(-1, 1)), law(x).reshape(-1, 1), rtol=1e-9)
     assert found.r_squared == pytest.approx(1.0, abs=1e-12)
 
 
 @pytest.mark.parametrize(("fit", "law", "x", "true", "noise"), LAWS.values(), ids=LAWS)
-def test_intervals_hold_the_truth_as_often_as_they_say(fit, law, x, true, noise):
+def test_intervals_contain_the_true_value_at_their_confidence(fit, law, x, true, noise):
     rng = np.random.default_rng(2026)
     trials, hits, band_hits = 200, dict.fromkeys(true, 0), 0
     middle = x[len(x) // 2]
@@ -66,7 +66,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(fit, law, x, true, noise)
             hits[name] += found.parameters[name].lower <= value <= found.parameters[name].upper
         lower, upper = found.confidence_band(middle)
         band_hits += lower <= law(middle) <= upper
-    # 0.90 within three standard deviations of a count of 200, 0.064, and 0.02 for the curvature of the law.
+    # The tolerance is three standard deviations of a count of 200, 0.064, plus 0.02 for the curvature of the law.
     for name, count in (hits | {"band": band_hits}).items():
         assert count / trials == pytest.approx(0.9, abs=0.084), name
 
@@ -81,7 +81,7 @@ def test_intervals_widen_with_confidence_and_print():
 
 
 def test_fits_can_be_copied():
-    found = vr.studies.fit_friction_law(FRICTION, matched(FRICTION))
+    found = vr.studies.fit_friction_law(FRICTION, friction_law(FRICTION))
     np.testing.assert_array_equal(pickle.loads(pickle.dumps(found)).predict(FRICTION), found.predict(FRICTION))
 
 
@@ -93,12 +93,12 @@ def test_failed_points_are_left_out():
 
 
 def test_frictionless_torque_counts_as_exact():
-    # Points at μ = 0 carry no information on the four parameters, and add no degrees of freedom.
-    found = vr.studies.fit_friction_law(FRICTION, matched(FRICTION))
-    given = vr.studies.fit_friction_law(FRICTION[1:], matched(FRICTION[1:]), frictionless_torque=matched(0.0))
+    # Points at μ = 0 give no information on the four parameters, and do not add degrees of freedom.
+    found = vr.studies.fit_friction_law(FRICTION, friction_law(FRICTION))
+    given = vr.studies.fit_friction_law(FRICTION[1:], friction_law(FRICTION[1:]), frictionless_torque=friction_law(0.0))
     assert found.degrees_of_freedom == given.degrees_of_freedom == len(FRICTION) - 5
-    assert found.predict(0.0) == pytest.approx(matched(0.0), rel=1e-12)
-    wider = vr.studies.fit_friction_law(FRICTION, matched(FRICTION), boundary_layer_width=0.2)
+    assert found.predict(0.0) == pytest.approx(friction_law(0.0), rel=1e-12)
+    wider = vr.studies.fit_friction_law(FRICTION, friction_law(FRICTION), boundary_layer_width=0.2)
     assert wider.parameters["c_i"].value == pytest.approx(0.5 * found.parameters["c_i"].value, rel=1e-6)
 
 
@@ -112,8 +112,8 @@ def test_tables_3_and_4_of_the_paper():
     }
     study = vr.sweep(paper.ball, thickness=[1e-3, 5e-3], load=LOAD, **case)
     thin, thick = (vr.studies.fit_power_law(LOAD, torque) for torque in study.resisting_torque)
-    # The columns of table 3 are swapped (docs/theory/misprints.md). Nodes at the edge of small contacts scatter our
-    # torques, so our intervals are wider than the printed ones, with which they must overlap.
+    # The columns of table 3 are swapped (docs/theory/misprints.md). Nodes at the edge of small contacts make the
+    # library's torques scatter, so its intervals are wider than the printed ones; they must overlap.
     assert thin.parameters["a"].lower < 2.321e-5
     assert thin.parameters["a"].upper > 2.097e-5
     assert thin.parameters["b"].lower < 1.368
@@ -127,8 +127,8 @@ def test_tables_3_and_4_of_the_paper():
 
     study = vr.sweep(same_radius, thickness=np.linspace(1e-3, 10e-3, 10), load=[100.0], **case)
     found = vr.studies.fit_thickness_law(study.thickness, study.resisting_torque.sel(load=100.0))
-    # Errors of b and c compensate each other, so the laws are compared and not the parameters: with table 4 at the
-    # middle of its intervals, within the 1.5 % that these allow.
+    # Errors of b and c compensate each other, so compare the laws and not the parameters. The law of table 4, at the
+    # middle of its intervals, is uncertain by 1.5 %.
     printed = 0.0593 * np.tanh(61.3 * study.thickness**0.835)
     np.testing.assert_allclose(found.predict(study.thickness), printed, rtol=0.015)
     assert found.r_squared > 0.9998

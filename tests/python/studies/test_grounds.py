@@ -17,7 +17,7 @@ def belt(cover, modulus=RUBBER):
     return vr.CoatedPlane(layers=[one_layer(modulus, thickness=cover)])
 
 
-def test_a_function_makes_what_it_rolls_on():
+def test_a_function_returns_the_counterbody():
     study = vr.sweep(IDLER, on=belt, cover=[4e-3, 6e-3], **CASE)
     assert study.resisting_torque.dims == ("cover", "angular_speed")
     assert study.attrs["on"] == "CoatedPlane(belt)"
@@ -28,7 +28,7 @@ def test_a_function_makes_what_it_rolls_on():
     np.testing.assert_allclose(fixed.resisting_torque, study.resisting_torque.sel(cover=4e-3), rtol=1e-12)
 
 
-def test_two_functions_share_out_their_parameters():
+def test_body_and_counterbody_functions_get_their_own_parameters():
     def idler(radius, cover):
         return vr.CoatedCylinder(core_radius=radius + 0.0 * cover)
 
@@ -38,7 +38,7 @@ def test_two_functions_share_out_their_parameters():
     assert float(study.resisting_torque.sel(radius=60e-3, cover=6e-3)) == pytest.approx(one.resisting_torque, rel=1e-12)
 
 
-def test_labels_of_what_it_rolls_on():
+def test_labels_of_counterbodies():
     def labels(on):
         return vr.sweep(IDLER, on=on, **CASE).on.values.tolist()
 
@@ -54,7 +54,7 @@ def test_labels_of_what_it_rolls_on():
     ]
 
 
-def test_what_a_function_refuses_fails_at_its_points_alone():
+def test_an_error_of_a_function_fails_only_its_points():
     study = vr.sweep(IDLER, on=belt, cover=[-1.0, 4e-3], **CASE)
     assert (study.error.sel(cover=-1.0) == "InvalidInput: thickness must be > 0 m, got -1").all()
     assert (study.error.sel(cover=4e-3) == "").all()
@@ -68,12 +68,12 @@ def test_what_a_function_refuses_fails_at_its_points_alone():
         ({"on": lambda cover: cover, "cover": 4e-3}, r"on must return a viscoroll.CoatedPlane or .*, got 0\.004"),
     ],
 )
-def test_functions_that_do_not_fit(options, message):
+def test_functions_with_other_parameters_are_rejected(options, message):
     with pytest.raises(TypeError, match=message):
         vr.sweep(IDLER, **options, **CASE)
 
 
-def test_a_study_of_grounds_is_written_for_other_programs():
+def test_a_study_of_counterbodies_is_exported():
     ball = vr.CoatedSphere(core_radius=20e-3)
     case = {"load": [10.0, 20.0], "angular_speed": [1.0, 2.0], "mesh": vr.Mesh(nodes_per_revolution=200)}
     study = vr.sweep(ball, on=belt, cover=[2e-3, 3e-3], progress=False, **case)

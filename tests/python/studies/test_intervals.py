@@ -11,13 +11,13 @@ from scipy.stats import t as student
 from viscoroll.studies.draws import drawn_scalars
 from viscoroll.studies.picture import plot_study
 
-#: Rollers take little time to solve.
+#: The tests use rollers, which are solved fast.
 CASE = {"load": 1e3, "angular_speed": 3.0, "mesh": vr.Mesh(nodes_per_revolution=1000), "progress": False}
 DRAWS = 20
 
 
 def drawn_material(seed, temperature):
-    """Return draws of a rubber, from data with 3 % noise."""
+    """Return draws of a rubber's modulus, fitted to data with 3 % noise."""
     curves = vr.rheology.superpose(measured(seed, Noise()), reference=REFERENCE).draws(DRAWS)
     return curves.map(lambda curve: curve.series_at(temperature=temperature))
 
@@ -50,8 +50,8 @@ CASES = {
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_linear_intervals_are_those_of_whole_solves(material, case):
-    """Intervals agree to a tenth of their half width of 2 %; squares of some percent and joining nodes contribute."""
+def test_linear_intervals_agree_with_solved_draws(material, case):
+    """The ends agree to a tenth of the half width of 2 %; second-order terms and joining nodes cause differences."""
     factory, given = CASES[case]
     linear, whole = (
         vr.sweep(factory, modulus=material, draws=method, **CASE | given) for method in ("linear", "solve")
@@ -64,7 +64,7 @@ def test_linear_intervals_are_those_of_whole_solves(material, case):
     assert "contact_area_lower" in whole
 
 
-def test_intervals_are_those_of_solves_one_by_one(material):
+def test_intervals_agree_with_separate_solves(material):
     """Student's quantile for as many draws gives the interval around the result."""
     found = vr.sweep(roller, modulus=material, draws="solve", confidence=0.8, **CASE)
     given = {name: value for name, value in CASE.items() if name != "progress"}
@@ -75,7 +75,7 @@ def test_intervals_are_those_of_solves_one_by_one(material):
     assert (value - lower, upper - value) == pytest.approx((half, half), rel=1e-6)
 
 
-def test_intervals_hold_the_truth():
+def test_intervals_contain_the_true_value():
     """At least 9 of 12 intervals contain the truth: with 95 % coverage, 4 or more misses have a probability of 2e-3.
 
     `tests/campaign/intervals.py` tests two hundred data sets at five temperatures.
@@ -99,7 +99,7 @@ def test_draws_can_be_stopped(material):
         drawn_scalars(result, [(roller(one), None) for one in material], "linear", given, progress=stop)
 
 
-def test_draws_of_two_materials_go_together(material):
+def test_draws_of_two_materials_combine(material):
     """The draws are independent, so the squares of the scatter of both layers add up."""
     other = drawn_material(5, 343.15)
 
@@ -122,13 +122,13 @@ def test_draws_of_two_materials_go_together(material):
 def test_draws_of_a_mat(material):
     """A counterbody may have draws: under a rigid roller, the scatter is that of a roller with the same coating."""
     mats = material.map(lambda modulus: vr.CoatedPlane(layers=roller(modulus).layers))
-    # on a coarse mesh, nodes that just touch scatter powers
+    # On a coarse mesh, nodes at the edge of the contact make the power scatter.
     fine = CASE | {"mesh": vr.Mesh(nodes_per_revolution=4000)}
     found = vr.sweep(vr.CoatedCylinder(core_radius=22e-3), on=mats, **fine)
     own = vr.sweep(roller, modulus=material, **fine)
     for name, allowed in (("penetration", 0.05), ("dissipated_power", 0.3)):
         half = [(study[f"{name}_upper"] / study[name] - 1.0).item() for study in (found, own)]
-        # a cover of 2 mm on a plane, or around 20 mm
+        # The cover of 2 mm is flat on the plane and curved on the roller's radius of 20 mm.
         assert half[0] == pytest.approx(half[1], rel=allowed)
 
 
@@ -159,7 +159,7 @@ def test_draws_that_fail_leave_no_interval(material):
     assert "draws must differ only in shear moduli for draws='linear'" in found.error.item()
 
 
-def test_draws_far_from_the_middle_are_no_first_order():
+def test_linear_intervals_of_widely_scattered_draws_are_rejected():
     """With draws ten times as soft and as stiff, the interval would include negative torques."""
     found_one = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.1)
     far = vr.materials.Draws(found_one, [vr.Elastic(modulus=3e5), vr.Elastic(modulus=3e7)])
@@ -178,14 +178,14 @@ def test_a_largest_pressure_at_the_edge_has_no_linear_interval():
     assert np.isfinite(found.penetration_lower).all()
 
 
-def test_draws_of_anything_can_be_solved(material):
+def test_draws_of_other_parameters_can_be_solved(material):
     """The thickness may vary as well if each draw is solved."""
     thick = vr.materials.Draws(2e-3, [1.9e-3, 2.1e-3])
     found = vr.sweep(roller, modulus=material.best_estimate, thickness=thick, draws="solve", **CASE)
     assert found.resisting_torque_lower < found.resisting_torque < found.resisting_torque_upper
 
 
-def test_draws_of_what_softens_are_solved(material):
+def test_draws_of_filled_rubber_are_solved(material):
     network = vr.materials.KrausNetwork(storage=1e6, loss=2e5, critical_strain=0.02)
     filled = vr.materials.Draws(material.best_estimate, material[:2]).map(
         lambda matrix: vr.materials.SofteningModulus(matrix=matrix, network=network)
@@ -196,7 +196,7 @@ def test_draws_of_what_softens_are_solved(material):
     assert found.resisting_torque_mean.item() == pytest.approx(np.mean(torques), rel=1e-9)
 
 
-def test_bad_questions(material):
+def test_bad_arguments(material):
     with pytest.raises(ValueError, match="draws must be 'linear' or 'solve', got 'whole'"):
         vr.sweep(roller, modulus=material, draws="whole", **CASE)
     with pytest.raises(ValueError, match=r"confidence must be in \(0, 1\), got 95"):

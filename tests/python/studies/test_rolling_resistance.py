@@ -38,13 +38,13 @@ def test_is_odd_and_defined_at_rest(surface):
     assert "below the lowest speed proportional to the speed (exponent of the fit there" in repr(surface)
 
 
-def test_its_power_at_the_lowest_speed_is_that_of_neighbors(surface):
+def test_exponent_at_the_lowest_speed_agrees_with_differences(surface):
     load, step = np.sqrt(LOAD[0] * LOAD[1]), 1e-4
     ratio = surface(load, SPEED[0] * (1.0 + step)) / surface(load, SPEED[0])
     assert f"{np.log(ratio) / np.log1p(step):.2f}" in repr(surface)
 
 
-def test_outside_decides(surface):
+def test_option_outside(surface):
     with pytest.raises(ValueError, match=r"load must be in \[20, 200\] N, the fitted range, got 0"):
         surface(0.0, 1.0)
     with pytest.raises(ValueError, match=r"angular_speed must be in \[-8, 8\] rad/s, the fitted range, got -9"):

@@ -91,7 +91,7 @@ def test_a_study_grows(tmp_path, solves):
     assert len(solves) == 16
 
 
-def test_points_are_known_by_all_their_inputs(tmp_path, rubber, solves):
+def test_keys_of_points_depend_on_all_inputs(tmp_path, rubber, solves):
     """Another study with the same cache has other points; equivalent inputs give the same points."""
 
     def count(ball, **changes):
@@ -133,7 +133,7 @@ def key_of(modulus, mesh):
         (vr.Mesh(nodes_per_revolution=100, max_order=70), 70),
     ],
 )
-def test_functions_are_compared_as_far_as_meshes_reach(mesh, highest):
+def test_keys_sample_functions_up_to_the_highest_frequency_of_the_mesh(mesh, highest):
     def softens_from(order):
         return lambda omega: np.where(np.asarray(omega) < 2.0 * order, 3e6, 1e6) + 0j
 
@@ -142,7 +142,7 @@ def test_functions_are_compared_as_far_as_meshes_reach(mesh, highest):
     assert key_of(softens_from(1.01 * highest), mesh) == key_of(softens_from(1e9), mesh)
 
 
-def test_functions_that_fail_somewhere_are_compared_elsewhere():
+def test_keys_of_functions_that_fail_at_some_frequencies():
     def known_to(end, modulus):
         def function(omega):
             if np.max(omega) > end:
@@ -156,7 +156,7 @@ def test_functions_that_fail_somewhere_are_compared_elsewhere():
 
 
 class PicklingExecutor(Executor):
-    """Executor that runs at once in this process, but requires arguments that can be pickled."""
+    """Executor that runs each task immediately in this process, but requires arguments that can be pickled."""
 
     def submit(self, function, *arguments):
         """Solve."""
@@ -168,7 +168,7 @@ class PicklingExecutor(Executor):
         return future
 
 
-def test_what_cannot_be_sent_is_raised_and_the_rest_is_kept(tmp_path, rubber, solves):
+def test_a_task_that_cannot_be_pickled_raises_and_solved_points_are_stored(tmp_path, rubber, solves):
     def coated(function):
         modulus = (lambda w: rubber.complex_modulus(w)) if function else rubber
         layer = vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.5, density=1000.0)
@@ -185,7 +185,7 @@ def test_what_cannot_be_sent_is_raised_and_the_rest_is_kept(tmp_path, rubber, so
     )
 
 
-def test_an_error_of_the_machine_is_not_the_points(tmp_path, monkeypatch, paper_ball, solves):
+def test_errors_of_the_system_are_not_stored(tmp_path, monkeypatch, paper_ball, solves):
     counting = running.solve_point
 
     def exhausted(solver, **case):
@@ -221,7 +221,7 @@ def test_failed_points_are_nan_with_their_message(tmp_path, solves):
     assert solves[2] == 1e9
 
 
-def test_points_less_accurate_than_wanted_are_kept_and_counted(tmp_path, solves):
+def test_points_that_miss_the_accuracy_are_stored_and_counted(tmp_path, solves):
     # The smaller contact is narrower than the spacing of any allowed mesh.
     parameters = {"load": [1e-13, 100.0], "mesh": None, "accuracy": 0.2, "cache": tmp_path / "study.nc"}
     for _ in range(2):
@@ -232,7 +232,7 @@ def test_points_less_accurate_than_wanted_are_kept_and_counted(tmp_path, solves)
     assert len(solves) == 2
 
 
-def test_a_bug_in_the_users_ball_does_not_outlive_it(tmp_path, solves):
+def test_errors_of_a_corrected_function_of_the_ball_are_not_reused(tmp_path, solves):
     def with_a_bug(thickness):
         return paper.ball(thickness=thickness if thickness < 1.5e-3 else thicknes)  # noqa: F821
 
@@ -245,9 +245,9 @@ def test_a_bug_in_the_users_ball_does_not_outlive_it(tmp_path, solves):
     assert len(solves) == 6
 
 
-def test_a_bug_in_the_users_material_does_not_outlive_it(tmp_path, rubber):
+def test_errors_of_a_corrected_modulus_are_not_reused(tmp_path, rubber):
     def fails_once_solved(error):
-        """Return a ball that fails at an order which solves use, but at which functions are not compared."""
+        """Return a ball whose modulus fails at a frequency that solves use and keys do not sample."""
 
         def modulus(omega):
             if error is not None and np.isclose(omega, 37 * SPEED["angular_speed"]).any():
@@ -267,7 +267,7 @@ def test_a_bug_in_the_users_material_does_not_outlive_it(tmp_path, rubber):
     assert (sweep(fails_once_solved(None), **case).status == "CONVERGED").all()
 
 
-def test_what_is_not_of_a_ball_is_raised():
+def test_import_errors_of_functions_are_raised():
     def needs_a_package(thickness):
         raise ImportError("no module")
 
@@ -288,7 +288,7 @@ class EndsOtherProcesses:
         return np.full(np.shape(omega), 3e6, dtype=complex)
 
 
-def test_a_broken_pool_is_raised_and_not_kept(tmp_path):
+def test_a_broken_process_pool_raises_and_is_not_stored(tmp_path):
     modulus = EndsOtherProcesses()
     parameters = {"thickness": [1e-3, 2e-3], "load": LOADS, "cache": tmp_path / "study.nc"}
     pool = ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn"))
@@ -310,7 +310,7 @@ def run_until(program, ready, sent):
         return output, process.returncode
 
 
-def kept(path):
+def stored_points(path):
     """Count the points that another process has stored, in a copy, because that process locks the file."""
     if not point_store_path(path).exists():
         return 0
@@ -323,14 +323,14 @@ def kept(path):
 
 
 def settled(path, count):
-    """Return whether `count` points are stored, also after the time of a last transaction."""
-    if kept(path) != count:
+    """Return whether `count` points are stored, and still are after the time of another transaction."""
+    if stored_points(path) != count:
         return False
     time.sleep(0.5)
-    return kept(path) == count
+    return stored_points(path) == count
 
 
-def test_nothing_is_lost_on_kill(tmp_path, solves):
+def test_stored_points_survive_a_killed_process(tmp_path, solves):
     path = tmp_path / "study.nc"
     loads = [float(load) for load in range(10, 50, 2)]
     program = f"""
@@ -355,7 +355,7 @@ vr.sweep(paper.ball, load={loads}, thickness=1e-3, angular_speed=2.5, mesh=mesh,
     same_numbers(study, sweep(paper.ball, load=loads, thickness=1e-3))
 
 
-def test_ctrl_c_stops_and_keeps(tmp_path, solves):
+def test_ctrl_c_stops_and_keeps_stored_points(tmp_path, solves):
     path = tmp_path / "study.nc"
     program = f"""
 import viscoroll as vr
@@ -368,12 +368,12 @@ except KeyboardInterrupt:
     print("stopped")
 """
     # The other points would take hours: if the program ends within the limit of `run_until`, it has stopped.
-    output, code = run_until(program, lambda: kept(path) == 3, signal.SIGINT)
+    output, code = run_until(program, lambda: stored_points(path) == 3, signal.SIGINT)
     assert (output, code) == ("stopped\n", 0)
-    assert kept(path) == 3
+    assert stored_points(path) == 3
 
 
-def test_ctrl_c_with_an_executor_cancels_what_waits(tmp_path, paper_ball, solves):
+def test_ctrl_c_with_an_executor_cancels_waiting_tasks(tmp_path, paper_ball, solves):
     class Stuck(PicklingExecutor):
         def submit(self, function, task):
             if len(solves) < 2:
@@ -391,7 +391,7 @@ def test_ctrl_c_with_an_executor_cancels_what_waits(tmp_path, paper_ball, solves
     assert sorted(solves) == [20.0, 30.0, 50.0, 100.0]
 
 
-def test_a_cache_of_another_version_is_refused(tmp_path, monkeypatch, paper_ball):
+def test_a_cache_of_another_version_is_rejected(tmp_path, monkeypatch, paper_ball):
     sweep(paper_ball, load=LOADS, cache=tmp_path / "study.nc")
     before = {file: file.read_bytes() for file in tmp_path.iterdir()}
     monkeypatch.setattr("viscoroll.studies.cache.__version__", "0.0.0")
@@ -402,7 +402,7 @@ def test_a_cache_of_another_version_is_refused(tmp_path, monkeypatch, paper_ball
     assert {file: file.read_bytes() for file in tmp_path.iterdir()} == before
 
 
-def test_files_that_are_no_cache_are_left_alone(tmp_path, paper_ball):
+def test_files_that_are_not_a_cache_are_not_changed(tmp_path, paper_ball):
     path = tmp_path / "study.nc"
     points = point_store_path(path)
 

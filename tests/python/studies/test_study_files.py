@@ -1,4 +1,4 @@
-"""Studies from files and from the shell: varied parameters, pictures, input checks."""
+"""Studies from files and from the command line: varied parameters, pictures, and input checks."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def study_file(tmp_path):
     return write
 
 
-def test_a_file_is_the_same_study_as_in_python(study_file):
+def test_a_file_gives_the_same_study_as_python(study_file):
     path = study_file(
         '"ball.layers[0].thickness" = { from = 1e-3, to = 4e-3, count = 3, scale = "log" }\n'
         '"rolling.friction" = [0.0, 0.1]\n"rolling.load" = { from = 20, to = 60, count = 2 }'
@@ -68,7 +68,7 @@ def test_any_number_can_vary(study_file):
     assert "creepage" not in study.data_vars  # an input, not a result
 
 
-def test_names_are_told_apart(study_file):
+def test_parameters_of_the_same_name_get_distinct_names(study_file):
     text = study_file("").read_text(encoding="utf-8")
     layer = text[text.index("\n[[ball.layers]]") : text.index("[rolling]")]
     path = study_file('"ball.layers[0].thickness" = [1e-3]\n"ball.layers[1].thickness" = [1e-3, 2e-3]')
@@ -78,7 +78,7 @@ def test_names_are_told_apart(study_file):
     assert [ball.thickness for ball in plan.rolling_bodies()] == [2e-3, 3e-3]
 
 
-def test_sweep_and_plot_from_the_shell(study_file, tmp_path):
+def test_sweep_and_plot_on_the_command_line(study_file, tmp_path):
     path = study_file('"rolling.load" = [20.0, 50.0, 1e9]\n"ball.layers[0].thickness" = [1e-3, 2e-3]')
     done = command("sweep", path)
     assert done.returncode == 0, done.stderr
@@ -109,7 +109,7 @@ def test_sweep_and_plot_from_the_shell(study_file, tmp_path):
         )
 
 
-def test_ctrl_c_in_the_shell_says_how_to_go_on(study_file, tmp_path):
+def test_ctrl_c_on_the_command_line_says_how_to_resume(study_file, tmp_path):
     # Each point would take hours: if the command ends at all, it has stopped.
     path = study_file('"rolling.load" = [90.0, 100.0]', numerics="nodes_per_revolution = 20000\nmax_order = 30000")
     with subprocess.Popen(
@@ -117,7 +117,7 @@ def test_ctrl_c_in_the_shell_says_how_to_go_on(study_file, tmp_path):
     ) as process:
         while process.poll() is None and not (tmp_path / "study.nc.points").exists():
             time.sleep(0.01)
-        # within the first solves; just before them would work as well
+        # After this time the first solves run; an interrupt before them would also pass.
         time.sleep(0.5)
         process.send_signal(signal.SIGINT)
         _, message = process.communicate(timeout=60)
@@ -152,7 +152,7 @@ def test_the_example_is_a_study(tmp_path):
         ),
     ],
 )
-def test_bad_files_are_one_line(study_file, sweep, message):
+def test_bad_files_have_messages_of_one_line(study_file, sweep, message):
     with pytest.raises(ValueError, match=r"study.toml: ") as raised:
         load_study(study_file(sweep))
     assert message in str(raised.value)

@@ -49,7 +49,7 @@ def legend(axes):
     return [] if axes.get_legend() is None else [text.get_text() for text in axes.get_legend().get_texts()]
 
 
-def test_a_study_as_it_comes():
+def test_default_picture_of_a_study():
     study = vr.sweep(paper.ball, **CASE | {"load": [10.0, 20.0, 40.0]}, thickness=[1e-3, 2e-3], friction=[0.0, 0.1])
     (axes,) = drawn(study).axes
     assert axes.get_xlabel() == "load $P$ [N]"
@@ -74,7 +74,7 @@ def test_axes_over_decades_are_logarithmic():
     assert legend(axes) == []
 
 
-def test_many_curves_have_a_bar_of_colors():
+def test_many_curves_have_a_color_bar():
     axes, bar = drawn(study_of(angular_speed=np.geomspace(0.1, 10.0, 7), load=np.geomspace(1.0, 100.0, 30))).axes
     assert bar.get_ylabel() == "load $P$ [N]"
     assert bar.get_yscale() == "log"
@@ -82,7 +82,7 @@ def test_many_curves_have_a_bar_of_colors():
     assert len({tuple(line.get_color()) for line in axes.get_lines()[:30]}) == 30
 
 
-def test_what_has_no_curve_is_not_in_the_legend():
+def test_values_without_a_curve_are_not_in_the_legend():
     study = study_of(load=[1.0, 2.0, 1e9], thickness=[1e-3, 2e-3, 3e-3], missing=[np.s_[:, 1], np.s_[2]])
     (axes,) = drawn(study).axes
     assert legend(axes) == ["$h$ = 1 mm", "$h$ = 3 mm"]
@@ -112,7 +112,7 @@ def test_texts_below_the_axis_do_not_overlap(count):
     labels = [text for text in axes.get_xticklabels() if text.get_text()]
     assert [text.get_text() for text in labels][:2] == ["force = 0 N", "torque = 0.01 N m"]
     for one, other in pairwise(labels):
-        # Slanted texts: their boxes overlap, but the texts do not if their distance exceeds their height.
+        # The boxes of slanted texts overlap, but the texts do not if their distance exceeds their height.
         apart = other.get_window_extent().x1 - one.get_window_extent().x1
         assert apart > 0.0
         if one.get_rotation() == 0.0:
@@ -123,7 +123,7 @@ def test_texts_below_the_axis_do_not_overlap(count):
             assert apart * np.sin(np.radians(one.get_rotation())) > 0.9 * height
 
 
-def test_what_cannot_be_drawn_is_refused():
+def test_studies_that_cannot_be_drawn_are_rejected():
     study = study_of(load=[1.0, 2.0])
     with pytest.raises(ValueError, match="variable must be one of resisting_torque, got 'heat'"):
         plot_study(study, variable="heat")

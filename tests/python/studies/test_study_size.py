@@ -1,4 +1,4 @@
-"""Studies with more points than memory holds are refused at once, with their number and the limit."""
+"""Studies with too many points are rejected immediately, with the number of points and the limit."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def at_once():
     """Fail if a test uses much memory or time."""
     before, start = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, time.process_time()
     yield
-    # [kB], about a list of a million numbers
+    # The limit [kB] is about the size of a list of a million numbers.
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 100_000
     assert time.process_time() - start < 5.0
 
@@ -78,7 +78,7 @@ def test_speeds_of_a_comparison(tmp_path):
     )
 
 
-def test_a_value_that_comes_twice_is_found_at_once():
+def test_duplicate_values_are_found_fast():
     loads = [*np.linspace(1.0, 2.0, 200_000), 2.0]
     with pytest.raises(ValueError, match=r"load must have different values, got 2.0 twice"):
         vr.sweep(paper.ball, **CASE | {"load": loads})

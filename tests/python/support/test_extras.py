@@ -55,7 +55,7 @@ def test_a_missing_package_is_named_with_its_extra(tmp_path, package, statement,
     ("package", "arguments", "name"),
     [("scipy", "reproduce table2", "studies"), ("matplotlib", "plot study.nc", "plot")],
 )
-def test_the_command_line_says_it_in_one_line(tmp_path, package, arguments, name):
+def test_the_command_line_names_a_missing_package_in_one_line(tmp_path, package, arguments, name):
     program = f"import sys; sys.modules[{package!r}] = None; from viscoroll.__main__ import main; main()"
     command = [sys.executable, "-c", program, *arguments.split()]
     done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
@@ -73,7 +73,7 @@ def test_the_extras_of_messages_exist():
     assert vr.sweep.__doc__.count("viscoroll[studies]") == 1
 
 
-def test_other_errors_are_left_as_they_are():
+def test_other_import_errors_are_not_changed():
     with pytest.raises(ZeroDivisionError), extra("plot"):
         raise ZeroDivisionError
     with pytest.raises(ModuleNotFoundError, match=r"No module named 'viscoroll\.absent'"), extra("plot"):

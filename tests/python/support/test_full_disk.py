@@ -74,7 +74,7 @@ WRITERS = {
 
 @pytest.mark.parametrize("name", WRITERS)
 @pytest.mark.parametrize("before", [None, "old"])
-def test_a_file_is_written_whole_or_not_at_all(tmp_path, result, name, before):
+def test_a_file_is_written_completely_or_not_at_all(tmp_path, result, name, before):
     path = tmp_path / name
     if before is not None:
         path.write_text(before)
@@ -88,14 +88,14 @@ def test_a_file_is_written_whole_or_not_at_all(tmp_path, result, name, before):
     assert path.stat().st_size > 10
 
 
-def test_a_link_stays_one(tmp_path):
+def test_a_symbolic_link_remains_a_link(tmp_path):
     (tmp_path / "link.csv").symlink_to("file.csv")
     FACTORS.save(tmp_path / "link.csv")
     assert (tmp_path / "link.csv").readlink() == Path("file.csv")
     assert (tmp_path / "file.csv").read_text().startswith("T,log_aT")
 
 
-def test_an_interrupted_draft_is_removed_and_other_errors_stay(tmp_path):
+def test_an_interrupted_draft_is_removed_and_the_error_is_raised(tmp_path):
     for error in (KeyboardInterrupt(), ValueError("no"), FileNotFoundError(errno.ENOENT, "none", "other.txt")):
 
         def interrupted(error=error):
@@ -109,7 +109,7 @@ def test_an_interrupted_draft_is_removed_and_other_errors_stay(tmp_path):
         assert list(tmp_path.iterdir()) == []
 
 
-def test_nothing_else_writes_files():
+def test_all_files_are_written_through_drafts():
     """Every function that writes a file uses `draft_of`, or writes to a draft or a buffer in memory."""
     package = Path(vr.__file__).parent
     writes = re.compile(r"\.(savefig|to_netcdf|write_text|write_bytes)\(|\bnp\.savez?\w*\(|\.open\(\"[wax]")
@@ -127,8 +127,8 @@ def test_nothing_else_writes_files():
 
 
 @pytest.mark.parametrize("space", [0, 6_000, 30_000])
-def test_a_study_goes_on_after_a_full_disk(tmp_path, space):
-    """The database cannot be created, cannot grow, or the study cannot be written: stored points are found again."""
+def test_a_study_resumes_after_a_full_disk(tmp_path, space):
+    """If the database cannot be created or grow, or the study cannot be written, stored points are not lost."""
     path = tmp_path / "study.nc"
     case = {"angular_speed": [1.0, 2.0, 4.0], "load": 100.0, "mesh": MESH, "cache": path, "progress": False}
     with full_disk(space), pytest.raises(OSError) as raised:  # noqa: PT011
@@ -151,7 +151,7 @@ def test_a_study_goes_on_after_a_full_disk(tmp_path, space):
         ("sweep", "study.toml", "--output", "out.nc"),
     ],
 )
-def test_the_shell_says_which_file(tmp_path, words):
+def test_the_command_line_names_the_file(tmp_path, words):
     case = example_text("case").replace("accuracy = 0.01", "accuracy = 0.3")
     (tmp_path / "case.toml").write_text(case)
     (tmp_path / "study.toml").write_text(case + '\n[sweep]\n"rolling.load" = [50.0, 60.0]\n')

@@ -36,7 +36,7 @@ def test_errors_have_parameter_rule_and_value(make, expected):
     assert isinstance(raised.value, ValueError)
 
 
-def test_wrong_types_are_type_errors_too():
+def test_errors_of_wrong_types_are_type_errors():
     with pytest.raises(TypeError) as raised:
         vr.Elastic(modulus=None)
     assert isinstance(raised.value, InvalidType)
@@ -89,4 +89,4 @@ def test_no_code_reads_the_text_of_an_error():
         r"str\((error|message)\)\.(startswith|partition|split|find)|in str\(error\)|what\(\)\)?\.?(find|substr)"
     )
     found = {path.name for path in sources if reads.search(path.read_text(encoding="utf-8"))}
-    assert found == {"files.py"}  # the netCDF library tells a full disk by the text alone
+    assert found == {"files.py"}  # the netCDF library reports a full disk only in the text

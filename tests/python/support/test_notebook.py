@@ -28,7 +28,7 @@ CELLS = {
         figure, (left, right) = plt.subplots(1, 2)
         result.plot(ax=left)
         """,
-    "picture beside pyplot": "result.plot()",
+    "picture with pyplot": "result.plot()",
     "history": """
         mesh = vr.Mesh(nodes_per_revolution=64)
         vr.roll(ball, time=[0.0, 0.2], angle=[0.0, 0.1], load=50.0, mesh=mesh, averaged_meshes=1)
@@ -65,18 +65,18 @@ def streams(outputs):
         ("inside", ["von_mises"]),
     ],
 )
-def test_what_is_found_is_a_table(outputs, cell, texts):
+def test_results_are_displayed_as_tables(outputs, cell, texts):
     (html,) = of_kind(outputs[cell], "text/html")
     for text in texts:
         assert text in html
 
 
-def test_pictures_show_once(outputs):
-    for cell in ("picture", "axes", "picture beside pyplot"):
+def test_each_picture_is_displayed_once(outputs):
+    for cell in ("picture", "axes", "picture with pyplot"):
         assert len(of_kind(outputs[cell], "image/png")) == 1, cell
 
 
-def test_bars_come_without_warnings(outputs):
+def test_progress_bars_are_displayed_without_warnings(outputs):
     # The bar is a text on the error stream, or a widget if ipywidgets is installed.
     texts = {cell: streams(outputs[cell]) + "".join(of_kind(outputs[cell], "text/plain")) for cell in ("study", "bar")}
     assert "point" in texts["study"]

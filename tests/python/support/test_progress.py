@@ -66,7 +66,7 @@ def test_reports_and_bars(ball, result, compute, capsys):
         compute(ball, result, progress=3)
 
 
-def test_files_report_as_well(tmp_path):
+def test_case_files_report_progress(tmp_path):
     path = tmp_path / "case.toml"
     case = example_text().replace("accuracy = 0.01", "accuracy = 0.005")  # reports come every 20 ms
     design = '[design]\nvary = "ball.layers[0].thickness"\nfrom = 1e-3\nto = 2e-3\n'
@@ -77,19 +77,19 @@ def test_files_report_as_well(tmp_path):
     assert all(0.0 <= fraction <= 1.0 for _, fraction in seen)
 
 
-def test_whatever_reports_takes_the_same():
+def test_all_functions_with_progress_have_the_same_parameter():
     for function in (design_case, compare_torques, SelfHeating.speeds, vr.RollingModel.solve, vr.RollingHistory):
         assert inspect.signature(function).parameters["progress"].annotation == "ProgressLike"
 
 
-def test_nothing_is_shown_unasked(ball, capsys):
+def test_no_bar_is_shown_by_default(ball, capsys):
     vr.solve(ball, **CASE)
     vr.solve(ball, **CASE, progress=False)
     vr.sweep(ball, **CASE, progress=False)
     assert capsys.readouterr().err == ""
 
 
-def test_a_bar_ends_where_the_computation_fails(capsys):
+def test_a_bar_is_closed_if_the_computation_fails(capsys):
     def divide():
         with reporting(True) as report:
             report("dividing", 1 / 2)
@@ -100,7 +100,7 @@ def test_a_bar_ends_where_the_computation_fails(capsys):
     assert "%|" in capsys.readouterr().err
 
 
-def test_counts_are_shares(capsys):
+def test_counts_are_reported_as_fractions(capsys):
     seen = []
     with counted(lambda *report: seen.append(report), total=4, unit="point", done=2) as one_more:
         one_more()

@@ -1,4 +1,4 @@
-"""Tables for notebooks: units beside numbers, every text escaped, nothing left out."""
+"""Tables for notebooks are complete, with units and escaped texts."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_all_scalars_of_a_result_have_their_units(paper_ball):
     assert "DISCRETIZATION" in r.warnings.__repr__() or "warning" in found
 
 
-def test_rollers_are_per_length(rubber):
+def test_units_of_rollers_are_per_length(rubber):
     roller = vr.CoatedCylinder(
         core_radius=50e-3, layers=[vr.Layer(thickness=10e-3, shear_modulus=rubber, poisson_ratio=0.5)]
     )
@@ -65,7 +65,7 @@ def test_rollers_are_per_length(rubber):
         ([None], "m/s", (["undetermined"], "m/s")),
     ],
 )
-def test_handy_units(values, unit, texts):
+def test_units_give_numbers_of_moderate_size(values, unit, texts):
     assert handy(values, unit) == texts
 
 

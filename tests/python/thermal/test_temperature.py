@@ -46,7 +46,7 @@ def test_uniform_source_on_an_isothermal_core():
     source = source_of(layers, 0, Q)
     rises = layers.solve(source, inner_rise=3.0)
     r = layers.coordinate
-    # T = -q r²/6k + A - B/r with T = 3 at the core and -k T' = h T at the surface.
+    # The solution is T = -q r²/6k + A - B/r, with T = 3 at the core and -k T' = h T at the surface.
     matrix = [[1.0, -1.0 / INNER], [H, -H / OUTER + K / OUTER**2]]
     a, b = np.linalg.solve(matrix, [3.0 + Q * INNER**2 / (6 * K), Q * OUTER / 3 + H * Q * OUTER**2 / (6 * K)])
     np.testing.assert_allclose(rises[0], -Q * r**2 / (6 * K) + a - b / r, rtol=1e-10)
@@ -60,7 +60,7 @@ def test_uniform_source_on_an_isothermal_core():
 @pytest.mark.parametrize("degree", [1, 4, 60])
 @pytest.mark.parametrize("core", [0.0, None, 40.0])
 def test_one_degree(degree, core):
-    """T_l = -q r²/(k (6 - l(l+1))) + A (r/r_o)^l + B (r_i/r)^(l+1), from the conditions at both ends."""
+    """T_l = -q r²/(k (6 - l(l+1))) + A (r/r_o)^l + B (r_i/r)^(l+1); A and B follow from the boundary conditions."""
     layers = shell(core=core, degrees=degree + 1)
     rises = layers.solve(source_of(layers, degree, Q))
     particular = -Q / (K * (6 - degree * (degree + 1)))
@@ -93,7 +93,7 @@ def test_dissimilar_layers_on_an_insulated_core():
     layers = shell(radii=radii, conductivities=conductivities)
     rises = layers.solve(source_of(layers, 0, np.array(heats)[layers.layer]))
     below = 0.0
-    flows = []  # r² times the flux: below + q (r³ - r_j³)/3
+    flows = []  # r² times the flux: its value at the layer's inner radius plus q (r³ - r_j³)/3
     for inner, outer, heat in zip(radii[:-1], radii[1:], heats, strict=True):
         flows.append((below, heat, inner, outer))
         below += heat * (outer**3 - inner**3) / 3
@@ -104,8 +104,8 @@ def test_dissimilar_layers_on_an_insulated_core():
     assert rises[0, 0] == pytest.approx(rise, rel=1e-10)
 
 
-def test_thin_shell_is_a_fin():
-    """T_l = q h / (h_c + k h l(l+1)/R²)."""
+def test_thin_shell_acts_as_a_fin():
+    """A fin has T_l = q h / (h_c + k h l(l+1)/R²)."""
     h = 1e-5
     layers = shell(radii=(OUTER - h, OUTER), degrees=7)
     for degree in (0, 2, 6):
@@ -115,14 +115,14 @@ def test_thin_shell_is_a_fin():
 
 
 def test_varying_convection_conserves_heat():
-    """A uniform coefficient given as a function equals the number; a varying one keeps the balance of heat."""
+    """A constant function equals the number; with a varying coefficient, the heat balance holds."""
     uniform = shell(convection=lambda theta: np.full(theta.shape, H))
     source = np.random.default_rng(1).uniform(0.5, 1.0, (9, uniform.coordinate.size)) * Q
     np.testing.assert_allclose(uniform.solve(source), shell().solve(source), rtol=1e-10)
     varying = shell(convection=lambda theta: H * (1.0 + np.sin(theta) ** 2))
     rises = varying.solve(source)
     assert varying.heat_outwards(rises) == pytest.approx(varying.total_heat(source), rel=1e-11)
-    # The slope of a polynomial through the rises is finite at the surface.
+    # Fit a polynomial to the rises in the outer layer; its slope gives the heat flux at the surface.
     layer = varying.layer == 0
     fit = np.polynomial.Polynomial.fit(varying.coordinate[layer], rises[:, layer].T[:, 0], 12)
     assert np.isfinite(fit.deriv()(OUTER))
@@ -150,8 +150,8 @@ def test_base_case_on_an_insulated_core(base_case):
     assert float((surface * weights).sum() / weights.sum()) == pytest.approx(mean, rel=1e-3)  # quadrature error in θ
 
 
-def test_isothermal_core_takes_the_heat_and_warns_of_ripple(base_case):
-    """At 2.5 rad/s, a point cools between its passages: the mean over a revolution does not represent it."""
+def test_isothermal_core_removes_the_heat_with_a_warning_of_fluctuations(base_case):
+    """At 2.5 rad/s, a point cools between passages, so the mean over a revolution is not its temperature."""
     with pytest.warns(vr.ResultWarning, match="varies by up to 0.1"):
         t = base_case.temperature(conductivity=0.2, convection=10.0, ambient=293.15, core=enums.Core.ISOTHERMAL)
     assert t.heat_to_core + t.heat_to_surroundings == pytest.approx(t.heat, rel=1e-9)
@@ -159,7 +159,7 @@ def test_isothermal_core_takes_the_heat_and_warns_of_ripple(base_case):
     assert t.ripple == pytest.approx(0.11, rel=0.05)
 
 
-def test_conducting_core_lies_between(base_case):
+def test_conducting_core_lies_between_insulated_and_isothermal(base_case):
     options = {"conductivity": 0.2, "convection": 10.0, "ambient": 293.15}
     insulated = base_case.temperature(**options)
     steel = base_case.temperature(core=45.0, **options)
@@ -178,7 +178,7 @@ def test_the_plane_cools_the_track(base_case):
     assert cooled.maximum < base_case.temperature(conductivity=0.2, convection=10.0, ambient=293.15).maximum
 
 
-def test_conductivity_may_stand_in_the_layers(base_case):
+def test_conductivity_may_be_given_in_the_layers(base_case):
     layer = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=1e6), poisson_ratio=0.5, conductivity=0.2)
     assert layer.conductivity == 0.2
     with pytest.raises(ValueError, match=r"conductivity must be > 0 W/\(m K\)"):

@@ -23,7 +23,7 @@ def annulus(inner, *, width=None, side=0.0, count=1, conductivities=(K,), radii=
 
 
 def test_an_annulus_on_an_insulated_hub():
-    """T = q (r_o² - r_i²)/2 h r_o + q (r_o² - r²)/4k - (q r_i²/2k) ln(r_o/r)."""
+    """Compare with T = q (r_o² - r_i²)/2 h r_o + q (r_o² - r²)/4k - (q r_i²/2k) ln(r_o/r)."""
     layers = annulus(np.zeros(1))
     rises = layers.solve(np.full((1, layers.coordinate.size), Q))
     r = layers.coordinate
@@ -37,7 +37,7 @@ def test_an_annulus_on_an_insulated_hub():
 
 @pytest.mark.parametrize("hub", [0.0, 8.0, None])
 def test_side_faces_by_bessel_functions(hub):
-    """Each cos(β z) has I_0 and K_0; the heat supplied leaves through surface, hub and faces."""
+    """Each wave cos(β z) is a sum of I_0 and K_0; the supplied heat leaves through surface, hub and faces."""
     width, side = 40e-3, 15.0 / K
     modes = modes_of_roller(width, side, 12)
     layers = annulus(None if hub is None else np.full(12, hub), width=width, side=side, count=12)
@@ -69,7 +69,7 @@ def test_side_faces_by_bessel_functions(hub):
 
 
 def test_a_slab_cooled_on_both_faces():
-    """T'' = -q/k, -k T' = h T above, k T' = g T below."""
+    """Solve T'' = -q/k with -k T' = h T on the upper face and k T' = g T on the lower face."""
     h, g = 10.0, 4.0
     layers = Conduction((-6e-3, 0.0), (K,), modes_of_slab(None), film=h, inner=np.full(1, g))
     rises = layers.solve(np.full((1, layers.coordinate.size), Q))
@@ -78,7 +78,7 @@ def test_a_slab_cooled_on_both_faces():
     np.testing.assert_allclose(rises[0], below + slope * y - Q * y**2 / (2 * K), rtol=1e-11)
 
 
-def test_a_wave_across_a_slab_fades_as_cosh():
+def test_a_source_that_varies_along_a_slab():
     """A source of one cosine on an isothermal base gives q/(k κ²) (1 - cosh κ y + …)."""
     period, h = 20e-3, 3e-3
     modes = modes_of_slab(period, 4)
@@ -111,10 +111,10 @@ def test_one_mode_in_time():
         (modes_of_ball(30), None),
         (modes_of_roller(50e-3, 15.0 / K, 30), np.full(30, 40.0)),
     ],
-    ids=["on a core", "on an isothermal one", "between faces"],
+    ids=["on a core", "on an isothermal core", "between faces"],
 )
-def test_the_slowest_times_are_those_of_all_modes(modes, inner):
-    """Compare with the late decay of each mode alone."""
+def test_slowest_time_constants(modes, inner):
+    """Compare with the late decay of each mode."""
     capacity = 2e6
     layers = Conduction((20e-3, 22e-3, 25e-3), (K, 2.0 * K), modes, film=12.0, inner=inner)
     found = layers.time_constants(capacity, 3)
@@ -127,22 +127,22 @@ def test_the_slowest_times_are_those_of_all_modes(modes, inner):
 
 
 @pytest.fixture(scope="module")
-def turning():
+def rolling_roller():
     """Return a roller of 50 + 10 mm under 5 kN/m at 10 rad/s."""
     layer = vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
     body = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
     return vr.solve(body, load=5e3, angular_speed=10.0, mesh=vr.Mesh(nodes_per_revolution=6000))
 
 
-def test_a_roller_agrees_with_an_independent_program(turning):
-    """Compare mean weighted by the loss, maximum and surface maximum [K] with the digits of a NumPy program."""
+def test_a_roller_agrees_with_an_independent_program(rolling_roller):
+    """Compare the mean weighted by the loss, the maximum and the surface maximum [K] with a NumPy program."""
     hub = 8.0 * 2.0 * math.pi * 50e-3 * 50e-3
     for options, mean, most, surface in (
         ({}, 0.60875, 0.65841, 0.51073),
         ({"core": enums.Core.ISOTHERMAL}, 0.09630, 0.12277, 0.11323),
         ({"width": 50e-3, "hub_conductance": hub}, 0.39146, 0.40616, 0.34218),
     ):
-        t = turning.temperature(**AIR, **options)
+        t = rolling_roller.temperature(**AIR, **options)
         assert t.mean == pytest.approx(mean, rel=2e-4)
         assert t.maximum == pytest.approx(most, rel=5e-4)  # the program evaluates 24 points
         assert t.surface_maximum == pytest.approx(surface, rel=2e-4)
@@ -152,7 +152,7 @@ def test_a_roller_agrees_with_an_independent_program(turning):
 
 
 def test_a_polyurethane_roller_of_finite_width():
-    """Largest rises [K] on an isothermal hub, on one of 1 W/K, and with side faces, from the same program."""
+    """Compare largest rises [K] with the same program: isothermal hub, hub of 1 W/K, and cooled side faces."""
     layer = vr.Layer(thickness=15e-3, shear_modulus=PU, poisson_ratio=0.49)
     body = vr.CoatedCylinder(core_radius=80e-3, layers=[layer])
     r = vr.solve(body, load=80e3, angular_speed=10.0, mesh=vr.Mesh(nodes_per_revolution=6000))
@@ -168,7 +168,7 @@ def test_a_polyurethane_roller_of_finite_width():
 
 
 def test_a_belt_is_hardly_warmed():
-    """A pass every 0.24 s: 9.0e-6 K per pass, 0.01652 K on average, by the same program."""
+    """With a pass every 0.24 s, the same program gives rises of 9.0e-6 K per pass and 0.01652 K on average."""
     belt = vr.CoatedPlane(layers=[vr.Layer(thickness=6e-3, shear_modulus=RUBBER, poisson_ratio=0.5)])
     mesh = vr.Mesh(nodes_per_revolution=8000)
     r = vr.solve(vr.CoatedCylinder(core_radius=79.5e-3), on=belt, load=2e3, angular_speed=5.0 / 79.5e-3, mesh=mesh)
@@ -181,7 +181,7 @@ def test_a_belt_is_hardly_warmed():
         r.temperature(**AIR)
 
 
-def test_the_track_of_a_ball_to_and_fro():
+def test_the_track_of_a_ball_back_and_forth():
     """On an isothermal base, the same program gives 0.1303 K, with tracks 25.6 mm apart."""
     mat = vr.CoatedPlane(layers=[vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5)])
     mesh = vr.Mesh(nodes_per_revolution=1885)
@@ -195,20 +195,20 @@ def test_the_track_of_a_ball_to_and_fro():
     assert insulated.heat_to_surroundings == pytest.approx(insulated.heat, rel=1e-9)
 
 
-def test_a_cold_start_ends_in_the_steady_state(turning):
-    t = turning.temperature(time=[0.0, 10.0, 1e3, 1e5], **AIR)
+def test_a_cold_start_ends_in_the_steady_state(rolling_roller):
+    t = rolling_roller.temperature(time=[0.0, 10.0, 1e3, 1e5], **AIR)
     assert t.history is not None
     maximum = t.history.maximum.to_numpy()
     assert abs(maximum[0]) < 1e-12
     assert (np.diff(maximum) > 0.0).all()
     assert maximum[-1] == pytest.approx(t.maximum, rel=1e-6)
     # At first, all heat stays where it is generated.
-    early = turning.temperature(time=[1e-3], **AIR).history
+    early = rolling_roller.temperature(time=[1e-3], **AIR).history
     assert early.maximum[0] == pytest.approx(
-        1e-3 * turning.loss().power_density.max().item() / 2e6, rel=5e-3
-    )  # between its nodes
+        1e-3 * rolling_roller.loss().power_density.max().item() / 2e6, rel=5e-3
+    )  # the maximum lies between nodes
 
-    # The slowest mode is J_0 Y_1(κ r_i) - Y_0 J_1(κ r_i), with -k R' = h R at the surface.
+    # The slowest mode is R = J_0 Y_1(κ r_i) - Y_0 J_1(κ r_i), with -k R' = h R at the surface.
     def left(kappa):
         def mode(r, order):
             bessel, other = special.jv(order, kappa * r), special.yv(order, kappa * r)
@@ -219,12 +219,12 @@ def test_a_cold_start_ends_in_the_steady_state(turning):
     kappa = optimize.brentq(left, 20.0, 150.0)
     assert t.times[0] == pytest.approx(2e6 / (K * kappa**2), rel=1e-8)
     # Cooling to the surroundings after the load is removed.
-    again = turning.temperature(time=[0.0, 500.0], start=t, **AIR).history
+    again = rolling_roller.temperature(time=[0.0, 500.0], start=t, **AIR).history
     assert again.maximum[0] == pytest.approx(t.maximum, rel=1e-5)
 
 
-def test_a_block_warms_for_weeks_and_a_half_space_for_ever():
-    """Heated at the surface, it lacks e^(x²) erfc x of its final rise, x = h √(κt)/k: 13 % after a day."""
+def test_a_thick_layer_warms_like_a_half_space():
+    """Heated at the surface, it lacks the fraction e^(x²) erfc x of its final rise, x = h √(κt)/k: 13 % after a day."""
     h, capacity, depth = 10.0, 2e6, 6.0  # so deep that the heat does not reach the end within these times
     places = (-depth, -3.0, -1.5, -0.7, -0.3, -0.1, -0.03, -0.01, -1e-3, -5e-5, 0.0)
     layers = Conduction(places, (K,) * 10, modes_of_slab(None), film=h, inner=np.zeros(1))
@@ -242,13 +242,13 @@ def test_a_block_warms_for_weeks_and_a_half_space_for_ever():
         r.temperature(period=1.0, **AIR)
 
 
-def test_from_a_steady_state_nothing_changes(turning):
-    """The values of the field between the faces determine the waves across."""
+def test_from_a_steady_state_nothing_changes(rolling_roller):
+    """A start from a field of temperatures determines the coefficients of the axial waves."""
     cooling = AIR | {"width": 50e-3, "side_convection": 15.0}
-    t = turning.temperature(**cooling)
+    t = rolling_roller.temperature(**cooling)
     with pytest.raises(ValueError, match="start must be left out without time"):
-        turning.temperature(start=t, **cooling)
-    still = turning.temperature(time=[0.0, 1.0, 100.0], start=t, **cooling).history
+        rolling_roller.temperature(start=t, **cooling)
+    still = rolling_roller.temperature(time=[0.0, 1.0, 100.0], start=t, **cooling).history
     np.testing.assert_allclose(still.maximum, t.maximum, rtol=1e-8)
 
 
@@ -264,6 +264,6 @@ def test_from_a_steady_state_nothing_changes(turning):
         ({"convection": 0.0}, "convection must be > 0"),
     ],
 )
-def test_what_is_refused_of_a_roller(turning, options, message):
+def test_bad_input_for_a_roller(rolling_roller, options, message):
     with pytest.raises(ValueError, match=message):
-        turning.temperature(**AIR | options)
+        rolling_roller.temperature(**AIR | options)

@@ -1,4 +1,4 @@
-"""Temperatures of wheels, heated in the contact: closed forms, rollers, finite elements of the section."""
+"""Temperatures of wheels: comparison with closed forms, rollers, and finite elements of the cross section."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:the pressure of a flat tread:vis
 
 
 def root(j, biot):
-    """Return the root of wave j: x tan x = Bi if even, -x cot x = Bi if odd, by bisection in its quarter."""
+    """Return the root x of wave j, by bisection: x tan x = Bi if j is even, -x cot x = Bi if j is odd."""
 
     def left(x):
         even = x * math.sin(x) - biot * math.cos(x)
@@ -41,7 +41,7 @@ def root(j, biot):
 
 @pytest.mark.parametrize("biot", [0.02, 0.9, 30.0])
 def test_waves_between_faces(biot):
-    """The waves satisfy the condition at the faces, are orthogonal, and represent 1 as those of a roller do."""
+    """The waves satisfy the condition at the faces and are orthogonal; the even ones are those of a roller."""
     side = 2.0 * biot / WIDTH
     modes = modes_of_wheel(WIDTH, side, 9)
     beta = np.sqrt(modes.rate(np.array([OUTER]))[:, 0])
@@ -111,7 +111,7 @@ def varying_film(z):
 @pytest.mark.parametrize("hub", [0.0, 8.0, None])
 @pytest.mark.parametrize("film", [H, varying_film])
 def test_a_section_agrees_with_finite_elements(hub, film):
-    """A heat source off the middle: both agree to 2e-6 of the largest rise; elements twice as large give 1e-5."""
+    """For an asymmetric heat source, both agree to 2e-6 of the largest rise; elements twice as large give 1e-5."""
     modes = modes_of_wheel(WIDTH, SIDE / K, 80)
     inner = None if hub is None else np.full(80, hub)
     outer = (
@@ -125,12 +125,12 @@ def test_a_section_agrees_with_finite_elements(hub, film):
     radius, z = layers.coordinate[1::4], np.linspace(-0.45, 0.45, 7) * WIDTH
     expected = section.values(section.steady(sample_source, 3.0), radius, z)
     found = rises[:, 1::4].T @ modes.values(z)
-    # If the hub is held at 3 K, the corners between hub and colder faces limit the accuracy of the waves.
+    # On a hub at 3 K, the temperature jumps at the corners with the colder faces, which waves resolve poorly.
     np.testing.assert_allclose(found, expected, atol=(2e-6 if hub is not None else 1e-3) * expected.max())
 
 
 def test_a_cold_start_agrees_with_finite_elements():
-    """Compare after five minutes, in steps of 1 s; the slowest mode decays as its Bessel functions do."""
+    """Compare after five minutes, in steps of 1 s; later, the slowest mode decays at its rate in closed form."""
     modes = modes_of_wheel(WIDTH, SIDE / K, 80)
     layers = Conduction((HUB, OUTER), (K,), modes, film=H, inner=np.zeros(80))
     steady = layers.solve(expanded(modes, layers, sample_source))
@@ -166,8 +166,8 @@ def crowned():
 @pytest.mark.parametrize(
     "hub", [{}, {"hub_conductance": 0.2}, {"core": enums.Core.ISOTHERMAL, "core_temperature": 300.0}]
 )
-def test_with_an_even_load_it_is_a_roller(flat, sides, hub):
-    """The loss of a roller at every place across gives that roller's temperature, for any cooling."""
+def test_with_a_uniform_load_a_wheel_is_as_warm_as_a_roller(flat, sides, hub):
+    """A wheel with the loss of a roller at every axial position has the roller's temperature, for any cooling."""
     roller = vr.solve(
         vr.CoatedCylinder(core_radius=HUB, layers=[TREAD]),
         load=8e3,
@@ -190,7 +190,7 @@ def test_with_an_even_load_it_is_a_roller(flat, sides, hub):
     rises = body.conduction.solve(source, body.inner_rise)
     found = rises[:, [0, -1]].T @ body.values(of_roller.rise.z.to_numpy())
     expected = of_roller.rise.isel(radius=[0, -1])
-    # 80 and 40 even waves differ in the corners
+    # The solutions have 80 and 40 even waves, which differ at the corners.
     np.testing.assert_allclose(found, expected, atol=1e-4 * of_roller.maximum)
     assert body.means(source, rises)[0] == pytest.approx(of_roller.mean, rel=1e-6)
 
@@ -205,7 +205,7 @@ def test_with_an_even_load_it_is_a_roller(flat, sides, hub):
         {"convection": "that of the plane, too"},
     ],
 )
-def test_heat_goes_in_and_out(wheel, options, request):
+def test_heat_balance(wheel, options, request):
     r = request.getfixturevalue(wheel)
     if "convection" in options:
         options = {"convection": r.plane_cooling(convection=H, conductivity=K, plane_effusivity=500.0)}
@@ -218,7 +218,7 @@ def test_heat_goes_in_and_out(wheel, options, request):
     t.plot()
 
 
-def test_the_field_is_that_of_its_own_loss(crowned):
+def test_the_temperature_field_follows_from_the_loss(crowned):
     """Compare with finite elements of the section, heated by the loss interpolated between its nodes."""
     t = crowned.temperature(side_convection=SIDE, hub_conductance=0.1, max_order=120, **AIR)
     depth = np.linspace(0.0, 10e-3, 81)
@@ -243,15 +243,12 @@ def test_the_field_is_that_of_its_own_loss(crowned):
     rise = section.steady(source)
     places = t.rise.z.to_numpy()[::20]
     expected = share * section.values(rise, t.rise.radius.to_numpy()[1::6], places)
-    # linear interpolation between nodes
+    # The tolerance covers linear interpolation of the loss between nodes.
     np.testing.assert_allclose(t.rise[1::6, ::20], expected, atol=2e-3 * t.maximum)
 
 
-def test_the_middle_of_a_wide_wheel_is_a_roller():
-    """Compare relative to the loss in the middle, which the edges of the pressure change by some percent.
-
-    The loss beyond the edges changes it as well.
-    """
+def test_the_middle_of_a_wide_wheel_is_as_warm_as_a_roller():
+    """Compare rises relative to the loss in the middle, because the ends of the pressure change this loss."""
     mesh = vr.Mesh(nodes_per_revolution=300, theta_nodes_per_revolution=60)
     wide = vr.solve(replace(FLAT, width=0.2), load=8e3 * 0.2, angular_speed=10.0, mesh=mesh)
     line = vr.solve(vr.CoatedCylinder(core_radius=HUB, layers=[TREAD]), load=8e3, angular_speed=10.0, mesh=MESH)
@@ -274,7 +271,7 @@ def test_a_crown_is_hotter_than_a_flat_tread(flat, crowned):
     assert of_crowned.maximum / of_crowned.heat > 1.1 * of_flat.maximum / of_flat.heat
 
 
-def test_one_hour(crowned):
+def test_temperatures_after_one_hour(crowned):
     cooling = AIR | {"side_convection": SIDE, "hub_conductance": 0.1, "max_order": 60}
     t = crowned.temperature(time=[0.0, 60.0, 3600.0, 1e5], **cooling)
     maximum = t.history.maximum.to_numpy()
@@ -286,8 +283,8 @@ def test_one_hour(crowned):
     np.testing.assert_allclose(still.maximum, t.maximum, rtol=1e-9)
 
 
-def test_what_is_under_a_wheel():
-    """A roller needs its own width and a plane the time between passes; a wheel may be either body."""
+def test_temperature_of_the_counterbody_of_a_wheel():
+    """A roller requires its width and a plane the time between passes; a wheel may be either body."""
     soft = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=2e6, relaxation_time=0.02)
     layer = one_layer(soft, thickness=5e-3)
     air = AIR | {"max_order": 50}
@@ -333,12 +330,12 @@ def test_what_is_under_a_wheel():
         ({"convection": lambda theta: 15.0, "time": [1.0]}, "convection must be a number for temperatures over time"),
     ],
 )
-def test_what_is_refused_of_a_wheel(flat, options, message):
+def test_bad_input_for_a_wheel(flat, options, message):
     with pytest.raises(ValueError, match=message):
         flat.temperature(**AIR | options)
 
 
-def test_dissimilar_layers_have_no_films_at_their_faces():
+def test_cooled_faces_of_layers_with_different_conductivities_are_rejected():
     two = replace(FLAT, layers=[one_layer(thickness=4e-3), one_layer(thickness=6e-3)])
     r = vr.solve(two, load=300.0, angular_speed=10.0, mesh=MESH)
     t = r.temperature(max_order=60, **AIR | {"conductivity": [0.2, 0.3]})

@@ -1,4 +1,4 @@
-"""Layers with different relaxation functions, which have other creep times at every order."""
+"""Layers with different relaxation functions: each order of the influence has creep times of its own."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MAT = vr.CoatedPlane(layers=LAYERS)
 BALL = vr.CoatedSphere(core_radius=20e-3, layers=LAYERS)
 
 
-#: Forward and back, in steps that do not follow from the times of a material.
+#: Back and forth, with one step per segment between waypoints, so that all materials have the same steps.
 STEPS = {
     "time": np.linspace(0.0, 0.2, 81), "angle": 0.2 - np.abs(np.linspace(-0.2, 0.1, 81)), "load": 100.0,
     "mesh": vr.Mesh(nodes_per_revolution=150), "averaged_meshes": 1, "steps_per_spacing": None,
@@ -26,23 +26,23 @@ def mesh(nodes):
     return vr.Mesh(nodes_per_revolution=nodes)
 
 
-def test_first_turn_is_that_of_an_independent_program():
-    """Plain NumPy in the limit of π/150, π/250, π/350: depth to 1e-7 m, maximum to 0.05 mN m, at 1.385 mm."""
+def test_start_agrees_with_an_independent_program():
+    """The values are limits of a plain NumPy program from π/150, π/250 and π/350, to 1e-7 m and 0.05 mN m."""
     h = vr.roll(STEEL, on=MAT, time=[0.0, 0.04], distance=[0.0, 2.1e-3], load=100.0, mesh=mesh(300))
     assert h.penetration[0] == pytest.approx(0.2384e-3, rel=5e-4)
     assert h.resisting_torque.max() == pytest.approx(76.94e-3, rel=2e-3)  # error of the mesh 1e-3
     assert h.distance[h.resisting_torque.argmax()] == pytest.approx(1.385e-3, abs=0.03e-3)  # one step is 0.11 mm
 
 
-def test_a_ball_at_rest_is_that_of_zonal_harmonics():
+def test_penetration_at_rest_agrees_with_zonal_harmonics():
     """The limit of zonal harmonics is 0.24343 mm."""
     expected = penetration(20e-3, [(0.5e-3, 1e6), (0.5e-3, 3e6)], 100.0, rings=50)
     still = vr.RollingHistory(BALL, load=100.0, mesh=mesh(500), averaged_meshes=4)
     assert still.current.penetration == pytest.approx(expected, rel=5e-4)  # error of the mesh 4e-4
 
 
-def test_more_times_change_little():
-    """The chosen times represent every order, better for smaller tolerances."""
+def test_a_smaller_spectrum_tolerance_changes_the_torque_little():
+    """The creep times that the solver chooses for all orders have an error below the tolerance."""
     torques = []
     for tolerance in (1e-2, 1e-5):
         h = vr.roll(
@@ -56,7 +56,7 @@ def test_more_times_change_little():
 
 
 def test_nearly_identical_layers_act_as_one_layer():
-    """A time longer by 2e-5 is enough to make the layers dissimilar."""
+    """A relaxation time that is longer by a factor of 1 + 2e-5 is enough to make the layers dissimilar."""
     other = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125 * (1 + 2e-5))
     two = vr.CoatedSphere(core_radius=20e-3, layers=[one_layer(m, thickness=0.5e-3) for m in (other, RUBBER)])
     a, b = (vr.roll(ball, **STEPS) for ball in (two, coated_ball()))
@@ -65,8 +65,8 @@ def test_nearly_identical_layers_act_as_one_layer():
     assert a.dissipated_energy[-1] == pytest.approx(b.dissipated_energy[-1], rel=2e-5)
 
 
-def test_a_bulk_modulus_makes_one_layer_creep_by_its_orders():
-    """For a large K, it equals a layer with Poisson's ratio 1/2, since 3 K = 2 mu (1 + nu) / (1 - 2 nu) for any mu."""
+def test_a_layer_with_a_large_bulk_modulus_equals_an_incompressible_one():
+    """3 K = 2 mu (1 + nu) / (1 - 2 nu): if K is much larger than every mu, Poisson's ratio nu is 1/2 at all times."""
     stiff, soft, none = (
         vr.roll(coated_ball(**kind), **STEPS)
         for kind in ({"bulk_modulus": 1e13}, {"bulk_modulus": 2e7}, {"poisson_ratio": 0.5})
@@ -76,7 +76,7 @@ def test_a_bulk_modulus_makes_one_layer_creep_by_its_orders():
     assert soft.penetration[0] > 1.1 * none.penetration[0]
 
 
-def test_friction_ends_as_the_steady_solver_has_it():
+def test_friction_ends_in_the_steady_state():
     omega = 2.5
     h = vr.roll(
         BALL, time=[0.0, 0.4], angle=[0.0, 0.4 * omega], load=100.0, friction=0.3, mesh=mesh(200), averaged_meshes=2
@@ -100,7 +100,7 @@ def random_layers(rng):
 
 @pytest.mark.parametrize("seed", range(8))
 def test_no_step_gains_energy(seed):
-    """Weights of common times may be negative, but no step gains energy: of 96 stacks, the least loss was 3e-8."""
+    """The common creep times of all orders may have negative weights, but every step still dissipates energy."""
     plane = vr.CoatedPlane(layers=random_layers(np.random.default_rng(seed)))
     h = vr.roll(
         STEEL, on=plane, time=[0.0, 0.02, 0.5, 0.9, 1.0], distance=[0.0, 4e-3, 0.8e-3, 0.8e-3, 6e-3],
@@ -109,7 +109,7 @@ def test_no_step_gains_energy(seed):
     assert np.diff(h.dissipated_energy).min() > 0.0
 
 
-def test_goes_on_from_a_state():
+def test_a_saved_state_continues():
     first = vr.RollingHistory(STEEL, on=MAT, load=100.0, mesh=mesh(120), averaged_meshes=2)
     first.advance(time=0.1, distance=5e-3, load=100.0)
     second = vr.RollingHistory(STEEL, on=MAT, load=100.0, mesh=mesh(120), averaged_meshes=2, start=first.state)

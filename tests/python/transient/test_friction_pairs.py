@@ -1,4 +1,4 @@
-"""Transient friction between any two bodies: the final steady state, power, statics, and a towed start."""
+"""Transient rolling with friction for all pairs of bodies: the steady state, the energy balance, and statics."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from test_transient_pairs import BALL, EARTH, MAT, PAIRS, ROLLER, STEEL, THICK_M
 FREE, TOWED = vr.Drive(force=0.0), vr.Drive(torque=0.0)
 PRESSED_EARTH = vr.CoatedPlane(layers=[], base=EARTH)
 
-#: Rolling body, counterbody, drive, load, and nodes per revolution for an error of half a percent of the creepage,
-#: which decreases with the square of the spacing.
+#: Rolling body, counterbody, drive, load, and nodes per revolution for an error of half a percent of the creepage.
+#: This error decreases with the square of the spacing.
 STEADY = {
     "ball on mat": (STEEL, MAT, FREE, 100.0, 400),
     "towed ball on mat": (STEEL, MAT, TOWED, 100.0, 400),
@@ -40,7 +40,7 @@ SLOW = {"pushed ball on mat", "sliding soft ball on mat", "roller on roller"}
         for name, values in STEADY.items()
     ],
 )
-def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes):
+def test_friction_ends_in_the_steady_state(body, on, drive, load, nodes):
     """Force, torque, creepage, and the dissipation in each body and by slip agree."""
     omega, turn = 2.5, 1.4
     options = {"on": on, "load": load, "friction": 0.3}
@@ -55,32 +55,33 @@ def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes)
     last = h.angle > 0.7 * turn
     duration = np.ptp(h.time[last])
     speed = np.ptp(h.center_displacement[last]) / duration / (omega * body.outer_radius)
-    small = 3e-4 if abs(r.creepage) < 1e-3 else 0.0  # on a half-space, this equals half a percent elsewhere
+    small = 3e-4 if abs(r.creepage) < 1e-3 else 0.0  # the creepage on a half-space nearly vanishes
     assert speed - 1.0 == pytest.approx(r.creepage, rel=5e-3, abs=small)
     assert h.resisting_torque[last].mean() == pytest.approx(r.resisting_torque, rel=5e-3)
-    # Zero forces come out as zero.
+    # The absolute tolerances are for torques and forces that are zero.
     assert h.driving_torque[last].mean() == pytest.approx(r.driving_torque, rel=5e-3, abs=1e-7 * r.resisting_torque)
-    pushed = 1e-7 * r.resisting_torque / body.outer_radius
-    assert h.driving_force[last].mean() == pytest.approx(r.driving_force, rel=5e-3, abs=pushed)
+    zero = 1e-7 * r.resisting_torque / body.outer_radius
+    assert h.driving_force[last].mean() == pytest.approx(r.driving_force, rel=5e-3, abs=zero)
     gained = h.dissipated_energy + h.stored_energy - h.slip_energy
     counterbody = h.counterbody_dissipated_energy + h.counterbody_stored_energy
     assert np.ptp(gained[last]) / duration == pytest.approx(r.bulk_power, rel=5e-3)
     assert np.ptp(counterbody[last]) / duration == pytest.approx(r.counterbody_bulk_power, rel=5e-3)
     slip = np.ptp(h.slip_energy[last]) / duration
-    assert slip == pytest.approx(r.slip_power, abs=1e-2 * r.dissipated_power)  # half of it in a few nodes
+    # Half of the slip power is dissipated at a few nodes, so its own relative error is larger.
+    assert slip == pytest.approx(r.slip_power, abs=1e-2 * r.dissipated_power)
     assert h.energy_balance_error[-1] < 2e-3
 
 
-#: Largest error of the energy balance; it is larger on coarse meshes.
-MOVED = {
+#: Bound of the relative error of the energy balance on half the nodes of PAIRS.
+BALANCE_ERRORS = {
     "ball on mat": 5e-3, "soft ball on mat": 3e-3, "soft ball in dish": 5e-3, "soft ball in rigid dish": 5e-3,
     "ball on ball": 3e-3, "roller on mat": 2e-3, "soft roller on roller": 2e-3, "soft roller in ring": 2e-3,
     "ball on dissimilar layers": 3e-3, "wheel": 5e-3, "wheel on mat": 5e-3,
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("pair", "left"), MOVED.items(), ids=MOVED)
-def test_power_balances_with_slip(pair, left):
+@pytest.mark.parametrize(("pair", "bound"), BALANCE_ERRORS.items(), ids=BALANCE_ERRORS)
+def test_energy_balances_with_slip(pair, bound):
     """Start, stop, reverse: the work of torque, force and load is stored or dissipated; slip only dissipates."""
     body, on, load, nodes = PAIRS[pair]
     h = vr.roll(
@@ -88,10 +89,10 @@ def test_power_balances_with_slip(pair, left):
         friction=0.2, mesh=vr.Mesh(nodes_per_revolution=nodes // 2), averaged_meshes=1,
     )  # fmt: skip
     assert h.slip_energy[-1] > 0.0
-    # If a node reverses within a step, the mean of its tractions differs from the mean weighted by the work.
+    # The work of a step uses the mean of both tractions, which is inexact at a node whose slip reverses in the step.
     assert (np.diff(h.slip_energy) > -1e-6 * h.work[-1]).all()
-    assert np.abs(h.driving_force).max() < 1e-9 * load, "nothing pushes the center"
-    assert h.energy_balance_error[-1] < left
+    assert np.abs(h.driving_force).max() < 1e-9 * load, "no force acts on the center"
+    assert h.energy_balance_error[-1] < bound
 
 
 @pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft ball in dish", "soft roller on roller"])
@@ -112,16 +113,16 @@ def test_a_towed_rigid_ball_starts_on_a_mat():
     options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200)}
     towed = vr.roll(STEEL, **motion, **options, friction=0.3, drive=TOWED)
     assert np.abs(towed.driving_torque).max() < 1e-12 * 100.0 * 21e-3
-    # Tractions without moment about the center contribute to the force only by their sagitta, up to (a/R)^2/2 = 1 % of
-    # μP.
+    # The tractions have no moment about the center, so their sum is at most (a/R)²/2 = 1 % of μP: their moment arms
+    # differ by the sagitta of the contact.
     np.testing.assert_allclose(towed.driving_force, towed.resisting_torque / 21e-3, rtol=0, atol=0.01 * 30.0)
     early = towed.time <= 0.2
     assert towed.driving_force[early] == pytest.approx(towed.resisting_torque[early] / 21e-3, rel=1e-2, abs=1e-3)
     assert towed.slip_energy[-1] > 0.0
-    assert towed.driving_force.max() > 3.0 * towed.driving_force[early][-1]  # the ball must break away
+    assert towed.driving_force.max() > 3.0 * towed.driving_force[early][-1]  # the break-away force is larger
 
 
-def test_little_friction_is_the_next_thing_to_none():
+def test_friction_that_tends_to_zero_gives_the_frictionless_torque():
     motion = {"time": [0.0, 0.1], "angle": [0.0, 0.25], "load": 100.0}
     options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "averaged_meshes": 1}
     smooth = vr.roll(STEEL, **motion, **options)
@@ -130,7 +131,7 @@ def test_little_friction_is_the_next_thing_to_none():
     np.testing.assert_allclose(limit, smooth.resisting_torque, rtol=0, atol=2e-3 * smooth.resisting_torque.max())
 
 
-def test_either_of_two_rollers_may_be_called_the_one_that_rolls():
+def test_exchanged_rollers_have_equal_forces_and_slip():
     """A creepage of 5 % is -4.8 % for the exchanged rollers: forces and slip are the same."""
     other = vr.CoatedCylinder(core_radius=70e-3, layers=THICK_MAT.layers)
     elastic = [
@@ -153,15 +154,15 @@ def test_either_of_two_rollers_may_be_called_the_one_that_rolls():
     a = history(*elastic, distance, (1.0 + creepage) * distance)
     b = history(*elastic[::-1], (1.0 + creepage) * distance, distance)
     assert a.slip_energy[-1] == pytest.approx(b.slip_energy[-1], rel=3e-3)
-    # T_2 = T_1 + Q (R_1 + R_2 - d), about the axis of the other roller.
-    height = sum(body.outer_radius for body in elastic) - a.penetration[-1]
-    of_other = a.driving_torque[-1] + a.driving_force[-1] * height
-    assert of_other == pytest.approx(b.driving_torque[-1], rel=1e-3)
+    # Torque about the axis of the other roller: T_2 = T_1 + Q (R_1 + R_2 - d).
+    axis_distance = sum(body.outer_radius for body in elastic) - a.penetration[-1]
+    other_torque = a.driving_torque[-1] + a.driving_force[-1] * axis_distance
+    assert other_torque == pytest.approx(b.driving_torque[-1], rel=1e-3)
     assert a.driving_force[-1] == pytest.approx(-b.driving_force[-1], rel=1e-3)
 
 
 @pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft roller in ring"])
-def test_saved_states_with_friction_go_on_to_the_last_bit(pair):
+def test_saved_states_with_friction_continue_bit_for_bit(pair):
     body, on, load, nodes = PAIRS[pair]
     options = {"on": on, "mesh": vr.Mesh(nodes_per_revolution=nodes // 3), "averaged_meshes": 2, "friction": 0.3}
     whole = vr.RollingHistory(body, load=load, drive=TOWED, **options)
@@ -173,14 +174,14 @@ def test_saved_states_with_friction_go_on_to_the_last_bit(pair):
 
 
 def test_a_locked_ball_slides_over_a_mat():
-    """At full sliding, the force is μP plus the force of the mat's slope, and the torque is μP about the center."""
+    """At full sliding, the force is μP plus that of the asymmetric pressure, and the torque is μP times the radius."""
     h = vr.roll(
         STEEL, on=MAT, time=[0.0, 0.5], distance=[0.0, 0.0], center_displacement=[0.0, 5e-3], load=100.0, friction=0.2,
         mesh=vr.Mesh(nodes_per_revolution=200), averaged_meshes=1,
     )  # fmt: skip
     assert h.stick_share[-1] == 0.0
-    pushed_back = h.resisting_torque[-1] / 21e-3
-    assert h.driving_force[-1] == pytest.approx(20.0 + pushed_back, rel=1e-3)
+    pressure_force = h.resisting_torque[-1] / 21e-3
+    assert h.driving_force[-1] == pytest.approx(20.0 + pressure_force, rel=1e-3)
     assert -h.driving_torque[-1] == pytest.approx(20.0 * 21e-3, rel=1e-2)  # minus the sagitta of the contact
     assert h.slip_energy[-1] == pytest.approx(20.0 * 5e-3, rel=0.05)  # the ball sticks at first
 
@@ -188,8 +189,8 @@ def test_a_locked_ball_slides_over_a_mat():
 @pytest.mark.parametrize("nodes", [100, 200])
 @pytest.mark.parametrize("on", ["mat", "half-space", "roller"])
 @pytest.mark.parametrize(("modulus", "load", "friction"), [(1e6, 1e3, 0.1), (1e7, 5e4, 0.1), (5e7, 1e3, 0.3)])
-def test_rollers_are_pressed_on_one_another(on, modulus, load, friction, nodes):
-    """On the shifted mesh, all nodes may slip, and then forces do not determine the position of the center."""
+def test_a_roller_pressed_without_rolling_stays_centered(on, modulus, load, friction, nodes):
+    """All nodes of a phase-shifted mesh may slip; then the balance of forces does not determine the displacement."""
     layer = vr.Layer(thickness=10e-3, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
     counterbody = {
         "mat": vr.CoatedPlane(layers=[layer]),
@@ -202,13 +203,13 @@ def test_rollers_are_pressed_on_one_another(on, modulus, load, friction, nodes):
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[soft])
     options = {"on": counterbody, "load": load, "mesh": vr.Mesh(nodes_per_revolution=nodes), "averaged_meshes": 2}
     pressed = vr.RollingHistory(roller, friction=friction, **options)
-    # Tolerance of the solution at each instant.
+    # The solver's tolerance is 1e-9 at each instant.
     assert abs(pressed.current.driving_force) < 1e-9 * load
     assert abs(pressed.current.center_displacement) < 1e-9 * pressed.current.semi_axis_x
 
 
-def test_friction_too_small_to_push_a_ball_over_its_mat():
-    """The mat resists with 2.5 N, of which friction supports 1 N; a torque of 0.63 N m requires all of 30 N."""
+def test_a_drive_that_exceeds_friction_is_rejected():
+    """The mat resists with 2.5 N, more than the 1 N of friction; the torque 0.64 N m needs more than μP = 30 N."""
     motion = {"time": [0.0, 0.02], "distance": [0.0, 1.4e-3], "load": 100.0}
     options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "averaged_meshes": 1}
     slides = r"at angle 0\.\d+ rad, otherwise the ball slides permanently, got"
@@ -222,7 +223,7 @@ def test_friction_too_small_to_push_a_ball_over_its_mat():
     assert towed.driving_force.max() > 2.0
 
 
-def test_two_soft_balls_alike_are_one_on_its_mirror_plane():
+def test_two_identical_balls_roll_as_without_friction():
     """Mirror images never slide, so friction changes only terms of the order (a/R)^4."""
     twin = vr.CoatedSphere(core_radius=BALL.core_radius, layers=BALL.layers)
     motion = {"time": [0.0, 0.1], "angle": [0.0, 0.2], "load": 100.0}

@@ -1,4 +1,4 @@
-"""The worked example docs/jobs/isolation_platform.py: its mechanics, and the loss in its rubber."""
+"""Test the mechanics and the rubber's loss in the worked example docs/jobs/isolation_platform.py."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from shared_cases import one_layer
 
 DOCS = Path(__file__).parents[3] / "docs" / "jobs"
 MESH = vr.Mesh(nodes_per_revolution=100)
-RELEASED = 80e-3  # displacement at which it is released [m]
+RELEASED = 80e-3  # displacement at which the platform is released [m]
 
 
 @pytest.fixture(autouse=True)
@@ -20,7 +20,7 @@ def _docs(monkeypatch):
     monkeypatch.syspath_prepend(str(DOCS))
 
 
-def made(modulus=None):
+def page_and_platform(modulus=None):
     import isolation_platform as page
 
     return page, page.Platform(layers=(one_layer() if modulus is None else one_layer(modulus),))
@@ -28,24 +28,24 @@ def made(modulus=None):
 
 @cache
 def free_swing():
-    """Return platform, a motion of two periods from rest on one side, and the history of a contact."""
-    page, platform = made()
+    """Return the platform, its motion during two periods after release, and the history of one contact."""
+    page, platform = page_and_platform()
     time = np.linspace(0.0, 2.1 * platform.period, 701)
     slope = float(np.arcsin(RELEASED / platform.length))
     return platform, *page.by_newmark(platform, time, np.zeros_like(time), MESH, slope)
 
 
-def test_what_the_swing_loses_is_what_rolling_takes():
+def test_energy_lost_by_the_swing_equals_the_work_of_rolling():
     platform, motion, _ = free_swing()
     energy = platform.energy(motion.slope, motion.rate)
     rolled = motion.rolled(platform)
     assert rolled[-1] > 0.3 * energy[0]
-    # Average acceleration conserves the energy of a linear swing, with the trapezoidal rule for the work; this swing is
-    # nearly linear.
+    # With the work by the trapezoidal rule, average acceleration conserves the energy of a linear swing. This swing
+    # is nearly linear.
     np.testing.assert_allclose(energy[0] - energy, rolled, rtol=0, atol=1e-5 * rolled[-1])
 
 
-def test_what_rolling_takes_is_lost_and_stored_in_the_rubber():
+def test_work_of_rolling_is_dissipated_and_stored_in_the_rubber():
     platform, motion, history = free_swing()
     start = vr.RollingHistory(
         platform.ball,
@@ -58,13 +58,13 @@ def test_what_rolling_takes_is_lost_and_stored_in_the_rubber():
     end = history.current
     stored = end.stored_energy - start.stored_energy
     pressed = platform.mass * 9.81 / platform.balls * (end.penetration - start.penetration)
-    taken = 2 * platform.balls * (end.dissipated_energy + stored - pressed)
+    work = 2 * platform.balls * (end.dissipated_energy + stored - pressed)
     # Trapezoidal rule with steps of up to 0.2 mm, a tenth of the contact; loads change by 1 %.
-    assert motion.rolled(platform)[-1] == pytest.approx(taken, rel=3e-3)
+    assert motion.rolled(platform)[-1] == pytest.approx(work, rel=3e-3)
 
 
-def test_a_cycle_loses_what_a_harmonic_one_does():
-    """Compare one cycle between maxima with a harmonic cycle of their mean amplitude that is not the first one."""
+def test_a_cycle_dissipates_as_much_as_a_harmonic_one():
+    """Compare the cycle between two maxima with the second cycle of a harmonic motion of their mean amplitude."""
     platform, motion, _ = free_swing()
     displacement = motion.displacement(platform)
     turns = [np.argmax(np.where(abs(motion.time / platform.period - k) < 0.3, displacement, -1)) for k in (1, 2)]
@@ -77,13 +77,13 @@ def test_a_cycle_loses_what_a_harmonic_one_does():
     load = platform.mass * 9.81 / platform.balls
     h = vr.roll(platform.ball, on=platform.dish, time=time, distance=distance, load=load, mesh=MESH, averaged_meshes=2)
     lost = np.diff(np.interp([duration, 2.0 * duration], h.time, h.dissipated_energy))[0]
-    # The swing decays by a sixth in this cycle, and the loss is nearly proportional to the amplitude: a second-order
-    # error.
+    # The swing decays by a sixth in this cycle. The error is of second order in this decay, because the loss is
+    # nearly proportional to the amplitude.
     assert rolled == pytest.approx(2 * platform.balls * lost, rel=1e-2)
 
 
 def test_forces_on_the_platform_balance():
-    """A ball transmits P along the normal and M / R along the dish; slowly, P = W / cos θ + M tan θ / R."""
+    """Each ball transmits P along the normal and M / R along the dish; their sum is the force on the platform."""
     platform, motion, _ = free_swing()
     slope, along = motion.slope, motion.moment / platform.ball_radius
     level = platform.balls * (motion.load * np.sin(slope) + along * np.cos(slope))
@@ -96,8 +96,8 @@ def test_forces_on_the_platform_balance():
     np.testing.assert_allclose(second[50:], upward[1:-1][50:], rtol=0, atol=1e-2 * np.abs(upward).max())
 
 
-def test_small_swings_without_loss_are_a_pendulum_s():
-    page, platform = made(vr.Elastic(modulus=3e6))
+def test_small_elastic_swings_have_the_period_of_a_pendulum():
+    page, platform = page_and_platform(vr.Elastic(modulus=3e6))
     time = np.linspace(0.0, 1.1 * platform.period, 301)
     motion, _ = page.by_newmark(platform, time, np.zeros_like(time), MESH, 5e-3 / platform.length)
     falling = np.nonzero((motion.slope[:-1] > 0.0) & (motion.slope[1:] <= 0.0))[0][0]
@@ -108,8 +108,8 @@ def test_small_swings_without_loss_are_a_pendulum_s():
     assert 4.0 * quarter == pytest.approx(platform.period, rel=1e-2)
 
 
-def test_by_steady_torque_energy_balances_too():
-    page, platform = made()
+def test_energy_balances_with_the_steady_torque():
+    page, platform = page_and_platform()
     surface = vr.studies.RollingResistance(
         load=(90.0, 110.0), angular_speed=(0.02, 20.0), radius=21e-3, coefficients=np.array([[-4.5, 0.2], [0.1, 0.0]]),
         error=0.0, largest_error=0.0,
@@ -120,8 +120,8 @@ def test_by_steady_torque_energy_balances_too():
     np.testing.assert_allclose(energy[0] - energy, motion.rolled(platform), rtol=0, atol=1e-3 * np.ptp(energy))
 
 
-def test_beyond_the_rim_is_told():
-    page, platform = made()
+def test_a_motion_beyond_the_rim_is_rejected():
+    page, platform = page_and_platform()
     time, ground = page.ground_motion(duration=3.0, peak=6.0)
     with pytest.raises(
         ValueError, match=r"distance must be in \[-0\.06, 0\.06\] m, within the rim of the dish, got -?0\.06\d+ m"
@@ -129,7 +129,7 @@ def test_beyond_the_rim_is_told():
         page.by_newmark(platform, time, ground, MESH)
 
 
-def test_it_runs(tmp_path, capsys):
+def test_the_example_runs(tmp_path, capsys):
     import isolation_platform as page
 
     numbers = page.main(nodes=80, accuracy=0.05, duration=3.0, picture=str(tmp_path / "loop.png"))

@@ -44,7 +44,7 @@ def test_bad_input(change, message):
         vr.roll(BALL, **GOOD | change)
 
 
-def test_kelvin_voigt_cannot_jump():
+def test_a_load_jump_on_kelvin_voigt_is_rejected():
     ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1e5))
     with pytest.raises(ValueError, match=r"start must be RELAXED for a coating without instantaneous compliance"):
         vr.roll(ball, **GOOD, start=enums.Start.UNDEFORMED)
@@ -53,7 +53,7 @@ def test_kelvin_voigt_cannot_jump():
         vr.roll(ball, **GOOD | jump)
 
 
-def test_coatings_that_are_not_for_this():
+def test_coatings_that_transient_rolling_cannot_solve():
     slow = vr.KelvinVoigt(modulus=3e6, viscosity=1e5)
     layers = [
         vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.45)

@@ -47,7 +47,7 @@ def test_a_truncated_file_is_found(saved, cut):
         vr.RollingState.load(saved)
 
 
-def test_arrays_of_numpy_are_no_states(state, saved):
+def test_a_numpy_file_is_not_a_state(state, saved):
     with saved.open("wb") as file:
         np.save(file, state.numbers)
     with pytest.raises(ValueError, match=r"is not a saved state of viscoroll: roll from the start"):

@@ -129,7 +129,7 @@ def test_start_at_another_node_changes_nothing():
         vr.roll(BALL, time=[0, 0.1], angle=[s * spacing, s * spacing + 0.2], load=100.0, mesh=COARSE, averaged_meshes=1)
         for s in (0, 1000007)
     )
-    # Round-off: at a million spacings, node positions are accurate to ten digits of a spacing.
+    # At a million spacings, round-off leaves ten digits of a spacing.
     np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-9)
 
 
@@ -247,7 +247,7 @@ PENETRATIONS = {
 
 
 @pytest.mark.parametrize("compliance", PENETRATIONS)
-def test_pressed_and_left_standing(compliance):
+def test_penetration_at_standstill(compliance):
     """The penetration by Lee and Radok is exact for steps of any length, so one step per instant is enough."""
     times = [0.0, 0.05, 0.1, 0.25, 0.5, 50.0]
     h = vr.roll(
@@ -300,7 +300,7 @@ def test_a_fitted_spectrum_gives_the_history_of_the_known_one():
     [(300, 0.005, 0.5), (300, 0.005, 2.5), (300, 0.005, 4.0), (500, 0.0015, 0.5), (500, 0.0015, 2.5)],
 )
 def test_fractional_zener_ends_in_the_steady_torque(omega, nodes, bound):
-    """Memory is unlimited: at 4 rad/s the effect of the start is 0.15 % after 1 s, and 0.05 % after the 2 s here."""
+    """Memory decays slowly: at 4 rad/s, the effect of the start is 0.15 % after 1 s and 0.05 % after the 2 s here."""
     ball = coated_ball(ZENER)
     steady = steady_torque(ball, omega)
     h = roll_at_speed(
@@ -464,7 +464,7 @@ def test_a_corrupted_state_is_refused_or_continues(wrong, on):
     stepper = vr.RollingHistory(body, **given)
     stepper.advance(time=0.01, angle=0.02, load=100.0)
     numbers = stepper.state.numbers
-    whole = np.flatnonzero(numbers == np.floor(numbers))  # counts and positions are integers; so are zeros
+    whole = np.flatnonzero(numbers == np.floor(numbers))  # counts, node positions, and zeros
     refused = 0
     for place in [*range(60), *whole[-40:]]:
         corrupted = numbers.copy()
@@ -474,7 +474,8 @@ def test_a_corrupted_state_is_refused_or_continues(wrong, on):
             other.advance(time=other.current.time + 0.01, angle=other.current.angle + 0.02, load=100.0)
         except (ValueError, vr.ConvergenceError):
             refused += 1
-    assert refused >= (99 if not np.isfinite(wrong) else 10)  # of 100; the half-width of the contact may be NaN
+    # Of 100 states. One number that is not finite is allowed: the half-width of the contact may be NaN.
+    assert refused >= (99 if not np.isfinite(wrong) else 10)
 
 
 @pytest.mark.parametrize(

@@ -35,35 +35,35 @@ def pushed_stiffness(start: enums.Start, **given: object) -> float:
     return h.driving_force[-1] / 1e-8
 
 
-def lacking(h: vr.History, friction: float) -> np.ndarray:
-    """Return the share of μP that is not forward [-], where nodes also slip sideways at w.
+def missing_share(h: vr.History, friction: float) -> np.ndarray:
+    """Return the part of μP that does not act along the path, divided by μP [-].
 
-    It is 1 - cos arctan(w/V), about (w/V)²/2.
+    For a node that slips at V along the path and at w sideways, it is 1 - cos arctan(w/V), about (w/V)²/2.
     """
     return 1.0 - np.abs(h.driving_force) / (friction * LOAD)
 
 
 @pytest.mark.parametrize(("ball", "retardation_time"), [(ELASTIC, np.inf), (BALL, 0.25)])
 def test_a_locked_ball_slides_to_a_halt(ball, retardation_time):
-    """Sliding decelerates at μP/M for V₀M/(μP); then the ball sticks and swings by the energy stored in shear."""
+    """The ball decelerates at μP/M for the time V₀M/(μP); then it sticks, and swings with the energy of the shear."""
     time = np.linspace(0.0, 0.15, 301)
     speed, mass, friction = 0.3, 10.0, 0.3
     force, stiffness = friction * LOAD, pushed_stiffness(enums.Start.RELAXED, ball=ball, friction=friction)
     h = follow(time, np.zeros_like(time), ball=ball, mass=mass, center_speed=speed, friction=friction)
-    slows_down = force / mass
+    deceleration = force / mass
     sliding = (time > 0.02) & (time < 0.095)
     np.testing.assert_array_equal(h.stick_share[sliding], 0.0)
-    # A sheared coating creeps, also sideways, at most by its shear per retardation time; an elastic one does not.
+    # A sheared coating creeps, also sideways, by at most its shear μP/k per retardation time.
     sideways = force / stiffness / retardation_time
-    assert lacking(h, friction)[sliding].min() > -1e-12
-    assert (lacking(h, friction) < 1e-12 + 0.5 * (sideways / h.center_speed) ** 2)[sliding].all()
-    # The error of the acceleration in the first steps halves in each step.
+    assert missing_share(h, friction)[sliding].min() > -1e-12
+    assert (missing_share(h, friction) < 1e-12 + 0.5 * (sideways / h.center_speed) ** 2)[sliding].all()
+    # The error of the initial acceleration halves in each step, and has decayed when `sliding` begins.
     forces = h.driving_force[sliding]
     np.testing.assert_allclose(
         -mass * np.diff(h.center_speed[sliding]) / np.diff(time[sliding]), 0.5 * (forces[1:] + forces[:-1]), rtol=1e-7
     )
-    # The ball starts to slide, and swings, by about μP/k.
-    assert h.center_displacement.max() == pytest.approx(speed**2 / (2.0 * slows_down), abs=force / stiffness)
+    # Before it slides, the ball is displaced by about μP/k.
+    assert h.center_displacement.max() == pytest.approx(speed**2 / (2.0 * deceleration), abs=force / stiffness)
     assert h.slip_energy[-1] == pytest.approx(0.5 * mass * speed**2, rel=0.01)
     # The ball rebounds with the energy stored in shear, (μP)²/2k.
     halted = time > 0.1
@@ -73,18 +73,18 @@ def test_a_locked_ball_slides_to_a_halt(ball, retardation_time):
 
 
 def test_a_spinning_ball_catches_up():
-    """Started at once, the ball slips and accelerates its mass by μP until the center reaches the speed of rolling."""
+    """A ball that suddenly spins slips, and μP accelerates its mass until the center has the speed of rolling."""
     omega, mass, friction = 0.5, 1000.0, 0.3
     time = np.linspace(0.0, 0.8, 161)
     h = follow(time, omega * time, mass=mass, friction=friction, start=enums.Start.UNDEFORMED)
-    grows = friction * LOAD / mass
+    acceleration = friction * LOAD / mass
     slipping = (time > 0.1) & (time < 0.3)
     np.testing.assert_array_equal(h.stick_share[slipping], 0.0)
-    # While a node passes the contact, it also moves sideways, by less than the penetration in half a contact: this part
-    # of the traction grows as the slip decreases, with its inverse square.
+    # While a node passes half of the contact, it moves sideways by less than the penetration. The sideways part of
+    # the traction is proportional to the inverse square of the slip along the path.
     slip = (omega * RADIUS - h.center_speed)[slipping]
     sideways = (h.penetration * omega * RADIUS / h.semi_axis_x)[slipping]
-    sideways_share = lacking(h, friction)[slipping]
+    sideways_share = missing_share(h, friction)[slipping]
     assert sideways_share.min() > 0.0
     assert (sideways_share < 0.5 * (sideways / slip) ** 2).all()
     np.testing.assert_allclose(sideways_share * slip**2, np.mean(sideways_share * slip**2), rtol=0.35)
@@ -92,10 +92,10 @@ def test_a_spinning_ball_catches_up():
     np.testing.assert_allclose(
         -mass * np.diff(h.center_speed[slipping]) / np.diff(time[slipping]), 0.5 * (forces[1:] + forces[:-1]), rtol=1e-4
     )
-    # Until the coating is fully sheared, the force is less than μP: ∫(1 - F/μP) dt is 0.6 μP/k per slip speed for
-    # Hertz's pressure on Mindlin's half-space, and 0.9 for (1 - r²/a²)² on a foundation of springs; the thin
-    # incompressible coating is between them.
-    delay = 0.3 - np.interp(0.3, time, h.center_speed) / grows
+    # Until the coating is fully sheared, the force is less than μP. This delays the center by ∫(1 - F/μP) dt, which
+    # is 0.6 μP/k per slip speed for Hertz's pressure on Mindlin's half-space, and 0.9 for (1 - r²/a²)² on a
+    # foundation of springs. A thin incompressible coating lies between them.
+    delay = 0.3 - np.interp(0.3, time, h.center_speed) / acceleration
     shear = friction * LOAD / pushed_stiffness(enums.Start.UNDEFORMED, friction=friction)
     assert 0.6 < delay / (shear / (omega * RADIUS)) < 0.9
     assert h.center_speed[-1] == pytest.approx(omega * RADIUS, rel=0.05)
@@ -112,24 +112,23 @@ def test_a_light_center_rolls_freely():
         light.center_displacement, none.center_displacement, rtol=0, atol=1e-9 * none.center_displacement[-1]
     )
     np.testing.assert_allclose(light.driving_torque, none.driving_torque, rtol=0, atol=1e-7 * none.driving_torque.max())
-    # The speed follows to second order from the displacements of the last steps; a mean over one step is of first
-    # order.
+    # The solver computes the speed from the last displacements to second order; the mean of a step would be of first.
     assert light.center_speed[-1] == pytest.approx(none.center_speed[-1], rel=1e-2)
 
 
 @pytest.mark.parametrize(("mass", "rel"), [(1e6, 1e-4), (1e9, 1e-7), (1e15, 1e-13)])
-def test_a_heavy_center_goes_as_if_it_was_led(mass, rel):
-    """The deviation decreases with the mass, down to round-off."""
+def test_a_heavy_center_keeps_its_speed(mass, rel):
+    """The deviation from a prescribed displacement at constant speed is proportional to 1/M, down to round-off."""
     time = np.linspace(0.0, 0.3, 31)
     heavy = follow(time, time, mass=mass, center_speed=1.01 * RADIUS)
-    led = follow(time, time, center_displacement=1.01 * RADIUS * time)
-    np.testing.assert_allclose(led.center_displacement, 1.01 * RADIUS * time, rtol=1e-14)
-    np.testing.assert_allclose(heavy.center_displacement, led.center_displacement, rtol=rel)
-    np.testing.assert_allclose(heavy.driving_force, led.driving_force, rtol=0, atol=1e3 * rel * LOAD)
+    prescribed = follow(time, time, center_displacement=1.01 * RADIUS * time)
+    np.testing.assert_allclose(prescribed.center_displacement, 1.01 * RADIUS * time, rtol=1e-14)
+    np.testing.assert_allclose(heavy.center_displacement, prescribed.center_displacement, rtol=rel)
+    np.testing.assert_allclose(heavy.driving_force, prescribed.driving_force, rtol=0, atol=1e3 * rel * LOAD)
 
 
 def swing(steps_per_period: int) -> tuple[vr.History, float, float]:
-    """Let a mass swing that sticks to an elastic coating; return also its frequency [rad/s] and its energy [J]."""
+    """Return the history of a mass that swings on a sheared elastic coating, its frequency [rad/s] and energy [J]."""
     mass, speed, friction = 2.0, 1e-4, 3.0
     given = {"ball": ELASTIC, "friction": friction}
     pushed = follow(np.array([0.0, 1.0]), np.zeros(2), center_displacement=[0.0, 1e-8], **given)
@@ -140,18 +139,18 @@ def swing(steps_per_period: int) -> tuple[vr.History, float, float]:
 
 
 def energy_lost_on_a_spring(steps_per_period: int) -> float:
-    """Return the energy that the same steps remove from a mass on a spring in two periods, M = k = 1 [-]."""
+    """Return the numerical dissipation of the same time steps for a mass on a spring in two periods, M = k = 1 [-]."""
     step = 2.0 * np.pi / steps_per_period
     displacement, speed, acceleration = 0.0, 1.0, 0.0
     for _ in range(2 * steps_per_period):
-        further = (2.0 * speed / step - displacement) / (1.0 + 2.0 / step**2)
-        before, acceleration = acceleration, (further / step - speed) / step + 0.5 * acceleration
-        displacement, speed = displacement + further, speed + step * (1.5 * acceleration - 0.5 * before)
+        increment = (2.0 * speed / step - displacement) / (1.0 + 2.0 / step**2)
+        before, acceleration = acceleration, (increment / step - speed) / step + 0.5 * acceleration
+        displacement, speed = displacement + increment, speed + step * (1.5 * acceleration - 0.5 * before)
     return 1.0 - displacement**2 - speed**2
 
 
 def test_a_mass_on_an_elastic_coating_keeps_its_energy():
-    """It swings with √(k/M): kinetic energy is stored and returned, except for the loss of the time steps."""
+    """The mass swings at √(k/M). Its energy decreases only by the numerical dissipation of the time steps."""
     errors, lost = [], []
     for steps in (60, 120):
         h, frequency, energy = swing(steps)
@@ -166,8 +165,8 @@ def test_a_mass_on_an_elastic_coating_keeps_its_energy():
     np.testing.assert_allclose(lost, [energy_lost_on_a_spring(steps) for steps in (60, 120)], rtol=1e-4)
 
 
-def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
-    """No torque, no force: M dV/dt = -T_r/H, with the steady torque of a towed ball at its angular speed."""
+def test_rolling_resistance_decelerates_a_free_ball():
+    """Without torque and force, M dV/dt = -T_r/H, with the steady torque of a towed ball at this angular speed."""
     mass, speed = 1e4, 1.0 * RADIUS
     mesh = vr.Mesh(nodes_per_revolution=150)
     stepper = vr.RollingHistory(
@@ -188,12 +187,12 @@ def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
         turn = found.root - before
     rolling = instants[18:]
     duration = rolling[-1].time - rolling[0].time
-    slows_down = (rolling[-1].center_speed - rolling[0].center_speed) / duration
+    deceleration = (rolling[-1].center_speed - rolling[0].center_speed) / duration
     resisting = trapezoid([one.resisting_torque for one in rolling], [one.time for one in rolling]) / duration
     height = RADIUS - rolling[-1].penetration
-    assert mass * slows_down * height == pytest.approx(-resisting, rel=1e-3)
-    # A mesh finer than the phase-shifted ones, because one position of the nodes biases the average: -13 % at 150
-    # nodes.
+    assert mass * deceleration * height == pytest.approx(-resisting, rel=1e-3)
+    # The steady mesh is finer than the phase-shifted ones, because it has one position of the nodes, which changes
+    # the torque by -13 % at 150 nodes per revolution.
     towed = vr.solve(
         BALL, load=LOAD, angular_speed=(rolling[-1].angle - rolling[0].angle) / duration, friction=0.3,
         drive=vr.Drive(torque=0.0), mesh=vr.Mesh(nodes_per_revolution=600), threads=1,
@@ -205,7 +204,7 @@ def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
 
 
 @pytest.mark.parametrize("creepage", [0.0, 0.03])
-def test_a_given_displacement_ends_in_the_steady_state_of_that_creepage(creepage):
+def test_a_prescribed_displacement_ends_in_the_steady_state_of_its_creepage(creepage):
     mesh = vr.Mesh(nodes_per_revolution=300)
     steady = vr.solve(
         BALL, load=LOAD, angular_speed=0.2, friction=0.3, mesh=mesh, drive=vr.Drive(creepage=creepage), threads=1
@@ -228,8 +227,8 @@ def test_a_given_displacement_ends_in_the_steady_state_of_that_creepage(creepage
 
 
 @pytest.mark.parametrize("compliance", list(enums.Compliance))
-def test_a_lifted_ball_forgets(compliance):
-    """Off the plane, no work is done, so the ball dissipates its stored energy; pressed again, it is undeformed."""
+def test_a_lifted_ball_recovers(compliance):
+    """Off the plane, the ball dissipates its stored energy without external work, and returns undeformed."""
     given = {"friction": 0.0, "compliance": compliance, "averaged_meshes": 2}
     time = [0.0, 0.1, 0.1, 0.2, 20.0, 20.0]
     h = follow(time, np.linspace(0.0, 0.1, 6), load=[LOAD, LOAD, 0.0, 0.0, 0.0, LOAD], **given)
@@ -260,26 +259,26 @@ def test_lifting_off_and_coming_down_while_rolling():
     assert h.resisting_torque[-1] == pytest.approx(steady.resisting_torque, rel=0.02)
 
 
-def test_a_lifted_center_falls_free():
-    """Off the plane, a force accelerates the mass by Q/M exactly; after landing, the ball skids."""
+def test_a_force_accelerates_a_lifted_center():
+    """Off the plane, the force Q accelerates the mass at exactly Q/M; after landing, the ball skids."""
     time = np.array([0.0, 0.05, 0.1, 0.15, 0.2, 0.2, 0.21])
     load = [LOAD, 0.0, 0.0, 0.0, 0.0, LOAD, LOAD]
     h = follow(time, np.zeros_like(time), load=load, mass=0.5, drive=vr.Drive(force=1.0), friction=1.0)
     speed = h.center_speed
     np.testing.assert_array_equal(h.driving_force[1:5], 0.0)
-    # The error of the acceleration halves in each step of this second-order method.
+    # The time steps are of second order; the error of the initial acceleration halves in each step.
     assert np.diff(speed)[2] / 0.05 == pytest.approx(1.0 / 0.5, rel=0.1)
     np.testing.assert_allclose(
         np.diff(h.center_displacement)[1:4], [0.05 * v + 0.05**2 for v in speed[1:4]], rtol=1e-12
     )
-    assert h.center_displacement[5] == h.center_displacement[4]  # in zero time
+    assert h.center_displacement[5] == h.center_displacement[4]  # at the same time
     assert h.center_speed[6] < h.center_speed[5]
 
 
 # --- states and input -----------------------------------------------------------------------------------------------
 
 
-def test_a_state_remembers_the_center():
+def test_a_state_contains_the_displacement_and_speed_of_the_center():
     given = {"load": LOAD, "mesh": COARSE, "friction": 0.3, "mass": 1.0, "center_speed": 0.02, "averaged_meshes": 1}
     stepper = vr.RollingHistory(BALL, **given)
     stepper.advance(time=0.05, angle=0.05, load=LOAD)
@@ -313,8 +312,8 @@ def test_bad_input(change, message):
 
 
 def test_a_heavy_center_in_a_short_step():
-    # A force of 1e-8 of the inertia is below the round-off of the displacement, from which it was computed: no step had
-    # a solution.
+    # The contact force is 1e-8 of the inertial force. The solver once computed it from the displacement, where it is
+    # below round-off, and then no step converged.
     soft = vr.Elastic(modulus=1e4)
     ball = vr.CoatedSphere(core_radius=21e-3, layers=[vr.Layer(thickness=2e-3, shear_modulus=soft, poisson_ratio=0.5)])
     plane = vr.CoatedPlane(layers=ball.layers)

@@ -13,13 +13,14 @@ BALL = paper.ball(density=0.0)
 
 
 def start(omega: float, turn: float, **options: object) -> vr.History:
-    """Roll at constant speed from the start."""
+    """Return a history from rest at constant angular speed `omega` [rad/s] to the angle `turn` [rad]."""
     return vr.roll(BALL, time=[0.0, turn / omega], angle=[0.0, turn], load=100.0, **options)
 
 
-#: Fresh, 0.2 rad/s, μ = 0.3, full C_r: torques at ψ = 0.05, 0.1, 0.2, 0.4 of the independent program [mN m].
+#: Torques at ψ = 0.05, 0.1, 0.2 and 0.4 from an independent program, and their error bars [mN m]: undeformed start,
+#: 0.2 rad/s, μ = 0.3, VERTICAL compliance.
 STARTING_TORQUES = [17.1, 27.25, 30.1, 30.24]
-THEIR_BARS = [0.2, 0.2, 0.15, 0.1]
+ERROR_BARS = [0.2, 0.2, 0.15, 0.1]
 
 
 def starting_torques(nodes: int, steps_per_spacing: int) -> np.ndarray:
@@ -30,16 +31,16 @@ def starting_torques(nodes: int, steps_per_spacing: int) -> np.ndarray:
     return np.interp([0.05, 0.1, 0.2, 0.4], h.angle, h.resisting_torque * MILLI)
 
 
-def test_friction_starts_as_it_should():
-    """Extrapolate to the limit of the mesh from π/100 and π/150; the error falls with the square of the spacing."""
+def test_starting_torque_with_friction():
+    """Extrapolate from π/100 and π/150 to the limit of fine meshes; the error decreases with the spacing squared."""
     coarse, fine = starting_torques(200, 4), starting_torques(300, 4)
     limit = fine + (fine - coarse) / (1.5**2 - 1.0)
-    assert (np.abs(limit - STARTING_TORQUES) <= THEIR_BARS).all(), limit
+    assert (np.abs(limit - STARTING_TORQUES) <= ERROR_BARS).all(), limit
 
 
-def test_friction_starts_as_it_should_on_a_fine_mesh():
+def test_starting_torque_with_friction_on_a_fine_mesh():
     found = starting_torques(500, 4)
-    assert (np.abs(found - STARTING_TORQUES) <= THEIR_BARS).all(), found
+    assert (np.abs(found - STARTING_TORQUES) <= ERROR_BARS).all(), found
 
 
 @pytest.mark.parametrize("compliance", list(enums.Compliance))
@@ -58,7 +59,8 @@ def test_friction_ends_in_the_steady_state(friction, compliance):
         start=enums.Start.UNDEFORMED,
         **given,
     )
-    # Whole nodes on the same mesh: slip and memory move from node to node, unlike in the steady solver.
+    # In each step the ball rolls by one spacing, so that slip and memory move from node to node, unlike in the steady
+    # solver.
     assert h.resisting_torque[-1] == pytest.approx(steady.resisting_torque, rel=3e-3)
     assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=3e-3)
     assert h.creepage[-1] == pytest.approx(steady.creepage, abs=3e-4)
@@ -78,7 +80,7 @@ def test_energy_balance_with_friction(compliance):
 
 @pytest.mark.parametrize("load", [1e-4, 0.1])
 @pytest.mark.parametrize("friction", [0.05, 1.0])
-def test_a_load_that_a_single_node_bears(load, friction):
+def test_a_load_that_a_single_node_supports(load, friction):
     """The first guess contains hundreds of nodes if the sphere drops by many penetrations within a spacing."""
     mesh = vr.Mesh(nodes_per_revolution=60)
     pressed, smooth = (
@@ -91,7 +93,7 @@ def test_a_load_that_a_single_node_bears(load, friction):
 @pytest.mark.parametrize("averaged_meshes", [2, 3, 4])
 @pytest.mark.parametrize(("load", "nodes"), [(5e3, 200), (5e3, 400), (5e4, 200), (5e4, 800)])
 def test_a_roller_is_pressed_with_little_friction(load, nodes, averaged_meshes):
-    """On shifted meshes, no node is in the middle, so all nodes slip."""
+    """On phase-shifted meshes, no node lies at the center of the contact, so all nodes slip."""
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)])
     mesh = vr.Mesh(nodes_per_revolution=nodes)
     pressed, smooth = (
@@ -103,14 +105,14 @@ def test_a_roller_is_pressed_with_little_friction(load, nodes, averaged_meshes):
 
 
 @pytest.mark.parametrize("start", enums.Start)
-def test_a_center_stays_where_a_symmetric_contact_slips(start):
-    """All nodes slip outwards, with the same forces for any displacement of the center below their slip."""
+def test_a_symmetric_contact_that_slips_does_not_displace_the_center(start):
+    """All nodes slip outwards; the forces are the same for every displacement of the center smaller than the slip."""
     rubber = one_layer(thickness=10e-3)
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[rubber])
     given = {"mesh": vr.Mesh(nodes_per_revolution=200), "averaged_meshes": 2, "start": start, "friction": 0.01}
     h = vr.roll(roller, time=[0.0, 0.0, 0.1], angle=[0.0, 0.0, 0.0], load=[5e3, 9e3, 9e3], **given)
-    assert h.stick_share[1] < 0.2, "on the other mesh the node in the middle sticks"
-    # The ends of the range are some nanometers apart.
+    assert h.stick_share[1] < 0.2, "only the central node of the unshifted mesh may stick"
+    # The solver takes the middle of the possible displacements, which span some nanometers.
     assert np.abs(h.center_displacement).max() < 1e-15
 
 
@@ -119,7 +121,7 @@ def test_a_force_on_the_center():
     pushed = start(0.5, 0.3, drive=vr.Drive(force=5.0), **given)
     free = start(0.5, 0.3, **given)
     np.testing.assert_allclose(pushed.driving_force[1:], 5.0, rtol=1e-6)
-    # Statics: a force replaces part of the torque.
+    # Balance of moments: the driving force replaces part of the driving torque.
     height = 21e-3 - pushed.penetration[-1]
     np.testing.assert_allclose(
         pushed.driving_torque[-1], pushed.resisting_torque[-1] - 5.0 * height, rtol=1e-6, atol=1e-9
@@ -133,8 +135,8 @@ def test_a_force_on_the_center():
         start(0.5, 0.3, drive=vr.Drive(creepage=0.1), **given)
 
 
-#: Histories whose nodes at the edge of the contact alternated without end, which a count of their changes detects [s,
-#: rad, N].
+#: Histories [s, rad, N] in which nodes at the edge of the contact joined and left without end, until the solver
+#: counted their changes.
 UNSETTLED = {
     "the load changes at standstill": {
         "time": [0.0, 0.3, 0.8, 0.812], "angle": [0.0, 0.14, 0.14, 0.14], "load": [100.0, 196.0, 128.0, 175.0],
@@ -149,18 +151,18 @@ UNSETTLED = {
 
 
 @pytest.mark.parametrize("motion", UNSETTLED.values(), ids=UNSETTLED.keys())
-def test_little_friction_settles(motion):
+def test_nodes_at_the_edge_settle_with_little_friction(motion):
     h = vr.roll(BALL, averaged_meshes=1, **motion)
-    assert np.abs(h.driving_force).max() < 1e-9 * max(motion["load"]), "nothing pushes the center, to the tolerance"
-    assert (np.diff(h.slip_energy) > -1e-12 * h.work[-1]).all(), "friction gives nothing back, to round-off"
-    # On a mesh as coarse as this, the steps leave 0.03 and 0.3 % of the energy open.
+    assert np.abs(h.driving_force).max() < 1e-9 * max(motion["load"]), "no force acts on the center, to the tolerance"
+    assert (np.diff(h.slip_energy) > -1e-12 * h.work[-1]).all(), "friction returns no energy, to round-off"
+    # The errors of the energy balance on these coarse meshes are 0.03 and 0.3 %.
     assert h.energy_balance_residual[-1] == pytest.approx(0.0, abs=1e-2 * h.work[-1])
 
 
 @pytest.mark.parametrize("seed", range(40))
 def test_random_motions_of_little_friction_settle(seed):
-    # Slips that reversed in each step, past the state of rest between, left 31 of the first 200 motions without a
-    # solution.
+    # The slip of some nodes once reversed in every iteration without reaching rest: 31 of the first 200 motions had
+    # no solution.
     draw = np.random.default_rng([77, seed])
     pieces = draw.integers(3, 6)
     time = np.cumsum([0.0, *10.0 ** draw.uniform(-2.0, 0.0, pieces)])
@@ -168,12 +170,11 @@ def test_random_motions_of_little_friction_settle(seed):
     load, friction = 10.0 ** draw.uniform(1.0, 2.3, pieces + 1), 10.0 ** draw.uniform(-2.5, 0.3)
     mesh, start = vr.Mesh(nodes_per_revolution=int(draw.integers(100, 260))), list(enums.Start)[draw.integers(2)]
     h = vr.roll(BALL, time=time, angle=angle, load=load, friction=friction, mesh=mesh, start=start, averaged_meshes=1)
-    assert np.abs(h.driving_force).max() < 1e-9 * load.max(), "nothing pushes the center, to the tolerance"
+    assert np.abs(h.driving_force).max() < 1e-9 * load.max(), "no force acts on the center, to the tolerance"
 
 
-def test_a_load_that_no_friction_helps_to_support_is_refused_as_such():
-    # Without friction, both contacts span 60 degrees. The old message, 'stick and slip did not settle', blamed the
-    # friction.
+def test_a_load_too_large_without_friction_has_a_message_about_the_load():
+    # Without friction, the contact already exceeds 60 degrees to either side, so the message must not blame friction.
     stiff = vr.Layer(thickness=12e-3, shear_modulus=vr.Elastic(modulus=4.5e7), poisson_ratio=-0.98)
     ball = vr.CoatedSphere(core_radius=25e-3, layers=[stiff])
     with pytest.raises(ValueError, match="load must be small enough for the coating"):

@@ -61,7 +61,10 @@ EVERY = pytest.mark.parametrize(
 
 
 def force_balance(h, curvature):
-    """Return ∫(M/R) ds + ∫P dd - ΔE - D per D, computed from the series alone."""
+    """Return the relative error of the energy balance, |∫(M/R) ds + ∫P dd - ΔE - D| / D, from the history's series.
+
+    s is the distance, d the penetration, E the stored energy and D the dissipated energy.
+    """
     relative = 1.0 / h.body.outer_radius + curvature
 
     def integral(force, distance):
@@ -73,13 +76,14 @@ def force_balance(h, curvature):
 
 
 def curvature_of(on):
+    """Return the curvature of the counterbody along the path [1/m]."""
     path = getattr(on, "path_radius", None)
     return -1.0 / path if path is not None else 1.0 / on.outer_radius if hasattr(on, "outer_radius") else 0.0
 
 
 @EVERY
-def test_ends_as_the_steady_solver_has_it(body, on, load, nodes):
-    """Each body's loss also agrees, from its own memory, and the mean moment, whose work is stored and dissipated."""
+def test_motion_ends_in_the_steady_state(body, on, load, nodes):
+    """The loss of each body, the mean moment and the penetration agree with the steady solver."""
     omega, turn = 2.5, 1.4
     h = vr.roll(
         body, on=on, time=[0.0, turn / omega], angle=[0.0, turn], load=load,
@@ -92,16 +96,16 @@ def test_ends_as_the_steady_solver_has_it(body, on, load, nodes):
     gained = h.dissipated_energy + h.stored_energy
     counterbody = h.counterbody_dissipated_energy + h.counterbody_stored_energy
     power = np.ptp(gained[last]) / np.ptp(h.time[last])
-    of_counterbody = np.ptp(counterbody[last]) / np.ptp(h.time[last])
+    counterbody_power = np.ptp(counterbody[last]) / np.ptp(h.time[last])
     assert power == pytest.approx(r.bulk_power, rel=2e-3)
-    assert of_counterbody == pytest.approx(r.counterbody_bulk_power, rel=2e-3)
-    # noise of the phase-shifted meshes
+    assert counterbody_power == pytest.approx(r.counterbody_bulk_power, rel=2e-3)
+    # The tolerance covers the noise that the average over phase-shifted meshes leaves.
     assert h.resisting_torque[last].mean() == pytest.approx(r.resisting_torque, rel=4e-3)
     assert h.penetration[-1] == pytest.approx(r.penetration, rel=3e-3)
     assert force_balance(h, curvature_of(on)) < 1e-3
 
 
-#: Tests in which "wheel on mat" represents these pairs.
+#: Pairs that slow tests leave out, because "wheel on mat" represents them.
 WHEELS = {"wheel", "wheel on wheel", "wheel of dissimilar layers"}
 
 
@@ -128,7 +132,7 @@ def test_mirrored_motion_has_mirrored_torque(pair):
 
 
 @pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft roller on roller"])
-def test_start_elsewhere_changes_nothing(pair):
+def test_start_at_another_angle_changes_nothing(pair):
     body, on, load, _ = PAIRS[pair]
     mesh = vr.Mesh(nodes_per_revolution=100)
     a, b = (
@@ -136,14 +140,14 @@ def test_start_elsewhere_changes_nothing(pair):
                 averaged_meshes=1)
         for s in (0, -1000007)
     )  # fmt: skip
-    # The position of a node a million spacings away has ten digits.
+    # At a million spacings, round-off leaves ten digits of a spacing.
     np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-8 * a.resisting_torque.max())
 
 
-def test_a_term_split_in_two_is_the_same():
+def test_splitting_a_prony_term_changes_nothing():
     one = vr.Prony(instantaneous_modulus=6e6, weights=[0.5], relaxation_times=[0.125])
     two = vr.Prony(instantaneous_modulus=6e6, weights=[0.2, 0.3], relaxation_times=[0.125, 0.125 * (1 + 1e-9)])
-    waypoints = np.linspace(0.0, 1.0, 41)  # the library's own steps begin at the shortest time
+    waypoints = np.linspace(0.0, 1.0, 41)  # prescribed, because the default steps depend on the shortest time
     a, b = (
         vr.roll(STEEL, on=vr.CoatedPlane(layers=[one_layer(rubber)]), time=0.2 * waypoints, distance=10e-3 * waypoints,
                 load=100.0, mesh=vr.Mesh(nodes_per_revolution=100), averaged_meshes=1, steps_per_spacing=None)
@@ -175,13 +179,14 @@ def test_standing_follows_lee_and_radok():
 
 
 @pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat"])
-def test_long_after_a_stop_it_is_as_pressed_for_ever(pair):
+def test_long_after_a_stop_the_contact_is_that_at_rest(pair):
     body, on, load, _ = PAIRS[pair]
     options = {"on": on, "mesh": vr.Mesh(nodes_per_revolution=100), "averaged_meshes": 1}
     distance = round(20e-3 / (21e-3 * options["mesh"].spacing)) * 21e-3 * options["mesh"].spacing  # whole nodes
     h = vr.roll(body, time=[0.0, 0.4, 10.4], distance=[0.0, distance, distance], load=load, **options)
     still = vr.RollingHistory(body, load=load, distance=distance, **options)
-    assert h.penetration[-1] == pytest.approx(still.current.penetration, rel=1e-9)  # e^(-40) remains
+    # After 10 s, e^(-40) of the deviation remains.
+    assert h.penetration[-1] == pytest.approx(still.current.penetration, rel=1e-9)
     assert abs(h.resisting_torque[-1]) < 1e-9 * h.resisting_torque.max()
 
 
@@ -202,7 +207,7 @@ def test_elastic_moment_has_mean_zero():
 
 
 @EVERY
-def test_a_saved_state_goes_on_to_the_last_bit(body, on, load, nodes):
+def test_a_saved_state_continues_bit_for_bit(body, on, load, nodes):
     options = {"on": on, "load": load, "mesh": vr.Mesh(nodes_per_revolution=nodes // 4), "averaged_meshes": 2}
     whole = vr.RollingHistory(body, **options)
     whole.advance(time=0.05, distance=4e-3, load=load)
@@ -219,8 +224,8 @@ def test_a_saved_state_goes_on_to_the_last_bit(body, on, load, nodes):
 @pytest.mark.parametrize(
     "pair", ["ball on mat", "soft ball on mat", "soft roller on roller", "ball of dissimilar layers"]
 )
-def test_an_interrupted_motion_goes_on_to_the_last_bit(pair):
-    """Ctrl-C within a segment between waypoints, whose steps must not be divided again."""
+def test_an_interrupted_motion_continues_bit_for_bit(pair):
+    """After Ctrl-C between two waypoints, the rest of the segment must keep its steps."""
     body, on, load, nodes = PAIRS[pair]
     options = {"on": on, "mesh": vr.Mesh(nodes_per_revolution=nodes), "averaged_meshes": 1}
     motion = {"time": [0.0, 2.4, 2.6, 2.8], "angle": [0.0, 6.0, 6.0, 5.7], "load": [load, load, 0.8 * load, load]}
@@ -239,8 +244,8 @@ def test_an_interrupted_motion_goes_on_to_the_last_bit(pair):
         np.testing.assert_array_equal(getattr(rest, name), getattr(whole, name)[-len(rest.time) :], err_msg=name)
 
 
-def test_a_dish_is_rolled_around_no_faster_than_it_forgets():
-    """Its track closes after 1.26 m and remembers for 14 retardation times of 0.08 s."""
+def test_a_closed_track_must_recover_before_the_next_lap():
+    """The track of the dish closes after 1.26 m and recovers within 14 retardation times of 0.08 s."""
     body, on, load, _ = PAIRS["soft ball in dish"]
     options = {"on": on, "load": load, "mesh": vr.Mesh(nodes_per_revolution=60), "averaged_meshes": 1}
     with pytest.raises(
@@ -253,7 +258,7 @@ def test_a_dish_is_rolled_around_no_faster_than_it_forgets():
     vr.roll(body, time=[0.0, 0.7], distance=[0.0, 1.4], **options | {"on": rigid})
 
 
-def test_a_ball_lifts_off_in_one_dish_place_and_lands_in_another():
+def test_a_ball_lifts_off_and_lands_elsewhere_in_a_dish():
     """At load 0 there is no moment, and at the new position the dish is undeformed."""
     dish = vr.Groove(radius=0.2, path_radius=0.2, layers=MAT.layers)
     options = {"on": dish, "mesh": vr.Mesh(nodes_per_revolution=100), "averaged_meshes": 1}
@@ -315,8 +320,8 @@ def test_bad_input(change, message):
         vr.roll(STEEL, **{"on": MAT, "time": [0.0, 1.0], "load": 100.0} | change)
 
 
-def test_a_close_rigid_groove_balances():
-    # The slope of the gap is the moment arm of the pressure: the mesh leaves 2e-3; otherwise, 0.15 was open.
+def test_energy_balances_in_a_close_rigid_groove():
+    # If the moment arm of the pressure were not the slope of the gap, the error would be 0.15. The mesh causes 2e-3.
     groove = vr.Groove(radius=23e-3, path_radius=23e-3)
     h = vr.roll(
         BALL, on=groove, time=[0.0, 0.1], angle=[0.0, 0.25], load=[100.0, 100.0],

@@ -1,7 +1,7 @@
-"""Rollers start and stop: values per length of an independent program, with 500, 1000 and 2000 nodes per revolution.
+"""Rollers start and stop: compare values per length with an independent program on 500, 1000 and 2000 nodes.
 
-These tests use 1000 nodes and four phase-shifted meshes: within 0.1 % of forces that rise or fall, which is the noise
-of the meshes, and 3e-4 mm.
+These tests use 1000 nodes per revolution and four phase-shifted meshes. Their errors are 0.1 % of forces that rise or
+fall, which is the noise of the meshes, and 3e-4 mm.
 """
 
 from __future__ import annotations
@@ -20,14 +20,15 @@ SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, 
 
 
 def turned(omega, turn, *, body=ROLLER, on=None, **options):
+    """Return the history of a roller at `omega` [rad/s] from rest to the angle `turn` [rad] under 5 kN/m."""
     return vr.roll(body, on=on, time=[0.0, turn / omega], angle=[0.0, turn], load=5e3, mesh=MESH, **options)
 
 
-def steady(values, angle, turn):
+def mean_beyond(values, angle, turn):
     return values[angle > turn].mean()
 
 
-def test_out_of_the_flat_spot():
+def test_start_from_a_flat_spot():
     h = turned(1.0, 1.0)
     assert h.penetration[0] * MILLI == pytest.approx(0.27500, abs=5e-5)
     assert h.resisting_torque.max() == pytest.approx(6.3035, rel=1e-3)
@@ -39,7 +40,7 @@ def test_out_of_the_flat_spot():
     assert np.isnan(h.semi_axis_z).all()
 
 
-def test_pressed_on_in_no_time():
+def test_start_with_an_undeformed_layer():
     h = turned(1.0, 0.5, start=enums.Start.UNDEFORMED)
     assert h.penetration[0] * MILLI == pytest.approx(0.1744, abs=5e-5)
     assert h.resisting_torque.max() == pytest.approx(2.5373, rel=1e-3)
@@ -48,15 +49,15 @@ def test_pressed_on_in_no_time():
 
 
 @pytest.mark.parametrize(("omega", "torque", "bar"), [(0.1, 2.8063, 2.5e-3), (1.0, 2.4563, 1e-3), (10.0, 0.2886, 1e-3)])
-def test_steady(omega, torque, bar):
-    """The error bar of the limit is 4e-4. At 10 rad/s, half a turn takes λ, and the flat spot has not returned yet."""
+def test_final_steady_torque(omega, torque, bar):
+    """The error bar of the limit is 4e-4 N. The flat spot has not returned yet after 2 rad."""
     h = turned(omega, 2.0)
-    assert steady(h.resisting_torque, h.angle, 1.2) == pytest.approx(torque, abs=bar)
+    assert mean_beyond(h.resisting_torque, h.angle, 1.2) == pytest.approx(torque, abs=bar)
     assert h.energy_balance_error[-1] < 1e-3
 
 
 def test_on_a_soft_plane():
-    """The gap is that of the circle at its nodes; a parabola gives 10.442 and 9.051 N, which differ by (a/R)²."""
+    """The gap is that of a circle. A parabola gives moments of 10.442 and 9.051 N, which differ by the order (a/R)²."""
     angle, moment = reference.start(1000, "circle")
     plane = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=10e-3)])
     h = turned(1.0, 1.5, on=plane, averaged_meshes=2)
@@ -71,24 +72,24 @@ def test_on_a_soft_plane():
     assert np.ptp(plane_gained[last]) / (60e-3 * turn) == pytest.approx(130.47, rel=2e-3)
 
 
-def test_a_half_plane_is_hunters():
+def test_steady_moment_on_a_half_plane_is_hunters():
     """A half-plane has no reference height, so no approach is reported. Hunter's steady moment is 4.26712 N."""
     rigid = vr.CoatedCylinder(core_radius=50e-3)
     ground = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5))
     h = turned(1.0, 1.5, body=rigid, on=ground)
     assert h.resisting_torque.max() == pytest.approx(6.9055, rel=1e-3)
     assert h.distance[h.resisting_torque.argmax()] * MILLI == pytest.approx(3.87, abs=0.08)
-    assert steady(h.resisting_torque, h.angle, 1.0) == pytest.approx(4.26712, rel=5e-4)
+    assert mean_beyond(h.resisting_torque, h.angle, 1.0) == pytest.approx(4.26712, rel=5e-4)
     assert np.isnan(h.penetration).all()
     assert h.energy_balance_error[-1] < 1e-3
-    # At rest both are round-off.
+    # The absolute tolerance is for the start at rest, where both are round-off.
     np.testing.assert_allclose(
         h.driving_force, h.resisting_torque / 50e-3, rtol=1e-12, atol=1e-12 * h.driving_force.max()
     )
 
 
-def test_two_alike_are_one_on_the_plane():
-    """The mirror plane acts as a rigid plane: equal moment, twice the approach, and each body supplies its own loss."""
+def test_two_identical_rollers_are_mirror_images():
+    """Their mirror plane acts as a rigid plane: moment and loss of each roller are those of one, the approach twice."""
     one, two = (turned(1.0, 0.4, on=on, averaged_meshes=1) for on in (None, ROLLER))
     np.testing.assert_allclose(two.resisting_torque, one.resisting_torque, rtol=0, atol=1e-8)
     np.testing.assert_allclose(two.penetration, 2.0 * one.penetration, rtol=1e-8)

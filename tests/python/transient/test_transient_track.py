@@ -36,7 +36,7 @@ def test_start_on_a_coated_plane():
     assert force.max() == pytest.approx(2484.0, rel=2e-3)
     assert distance[force.argmax()] == pytest.approx(
         1.38, abs=0.06
-    )  # the maximum is flat; half a step adds to the error
+    )  # the position of a flat maximum is uncertain by half a step
     found = np.interp([0.5, 1.0, 2.0, 3.0, 5.0, 10.0], distance, force)
     np.testing.assert_allclose(found, [1681.0, 2364.0, 2269.5, 1507.0, 415.6, 522.9], rtol=4e-3)
     assert force[distance > 1.0].min() == pytest.approx(380.5, rel=6e-3)
@@ -71,7 +71,7 @@ def test_stop_rest_and_second_start():
     force = h.driving_force * MILLI
     found = np.interp(TIME + np.array([0.01, 0.05, 0.1, 0.2]), h.time, force)
     np.testing.assert_allclose(found, [504.7, 403.0, 299.0, 158.0], rtol=5e-3)
-    # Force that holds the ball at rest. The tolerance is the scatter of a single mesh, 1.5 mN.
+    # Force that holds the ball at rest [mN]. The tolerance is the scatter of a single mesh.
     assert np.interp(TIME + 0.5, h.time, force) == pytest.approx(20.5, abs=1.5)
     depth = np.interp([TIME, TIME + 0.5], h.time, h.penetration) * MILLI
     np.testing.assert_allclose(depth, [0.14457, 0.1779], rtol=0, atol=2e-4)

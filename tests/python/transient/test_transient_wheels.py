@@ -16,9 +16,9 @@ from viscoroll.case.motion import load_motion
 SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
 TREAD = one_layer(thickness=10e-3)
 #: Layers of half the thickness; the inner one is twice as stiff at every frequency, or has other relaxation times.
-LIKE = vr.StandardLinearSolid(instantaneous_modulus=12e6, relaxed_modulus=6e6, relaxation_time=0.125)
+STIFFER = vr.StandardLinearSolid(instantaneous_modulus=12e6, relaxed_modulus=6e6, relaxation_time=0.125)
 TWO_SIMILAR, TWO_DISSIMILAR = (
-    [one_layer(inner, thickness=5e-3), one_layer(thickness=5e-3)] for inner in (LIKE, SOFTER)
+    [one_layer(inner, thickness=5e-3), one_layer(thickness=5e-3)] for inner in (STIFFER, SOFTER)
 )  # fmt: skip
 FLAT = vr.CoatedWheel(core_radius=50e-3, layers=[TREAD], width=30e-3)
 CROWNED = replace(FLAT, crown_radius=0.1)
@@ -28,7 +28,7 @@ MAT = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=5e-3)])
 #: Rolling body, counterbody, load [N], and the least relative difference of the torque with unbounded sides.
 WHEELS = {
     "flat": (FLAT, None, 300.0, 0.1),
-    "flat, of two like layers": (replace(FLAT, layers=TWO_SIMILAR), None, 300.0, 0.1),
+    "flat, of two similar layers": (replace(FLAT, layers=TWO_SIMILAR), None, 300.0, 0.1),
     "flat, of two dissimilar layers": (replace(FLAT, layers=TWO_DISSIMILAR), None, 200.0, 0.1),
     "crowned, on a straight hub": (CROWNED, None, 300.0, 0.02),
     "crowned, on a crowned hub": (replace(CROWNED, hub=enums.Hub.CROWNED), None, 300.0, 0.02),
@@ -59,8 +59,8 @@ def solved(body, on, **case):
 
 
 @EVERY
-def test_ends_as_the_steady_solver_has_it(body, on, load, apart):
-    """Compare work stored and dissipated and penetration: free sides agree, and differ from unbounded ones.
+def test_motion_ends_in_the_steady_state(body, on, load, apart):
+    """Power, torque and penetration agree with the steady solver; the torque with unbounded sides differs.
 
     At 400 nodes per revolution, the history differs from its limit by 7e-4, and the steady solver by as much.
     """
@@ -75,14 +75,15 @@ def test_ends_as_the_steady_solver_has_it(body, on, load, apart):
     assert h.penetration[-1] == pytest.approx(r.penetration, rel=2e-3)
     assert abs(r.resisting_torque / far.resisting_torque - 1.0) > apart
     assert h.energy_balance_error[-1] < 1e-3
-    assert np.diff(h.dissipated_energy).min() >= 0.0  # in no step
+    assert np.diff(h.dissipated_energy).min() >= 0.0
 
 
 @pytest.mark.parametrize("body", [FLAT, CROWNED, NARROW], ids=["flat", "crowned", "narrow"])
 def test_low_speed_law(body):
-    """T = P Ω r_o τ for any tread: the forces of the elastic contact do the work of its travel.
+    """At low speed, T = P Ω r_o τ for any tread, with the loss time τ of the material.
 
-    A spacing of 2 mm in 32 steps has an error of 1 to 2 %, because nodes join and leave within steps; in 4 steps, 5 %.
+    Nodes join and leave the contact within steps. On this mesh, with a spacing of 2 mm, the error of the torque is 1
+    to 2 % with 32 steps per spacing, and 5 % with 4 steps.
     """
     load, omega, turn = 100.0, 1e-3, 0.3
     h = vr.roll(
@@ -118,8 +119,8 @@ def test_standing_follows_lee_and_radok():
 
 
 @pytest.mark.parametrize("body", [FLAT, CROWNED], ids=["flat", "crowned"])
-def test_elastic_wheels_are_those_of_the_steady_solver(body):
-    """On the same nodes, symmetrized influence and truncated tables change the penetration by 2e-6."""
+def test_elastic_wheels_have_the_penetration_of_the_steady_solver(body):
+    """On the same nodes, the symmetrized influence and the truncated tables change the penetration by 2e-6."""
     wheel = replace(body, layers=[one_layer(vr.Elastic(modulus=3e6), thickness=10e-3)])
     mesh = vr.Mesh(nodes_per_revolution=300)
     depth = vr.RollingHistory(wheel, load=300.0, mesh=mesh, averaged_meshes=1).current.penetration
@@ -139,8 +140,8 @@ def test_a_flat_spot_returns_each_turn():
 
 
 @pytest.mark.parametrize(("body", "friction"), [(CROWNED, 0.0), (FLAT, 0.3)], ids=["crowned", "with friction"])
-def test_a_saved_state_goes_on_to_the_last_bit(body, friction):
-    """The motion includes a jump and a lift-off."""
+def test_a_saved_state_continues_bit_for_bit(body, friction):
+    """The motion includes a load jump and a lift-off."""
     options = {"load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=80), "averaged_meshes": 2, "friction": friction}
     whole = vr.RollingHistory(body, **options)
     whole.advance(time=0.05, angle=0.1, load=100.0)
@@ -167,15 +168,15 @@ def test_a_state_of_unbounded_sides_is_refused():
     state = vr.RollingHistory(unbounded(FLAT), **options).state
     with pytest.raises(ValueError, match=r"start must be a state of .*sides=FREE.*, got a state of .*sides=UNBOUNDED"):
         vr.RollingHistory(FLAT, **options, start=state)
-    # the core compares the influence of both treads
+    # A state from bare numbers names no body; then the core compares the influence of both treads.
     unnamed = vr.RollingState(state.numbers)
     with pytest.raises(ValueError, match="start must be a state of the same bodies and mesh"):
         vr.RollingHistory(FLAT, **options, start=unnamed)
 
 
 @pytest.mark.parametrize("drive", [{}, {"drive": vr.Drive(torque=0.0)}], ids=["free", "towed"])
-def test_with_friction_it_ends_as_the_steady_solver_has_it(drive):
-    """The history with 200 nodes per revolution has an error of 4e-3, and the steady solver with 600 one of 2e-3.
+def test_motion_with_friction_ends_in_the_steady_state(drive):
+    """The error of the history with 200 nodes per revolution is 4e-3, and that of the steady solver with 600 is 2e-3.
 
     The steady solver is of first order along x.
     """
@@ -193,7 +194,7 @@ def test_with_friction_it_ends_as_the_steady_solver_has_it(drive):
     assert h.energy_balance_error[-1] < 5e-3
 
 
-def test_a_motion_file_may_leave_the_sides_out(tmp_path):
+def test_a_motion_file_without_sides_has_free_sides(tmp_path):
     file = tmp_path / "motion.toml"
     file.write_text(
         """
