@@ -23,16 +23,23 @@ double width(const SurfaceGrid& grid, const Eigen::ArrayXd& z) {
 }  // namespace
 
 ContactExtent contact_extent(const SurfaceWindow& nodes, const std::vector<Eigen::Index>& contact,
-                             const Eigen::ArrayXd& touching, std::optional<double> center_z) {
+                             const Eigen::ArrayXd& touching, const Eigen::ArrayXd& pressure,
+                             std::optional<double> center_z) {
   const double area = touching.sum();
+  const double max_pressure = contact.empty() ? 0.0 : pressure.maxCoeff();
   if (nodes.window().is_line()) {
-    return {.area = area, .semi_axis_x = 0.5 * area, .semi_axis_z = std::nullopt, .width = std::nullopt};
+    return {.contact_area = area,
+            .semi_axis_x = 0.5 * area,
+            .semi_axis_z = std::nullopt,
+            .contact_width = std::nullopt,
+            .max_pressure = max_pressure};
   }
   const Eigen::ArrayXd z = nodes.z()(contact);
-  return {.area = area,
+  return {.contact_area = area,
           .semi_axis_x = semi_axis(nodes.x()(contact), touching, std::nullopt),
           .semi_axis_z = semi_axis(z, touching, center_z),
-          .width = width(nodes.grid(), z)};
+          .contact_width = width(nodes.grid(), z),
+          .max_pressure = max_pressure};
 }
 
 }  // namespace viscoroll::detail
