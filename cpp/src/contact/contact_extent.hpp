@@ -13,7 +13,9 @@ namespace viscoroll::detail {
 
 /// @brief Dimensions and largest pressure of a contact. The members have the names of scalars of results and histories.
 struct ContactExtent {
-  double contact_area;  ///< [m^2]; for a line contact, per unit length [m]
+  double contact_area;          ///< [m^2]; for a line contact, per unit length [m]
+  double contact_length;        ///< largest distance between the edges of a row along the path [m]
+  double contact_length_error;  ///< relative uncertainty of these edges [-]
   /// Semi-axis of the ellipse with the same second moments; for a line contact, half the width [m].
   double semi_axis_x;
   std::optional<double> semi_axis_z;  ///< across the path [m]; empty for a line contact
@@ -21,14 +23,16 @@ struct ContactExtent {
   std::optional<double> contact_width;
   double max_pressure;  ///< largest pressure of a node [Pa]
 
-  /// @brief Set the scalars of these names in a result or in an instant of a history. The latter has no width, and its
-  /// undetermined dimensions are not a number.
+  /// @brief Set the scalars of these names in a result or in an instant of a history. The latter has no width or error,
+  /// and its undetermined dimensions are not a number.
   template <class Scalars>
   void copy_to(Scalars& scalars) const {
     scalars.contact_area = contact_area;
+    scalars.contact_length = contact_length;
     scalars.semi_axis_x = semi_axis_x;
     scalars.max_pressure = max_pressure;
     if constexpr (requires { scalars.contact_width; }) {
+      scalars.contact_length_error = contact_length_error;
       scalars.semi_axis_z = semi_axis_z;
       scalars.contact_width = contact_width;
     } else {
@@ -38,7 +42,7 @@ struct ContactExtent {
 };
 
 /// @param[in] nodes nodes of a window
-/// @param[in] contact numbers of the nodes in contact
+/// @param[in] contact numbers of the nodes in contact, in ascending order
 /// @param[in] touching area in contact around each of these nodes [m^2]
 /// @param[in] pressure contact pressure of each of these nodes [Pa]
 /// @param[in] center_z center of the contact across the path [m], if `nodes` covers only one side
