@@ -191,7 +191,17 @@ class ResultScalars:
     @property
     def contact_area(self) -> float:
         """
-        contact area [m^2].
+        contact area [m^2]. Equals contact_length in line contact.
+        """
+    @property
+    def contact_length(self) -> float:
+        """
+        contact length along the path (nip length) [m]. Distance from the leading to the trailing edge, the largest over all rows along the path. The edges are found between the nodes, where the squared pressure, extrapolated from inside, vanishes.
+        """
+    @property
+    def contact_length_error(self) -> float:
+        """
+        relative error estimate of the contact length [1]. Uncertainty of the extrapolated edges: half a spacing for each edge where the pressure rises within less than a spacing. Unless the mesh is given, it is at least half of the change from the previous mesh.
         """
     @property
     def contact_width(self) -> float | None:
@@ -306,7 +316,7 @@ class ResultScalars:
     @property
     def semi_axis_x(self) -> float:
         """
-        contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of the width in line contact.
+        contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of contact_length in line contact.
         """
     @property
     def semi_axis_z(self) -> float | None:
@@ -552,7 +562,12 @@ class RollingInstant:
     @property
     def contact_area(self) -> float:
         """
-        contact area [m^2].
+        contact area [m^2]. Equals `contact_length` in line contact.
+        """
+    @property
+    def contact_length(self) -> float:
+        """
+        contact length along the path (nip length) [m]. Distance from the leading to the trailing edge, the largest over all rows along the path. The edges are found between the nodes, where the squared pressure, extrapolated from inside, vanishes.
         """
     @property
     def counterbody_dissipated_energy(self) -> float:
@@ -612,7 +627,7 @@ class RollingInstant:
     @property
     def semi_axis_x(self) -> float:
         """
-        contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of the width in line contact.
+        contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of `contact_length` in line contact.
         """
     @property
     def semi_axis_z(self) -> float:
@@ -664,7 +679,12 @@ class InstantSeries:
     @property
     def contact_area(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        contact area [m^2].
+        contact area [m^2]. Equals `contact_length` in line contact.
+        """
+    @property
+    def contact_length(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        contact length along the path (nip length) [m]. Distance from the leading to the trailing edge, the largest over all rows along the path. The edges are found between the nodes, where the squared pressure, extrapolated from inside, vanishes.
         """
     @property
     def counterbody_dissipated_energy(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -724,7 +744,7 @@ class InstantSeries:
     @property
     def semi_axis_x(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of the width in line contact.
+        contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of `contact_length` in line contact.
         """
     @property
     def semi_axis_z(self) -> numpy.typing.NDArray[numpy.float64]:

@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "cases.hpp"
+#include "contact/contact_extent.hpp"
 #include "contact/multilevel.hpp"
 #include "contact/normal_contact.hpp"
 #include "contact/transfer.hpp"
@@ -102,6 +105,47 @@ TEST_P(NormalContactTest, AgreesWithADenseSolution) {
 INSTANTIATE_TEST_SUITE_P(Formulations, NormalContactTest,
                          testing::Combine(testing::Bool(), testing::Values(Compliance::vertical, Compliance::radial),
                                           testing::Values(PatchLoad::flat, PatchLoad::spherical)));
+
+/// Contact of a row of nodes under Hertz's pressure, whose half-width is a number of spacings.
+ContactExtent row_under_hertz(double half_width, double center, double left_out = 1e9) {
+  constexpr double kRadius = 1000.0;  // the row is nearly straight
+  const SurfaceWindow nodes({kRadius, 1.0 / kRadius, 1.0 / kRadius}, {{-40, 40}, {0, 0}});
+  std::vector<Eigen::Index> contact;
+  std::vector<double> pressure;
+  for (int node = -40; node <= 40; ++node) {
+    const double t = (node - center) / half_width;
+    if (std::abs(t) >= 1.0 || node == left_out) continue;
+    contact.push_back(node + 40);
+    pressure.push_back(std::sqrt(1.0 - t * t));
+  }
+  const Eigen::ArrayXd pressures = Eigen::Map<const Eigen::ArrayXd>(pressure.data(), std::ssize(pressure));
+  return contact_extent(nodes, contact, Eigen::ArrayXd::Ones(pressures.size()), pressures);
+}
+
+TEST(ContactExtent, FindsTheEdgesOfHertzsPressureBetweenTheNodes) {
+  for (const double half_width : {20.0, 20.3, 20.6, 20.99}) {
+    for (const double center : {0.0, 0.4, -3.7}) {
+      // The squared pressure is a parabola. Positions on the circle deviate from the row by 1e-4 spacings.
+      EXPECT_NEAR(row_under_hertz(half_width, center).contact_length, 2.0 * half_width, 2e-3 * half_width);
+    }
+  }
+}
+
+TEST(ContactExtent, EndsAtTheSidesOfPatchesWhereTheEdgeCannotBeExtrapolated) {
+  EXPECT_NEAR(row_under_hertz(2.5, 0.0).contact_length, 5.0, 1e-4);  // five nodes are too few
+  // The nodes beyond a node out of contact do not help to find the edge.
+  EXPECT_NEAR(row_under_hertz(20.2, 0.0, 17.0).contact_length, 40.2 + 0.5, 0.02);
+  const SurfaceWindow nodes({1.0, 1e-3, 1e-3}, {{-2, 2}, {-2, 2}});
+  const ContactExtent none = contact_extent(nodes, {}, Eigen::ArrayXd(), Eigen::ArrayXd());
+  EXPECT_EQ(none.contact_length, 0.0);
+  EXPECT_EQ(none.max_pressure, 0.0);
+  // A jump of the pressure lies half a spacing beyond the last node on average.
+  const SurfaceWindow row({1000.0, 1e-3, 1e-3}, {{-10, 10}, {0, 0}});
+  std::vector<Eigen::Index> contact(15);
+  std::iota(contact.begin(), contact.end(), 3);
+  EXPECT_NEAR(contact_extent(row, contact, Eigen::ArrayXd::Ones(15), Eigen::ArrayXd::Ones(15)).contact_length, 15.0,
+              1e-3);
+}
 
 /// The multilevel solver cannot enlarge a box around a contact beyond the end of its window.
 TEST(MultilevelContact, ReachesTheEdgeOfItsWindow) {

@@ -32,7 +32,12 @@ constexpr double kMaxEffortForPressure = 1e6;       // nodes of a line contact t
 // Ratio of the errors on two successive meshes above which the second mesh has been ineffective.
 constexpr double kIneffectiveRatio = 0.9;
 constexpr int kMaxIneffectiveMeshes = 2;  // the first of them may only have detected a narrow peak
-constexpr double kExpectedRatio = 0.25;   // of the errors on two successive meshes
+// Expected ratios of the errors on two successive meshes.
+constexpr double kExpectedRatio = 0.25;
+constexpr double kExpectedRatioOfLength = 0.5;
+// Ratio of the error of the contact length to its change from the previous mesh. The errors of both meshes are
+// independent, and proportional to the spacing: the change is sqrt(5) times the error in the root mean square.
+constexpr double kErrorPerChangeOfLength = 0.5;
 
 int whole_nodes(double nodes_per_revolution) {
   const double nodes = std::round(nodes_per_revolution);
@@ -107,10 +112,10 @@ double largest_change(const std::vector<Answer>& now, const std::vector<Answer>&
   return largest;
 }
 
-/// Change of the largest pressure, relative to the larger one.
-double change_of_pressure(const Result& now, const Result& before) {
-  return std::abs(now.max_pressure - before.max_pressure) /
-         std::max({now.max_pressure, before.max_pressure, std::numeric_limits<double>::min()});
+/// Change of a positive scalar, relative to the larger value.
+double change_of(double ResultScalars::* scalar, const Result& now, const Result& before) {
+  return std::abs(now.*scalar - before.*scalar) /
+         std::max({now.*scalar, before.*scalar, std::numeric_limits<double>::min()});
 }
 
 /// Solver on a sequence of meshes, each with twice the nodes, until two of them agree.
@@ -173,11 +178,11 @@ class Refiner {
       return !best_ && first_failure && go_on_with(2.0 * mesh_.nodes_per_revolution);
     }
     if (has_ended_) return false;
-    const bool goes_on = is_settled(*best_) ? may_settle_pressure() : !is_finest();
+    const bool goes_on = is_settled(*best_) ? may_settle_pressure() || may_settle_length() : !is_finest();
     return goes_on && go_on_with(2.0 * mesh_.nodes_per_revolution);
   }
 
-  /// Whether all results except the largest pressure have settled.
+  /// Whether all results except the largest pressure and the contact length have settled.
   [[nodiscard]] bool is_settled(const Result& result) const {
     return result.status == Status::converged && result.error_estimate <= options_.accuracy;
   }
@@ -185,6 +190,19 @@ class Refiner {
   /// Whether meshes of acceptable cost would settle the largest pressure. If no such mesh resolves its peak, a warning
   /// reports this.
   [[nodiscard]] bool may_settle_pressure() const {
+    return ineffective_meshes_ < kMaxIneffectiveMeshes && may_settle(best_->max_pressure_error, kExpectedRatio);
+  }
+
+  /// Whether meshes of acceptable cost would settle the contact length. A pressure that rises within less than a
+  /// spacing leaves the position of the edge uncertain by half a spacing.
+  [[nodiscard]] bool may_settle_length() const {
+    return may_settle(best_->contact_length_error, kExpectedRatioOfLength);
+  }
+
+  /// Whether meshes of acceptable cost would settle a result.
+  /// @param[in] error its relative error estimate
+  /// @param[in] expected_ratio ratio of its errors on two successive meshes
+  [[nodiscard]] bool may_settle(double error, double expected_ratio) const {
     const bool is_line = best_->theta_nodes == 1;
     const double nodes = refinements_.back().contact_nodes;
     const double most = std::min(is_line ? kMaxLineNodesForPressure : kMaxNodesForPressure,
@@ -192,9 +210,8 @@ class Refiner {
     const double per_mesh = is_line ? 2.0 : 4.0;
     const double meshes = std::floor(std::log(most / nodes) / std::log(per_mesh));
     const bool is_cheap = !is_line || nodes * best_->operator_applications < kMaxEffortForPressure;
-    return best_->max_pressure_error > options_.accuracy && meshes >= 1.0 && is_cheap &&
-           ineffective_meshes_ < kMaxIneffectiveMeshes &&
-           best_->max_pressure_error * std::pow(kExpectedRatio, meshes) <= options_.accuracy;
+    return error > options_.accuracy && meshes >= 1.0 && is_cheap &&
+           error * std::pow(expected_ratio, meshes) <= options_.accuracy;
   }
 
   /// Whether the next mesh would exceed the limits of memory or time.
@@ -223,8 +240,10 @@ class Refiner {
 
   void note(Result&& result) {
     if (best_) {
-      result.max_pressure_error = std::max(
-          {result.max_pressure_error, change_of_pressure(result, *best_), kExpectedRatio * best_->max_pressure_error});
+      result.max_pressure_error = std::max({result.max_pressure_error, change_of(&Result::max_pressure, result, *best_),
+                                            kExpectedRatio * best_->max_pressure_error});
+      result.contact_length_error = std::max(
+          result.contact_length_error, kErrorPerChangeOfLength * change_of(&Result::contact_length, result, *best_));
     }
     if (best_ && is_settled(*best_) && result.max_pressure_error > kIneffectiveRatio * best_->max_pressure_error)
       ++ineffective_meshes_;
@@ -234,7 +253,7 @@ class Refiner {
     step.error_estimate = best_ ? std::max(step.energy_balance_error, largest_change(found, answers_)) : 1.0;
     result.error_estimate = step.error_estimate;
     has_ended_ = result.status != Status::converged;
-    // Keep the earlier result: this mesh was meant to improve the pressure only.
+    // Keep the earlier result: this mesh was meant to improve the pressure or the contact length only.
     if (has_ended_ && best_ && is_settled(*best_)) return;
     refinements_.push_back(step);
     answers_ = std::move(found);

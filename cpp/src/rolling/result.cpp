@@ -79,6 +79,13 @@ double deformed_slope_force(const ContactSetup& given, const WindowContact& solv
   }
 }
 
+/// Areas by which the forces on patches are divided: those of the patches, or that of the paper's flat patch, which has
+/// the size of the patches on the equator [m^2].
+ArrayXd traction_area(const ContactSetup& given, const SurfaceGrid& grid, const ArrayXd& area) {
+  if (given.options.patch_load != PatchLoad::flat || given.model.curvature == Curvature::exact) return area;
+  return ArrayXd::Constant(area.size(), std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing);
+}
+
 /// Computes the results of a solved contact, one group of members after the other.
 class Summary {
  public:
@@ -92,8 +99,8 @@ class Summary {
         arms_(displaced_arms(given, solved)),
         curvature_(given.model.growth.met() * given.pair().on->curvatures().along),
         slope_force_(deformed_slope_force(given, solved)),
-        flat_area_(std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing),
-        area_(window_.patch_area(contact_.contact)) {}
+        area_(window_.patch_area(contact_.contact)),
+        traction_area_(traction_area(given, window_.grid(), area_)) {}
 
   void add_status(Result& r) const {
     r.status = contact_.converged ? Status::converged : Status::max_iterations;
@@ -104,11 +111,7 @@ class Summary {
 
   void add_shape(Result& r) const {
     r.centrifugal_displacement = given_.model.centrifugal;
-    const ContactExtent extent = contact_extent(window_, contact_.contact, area_);
-    r.contact_area = extent.area;
-    r.semi_axis_x = extent.semi_axis_x;
-    r.semi_axis_z = extent.semi_axis_z;
-    r.contact_width = extent.width;
+    contact_extent(window_, contact_.contact, area_, -force_.col(kDown) / traction_area_).copy_to(r);
     if (!given_.approach_exists()) return;
     const double penetration = given_.load_case.penetration.value_or(contact_.penetration - given_.model.centrifugal);
     r.penetration = penetration;
@@ -162,14 +165,9 @@ class Summary {
   }
 
   void add_fields(Result& r) const {
-    // The paper's flat patch has the size of the patches on the equator.
-    const bool flat = given_.options.patch_load == PatchLoad::flat && given_.model.curvature != Curvature::exact;
-    const ArrayXd area = flat ? ArrayXd(ArrayXd::Constant(area_.size(), flat_area_)) : area_;
-    const ArrayXd pressure = -force_.col(kDown) / area;
     r.pressure.assign(static_cast<std::size_t>(size_), 0.0);
     const Eigen::Map<ArrayXd> pressures(r.pressure.data(), size_);
-    put(pressure, pressures);
-    r.max_pressure = pressure.maxCoeff();
+    put(-force_.col(kDown) / traction_area_, pressures);
     r.max_pressure_error = unresolved_peak(pressures, contact_.contact, window_.shape().theta_nodes);
     r.mesh = given_.model.mesh;
     r.phi_nodes = window_.shape().phi_nodes;
@@ -186,8 +184,8 @@ class Summary {
     r.slip = r.contact;
     for (const Index node : contact_.stick) r.slip[static_cast<std::size_t>(node)] = 0;
     r.shear_traction = columns(size_, [&](auto& shear) {
-      put(force_.col(kForward) / area, shear.col(0));
-      put(force_.col(kSideways) / area, shear.col(1));
+      put(force_.col(kForward) / traction_area_, shear.col(0));
+      put(force_.col(kSideways) / traction_area_, shear.col(1));
     });
     r.slip_velocity = columns(size_, [&](auto& velocity) { add_slip_velocity(velocity); });
   }
@@ -270,12 +268,12 @@ class Summary {
   const ContactSolution& contact_;
   const Losses& losses_;
   Index size_;
-  VectorField force_;   // on the nodes in contact
-  MomentArms arms_;     // of the nodes in contact, displaced
-  double curvature_;    // of the counterbody along the path, with centrifugal growth [1/m]
-  double slope_force_;  // D_2, force of the pressure along the deformed surface of the counterbody [N]
-  double flat_area_;    // of a patch on the equator [m^2]
-  ArrayXd area_;        // of the patches in contact [m^2]
+  VectorField force_;      // on the nodes in contact
+  MomentArms arms_;        // of the nodes in contact, displaced
+  double curvature_;       // of the counterbody along the path, with centrifugal growth [1/m]
+  double slope_force_;     // D_2, force of the pressure along the deformed surface of the counterbody [N]
+  ArrayXd area_;           // of the patches in contact [m^2]
+  ArrayXd traction_area_;  // by which forces on these patches are divided [m^2]
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "transient/instant_contact.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "contact/contact_extent.hpp"
@@ -251,11 +250,8 @@ void set_extent(const ViscoelasticPair& pair, const InstantContact& instant, Rol
   if (!std::isnan(now.penetration)) require_depth(pair.pair, now.load, now.penetration);
   const std::vector<Eigen::Index>& contact = instant.contact.nodes;
   const ArrayXd touching = weights(contact).square() * nodes.patch_area(contact);
-  const ContactExtent extent = contact_extent(nodes, contact, touching, 0.0);
-  now.contact_area = extent.area;
-  now.semi_axis_x = extent.semi_axis_x;
-  now.semi_axis_z = extent.semi_axis_z.value_or(std::numeric_limits<double>::quiet_NaN());
-  now.max_pressure = (forces / weights).maxCoeff() / flat_patch(nodes.grid());
+  const ArrayXd pressure = forces(contact) / weights(contact) / flat_patch(nodes.grid());
+  contact_extent(nodes, contact, touching, pressure, 0.0).copy_to(now);
 }
 
 CenterPower set_moments(const ViscoelasticPair& pair, const InstantContact& instant, RollingInstant& now) {

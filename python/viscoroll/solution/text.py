@@ -86,14 +86,19 @@ def result_html(result: Solution) -> str:
 
 def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
     """Return label, value [SI] and unit of all scalar results."""
+    absent = set() if result.face_distance is not None else {"face_distance"}  # only wheels have faces
+    if _is_line_contact(result):
+        absent |= {"contact_area", "semi_axis_x", "semi_axis_z", "contact_width"}  # its one dimension is the length
     rows = [
-        (label, getattr(result, name), result.unit(name))
-        for name, (_, label) in SCALARS.items()
-        if name != "face_distance" or result.face_distance is not None  # only wheels have faces
+        (label, getattr(result, name), result.unit(name)) for name, (_, label) in SCALARS.items() if name not in absent
     ]
     if (extrapolated := extrapolated_loss(result)) is not None:
         rows.append(("share of the dissipated power at frequencies outside the measured table", extrapolated, "1"))
     return rows
+
+
+def _is_line_contact(result: Solution) -> bool:
+    return result.semi_axis_z is None
 
 
 def _quantity(result: Solution, name: str) -> str:
@@ -104,10 +109,10 @@ def _shape_rows(result: Solution) -> list[tuple[str, str]]:
     penetration = "undetermined"
     if result.penetration is not None:
         penetration = f"{result.penetration:.6g} m, {result.strain:.1%} of the thickness"
-    shape = ("contact half-width", f"{result.semi_axis_x:.4g} m")
-    if result.semi_axis_z is not None:
-        shape = ("contact semi-axes x, z", f"{result.semi_axis_x:.4g}, {result.semi_axis_z:.4g} m")
-    rows = [("penetration", penetration), shape]
+    length = f"{result.contact_length:.5g} m, relative error {result.contact_length_error:.2g} (estimate)"
+    rows = [("penetration", penetration), ("contact length along the path (nip length)", length)]
+    if not _is_line_contact(result):
+        rows.append(("contact semi-axes x, z", f"{result.semi_axis_x:.4g}, {result.semi_axis_z:.4g} m"))
     if result.prescribed == "penetration":
         rows.insert(0, ("normal load P", _quantity(result, "load")))
     if result.face_distance is not None:

@@ -32,7 +32,7 @@ _BOUNDS = ("mean", "lower", "upper")
 
 #: Scalars that describe the computation, and dimensions of the contact. Linear draws do not change the latter.
 _OF_THE_SOLVER = {"energy_balance_error", "error_estimate", "iterations", "operator_applications", "residual"}
-_OF_THE_CONTACT = {"contact_area", "semi_axis_x", "semi_axis_z", "contact_width", "face_distance"}
+_OF_THE_CONTACT = {name for name in SCALARS if name.startswith(("contact_", "semi_axis_"))} | {"face_distance"}
 
 #: Largest relative change of the penetration for linear draws [-]. The penetration varies approximately as the power
 #: -0.4 of all moduli. At this limit, the moduli differ by about 60 %, and the neglected terms are half of the
