@@ -205,8 +205,8 @@ export interface Drive {
   /** T, driving torque about the rolling axis [N m]. With 0 the body is towed. */
   torque?: number | null;
   /**
-   * P, driving power at the axle [W]: the driving torque times the angular speed Ω. A negative power brakes the body;
-   * with 0 it is towed.
+   * Driving power at the axle [W]: the driving torque times the angular speed Ω. A negative power brakes the body; with
+   * 0 it is towed.
    */
   power?: number | null;
   /** V_s / (Ω r_o) - 1 [-], where V_s is the speed of the center and Ω r_o the rolling speed. */
