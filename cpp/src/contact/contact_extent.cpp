@@ -33,7 +33,7 @@ constexpr double kSideOfPatch = 0.5;     // distance from a node [spacings]
 
 /// Least-squares fit of p^2 at distances d from the side of the outermost patch [spacings], A + B d + C d^2 + D / d.
 /// A p^2 that is linear at the edge has A and B; C is its curvature. The outermost patches are loaded although the edge
-/// does not lie at their side, which changes p^2 further inside by D / d (docs/theory/normal-contact.md).
+/// does not lie at their side, which changes p^2 further inside by D / d (docs/theory/pressure-and-length.md).
 /// @return matrix that maps the values at some nodes to A, B and C
 Eigen::Matrix3Xd fit_at_edge(Index nodes) {
   const auto last = static_cast<double>(nodes - 1);
@@ -61,9 +61,10 @@ double zero_of_fit(const ArrayXd& squares, Index nodes) {
   return kSideOfPatch + 2.0 * c[0] / (c[1] + std::sqrt(discriminant));
 }
 
-/// @param[in] pressure of the outermost nodes, from the edge inwards
+/// @param[in] pressure of the outermost nodes, from the edge inwards; those at the other edge of a short row are not
+/// fitted either
 EdgePosition edge_position(const ArrayXd& pressure) {
-  const Index nodes = std::min(pressure.size() - kSkippedNodes, kFittedNodes);
+  const Index nodes = std::min(pressure.size() - 2 * kSkippedNodes, kFittedNodes);
   if (nodes < kFewestFittedNodes || !(pressure.maxCoeff() > 0.0)) return {};
   const ArrayXd squares = (pressure / pressure.maxCoeff()).square();
   const double zero = zero_of_fit(squares, nodes);
@@ -98,7 +99,7 @@ ArrayXd pressure_at_edge(const auto& row, const std::vector<Index>& numbers, Ind
     const auto number = [&](Index position) { return numbers[static_cast<std::size_t>(position)]; };
     if (!near.empty() && std::abs(number(i) - number(near.back())) != stride) break;
     near.push_back(i);
-    if (near.size() == kSkippedNodes + kFittedNodes) break;
+    if (near.size() == 2 * kSkippedNodes + kFittedNodes) break;
   }
   return pressure(near);
 }

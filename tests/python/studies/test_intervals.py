@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 import xarray
-from campaign.intervals import ANSWERS, REFERENCE, Noise, coated, held, measured, of_curve, true_modulus
+from campaign.intervals import ANSWERS, REFERENCE, Noise, coated, coverage, measured, of_curve, true_modulus
 from scipy.stats import t as student
 from viscoroll.studies.draws import drawn_scalars
 from viscoroll.studies.picture import plot_study
@@ -81,7 +81,7 @@ def test_intervals_contain_the_true_value():
     `tests/campaign/intervals.py` tests two hundred data sets at five temperatures.
     """
     truth = vr.sweep(roller(true_modulus(333.15)), **CASE)
-    inside = [held(vr.sweep(roller, modulus=drawn_material(seed, 333.15), **CASE), truth)[0] for seed in range(12)]
+    inside = [coverage(vr.sweep(roller, modulus=drawn_material(seed, 333.15), **CASE), truth)[0] for seed in range(12)]
     for answer, share in zip(ANSWERS, np.mean(inside, axis=0), strict=True):
         assert share >= 0.75 or answer == "max_pressure", answer  # the largest pressure is at the edge here
 

@@ -46,7 +46,7 @@ def comparison(result):
 
     names = ("body", "load", "angular_speed", "friction", "drive", "mesh", "compliance", "curvature", "patch_load")
     given = {name: getattr(result, name) for name in names}
-    case = Case(**given, accuracy=None, slip_kinematics=enums.SlipKinematics.EXACT)
+    case = Case(**given, penetration=None, accuracy=None, slip_kinematics=enums.SlipKinematics.EXACT)
     return compare_torques(case, points=2)
 
 
