@@ -22,10 +22,24 @@ Bodies, materials and solvers are names of this package. Its modules contain the
 - `modal`: response of the layers to single orders, critical speeds and influence tables
 - `analytic`: closed forms for comparison
 - `enums`: enumerations of options and outcomes
+- `finite_strain`: rollers at finite strain, by finite elements
 - `paper`: the example of Zéhil and Gavin
 """
 
-from . import analytic, coupled, enums, export, materials, modal, paper, rheology, rolling, studies, thermal
+from . import (
+    analytic,
+    coupled,
+    enums,
+    export,
+    finite_strain,
+    materials,
+    modal,
+    paper,
+    rheology,
+    rolling,
+    studies,
+    thermal,
+)
 from ._core import ConvergenceError, __version__
 from ._support.errors import InvalidInput
 from ._support.result_warnings import ResultWarning
@@ -78,6 +92,7 @@ __all__ = [
     "coupled",
     "enums",
     "export",
+    "finite_strain",
     "materials",
     "modal",
     "paper",

@@ -166,7 +166,7 @@ class Cover:
         loaded = self.mesh.weights[..., None] * state.stress
         return self.assemble(np.einsum("egkd,egk->ed", state.operator, loaded, optimize=True))
 
-    def volume_errors(self, state: CoverState, pressures: Floats) -> Floats:
+    def volume_errors(self, state: CoverState) -> Floats:
         """Return the residuals of J - 1 = p/λ, weighted with the pressure shapes, of shape (elements, 3)."""
         error = state.strain.jacobian - 1.0 - self._volume[:, None] * state.pressure
         return (self.mesh.weights * error) @ self.mesh.pressure_shapes

@@ -11,12 +11,9 @@ from .._core import ConvergenceError
 from .._support.extras import extra
 from .cover import Cover, CoverState
 
-with extra("studies"):
-    from scipy.sparse import coo_matrix, csc_matrix
-    from scipy.sparse.linalg import LinearOperator, gmres, splu
-
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+    from scipy.sparse import csc_matrix
 
     from .contact import RigidSurface
 
@@ -144,7 +141,7 @@ class Equilibrium:
         # A force of the order of the modulus times the spacing weighs against a gap.
         stiffness = float(cover.mesh.slopes.max()) * float(np.mean(np.diff(cover.mesh.angles)))
         active = forces - stiffness * gaps > 0.0
-        factors, iterations = None, 0
+        iterations = 0
         for step in range(_MOST_STEPS):
             state = cover.state(displacement, pressures)
             gaps, normals, slopes = self.surface.gap(self._surface_positions(displacement), penetration)
@@ -154,7 +151,7 @@ class Equilibrium:
             balance = internal.copy()
             np.add.at(balance, 2 * self._nodes[:, None] + np.arange(2), -forces[:, None] * normals)
             residual[: len(free)] = balance[free]
-            residual[len(free) : self._first_force] = cover.volume_errors(state, pressures).ravel()
+            residual[len(free) : self._first_force] = cover.volume_errors(state).ravel()
             residual[self._first_force : -1] = np.where(active, gaps, 0.0)
             residual[-1] = forces @ normals[:, 1] - target.value if target.is_load else penetration - target.value
             scale = max(float(np.abs(internal).max()), 1e-12)
@@ -162,13 +159,10 @@ class Equilibrium:
                 residual[len(free) :]
             ).max() < _TOLERANCE * max(penetration, 1e-12)
             wrong = (active & (forces < 0.0)) | (~active & (gaps < 0.0))
-            if converged and step > 0:
-                if not wrong.any():
-                    solution = Rolling(displacement, pressures, forces, penetration, step, iterations)
-                    return solution, state
+            if converged and step > 0 and not wrong.any():
+                return Rolling(displacement, pressures, forces, penetration, step, iterations), state
             matrix = self._matrix(state, forces, normals, slopes, active, target)
-            factors = splu(matrix, permc_spec="COLAMD")
-            change, used = self._correct(state, matrix, factors, residual)
+            change, used = self._correct(state, matrix, residual)
             iterations += used
             largest = np.abs(change[: len(free)]).max()
             if not np.isfinite(largest):
@@ -197,6 +191,8 @@ class Equilibrium:
         target: Target,
     ) -> csc_matrix:
         """Return the local part of the tangent."""
+        with extra("studies"):
+            from scipy.sparse import coo_matrix
         stiffness, coupling, volume = self.cover.blocks(state)
         values = np.concatenate([stiffness.ravel(), coupling.ravel(), coupling.ravel(), volume.ravel()])[self._kept]
         columns = self._surface_columns[active]
@@ -221,9 +217,12 @@ class Equilibrium:
         rows, cols, entries = (np.concatenate([part[k] for part in parts]) for k in range(3))
         return coo_matrix((entries, (rows, cols)), shape=(self._size, self._size)).tocsc()
 
-    def _correct(self, state: CoverState, matrix: csc_matrix, factors: Any, residual: Floats) -> tuple[Floats, int]:
+    def _correct(self, state: CoverState, matrix: csc_matrix, residual: Floats) -> tuple[Floats, int]:
         """Solve with the whole tangent, preconditioned by the factors of its local part."""
+        with extra("studies"):
+            from scipy.sparse.linalg import LinearOperator, gmres, splu
         cover, free = self.cover, self._free
+        factors = splu(matrix)
         full, count = np.zeros(2 * len(self._positions)), 0
 
         def times(vector: Floats) -> Floats:

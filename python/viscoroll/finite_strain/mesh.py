@@ -55,6 +55,8 @@ class RingMesh:
         Integration weights R dR dφ.
     slopes : ndarray, shape (m n, 6, 2, 9)
         Derivatives ∂N/∂R and ∂N/(R ∂φ) of the shape functions at the Gauss points.
+    shapes : ndarray, shape (6, 9)
+        Shape functions at the Gauss points.
     directions : ndarray, shape (m n, 6, 2, 2)
         Unit vectors e_R and e_φ at the Gauss points, as components along the ground and upwards.
     pressure_shapes : ndarray, shape (6, 3)
@@ -70,6 +72,7 @@ class RingMesh:
     ring_weights: NDArray[np.float64]
     weights: NDArray[np.float64]
     slopes: NDArray[np.float64]
+    shapes: NDArray[np.float64]
     directions: NDArray[np.float64]
     pressure_shapes: NDArray[np.float64]
 
@@ -180,6 +183,7 @@ def _assemble(corners: NDArray[np.float64], radii: NDArray[np.float64], layers: 
         ring_weights=ring_weights.ravel(),
         weights=weights.reshape(m * n, 6),
         slopes=slopes,
+        shapes=np.einsum("aj,bi->abij", shape, shape_r).reshape(6, 9),
         directions=directions,
         pressure_shapes=np.stack([np.ones(6), xi, eta], axis=1),
     )
