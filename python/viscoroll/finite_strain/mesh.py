@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,6 +26,10 @@ _GROWTH = 1.15
 
 #: Largest length of an element, as an angle [rad] and in units of the thickness of the cover.
 _LARGEST_ANGLE, _LARGEST_LENGTH = 0.15, 1.0
+
+#: Largest size of the elements at the surface along the radius, per half-length of the contact, and their growth with
+#: depth. At a strain of 0.1 %, uniform elements make the penetration 1 % too small.
+_SURFACE_SIZE, _DEPTH_GROWTH = 0.3, 0.35
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,15 +129,12 @@ def ring_mesh(
     across : int
         Number of elements over twice this angle.
     through : int
-        Smallest number of elements through the cover; every layer has at least two.
+        Number of elements through a cover that is thinner than the contact is long. A thicker cover has more of them,
+        finer near the surface; every layer has at least two.
     """
     corners = _angles(half_angle, across, sum(thicknesses))
-    radii, layers = [core_radius], []
-    for layer, thickness in enumerate(thicknesses):
-        count = max(2, round(through * thickness / sum(thicknesses)))
-        radii += list(radii[-1] + thickness * np.arange(1, count + 1) / count)
-        layers += [layer] * count
-    return _assemble(corners, np.array(radii), np.array(layers))
+    radii, layers = _radii(core_radius, thicknesses, half_angle, through)
+    return _assemble(corners, radii, layers)
 
 
 def _angles(half_angle: float, across: int, thickness: float) -> NDArray[np.float64]:
@@ -145,6 +147,25 @@ def _angles(half_angle: float, across: int, thickness: float) -> NDArray[np.floa
     outside = half_angle + np.cumsum(sizes) * (np.pi - half_angle) / sum(sizes)
     inside = np.linspace(-half_angle, half_angle, across + 1)
     return np.concatenate([-outside[::-1], inside, outside])
+
+
+def _radii(
+    core_radius: float, thicknesses: Sequence[float], half_angle: float, through: int
+) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+    """Return the radii between the elements, and the layer of each element."""
+    thickness = sum(thicknesses)
+    depth = np.linspace(0.0, thickness, 2001)
+    largest = thickness / through
+    size = np.minimum(min(_SURFACE_SIZE * half_angle, largest) + _DEPTH_GROWTH * depth, largest)
+    # Number of elements above a depth.
+    above = np.concatenate([[0.0], np.cumsum(np.diff(depth) * 0.5 * (1.0 / size[1:] + 1.0 / size[:-1]))])
+    bounds = thickness - np.concatenate([[0.0], np.cumsum(thicknesses)])
+    radii, layers = [np.array([core_radius])], []
+    for layer, (low, high) in enumerate(pairwise(np.interp(bounds, depth, above))):
+        count = max(2, round(low - high))
+        layers += [layer] * count
+        radii.append(core_radius + thickness - np.interp(np.linspace(low, high, count + 1)[1:], above, depth))
+    return np.concatenate(radii), np.array(layers)
 
 
 def _assemble(corners: NDArray[np.float64], radii: NDArray[np.float64], layers: NDArray[np.intp]) -> RingMesh:

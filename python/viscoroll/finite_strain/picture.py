@@ -2,23 +2,41 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
 from .._support.pictures import Picture, draw_picture
 
 if TYPE_CHECKING:
+    import xarray
     from matplotlib.axes import Axes
 
-    from .result import FiniteStrainResult
+    from .._support.arguments import Floats
 
 __all__ = ["plot_rolling"]
 
 _MM, _MPA = 1e3, 1e-6
 
 
-def plot_rolling(result: FiniteStrainResult, ax: Axes | None = None) -> Picture | Axes:
+class _Drawn(Protocol):
+    """Results that the picture contains, same as in `FiniteStrainResult`."""
+
+    load: Any
+    driving_torque: Any
+    strain: Any
+    overspeed: Any
+    law: Any
+    roller: Any
+    penetration: Any
+    position: Floats
+    pressure: Floats
+
+    def fields(self) -> xarray.Dataset:
+        """Return the fields."""
+
+
+def plot_rolling(result: _Drawn, ax: Axes | None = None) -> Picture | Axes:
     """Draw the deformed cover with its viscous power beside the contact pressure, or the pressure into `ax`."""
 
     def compose(picture: Picture) -> None:
@@ -26,7 +44,7 @@ def plot_rolling(result: FiniteStrainResult, ax: Axes | None = None) -> Picture 
         _draw_cover(cover, picture, result)
         _draw_pressure(pressure, result)
         picture.suptitle(
-            f"P = {result.load:.4g} N/m,  T = {result.resisting_torque:.4g} N,  "
+            f"P = {result.load:.4g} N/m,  T = {result.driving_torque:.4g} N,  "
             f"strain {result.strain:.3g},  overspeed {result.overspeed:.3g},  law {result.law.value}",
             fontsize="medium",
         )
@@ -34,14 +52,14 @@ def plot_rolling(result: FiniteStrainResult, ax: Axes | None = None) -> Picture 
     return draw_picture(lambda axes: _draw_pressure(axes, result), ax, figsize=(11.0, 4.6), compose=compose)
 
 
-def _draw_pressure(axes: Axes, result: FiniteStrainResult) -> None:
+def _draw_pressure(axes: Axes, result: _Drawn) -> None:
     # In pictures, the roller rolls to the right: the surface moves to the left.
     axes.plot(-result.position * _MM, result.pressure * _MPA, color="tab:blue", marker=".", markersize=3)
     axes.axvline(0.0, color="0.6", linewidth=0.8)
     axes.set(xlabel="x [mm], rolling to the right", ylabel="contact pressure [MPa]", ylim=(0.0, None))
 
 
-def _draw_cover(axes: Axes, picture: Picture, result: FiniteStrainResult) -> None:
+def _draw_cover(axes: Axes, picture: Picture, result: _Drawn) -> None:
     fields = result.fields()
     x, y = -fields["x"].to_numpy() * _MM, fields["y"].to_numpy() * _MM
     power = fields["viscous_power"].to_numpy() * 1e-6

@@ -55,9 +55,12 @@ class FiniteStrainResult:
         Outer radius at rest minus height of the axis above the counterbody, r_o - H [m].
     strain : float
         Penetration per thickness of the cover [-].
+    driving_torque : float
+        Torque T that keeps the roller turning [N]: mean of `contact_torque` and `dissipated_power` / Ω, which both have
+        mesh errors.
     resisting_torque : float
-        Torque T that resists the rotation [N]: mean of `contact_torque` and `dissipated_power` / Ω, which have mesh
-        errors of opposite sign.
+        T on a plane; on a roller of radius R or in a drum of radius -R, T / (1 + r_o/R) [N]. It is the quantity that
+        `Result.resisting_torque` is in linear theory.
     contact_torque, core_torque : float
         Moments about the axis of the contact pressure and of the stress on the core [N].
     dissipated_power : float
@@ -98,6 +101,7 @@ class FiniteStrainResult:
     load: float
     penetration: float
     strain: float
+    driving_torque: float
     resisting_torque: float
     contact_torque: float
     core_torque: float
@@ -191,7 +195,7 @@ class FiniteStrainResult:
 
     def _rows(self) -> list[tuple[str, float, str]]:
         return [
-            ("resisting torque", self.resisting_torque, "N"),
+            ("driving torque T", self.driving_torque, "N"),
             ("load", self.load, "N/m"),
             ("penetration", self.penetration, "m"),
             ("strain, penetration per thickness", self.strain, "1"),
@@ -248,7 +252,8 @@ def result_of(
         load=load,
         penetration=rolling.penetration * radius,
         strain=strain,
-        resisting_torque=torque,
+        driving_torque=torque,
+        resisting_torque=torque / (1.0 + problem.surface.curvature),
         contact_torque=moment,
         core_torque=core_moment,
         dissipated_power=loss * problem.angular_speed,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -80,7 +81,8 @@ def solve(
     elements_across : int, default 40
         Number of elements over the length of the contact at the largest strain, from 8 to 400.
     elements_through : int, default 6
-        Number of elements through the cover, from 2 to 40.
+        Number of elements through a cover that is thinner than the contact is long, from 2 to 40. A thicker cover has
+        more of them, finer near the surface.
     progress : bool or callable, optional
         True shows a progress bar; a callable is called as progress(stage, fraction) after every equilibrium.
 
@@ -177,7 +179,7 @@ def ladder(
     if not values:
         raise InvalidInput("penetrations", "must contain at least one penetration", "none")
     rungs = [_checked(given, f"penetrations[{j}]", value) for j, value in enumerate(values)]
-    for j, (lower, upper) in enumerate(zip(values, values[1:], strict=False), start=1):
+    for j, (lower, upper) in enumerate(pairwise(values), start=1):
         if upper <= lower:
             raise InvalidInput(f"penetrations[{j}]", f"must be > penetrations[{j - 1}] = {lower:g} m", f"{upper:g}")
     with reporting(progress) as report, si_hints(roller, on, angular_speed=given.angular_speed):
