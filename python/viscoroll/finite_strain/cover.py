@@ -173,7 +173,8 @@ class Cover:
 
     def assemble(self, values: Floats) -> Floats:
         """Sum values of the elements, of shape (elements, 18), into the nodes."""
-        return np.bincount(self.dofs.ravel(), values.ravel(), minlength=4 * self.mesh.shape[0] * len(self.mesh.radii))
+        size = 4 * self.mesh.shape[0] * len(self.mesh.radii)
+        return np.asarray(np.bincount(self.dofs.ravel(), values.ravel(), minlength=size), dtype=float)
 
     def blocks(self, state: CoverState) -> tuple[Floats, Floats, Floats]:
         """Return the element matrices of the local part of the tangent.
@@ -231,7 +232,7 @@ class Cover:
         viscous = self.mesh.by_ring(state.viscous) * np.array([1.0, 1.0, 2.0])
         increments = np.roll(green, -1, axis=0) - green
         work = 0.5 * np.einsum("jik,jik->ji", viscous + np.roll(viscous, -1, axis=0), increments)
-        return 0.5 * (work + np.roll(work, 1, axis=0)) / self.angle_weights[:, None]
+        return np.asarray(0.5 * (work + np.roll(work, 1, axis=0)) / self.angle_weights[:, None])
 
     @property
     def angle_weights(self) -> Floats:

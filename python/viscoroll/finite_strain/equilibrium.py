@@ -179,7 +179,7 @@ class Equilibrium:
         raise ConvergenceError(f"the contact did not converge within {_MOST_STEPS} Newton steps")
 
     def _surface_positions(self, displacement: Floats) -> Floats:
-        return self._positions[self._nodes] + displacement[self._nodes]
+        return np.asarray(self._positions[self._nodes] + displacement[self._nodes])
 
     def _matrix(
         self,
@@ -229,7 +229,7 @@ class Equilibrium:
             full[free] = vector[: len(free)]
             result = matrix @ vector
             result[: len(free)] += cover.memory_forces(state, full)[free]
-            return result
+            return np.asarray(result)
 
         def counted(_: object) -> None:
             nonlocal count

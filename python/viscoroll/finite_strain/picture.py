@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from .._support.arguments import Floats
+    from ..bodies import CoatedCylinder
+    from .laws import Law
 
 __all__ = ["plot_rolling"]
 
@@ -22,15 +24,41 @@ _MM, _MPA = 1e3, 1e-6
 class _Drawn(Protocol):
     """Results that the picture contains, same as in `FiniteStrainResult`."""
 
-    load: Any
-    driving_torque: Any
-    strain: Any
-    overspeed: Any
-    law: Any
-    roller: Any
-    penetration: Any
-    position: Floats
-    pressure: Floats
+    @property
+    def load(self) -> float:
+        """Load [N/m]."""
+
+    @property
+    def driving_torque(self) -> float:
+        """Torque [N]."""
+
+    @property
+    def strain(self) -> float:
+        """Strain [-]."""
+
+    @property
+    def overspeed(self) -> float:
+        """Overspeed [-]."""
+
+    @property
+    def law(self) -> Law:
+        """Law of the viscous stress."""
+
+    @property
+    def roller(self) -> CoatedCylinder:
+        """Roller."""
+
+    @property
+    def penetration(self) -> float:
+        """Penetration [m]."""
+
+    @property
+    def position(self) -> Floats:
+        """Positions of the nodes in contact [m]."""
+
+    @property
+    def pressure(self) -> Floats:
+        """Pressures there [Pa]."""
 
     def fields(self) -> xarray.Dataset:
         """Return the fields."""

@@ -56,7 +56,7 @@ def test_reference_torques(fastest):
 )
 def test_reference_torques_of_other_laws(speed, law, loads, torques):
     """As `test_reference_torques`; slow rolling needs a finer mesh for 1 %."""
-    found = ladder(speed, law, across=40 if speed == SLOW else 28)
+    found = ladder(speed, law, across=32 if speed == SLOW else 24)
     assert [r.load for r in found] == pytest.approx(loads, rel=2e-3)
     assert [r.driving_torque for r in found] == pytest.approx(torques, rel=1e-2)
 
@@ -72,12 +72,12 @@ def test_energy_balance(fastest):
 
 
 def test_fields(fastest):
-    """The pressure carries the load, and the surface is free or loaded by it; the integral of the power is the loss."""
+    """The pressure carries the load (within the error of the end nodes) and is the stress at the surface; the integral of the power is the loss."""
     result = fastest[0]
     fields = result.fields()
-    load = np.trapezoid(result.pressure, result.position)
-    assert load == pytest.approx(result.load, rel=5e-3)
-    near = fields.isel(radius=-1)
+    load = np.sum(0.5 * (result.pressure[1:] + result.pressure[:-1]) * np.diff(result.position))
+    assert load == pytest.approx(result.load, rel=1e-2)
+    near = fields.isel(radius=-1).sel(angle=slice(-0.5, 0.5))
     found = -np.interp(0.0, near.x, near.stress_yy)
     assert found == pytest.approx(np.interp(0.0, result.position, result.pressure), rel=2e-2)
     angle, radius = fields.angle.to_numpy(), fields.radius.to_numpy()
@@ -92,29 +92,31 @@ def test_fields(fastest):
     assert np.abs(determinant.mean() - 1.0) < 1e-3
 
 
-@pytest.mark.parametrize("elasticity", [None, MooneyRivlin(fraction=0.3), Yeoh(coefficient=0.05)], ids=str)
-def test_elastic_rollers_have_no_torque(elasticity):
-    """In plane strain, a Mooney-Rivlin material has the load of the neo-Hookean one; a stiffening one has more."""
-    (result,) = ladder(
-        1.0, "newton", body=roller(modulus=1.0), across=16, through=3, strains=(0.2,), elasticity=elasticity
-    )
-    assert result.dissipated_power == 0.0
-    assert abs(result.contact_torque) < 1e-9 * result.load
-    neo_hookean = 1.0863
-    assert result.load / neo_hookean == pytest.approx(1.02 if isinstance(elasticity, Yeoh) else 1.0, abs=5e-3)
+def test_elastic_rollers_have_no_torque():
+    """In plane strain, a Mooney-Rivlin material has the load of the neo-Hookean one; a stiffening one has 2 % more."""
+    laws = (None, MooneyRivlin(fraction=0.3), Yeoh(coefficient=0.05))
+    found = [
+        ladder(1.0, "newton", body=roller(modulus=1.0), across=16, through=3, strains=(0.2,), elasticity=law)[0]
+        for law in laws
+    ]
+    for result in found:
+        assert result.dissipated_power == 0.0
+        assert abs(result.contact_torque) < 1e-9 * result.load
+    assert found[1].load == pytest.approx(found[0].load, rel=1e-6)
+    assert found[2].load == pytest.approx(1.02 * found[0].load, rel=5e-3)
 
 
 @pytest.mark.parametrize("on", [None, vr.CoatedCylinder(core_radius=2.5), vr.Groove(path_radius=5.0)], ids=repr)
 def test_small_strain_is_linear_theory(on):
-    """At 0.1 % strain, linear theory deviates by about the strain; the counterbody enters by its curvature."""
+    """At 0.2 % strain, linear theory deviates by about the strain; the counterbody enters by its curvature."""
     body = roller()
     found = finite_strain.solve(
-        body, on=on, penetration=0.001 * body.thickness, angular_speed=FASTEST, elements_across=24, elements_through=4
+        body, on=on, penetration=0.002 * body.thickness, angular_speed=FASTEST, elements_across=20, elements_through=3
     )
     expected = vr.solve(body, on=on, load=found.load, angular_speed=FASTEST, accuracy=2e-3)
     for name in ("driving_torque", "resisting_torque", "penetration", "max_pressure"):
         assert getattr(found, name) == pytest.approx(getattr(expected, name), rel=5e-3), name
-    assert found.contact_length == pytest.approx(expected.contact_length, rel=2.0 / 24)
+    assert found.contact_length == pytest.approx(expected.contact_length, rel=2.0 / 20)
 
 
 def test_load_and_penetration_are_equivalent(fastest):
@@ -185,12 +187,12 @@ def test_text_and_picture():
         ({"law": "maxwell"}, "law must be"),
         ({"elements_across": 4}, "elements_across must be in [8, 400], got 4"),
         ({"elements_through": 1}, "elements_through must be in [2, 40], got 1"),
-        ({"on": vr.CoatedPlane(layers=[vr.Layer(thickness=0.1, shear_modulus=1.0, poisson_ratio=0.5)])}, "on must be rigid"),
+        ({"on": vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=1.0, poisson_ratio=0.5))}, "on must be rigid"),
         ({"on": vr.Groove(path_radius=1.2)}, "on.path_radius must exceed the radius of the roller, 1.25 m, got 1.2"),
-        ({"on": vr.CoatedSphere(core_radius=1.0)}, "on must be a plane, a roller, or a groove curved only along the path"),
+        ({"on": vr.CoatedSphere(core_radius=1.0)}, "on must be a plane, a roller, or a groove"),
         ({"roller": vr.CoatedCylinder(core_radius=1.0)}, "roller.layers must contain at least one layer"),
-        ({"roller": roller(poisson_ratio=0.45)}, "roller.layers[0] must have a Poisson's ratio in [0.48, 0.5] at rest, got 0.45"),
-        ({"roller": roller(modulus=vr.KelvinVoigt(modulus=1.0, viscosity=1.0))}, "must have a finite instantaneous modulus"),
+        ({"roller": roller(poisson_ratio=0.45)}, "roller.layers[0] must have a Poisson's ratio in [0.48, 0.5]"),
+        ({"roller": roller(modulus=vr.KelvinVoigt(modulus=1.0, viscosity=1.0))}, "must have a finite"),
     ],
 )  # fmt: skip
 def test_invalid_input(changes, message):
@@ -218,7 +220,7 @@ def test_invalid_ladders_and_types():
 
 
 def test_too_large_loads():
-    with pytest.raises(vr.InvalidInput, match="load must be below .* half of the thickness, got 1000"):
+    with pytest.raises(vr.InvalidInput, match=r"load must be below .* half of the thickness, got 1000"):
         finite_strain.solve(roller(modulus=1.0), load=1000.0, angular_speed=1.0)
 
 
