@@ -106,6 +106,14 @@ def test_elastic_rollers_have_no_torque():
     assert found[2].load == pytest.approx(1.02 * found[0].load, rel=5e-3)
 
 
+def test_elastic_roller_of_felupe():
+    """Loads at 6 and 12 % strain from FElupe (`python -m tests.reference.felupe_roller`), whose error is 0.1 %."""
+    layer = vr.Layer(thickness=20.0, shear_modulus=1.0, poisson_ratio=0.4995)
+    body = vr.CoatedCylinder(core_radius=20.0, layers=[layer])
+    found = ladder(1.0, "newton", body=body, strains=(0.06, 0.12), across=24, through=4)
+    assert [result.load for result in found] == pytest.approx([4.858, 13.585], rel=2e-3)
+
+
 @pytest.mark.parametrize("on", [None, vr.CoatedCylinder(core_radius=2.5), vr.Groove(path_radius=5.0)], ids=repr)
 def test_small_strain_is_linear_theory(on):
     """At 0.2 % strain, linear theory deviates by about the strain; the counterbody enters by its curvature."""
