@@ -24,7 +24,7 @@ import numpy as np
 import viscoroll as vr
 
 #: Strains of each ladder. Small contacts have a mesh of their own, because a mesh for 25 % has few nodes there.
-LADDERS = ((0.01, 0.03), (0.06, 0.10, 0.15, 0.20, 0.25))
+LADDERS = ((0.01,), (0.03,), (0.06, 0.10), (0.15, 0.20, 0.25))
 
 #: Ωτ of slow rolling, of the largest torque and of fast rolling for each thickness per core radius.
 SPEEDS = {
@@ -192,7 +192,10 @@ def main():
                 writer = csv.DictWriter(file, list(found[0]))
                 if header:
                     writer.writeheader()
-                writer.writerows(found)
+                writer.writerows(
+                    {name: f"{value:.5g}" if isinstance(value, float) else value for name, value in row.items()}
+                    for row in found
+                )
     summary(rows)
     return 0
 
