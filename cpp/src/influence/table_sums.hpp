@@ -27,7 +27,7 @@ class CoatingSum : public TableSum {
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   /// @param[in] inertia_tolerance relative error of the compliance up to which inertia may be neglected
-  /// @throws InvalidInput for bad input and critical speeds
+  /// @throws InvalidInput for invalid input and critical speeds
   CoatingSum(const LayeredBody& body, double angular_speed, const MeshOnBody& mesh, int threads, Watch& watch,
              double inertia_tolerance = kInertiaTolerance);
 
