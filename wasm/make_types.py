@@ -48,7 +48,7 @@ OTHERS = ("thermal", "motion", "sweep", "draws", "design")
 def input_types() -> str:
     """Return the types of a case and of its tables."""
     definitions = SCHEMA["$defs"]
-    moduli = {kind.__name__: kind.__name__ for kind in MODULI.values()}
+    moduli = {kind.__name__: kind.__name__ for kind in MODULI.values()} | {"Hardness": "of_data_sheet"}
     parts = [_interface(name, definitions[definition]) for name, definition in moduli.items()]
     parts += [
         _comment("Modulus [Pa] as a function of angular frequency; a number is an elastic modulus.")
