@@ -12,7 +12,7 @@ from .._support.errors import InvalidInput, InvalidType
 from .._support.text import shown
 from ..bodies import CoatedCylinder, Counterbody
 from ..bodies.bodies import require_body
-from ..materials.moduli import relaxation_of
+from ..materials.modulus_like import relaxation_of
 from .contact import RigidSurface
 from .cover import Cover, CoverMaterial
 from .laws import Elasticity, Law, NeoHookean

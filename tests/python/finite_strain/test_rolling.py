@@ -56,7 +56,7 @@ def test_reference_torques(fastest):
     ],
 )
 def test_reference_torques_of_other_laws(speed, law, loads, torques):
-    """As `test_reference_torques`; slow rolling needs a finer mesh for 1 %."""
+    """The reference is that of `test_reference_torques`; slow rolling needs a finer mesh for 1 %."""
     found = ladder(speed, law, across=32 if speed == SLOW else 24)
     assert [r.load for r in found] == pytest.approx(loads, rel=2e-3)
     assert [r.driving_torque for r in found] == pytest.approx(torques, rel=1e-2)
