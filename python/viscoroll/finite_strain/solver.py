@@ -169,7 +169,7 @@ def ladder(
     Warns
     -----
     ResultWarning
-        Same as in `solve`, once for all penetrations.
+        Same as in `solve`, for the largest penetration; every result has the warnings of its own.
     """
     given = problem(roller, on, angular_speed, law, elasticity)
     size = _elements(elements_across, elements_through)
@@ -203,9 +203,8 @@ def _checked(given: Problem, name: str, penetration: float) -> float:
 
 
 def _warn(results: Sequence[FiniteStrainResult]) -> None:
-    texts = dict.fromkeys(text for result in results[-1:] for text in result.warnings)
-    hint = unit_doubt(results[-1].roller, results[-1].on)
-    warn([*texts, *([hint] if hint else [])])
+    last = results[-1]
+    warn([*last.warnings, *filter(None, [unit_doubt(last.roller, last.on)])])
 
 
 def _penetration(given: Problem, load: float, report: Report | None) -> float:
