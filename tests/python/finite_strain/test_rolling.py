@@ -120,12 +120,12 @@ def test_small_strain_is_linear_theory(on):
     """At 0.2 % strain, linear theory deviates by about the strain; the counterbody enters by its curvature."""
     body = roller()
     found = finite_strain.solve(
-        body, on=on, penetration=0.002 * body.thickness, angular_speed=FASTEST, elements_across=20, elements_through=3
+        body, on=on, penetration=0.002 * body.thickness, angular_speed=FASTEST, elements_across=16, elements_through=3
     )
     expected = vr.solve(body, on=on, load=found.load, angular_speed=FASTEST, accuracy=2e-3)
     for name in ("driving_torque", "resisting_torque", "penetration", "max_pressure"):
         assert getattr(found, name) == pytest.approx(getattr(expected, name), rel=5e-3), name
-    assert found.contact_length == pytest.approx(expected.contact_length, rel=2.0 / 20)
+    assert found.contact_length == pytest.approx(expected.contact_length, rel=2.0 / 16)
 
 
 def test_overspeed_explains_most_of_the_error_of_linear_theory():
