@@ -44,8 +44,8 @@ def material(
     data: Annotated[
         list[str],
         typer.Argument(
-            help="Text or CSV exports of a rheometer or DMA instrument; a file without temperatures as FILE@20C or "
-            "FILE@293.15K."
+            help="Text, CSV, Excel or JSON exports of a rheometer or DMA instrument; a file without temperatures as "
+            "FILE@20C or FILE@293.15K."
         ),
     ],
     reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in K.")] = None,

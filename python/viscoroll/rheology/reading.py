@@ -15,9 +15,10 @@ from .._support.arguments import Floats, as_float, as_int, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput, InvalidType, in_file
 from .._support.text import one_line, shown
+from .formats import read_text
 from .ramps import TemperatureRamp
 from .tables import AMPLITUDE, ONE_FREQUENCY, RAMP, SWEEP, Table, listed
-from .text import Names, closest_header, find_tables, read_text
+from .text import Names, closest_header, find_tables
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -146,7 +147,7 @@ def read_rheology(
     frequency: float | None = None,
     step: int | None = None,
 ) -> RheologyData:
-    """Read frequency sweeps, or temperature ramps, from a text or CSV export.
+    """Read frequency sweeps, or temperature ramps, from a text, CSV, Excel or JSON export.
 
     The reader accepts the names and units that TA's TRIOS ("LIMS" and "Plain Text"), Anton Paar's RheoCompass,
     Netzsch's Proteus, pyvisco and people write, in English, German, French and Japanese: separated by commas,
