@@ -49,10 +49,28 @@ UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
         "F": (5.0 / 9.0, _ZERO_FAHRENHEIT),
         "degF": (5.0 / 9.0, _ZERO_FAHRENHEIT),
     },
-    "strain": {"%": (0.01, 0.0), "1": (1.0, 0.0), "-": (1.0, 0.0)},
+    "strain": {"%": (0.01, 0.0), "1": (1.0, 0.0), "-": (1.0, 0.0), "mm/mm": (1.0, 0.0)},
     "angle": {"°": (np.pi / 180.0, 0.0), "deg": (np.pi / 180.0, 0.0), "rad": (1.0, 0.0), "mrad": (1e-3, 0.0)},
-    "time": {"s": (1.0, 0.0), "ms": (1e-3, 0.0), "min": (60.0, 0.0), "h": (3600.0, 0.0)},
-    "compliance": {"1/Pa": (1.0, 0.0), "1/kPa": (1e-3, 0.0), "1/MPa": (1e-6, 0.0), "1/GPa": (1e-9, 0.0)},
+    "time": {
+        "s": (1.0, 0.0),
+        "sec": (1.0, 0.0),
+        "ms": (1e-3, 0.0),
+        "min": (60.0, 0.0),
+        "h": (3600.0, 0.0),
+        "d": (86400.0, 0.0),
+    },
+    "compliance": {
+        "1/Pa": (1.0, 0.0),
+        "1/kPa": (1e-3, 0.0),
+        "1/MPa": (1e-6, 0.0),
+        "1/GPa": (1e-9, 0.0),
+        "Pa-1": (1.0, 0.0),
+        "kPa-1": (1e-3, 0.0),
+        "MPa-1": (1e-6, 0.0),
+        "GPa-1": (1e-9, 0.0),
+        "m2/N": (1.0, 0.0),
+        "mm2/N": (1e-6, 0.0),
+    },
     "viscosity": {"Pa s": (1.0, 0.0), "Pa.s": (1.0, 0.0), "mPa.s": (1e-3, 0.0), "mPa s": (1e-3, 0.0)},
     "ratio": {"": (1.0, 0.0), "-": (1.0, 0.0), "1": (1.0, 0.0)},
 }
@@ -178,19 +196,32 @@ _NAMES = {
     },
     "time": {"time", "step time", "test time", "zeit", "temps", "時間"},
     "stress": {"stress", "shear stress", "schubspannung", "spannung", "contrainte", "応力"},
-    "relaxation": {"relaxation modulus", "g(t)", "e(t)", "relaxationsmodul", "module de relaxation", "緩和弾性率"},
+    "relaxation": {
+        "relaxation modulus",
+        "stress relaxation modulus",
+        "g(t)",
+        "e(t)",
+        "relaxationsmodul",
+        "module de relaxation",
+        "緩和弾性率",
+    },
     "compliance": {
         "compliance",
         "creep compliance",
         "j(t)",
+        "d(t)",
         "nachgiebigkeit",
+        "kriechnachgiebigkeit",
         "complaisance",
+        "complaisance de fluage",
         "クリープコンプライアンス",
     },
     "viscosity": {"viscosity", "viskosität", "viscosité", "粘度"},
 }
-_TENSILE = re.compile(r"(e|tensile|young'?s?|extensional|flexural|bending|compression)\b|e['_\"]|e(stor|loss)")
-_SHEAR = re.compile(r"(g|shear)\b|g['_\"]|g(stor|loss)")
+_TENSILE = re.compile(
+    r"(e|d(?=\(t\))|tensile|young'?s?|extensional|flexural|bending|compression)\b|e['_\"]|e(stor|loss)"
+)
+_SHEAR = re.compile(r"(g|j(?=\(t\))|shear)\b|g['_\"]|g(stor|loss)")
 
 
 #: Typographic primes and apostrophes by code point, and a pair of single ones, with their plain replacements.
@@ -309,7 +340,7 @@ def _role(plain: str) -> str | None:
     if plain in _FREQUENCY | _ANGULAR:
         return "frequency"
     for role, known in _NAMES.items():
-        if plain in known or (role in ("storage", "loss") and bare in known):
+        if plain in known or (role in ("storage", "loss", "relaxation", "compliance") and bare in known):
             return role
     if re.fullmatch(r"[eg]('|_?stor(age)?|_?prime| prime)", plain):
         return "storage"
