@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -16,8 +17,9 @@ from .time_tests import TimeTest
 
 __all__ = ["Points", "Spectrum", "fit_points", "points_of", "predicted"]
 
-#: Iterations of the linearized creep compliance, and the change of the residuals at which they end [-].
-_MAX_ITERATIONS, _SETTLED = 50, 1e-6
+#: Iterations of the linearized creep compliance, their relative change of the sum of squares at which they end, and
+#: halvings of one step.
+_MAX_ITERATIONS, _SETTLED, _MAX_HALVINGS = 50, 1e-6, 12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,10 +64,15 @@ class Spectrum:
         return np.concatenate([[True], self.terms > 0.0])
 
     @property
+    def cost(self) -> float:
+        """Sum of the squares of the relative errors [-]."""
+        return float((self.residual**2).sum())
+
+    @property
     def scatter(self) -> float:
         """Root mean square of the relative errors per degree of freedom [-]."""
         free = max(1, self.residual.size - int(self.used.sum()))
-        return float(np.sqrt((self.residual**2).sum() / free))
+        return math.sqrt(self.cost / free)
 
 
 def points_of(tests: Sequence[Isotherm | TimeTest], indices: Sequence[int]) -> Points:
@@ -85,7 +92,7 @@ def points_of(tests: Sequence[Isotherm | TimeTest], indices: Sequence[int]) -> P
 
 
 def predicted(points: Points, frequency: Floats, times: Floats, relaxed: float, terms: Floats) -> tuple[Floats, Floats]:
-    """Return the moduli of all points at reduced frequencies [Pa], and their derivatives by the moduli of a spectrum."""
+    """Return the moduli of all points at reduced frequencies [Pa], and their derivatives by those of a spectrum."""
     moduli = np.concatenate([[relaxed], terms])
     rows = np.empty((frequency.size, moduli.size))
     expected = np.empty(frequency.size)
@@ -130,18 +137,42 @@ def fit_points(
         relaxed, terms = _solved(rows, points.modulus, floor)
     else:
         relaxed, terms = start
-    has_creep = bool((points.quantity == "creep").any())
-    before: Floats | None = None
+    found = _spectrum(points, frequency, times, relaxed, terms)
+    if not (points.quantity == "creep").any():
+        return found
     for _ in range(_MAX_ITERATIONS):
-        expected, rows = predicted(points, frequency, times, relaxed, terms)
-        residual = expected / points.modulus - 1.0
-        found = Spectrum(times, relaxed, terms, residual, rows / expected[:, None])
-        if before is not None and (not has_creep or np.abs(residual - before).max() < _SETTLED):
-            return found
-        before = residual
         # The derivatives times the moduli are the moduli of all points, so the linearization has no constant part.
+        rows = found.derivative * (points.modulus * (1.0 + found.residual))[:, None]
         relaxed, terms = _solved(rows, points.modulus, floor)
+        better = _line_search(points, frequency, found, relaxed, terms)
+        if better is None or better.cost > found.cost * (1.0 - _SETTLED):
+            return better or found
+        found = better
     raise ConvergenceError(f"the fit of a spectrum to creep did not converge in {_MAX_ITERATIONS} iterations")
+
+
+def _spectrum(points: Points, frequency: Floats, times: Floats, relaxed: float, terms: Floats) -> Spectrum:
+    expected, rows = predicted(points, frequency, times, relaxed, terms)
+    return Spectrum(times, relaxed, terms, expected / points.modulus - 1.0, rows / expected[:, None])
+
+
+def _line_search(points: Points, frequency: Floats, start: Spectrum, relaxed: float, terms: Floats) -> Spectrum | None:
+    """Return a better spectrum between one and the solution of its linearization, or None if there is none.
+
+    Fast terms before the first point over time are hardly determined, and full steps in them may be too large.
+    """
+    for halving in range(_MAX_HALVINGS):
+        part = 0.5**halving
+        found = _spectrum(
+            points,
+            frequency,
+            start.times,
+            (1.0 - part) * start.relaxed + part * relaxed,
+            (1.0 - part) * start.terms + part * terms,
+        )
+        if found.cost < start.cost:
+            return found
+    return None
 
 
 def _solved(rows: Floats, modulus: Floats, floor: float) -> tuple[float, Floats]:

@@ -351,9 +351,7 @@ def _temperatures_of(tests: Sequence[Test]) -> tuple[Floats, list[int]]:
 
 def _first_shifts(tests: Sequence[Test], indices: Sequence[int], count: int) -> Floats:
     """Return log₁₀ a_T relative to the coldest temperature, from the shifts between neighbors."""
-    curves = [
-        _static([test for test, index in zip(tests, indices, strict=True) if index == i]) for i in range(count)
-    ]
+    curves = [_static([test for test, index in zip(tests, indices, strict=True) if index == i]) for i in range(count)]
     return np.concatenate([[0.0], np.cumsum([curve_shift(cold, hot) for cold, hot in pairwise(curves)])])
 
 
