@@ -89,7 +89,8 @@ def _decoded(content: bytes) -> str:
         japanese = content.decode("cp932")
     except UnicodeDecodeError:
         japanese = ""
-    if any(role_of(parse_header(cell)[0]) and not cell.isascii() for cell in re.split(r"[\t;,\r\n]", japanese)):
+    names = (parse_header(cell)[0] for cell in re.split(r"[\t;,\r\n]", japanese))
+    if any(role_of(name) and not name.isascii() for name in names):
         return japanese
     return content.decode("cp1252", errors="replace")
 

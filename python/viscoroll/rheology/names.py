@@ -10,7 +10,7 @@ import numpy as np
 from .._support.celsius import ZERO_CELSIUS
 from .._support.text import one_line
 
-__all__ = ["Column", "header_column", "is_unit", "normalized", "parse_header", "role_of"]
+__all__ = ["Column", "header_column", "is_unit", "is_unit_of", "normalized", "parse_header", "role_of"]
 
 #: Decimal places [K] to which converted temperatures are rounded: only round-off is removed.
 PLACES = 9
@@ -272,9 +272,13 @@ class Column:
         """Whether the unit of a frequency is one of angular frequency."""
         return (self._unit() or "").startswith("rad")
 
+    @property
+    def _is_named_angular(self) -> bool:
+        return normalized(self.name.replace("_", " ")) in _ANGULAR
+
     def _unit(self) -> str | None:
         """Return the unit in the table of units, or None if it is missing or unknown."""
-        if normalized(self.name) in _ANGULAR and _plain_unit(self.unit) in _PER_SECOND:
+        if self._is_named_angular and _plain_unit(self.unit) in _PER_SECOND:
             return "rad/s"
         return _known_unit(_KIND[self.role], self.unit)
 
@@ -297,7 +301,7 @@ class Column:
                 f'pass columns={{"{self.role}": ("{name}", unit)}}, '
                 f"in the shell --columns {self.role}={name}:unit"
             )
-        if normalized(self.name) in _ANGULAR and unit.endswith("Hz"):
+        if self._is_named_angular and unit.endswith("Hz"):
             raise ValueError(
                 f"{path}: column {self.name!r} must be in 'rad/s' according to its name, got {self.unit!r}"
             )
@@ -331,8 +335,14 @@ def normalized(name: str) -> str:
 
 
 def role_of(name: str) -> str | None:
-    """Return the role of the column with a name, or None if the name is unknown."""
-    return _role(normalized(name)) or _role(normalized(name.replace("_", " ")))
+    """Return the role of the column with a name, or with a name and its symbol; None if the name is unknown."""
+    found = _role(normalized(name)) or _role(normalized(name.replace("_", " ")))
+    if found is None and " " in name.strip():
+        words, symbol = name.strip().rsplit(None, 1)
+        found = _role(normalized(words))
+        if found != _role(normalized(symbol)):
+            return None
+    return found
 
 
 def _role(plain: str) -> str | None:
@@ -364,8 +374,11 @@ def parse_header(cell: str) -> tuple[str, str]:
             return found[1].strip(), found[2].strip()
     for pattern in (r"(.+?)\s*/\s*(.+)", r"(.+?) in (\S+)", r"(.+?),\s*(.+)"):
         found = re.fullmatch(pattern, cell)
-        if found and is_unit(found[2]):
+        if found and (is_unit(found[2]) or (found[2].strip() in ("1", "-") and role_of(found[1]))):
             return found[1].strip(), found[2].strip()
+    found = re.fullmatch(r"(.+?)\s*/\s*(.+)", cell)
+    if found and role_of(found[1]) and not role_of(cell) and not role_of(found[2]):  # a unit that is unknown
+        return found[1].strip(), found[2].strip()
     found = re.fullmatch(r"(.+)_([^_]+)", cell)
     if found and found[2].lower() in _LOWER_UNITS and role_of(found[1]):
         return found[1], found[2]
@@ -395,6 +408,11 @@ def is_unit(text: str) -> bool:
     return plain == "%" or (
         plain not in ("1", "-", "") and (plain in _PER_SECOND or any(_known_unit(kind, plain) for kind in kinds))
     )
+
+
+def is_unit_of(kind: str, text: str) -> bool:
+    """Return whether a text is a unit of a kind of quantity."""
+    return _known_unit(kind, text) is not None
 
 
 def _plain_unit(text: str) -> str:

@@ -28,6 +28,10 @@ _HELD_WITHIN = 0.02
 #: Kinds of tests.
 SWEEP, RAMP, AMPLITUDE = "frequency sweep", "temperature ramp", "amplitude sweep"
 CREEP, RELAXATION, FLOW, OTHER = "creep", "stress relaxation", "flow", "unknown test"
+AT_REST = "test at one frequency and temperature"
+
+#: Largest number of points of a frequency sweep in which all frequencies are equal. More are another test.
+_POINTS_OF_ONE_FREQUENCY = 2
 
 #: Varied column of each kind of test, and the other columns that are read.
 _COLUMNS = {
@@ -108,7 +112,9 @@ class Table:
             return AMPLITUDE
         if "frequency" not in have and self.held_frequency is None:
             return RAMP if "temperature" in have else AMPLITUDE if "strain" in have else OTHER
-        return RAMP if is_heated else SWEEP
+        if is_heated:
+            return RAMP
+        return AT_REST if "frequency" in have and len(self.rows) > _POINTS_OF_ONE_FREQUENCY else SWEEP
 
     def needed(self, kind: str) -> list[str]:
         """Return the roles of the columns in which a row of a test must have numbers."""

@@ -15,7 +15,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from .._support.text import finite_number
-from .names import Column, header_column, is_unit, normalized, parse_header
+from .names import Column, header_column, is_unit, is_unit_of, normalized, parse_header
 from .tables import Table, data_sets
 
 __all__ = ["closest_header", "find_tables"]
@@ -195,15 +195,15 @@ def _add_units(table: Table, cells: list[str], names: Names) -> None:
         unit = cells[column.index].strip("[]") if column.index < len(cells) else ""
         given = names[column.role][1] if column.role in names else None
         role = column.role
-        if role == "temperature" and unit.lower() in ("s", "min", "h"):
-            role = "time"  # the column "t"
+        if role == "temperature" and normalized(column.name) == "t" and is_unit_of("time", unit):
+            role = "time"
         return Column(column.index, column.name, given or column.unit or unit, role, column.frequency)
 
-    columns = [with_unit(column) for column in table.columns.values()]
-    table.columns = {}
+    columns = [with_unit(column) for column in [*table.columns.values(), *table.repeated]]
+    table.columns, table.repeated = {}, []
     for column in columns:
-        table.columns.setdefault(column.role, column)
-    table.repeated = [with_unit(column) for column in table.repeated]
+        if table.columns.setdefault(column.role, column) is not column:
+            table.repeated.append(column)
 
 
 def _add_row(table: Table, cells: list[str], separator: str) -> bool:
