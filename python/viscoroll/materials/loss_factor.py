@@ -11,6 +11,7 @@ import numpy as np
 from .. import _core
 from .._support.errors import InvalidInput
 from .moduli import Prony, ShearModulus
+from .shear_modulus import KnownTimes
 
 __all__ = ["LossFactor"]
 
@@ -86,6 +87,11 @@ class LossFactor(ShearModulus):
             weights=tuple(weights / (relaxed + weights.sum())),
             relaxation_times=tuple(times / self.reference_frequency),
         )
+
+    def _known_times(self) -> KnownTimes:
+        longest = 10.0**self.decades / self.reference_frequency
+        rest = float(self.complex_modulus(0.0).real)
+        return KnownTimes(longest, "the loss factor is defined", (rest, self.modulus))
 
     def _to_core(self) -> _core.ShearModulus:
         return self.prony()._to_core()

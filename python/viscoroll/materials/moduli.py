@@ -17,7 +17,7 @@ from .. import _core
 from .._support.arguments import as_float
 from .._support.errors import InvalidInput, InvalidType
 from .._support.text import shown, snake_case
-from .shear_modulus import Relaxation, ShearModulus
+from .shear_modulus import KnownTimes, Relaxation, ShearModulus
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -326,6 +326,9 @@ class MasterCurve(ShearModulus):
     loss: Sequence[float] | NDArray[np.float64]
     extrapolation: _core.Extrapolation = _core.Extrapolation.ERROR
     _units: ClassVar = {"frequency": (0, -1), "storage": (1, 0), "loss": (1, 0)}
+
+    def _known_times(self) -> KnownTimes:
+        return KnownTimes(1.0 / min(w for w in self.frequency if w > 0.0), "the table is measured")
 
 
 #: Moduli of the C++ core, by the names of their types in case files.

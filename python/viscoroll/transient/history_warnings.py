@@ -10,7 +10,7 @@ import numpy as np
 from .._support.arguments import Floats
 from ..bodies import Counterbody, RollingBody
 from ..bodies.layered import materials_of
-from ..materials import LossFactor, MasterCurve
+from ..materials.shear_modulus import known_times_of
 
 __all__ = ["rest_warnings", "strain_warnings", "time_warnings"]
 
@@ -33,24 +33,15 @@ def _materials(body: RollingBody, on: Counterbody | None) -> Iterator[tuple[str,
             yield f"{name}.{place}.shear_modulus", material.shear_modulus
 
 
-def _longest_time(modulus: object) -> tuple[float, str] | None:
-    """Return the longest time for which a modulus is defined [s], and the reason; None if there is no limit."""
-    if isinstance(modulus, LossFactor):
-        return 10.0**modulus.decades / modulus.reference_frequency, "the loss factor is defined"
-    if isinstance(modulus, MasterCurve):
-        return 1.0 / min(w for w in modulus.frequency if w > 0.0), "the table is measured"
-    return None
-
-
 def time_warnings(body: RollingBody, on: Counterbody | None, *, duration: float) -> list[str]:
     """Return a warning for each material that is not defined for times as long as the motion [s]."""
     messages = []
     for name, modulus in _materials(body, on):
-        limit = _longest_time(modulus)
-        if limit is not None and duration > limit[0]:
+        known = known_times_of(modulus)
+        if known is not None and duration > known.longest:
             messages.append(
-                f"the motion lasts {duration:.3g} s, but {limit[1]} up to {limit[0]:.3g} s only ({name}): creep and "
-                "recovery beyond are an extrapolation; use a creep or relaxation test (rheology.fit_spectrum)"
+                f"the motion lasts {duration:.3g} s, but {known.meaning} up to {known.longest:.3g} s only ({name}): "
+                "creep and recovery beyond are an extrapolation; use a creep or relaxation test (rheology.fit_spectrum)"
             )
     return messages
 
@@ -59,16 +50,16 @@ def rest_warnings(body: RollingBody, on: Counterbody | None) -> list[str]:
     """Return a warning for each material whose state after an infinite rest is an extrapolation."""
     messages = []
     for name, modulus in _materials(body, on):
-        if isinstance(modulus, LossFactor):
-            series = modulus.prony()
-            relaxed = series.instantaneous_modulus * (1.0 - math.fsum(np.asarray(series.weights).tolist()))
-            if relaxed < (1.0 - _WORTH_MENTION) * modulus.modulus:
-                messages.append(
-                    f"start = 'relaxed' is a rest of infinite time, but a loss factor is defined up to "
-                    f"{10.0**modulus.decades / modulus.reference_frequency:.3g} s only ({name}): its modulus at rest, "
-                    f"{relaxed:.3g} Pa in place of {modulus.modulus:.3g} Pa, is an extrapolation; use a creep or "
-                    "relaxation test (rheology.fit_spectrum), or start = 'undeformed'"
-                )
+        known = known_times_of(modulus)
+        if known is None or known.extrapolated_rest is None:
+            continue
+        relaxed, given = known.extrapolated_rest
+        if relaxed < (1.0 - _WORTH_MENTION) * given:
+            messages.append(
+                f"start = 'relaxed' is a rest of infinite time, but {known.meaning} up to {known.longest:.3g} s only "
+                f"({name}): its modulus at rest, {relaxed:.3g} Pa in place of {given:.3g} Pa, is an extrapolation; use "
+                "a creep or relaxation test (rheology.fit_spectrum), or start = 'undeformed'"
+            )
     return messages
 
 
