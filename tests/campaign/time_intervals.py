@@ -14,7 +14,7 @@ import sys
 
 import numpy as np
 import viscoroll as vr
-from viscoroll._support.intervals import half_width
+from viscoroll._support.intervals import interval_half_width
 from viscoroll.rheology import Isotherm, TimeTest, fit_spectrum
 
 #: Least and largest coverage of intervals of 95 %: 100 data sets give the share to 2 %.
@@ -110,7 +110,7 @@ def run(seed, noise, kind, draws):
     drawn = fit.draws(draws, seed=seed)
     moduli = np.array([one.series.complex_modulus(PROBES) for one in drawn])
     found, true = fit.series.complex_modulus(PROBES), true_modulus().complex_modulus(PROBES)
-    half = [half_width(part, 0.95) for part in (moduli.real, moduli.imag)]
+    half = [interval_half_width(part, 0.95) for part in (moduli.real, moduli.imag)]
     inside = [np.abs(found.real - true.real) <= half[0], np.abs(found.imag - true.imag) <= half[1]]
     return np.array(inside), torque_interval(drawn)
 

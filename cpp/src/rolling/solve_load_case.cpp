@@ -56,23 +56,19 @@ ContactSolution start_of(const FrozenContact& state, const SurfaceWindow& nodes,
 
 }  // namespace
 
-Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
+Result solve_load_case(const MeshModel& model, const RollingCase& given,
                        const std::optional<ContactReach>& coarse_contact) {
-  require_formulation(model, options);
-  require_supported(model, load_case);
-  const ContactSetup setup = assemble(model, load_case, options, watch);
-  require_relaxed_stiffness(setup);
+  require_supported(model, given);
+  const ContactSetup setup = assemble(model, given);
   return make_result(setup, find_contact_in_window(setup, coarse_contact));
 }
 
-Result solve_frozen_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
-                         const FrozenContact& state) {
-  require_formulation(model, options);
-  require_supported(model, load_case);
-  const ContactSetup setup = assemble(model, load_case, options, watch);
+Result solve_frozen_case(const MeshModel& model, const RollingCase& given, const FrozenContact& state) {
+  require_supported(model, given);
+  const ContactSetup setup = assemble(model, given);
   const SurfaceWindow nodes(setup.nodes.grid, window_of(state, setup.nodes.widest));
   const ContactProblem problem = setup.problem(nodes);
-  ContactSolution contact = solve_frozen_contact(problem, start_of(state, nodes, model.centrifugal), setup.limits);
+  ContactSolution contact = solve_frozen_contact(problem, start_of(state, nodes, given.pair.centrifugal), setup.limits);
   find_displacements(*problem.surface, contact);
   const Losses losses = problem.surface->dissipation(contact.force);
   return make_result(setup, {.nodes = nodes, .problem = problem, .contact = std::move(contact), .losses = losses});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/validate.hpp"
 #include "rolling/result.hpp"
@@ -49,10 +50,24 @@ std::string pressure_peak_text(const Result& result, double good) {
          "relaxes; torque and penetration do not depend on the peak";
 }
 
+/// Warnings about both bodies, each kind once.
+std::vector<Warning> warnings_of_bodies(const RollingPair& pair, const ContactReach& reach) {
+  const auto& [body, on] = pair;
+  std::vector<Warning> warnings = body->warnings(reach, !on->is_rigid());
+  for (Warning& warning : on->warnings(reach, !body->is_rigid())) {
+    if (std::ranges::find(warnings, warning.kind, &Warning::kind) == warnings.end()) {
+      warnings.push_back(std::move(warning));
+    }
+  }
+  return warnings;
+}
+
 }  // namespace
 
-std::vector<Warning> warnings_of(const Result& result, const Options& options, bool mesh_given) {
-  std::vector<Warning> warnings = result.warnings;  // those of the bodies
+std::vector<Warning> warnings_of(const Result& result, const RollingCase& given, bool mesh_given) {
+  const Options& options = given.options;
+  std::vector<Warning> warnings =
+      warnings_of_bodies(given.pair, reach_of_patches(result, nodes_of(given.pair, result.mesh).grid));
   if (result.status == Status::max_iterations) {
     warnings.push_back(
         {WarningKind::max_iterations,

@@ -1,13 +1,13 @@
 """Shear moduli of viscoelastic materials, strain-dependent filler networks and time-temperature shifts."""
 
 from .draws import Draws
-from .loss_factor import LossFactor
 from .moduli import (
     CreepCompliance,
     Elastic,
     FractionalZener,
     HavriliakNegami,
     KelvinVoigt,
+    LossFactor,
     MasterCurve,
     Prony,
     ShearModulus,

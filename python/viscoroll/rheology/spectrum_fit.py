@@ -16,7 +16,7 @@ from .._support.arguments import Floats, as_float, as_float_array, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput, InvalidType
 from .._support.extras import extra
-from .._support.intervals import as_confidence, half_width
+from .._support.intervals import as_confidence, interval_half_width
 from .._support.text import shown
 from ..materials import Draws, MasterCurve, Prony
 from ..materials.shift import Shift, shift_factor
@@ -208,7 +208,7 @@ class SpectrumFit:
         omega = np.atleast_1d(as_float_array("angular_frequency", angular_frequency))
         level = as_confidence(confidence)
         drawn = np.array([one.series.complex_modulus(omega) for one in self.draws(count, seed=seed)])
-        half = half_width(drawn.real, level) + 1j * half_width(drawn.imag, level)
+        half = interval_half_width(drawn.real, level) + 1j * interval_half_width(drawn.imag, level)
         middle = self.series.complex_modulus(omega)
         return middle - half, middle + half
 
