@@ -58,9 +58,11 @@ def save_material(
         If the suffix is not .toml, or if draws are given without a fit.
     """
     path = ending_in([".toml"], path)
-    is_fitted = isinstance(curve, Superposition | SpectrumFit)
-    table = curve.curve if is_fitted else _table_of(curve)
-    reference = curve.reference if is_fitted else curve.temperature
+    shifted = curve if isinstance(curve, Superposition | SpectrumFit) else None
+    if isinstance(curve, Superposition | SpectrumFit):
+        table, reference = curve.curve, curve.reference
+    else:
+        table, reference = _table_of(curve), curve.temperature
     lines = ["# Measured shear moduli, written by viscoroll. Frequencies in rad/s, moduli in Pa, temperatures in K."]
     if isinstance(curve, Superposition):
         lines.append(f"source = {_quoted(curve.data.source)}")
@@ -74,8 +76,8 @@ def save_material(
         if fit is None:
             raise InvalidInput("fit", "must be given with draws, which are Prony series")
         lines += ["", "[draws]", *_rows_of_draws(draws)]
-    if is_fitted and curve.factors is not None:
-        lines += ["", f"# {curve.law}", "[shift]", *_columns(curve.factors, ("temperature", "log10_factor"))]
+    if shifted is not None and shifted.factors is not None:
+        lines += ["", f"# {shifted.law}", "[shift]", *_columns(shifted.factors, ("temperature", "log10_factor"))]
     write_text("\n".join(lines) + "\n", path)
 
 

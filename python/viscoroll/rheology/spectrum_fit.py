@@ -261,7 +261,7 @@ def fit_spectrum(
     Raises
     ------
     TypeError
-        If `data` are none of these types.
+        If `data` contain an object of another type.
     ValueError
         If there are no data, a temperature is missing, or the reference is outside the temperatures.
     ConvergenceError
