@@ -15,7 +15,7 @@ import numpy as np
 from .. import _core
 from .._support.errors import InvalidInput
 from .._support.text import snake_case
-from .shear_modulus import Relaxation, ShearModulus
+from .shear_modulus import KnownTimes, Relaxation, ShearModulus
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -227,6 +227,11 @@ class LossFactor(_EqualsProny):
     decades: float = 3.0
     _units: ClassVar = {"modulus": (1, 0), "reference_frequency": (0, -1)}
 
+    def _known_times(self) -> KnownTimes:
+        longest = 10.0**self.decades / self.reference_frequency
+        rest = float(self.complex_modulus(0.0).real)
+        return KnownTimes(longest, "the loss factor is defined", (rest, self.modulus))
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class KelvinVoigt(ShearModulus):
@@ -361,6 +366,9 @@ class MasterCurve(ShearModulus):
     loss: Sequence[float] | NDArray[np.float64]
     extrapolation: _core.Extrapolation = _core.Extrapolation.ERROR
     _units: ClassVar = {"frequency": (0, -1), "storage": (1, 0), "loss": (1, 0)}
+
+    def _known_times(self) -> KnownTimes:
+        return KnownTimes(1.0 / min(w for w in self.frequency if w > 0.0), "the table is measured")
 
 
 #: Moduli of the C++ core, by the names of their types in case files.
