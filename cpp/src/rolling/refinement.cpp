@@ -13,6 +13,7 @@
 #include "base/validate.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
+#include "rolling/finite_strain.hpp"
 #include "rolling/input_checks.hpp"
 #include "rolling/result.hpp"
 #include "rolling/solve_load_case.hpp"
@@ -138,6 +139,8 @@ class Refiner {
       best_->status = Status::accuracy_not_reached;
     }
     best_->refinements = std::move(refinements_);
+    FasterModel faster;
+    add_finite_strain(*best_, std::move(rough_), pair_, load_case_, options_, watch_, faster);
     return *std::move(best_);
   }
 
@@ -165,7 +168,9 @@ class Refiner {
           make_model(pair_, load_case_.angular_speed, mesh_, options_.curvature,
                      {.threads = options_.threads, .watch = watch_}, kInertiaShare * options_.accuracy);
       const auto seen = best_ ? std::optional(contact_reach(*best_)) : std::nullopt;
-      note(solve_load_case(model, load_case_, options_, watch_, seen));
+      Options options = options_;
+      options.finite_strain = options_.finite_strain && (!rough_ || pair_.body->form().is_line());
+      note(solve_load_case(model, load_case_, options, watch_, seen));
     } catch (const MeshTooFine&) {
       failure_ = std::current_exception();
       return !best_ && go_on_with(mesh_.nodes_per_revolution / 4.0);
@@ -257,6 +262,7 @@ class Refiner {
     if (has_ended_ && best_ && is_settled(*best_)) return;
     refinements_.push_back(step);
     answers_ = std::move(found);
+    if (result.overspeed && result.status == Status::converged) rough_ = result;
     best_ = std::move(result);
   }
 
@@ -269,6 +275,7 @@ class Refiner {
   bool has_ended_ = false;
   int ineffective_meshes_ = 0;  // meshes that hardly reduced the error of the largest pressure
   std::optional<Result> best_;  // on the finest mesh that was solved
+  std::optional<Result> rough_;  // on a mesh that suffices for the correction at finite strain
   std::vector<Answer> answers_;
   std::vector<Refinement> refinements_;
   std::exception_ptr failure_;

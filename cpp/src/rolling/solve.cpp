@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "base/validate.hpp"
 #include "rolling/drives.hpp"
+#include "rolling/finite_strain.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/refinement.hpp"
 #include "rolling/rolling_pair.hpp"
@@ -29,9 +30,26 @@ void validate(const LoadCase& load_case, const detail::RoundBody& body) {
   } else {
     detail::reject("load", "given, or penetration instead of it", "neither");
   }
-  detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
+  if (load_case.speed) {
+    detail::require_positive("speed", *load_case.speed, "m/s");
+    if (load_case.angular_speed != 0.0) {
+      detail::reject("speed", "left out if the angular speed is given", detail::text(*load_case.speed) + " m/s");
+    }
+    if (load_case.friction != 0.0) {
+      detail::reject("speed", "left out with friction, which determines it", detail::text(*load_case.speed) + " m/s");
+    }
+  } else {
+    detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
+  }
   detail::require_friction(load_case.friction);
   detail::validate_drive(load_case, body);
+}
+
+/// Check a load case and express its speed as the angular speed of linear theory.
+LoadCase checked(LoadCase load_case, const detail::RoundBody& body) {
+  validate(load_case, body);
+  if (load_case.speed) load_case.angular_speed = *load_case.speed / body.radius();
+  return load_case;
 }
 
 void validate(const Options& options) {
@@ -48,15 +66,23 @@ Result with_warnings(Result result, const Options& options, bool mesh_given) {
   return result;
 }
 
+/// Solve a load case on a given mesh, with the results at finite strain.
+Result solve_on(const detail::MeshModel& model, const LoadCase& load_case, const Options& options,
+                detail::Watch& watch, detail::FasterModel& faster) {
+  Result result = detail::solve_load_case(model, load_case, options, watch);
+  detail::add_finite_strain(result, std::nullopt, model.pair, load_case, options, watch, faster);
+  return result;
+}
+
 }  // namespace
 
 Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options) {
   return solve(body, CoatedPlane{}, load_case, options);
 }
 
-Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& load_case, const Options& options) {
+Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& given, const Options& options) {
   const detail::RollingPair pair = detail::rolling_pair(body, on);
-  validate(load_case, *pair.body);
+  const LoadCase load_case = checked(given, *pair.body);
   validate(options);
   detail::Watch watch(options.observer);
   if (!options.mesh) {
@@ -64,13 +90,14 @@ Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& loa
   }
   const detail::MeshModel model =
       detail::make_model(pair, load_case.angular_speed, *options.mesh, options.curvature, {options.threads, watch});
-  return with_warnings(detail::solve_load_case(model, load_case, options, watch), options, true);
+  detail::FasterModel faster;
+  return with_warnings(solve_on(model, load_case, options, watch, faster), options, true);
 }
 
-Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
+Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCase& given,
                     const FrozenContact& state, const Options& options) {
   const detail::RollingPair pair = detail::rolling_pair(body, on);
-  validate(load_case, *pair.body);
+  const LoadCase load_case = checked(given, *pair.body);
   validate(options);
   if (!options.mesh) detail::reject("mesh", "the mesh of the state", "none");
   detail::Watch watch(options.observer);
@@ -81,6 +108,7 @@ Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCa
 
 struct RollingModel::Impl {
   detail::MeshModel model;
+  detail::FasterModel faster;
 };
 
 RollingModel::RollingModel(const RollingBody& body, double angular_speed, const Mesh& mesh, int threads,
@@ -94,15 +122,15 @@ RollingModel::RollingModel(const RollingBody& body, const Counterbody& on, doubl
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::require_thread_count(threads);
   detail::Watch watch(observer);
-  impl_ = std::make_unique<Impl>(Impl{detail::make_model(pair, angular_speed, mesh, curvature, {threads, watch})});
+  impl_ = std::make_unique<Impl>(detail::make_model(pair, angular_speed, mesh, curvature, {threads, watch}));
 }
 
 RollingModel::~RollingModel() = default;
 RollingModel::RollingModel(RollingModel&&) noexcept = default;
 RollingModel& RollingModel::operator=(RollingModel&&) noexcept = default;
 
-Result RollingModel::solve(const LoadCase& load_case, const Options& options) const {
-  validate(load_case, *impl_->model.pair.body);
+Result RollingModel::solve(const LoadCase& given, const Options& options) const {
+  const LoadCase load_case = checked(given, *impl_->model.pair.body);
   validate(options);
   const double speed = impl_->model.angular_speed;
   if (load_case.angular_speed != speed) {
@@ -113,7 +141,7 @@ Result RollingModel::solve(const LoadCase& load_case, const Options& options) co
     detail::reject("mesh", "left out or equal to the mesh of the model", "another mesh");
   }
   detail::Watch watch(options.observer);
-  return with_warnings(detail::solve_load_case(impl_->model, load_case, options, watch), options, true);
+  return with_warnings(solve_on(impl_->model, load_case, options, watch, impl_->faster), options, true);
 }
 
 }  // namespace viscoroll

@@ -26,7 +26,8 @@ def solve(
     on: Counterbody | None = None,
     load: float | None = None,
     penetration: float | None = None,
-    angular_speed: float,
+    angular_speed: float | None = None,
+    speed: float | None = None,
     mesh: Mesh | None = None,
     accuracy: float | None = None,
     friction: float = 0.0,
@@ -35,6 +36,7 @@ def solve(
     curvature: Curvature | str = Curvature.SPHERE,
     patch_load: PatchLoad | str = PatchLoad.FLAT,
     slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
+    finite_strain: bool = True,
     max_iterations: int = 2000,
     threads: int = 0,
     progress: ProgressLike = None,
@@ -63,7 +65,11 @@ def solve(
         undetermined and cannot be given. It does not contain thermal expansion: use the radius of the warm body.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the angular speed relative to
-        the line of centers.
+        the line of centers. Exactly one of `angular_speed` and `speed` must be given.
+    speed : float, optional
+        Speed V of the ground or belt [m/s], > 0, without friction. The contact is solved at the angular speed V / r_o,
+        which is `Result.angular_speed`; because the surface is stretched in the contact, the body turns more slowly, at
+        `Result.finite_strain_angular_speed`.
     mesh : Mesh, optional
         Surface mesh. By default the solver refines the mesh until the error estimate is below `accuracy`.
     accuracy : float, default 0.01
@@ -90,6 +96,9 @@ def solve(
     slip_kinematics : SlipKinematics or str, default SlipKinematics.EXACT
         Distance that material travels between nodes, with friction: that on the undeformed body (EXACT), or the last
         form of the paper's (55a) (FLAT), which has no Heathcote slip and serves only for comparison.
+    finite_strain : bool, default True
+        Whether to compute `Result.finite_strain_torque` and the other results at finite strain. Unless `speed` is
+        given, they need a second solution, at a speed that is higher by `Result.overspeed`.
     max_iterations : int, default 2000
         Largest number of linear systems solved on a mesh, ≥ 1.
     threads : int, default 0
@@ -142,10 +151,9 @@ def solve(
     curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
-    speed = as_float("angular_speed", angular_speed)
-    load_case = _core_load_case(load, penetration, speed, friction, drive)
-    options = _core_options(compliance, patch_load, slip_kinematics, max_iterations, threads)
-    with reporting(progress) as report, si_hints(body, on, angular_speed=speed):
+    load_case = _core_load_case(load, penetration, angular_speed, speed, friction, drive)
+    options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
+    with reporting(progress) as report, si_hints(body, on, angular_speed=load_case.angular_speed):
         solution = _core.solve(
             body._to_core(),
             core_counterbody(on),
@@ -247,27 +255,34 @@ class RollingModel:
         compliance: Compliance | str = Compliance.RADIAL,
         patch_load: PatchLoad | str = PatchLoad.FLAT,
         slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
+        finite_strain: bool = True,
         max_iterations: int = 2000,
         threads: int = 0,
         progress: ProgressLike = None,
     ) -> Result:
         """Solve one load case; parameters, result and errors are the same as in `viscoroll.solve`."""
-        load_case = _core_load_case(load, penetration, self.angular_speed, friction, drive)
-        options = _core_options(compliance, patch_load, slip_kinematics, max_iterations, threads)
+        load_case = _core_load_case(load, penetration, self.angular_speed, None, friction, drive)
+        options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
         with reporting(progress) as report, si_hints(self.body, self.on, angular_speed=self.angular_speed):
             solution = self._core.solve(load_case, progress=report, **options)
         return _result(solution, self.body, self.on, load_case, drive, self.curvature, options)
 
 
 def _core_load_case(
-    load: float | None, penetration: float | None, angular_speed: float, friction: float, drive: Drive
+    load: float | None,
+    penetration: float | None,
+    angular_speed: float | None,
+    speed: float | None,
+    friction: float,
+    drive: Drive,
 ) -> _core.LoadCase:
     """Convert a load case to the type of the core."""
     require_type("drive", drive, Drive)
     return _core.LoadCase(
         load=None if load is None else as_float("load", load),
         penetration=None if penetration is None else as_float("penetration", penetration),
-        angular_speed=angular_speed,
+        angular_speed=0.0 if angular_speed is None else as_float("angular_speed", angular_speed),
+        speed=None if speed is None else as_float("speed", speed),
         friction=as_float("friction", friction),
         drive=drive._to_core(),
     )
@@ -277,6 +292,7 @@ def _core_options(
     compliance: Compliance | str,
     patch_load: PatchLoad | str,
     slip_kinematics: SlipKinematics | str,
+    finite_strain: bool,
     max_iterations: int,
     threads: int,
 ) -> dict[str, Any]:
@@ -285,6 +301,7 @@ def _core_options(
         "compliance": as_member("compliance", compliance, Compliance),
         "patch_load": as_member("patch_load", patch_load, PatchLoad),
         "slip_kinematics": as_member("slip_kinematics", slip_kinematics, SlipKinematics),
+        "finite_strain": finite_strain,
         "max_iterations": as_int("max_iterations", max_iterations),
         "threads": as_int("threads", threads),
     }
