@@ -118,7 +118,7 @@ void bind_solve(py::module_& m) {
                        std::optional<double> speed, double friction, Drive drive) {
              return LoadCase{load, penetration, angular_speed, speed, friction, drive};
            }),
-           py::kw_only(), py::arg("load"), py::arg("penetration"), py::arg("angular_speed"), py::arg("speed"),
+           py::kw_only(), py::arg("load"), py::arg("penetration"), py::arg("angular_speed"), py::arg("speed") = py::none(),
            py::arg("friction"), py::arg("drive"))
       .def_readonly("load", &LoadCase::load)
       .def_readonly("angular_speed", &LoadCase::angular_speed)

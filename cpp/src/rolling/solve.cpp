@@ -1,6 +1,7 @@
 // Public interface of the library: checks the input once and calls the solver.
 #include "viscoroll/solve.hpp"
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -130,9 +131,13 @@ RollingModel::RollingModel(RollingModel&&) noexcept = default;
 RollingModel& RollingModel::operator=(RollingModel&&) noexcept = default;
 
 Result RollingModel::solve(const LoadCase& given, const Options& options) const {
-  const LoadCase load_case = checked(given, *impl_->model.pair.body);
+  LoadCase load_case = checked(given, *impl_->model.pair.body);
   validate(options);
   const double speed = impl_->model.angular_speed;
+  constexpr double kRoundOff = 1e-12;  // of V / r_o
+  if (load_case.speed && std::abs(load_case.angular_speed - speed) < kRoundOff * speed) {
+    load_case.angular_speed = speed;
+  }
   if (load_case.angular_speed != speed) {
     detail::reject("angular_speed", "the speed of the model, " + detail::text(speed) + " rad/s",
                    detail::text(load_case.angular_speed) + " rad/s");

@@ -152,8 +152,9 @@ def solve(
     if mesh is not None and accuracy is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
     load_case = _core_load_case(load, penetration, angular_speed, speed, friction, drive)
+    solved_speed = _solved_speed(body, angular_speed, speed)
     options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
-    with reporting(progress) as report, si_hints(body, on, angular_speed=load_case.angular_speed):
+    with reporting(progress) as report, si_hints(body, on, angular_speed=solved_speed):
         solution = _core.solve(
             body._to_core(),
             core_counterbody(on),
@@ -164,7 +165,7 @@ def solve(
             progress=report,
             **options,
         )
-    return _result(solution, body, on, load_case, drive, curvature, options)
+    return _result(solution, body, on, load_case, solved_speed, drive, curvature, options)
 
 
 class RollingModel:
@@ -179,8 +180,10 @@ class RollingModel:
         Rolling body: rigid core and layers.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         Counterbody, same as in `solve`.
-    angular_speed : float
-        Ω [rad/s], > 0 and below `critical_speed(body)`.
+    angular_speed : float, optional
+        Ω [rad/s], > 0 and below `critical_speed(body)`. Exactly one of `angular_speed` and `speed` must be given.
+    speed : float, optional
+        Speed V of the ground or belt [m/s], same as in `solve`.
     mesh : Mesh
         Surface mesh.
     curvature : Curvature or str, default Curvature.SPHERE
@@ -208,7 +211,8 @@ class RollingModel:
         body: RollingBody,
         *,
         on: Counterbody | None = None,
-        angular_speed: float,
+        angular_speed: float | None = None,
+        speed: float | None = None,
         mesh: Mesh,
         curvature: Curvature | str = Curvature.SPHERE,
         threads: int = 0,
@@ -219,7 +223,8 @@ class RollingModel:
         curvature = as_member("curvature", curvature, Curvature)
         self.body = body
         self.on = on
-        self.angular_speed = as_float("angular_speed", angular_speed)
+        self.angular_speed = _solved_speed(body, angular_speed, speed)
+        self.speed = speed
         self.mesh = mesh
         self.curvature = curvature
         with reporting(progress) as report, si_hints(body, on, angular_speed=self.angular_speed):
@@ -235,14 +240,18 @@ class RollingModel:
 
     def __repr__(self) -> str:
         """Return the arguments of the constructor."""
+        name = self._given_speed()
         return (
-            f"RollingModel({self.body!r}, on={self.on!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r}, "
+            f"RollingModel({self.body!r}, on={self.on!r}, {name}={getattr(self, name)!r}, mesh={self.mesh!r}, "
             f"curvature=Curvature.{self.curvature.name})"
         )
 
+    def _given_speed(self) -> str:
+        return "angular_speed" if self.speed is None else "speed"
+
     def __reduce__(self) -> tuple[partial[RollingModel], tuple[RollingBody]]:
         """Pickle the arguments; the copy computes the tables again."""
-        given = {name: getattr(self, name) for name in ("on", "angular_speed", "mesh", "curvature")}
+        given = {name: getattr(self, name) for name in ("on", self._given_speed(), "mesh", "curvature")}
         return partial(type(self), **given), (self.body,)
 
     def solve(
@@ -261,11 +270,24 @@ class RollingModel:
         progress: ProgressLike = None,
     ) -> Result:
         """Solve one load case; parameters, result and errors are the same as in `viscoroll.solve`."""
-        load_case = _core_load_case(load, penetration, self.angular_speed, None, friction, drive)
+        load_case = _core_load_case(
+            load, penetration, self.angular_speed if self.speed is None else None, self.speed, friction, drive
+        )
         options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
         with reporting(progress) as report, si_hints(self.body, self.on, angular_speed=self.angular_speed):
             solution = self._core.solve(load_case, progress=report, **options)
-        return _result(solution, self.body, self.on, load_case, drive, self.curvature, options)
+        return _result(
+            solution, self.body, self.on, load_case, self.angular_speed, drive, self.curvature, options
+        )
+
+
+def _solved_speed(body: RollingBody, angular_speed: float | None, speed: float | None) -> float:
+    """Return the angular speed at which linear theory is solved."""
+    if angular_speed is None and speed is None:
+        raise InvalidInput("angular_speed", "must be given, or speed instead of it", "neither")
+    if angular_speed is not None:
+        return as_float("angular_speed", angular_speed)
+    return as_float("speed", speed) / body.outer_radius
 
 
 def _core_load_case(
@@ -297,6 +319,7 @@ def _core_options(
     threads: int,
 ) -> dict[str, Any]:
     """Convert options of all load cases to the types of the core."""
+    require_type("finite_strain", finite_strain, bool)
     return {
         "compliance": as_member("compliance", compliance, Compliance),
         "patch_load": as_member("patch_load", patch_load, PatchLoad),
@@ -312,6 +335,7 @@ def _result(
     body: RollingBody,
     on: Counterbody | None,
     load_case: _core.LoadCase,
+    angular_speed: float,
     drive: Drive,
     curvature: Curvature | str,
     options: dict[str, Any],
@@ -322,7 +346,7 @@ def _result(
         body=body,
         on=on,
         prescribed="penetration" if load_case.load is None else "load",
-        angular_speed=load_case.angular_speed,
+        angular_speed=angular_speed,
         friction=load_case.friction,
         drive=drive,
         curvature=curvature,
