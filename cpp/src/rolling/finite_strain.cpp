@@ -22,10 +22,6 @@ using Eigen::Index;
 /// 600 nodes.
 double nodes_along(const RollingPair& pair) { return pair.body->form().is_line() ? 600.0 : 75.0; }
 
-/// Relative error of the corrected torque, from finite elements of rollers with three viscosities
-/// (docs/theory/finite-strain.md).
-double error_of_correction(double strain) { return 0.4 * strain + 10.0 * std::pow(strain, 3); }
-
 /// Whether the torque is round-off.
 bool is_lossless(const Result& result) {
   constexpr double kRoundOff = 1e-9;
@@ -107,9 +103,10 @@ std::shared_ptr<const MeshModel> FasterModel::on(const Mesh& mesh, const Rolling
   return model_;
 }
 
-void add_finite_strain(Result& result, std::optional<Result> rough, const RollingPair& pair, const LoadCase& load_case,
+namespace {
+
+void set_finite_strain(Result& result, std::optional<Result> rough, const RollingPair& pair, const LoadCase& load_case,
                        const Options& options, Watch& watch, FasterModel& faster) {
-  if (!result.strain || !is_known(pair, load_case, options)) return;
   LoadCase same_load = load_case;
   same_load.load = result.load;
   same_load.penetration.reset();
@@ -135,15 +132,26 @@ void add_finite_strain(Result& result, std::optional<Result> rough, const Rollin
       if (!(at_faster > 0.0)) return;
       torque_ratio *= std::pow(at_faster, std::log(speed_ratio) / std::log(FasterModel::kRatio));
     }
-    const double strain = std::abs(*result.strain);
     result.overspeed = rough->overspeed;
     result.finite_strain_torque = torque_ratio * result.resisting_torque;
-    result.finite_strain_torque_error = error_of_correction(strain) + *result.model_error - kErrorPerStrain * strain;
     result.finite_strain_angular_speed = load_case.angular_speed / (load_case.speed ? speed_ratio : 1.0);
   } catch (const InvalidInput&) {
     // The higher speed is at or above a critical speed, so that the torque at finite strain is not known.
   } catch (const ConvergenceError&) {
     // The contact at the higher speed has no solution, so that the torque at finite strain is not known.
+  }
+}
+
+}  // namespace
+
+void add_finite_strain(Result& result, std::optional<Result> rough, const RollingPair& pair, const LoadCase& load_case,
+                       const Options& options, Watch& watch, FasterModel& faster) {
+  if (result.strain && is_known(pair, load_case, options)) {
+    set_finite_strain(result, std::move(rough), pair, load_case, options, watch, faster);
+  }
+  if (!result.finite_strain_torque) {
+    result.overspeed.reset();
+    result.finite_strain_torque_error.reset();
   }
 }
 

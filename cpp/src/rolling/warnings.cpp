@@ -78,7 +78,7 @@ std::vector<Warning> warnings_of(const Result& result, const Options& options, b
         {WarningKind::large_strain, "the strain, penetration / coating thickness, is " + rounded(*result.strain) +
                                         " (recommended: at most " + rounded(kLargestStrain) +
                                         "): linear theory may have a relative error of " +
-                                        rounded(kErrorPerStrain * std::abs(*result.strain)) + " in the torque"});
+                                        rounded(*result.model_error) + " in the torque"});
   }
   return warnings;
 }

@@ -267,7 +267,11 @@ def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
     if wanted is None:
         return tuple(answer for answer in _ANSWERS if scalars[answer] is not None and answer != result.prescribed)
     for answer in wanted:
-        if answer not in SCALARS.keys() - NOT_FROZEN or answer == result.prescribed or not isinstance(scalars[answer], float):
+        if (
+            answer not in SCALARS.keys() - NOT_FROZEN
+            or answer == result.prescribed
+            or not isinstance(scalars[answer], float)
+        ):
             raise InvalidInput("answers", "must be names of scalars of this result", shown(answer))
     return tuple(wanted)
 

@@ -276,9 +276,7 @@ class RollingModel:
         options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
         with reporting(progress) as report, si_hints(self.body, self.on, angular_speed=self.angular_speed):
             solution = self._core.solve(load_case, progress=report, **options)
-        return _result(
-            solution, self.body, self.on, load_case, self.angular_speed, drive, self.curvature, options
-        )
+        return _result(solution, self.body, self.on, load_case, self.angular_speed, drive, self.curvature, options)
 
 
 def _solved_speed(body: RollingBody, angular_speed: float | None, speed: float | None) -> float:

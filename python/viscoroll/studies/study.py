@@ -224,9 +224,7 @@ def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:
 
 def _check_names(parameters: dict[str, Any]) -> None:
     wanted = {
-        name
-        for name, other in (("load", "penetration"), ("angular_speed", "speed"))
-        if parameters.get(other) is None
+        name for name, other in (("load", "penetration"), ("angular_speed", "speed")) if parameters.get(other) is None
     }
     if missing := sorted(wanted - parameters.keys()):
         guesses = [guess for name in parameters if (guess := suggestion(name, missing))]
