@@ -138,7 +138,7 @@ def _error_rows(result: Solution) -> list[tuple[str, str]]:
     if result.model_error is None:
         return [("relative error of the mesh", f"{result.error_estimate:.2g} (estimate)")]
     errors = f"{result.error_estimate:.2g}, {result.model_error:.2g} (estimates)"
-    return [("relative error of the mesh, of linear theory", errors)]
+    return [("relative error of the mesh, of the torque of linear theory", errors)]
 
 
 def _extrapolation_rows(result: Solution) -> list[tuple[str, str]]:

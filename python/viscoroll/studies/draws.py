@@ -16,8 +16,8 @@ from ..coupled import strain_softening
 from ..coupled.softening_search import softens
 from ..materials import Draws
 from ..rolling import Result, solve
-from ..rolling.propagation import Pair, propagated
 from ..rolling.frozen import NOT_FROZEN
+from ..rolling.propagation import Pair, propagated
 from ..solution.scalars import SCALARS
 
 if TYPE_CHECKING:

@@ -152,7 +152,8 @@ def test_studies_and_case_files_take_the_speed_of_the_ground(tmp_path):
     file = tmp_path / "case.toml"
     file.write_text(text.replace("angular_speed = 2.5", "speed = 0.1"), encoding="utf-8")
     case = load_case(file)
-    assert case.arguments()["speed"] == 0.1 and "angular_speed" not in case.arguments()
+    assert case.arguments()["speed"] == 0.1
+    assert "angular_speed" not in case.arguments()
     assert case.angular_speed == pytest.approx(0.1 / case.body.outer_radius, rel=1e-15)
     file.write_text(text.replace("angular_speed = 2.5", "angular_speed = 2.5\nspeed = 0.1"), encoding="utf-8")
     with pytest.raises(
