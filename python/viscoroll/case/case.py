@@ -196,7 +196,7 @@ class Case:
     load: float | None
     penetration: float | None
     angular_speed: float
-    speed: float | None
+    speed: float | None = None
     friction: float
     drive: Drive
     mesh: Mesh | None
@@ -205,7 +205,7 @@ class Case:
     curvature: Curvature
     patch_load: PatchLoad
     slip_kinematics: SlipKinematics
-    finite_strain: bool
+    finite_strain: bool = True
     thermal: Thermal | None = None
 
     def arguments(self) -> dict[str, Any]:
