@@ -89,11 +89,11 @@ std::vector<Warning> warnings_of(const Result& result, const RollingCase& given,
     warnings.push_back({WarningKind::pressure_peak, pressure_peak_text(result, good)});
   }
   if (result.strain && *result.strain > kLargestStrain) {
-    warnings.push_back(
-        {WarningKind::large_strain, "the strain, penetration / coating thickness, is " + rounded(*result.strain) +
-                                        " (recommended: at most " + rounded(kLargestStrain) +
-                                        "): linear theory may have a relative error of " +
-                                        rounded(kErrorPerStrain * std::abs(*result.strain)) + " in the torque"});
+    warnings.push_back({WarningKind::large_strain, "the strain, penetration / coating thickness, is " +
+                                                       rounded(*result.strain) + " (recommended: at most " +
+                                                       rounded(kLargestStrain) +
+                                                       "): linear theory may have a relative error of " +
+                                                       rounded(*result.model_error) + " in the torque"});
   }
   return warnings;
 }

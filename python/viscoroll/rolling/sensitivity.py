@@ -17,7 +17,7 @@ from .._support.progress import ProgressLike, counted
 from .._support.text import shown
 from ..solution import Solution
 from ..solution.scalars import SCALARS
-from .frozen import FrozenContact
+from .frozen import NOT_FROZEN, FrozenContact
 from .modulus_sensitivity import ModulusSensitivity
 from .perturbed import (
     Bands,
@@ -267,7 +267,11 @@ def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
     if wanted is None:
         return tuple(answer for answer in _ANSWERS if scalars[answer] is not None and answer != result.prescribed)
     for answer in wanted:
-        if answer not in SCALARS or answer == result.prescribed or not isinstance(scalars[answer], float):
+        if (
+            answer not in SCALARS.keys() - NOT_FROZEN
+            or answer == result.prescribed
+            or not isinstance(scalars[answer], float)
+        ):
             raise InvalidInput("answers", "must be names of scalars of this result", shown(answer))
     return tuple(wanted)
 
