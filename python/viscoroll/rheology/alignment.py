@@ -18,7 +18,7 @@ from .._support.arguments import Floats
 from .._support.celsius import kelvin_range
 from .._support.extras import extra
 from .reading import Isotherm
-from .series import SeriesFit, basis, fit_series, time_grid
+from ..materials.series import SeriesFit, basis, fit_series, time_grid
 
 __all__ = ["Alignment", "align", "shift_pairs", "undetermined_pairs"]
 

@@ -13,7 +13,7 @@ from ..bodies import RollingBody
 from ..materials.moduli import to_core
 from .measured import MeasuredModulus, measured
 from .prony_fit import fit_prony
-from .series import basis, time_grid
+from ..materials.series import basis, time_grid
 from .superposition import Superposition
 
 __all__ = ["Check", "check_modulus", "check_range", "rolling_range"]

@@ -14,7 +14,7 @@ from .._support.plotting import plots
 from ..materials import Draws, Prony
 from .bootstrap import wild_copies
 from .measured import MeasuredModulus, measured
-from .series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
+from ..materials.series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

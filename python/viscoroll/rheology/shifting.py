@@ -13,7 +13,7 @@ from .._support.errors import InvalidInput
 from ..materials.shift import Shift, shift_factor
 from .alignment import shift_pairs, undetermined_pairs
 from .reading import Isotherm, RheologyData
-from .series import fit_series, time_grid
+from ..materials.series import fit_series, time_grid
 from .shift_laws import ShiftFactors
 from .superposition import Superposition, aligned
 

@@ -17,7 +17,7 @@ from .alignment import align
 from .bootstrap import wild_copies
 from .prony_fit import PronyFit, fit_prony
 from .reading import RheologyData
-from .series import basis
+from ..materials.series import basis
 from .shift_laws import ShiftFactors, ShiftLaw, fit_arrhenius, fit_wlf
 from .tabulated import tabulated
 
