@@ -74,6 +74,41 @@ def _published(*, name: str, temperature: float) -> materials.ShearModulus:
     return example_material(name).at(temperature=temperature)
 
 
+def _of_program(
+    *,
+    file: Path,
+    name: str | None = None,
+    temperature: float | None = None,
+    units: str = "m-kg-s",
+    temperature_unit: Literal["K", "C"] = "K",
+    relaxed_modulus: float | None = None,
+) -> materials.ShearModulus:
+    """Return a material from the input of Abaqus, Ansys, LS-DYNA or COMSOL, see `viscoroll.materials.read_constants`.
+
+    Parameters
+    ----------
+    file : str
+        Name of the file.
+    name : str, optional
+        Name or number of the material, if the file has several.
+    temperature : float, optional
+        Temperature [K]; by default the reference temperature of the file.
+    units : str, optional
+        Units of the file, by default "m-kg-s".
+    temperature_unit : {"K", "C"}, optional
+        Unit of the temperatures in the file.
+    relaxed_modulus : float, optional
+        Long-term shear modulus [Pa] of a table of branches without it.
+    """
+    try:
+        constants = materials.read_constants(
+            file, name=name, units=units, temperature_unit=temperature_unit, relaxed_modulus=relaxed_modulus
+        )
+    except OSError as error:
+        raise ValueError(f"constants {file}: {error.strerror}") from None
+    return constants.shear_modulus if temperature is None else constants.at(temperature=temperature)
+
+
 def _of_data_sheet(
     *,
     hardness: float,
@@ -209,6 +244,7 @@ _TABLES = (
     Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)],
     Annotated[materials.ShearModulus, Table("published", _published)],
     Annotated[materials.ShearModulus, Table("measured", _measured, file=FileName, temperature=float)],
+    Annotated[materials.ShearModulus, Table("constants", _of_program, file=FileName, temperature=float)],
 )
 
 if TYPE_CHECKING:

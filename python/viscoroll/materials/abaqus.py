@@ -152,14 +152,14 @@ def _prony(viscous: _Option, shear: float, bulk: float, long_term: bool, units: 
         raise viscous.line.error("must have data lines with g_i, k_i and tau_i", "none")
     if len({tuple(row[3:]) for row in columns}) > 1:
         raise viscous.line.error("must have constants of one temperature", "several")
-    rows = [(line, *row[:3]) for line, row in zip(viscous.rows, columns, strict=True)]
-    sums = [math.fsum(row[column] for row in rows) for column in (1, 2)]
+    sums = [math.fsum(row[column] for row in columns) for column in (0, 1)]
     if long_term and not max(sums) < 1.0:
         raise viscous.line.error("must have sums of g_i and of k_i < 1 with MODULI=LONG TERM", f"{max(sums):g}")
     instantaneous = shear / (1.0 - sums[0]) if long_term else shear
-    modulus = series(instantaneous, [(line, g, tau) for line, g, _, tau in rows], units, notes)
+    terms = [(line, row[0], row[2]) for line, row in zip(viscous.rows, columns, strict=True)]
+    modulus = series(instantaneous, terms, units, notes)
     found = Found(modulus, notes=notes)
-    _compressibility(found, bulk, shear, [row[1] for row in rows], [row[2] for row in rows])
+    _compressibility(found, bulk, shear, [row[0] for row in columns], [row[1] for row in columns])
     return found
 
 

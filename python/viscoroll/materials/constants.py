@@ -167,13 +167,14 @@ class MaterialConstants:
         modulus = self.shear_modulus
         relaxation = relaxation_of(modulus)
         table: tuple[tuple[float, float, float], ...] = ()
+        weights: tuple[float, ...] = ()
+        times: tuple[float, ...] = ()
         if program == "abaqus" and isinstance(modulus, MasterCurve) and terms is None:
             if modulus.frequency[0] != 0.0:
                 rule = "must have a first entry at frequency 0, the long-term modulus, or terms must be given"
                 raise InvalidInput("shear_modulus.frequency", rule, f"{modulus.frequency[0]:g}")
             table = tuple(zip(modulus.frequency, modulus.storage, modulus.loss, strict=True))[1:]
-            instantaneous, weights, times = modulus.storage[0], (), ()
-            relaxed = modulus.storage[0]
+            relaxed = instantaneous = modulus.storage[0]
         else:
             exact = relaxation is not None and relaxation.viscosity == 0.0
             if terms is not None and as_int("terms", terms) < 1:

@@ -51,7 +51,8 @@ def read(text: str, units: UnitSystem) -> list[Found]:
 
 def _blocks(text: str) -> Iterator[tuple[str, list[Line]]]:
     """Iterate over the keywords of a text with their cards. A blank card is one of zeros, unless it ends the text."""
-    keyword, cards, width, default = "", [], 10, 10
+    keyword, width, default = "", 10, 10
+    cards: list[Line] = []
     for place, raw in enumerate(text.rstrip().splitlines(), 1):
         if raw.startswith("$"):
             continue

@@ -17,8 +17,8 @@ import numpy as np
 from .._support.arguments import Floats
 from .._support.celsius import kelvin_range
 from .._support.extras import extra
-from .reading import Isotherm
 from ..materials.series import SeriesFit, basis, fit_series, time_grid
+from .reading import Isotherm
 
 __all__ = ["Alignment", "align", "shift_pairs", "undetermined_pairs"]
 
