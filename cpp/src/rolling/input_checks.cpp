@@ -12,6 +12,7 @@
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
 #include "viscoroll/errors.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -25,12 +26,13 @@ struct Relaxation {
   double ratio;    ///< relaxed modulus divided by the modulus at the contact frequency [-]
 };
 
+/// @param[in] angular_speed angular speed of the rolling body [rad/s]
 /// @param[in] contact_frequency angular frequency [rad/s]
-Relaxation strongest_relaxation(const RollingPair& pair, double contact_frequency) {
+Relaxation strongest_relaxation(const RollingPair& pair, double angular_speed, double contact_frequency) {
   const std::array frequencies{0.0, contact_frequency};
   Relaxation strongest{.layer = "", .modulus = 0.0, .ratio = 2.0};
   for (const auto& [name, layer] : layers(pair)) {
-    const auto moduli = complex_modulus(layer.shear_modulus, frequencies);
+    const auto moduli = modulus_in_rolling(layer.shear_modulus, angular_speed, frequencies);
     const double ratio = moduli.front().real() / std::abs(moduli.back());
     if (ratio < strongest.ratio) strongest = {.layer = name, .modulus = moduli.front().real(), .ratio = ratio};
   }
@@ -121,10 +123,10 @@ void require_supported(const MeshModel& model, const LoadCase& load_case) {
 }
 
 void require_relaxed_stiffness(const ContactSetup& setup) {
-  constexpr double kMinModulusRatio = 3e-3;  // below it, the iteration for the nodes in contact does not converge
+  constexpr double kMinModulusRatio = 1e-6;
   const double contact_frequency =
       setup.load_case.angular_speed * std::max(1.0, setup.nodes.grid.radius / setup.contact.along);
-  const Relaxation relaxation = strongest_relaxation(setup.pair(), contact_frequency);
+  const Relaxation relaxation = strongest_relaxation(setup.pair(), setup.load_case.angular_speed, contact_frequency);
   if (relaxation.ratio >= kMinModulusRatio) return;
   reject(relaxation.layer + ".shear_modulus",
          "such that the relaxed modulus is at least " + text(kMinModulusRatio) +

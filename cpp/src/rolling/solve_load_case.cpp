@@ -9,6 +9,7 @@
 #include "contact/frozen_contact.hpp"
 #include "rolling/input_checks.hpp"
 #include "rolling/result.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -29,6 +30,20 @@ std::vector<Eigen::Index> marked(const std::vector<unsigned char>& mask) {
     if (mask[node] != 0) nodes.push_back(static_cast<Eigen::Index>(node));
   }
   return nodes;
+}
+
+/// Add a warning for every layer with terms that do not relax at this speed.
+void add_slow_terms(const ContactSetup& setup, std::vector<Warning>& warnings) {
+  const double speed = setup.load_case.angular_speed;
+  for (const auto& [name, layer] : layers(setup.pair())) {
+    const auto slow = slow_terms(layer.shear_modulus, speed);
+    if (!slow) continue;
+    warnings.push_back({WarningKind::slow_terms, name + ".shear_modulus: " + std::to_string(slow->count) +
+                                                     " terms with relaxation times of " + rounded(slow->shortest_time) +
+                                                     " s and more do not relax at this speed; they keep " +
+                                                     rounded(slow->modulus) + " Pa of the modulus at rest, " +
+                                                     rounded(slow->modulus_at_rest) + " Pa"});
+  }
 }
 
 ContactSolution start_of(const FrozenContact& state, const SurfaceWindow& nodes, double centrifugal) {
@@ -62,7 +77,9 @@ Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const 
   require_supported(model, load_case);
   const ContactSetup setup = assemble(model, load_case, options, watch);
   require_relaxed_stiffness(setup);
-  return make_result(setup, find_contact_in_window(setup, coarse_contact));
+  Result result = make_result(setup, find_contact_in_window(setup, coarse_contact));
+  add_slow_terms(setup, result.warnings);
+  return result;
 }
 
 Result solve_frozen_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
