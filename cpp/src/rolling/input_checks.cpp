@@ -123,7 +123,7 @@ void require_supported(const MeshModel& model, const LoadCase& load_case) {
 }
 
 void require_relaxed_stiffness(const ContactSetup& setup) {
-  constexpr double kMinModulusRatio = 1e-6;
+  constexpr double kMinModulusRatio = 1e-5;  // at 1e-6, round-off stops the iteration at a relative residual of 4e-8
   const double contact_frequency =
       setup.load_case.angular_speed * std::max(1.0, setup.nodes.grid.radius / setup.contact.along);
   const Relaxation relaxation = strongest_relaxation(setup.pair(), setup.load_case.angular_speed, contact_frequency);
