@@ -74,6 +74,23 @@ def _published(*, name: str, temperature: float) -> materials.ShearModulus:
     return example_material(name).at(temperature=temperature)
 
 
+def _of_moduli(*, relaxed_modulus: float, moduli: list[float], relaxation_times: list[float]) -> materials.Prony:
+    """Return a Prony series from absolute moduli.
+
+    Parameters
+    ----------
+    relaxed_modulus : float
+        Shear modulus at zero frequency [Pa], ≥ 0.
+    moduli : array_like
+        Shear moduli of the terms [Pa], ≥ 0.
+    relaxation_times : array_like
+        Relaxation times [s], > 0, as many as `moduli`.
+    """
+    return materials.Prony.from_moduli(
+        relaxed_modulus=relaxed_modulus, moduli=moduli, relaxation_times=relaxation_times
+    )
+
+
 def _of_program(
     *,
     file: Path,
@@ -244,6 +261,7 @@ _TABLES = (
     Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)],
     Annotated[materials.ShearModulus, Table("published", _published)],
     Annotated[materials.ShearModulus, Table("measured", _measured, file=FileName, temperature=float)],
+    Annotated[materials.ShearModulus, Table("generalized_maxwell", _of_moduli)],
     Annotated[materials.ShearModulus, Table("constants", _of_program, file=FileName, temperature=float)],
 )
 

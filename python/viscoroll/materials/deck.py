@@ -16,7 +16,7 @@ __all__ = ["UNITS", "Deck", "Found", "Line", "UnitSystem", "elastic_constants", 
 
 @dataclass(frozen=True, slots=True)
 class UnitSystem:
-    """Consistent units of a program that has none of its own: stress [Pa], time [s] and density [kg/m³]."""
+    """Consistent units of the numbers in a text: stress [Pa], time [s] and density [kg/m³]."""
 
     stress: float
     time: float

@@ -46,6 +46,15 @@ def test_a_layer_takes_its_modulus_from_a_deck(tmp_path):
     assert shifted.relaxation_times == (0.1 * law(303.15),)
 
 
+def test_a_layer_takes_absolute_moduli(tmp_path):
+    deck = '{{ type = "constants", file = "tread.inp", units = "mm-t-s"{more} }}'
+    series = '{{ type = "generalized_maxwell", relaxed_modulus = 1e6, moduli = [1e6], relaxation_times = [0.1] }}'
+    path = tmp_path / "case.toml"
+    path.write_text(CASE.replace(deck, series).format())
+    expected = vr.Prony(instantaneous_modulus=2e6, weights=[0.5], relaxation_times=[0.1])
+    assert load_case(path).body.layers[0].shear_modulus == expected
+
+
 def test_messages_name_the_files(tmp_path):
     path = case_with(tmp_path, ', name = "other"')
     done = command("solve", path)
