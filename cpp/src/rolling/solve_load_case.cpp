@@ -32,18 +32,18 @@ std::vector<Eigen::Index> marked(const std::vector<unsigned char>& mask) {
   return nodes;
 }
 
-/// Add a warning for every layer with terms that do not relax at this speed.
+/// Add a warning that names every layer with terms that do not relax at this speed.
 void add_slow_terms(const ContactSetup& setup, std::vector<Warning>& warnings) {
-  const double speed = setup.load_case.angular_speed;
+  std::string message;
   for (const auto& [name, layer] : layers(setup.pair())) {
-    const auto slow = slow_terms(layer.shear_modulus, speed);
+    const auto slow = slow_terms(layer.shear_modulus, setup.load_case.angular_speed);
     if (!slow) continue;
-    warnings.push_back({WarningKind::slow_terms, name + ".shear_modulus: " + std::to_string(slow->count) +
-                                                     " terms with relaxation times of " + rounded(slow->shortest_time) +
-                                                     " s and more do not relax at this speed; they keep " +
-                                                     rounded(slow->modulus) + " Pa of the modulus at rest, " +
-                                                     rounded(slow->modulus_at_rest) + " Pa"});
+    message += (message.empty() ? "" : "; ") + name + ".shear_modulus has " + std::to_string(slow->count) +
+               (slow->count == 1 ? " term" : " terms") + " with a relaxation time of at least " +
+               rounded(slow->shortest_time) + " s, too slow to relax at this speed: " + rounded(slow->modulus) +
+               " Pa of the modulus at rest, " + rounded(slow->modulus_at_rest) + " Pa";
   }
+  if (!message.empty()) warnings.push_back({WarningKind::slow_terms, message});
 }
 
 ContactSolution start_of(const FrozenContact& state, const SurfaceWindow& nodes, double centrifugal) {
