@@ -886,11 +886,6 @@ def check_motion(
 def complex_modulus(
     modulus: ShearModulus, omega: numpy.typing.NDArray[numpy.float64]
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
-def modulus_in_rolling(
-    modulus: ShearModulus,
-    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
-    omega: numpy.typing.NDArray[numpy.float64],
-) -> numpy.typing.NDArray[numpy.complex128]: ...
 def core_count() -> int:
     """
     Cores that this process may use.
@@ -956,6 +951,11 @@ def loss_density(
     threads: typing.SupportsInt | typing.SupportsIndex,
     progress: typing.Any,
 ) -> LossDensity: ...
+def modulus_in_rolling(
+    modulus: ShearModulus,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    omega: numpy.typing.NDArray[numpy.float64],
+) -> numpy.typing.NDArray[numpy.complex128]: ...
 def order_fields(
     shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
     m: numpy.typing.NDArray[numpy.int32],
