@@ -31,7 +31,7 @@ help:
 	@echo "make lint            check formatting, types and stubs, and run clang-tidy on the C++ sources"
 	@echo "make format          format all sources"
 	@echo "make hooks           install the git hooks that check the formatting before every commit"
-	@echo "make stubs           write python/viscoroll/_core.pyi and the inputs in wasm/package/viscoroll.d.ts"
+	@echo "make stubs           write python/viscoroll/_core.pyi and the JavaScript files that follow from the schema"
 	@echo "make tables          write the tables of the documentation that tests, benchmarks and the library provide"
 	@echo "make docs            build the documentation site, build/docs/index.html, and run all its examples"
 	@echo "make dist            build the source distribution and the wheel in dist/, and check them"

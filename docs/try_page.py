@@ -1,7 +1,7 @@
 """Write the page "Try it" as plain files without modules and requests, which browsers can also open from a folder.
 
 One script contains all JavaScript modules. If `make wasm` has built the library for WebAssembly, a second one contains
-the library and the tables of materials.
+the library and the tables of published materials.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from graphlib import TopologicalSorter
 from pathlib import Path
 
 import viscoroll
-from viscoroll.app.tabulated import tabulated_materials
+from viscoroll.app.tabulated import published_materials
 
 PAGE = Path(viscoroll.__file__).parent / "app" / "page"
 
@@ -51,7 +51,7 @@ def write_page(folder: Path, library: Path) -> bool:
     if solves:
         scripts = f'<script src="solver.js" defer></script>\n    {scripts}'
         worker = library.read_text(encoding="utf-8") + "\nviscoroll.serve();\n"
-        materials = json.dumps(tabulated_materials(), separators=(",", ":"))
+        materials = json.dumps(published_materials(), separators=(",", ":"))
         solver = f"var viscorollWorker = {json.dumps(worker)};\nvar viscorollMaterials = {materials};\n"
         (folder / "solver.js").write_text(solver, encoding="utf-8")
     text = (PAGE / "index.html").read_text(encoding="utf-8")

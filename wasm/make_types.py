@@ -1,32 +1,40 @@
-"""Write the types of inputs in package/viscoroll.d.ts from the JSON Schema of case files; with --check, compare them.
+"""Write JavaScript files from the JSON Schema of case files; with --check, compare them.
 
-`make stubs` runs this script, and a test compares the file. The types of the answer, below the marked lines, are
-written by hand.
+The files are the types of inputs in package/viscoroll.d.ts, and python/viscoroll/app/page/schema.js, the lists for the
+page. `make stubs` runs this script, and a test compares the files. The types of the answer in viscoroll.d.ts, below the
+marked lines, are written by hand.
 """
 
 from __future__ import annotations
 
+import json
 import sys
 import textwrap
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+import viscoroll
+from viscoroll.case.case import BODIES, COUNTERBODIES
 from viscoroll.case.schema import json_schema
 from viscoroll.materials.moduli import MODULI
 
-TYPES = Path(__file__).parent / "package" / "viscoroll.d.ts"
+ROOT = Path(__file__).parents[1]
+PAGE = ROOT / "python" / "viscoroll" / "app" / "page" / "schema.js"
+TYPES = ROOT / "wasm" / "package" / "viscoroll.d.ts"
 BEGIN = "// Written by wasm/make_types.py from the JSON Schema of case files:\n"
 END = "// End of the types that are written by wasm/make_types.py\n"
+
+SCHEMA = json_schema()
+
+#: Classes of bodies, by their tables in case files.
+CLASSES = {name: SCHEMA["properties"][name]["$ref"].rpartition("/")[2] for name in (*BODIES, *COUNTERBODIES)}
 
 #: Definitions of the schema, by the names of their types, in the order of the file.
 INTERFACES = {
     "HalfSpace": "HalfSpace",
     "Layer": "Layer",
-    "Ball": "CoatedSphere",
-    "Cylinder": "CoatedCylinder",
-    "Wheel": "CoatedWheel",
-    "Plane": "CoatedPlane",
-    "Groove": "Groove",
+    **{name.capitalize(): kind for name, kind in CLASSES.items() if not name.startswith("other_")},
     "Drive": "Drive",
     "Rolling": "Rolling",
     "Numerics": "viscoroll__case__case__Numerics",
@@ -39,20 +47,54 @@ OTHERS = ("thermal", "motion", "sweep", "draws", "design")
 
 def input_types() -> str:
     """Return the types of a case and of its tables."""
-    schema = json_schema()
-    definitions = schema["$defs"]
-    names = [kind.__name__ for kind in MODULI.values()]
-    parts = [_interface(name, definitions[name]) for name in names]
+    definitions = SCHEMA["$defs"]
+    moduli = {kind.__name__: kind.__name__ for kind in MODULI.values()} | {"Hardness": "of_data_sheet"}
+    parts = [_interface(name, definitions[definition]) for name, definition in moduli.items()]
     parts += [
         _comment("Modulus [Pa] as a function of angular frequency; a number is an elastic modulus.")
         + "export type ShearModulus =\n"
-        + "".join(f"  | {name}\n" for name in ("number", *names)).rstrip("\n")
+        + "".join(f"  | {name}\n" for name in ("number", *moduli)).rstrip("\n")
         + ";\n"
     ]
     parts += [_interface(name, definitions[definition]) for name, definition in INTERFACES.items()]
-    tables = {name: table for name, table in schema["properties"].items() if name not in OTHERS}
+    tables = {name: table for name, table in SCHEMA["properties"].items() if name not in OTHERS}
     case = {"properties": tables, "required": ["rolling"], "description": "Tables and keys of a case file."}
     return "\n".join([*parts, _interface("Case", case)])
+
+
+def page_lists() -> str:
+    """Return the module of the page with the tables of bodies and the keys of whole numbers."""
+    kinds = {name: getattr(viscoroll, CLASSES[name]) for name in BODIES}
+    bodies = {name: {"noun": kind.noun, "line": kind.line_contact} for name, kind in kinds.items()}
+    tables = [SCHEMA["$defs"][definition]["properties"] for definition in INTERFACES.values()]
+    integers = [key for table in tables for key, found in table.items() if found.get("type") == "integer"]
+    lists = {
+        "BODIES": ("Rolling bodies by their tables in case files: noun, and whether values are per length.", bodies),
+        "CLASSES": ("Classes of bodies in Python, by their tables in case files.", CLASSES),
+        "INTEGERS": ("Keys of case files whose values are whole numbers.", integers),
+        "MESH": (
+            "Keys of the table `numerics` that describe a mesh.",
+            [field.name for field in fields(viscoroll.Mesh)],
+        ),
+    }
+    exports = [f"/** {text} */\nexport const {name} = {_literal(value)};\n" for name, (text, value) in lists.items()]
+    return "\n".join(
+        ["// Written by wasm/make_types.py from the package and the JSON Schema of case files.\n", *exports]
+    )
+
+
+def _literal(value: Any) -> str:
+    """Return a list in one line, or an object with one line for each key."""
+    if not isinstance(value, dict):
+        return json.dumps(value)
+    return "{\n" + "".join(f"  {key}: {_inline(one)},\n" for key, one in value.items()) + "}"
+
+
+def _inline(value: Any) -> str:
+    """Return an object or a text in one line, with keys as JavaScript usually spells them."""
+    if not isinstance(value, dict):
+        return json.dumps(value)
+    return "{ " + ", ".join(f"{key}: {json.dumps(one)}" for key, one in value.items()) + " }"
 
 
 def _interface(name: str, schema: dict[str, Any]) -> str:
@@ -95,15 +137,17 @@ def _comment(text: str, indent: str = "") -> str:
 
 
 def main() -> int:
-    """Write or check the types; return the exit code."""
+    """Write or check the files; return the exit code."""
     found = TYPES.read_text(encoding="utf-8")
     before, _, rest = found.partition(BEGIN)
-    made = f"{before}{BEGIN}\n{input_types()}\n{END}{rest.partition(END)[2]}"
+    files = {TYPES: f"{before}{BEGIN}\n{input_types()}\n{END}{rest.partition(END)[2]}", PAGE: page_lists()}
     if sys.argv[1:] == ["--check"]:
-        if made != found:
-            print(f"{TYPES} differs from the schema: run `make stubs`", file=sys.stderr)
-        return int(made != found)
-    TYPES.write_text(made, encoding="utf-8")
+        wrong = [path for path, text in files.items() if not path.exists() or path.read_text(encoding="utf-8") != text]
+        for path in wrong:
+            print(f"{path} differs from the schema: run `make stubs`", file=sys.stderr)
+        return int(bool(wrong))
+    for path, text in files.items():
+        path.write_text(text, encoding="utf-8")
     return 0
 
 

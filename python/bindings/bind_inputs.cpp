@@ -4,12 +4,14 @@
 #include <pybind11/typing.h>
 
 #include <memory>
+#include <tuple>
 
 #include "bindings.hpp"
 #include "viscoroll/cylinder.hpp"
 #include "viscoroll/errors.hpp"
 #include "viscoroll/materials.hpp"
 #include "viscoroll/mesh.hpp"
+#include "viscoroll/modulus_functions.hpp"
 #include "viscoroll/modulus_types.hpp"
 #include "viscoroll/plane.hpp"
 #include "viscoroll/slow_terms.hpp"
@@ -89,6 +91,19 @@ void bind_inputs(py::module_& m) {
       .value("ERROR", Extrapolation::error, "raise an error")
       .value("HOLD", Extrapolation::hold, "keep the value at the nearer end of the table")
       .finalize();
+
+  py::native_enum<ShoreScale>(m, "ShoreScale", "enum.Enum", "Scale of a Shore durometer.")
+      .value("A", ShoreScale::a, "for soft rubbers")
+      .value("D", ShoreScale::d, "for hard rubbers and plastics")
+      .finalize();
+  const auto bounds = [](const Estimate& found) { return std::tuple{found.value, found.lower, found.upper}; };
+  m.def(
+      "hardness_to_modulus",
+      [bounds](double hardness, ShoreScale scale) { return bounds(hardness_to_modulus(hardness, scale)); },
+      py::arg("hardness"), py::arg("scale"));
+  m.def(
+      "rebound_to_loss_factor", [bounds](double rebound) { return bounds(rebound_to_loss_factor(rebound)); },
+      py::arg("rebound"));
 
   py::classh<ShearModulus>(m, "ShearModulus")
       .def(py::init(&modulus_of), py::arg("type"))

@@ -8,7 +8,7 @@
     >>> print(f"{r.resisting_torque * 1e3:.0f} mN m")
     11 mN m
 
-All quantities are in SI units; angles are in radians and all moduli are shear moduli.
+All quantities are in SI units and angles in radians. All moduli are shear moduli, except `bulk_modulus`.
 
 Bodies, materials and solvers are names of this package. Its modules contain the rest:
 

@@ -209,7 +209,7 @@ def _make_unphysical(rng: np.random.Generator, arguments: dict[str, Any]) -> str
     Returns
     -------
     str
-        Name of the argument that must be refused.
+        Name of the argument that must be rejected.
     """
     kind = rng.random()
     if kind < 0.03:

@@ -64,7 +64,7 @@ class Extreme:
         Raises
         ------
         ValueError
-            If a body or a material refuses the number.
+            If a body or a material rejects the number.
         """
         return _changed({"body": self.base.body, **self.base.arguments}, self.path, self.factor)
 

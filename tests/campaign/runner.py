@@ -116,7 +116,7 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
     outcome.seconds = time.process_time() - start
     if result is None:
         if outcome.kind == "rejected":
-            _judge_refusal(case, outcome, before_each)
+            _judge_rejection(case, outcome, before_each)
         return outcome
     outcome.nodes = int(result.contact.sum())
     outcome.violations |= violations(case, result)
@@ -167,8 +167,8 @@ def _is_proper(message: str, case: Any) -> bool:
     return name is not None and name[1] in given and not _INTERNAL.search(message)
 
 
-def _judge_refusal(case: Case, outcome: Outcome, before_each: Callable[[Outcome], object]) -> None:
-    """Test whether a refused load is supportable, by extrapolation from smaller loads.
+def _judge_rejection(case: Case, outcome: Outcome, before_each: Callable[[Outcome], object]) -> None:
+    """Test whether a rejected load is supportable, by extrapolation from smaller loads.
 
     The penetration grows with the power 2/3 of the load on a thick layer, and more slowly on a thin one; the contact
     radius grows with the power 1/3. For line contacts, the powers are 1 and 1/2. Shells that bend are left out.

@@ -128,14 +128,14 @@ def main():
     parser.add_argument("--seed", type=int, default=1, help="seed of the random cases")
     arguments = parser.parse_args()
     warnings.simplefilter("ignore", vr.ResultWarning)
-    failed, refused, contacts, times, errors = 0, 0, [], [], []
+    failed, rejected, contacts, times, errors = 0, 0, [], [], []
     for number in range(arguments.cases):
         case = draw(arguments.seed, number)
         try:
             wrong, count, time_ratio, error = run(case)
-        except ValueError as refusal:  # the layer does not support the load
-            refused += 1
-            print(f"{number}: rejected, {refusal}", flush=True)
+        except ValueError as rejection:  # the layer does not support the load
+            rejected += 1
+            print(f"{number}: rejected, {rejection}", flush=True)
             continue
         except vr.ConvergenceError as stuck:
             wrong, count, time_ratio, error = [str(stuck)], MOST_CONTACTS, np.nan, np.full(2, np.nan)
@@ -149,7 +149,7 @@ def main():
     print(file=sys.stderr)
     middle, most = np.nanmedian(errors, axis=0), np.nanmax(errors, axis=0)
     print(
-        f"{arguments.cases} cases, {refused} rejected, {failed} failed; contacts solved: median "
+        f"{arguments.cases} cases, {rejected} rejected, {failed} failed; contacts solved: median "
         f"{np.median(contacts):.0f}, largest {max(contacts)}; time divided by that of one contact: median "
         f"{np.nanmedian(times):.1f}, largest {np.nanmax(times):.1f}; error of the amplitude: median {middle[0]:.1g}, "
         f"largest {most[0]:.1g}; error of the torque: median {middle[1]:.1g}, largest {most[1]:.1g}"

@@ -1,4 +1,4 @@
-"""Cases that must have the same solution as another, and the quantities that must agree."""
+"""Twins of a case, whose solutions follow from the solution of the case, and the quantities that must agree."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ from .pairs import on_its_mirror, swapped
 
 __all__ = ["Twin", "at_its_penetration", "twins"]
 
-#: Powers of two have exact products, so a difference indicates an absolute number somewhere in the solution.
+#: Factors of length, stress and time in the scaled twin. Products with powers of two are exact, so a difference
+#: indicates that the solver contains a constant with a unit.
 LENGTH, STRESS, TIME = 2.0**-9, 2.0**13, 2.0**7
 
 #: Tolerances relative to the largest value of each kind. Divided layers and mirrored tables have other round-off, and
@@ -27,29 +28,31 @@ LENGTH, STRESS, TIME = 2.0**-9, 2.0**13, 2.0**7
 SCALING_TOLERANCE = 1e-8
 TOLERANCE = 1e-6
 
-#: Tolerance of a pair with exchanged bodies: each description has its own octaves of orders, with nodes at other
-#: positions.
+#: Tolerance of a pair with exchanged bodies. The rolling body determines the octaves of orders, so the exchanged pair
+#: has sums over other orders.
 PAIR_TOLERANCE = 1e-5
 
-#: Change of the penetration and of moments and powers between both descriptions of a pair, relative to the difference
-#: of the bodies' centrifugal growth s = 1 + d/R. Nodes keep equal arcs at rest, whose length in contact is s times that
-#: of the rolling body, so the other description has a gap curvature that is (s_2/s_1)^2 times as large. The penetration
-#: is proportional to its power 1/3 (thick), 1/2 (thin) or up to 2/3 (thin and incompressible); measured values of 0.74,
-#: 0.99 and 1.22 confirm the limits 2/3, 1 and 4/3. Moments follow the steps of the mesh: 2.0 with 48 nodes in contact.
-GROWN = {"penetration": 4.0 / 3.0, "resisting_torque": 4.0, "bulk_power": 4.0}
+#: Largest relative change of a result if the bodies are exchanged, per relative centrifugal growth d/R of the pair.
+#: Nodes have equal spacings on the rolling body at rest, which are larger in contact by its growth factor s = 1 + d/R.
+#: The gap curvature of the exchanged pair is therefore larger by the factor (s_2/s_1)^2. The penetration is
+#: proportional to its power 1/3 (thick), 1/2 (thin) or 2/3 (thin and incompressible), so it changes by 2/3, 1 or 4/3 of
+#: the growth; measured: 0.74, 0.99 and 1.22. Moments also change with the position of nodes relative to the edge of the
+#: contact, by at most 2.0 with 48 nodes in contact; they are allowed twice this.
+CHANGE_PER_GROWTH = {"penetration": 4.0 / 3.0, "resisting_torque": 4.0, "bulk_power": 4.0}
 
 #: Tolerance of divided layers in a tread with faces: elements of its section end where layers do, and are accurate to
-#: some 1e-4. Tractions have this accuracy summed from a face. At single nodes closer to the face than a sixteenth of
-#: the thickness, which is the element size there, they are accurate to 4 % (case 73:58 with elements of a sixteenth and
-#: of a 64th).
+#: some 1e-4. Tractions summed from a face inwards have this accuracy. At single nodes closer to the face than a
+#: sixteenth of the thickness, which is the element size there, they are accurate to 4 % (case 58 of seed 73, with
+#: elements of 1/16 and 1/64 of the thickness).
 ELEMENT_TOLERANCE = 1e-3
 
 #: Tolerance of load and torque with the exact sphere if the penetration of a solution is given instead of its load. The
-#: size of the window follows from another estimate, and tables of another size change the exact sphere by up to 1e-5
-#: (`viscoroll.RollingModel`), other bodies by 1e-7. On the same window loads agree to 1e-9 (test_penetration.py).
+#: solver then chooses the window from a different estimate of the contact. The size of the tables changes results of
+#: the exact sphere by up to 1e-5 (`viscoroll.RollingModel`), those of other bodies by 1e-7. On the same window loads
+#: agree to 1e-9 (test_penetration.py).
 EXACT_LOAD_TOLERANCE = 2e-5
 
-#: Width of a groove in radii that makes it a plane: its relative curvature is the inverse.
+#: Radius of a groove, in radii of the rolling body, at which it acts as a plane: its relative curvature is the inverse.
 WIDE = 1e9
 
 #: Exponents of length, stress and time by which the results scale; results per length have one power of length less.
@@ -77,7 +80,8 @@ class Twin:
     case : Case
         The transformed case.
     differences : callable
-        Called with the first solution and the twin's; returns differences by name, relative to the tolerance.
+        Called with the solutions of the case and of the twin; returns those differences that exceed the tolerance, by
+        name, in multiples of the tolerance.
     """
 
     kind: str
@@ -90,13 +94,14 @@ def twins(case: Case) -> Iterator[Twin]:
     yield Twin(kind="scaling", case=_scaled(case), differences=_scaling_differences)
     body = case.body if case.body.layers else case.on
     wheel = body if isinstance(body, vr.CoatedWheel) else None
-    if body.layers and not (wheel and wheel.hub is enums.Hub.STRAIGHT):  # on a straight hub, the crown cuts one layer
+    # On a straight hub, only the outermost layer becomes thinner towards the faces, so half of it is another tread.
+    if body.layers and not (wheel and wheel.hub is enums.Hub.STRAIGHT):
         by_elements = wheel is not None and wheel.sides is enums.Sides.FREE
         differences = partial(_differences, allowed=ELEMENT_TOLERANCE, summed=True) if by_elements else _differences
         yield Twin(kind="split layer", case=_split(case), differences=differences)
     if isinstance(case.on, vr.CoatedPlane):
         yield from _planes(case, case.on)
-    elif _tells_both_alike(case):
+    elif _is_exchangeable(case):
         yield Twin(kind="swap", case=_swapped(case), differences=_swap_differences)
         if case.on == case.body:
             mirror = replace(case, arguments=on_its_mirror(case.arguments))
@@ -113,7 +118,8 @@ def twins(case: Case) -> Iterator[Twin]:
 
 def at_its_penetration(case: Case, result: vr.Result) -> Iterator[Twin]:
     """Yield the case with the penetration of its solution instead of the load."""
-    # without a given mesh, the last mesh has been solved on a window around the contact on a coarser mesh
+    # Without a given mesh, the window of the solution follows from the contact on a coarser mesh; a solve with this
+    # mesh alone would choose another one.
     if result.penetration is None or "mesh" not in case.arguments:
         return
     given = {name: value for name, value in case.arguments.items() if name != "load"}
@@ -137,7 +143,7 @@ def _planes(case: Case, plane: vr.CoatedPlane) -> Iterator[Twin]:
     yield Twin(
         kind="wide groove", case=replace(case, arguments=case.arguments | {"on": groove}), differences=_differences
     )
-    # without a given mesh, the choice depends on layer thicknesses
+    # Without a given mesh, the choice of the mesh depends on layer thicknesses, which the twin changes.
     if plane.base is None or "mesh" not in case.arguments:
         return
     base = {name: getattr(plane.base, name) for name in ("shear_modulus", "poisson_ratio", "bulk_modulus", "density")}
@@ -146,13 +152,13 @@ def _planes(case: Case, plane: vr.CoatedPlane) -> Iterator[Twin]:
     yield Twin(
         kind="layer of the base",
         case=replace(case, arguments=case.arguments | {"on": thicker}),
-        # the first guess of the window depends on thicknesses
+        # The first guess of the window depends on thicknesses, so fields may have another shape.
         differences=partial(_differences, fields={}),
     )
 
 
-def _tells_both_alike(case: Case) -> bool:
-    """Return whether the bodies may be exchanged with the same nodes and speeds."""
+def _is_exchangeable(case: Case) -> bool:
+    """Return whether the bodies of a case may be exchanged with the same nodes and speeds."""
     if type(case.on) is not type(case.body) or isinstance(case.body, vr.CoatedWheel):
         return False
     # The nodes of balls lie on a paraboloid if the counterbody deforms; those of rollers are always at the same arcs.
@@ -171,13 +177,16 @@ def _swap_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
     pairs = {name: (getattr(one, name), getattr(other, name)) for name in ("penetration", "resisting_torque")}
     pairs["bulk_power"] = one.rolling_bulk_power, other.counterbody_bulk_power
     radius = min(one.body.outer_radius, other.body.outer_radius)
-    # identical bodies have equal growth
-    is_alike = one.on == one.body
-    return _pair_differences(one, pairs, growth=0.0 if is_alike else one.centrifugal_displacement / radius)
+    # Identical bodies have equal growth, so their exchange has no effect.
+    is_identical = one.on == one.body
+    return _pair_differences(one, pairs, growth=0.0 if is_identical else one.centrifugal_displacement / radius)
 
 
 def _mirror_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
-    """Return differences from one of two equal balls on the plane between them, with half the penetration."""
+    """Return differences between a pair of equal balls and one of them on the plane of symmetry.
+
+    The penetration of the pair is twice that of the ball on the plane.
+    """
     pairs = {name: (getattr(one, name), getattr(other, name)) for name in ("resisting_torque", "contact_area")}
     pairs["penetration"] = one.penetration, 2.0 * other.penetration
     pairs["bulk_power"] = one.rolling_bulk_power, other.rolling_bulk_power
@@ -188,7 +197,7 @@ def _pair_differences(
     one: vr.Result, pairs: dict[str, tuple[float, float]], *, growth: float = 0.0
 ) -> dict[str, float]:
     scales = _scales(one)
-    allowed = {name: PAIR_TOLERANCE + GROWN.get(name, 0.0) * growth for name in pairs}
+    allowed = {name: PAIR_TOLERANCE + CHANGE_PER_GROWTH.get(name, 0.0) * growth for name in pairs}
     found = {name: abs(a - b) / (allowed[name] * scales[name]) for name, (a, b) in pairs.items()}
     return {name: value for name, value in found.items() if not value <= 1.0}
 
@@ -266,11 +275,11 @@ def _differences(
     scales = _scales(one)
     found: dict[str, float] = {}
     for name, powers in (SCALARS | fields).items():
-        if getattr(one, name) is None:  # approach on a half-plane
+        if getattr(one, name) is None:  # the penetration is undefined on a half-plane
             continue
         per_length = LENGTH if one.body.line_contact and name not in NEVER_PER_LENGTH else 1.0
-        unit = _unit(powers) / per_length if scaled else 1.0
-        values = np.asarray(getattr(other, name)) / unit
+        factor = _scale_factor(powers) / per_length if scaled else 1.0
+        values = np.asarray(getattr(other, name)) / factor
         if mirrored:
             values = _mirrored(name, values)
         difference = values - getattr(one, name)
@@ -288,13 +297,13 @@ def _mirrored(name: str, values: NDArray[Any]) -> NDArray[Any]:
     return mirrored
 
 
-def _unit(powers: tuple[int, int, int]) -> float:
+def _scale_factor(powers: tuple[int, int, int]) -> float:
     length, stress, time = powers
     return LENGTH**length * STRESS**stress * TIME**time
 
 
 def _scales(result: vr.Result) -> dict[str, float]:
-    """Return the size of each result where no terms cancel."""
+    """Return a scale for the differences of each result: the size of its terms before they cancel."""
     radius = result.body.outer_radius
     torque = result.load * max(result.semi_axis_x, result.mesh.spacing * radius)
     force = max(min(result.friction, 1.0) * result.load, 1e-3 * result.load)

@@ -2,6 +2,7 @@
 /// @brief Spheres that several tests share.
 #pragma once
 
+#include "viscoroll/modulus_functions.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::cases {

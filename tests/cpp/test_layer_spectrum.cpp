@@ -17,6 +17,7 @@
 #include "modal/layered_body.hpp"
 #include "transient/layer_spectrum.hpp"
 #include "transient/order_weights.hpp"
+#include "viscoroll/modulus_functions.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -20,6 +20,7 @@
 #include "surface/surface_operator.hpp"
 #include "surface/table_operator.hpp"
 #include "viscoroll/modal.hpp"
+#include "viscoroll/modulus_functions.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -20,8 +20,8 @@ ALUMINUM, STEEL = (23e9, 0.31), (82e9, 0.28)  # shear modulus [Pa], Poisson's ra
 CASES = {
     "μ = 1e-4, no force": (1e-4, 0.0),
     "μ = 0.05, no force": (0.05, 0.0),
-    "μ = 0.05, ¾ of sliding, aluminum driven": (0.05, 0.75),
-    "μ = 0.05, ¾ of sliding, aluminum braked": (0.05, -0.75),
+    "μ = 0.05, force ¾ μP, aluminum driven": (0.05, 0.75),
+    "μ = 0.05, force ¾ μP, aluminum braked": (0.05, -0.75),
     "all sticks, no force": (math.inf, 0.0),
 }
 

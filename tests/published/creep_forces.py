@@ -78,10 +78,10 @@ def contact_curve() -> list[tuple[float, float]]:
 class SteelWheel:
     """A crowned steel wheel on steel, a/b = ½: the example `tractcurv` of CONTACT (d431cdb, user guide, section 5.9).
 
-    The meshes have `finer` times the elements of the source, which has 44 by 40 in the contact.
+    Along each direction, the meshes have `refinement` times the elements of the source, 44 by 40 in the contact.
     """
 
-    def __init__(self, *, finer: float = 1.0) -> None:
+    def __init__(self, *, refinement: float = 1.0) -> None:
         a, b = SEMI_AXES
         layer = vr.Layer(thickness=0.3, shear_modulus=STEEL, poisson_ratio=STEEL_RATIO)
         wheel = vr.CoatedWheel(
@@ -92,8 +92,8 @@ class SteelWheel:
             sides=enums.Sides.UNBOUNDED,
         )
         mesh = vr.Mesh(
-            nodes_per_revolution=round(44 * finer * math.pi * WHEEL_RADIUS / a),
-            theta_nodes_per_revolution=round(40 * finer * math.pi * WHEEL_RADIUS / b),
+            nodes_per_revolution=round(44 * refinement * math.pi * WHEEL_RADIUS / a),
+            theta_nodes_per_revolution=round(40 * refinement * math.pi * WHEEL_RADIUS / b),
         )
         rail = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=STEEL, poisson_ratio=STEEL_RATIO))
         self.model = vr.RollingModel(wheel, on=rail, angular_speed=1.0, mesh=mesh)

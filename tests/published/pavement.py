@@ -90,11 +90,11 @@ class Waves:
 
 def at_rest(depth: float) -> tuple[float, float, float]:
     """Return deflection [m], vertical and horizontal pressure [Pa] on the axis of a disc at rest, at a depth [m]."""
-    # Shorter waves contribute 1e-4 of the deflection because of the disc's edge.
+    # The pressure jumps at the edge of the disc, so shorter waves contribute 1e-4 of the deflection.
     waves = Waves.up_to(490.0, 1.5)
     displacement, stress = waves.fields(plane(_elastic(ASPHALT, ASPHALT_RATIO)), depth)
-    level = 0.5 * (stress[:, 1] + stress[:, 2])  # mean over all directions
-    return tuple(float(waves.load @ part.real) for part in (displacement[:, 0], stress[:, 0], level))
+    horizontal = 0.5 * (stress[:, 1] + stress[:, 2])  # mean over all directions
+    return tuple(float(waves.load @ part.real) for part in (displacement[:, 0], stress[:, 0], horizontal))
 
 
 def creep(time):

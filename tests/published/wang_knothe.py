@@ -23,7 +23,7 @@ CREEP_TIMES = {
     "creep time 9 ms": 9e-3,
     "creep time 45 ms": 45e-3,
     "creep time 2 s": 2.0,
-    "infinite creep time (as stiff as it gets)": None,
+    "infinite creep time (instantaneous modulus)": None,
 }
 
 
@@ -35,7 +35,7 @@ def modulus(creep_time: float | None):
     return vr.StandardLinearSolid(instantaneous_modulus=INSTANTANEOUS, relaxed_modulus=RELAXED, relaxation_time=time)
 
 
-def roll(creep_time: float | None, *, scale: float = 100.0, finer: float = 1.0) -> tuple[float, float]:
+def roll(creep_time: float | None, *, scale: float = 100.0, refinement: float = 1.0) -> tuple[float, float]:
     """Return creepage [-] and largest pressure [Pa], converted to the printed size.
 
     Radii are `scale` times as large under loads smaller by the same factor: the contact width is the same, pressure and
@@ -46,7 +46,7 @@ def roll(creep_time: float | None, *, scale: float = 100.0, finer: float = 1.0) 
     thickness = min(0.98 * radius, 2.0)
     layer = vr.Layer(thickness=thickness, shear_modulus=modulus(creep_time), poisson_ratio=POISSON_RATIO)
     roller = vr.CoatedCylinder(core_radius=radius - thickness, layers=[layer])
-    mesh = vr.Mesh(nodes_per_revolution=round(2.0 * math.pi * radius / ELEMENT * finer))
+    mesh = vr.Mesh(nodes_per_revolution=round(2.0 * math.pi * radius / ELEMENT * refinement))
     load = LOAD / scale
     drive = vr.Drive(force=SHARE * FRICTION * load)
     r = vr.solve(roller, on=roller, load=load, angular_speed=SPEED / radius, friction=FRICTION, drive=drive, mesh=mesh)

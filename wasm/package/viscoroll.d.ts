@@ -38,6 +38,18 @@ export interface CreepCompliance {
   type: "creep_compliance";
 }
 
+export interface LossFactor {
+  /** Storage shear modulus at `reference_frequency` [Pa], > 0. */
+  modulus: number;
+  /** Loss factor η = tan δ [-], in [1e-6, 2]. */
+  loss_factor: number;
+  /** ω₀ [rad/s], > 0. Choose Ω R/a, with the angular speed Ω, the radius R and the half-width a of the contact. */
+  reference_frequency: number;
+  /** Decades above and below ω₀ over which the law holds [-], in [0.5, 8]. */
+  decades?: number | null;
+  type: "loss_factor";
+}
+
 export interface KelvinVoigt {
   /** Relaxed shear modulus G [Pa], > 0. */
   modulus: number;
@@ -87,6 +99,20 @@ export interface MasterCurve {
   type: "master_curve";
 }
 
+export interface Hardness {
+  /** Hardness, a number of `scale`. */
+  hardness: number;
+  /** Scale of Shore. */
+  scale?: "A" | "D" | null;
+  /** Rebound resilience as a fraction; without it, the material has no loss. */
+  rebound?: number | null;
+  /** Angular frequency [rad/s] of modulus and loss factor; required with a rebound. */
+  reference_frequency?: number | null;
+  /** Decades of frequency on each side over which the loss factor is constant. */
+  decades?: number | null;
+  type: "hardness";
+}
+
 /** Modulus [Pa] as a function of angular frequency; a number is an elastic modulus. */
 export type ShearModulus =
   | number
@@ -94,10 +120,12 @@ export type ShearModulus =
   | Prony
   | StandardLinearSolid
   | CreepCompliance
+  | LossFactor
   | KelvinVoigt
   | FractionalZener
   | HavriliakNegami
-  | MasterCurve;
+  | MasterCurve
+  | Hardness;
 
 export interface HalfSpace {
   shear_modulus: ShearModulus;

@@ -15,6 +15,7 @@
 
 #include "viscoroll/errors.hpp"
 #include "viscoroll/materials.hpp"
+#include "viscoroll/modulus_functions.hpp"
 
 namespace viscoroll::wasm {
 
@@ -48,6 +49,10 @@ inline constexpr std::array<Name<Enum>, 0> kNames{};
 template <>
 inline constexpr auto kNames<Extrapolation> =
     std::to_array<Name<Extrapolation>>({{"error", Extrapolation::error}, {"hold", Extrapolation::hold}});
+
+template <>
+inline constexpr auto kNames<ShoreScale> =
+    std::to_array<Name<ShoreScale>>({{"A", ShoreScale::a}, {"D", ShoreScale::d}});
 
 /// @brief Check a part of a case. Errors name the path in the case: "ball.layers[0].thickness".
 template <class Check>

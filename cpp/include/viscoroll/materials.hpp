@@ -5,9 +5,7 @@
 /// loss modulus of a passive material is >= 0 at w >= 0. All moduli are shear moduli.
 #pragma once
 
-#include <array>
 #include <complex>
-#include <cstddef>
 #include <functional>
 #include <span>
 #include <string_view>
@@ -43,28 +41,6 @@ struct Prony {
                       Field{"relaxation_times", &Prony::relaxation_times}};
   }
 };
-
-/// @brief Standard linear solid: the Prony series with one term, given by its two limits.
-/// @param[in] instantaneous_modulus shear modulus at infinite frequency [Pa], > 0
-/// @param[in] relaxed_modulus shear modulus at zero frequency [Pa], > 0 and <= instantaneous_modulus
-/// @param[in] relaxation_time relaxation time [s], > 0
-/// @return the series
-/// @throws InvalidInput if a value is out of range
-[[nodiscard]] Prony standard_linear_solid(double instantaneous_modulus, double relaxed_modulus, double relaxation_time);
-
-/// @brief Prony series of the modulus that belongs to the creep compliance
-///
-///     J(t) = J_0 + sum_k J_k (1 - exp(-t / tau_k))
-///
-/// The conversion is exact. The relaxation times are -1/s at the zeros s of the compliance J_0 + sum_k J_k / (1 + s
-/// tau_k).
-/// @param[in] instantaneous_compliance J_0, shear compliance at infinite frequency [1/Pa], > 0
-/// @param[in] compliances J_k [1/Pa], >= 0
-/// @param[in] retardation_times tau_k [s], > 0, one for each compliance
-/// @return the series
-/// @throws InvalidInput if a value is out of range
-[[nodiscard]] Prony creep_compliance(double instantaneous_compliance, std::span<const double> compliances,
-                                     std::span<const double> retardation_times);
 
 /// @brief Kelvin-Voigt solid, mu* = modulus + i w viscosity.
 struct KelvinVoigt {
@@ -150,25 +126,6 @@ struct CustomModulus {
 /// @brief Shear modulus of a layer.
 using ShearModulus =
     std::variant<Elastic, Prony, KelvinVoigt, FractionalZener, HavriliakNegami, MasterCurve, CustomModulus>;
-
-/// @brief Type of modulus that a function makes from parameters.
-template <class Function, std::size_t count>
-struct ModulusFunction {
-  const char* type;                           ///< name of the type in files
-  Function* make;                             ///< function that returns the modulus
-  std::array<const char*, count> parameters;  ///< names of its parameters in files and in Python
-};
-
-template <class Function, std::size_t count>
-ModulusFunction(const char*, Function*, std::array<const char*, count>) -> ModulusFunction<Function, count>;
-
-/// @brief Types of moduli that functions make. Other types are the structs of `ShearModulus` with `type` and `fields`.
-inline constexpr std::tuple kModulusFunctions{
-    ModulusFunction{"standard_linear_solid", &standard_linear_solid,
-                    std::array{"instantaneous_modulus", "relaxed_modulus", "relaxation_time"}},
-    ModulusFunction{"creep_compliance", &creep_compliance,
-                    std::array{"instantaneous_compliance", "compliances", "retardation_times"}},
-};
 
 /// @brief Check the parameters of a modulus.
 /// @param[in] modulus any shear modulus

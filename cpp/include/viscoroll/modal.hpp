@@ -1,5 +1,6 @@
 /// @file
-/// @brief Response of the layers to single orders (m, n) of the two-variable Fourier series (14).
+/// @brief Response of the layers to single orders (m, n) of the two-variable Fourier series, equation (14) of the
+/// paper.
 ///
 /// A field f(r, phi, theta) = sum_mn f_mn(r) exp(i (m phi + n theta)) is steady in space while the material turns, so
 /// that order m oscillates in the material at the angular frequency m Omega. Components are in the order (r, phi,
@@ -24,8 +25,7 @@ using ComplexMatrix3 = std::array<std::complex<double>, 9>;
 /// @brief 6 x 6 complex matrix in row-major order.
 using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 
-/// @brief Surface compliance of single orders of a sphere: displacement d_mn(r_o) [m] per surface stress f_mn(r_o)
-/// [Pa].
+/// @brief Surface compliance of single orders of a sphere: displacement [m] per stress [Pa] at the outer radius r_o.
 ///
 /// Both vectors are in the order (r, phi, theta). The compliance is that of equation (31) of the paper, with all
 /// inertial terms. A recursion carries it outwards from the core without overflow or loss of digits
@@ -84,15 +84,15 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @throws InvalidInput for invalid input
 [[nodiscard]] double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed);
 
-/// @brief Critical speed of a sphere: the lowest rolling speed at which a surface wave keeps up with the contact.
+/// @brief Critical angular speed of a sphere: the lowest Omega at which a surface wave keeps up with the contact.
 ///
-/// At this speed the surface reaches the Rayleigh speed of the outer layer's short-time modulus, or an order of the
-/// undamped layers resonates. A soft layer below a stiff one resonates at a lower speed than the Rayleigh speed. Above
-/// the critical speed waves are radiated, which the steady problem of this library excludes. See
+/// It is the lower of two limits: r_o Omega is the speed of Rayleigh waves in the outer layer, with its short-time
+/// modulus, or an order of the undamped layers resonates. The second is the lower one if a soft layer lies below a
+/// stiff one. Above the critical speed waves are radiated, which the steady problem of this library excludes. See
 /// docs/theory/inertia.md.
 /// @param[in] sphere core and layers
-/// @param[in] highest_frequency angular frequency at which a `CustomModulus` is evaluated in place of its short-time
-/// limit [rad/s]
+/// @param[in] highest_frequency angular frequency whose modulus is taken as the short-time limit of a
+/// `CustomModulus` [rad/s]
 /// @param[in] curvature curvature terms in the layer equations
 /// @return critical Omega [rad/s]; infinite without inertia, or if no short-time modulus is finite
 /// @throws InvalidInput for invalid input
@@ -103,7 +103,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// stress [Pa].
 ///
 /// The directions are the outward normal, the direction xi in which material crosses the contact, and the direction
-/// zeta across both. See docs/theory/planes-and-pairs.md.
+/// zeta perpendicular to both. See docs/theory/planes-and-pairs.md.
 /// @param[in] plane layers and base, not rigid
 /// @param[in] speed speed V at which material crosses the contact [m/s], > 0; a wave has the frequency V k_xi
 /// @param[in] k_xi,k_zeta wave numbers [1/m], any sign, arrays of equal length; not both 0

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "viscoroll/materials.hpp"
+#include "viscoroll/modulus_functions.hpp"
 
 namespace viscoroll {
 
@@ -25,6 +26,12 @@ namespace detail {
 /// Type that stores an argument of a function.
 template <class Argument>
 using Stored = std::conditional_t<std::is_same_v<Argument, std::span<const double>>, std::vector<double>, Argument>;
+
+template <class Reader, class Modulus, class Parameters>
+[[nodiscard]] MadeModulus read_arguments(const ModulusFunction<Modulus(const Parameters&), 0>& function,
+                                         const Reader& reader, std::index_sequence<> /*parameters*/) {
+  return [make = function.make, parameters = read_fields<Parameters>(reader)] { return make(parameters); };
+}
 
 template <class Reader, class Modulus, class... Arguments, std::size_t count, std::size_t... index>
 [[nodiscard]] MadeModulus read_arguments(const ModulusFunction<Modulus(Arguments...), count>& function,

@@ -17,6 +17,7 @@
 #include "viscoroll/materials.hpp"           // IWYU pragma: export
 #include "viscoroll/mesh.hpp"                // IWYU pragma: export
 #include "viscoroll/modal.hpp"               // IWYU pragma: export
+#include "viscoroll/modulus_functions.hpp"   // IWYU pragma: export
 #include "viscoroll/modulus_types.hpp"       // IWYU pragma: export
 #include "viscoroll/observer.hpp"            // IWYU pragma: export
 #include "viscoroll/options.hpp"             // IWYU pragma: export

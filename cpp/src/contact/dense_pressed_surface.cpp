@@ -16,11 +16,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t kMaxNodes = 600;       // up to which factors take less time than the transforms of the window
-constexpr double kFullAccuracy = 1e-14;      // relative residual; solutions are independent of the guess
+/// Largest number of nodes for which factors of the compliance matrix take less time than transforms over the window.
+constexpr std::size_t kMaxNodes = 600;
+constexpr double kFullAccuracy = 1e-14;      // relative residual, so small that the guess does not affect the solution
 constexpr double kReductionPerRound = 1e-5;  // of the residual, before a restart
 constexpr int kMaxRounds = 5;
-constexpr std::size_t kNodesPerChange = 6;  // the matrix is factored again if more than one node in six has changed
+constexpr std::size_t kNodesPerAllowedChange = 6;  // factor again if more than one node in six has changed
 
 }  // namespace
 
@@ -75,7 +76,7 @@ void DensePressedSurface::update_factors(const std::vector<Index>& nodes, const 
   std::vector<Index> common;
   std::ranges::set_intersection(nodes, factored_, std::back_inserter(common));
   const std::size_t changed = nodes.size() + factored_.size() - 2 * common.size();
-  if (factored_.empty() || kNodesPerChange * changed > nodes.size()) {
+  if (factored_.empty() || kNodesPerAllowedChange * changed > nodes.size()) {
     factors_.compute(matrix);
     factored_ = nodes;
   }
@@ -87,19 +88,19 @@ void DensePressedSurface::update_factors(const std::vector<Index>& nodes, const 
   }
 }
 
-/// Forces that approximately cause displacements, by the factors for nearly the same nodes. If a node is not among
-/// them, its force is its displacement times its own stiffness.
-/// @param[in] displacements displacements times the stiffness
-VectorXd DensePressedSurface::approximate_forces(const VectorXd& displacements) const {
+/// Approximate forces for given displacements, from the last factored matrix, whose nodes may differ slightly. At a
+/// node that the matrix does not contain, the force is the displacement times the stiffness of the surface.
+/// @param[in] scaled_displacements displacements times this stiffness
+VectorXd DensePressedSurface::approximate_forces(const VectorXd& scaled_displacements) const {
   VectorXd known = VectorXd::Zero(static_cast<Index>(factored_.size()));
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (places_[i] >= 0) known[places_[i]] = displacements[static_cast<Index>(i)];
+    if (places_[i] >= 0) known[places_[i]] = scaled_displacements[static_cast<Index>(i)];
   }
   const VectorXd solved = factors_.solve(known);
-  VectorXd forces(displacements.size());
+  VectorXd forces(scaled_displacements.size());
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const auto node = static_cast<Index>(i);
-    forces[node] = places_[i] >= 0 ? solved[places_[i]] : displacements[node];
+    forces[node] = places_[i] >= 0 ? solved[places_[i]] : scaled_displacements[node];
   }
   return forces;
 }
@@ -111,10 +112,12 @@ void DensePressedSurface::press(PressedNodes& contact, double tolerance) {
   update_factors(unknowns.nodes, matrix);
   const Index count = matrix.rows();
   const VectorXd& counts = unknowns.counts;
-  const VectorXd uniform = approximate_forces(VectorXd::Ones(count));  // forces that lower all nodes by the same amount
+  const VectorXd lowering =
+      approximate_forces(VectorXd::Ones(count));  // forces that lower all nodes by the same amount
   const NormalCondition condition = problem_.normal_condition(stiffness);
-  const double response = condition.per_force * counts.dot(uniform) + condition.per_penetration;
-  // Forces come first, then the penetration times the stiffness; the preconditioner satisfies the last equation.
+  const double condition_per_lowering = condition.per_force * counts.dot(lowering) + condition.per_penetration;
+  // A vector contains the forces and then the penetration times the stiffness. The result of the preconditioner
+  // satisfies the last equation, the normal condition, exactly.
   const auto times = [&](const VectorXd& vector) {
     VectorXd result(count + 1);
     result.head(count).noalias() = matrix * vector.head(count);
@@ -125,8 +128,8 @@ void DensePressedSurface::press(PressedNodes& contact, double tolerance) {
   const auto precondition = [&](const VectorXd& right) {
     VectorXd result(count + 1);
     result.head(count) = approximate_forces(right.head(count));
-    result[count] = (right[count] - condition.per_force * counts.dot(result.head(count))) / response;
-    result.head(count) += result[count] * uniform;
+    result[count] = (right[count] - condition.per_force * counts.dot(result.head(count))) / condition_per_lowering;
+    result.head(count) += result[count] * lowering;
     return result;
   };
   VectorXd right(count + 1);
@@ -135,12 +138,13 @@ void DensePressedSurface::press(PressedNodes& contact, double tolerance) {
   VectorXd guess(count + 1);
   guess.head(count) = contact.pressing(unknowns.nodes).matrix();
   guess[count] = stiffness * problem_.penetration.value_or(contact.penetration.value_or(0.0));
-  // A preconditioner in single precision is linear to six digits, so GMRES restarts after five.
-  const KrylovTolerance round{
+  // In single precision, the preconditioner is linear to six digits only. GMRES therefore restarts when the residual is
+  // reduced by five digits.
+  const KrylovTolerance tolerance_of_round{
       .absolute = kFullAccuracy * right.norm(), .relative = kReductionPerRound, .small_system = count + 1};
   KrylovSolution solution{.unknowns = guess, .products = 0, .residual = right.norm()};
-  for (int i = 0; i < kMaxRounds && solution.residual > round.absolute; ++i) {
-    solution = solve_krylov(times, precondition, right, solution.unknowns, round);
+  for (int i = 0; i < kMaxRounds && solution.residual > tolerance_of_round.absolute; ++i) {
+    solution = solve_krylov(times, precondition, right, solution.unknowns, tolerance_of_round);
     products_ += solution.products;
   }
   const double error = solution.residual / right.norm();

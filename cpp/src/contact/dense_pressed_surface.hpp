@@ -42,7 +42,7 @@ class DensePressedSurface : public PressedSurface {
   [[nodiscard]] Unknowns unknowns_of(const std::vector<Eigen::Index>& contact) const;
   [[nodiscard]] Eigen::MatrixXd compliance(const Unknowns& unknowns) const;
   void update_factors(const std::vector<Eigen::Index>& nodes, const Eigen::MatrixXd& matrix);
-  [[nodiscard]] Eigen::VectorXd approximate_forces(const Eigen::VectorXd& displacements) const;
+  [[nodiscard]] Eigen::VectorXd approximate_forces(const Eigen::VectorXd& scaled_displacements) const;
 
   const ContactProblem& problem_;
   bool is_symmetric_;

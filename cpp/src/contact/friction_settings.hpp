@@ -21,7 +21,7 @@ struct FrictionSettings {
   double round_off = 1e-8;
   /// Slip of sticking nodes relative to the range of the increments of displacement in the contact. It is a fifth of
   /// the tolerance of the randomized tests. On meshes of a million nodes the residual alone left 1e-4.
-  double largest_creep = 2e-7;
+  double max_slip_of_sticking_nodes = 2e-7;
   /// Largest number of further steps that reduce this slip.
   int max_slip_reduction_steps = 3;
 

@@ -25,15 +25,16 @@ struct CreepageTrial {
 
 /// @param[in] start state from which the search starts
 SearchLimits limits_of(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options) {
-  const double share = std::clamp(problem.friction->coefficient, kFrictionSettings.least_friction, 1.0);
-  const double affordable = kFrictionSettings.max_operations / problem.surface->operations();
-  const double most = std::max(
-      affordable, std::min(kFrictionSettings.operator_applications, kFrictionSettings.excess_factor * affordable));
-  return {.tolerance = std::max(kFrictionSettings.tolerance * share, options.tolerance),
-          .round_off = kFrictionSettings.round_off * share,
+  const double tolerance_factor = std::clamp(problem.friction->coefficient, kFrictionSettings.least_friction, 1.0);
+  const double affordable_products = kFrictionSettings.max_operations / problem.surface->operations();
+  const double max_products = std::max(
+      affordable_products,
+      std::min(kFrictionSettings.operator_applications, kFrictionSettings.excess_factor * affordable_products));
+  return {.tolerance = std::max(kFrictionSettings.tolerance * tolerance_factor, options.tolerance),
+          .round_off = kFrictionSettings.round_off * tolerance_factor,
           .full_steps = start.creepage ? kFrictionSettings.full_steps_nearby : kFrictionSettings.full_steps,
           .max_systems = options.max_iterations - start.iterations,
-          .max_products = most - start.operator_applications};
+          .max_products = max_products - start.operator_applications};
 }
 
 /// Search for the state at the wanted coefficient of friction and drive, from several starting points.
@@ -44,7 +45,7 @@ class StateSearch {
         problem_(problem),
         start_(start),
         limits_(limits_of(problem, start, options)),
-        is_start_(options.is_start),
+        is_intermediate_(options.is_start),
         system_(problem_),
         newton_(system_, limits_) {}
 
@@ -61,8 +62,8 @@ class StateSearch {
   }
 
  private:
-  /// Number of linear systems, including those of another search whose path to full stick is reused.
-  [[nodiscard]] int iterations() const { return start_.iterations + newton_.systems() + shared_systems_; }
+  /// Number of linear systems, including those of the steps towards full stick, taken by this search or another one.
+  [[nodiscard]] int iterations() const { return start_.iterations + newton_.systems() + systems_towards_full_stick_; }
 
   /// Start from a state, with the creepage of the drive if the drive prescribes it.
   void start_from(ContactSolution state) {
@@ -81,7 +82,8 @@ class StateSearch {
     return is_found;
   }
 
-  /// Start from the state of a coarser mesh or smaller box; take accurate steps if rough ones fail.
+  /// Search from a start with friction, the state on a coarser mesh or in a smaller window. If rough steps fail, take
+  /// accurate ones.
   bool from_state_with_friction() {
     start_from(start_);
     if (iterate({.patience = kFrictionSettings.patience_nearby})) return true;
@@ -98,22 +100,24 @@ class StateSearch {
     return iterate();
   }
 
-  /// Full stick need not have a solution, but from it one iteration reaches most coefficients of friction. The
-  /// frictionless contact is the start for bodies that slide as a whole.
+  /// Iterate from the end of the steps towards full stick, which need not have converged, and if this fails, from the
+  /// frictionless contact. The first succeeds for most coefficients of friction, the second for bodies that slide as a
+  /// whole.
   bool find_at_once() {
-    stick();
+    step_towards_full_stick();
     if (iterate()) return true;
     start_from(start_);
     return iterate();
   }
 
-  /// Take the steps to full stick. They do not depend on the wanted coefficient, so another search may have taken them.
-  void stick() {
+  /// Take a few steps towards full stick. They do not depend on the wanted coefficient, so another search may have
+  /// taken them.
+  void step_towards_full_stick() {
     const bool is_shared = wanted_.shared && problem_.friction->drive == wanted_.drive && !start_.creepage;
     if (is_shared) {
       if (const auto kept = wanted_.shared->stuck()) {
-        shared_systems_ += kept->systems;
-        shared_products_ += kept->products;
+        systems_towards_full_stick_ += kept->systems;
+        products_of_other_search_ += kept->products;
         newton_.start_from(kept->state);
         return;
       }
@@ -128,7 +132,7 @@ class StateSearch {
     sticking.start_from(newton_.state());
     std::ignore = sticking.iterate(std::numeric_limits<double>::infinity(), {.patience = few, .most = few});
     newton_.start_from(sticking.state());
-    shared_systems_ += sticking.systems();
+    systems_towards_full_stick_ += sticking.systems();
     if (!is_shared) return;
     wanted_.shared->keep(
         {.state = sticking.state(), .systems = sticking.systems(), .products = system_.products() - products});
@@ -155,34 +159,36 @@ class StateSearch {
     return false;
   }
 
-  /// Force and moment fall as the creepage rises, from those of a body that spins in place to those of one that skids.
-  /// Halve the interval of creepages that contains the drive, and start steps with the drive itself from within it.
+  /// The driving force and the moment decrease with increasing creepage, from those of full sliding in one direction to
+  /// those of full sliding in the other. Bisect the interval that contains the creepage at which the condition of the
+  /// drive holds. Before each bisection, try Newton steps with this condition, from a state interpolated between the
+  /// ends.
   bool find_by_creepage() {
-    std::optional<CreepageTrial> near = find_at(0.0, start_);
-    if (!near) return false;
-    const bool is_above = near->excess > 0.0;
-    double here = 0.0;
-    double there =
+    std::optional<CreepageTrial> first = find_at(0.0, start_);
+    if (!first) return false;
+    const bool is_above = first->excess > 0.0;
+    double first_position = 0.0;
+    double second_position =
         (is_above ? 1.0 : -1.0) * std::asinh(kFrictionSettings.max_creepage / kFrictionSettings.small_creepage);
-    std::optional<CreepageTrial> far = find_at(there, start_);
-    if (!far || (far->excess > 0.0) == is_above) return false;
+    std::optional<CreepageTrial> second = find_at(second_position, start_);
+    if (!second || (second->excess > 0.0) == is_above) return false;
     for (int halving = 0; halving < kFrictionSettings.halvings && !newton_.is_exhausted(); ++halving) {
-      if (start_between(*near, *far)) return true;
-      const double middle = 0.5 * (here + there);
-      std::optional<CreepageTrial> next = find_at(middle, near->state);
-      if (!next) return false;
-      const bool is_near = (next->excess > 0.0) == is_above;
-      (is_near ? here : there) = middle;
-      (is_near ? near : far) = std::move(next);
+      if (start_between(*first, *second)) return true;
+      const double middle_position = 0.5 * (first_position + second_position);
+      std::optional<CreepageTrial> middle = find_at(middle_position, first->state);
+      if (!middle) return false;
+      const bool replaces_first = (middle->excess > 0.0) == is_above;
+      (replaces_first ? first_position : second_position) = middle_position;
+      (replaces_first ? first : second) = std::move(middle);
     }
     return false;
   }
 
   /// Find the state at a given creepage.
-  /// @param[in] place asinh(creepage / small_creepage)
+  /// @param[in] position asinh(creepage / small_creepage)
   /// @param[in] from start
-  std::optional<CreepageTrial> find_at(double place, const ContactSolution& from) {
-    problem_.friction->drive = std::make_shared<GivenCreepage>(kFrictionSettings.small_creepage * std::sinh(place));
+  std::optional<CreepageTrial> find_at(double position, const ContactSolution& from) {
+    problem_.friction->drive = std::make_shared<GivenCreepage>(kFrictionSettings.small_creepage * std::sinh(position));
     start_from(from);
     const bool is_found = (from.creepage && iterate()) || find_at_once() || find_by_friction();
     problem_.friction->drive = wanted_.drive;
@@ -201,13 +207,16 @@ class StateSearch {
     return iterate({.patience = kFrictionSettings.patience_between});
   }
 
-  /// Return the state after further steps that reduce the slip of sticking nodes. This slip may not be small compared
-  /// with the differences of displacement between nodes, although the residual is small compared with the load.
+  /// Return the state after further steps that reduce the slip of sticking nodes. Even if the residual is small
+  /// compared with the load, this slip can be large compared with the differences of displacement between neighboring
+  /// nodes.
   [[nodiscard]] ContactSolution finished() {
     ContactSolution state = newton_.state();
     ContactSets sets = newton_.sets();
-    const int most = is_start_ ? 0 : kFrictionSettings.max_slip_reduction_steps;
-    for (int step = 0; step < most && system_.creep(state, sets) > kFrictionSettings.largest_creep; ++step) {
+    const int most = is_intermediate_ ? 0 : kFrictionSettings.max_slip_reduction_steps;
+    for (int step = 0;
+         step < most && system_.slip_of_sticking_nodes(state, sets) > kFrictionSettings.max_slip_of_sticking_nodes;
+         ++step) {
       newton_.take_step(wanted_.coefficient, sets, kFrictionSettings.exact_step);
       if (!(newton_.state().residual < state.residual)) break;
       state = newton_.state();
@@ -219,7 +228,7 @@ class StateSearch {
     }
     state.contact = std::move(sets.contact);
     state.iterations = iterations();
-    state.operator_applications = start_.operator_applications + system_.products() + shared_products_;
+    state.operator_applications = start_.operator_applications + system_.products() + products_of_other_search_;
     state.converged = true;
     return state;
   }
@@ -228,12 +237,13 @@ class StateSearch {
   ContactProblem problem_;  // its drive is replaced during the search
   ContactSolution start_;
   SearchLimits limits_;
-  bool is_start_;  // whether another solution starts from this one, so that sticking nodes may still slip
+  bool is_intermediate_;  // whether another search starts from the result, so that sticking nodes may still slip
   StickSlipByProducts system_;
   SemismoothNewton newton_;
-  int shared_systems_ = 0;   // linear systems on the path to full stick
-  int shared_products_ = 0;  // operator applications on that path, if another search took it
-  double residual_ = 1.0;    // last finite residual, for the error message
+  int systems_towards_full_stick_ = 0;  // linear systems of the steps towards full stick
+  int products_of_other_search_ = 0;    // operator applications of these steps, if another search took them
+  /// residual of the last iteration with the wanted drive that did not diverge, for the error message
+  double residual_ = 1.0;
 };
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief Frictionless contact, and the state at the end of the path to full stick. The first contact computes them and
-/// all others reuse them. Thread-safe.
+/// @brief Frictionless contact, and the state at the end of the steps towards full stick. The first contact computes
+/// them and all others reuse them. Thread-safe.
 class SharedStart {
  public:
   /// @brief A state, with the linear systems and operator applications that it took.

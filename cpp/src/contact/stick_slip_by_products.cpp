@@ -47,7 +47,7 @@ double StickSlipByProducts::drive_excess(const ContactSolution& state) const {
   return drive.of(state.force, state.displacement, *state.creepage) - drive.value;
 }
 
-double StickSlipByProducts::creep(const ContactSolution& state, const ContactSets& sets) const {
+double StickSlipByProducts::slip_of_sticking_nodes(const ContactSolution& state, const ContactSets& sets) const {
   const auto upstream = [&](Index node) { return node - stride_; };
   std::vector<Index> from(sets.contact.size());
   std::ranges::transform(sets.contact, from.begin(), upstream);

@@ -27,7 +27,7 @@ class StickSlipByProducts : public StickSlipSystem {
 
   /// @return largest slip of the sticking nodes, relative to the range of the increments of displacement from upstream
   /// neighbors in the contact
-  [[nodiscard]] double creep(const ContactSolution& state, const ContactSets& sets) const;
+  [[nodiscard]] double slip_of_sticking_nodes(const ContactSolution& state, const ContactSets& sets) const;
 
  private:
   const ContactProblem& problem_;

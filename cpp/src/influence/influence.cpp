@@ -31,7 +31,7 @@ InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_spee
   for (const Entry entry : kAll) requests.push_back({.entry = entry});
 
   detail::Watch watch(observer);
-  const detail::CoatingSum sum(detail::layered_body(sphere, curvature), angular_speed, mesh, threads, watch);
+  const detail::CoatingSum sum(detail::checked_layered_body(sphere, curvature), angular_speed, mesh, threads, watch);
   const auto tables = sum.tables(requests, phi_reach, theta_reach, threads, watch);
 
   InfluenceTables result{.phi_reach = phi_reach, .theta_reach = theta_reach};

@@ -68,8 +68,7 @@ class SphereSum {
  public:
   /// @param[in] sphere layers, without inertia
   /// @param[in] angular_speed Omega [rad/s], > 0
-  /// @param[in] mesh spacings, with the highest degree as truncation; work is per radian of the body that the mesh
-  /// belongs to
+  /// @param[in] mesh spacings, with the highest degree as truncation; work is per radian of the rolling body
   /// @param[in] exact_degree middle of the step between degrees that are summed one by one and the local metric
   SphereSum(LayeredBody sphere, double angular_speed, const MeshOnBody& mesh, double exact_degree = kExactDegree);
 

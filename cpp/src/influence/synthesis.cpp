@@ -19,12 +19,12 @@ using cplx = std::complex<double>;
 using Eigen::Index;
 using RowMajor = RowMajorMatrix;
 
-/// A request and the factors of its summands. A coefficient is even or odd in n, depending on its entry and its
-/// patches.
+/// A requested table, and the parity in n and the constant factor of the terms of its sum. The parity follows from the
+/// entry and from the Legendre degrees of the patches.
 struct Kernel {
   TableRequest request;
   bool odd;
-  cplx phase;  // i^(receiver degree - source degree), times i of the sine if odd
+  cplx phase;  // i^(receiver degree - source degree); if odd, also times i, since e^(i n theta) sums to i sin(n theta)
   [[nodiscard]] int receiver_shape() const { return request.power ? request.receiver_shape : 0; }
 };
 
@@ -57,8 +57,9 @@ Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, const M
   });
 }
 
-/// Fraction of the orders that is not summed by degrees.
-Eigen::ArrayXd local_share(double m, const Eigen::ArrayXd& n, const LocalMetric& metric) {
+/// Weight of each order (m, n) in this sum. The rest of the weight is in the sum over the degrees of a sphere
+/// (`sphere_sum.hpp`).
+Eigen::ArrayXd local_weights(double m, const Eigen::ArrayXd& n, const LocalMetric& metric) {
   if (metric.exact_degree == 0.0) return Eigen::ArrayXd::Ones(n.size());
   return 1.0 - (m * m + n.square()).sqrt().unaryExpr([&](double k) { return exact_share(k, metric.exact_degree); });
 }
@@ -70,8 +71,8 @@ Eigen::Map<const RowMajor, Eigen::Unaligned, Eigen::OuterStride<>> every_other_r
   return {&sums(first, start), count, width, Eigen::OuterStride<>(2 * sums.outerStride())};
 }
 
-/// Waves of all bands along one direction, at the offsets of a mesh. The first bands contain long waves, for which few
-/// offsets suffice.
+/// Waves of all bands along one direction, at the offsets of a mesh. The first bands contain long waves, whose sums are
+/// interpolated from a few sampled offsets.
 class BandWaves {
  public:
   BandWaves(const std::vector<OrderBand>& bands, double spacing, int reach) : long_(count_long(bands, spacing, reach)) {
@@ -86,16 +87,16 @@ class BandWaves {
   [[nodiscard]] const RowMajor& operator()(std::size_t band, bool odd) const {
     return odd ? waves_[band].sines : waves_[band].cosines;
   }
-  /// @return number of bands that are summed at few offsets
+  /// @return number of bands that are summed at the sampled offsets only
   [[nodiscard]] std::size_t long_bands() const { return long_; }
-  /// @return number of these offsets
-  [[nodiscard]] Index few() const { return offsets_ ? offsets_->sampled.size() : 0; }
-  /// @return interpolation from few to all offsets, [offset, few]
+  /// @return number of sampled offsets
+  [[nodiscard]] Index sampled_offsets() const { return offsets_ ? offsets_->sampled.size() : 0; }
+  /// @return interpolation from the sampled to all offsets, [offset, sampled offset]
   [[nodiscard]] const Eigen::MatrixXd& polynomials(bool odd) const { return odd ? offsets_->odd : offsets_->even; }
 
  private:
-  /// Number of long bands that saves most multiplications. A band with a smaller reach is not smooth over all offsets,
-  /// nor is the last band if it is truncated.
+  /// Number of long bands that saves most multiplications. The last band, which may be truncated, and bands that do not
+  /// reach all offsets are excluded: their sums are not smooth over all offsets.
   static std::size_t count_long(const std::vector<OrderBand>& bands, double spacing, int reach) {
     std::size_t best = 0;
     double max_saved = 0.0;
@@ -146,16 +147,17 @@ void put(const Values& values, Index order, RowMajor& rows) {
   rows.row(2 * order + 1) = evaluated.imag().matrix().transpose();
 }
 
-/// Size of the last terms of a polynomial in the orders, relative to the entry, above which the entry is not resolved:
-/// ten times the noise of the compliance.
+/// If the last terms of the polynomial in n exceed this fraction of the entry, the sampled orders do not resolve the
+/// entry. The fraction is ten times the tolerance of the series from which the compliances are evaluated.
 constexpr double kUnresolved = 10.0 * kSeriesTolerance;
 
-/// Factors of a kernel's values at sampled orders in its sums along theta, at few or at all offsets.
-struct SampledSums {
-  TableRequest representative;  // one of the requests with the same weights and parity
+/// The sums of a kernel along theta are linear in its values at the sampled orders; these are the factors of the
+/// values.
+struct SumFactors {
+  TableRequest representative;  // a request with these weights, with the entry rr and without shift along phi
   bool odd;
-  RowMajor at_few;  // [sampled order, offset]
-  RowMajor at_all;
+  RowMajor at_sampled;  // [sampled order, sampled offset]
+  RowMajor at_all;      // [sampled order, offset]
 };
 
 /// Sums of a set of requests over all orders: along theta for every order m, then along phi.
@@ -187,10 +189,11 @@ class Synthesis {
       }
       sums_.emplace_back(2 * count, theta_reach + 1);
     }
-    // The step to the degrees of a sphere is not a polynomial in n.
+    // With a local metric, the terms contain the weights `local_weights`, which polynomials in n do not represent. All
+    // orders are then summed one by one.
     if (metric.exact_degree > 0.0) return;
-    sampled_.emplace(theta_bands);
-    for (std::size_t k = 0; k < kernels_.size(); ++k) find_sampled_sums(k);
+    interpolation_.emplace(theta_bands);
+    for (std::size_t k = 0; k < kernels_.size(); ++k) find_factors(k);
   }
 
   /// Number of orders m that are summed along theta together.
@@ -206,17 +209,18 @@ class Synthesis {
       worker.checkpoint();
     }
     for (RowMajor& sums : sums_) sums.middleRows(2 * first, 2 * count).setZero();
-    std::vector<RowMajor> at_few(kernels_.size(), RowMajor::Zero(2 * count, theta_waves_.few()));
-    if (!sampled_ || !sum_sampled(first, series, at_few, worker)) sum_one_by_one(first, series, at_few, worker);
+    std::vector<RowMajor> at_sampled(kernels_.size(), RowMajor::Zero(2 * count, theta_waves_.sampled_offsets()));
+    if (!interpolation_ || !sum_interpolated(first, series, at_sampled, worker))
+      sum_one_by_one(first, series, at_sampled, worker);
     if (theta_waves_.long_bands() == 0) return;
     for (std::size_t k = 0; k < kernels_.size(); ++k) {
-      add_product(at_few[k], theta_waves_.polynomials(kernels_[k].odd).transpose(),
+      add_product(at_sampled[k], theta_waves_.polynomials(kernels_[k].odd).transpose(),
                   sums_[k].middleRows(2 * first, 2 * count));
       worker.checkpoint();
     }
   }
 
-  /// Number of offsets in theta that are summed along phi together.
+  /// Number of columns of the tables (offsets in theta) whose sums along phi are computed together.
   static constexpr int kStripe = 64;
   [[nodiscard]] std::size_t stripes() const { return static_cast<std::size_t>(theta_reach_ / kStripe + 1); }
 
@@ -235,49 +239,49 @@ class Synthesis {
   [[nodiscard]] bool is_odd_in_theta(std::size_t k) const { return kernels_[k].odd; }
 
  private:
-  /// Find the factors of a kernel's values at sampled orders, which kernels with the same weights share.
-  void find_sampled_sums(std::size_t k) {
+  /// Compute the factors for a kernel, or reuse those of a kernel with the same weights and parity.
+  void find_factors(std::size_t k) {
     const Kernel& kernel = kernels_[k];
     TableRequest representative = kernel.request;
     representative.entry = Entry::rr;
     representative.phi_shift = 0.0;
-    const auto found = std::ranges::find_if(sampled_sums_, [&](const SampledSums& sums) {
-      return sums.representative == representative && sums.odd == kernel.odd;
+    const auto found = std::ranges::find_if(factors_, [&](const SumFactors& factors) {
+      return factors.representative == representative && factors.odd == kernel.odd;
     });
-    sums_of_.push_back(static_cast<std::size_t>(found - sampled_sums_.begin()));
-    if (found != sampled_sums_.end()) return;
-    const Index count = sampled_->sampled().size();
-    SampledSums sums{.representative = representative,
-                     .odd = kernel.odd,
-                     .at_few = RowMajor::Zero(count, theta_waves_.few()),
-                     .at_all = RowMajor::Zero(count, theta_reach_ + 1)};
+    factors_of_kernel_.push_back(static_cast<std::size_t>(found - factors_.begin()));
+    if (found != factors_.end()) return;
+    const Index count = interpolation_->sampled().size();
+    SumFactors factors{.representative = representative,
+                       .odd = kernel.odd,
+                       .at_sampled = RowMajor::Zero(count, theta_waves_.sampled_offsets()),
+                       .at_all = RowMajor::Zero(count, theta_reach_ + 1)};
     for (std::size_t band = 0; band < theta_bands_.size(); ++band) {
       const RowMajor terms = theta_weights_[k][band].matrix().asDiagonal() * theta_waves_(band, kernel.odd);
-      sampled_->add_sums(band, terms, band < theta_waves_.long_bands() ? sums.at_few : sums.at_all);
+      interpolation_->add_sums(band, terms, band < theta_waves_.long_bands() ? factors.at_sampled : factors.at_all);
     }
-    sampled_sums_.push_back(std::move(sums));
+    factors_.push_back(std::move(factors));
   }
 
-  /// Sum over n for a block of orders m, from few sampled orders n.
+  /// Sum over n for a block of orders m, from the values at the sampled orders n.
   /// @return whether the sampled orders resolve all others
-  bool sum_sampled(Index first, const std::vector<OrderSeries>& series, std::vector<RowMajor>& at_few,
-                   const Worker& worker) {
+  bool sum_interpolated(Index first, const std::vector<OrderSeries>& series, std::vector<RowMajor>& at_sampled,
+                        const Worker& worker) {
     const auto count = static_cast<Index>(series.size());
-    std::vector<RowMajor> values(kernels_.size(), RowMajor(2 * count, sampled_->sampled().size()));
+    std::vector<RowMajor> values(kernels_.size(), RowMajor(2 * count, interpolation_->sampled().size()));
     for (Index i = 0; i < count; ++i) {
       const double m = orders_[static_cast<std::size_t>(first + i)] / metric_.sine;
-      const EntryValues of_entries(m, sampled_->sampled(), series[static_cast<std::size_t>(i)], kernels_);
-      if (!is_resolved(of_entries)) return false;
+      const EntryValues entry_values(m, interpolation_->sampled(), series[static_cast<std::size_t>(i)], kernels_);
+      if (!is_resolved(entry_values)) return false;
       for (std::size_t k = 0; k < kernels_.size(); ++k) {
-        put(phi_weights_[k][first + i] * of_entries[kernels_[k].request.entry], i, values[k]);
+        put(phi_weights_[k][first + i] * entry_values[kernels_[k].request.entry], i, values[k]);
       }
       worker.checkpoint();
     }
     for (std::size_t k = 0; k < kernels_.size(); ++k) {
-      const SampledSums& factors = sampled_sums_[sums_of_[k]];
-      add_product(values[k], factors.at_few, at_few[k]);
-      for (std::size_t r = 0; r < sampled_->ranges().size(); ++r) {
-        const InterpolatedOrders::Range& range = sampled_->ranges()[r];
+      const SumFactors& factors = factors_[factors_of_kernel_[k]];
+      add_product(values[k], factors.at_sampled, at_sampled[k]);
+      for (std::size_t r = 0; r < interpolation_->ranges().size(); ++r) {
+        const InterpolatedOrders::Range& range = interpolation_->ranges()[r];
         const Index width = width_of(r);
         if (range.count == 0 || width == 0) continue;
         add_product(values[k].middleCols(range.first, range.count),
@@ -289,22 +293,23 @@ class Synthesis {
     return true;
   }
 
-  /// Number of offsets that the bands of a range reach, without the bands summed at few offsets.
+  /// Number of offsets that the bands of a range reach, without the bands summed at sampled offsets.
   [[nodiscard]] Index width_of(std::size_t range) const {
     Index width = 0;
     for (std::size_t band = theta_waves_.long_bands(); band < theta_bands_.size(); ++band) {
-      if (sampled_->has_orders(band, range)) width = std::max(width, theta_waves_(band, false).cols());
+      if (interpolation_->has_orders(band, range)) width = std::max(width, theta_waves_(band, false).cols());
     }
     return width;
   }
 
   /// Whether the last terms of the polynomials are negligible compared with the entries.
   [[nodiscard]] bool is_resolved(const EntryValues& values) const {
-    for (const InterpolatedOrders::Range& range : sampled_->ranges()) {
+    for (const InterpolatedOrders::Range& range : interpolation_->ranges()) {
       if (!range.is_interpolated) continue;
       const auto largest = [&](Entry entry) {
         return values.has(entry) ? std::sqrt(values[entry].segment(range.first, range.count).abs2().maxCoeff()) : 0.0;
       };
+      // The values already contain the factors m and n of mixed entries, so there is nothing to divide by.
       const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, 1.0);
       for (int e = 0; e < kEntries; ++e) {
         const auto entry = static_cast<Entry>(e);
@@ -318,7 +323,7 @@ class Synthesis {
   }
 
   /// Sum over n from all orders n.
-  void sum_one_by_one(Index first, const std::vector<OrderSeries>& series, std::vector<RowMajor>& at_few,
+  void sum_one_by_one(Index first, const std::vector<OrderSeries>& series, std::vector<RowMajor>& at_sampled,
                       const Worker& worker) {
     const auto count = static_cast<Index>(series.size());
     for (std::size_t band = 0; band < theta_bands_.size(); ++band) {
@@ -326,7 +331,7 @@ class Synthesis {
       for (std::size_t k = 0; k < kernels_.size(); ++k) {
         const RowMajor& wave = theta_waves_(band, kernels_[k].odd);
         if (band < theta_waves_.long_bands()) {
-          add_product(summands[k], wave, at_few[k]);
+          add_product(summands[k], wave, at_sampled[k]);
         } else {
           add_product(summands[k], wave, sums_[k].block(2 * first, 0, 2 * count, wave.cols()));
         }
@@ -339,21 +344,21 @@ class Synthesis {
   [[nodiscard]] RowMajor sum_of_bands(std::size_t k, Index start, Index width, bool odd, int phi_reach,
                                       const Worker& worker) const {
     RowMajor sum = RowMajor::Zero(phi_reach + 1, width);
-    RowMajor at_few = RowMajor::Zero(phi_waves_.few(), width);
+    RowMajor at_sampled = RowMajor::Zero(phi_waves_.sampled_offsets(), width);
     Index first = 0;
     for (std::size_t band = 0; band < phi_bands_.size(); ++band) {
       const Index count = phi_bands_[band].orders.size();
       const RowMajor& wave = phi_waves_(band, odd);
       const auto sums = every_other_row(sums_[k], 2 * first + (odd ? 1 : 0), count, start, width);
       if (band < phi_waves_.long_bands()) {
-        add_product(wave.transpose(), sums, at_few);
+        add_product(wave.transpose(), sums, at_sampled);
       } else {
         add_product(wave.transpose(), sums, sum.topRows(wave.cols()));
       }
       first += count;
       worker.checkpoint();
     }
-    if (phi_waves_.long_bands() > 0) add_product(phi_waves_.polynomials(odd), at_few, sum);
+    if (phi_waves_.long_bands() > 0) add_product(phi_waves_.polynomials(odd), at_sampled, sum);
     return sum;
   }
 
@@ -367,9 +372,9 @@ class Synthesis {
     for (Index i = 0; i < count; ++i) {
       const double m = orders_[static_cast<std::size_t>(first + i)] / metric_.sine;
       const EntryValues values(m, n, series[static_cast<std::size_t>(i)], kernels_);
-      const Eigen::ArrayXd share = local_share(m, n, metric_);
+      const Eigen::ArrayXd local = local_weights(m, n, metric_);
       for (std::size_t k = 0; k < kernels_.size(); ++k) {
-        put(phi_weights_[k][first + i] * values[kernels_[k].request.entry] * theta_weights_[k][band] * share, i,
+        put(phi_weights_[k][first + i] * values[kernels_[k].request.entry] * theta_weights_[k][band] * local, i,
             summands[k]);
       }
       worker.checkpoint();
@@ -387,9 +392,9 @@ class Synthesis {
   std::vector<Kernel> kernels_;
   std::vector<Eigen::ArrayXcd> phi_weights_;                // [kernel]
   std::vector<std::vector<Eigen::ArrayXd>> theta_weights_;  // [kernel][band]
-  std::optional<InterpolatedOrders> sampled_;
-  std::vector<SampledSums> sampled_sums_;
-  std::vector<std::size_t> sums_of_;  // [kernel], index in `sampled_sums_`
+  std::optional<InterpolatedOrders> interpolation_;
+  std::vector<SumFactors> factors_;
+  std::vector<std::size_t> factors_of_kernel_;  // [kernel], index in `factors_`
   /// [kernel], sums over n: two rows per m (real, imaginary) and one column per offset in theta.
   std::vector<RowMajor> sums_;
 };

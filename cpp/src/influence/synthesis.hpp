@@ -2,8 +2,8 @@
 /// @brief Influence tables on the surface from the compliance of all orders (docs/theory/influence-tables.md).
 ///
 /// With identical patches at all nodes the compliance is translation invariant on the (phi, theta) torus, so one table
-/// per entry serves all pairs of nodes. The orders of `order_bands.hpp` are summed along theta first, then along phi,
-/// as products of small matrices. No transform of the whole sphere is taken.
+/// for each entry of the compliance serves all pairs of nodes. The orders of `order_bands.hpp` are summed along theta
+/// first, then along phi, as products of small matrices. No transform of the whole sphere is taken.
 #pragma once
 
 #include <memory>
@@ -19,21 +19,22 @@
 
 namespace viscoroll::detail {
 
-/// @brief Local metric of a sphere away from its equator, for orders above the degrees that `sphere_sum.hpp` sums
-/// separately.
+/// @brief How orders are summed at a latitude of a sphere: the metric of the latitude, and the degree up to which
+/// `sphere_sum.hpp` replaces this sum.
 struct LocalMetric {
-  double sine = 1.0;          ///< sin(theta); order m has the wave number m / sine along phi
-  double exact_degree = 0.0;  ///< middle of the step below which wave numbers are omitted; 0 omits none
+  double sine = 1.0;  ///< sin(theta); order m has the wave number m / sine along phi
+  /// degree in the middle of the smooth step from the sum over degrees to this sum; 0: this sum contains all orders
+  double exact_degree = 0.0;
 };
 
 /// @brief Sum over orders from which the tables of a surface on a mesh are made, for any body.
 class OrderSum : public TableSum {
  public:
-  /// @param[in] mesh spacings; work in power tables is per radian of the body that the mesh belongs to
+  /// @param[in] mesh spacings; work in power tables is per radian of the rolling body
   /// @param[in] radius radius that converts wave numbers to orders [m]
   /// @param[in] phi_bands,theta_bands orders m and n
   /// @param[in] spectrum compliance at all orders m, one band after the other, and up to the highest n
-  /// @param[in] metric local metric; forces are per area of the equator's metric
+  /// @param[in] metric local metric; a force is divided by the area that its patch has at the equator
   OrderSum(const MeshOnBody& mesh, double radius, std::vector<OrderBand> phi_bands, std::vector<OrderBand> theta_bands,
            std::unique_ptr<Spectrum> spectrum, const LocalMetric& metric = {})
       : mesh_(mesh),

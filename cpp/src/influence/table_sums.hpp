@@ -22,12 +22,12 @@ class CoatingSum : public TableSum {
  public:
   /// @param[in] body layers
   /// @param[in] angular_speed Omega [rad/s], > 0
-  /// @param[in] mesh spacings and truncation (not on a plane); work in power tables is per radian of the body that the
-  /// mesh belongs to
+  /// @param[in] mesh spacings and truncation (not on a plane); work in power tables is per radian of the rolling
+  /// body
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   /// @param[in] inertia_tolerance relative error of the compliance up to which inertia may be neglected
-  /// @throws InvalidInput for bad input and critical speeds
+  /// @throws InvalidInput for invalid input and critical speeds
   CoatingSum(const LayeredBody& body, double angular_speed, const MeshOnBody& mesh, int threads, Watch& watch,
              double inertia_tolerance = kInertiaTolerance);
 
@@ -36,7 +36,8 @@ class CoatingSum : public TableSum {
              const std::vector<OrderBand>& theta_bands, int threads, Watch& watch, const LocalMetric& metric = {},
              double inertia_tolerance = kInertiaTolerance);
 
-  /// @brief High orders of a sphere in another metric. Forces are per area of the equator's metric.
+  /// @brief High orders of a sphere in another metric. A force is divided by the area that its patch has at the
+  /// equator.
   CoatingSum(const LayeredBody& body, double angular_speed, const MeshOnBody& mesh, const LocalMetric& metric,
              int threads, Watch& watch);
 
@@ -58,7 +59,7 @@ class LineSum : public TableSum {
  public:
   /// @param[in] bands bands of orders, see `order_bands.hpp`
   /// @param[in] body body at the orders of all bands, one band after the other
-  /// @param[in] mesh spacing; work in power tables is per radian of the body that the mesh belongs to
+  /// @param[in] mesh spacing; work in power tables is per radian of the rolling body
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   LineSum(std::vector<OrderBand> bands, const HarmonicBody& body, const MeshOnBody& mesh, int threads, Watch& watch);

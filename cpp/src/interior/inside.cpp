@@ -23,10 +23,12 @@ bool is_same(double place, double end) {
 
 /// Boundaries of the layers, for any rolling body.
 struct Boundaries {
-  std::vector<double> operator()(const CoatedPlane& plane) const { return detail::layered_body(plane, 1.0).boundaries; }
+  std::vector<double> operator()(const CoatedPlane& plane) const {
+    return detail::checked_layered_body(plane, 1.0).boundaries;
+  }
   template <class Turning>
   std::vector<double> operator()(const Turning& shape) const {
-    return detail::layered_body(shape).boundaries;
+    return detail::checked_layered_body(shape).boundaries;
   }
 };
 
@@ -61,21 +63,21 @@ namespace {
 LayeredBody body_under(const CoatedSphere& sphere, double /*radius*/, bool line, Curvature curvature) {
   require_orders(curvature);
   if (line) reject("tractions.line", "false for a sphere", "true");
-  return layered_body(sphere, curvature);
+  return checked_layered_body(sphere, curvature);
 }
 
 LayeredBody body_under(const CoatedCylinder& cylinder, double /*radius*/, bool line, Curvature /*curvature*/) {
   if (!line) reject("tractions.line", "true for a cylinder (if the other body is a wheel, use CoatedWheel)", "false");
-  return layered_body(cylinder);
+  return checked_layered_body(cylinder);
 }
 
 LayeredBody body_under(const CoatedWheel& wheel, double /*radius*/, bool line, Curvature /*curvature*/) {
   if (line) reject("tractions.line", "false for a wheel", "true");
-  return layered_body(wheel);
+  return checked_layered_body(wheel);
 }
 
 LayeredBody body_under(const CoatedPlane& plane, double radius, bool line, Curvature /*curvature*/) {
-  LayeredBody body = layered_body(plane, radius);
+  LayeredBody body = checked_layered_body(plane, radius);
   if (line) body.metric.across = AxisKind::nothing;
   return body;
 }

@@ -24,7 +24,7 @@ struct Inside {
 /// @param[in] radius radius of the rolling body [m], > 0, which converts wave numbers of a plane to orders
 /// @param[in] line whether it is a line contact
 /// @param[in] curvature curvature terms of a sphere: sphere or paper
-/// @throws InvalidInput for bad input, for line contact of a sphere or wheel, and for point contact of a
+/// @throws InvalidInput for invalid input, for line contact of a sphere or wheel, and for point contact of a
 /// cylinder
 [[nodiscard]] Inside inside_of(const LayeredShape& shape, double angular_speed, double radius, bool line,
                                Curvature curvature);

@@ -9,6 +9,7 @@
 #include "base/validate.hpp"
 #include "materials/master_curve.hpp"
 #include "viscoroll/materials.hpp"
+#include "viscoroll/modulus_functions.hpp"
 
 namespace viscoroll {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/validate.hpp"
-#include "viscoroll/materials.hpp"
+#include "viscoroll/modulus_functions.hpp"
 
 namespace viscoroll {
 namespace {

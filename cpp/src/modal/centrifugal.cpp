@@ -113,7 +113,7 @@ double centrifugal_displacement(const LayeredBody& body, double angular_speed) {
 
 double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed) {
   // The choice of the curvature terms affects tangential displacements only, and the uniform displacement has none.
-  return detail::centrifugal_displacement(detail::layered_body(sphere), angular_speed);
+  return detail::centrifugal_displacement(detail::checked_layered_body(sphere), angular_speed);
 }
 
 }  // namespace viscoroll

@@ -191,19 +191,19 @@ void require_damped_waves(const HarmonicBody& body) {
 }  // namespace detail
 
 double critical_speed(const CoatedSphere& sphere, double highest_frequency, Curvature curvature) {
-  return detail::critical_speed(detail::layered_body(sphere, curvature), highest_frequency);
+  return detail::critical_speed(detail::checked_layered_body(sphere, curvature), highest_frequency);
 }
 
 double critical_speed(const CoatedCylinder& cylinder, double highest_frequency) {
-  return detail::critical_speed(detail::layered_body(cylinder), highest_frequency);
+  return detail::critical_speed(detail::checked_layered_body(cylinder), highest_frequency);
 }
 
 double critical_speed(const CoatedWheel& wheel, double highest_frequency) {
-  return detail::critical_speed(detail::layered_body(wheel), highest_frequency);
+  return detail::critical_speed(detail::checked_layered_body(wheel), highest_frequency);
 }
 
 double critical_speed(const CoatedPlane& plane, double highest_frequency) {
-  return detail::critical_speed(detail::layered_body(plane, 1.0), highest_frequency);
+  return detail::critical_speed(detail::checked_layered_body(plane, 1.0), highest_frequency);
 }
 
 }  // namespace viscoroll

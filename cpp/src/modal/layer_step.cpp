@@ -4,7 +4,7 @@ namespace viscoroll::detail {
 namespace {
 
 constexpr int kMaxTerms = 81;        // steps without short shear waves need at most 40
-constexpr double kRoundOff = 1e-17;  // relative size of a negligible term
+constexpr double kNegligibleTerm = 1e-17;  // relative size of a negligible term
 
 /// Terms t_j = z_j x^j of a solution in one lane: t_j, t_{j-1} and t_{j-2}.
 template <class Scalar>
@@ -116,7 +116,7 @@ VISCOROLL_PART_OF_CALLER bool are_negligible(const SolutionLanes<Scalar>& last, 
   std::array<double, kLanes> open{};
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t l = 0; l < kLanes; ++l) {
-      const double limit = kRoundOff * size(sum[i][l]);
+      const double limit = kNegligibleTerm * size(sum[i][l]);
       open[l] = size(last[i][l]) > limit ? 1.0 : open[l];
       open[l] = size(before[i][l]) > limit ? 1.0 : open[l];
     }

@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "base/validate.hpp"
-
 namespace viscoroll::detail {
 namespace {
 
@@ -62,7 +60,6 @@ std::vector<Layer> layers_from_base(const CoatedPlane& plane) {
 }
 
 LayeredBody layered_body(const CoatedSphere& sphere, Curvature curvature) {
-  validate(sphere);
   return {.metric = {.radius = outer_radius(sphere), .curvature = curvature},
           .layers = sphere.layers,
           .inner_boundary = sphere.inner_boundary,
@@ -70,14 +67,12 @@ LayeredBody layered_body(const CoatedSphere& sphere, Curvature curvature) {
 }
 
 LayeredBody layered_body(const CoatedCylinder& cylinder) {
-  validate(cylinder);
   return {.metric = {.radius = outer_radius(cylinder), .across = AxisKind::nothing},
           .layers = cylinder.layers,
           .boundaries = radii(cylinder.core_radius, cylinder.layers)};
 }
 
 LayeredBody layered_body(const CoatedWheel& wheel) {
-  validate(wheel);
   return {.metric = {.radius = outer_radius(wheel), .across = AxisKind::line},
           .layers = wheel.layers,
           .boundaries = radii(wheel.core_radius, wheel.layers),
@@ -85,8 +80,6 @@ LayeredBody layered_body(const CoatedWheel& wheel) {
 }
 
 LayeredBody layered_body(const CoatedPlane& plane, double radius) {
-  validate(plane);
-  require_positive("radius", radius, "m");
   std::vector<Layer> layers = layers_from_base(plane);
   std::vector<double> boundaries = heights(layers);
   return {.metric = {.radius = radius, .along = AxisKind::line, .across = AxisKind::line},

@@ -67,25 +67,29 @@ struct LayeredBody {
 /// @return layers of a plane from the base outwards; the base is a layer of infinite thickness, unless it is rigid
 [[nodiscard]] std::vector<Layer> layers_from_base(const CoatedPlane& plane);
 
-/// @brief Check and describe a sphere.
+/// @brief Describe a checked sphere.
 /// @param[in] sphere core and layers
 /// @param[in] curvature curvature terms in the layer equations
-/// @throws InvalidInput for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedSphere& sphere, Curvature curvature = Curvature::sphere);
 
-/// @brief Check and describe a cylinder.
-/// @throws InvalidInput for invalid input
+/// @brief Describe a checked cylinder.
 [[nodiscard]] LayeredBody layered_body(const CoatedCylinder& cylinder);
 
-/// @brief Check a wheel and describe its unbounded tread, with layers of the same thickness everywhere. The folder
+/// @brief Describe the unbounded tread of a checked wheel, with layers of the same thickness everywhere. The folder
 /// `section` adds the effects of faces and hub.
-/// @throws InvalidInput for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedWheel& wheel);
 
-/// @brief Check and describe a plane with its base.
+/// @brief Describe a checked plane with its base.
 /// @param[in] plane layers and base
 /// @param[in] radius radius of the rolling body [m], > 0; orders are wave numbers times this radius
-/// @throws InvalidInput for invalid input
 [[nodiscard]] LayeredBody layered_body(const CoatedPlane& plane, double radius);
+
+/// @brief Check a body that a user gave, and describe it. Parameters after the body are those of `layered_body`.
+/// @throws InvalidInput for invalid input
+template <class Shape, class... Settings>
+[[nodiscard]] LayeredBody checked_layered_body(const Shape& shape, const Settings&... settings) {
+  validate(shape);
+  return layered_body(shape, settings...);
+}
 
 }  // namespace viscoroll::detail

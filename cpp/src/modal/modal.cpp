@@ -53,7 +53,7 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, doubl
   if (m.size() != n.size()) {
     detail::reject("n", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(n.size()));
   }
-  const detail::HarmonicBody body(detail::layered_body(sphere, curvature), angular_speed, magnitudes_of(m));
+  const detail::HarmonicBody body(detail::checked_layered_body(sphere, curvature), angular_speed, magnitudes_of(m));
 
   detail::Watch watch(observer);
   std::vector<ComplexMatrix3> compliances(m.size());
@@ -83,7 +83,7 @@ std::vector<ComplexMatrix3> degree_compliance(const CoatedSphere& sphere, double
   }
   CoatedSphere still = sphere;
   for (Layer& layer : still.layers) layer.density = 0.0;
-  const detail::HarmonicBody body(detail::layered_body(still, Curvature::exact), angular_speed, magnitudes);
+  const detail::HarmonicBody body(detail::checked_layered_body(still, Curvature::exact), angular_speed, magnitudes);
 
   detail::Watch watch(observer);
   std::vector<ComplexMatrix3> compliances(degree.size());
@@ -108,7 +108,7 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedPlane& plane, double 
     if (k_xi[i] == 0.0 && k_zeta[i] == 0.0) detail::reject("k_zeta", "nonzero if k_xi is 0 1/m", "0 1/m");
     magnitudes.push_back(std::abs(k_xi[i]));
   }
-  detail::LayeredBody layers = detail::layered_body(plane, 1.0);
+  detail::LayeredBody layers = detail::checked_layered_body(plane, 1.0);
   detail::require_positive("speed", speed, "m/s");
   const detail::HarmonicBody body(std::move(layers), speed, magnitudes);
   std::vector<ComplexMatrix3> compliances(k_xi.size());
@@ -124,7 +124,7 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedWheel& wheel, double 
     detail::reject("k", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(k.size()));
   }
   for (const double wave_number : k) detail::require_finite("k", wave_number);
-  const detail::HarmonicBody body(detail::layered_body(wheel), angular_speed, magnitudes_of(m));
+  const detail::HarmonicBody body(detail::checked_layered_body(wheel), angular_speed, magnitudes_of(m));
   std::vector<ComplexMatrix3> compliances(m.size());
   for (std::size_t i = 0; i < m.size(); ++i) {
     compliances[i] = physical_compliance(body, i, m[i] < 0, k[i] * body.radius());

@@ -47,20 +47,25 @@ struct ContactReach {
   double across;  ///< to either side [m]
 };
 
-/// @brief Motion of the material of both surfaces through the contact.
-struct ContactKinematics {
-  double angular_speed;      ///< Omega of the rolling body [rad/s]
-  double radius;             ///< of the rolling body; angles of the mesh are arcs at this radius [m]
-  Mesh mesh;                 ///< of the rolling body
-  double theta_spacing;      ///< spacing of its nodes across; on a wheel it differs from that of the mesh [rad]
-  double widest;             ///< largest offset across [rad]
-  Curvature curvature;       ///< curvature terms retained in the layer equations
-  double inertia_tolerance;  ///< largest relative error of the compliance due to the truncated expansion in inertia
+/// @brief Motion of both surfaces through the contact.
+struct SurfaceMotion {
+  double angular_speed;  ///< Omega of the rolling body [rad/s]
+  double radius;         ///< of the rolling body; angles of a mesh are arcs at this radius [m]
+  Curvature curvature;   ///< curvature terms retained in the layer equations
   ContactForm form;
-  Execution execution;
 
   /// @return angular speed of a body of another radius with the same surface speed [rad/s]
   [[nodiscard]] double angular_speed_at(double other) const { return angular_speed * (radius / other); }
+};
+
+/// @brief Motion of the material of both surfaces from node to node.
+struct ContactKinematics : SurfaceMotion {
+  Mesh mesh;                 ///< of the rolling body
+  double theta_spacing;      ///< spacing of its nodes across; on a wheel it differs from that of the mesh [rad]
+  double widest;             ///< largest offset across [rad]
+  double inertia_tolerance;  ///< largest relative error of the compliance due to the truncated expansion in inertia
+  Execution execution;
+
   /// @return the mesh in the angles of a body of another radius
   [[nodiscard]] MeshOnBody mesh_at(double other) const {
     return form.is_line() ? MeshOnBody(mesh, radius / other) : MeshOnBody(mesh, radius / other, theta_spacing, widest);
@@ -73,7 +78,6 @@ struct BodySurface {
   std::complex<double> normal = 0.0;            ///< normal compliance of the highest order of the mesh along phi [m/Pa]
   std::complex<double> along = 0.0;             ///< compliance of the same order in the rolling direction [m/Pa]
   double stiffest_modulus = 0.0;                ///< largest shear modulus of a layer at the highest harmonic [Pa]
-  double centrifugal = 0.0;                     ///< centrifugal displacement d_R^(c) [m]
 };
 
 class RoundBody;
@@ -100,12 +104,12 @@ class Body {
   [[nodiscard]] double radius() const { return shape_.radius; }
   [[nodiscard]] double width() const { return shape_.width; }
 
-  /// @return influence tables, compliance and centrifugal displacement
+  /// @return influence tables and compliance
   /// @throws InvalidInput for meshes and curvatures that the type of body does not support, and for critical
   /// speeds
   [[nodiscard]] virtual BodySurface surface(const ContactKinematics& kinematics) const = 0;
   /// @return the layers in the contact, without free faces; not defined for a rigid body
-  [[nodiscard]] virtual LayeredBody layered(const ContactKinematics& kinematics) const = 0;
+  [[nodiscard]] virtual LayeredBody layered(const SurfaceMotion& motion) const = 0;
   [[nodiscard]] virtual Profile profile(const SurfaceWindow& points) const = 0;
   /// @return the tread if it ends at free faces, where influence depends on more than offsets; null for other bodies
   [[nodiscard]] virtual const CoatedWheel* free_tread() const { return nullptr; }

@@ -190,9 +190,9 @@ ContactReach estimate_contact(const RollingPair& pair, double angular_speed, dou
                   [&](const std::vector<Part>& parts) { return contact_radius(pair, parts, load); });
 }
 
-ContactReach estimate_contact(const RollingPair& pair, const LoadCase& load_case, double centrifugal) {
+ContactReach estimate_contact(const PairAtSpeed& pair, const LoadCase& load_case) {
   if (load_case.load) return estimate_contact(pair, load_case.angular_speed, *load_case.load);
-  const double penetration = *load_case.penetration + centrifugal;
+  const double penetration = *load_case.penetration + pair.centrifugal;
   return estimate(pair, load_case.angular_speed,
                   [&](const std::vector<Part>& parts) { return contact_radius_at(pair, parts, penetration); });
 }

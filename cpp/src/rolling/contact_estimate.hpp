@@ -2,7 +2,7 @@
 /// @brief Estimate of the contact size before the contact is solved.
 #pragma once
 
-#include "rolling/rolling_pair.hpp"
+#include "rolling/mesh_model.hpp"
 #include "viscoroll/load_case.hpp"
 
 namespace viscoroll::detail {
@@ -32,10 +32,9 @@ namespace viscoroll::detail {
 /// if they are incompressible, and on a thick layer that of Hertz, a^2 / R in point contact. Each part contributes the
 /// mean of both limits weighted by their loads; parts are weighted by their compliance. The result is made as much too
 /// large as that for a load.
-/// @param[in] pair rolling body and counterbody
+/// @param[in] pair rolling body and counterbody, whose centrifugal displacement adds to the penetration
 /// @param[in] load_case load case
-/// @param[in] centrifugal centrifugal displacement, which adds to the penetration [m]
-[[nodiscard]] ContactReach estimate_contact(const RollingPair& pair, const LoadCase& load_case, double centrifugal);
+[[nodiscard]] ContactReach estimate_contact(const PairAtSpeed& pair, const LoadCase& load_case);
 
 /// @brief Upper bound of the loads that a coating of such layers can support: a thousand times the loads of Hertz and
 /// of the thin incompressible bonded layer for a contact as wide as the body, with the stiffest layer at the highest

@@ -8,6 +8,7 @@
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/initial_gap.hpp"
+#include "rolling/input_checks.hpp"
 #include "rolling/rigid_slip.hpp"
 #include "surface/sum_operator.hpp"
 
@@ -27,15 +28,15 @@ std::shared_ptr<const SurfaceOperator> surface_on(const SurfaceWindow& window, c
   if (!model.counterbody) return own;
   Formulation formulation = given.formulation;
   formulation.is_counterbody = true;
-  formulation.counterbody_curvatures = given.pair().on->curvatures();
+  formulation.counterbody_curvatures = given.pair.on->curvatures();
   auto counterbody = model.counterbody->operator_on(window, formulation, given.execution);
   return own ? std::make_shared<SumOperator>(std::move(own), std::move(counterbody)) : counterbody;
 }
 
 Friction make_friction(const SurfaceWindow& window, const ContactSetup& given) {
   const LoadCase& load_case = given.load_case;
-  RigidDisplacements rigid = rigid_slip(given.displaced_points(window), given.model.growth,
-                                        given.options.slip_kinematics, given.pair(), given_motion(load_case));
+  RigidDisplacements rigid = rigid_slip(given.displaced_points(window), given.pair.growth,
+                                        given.options.slip_kinematics, given.pair, given_motion(load_case));
   return {.coefficient = load_case.friction,
           .rigid_slip = std::move(rigid.slip),
           .counterbody_rigid_displacement = std::move(rigid.counterbody),
@@ -47,9 +48,7 @@ Friction make_friction(const SurfaceWindow& window, const ContactSetup& given) {
 
 }  // namespace
 
-bool ContactSetup::has_sides() const { return std::isfinite(width(pair())); }
-
-bool ContactSetup::approach_exists() const { return detail::approach_exists(pair()); }
+bool ContactSetup::has_sides() const { return std::isfinite(width(pair)); }
 
 SurfaceWindow ContactSetup::displaced_points(const SurfaceWindow& window) const {
   if (formulation.collocation == window.shift()) return window;
@@ -57,45 +56,51 @@ SurfaceWindow ContactSetup::displaced_points(const SurfaceWindow& window) const 
 }
 
 MomentArms ContactSetup::moment_arms(const SurfaceWindow& window) const {
-  const double growth = model.growth.own;
-  MomentArms arms{
-      .x = growth * window.x(), .y = growth * window.points().y().values(), .radius = pair().body->radius()};
-  if (pair().on->curvatures().along != 0.0) arms.slope = counterbody_slope(window, model.growth, pair());
+  const double growth = pair.growth.own;
+  MomentArms arms{.x = growth * window.x(), .y = growth * window.points().y().values(), .radius = pair.body->radius()};
+  if (pair.on->curvatures().along != 0.0) arms.slope = counterbody_slope(window, pair.growth, pair);
   return arms;
 }
 
 MomentArms ContactSetup::moment_arms(const SurfaceWindow& window, const std::vector<Eigen::Index>& at) const {
-  const double growth = model.growth.own;
-  return {.x = growth * window.x()(at), .y = growth * window.points().y().at(at), .radius = pair().body->radius()};
+  const double growth = pair.growth.own;
+  return {.x = growth * window.x()(at), .y = growth * window.points().y().at(at), .radius = pair.body->radius()};
 }
 
 ContactProblem ContactSetup::problem(const SurfaceWindow& window) const {
   ContactProblem problem{.surface = surface_on(window, *this),
-                         .initial_gap = initial_gap(displaced_points(window), model.growth, pair()),
+                         .initial_gap = initial_gap(displaced_points(window), pair.growth, pair),
                          .normal_force = load_case.load.value_or(0.0),
                          .friction = std::nullopt,
                          .ends_at_sides = has_sides() && window.window().theta == nodes.widest.theta};
-  if (load_case.penetration) problem.penetration = *load_case.penetration + model.centrifugal;
+  if (load_case.penetration) problem.penetration = *load_case.penetration + pair.centrifugal;
   if (load_case.friction > 0.0) problem.friction = make_friction(window, *this);
   return problem;
 }
 
-ContactSetup assemble(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
-  const double radius = model.pair.body->radius();
-  const ContactReach contact = estimate_contact(model.pair, load_case, model.centrifugal);
+RollingCase rolling_case(const PairAtSpeed& pair, const LoadCase& load_case, const Options& options, Watch& watch) {
+  require_formulation(pair, options);
+  if (load_case.penetration) require_penetration(pair, *load_case.penetration);
+  const ContactReach contact = estimate_contact(pair, load_case);
+  const double radius = pair.body->radius();
   const double half_chord = kAssumedShare * contact.along;
-  return {.model = model,
+  return {.pair = pair,
           .load_case = load_case,
           .options = options,
           .execution = {.threads = options.threads, .watch = watch},
-          .limits = {.max_iterations = options.max_iterations},
-          .formulation = {.compliance = options.compliance,
-                          .patch_load = options.patch_load,
-                          .tangential = load_case.friction > 0.0,
-                          .collocation = model.collocation},
-          .nodes = nodes_of(model.pair, model.mesh),
           .contact = contact,
           .estimated_depth = radius - std::sqrt(std::max(std::pow(radius, 2) - std::pow(half_chord, 2), 0.0))};
+}
+
+ContactSetup assemble(const MeshModel& model, const RollingCase& given) {
+  return {given,
+          model,
+          {.max_iterations = given.options.max_iterations},
+          {.compliance = given.options.compliance,
+           .patch_load = given.options.patch_load,
+           .tangential = given.load_case.friction > 0.0,
+           .collocation = model.collocation},
+          nodes_of(model.pair, model.mesh)};
 }
 
 }  // namespace viscoroll::detail

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Contact problem of a load case: load, friction and kinematics at the nodes of a window.
+/// @brief A load case of two bodies, and its contact problem: load, friction and kinematics at the nodes of a window.
 #pragma once
 
 #include <vector>
@@ -11,28 +11,39 @@
 
 namespace viscoroll::detail {
 
-/// @brief A load case on a model, with the quantities that are known before the contact is solved.
-struct ContactSetup {
-  const MeshModel& model;
+/// @brief A checked load case. It refers to its inputs, which must outlive it.
+struct RollingCase {
+  const PairAtSpeed& pair;
   const LoadCase& load_case;
   const Options& options;
   Execution execution;
+  ContactReach contact;    ///< estimated size of the contact; rather too large than too small
+  double estimated_depth;  ///< undeformed gap at the edge of the estimated contact [m]
+};
+
+/// @brief Check a load case against both bodies, and estimate its contact.
+/// @param[in] pair both bodies at the speed of the load case
+/// @param[in] load_case load, friction and drive, whose values have been checked
+/// @param[in] options solver options, whose values have been checked
+/// @param[in] watch progress and cancellation
+/// @throws InvalidInput for formulations and penetrations that the pair does not support
+[[nodiscard]] RollingCase rolling_case(const PairAtSpeed& pair, const LoadCase& load_case, const Options& options,
+                                       Watch& watch);
+
+/// @brief A load case on a mesh, with the quantities that are known before the contact is solved.
+struct ContactSetup : RollingCase {
+  const MeshModel& model;
   ContactOptions limits;
   Formulation formulation;
   Nodes nodes;
-  ContactReach contact;    ///< estimated size of the contact; rather too large than too small
-  double estimated_depth;  ///< undeformed gap at the edge of the estimated contact [m]
 
-  [[nodiscard]] const RollingPair& pair() const { return model.pair; }
   /// @return undeformed gap below which nodes are assumed to touch at first: `estimated_depth`, scaled by the
   /// centrifugal growth of the rolling body [m]
-  [[nodiscard]] double contact_gap_limit() const { return model.growth.own * estimated_depth; }
+  [[nodiscard]] double contact_gap_limit() const { return pair.growth.own * estimated_depth; }
   /// @return 0 with the radial compliance, whose pressure does no work along the plane, else 1
   [[nodiscard]] double pressure_work_factor() const { return options.compliance == Compliance::vertical ? 1.0 : 0.0; }
   /// @return whether one of the two bodies ends at side faces
   [[nodiscard]] bool has_sides() const;
-  /// @return whether displacements are relative to a place at rest, so that the approach of the bodies is defined
-  [[nodiscard]] bool approach_exists() const;
 
   /// @return points at which displacements are evaluated
   [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& window) const;
@@ -45,11 +56,8 @@ struct ContactSetup {
 };
 
 /// @brief Collect the quantities of a load case that are known before the contact is solved.
-/// @param[in] model both bodies at the speed of the load case, on a mesh
-/// @param[in] load_case load, friction and drive
-/// @param[in] options solver options; mesh and accuracy are ignored
-/// @param[in] watch progress and cancellation
-[[nodiscard]] ContactSetup assemble(const MeshModel& model, const LoadCase& load_case, const Options& options,
-                                    Watch& watch);
+/// @param[in] model the bodies of the load case on a mesh
+/// @param[in] given load case; the mesh and the accuracy of its options are ignored
+[[nodiscard]] ContactSetup assemble(const MeshModel& model, const RollingCase& given);
 
 }  // namespace viscoroll::detail

@@ -8,8 +8,7 @@
 
 #include "base/validate.hpp"
 #include "rolling/body.hpp"
-#include "rolling/line_contact_surface.hpp"
-#include "rolling/point_contact_surface.hpp"
+#include "rolling/contact_surface.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -28,24 +27,17 @@ void require_curvature_of_cylinder(Curvature curvature) {
          curvature == Curvature::exact ? "EXACT" : "PAPER");
 }
 
-void require_kinematics(const ContactKinematics& kinematics) {
-  if (kinematics.form.is_line()) require_line_mesh(kinematics.mesh);
-  require_curvature_of_cylinder(kinematics.curvature);
-}
-
 /// Layers of the roller; under a wheel they are a tread without side faces.
-LayeredBody layers_of(const CoatedCylinder& cylinder, const ContactKinematics& kinematics) {
-  require_kinematics(kinematics);
+LayeredBody layers_of(const CoatedCylinder& cylinder, const SurfaceMotion& motion) {
+  require_curvature_of_cylinder(motion.curvature);
   LayeredBody layers = layered_body(cylinder);
-  if (!kinematics.form.is_line()) layers.metric.across = AxisKind::line;
+  if (!motion.form.is_line()) layers.metric.across = AxisKind::line;
   return layers;
 }
 
 BodySurface surface_of(const CoatedCylinder& cylinder, const ContactKinematics& kinematics) {
-  require_kinematics(kinematics);
-  if (cylinder.layers.empty()) return {};
   const LayeredBody layers = layers_of(cylinder, kinematics);
-  return kinematics.form.is_line() ? surface_under_line(layers, kinematics) : surface_under_spot(layers, kinematics);
+  return cylinder.layers.empty() ? BodySurface{} : surface_of_layers(layers, kinematics);
 }
 
 /// Profile at the same arc lengths as the nodes of the rolling body.
@@ -56,6 +48,7 @@ Profile profile_of(double radius, const SurfaceWindow& points) {
 
 /// The patch of a node is one meter wide, so that nodal forces are forces per length.
 Nodes nodes_of(double radius, const Mesh& mesh) {
+  require_line_mesh(mesh);
   const int phi = nodes_to_60_degrees(mesh.nodes_per_revolution);
   return {.grid = {.radius = radius, .phi_spacing = phi_spacing(mesh), .theta_spacing = 1.0 / radius},
           .widest = {{-phi, phi}, {0, 0}}};
@@ -79,9 +72,7 @@ class CylinderBody final : public RoundBody {
   [[nodiscard]] BodySurface surface(const ContactKinematics& kinematics) const override {
     return surface_of(cylinder_, kinematics);
   }
-  [[nodiscard]] LayeredBody layered(const ContactKinematics& kinematics) const override {
-    return layers_of(cylinder_, kinematics);
-  }
+  [[nodiscard]] LayeredBody layered(const SurfaceMotion& motion) const override { return layers_of(cylinder_, motion); }
   [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return profile_of(radius(), points); }
   [[nodiscard]] Nodes nodes(const Mesh& mesh, const Body& /*on*/) const override { return nodes_of(radius(), mesh); }
   void require(const Options& options) const override { require_flat_patches(options); }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "rolling/mesh_model.hpp"
-#include "rolling/rolling_pair.hpp"
 #include "surface/surface_window.hpp"
 
 namespace viscoroll::detail {

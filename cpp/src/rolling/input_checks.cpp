@@ -26,13 +26,12 @@ struct Relaxation {
   double ratio;    ///< relaxed modulus divided by the modulus at the contact frequency [-]
 };
 
-/// @param[in] angular_speed angular speed of the rolling body [rad/s]
 /// @param[in] contact_frequency angular frequency [rad/s]
-Relaxation strongest_relaxation(const RollingPair& pair, double angular_speed, double contact_frequency) {
+Relaxation strongest_relaxation(const PairAtSpeed& pair, double contact_frequency) {
   const std::array frequencies{0.0, contact_frequency};
   Relaxation strongest{.layer = "", .modulus = 0.0, .ratio = 2.0};
   for (const auto& [name, layer] : layers(pair)) {
-    const auto moduli = modulus_in_rolling(layer.shear_modulus, angular_speed, frequencies);
+    const auto moduli = modulus_in_rolling(layer.shear_modulus, pair.angular_speed, frequencies);
     const double ratio = moduli.front().real() / std::abs(moduli.back());
     if (ratio < strongest.ratio) strongest = {.layer = name, .modulus = moduli.front().real(), .ratio = ratio};
   }
@@ -95,38 +94,37 @@ void require_depth(const RollingPair& pair, double load, double depth) {
   }
 }
 
-void require_formulation(const MeshModel& model, const Options& options) {
-  model.pair.body->require(options);
-  if (!model.counterbody) return;
+void require_formulation(const RollingPair& pair, const Options& options) {
+  pair.body->require(options);
+  if (pair.on->is_rigid()) return;
   const std::string why = " if the counterbody deforms";
   if (options.compliance == Compliance::vertical) reject("compliance", "RADIAL" + why, "VERTICAL");
   if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");
 }
 
-void require_supported(const MeshModel& model, const LoadCase& load_case) {
-  if (load_case.load) {
-    if (*load_case.load <= load_upper_bound(model.pair, model.stiffest_modulus)) return;
-    reject_load(model.pair, load_case, "would be pressed through any coating of this stiffness");
-  }
-  const double penetration = *load_case.penetration;
+void require_penetration(const PairAtSpeed& pair, double penetration) {
   const std::string value = text(penetration) + " m";
-  if (!approach_exists(model.pair)) {
+  if (!approach_exists(pair)) {
     reject("penetration", "left out in line contact on a half-space, where it is undetermined: give the load", value);
   }
-  const double least = -model.centrifugal;
+  const double least = -pair.centrifugal;
   if (!(penetration > least)) {
     reject("penetration", "> " + (least == 0.0 ? "0 m" : rounded(least) + " m (minus the centrifugal displacement)"),
            value);
   }
-  const double most = thickness(model.pair);
+  const double most = thickness(pair);
   if (!(penetration < most)) reject("penetration", "< " + text(most) + " m, the thickness of the coating", value);
 }
 
-void require_relaxed_stiffness(const ContactSetup& setup) {
+void require_supported(const MeshModel& model, const RollingCase& given) {
+  const PairAtSpeed& pair = given.pair;
+  const LoadCase& load_case = given.load_case;
+  if (load_case.load && !(*load_case.load <= load_upper_bound(pair, model.stiffest_modulus))) {
+    reject_load(pair, load_case, "would be pressed through any coating of this stiffness");
+  }
   constexpr double kMinModulusRatio = 1e-5;  // at 1e-6, round-off stops the iteration at a relative residual of 4e-8
-  const double contact_frequency =
-      setup.load_case.angular_speed * std::max(1.0, setup.nodes.grid.radius / setup.contact.along);
-  const Relaxation relaxation = strongest_relaxation(setup.pair(), setup.load_case.angular_speed, contact_frequency);
+  const double contact_frequency = pair.angular_speed * std::max(1.0, pair.body->radius() / given.contact.along);
+  const Relaxation relaxation = strongest_relaxation(pair, contact_frequency);
   if (relaxation.ratio >= kMinModulusRatio) return;
   reject(relaxation.layer + ".shear_modulus",
          "such that the relaxed modulus is at least " + text(kMinModulusRatio) +
@@ -144,19 +142,19 @@ void require_node_limit(const Window& window, const Mesh& mesh) {
 
 void require_contact(const ContactSetup& setup, double friction, double penetration) {
   if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
-  if (setup.approach_exists() && !(penetration > 0.0)) {
+  if (approach_exists(setup.pair) && !(penetration > 0.0)) {
     if (friction == 0.0) {
-      setup.pair().body->require_stiffness();
-      setup.pair().on->require_stiffness();
+      setup.pair.body->require_stiffness();
+      setup.pair.on->require_stiffness();
       // The remaining cause of a penetration that is not positive is a contact too wide for the equations.
-      reject_load(setup.pair(), setup.load_case, "would be pressed through the coating");
+      reject_load(setup.pair, setup.load_case, "would be pressed through the coating");
     }
     reject("friction",
-           "so small that the tangential forces do not lift the " + std::string(setup.pair().body->name()) +
+           "so small that the tangential forces do not lift the " + std::string(setup.pair.body->name()) +
                " out of contact",
            text(friction));
   }
-  if (setup.load_case.load) require_depth(setup.pair(), *setup.load_case.load, penetration - setup.model.centrifugal);
+  if (setup.load_case.load) require_depth(setup.pair, *setup.load_case.load, penetration - setup.pair.centrifugal);
 }
 
 void require_reachable_drive(const ContactSetup& setup, const ContactProblem& problem) {
@@ -164,7 +162,7 @@ void require_reachable_drive(const ContactSetup& setup, const ContactProblem& pr
   const LoadCase& load_case = setup.load_case;
   const GivenMotion given = given_motion(load_case);
   if (given.creepage) return;
-  const RoundBody& body = *setup.pair().body;
+  const RoundBody& body = *setup.pair.body;
   std::array<SlidingDrive, 2> limits{};
   try {
     limits = sliding_drives(setup, problem);

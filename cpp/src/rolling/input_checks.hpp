@@ -10,15 +10,15 @@
 namespace viscoroll::detail {
 
 /// @brief Reject formulations for which the bodies have no tables.
-void require_formulation(const MeshModel& model, const Options& options);
+void require_formulation(const RollingPair& pair, const Options& options);
 
-/// @brief Reject loads that no coating of such layers can support, and penetrations that are too large for the layers
-/// or at which the bodies do not touch.
-void require_supported(const MeshModel& model, const LoadCase& load_case);
+/// @brief Reject penetrations [m] that are too large for the layers or at which the bodies do not touch.
+void require_penetration(const PairAtSpeed& pair, double penetration);
 
-/// @brief Reject moduli that relax to almost nothing. In steady state, order m = 0 has relaxed completely: the load
-/// leaves a groove around the whole circumference, whose depth such a modulus does not limit.
-void require_relaxed_stiffness(const ContactSetup& setup);
+/// @brief Reject loads that no coating of such layers can support, and moduli that relax to almost nothing. In steady
+/// state, order m = 0 has relaxed completely: the load leaves a groove around the whole circumference, whose depth such
+/// a modulus does not limit. The model comes first because it reports speeds at which both are meaningless.
+void require_supported(const MeshModel& model, const RollingCase& given);
 
 /// @brief Reject a window with more nodes than fit into memory.
 /// @throws MeshTooFine if the window has too many nodes

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "base/validate.hpp"
+#include "modal/centrifugal.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -31,40 +33,55 @@ double stable_collocation(std::complex<double> normal, std::complex<double> alon
   return std::clamp(std::min(full, kOnset * (full - halved)), 0.0, kMaxShift);
 }
 
+double centrifugal_displacement_of(const Body& body, const SurfaceMotion& motion) {
+  if (body.is_rigid()) return 0.0;
+  const LayeredBody layers = body.layered(motion);
+  return centrifugal_displacement(layers, motion.angular_speed_at(layers.metric.radius));
+}
+
 /// @throws InvalidInput if the rolling body would grow to fill the counterbody in which it rolls
-void require_room_for_growth(const RollingPair& pair, const CentrifugalGrowth& growth, double angular_speed) {
+void require_room_for_growth(const PairAtSpeed& pair) {
   const Curvatures& own = pair.body->curvatures();
   const Curvatures& on = pair.on->curvatures();
+  const CentrifugalGrowth& growth = pair.growth;
   const bool is_tread = std::isfinite(width(pair));
   const double along = growth.own * own.along + growth.met() * on.along;
   const double across = is_tread ? 1.0 : growth.own * own.across + growth.met() * on.across;
   if (along > 0.0 && (pair.body->form().is_line() || across > 0.0)) return;
   reject("angular_speed",
          "so low that the " + std::string(pair.body->name()) + " does not grow to fill the counterbody",
-         text(angular_speed) + " rad/s (centrifugal growth of the radius by a fraction of " +
+         text(pair.angular_speed) + " rad/s (centrifugal growth of the radius by a fraction of " +
              rounded(growth.own - 1.0) + ")");
 }
 
 }  // namespace
 
-MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
-                     const Execution& execution, double inertia_tolerance) {
+PairAtSpeed at_speed(const RollingPair& pair, double angular_speed) {
+  // The choice of the curvature terms affects tangential displacements only, and the uniform displacement has none.
+  const SurfaceMotion motion = motion_of(pair, angular_speed, Curvature::sphere);
+  const double own = centrifugal_displacement_of(*pair.body, motion);
+  const double counterbody = centrifugal_displacement_of(*pair.on, motion);
+  PairAtSpeed at{pair,
+                 angular_speed,
+                 own + counterbody,
+                 {.own = 1.0 + own * pair.body->curvatures().along,
+                  .counterbody = 1.0 + counterbody * pair.on->curvatures().along}};
+  require_room_for_growth(at);
+  return at;
+}
+
+MeshModel make_model(const PairAtSpeed& pair, const Mesh& mesh, Curvature curvature, const Execution& execution,
+                     double inertia_tolerance) {
   const ContactKinematics kinematics =
-      kinematics_of(pair, angular_speed, mesh, curvature, execution, inertia_tolerance);
+      kinematics_of(pair, pair.angular_speed, mesh, curvature, execution, inertia_tolerance);
   BodySurface own = pair.body->surface(kinematics);
   BodySurface counterbody = pair.on->surface(kinematics);
-  const CentrifugalGrowth growth{.own = 1.0 + own.centrifugal * pair.body->curvatures().along,
-                                 .counterbody = 1.0 + counterbody.centrifugal * pair.on->curvatures().along};
-  require_room_for_growth(pair, growth, angular_speed);
   return {.pair = pair,
-          .angular_speed = angular_speed,
           .mesh = mesh,
           .curvature = curvature,
           .own = std::move(own.tables),
           .counterbody = std::move(counterbody.tables),
           .stiffest_modulus = std::max(own.stiffest_modulus, counterbody.stiffest_modulus),
-          .centrifugal = own.centrifugal + counterbody.centrifugal,
-          .growth = growth,
           .collocation = stable_collocation(own.normal + counterbody.normal, own.along + counterbody.along)};
 }
 

@@ -7,8 +7,7 @@
 
 #include "base/validate.hpp"
 #include "rolling/body.hpp"
-#include "rolling/line_contact_surface.hpp"
-#include "rolling/point_contact_surface.hpp"
+#include "rolling/contact_surface.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -16,12 +15,6 @@ namespace {
 /// Largest ratio of the radius of the rolling body to that of the groove: in a closer fit, the contact is no longer
 /// shallow.
 constexpr double kClosestFit = 1.0 / 1.02;
-
-BodySurface surface_of(const CoatedPlane& plane, const ContactKinematics& kinematics) {
-  if (is_rigid(plane)) return {};
-  const LayeredBody layers = layered_body(plane, kinematics.radius);
-  return kinematics.form.is_line() ? surface_under_line(layers, kinematics) : surface_under_spot(layers, kinematics);
-}
 
 /// @param[in] hollow_radius radius of a hollow surface [m], > 0; none for a straight surface
 double curvature(const std::optional<double>& hollow_radius) { return hollow_radius ? -1.0 / *hollow_radius : 0.0; }
@@ -53,10 +46,10 @@ class PlaneBody : public Body {
       : Body({.layers = layers_with_base(plane), .curvatures = curvatures}), plane_(plane) {}
 
   [[nodiscard]] BodySurface surface(const ContactKinematics& kinematics) const override {
-    return surface_of(plane_, kinematics);
+    return is_rigid() ? BodySurface{} : surface_of_layers(layered(kinematics), kinematics);
   }
-  [[nodiscard]] LayeredBody layered(const ContactKinematics& kinematics) const override {
-    return layered_body(plane_, kinematics.radius);
+  [[nodiscard]] LayeredBody layered(const SurfaceMotion& motion) const override {
+    return layered_body(plane_, motion.radius);
   }
   [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return circles(curvatures(), points); }
 

@@ -11,9 +11,7 @@
 #include <vector>
 
 #include "base/validate.hpp"
-#include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
-#include "rolling/input_checks.hpp"
 #include "rolling/result.hpp"
 #include "rolling/solve_load_case.hpp"
 #include "viscoroll/errors.hpp"
@@ -121,13 +119,11 @@ double change_of(double ResultScalars::* scalar, const Result& now, const Result
 /// Solver on a sequence of meshes, each with twice the nodes, until two of them agree.
 class Refiner {
  public:
-  Refiner(const RollingPair& pair, const LoadCase& load_case, const Options& options, Watch& watch)
-      : pair_(pair), load_case_(load_case), options_(options), watch_(watch) {
-    const ContactReach contact = estimate_contact(pair, load_case, centrifugal());
-    if (std::isfinite(width(pair))) aspect_ = aspect_of(contact);
+  explicit Refiner(const RollingCase& given)
+      : given_(given), load_case_(given.load_case), options_(given.options), radius_(given.pair.body->radius()) {
+    if (std::isfinite(width(given.pair))) aspect_ = aspect_of(given.contact);
     // The first mesh serves to estimate the error of the second, which should suffice.
-    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * pair.body->radius() / contact.along;
-    mesh_ = make_mesh(nodes);
+    mesh_ = make_mesh(std::numbers::pi * nodes_per_radius(options_.accuracy) * radius_ / given.contact.along);
   }
 
   [[nodiscard]] Result solve() {
@@ -142,16 +138,6 @@ class Refiner {
   }
 
  private:
-  /// Centrifugal displacement if the estimate of the contact depends on it, which is the case at a given penetration.
-  [[nodiscard]] double centrifugal() const {
-    if (load_case_.load) return 0.0;
-    const Mesh coarse{.nodes_per_revolution = kFewestNodesPerRevolution};
-    const MeshModel model = make_model(pair_, load_case_.angular_speed, coarse, options_.curvature,
-                                       {.threads = options_.threads, .watch = watch_});
-    require_supported(model, load_case_);
-    return model.centrifugal;
-  }
-
   [[nodiscard]] Mesh make_mesh(double nodes_per_revolution) const {
     Mesh mesh{.nodes_per_revolution = whole_nodes(nodes_per_revolution)};
     if (aspect_) mesh.theta_nodes_per_revolution = whole_nodes(mesh.nodes_per_revolution / *aspect_);
@@ -162,10 +148,9 @@ class Refiner {
   [[nodiscard]] bool advance() {
     try {
       const MeshModel model =
-          make_model(pair_, load_case_.angular_speed, mesh_, options_.curvature,
-                     {.threads = options_.threads, .watch = watch_}, kInertiaShare * options_.accuracy);
+          make_model(given_.pair, mesh_, options_.curvature, given_.execution, kInertiaShare * options_.accuracy);
       const auto seen = best_ ? std::optional(contact_reach(*best_)) : std::nullopt;
-      note(solve_load_case(model, load_case_, options_, watch_, seen));
+      note(solve_load_case(model, given_, seen));
     } catch (const MeshTooFine&) {
       failure_ = std::current_exception();
       return !best_ && go_on_with(mesh_.nodes_per_revolution / 4.0);
@@ -248,7 +233,7 @@ class Refiner {
     if (best_ && is_settled(*best_) && result.max_pressure_error > kIneffectiveRatio * best_->max_pressure_error)
       ++ineffective_meshes_;
     Refinement& step = result.refinements.back();
-    std::vector<Answer> found = answers(result, load_case_, pair_.body->radius());
+    std::vector<Answer> found = answers(result, load_case_, radius_);
     // The first mesh has no previous mesh to compare with.
     step.error_estimate = best_ ? std::max(step.energy_balance_error, largest_change(found, answers_)) : 1.0;
     result.error_estimate = step.error_estimate;
@@ -260,10 +245,10 @@ class Refiner {
     best_ = std::move(result);
   }
 
-  const RollingPair& pair_;
+  const RollingCase& given_;
   const LoadCase& load_case_;
   const Options& options_;
-  Watch& watch_;
+  double radius_;
   std::optional<double> aspect_;  // of patches, if those of the body are not square
   Mesh mesh_;
   bool has_ended_ = false;
@@ -276,8 +261,6 @@ class Refiner {
 
 }  // namespace
 
-Result solve_to_accuracy(const RollingPair& pair, const LoadCase& load_case, const Options& options, Watch& watch) {
-  return Refiner(pair, load_case, options, watch).solve();
-}
+Result solve_to_accuracy(const RollingCase& given) { return Refiner(given).solve(); }
 
 }  // namespace viscoroll::detail

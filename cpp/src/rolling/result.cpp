@@ -69,7 +69,7 @@ double deformed_slope_force(const ContactSetup& given, const WindowContact& solv
       return 0.0;
     case Deforming::counterbody: {
       const std::vector<Index>& contact = solved.contact.contact;
-      const ArrayXd slope = counterbody_slope(solved.nodes, given.model.growth, given.pair(), contact);
+      const ArrayXd slope = counterbody_slope(solved.nodes, given.pair.growth, given.pair, contact);
       return -(solved.contact.force.col(kDown)(contact) *
                (solved.nodes.x()(contact) / solved.nodes.grid().radius - slope))
                   .sum();
@@ -97,7 +97,7 @@ class Summary {
         size_(window_.shape().size()),
         force_(contact_.force(contact_.contact, Eigen::all)),
         arms_(displaced_arms(given, solved)),
-        curvature_(given.model.growth.met() * given.pair().on->curvatures().along),
+        curvature_(given.pair.growth.met() * given.pair.on->curvatures().along),
         slope_force_(deformed_slope_force(given, solved)),
         area_(window_.patch_area(contact_.contact)),
         traction_area_(traction_area(given, window_.grid(), area_)) {}
@@ -110,22 +110,22 @@ class Summary {
   }
 
   void add_shape(Result& r) const {
-    r.centrifugal_displacement = given_.model.centrifugal;
+    r.centrifugal_displacement = given_.pair.centrifugal;
     contact_extent(window_, contact_.contact, area_, -force_.col(kDown) / traction_area_).copy_to(r);
-    if (!given_.approach_exists()) return;
-    const double penetration = given_.load_case.penetration.value_or(contact_.penetration - given_.model.centrifugal);
+    if (!approach_exists(given_.pair)) return;
+    const double penetration = given_.load_case.penetration.value_or(contact_.penetration - given_.pair.centrifugal);
     r.penetration = penetration;
     r.center_height = radius() - penetration;
     // In a half-space, the contact width takes the place of the thickness.
     const double contact_size = std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
-    r.strain = penetration / (layer_thickness(given_.pair()) +
-                              half_space_share(given_.pair(), given_.load_case.angular_speed) * contact_size);
+    r.strain = penetration /
+               (layer_thickness(given_.pair) + half_space_share(given_.pair, given_.pair.angular_speed) * contact_size);
   }
 
   void add_forces(Result& r) const {
     const auto forward = force_.col(kForward);
     const std::vector<Index>& contact = contact_.contact;
-    r.resisting_torque = -(pressure_moment_arm(window_, given_.pair(), contact) * force_.col(kDown)).sum();
+    r.resisting_torque = -(pressure_moment_arm(window_, given_.pair, contact) * force_.col(kDown)).sum();
     const double load = given_.load_case.load.value_or(-force_.col(kDown).sum());
     r.load = load;
     const GivenMotion motion = given_motion(given_.load_case);
@@ -177,7 +177,7 @@ class Summary {
     r.z = to_vector(window_.z());
     r.gap = to_vector(contact_.gap);
     // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H, and H = r_o - penetration.
-    ArrayXd rise = initial_gap(given_.displaced_points(window_), {}, given_.pair());
+    ArrayXd rise = initial_gap(given_.displaced_points(window_), {}, given_.pair);
     rise = contact_.gap - rise;
     r.displacement = to_vector(rise + r.penetration.value_or(-rise[window_.window().number_of(0, 0)]));
     r.contact = mask(contact_.contact, size_);
@@ -191,19 +191,16 @@ class Summary {
     r.slip_velocity = columns(size_, [&](auto& velocity) { add_slip_velocity(velocity); });
   }
 
-  /// Results and warnings that depend on the distance to the ends of the outermost patches. The fields must be set.
+  /// Results that depend on the distance to the ends of the outermost patches. The fields must be set.
   void add_limits(Result& r) const {
-    const SurfaceGrid& grid = window_.grid();
-    ContactReach reach = contact_reach(r);
-    reach.along += 0.5 * grid.radius * grid.phi_spacing;
-    reach.across += 0.5 * grid.radius * grid.theta_spacing;
-    const double clear = 0.5 * width(given_.pair()) - reach.across;
+    const ContactReach reach = reach_of_patches(r, window_.grid());
+    const double clear = 0.5 * width(given_.pair) - reach.across;
     // Patches end at the side faces except for round-off.
     if (std::isfinite(clear)) r.face_distance = clear > 1e-9 * reach.across ? clear : 0.0;
-    r.warnings = warnings_of_bodies(reach);
     if (!r.strain) return;
-    const auto& [body, on] = given_.pair();
-    r.model_error = kErrorPerStrain * std::abs(*r.strain) + body->further_error(reach) + on->further_error(reach);
+    const RollingPair& pair = given_.pair;
+    r.model_error =
+        kErrorPerStrain * std::abs(*r.strain) + pair.body->further_error(reach) + pair.on->further_error(reach);
   }
 
  private:
@@ -214,18 +211,6 @@ class Summary {
   void put(const Values& values, Field field) const {
     Index i = 0;
     for (const Index node : contact_.contact) field[node] = values[i++];
-  }
-
-  /// Warnings about both bodies, each kind once.
-  [[nodiscard]] std::vector<Warning> warnings_of_bodies(const ContactReach& reach) const {
-    const auto& [body, on] = given_.pair();
-    std::vector<Warning> warnings = body->warnings(reach, !on->is_rigid());
-    for (Warning& warning : on->warnings(reach, !body->is_rigid())) {
-      if (std::ranges::find(warnings, warning.kind, &Warning::kind) == warnings.end()) {
-        warnings.push_back(std::move(warning));
-      }
-    }
-    return warnings;
   }
 
   /// Backward force of the pressure on the body, due to the deformed and curved surface of the counterbody.
@@ -286,6 +271,13 @@ ContactReach contact_reach(const Result& result) {
     reach.along = std::max(reach.along, std::abs(result.x[node]));
     reach.across = std::max(reach.across, std::abs(result.z[node]));
   }
+  return reach;
+}
+
+ContactReach reach_of_patches(const Result& result, const SurfaceGrid& grid) {
+  ContactReach reach = contact_reach(result);
+  reach.along += 0.5 * grid.radius * grid.phi_spacing;
+  reach.across += 0.5 * grid.radius * grid.theta_spacing;
   return reach;
 }
 

@@ -15,6 +15,9 @@ inline constexpr double kErrorPerStrain = 0.75;
 /// @return extent of the nodes in contact
 [[nodiscard]] ContactReach contact_reach(const Result& result);
 
+/// @return extent of the patches of the nodes in contact, which end half a spacing beyond these nodes
+[[nodiscard]] ContactReach reach_of_patches(const Result& result, const SurfaceGrid& grid);
+
 /// @brief Compute torques, powers and fields of a solved contact.
 [[nodiscard]] Result make_result(const ContactSetup& given, const WindowContact& solved);
 

@@ -102,19 +102,21 @@ Nodes nodes_of(const RollingPair& pair, const Mesh& mesh) {
   return nodes;
 }
 
+SurfaceMotion motion_of(const RollingPair& pair, double angular_speed, Curvature curvature) {
+  return {
+      .angular_speed = angular_speed, .radius = pair.body->radius(), .curvature = curvature, .form = pair.body->form()};
+}
+
 ContactKinematics kinematics_of(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
                                 const Execution& execution, double inertia_tolerance) {
   const Nodes nodes = pair.body->nodes(mesh, *pair.on);
   const double theta_spacing = nodes.grid.theta_spacing;
-  return {.angular_speed = angular_speed,
-          .radius = pair.body->radius(),
-          .mesh = mesh,
-          .theta_spacing = theta_spacing,
-          .widest = (nodes.widest.theta.count() - 1) * theta_spacing,
-          .curvature = curvature,
-          .inertia_tolerance = inertia_tolerance,
-          .form = pair.body->form(),
-          .execution = execution};
+  return {motion_of(pair, angular_speed, curvature),
+          mesh,
+          theta_spacing,
+          (nodes.widest.theta.count() - 1) * theta_spacing,
+          inertia_tolerance,
+          execution};
 }
 
 double relative_radius(const RollingPair& pair) {

@@ -23,6 +23,9 @@ struct RollingPair {
 /// @return nodes of a mesh on the rolling body at which neither surface has turned by more than 60 degrees
 [[nodiscard]] Nodes nodes_of(const RollingPair& pair, const Mesh& mesh);
 
+/// @return motion of both surfaces at an angular speed Omega [rad/s], > 0
+[[nodiscard]] SurfaceMotion motion_of(const RollingPair& pair, double angular_speed, Curvature curvature);
+
 /// @brief Motion of the material of both bodies through the contact.
 /// @param[in] pair both bodies
 /// @param[in] angular_speed Omega [rad/s], > 0

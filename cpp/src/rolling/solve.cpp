@@ -8,10 +8,10 @@
 
 #include "base/parallel.hpp"
 #include "base/validate.hpp"
+#include "rolling/contact_setup.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/refinement.hpp"
-#include "rolling/rolling_pair.hpp"
 #include "rolling/solve_load_case.hpp"
 #include "rolling/warnings.hpp"
 
@@ -43,8 +43,21 @@ void validate(const Options& options) {
   detail::require_thread_count(options.threads);
 }
 
-Result with_warnings(Result result, const Options& options, bool mesh_given) {
-  result.warnings = detail::warnings_of(result, options, mesh_given);
+/// Check all input values, and combine both bodies at the speed of the load case.
+detail::PairAtSpeed checked_pair(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
+                                 const Options& options) {
+  const detail::RollingPair pair = detail::rolling_pair(body, on);
+  validate(load_case, *pair.body);
+  validate(options);
+  return detail::at_speed(pair, load_case.angular_speed);
+}
+
+detail::MeshModel model_on_given_mesh(const detail::RollingCase& given) {
+  return detail::make_model(given.pair, *given.options.mesh, given.options.curvature, given.execution);
+}
+
+Result with_warnings(Result result, const detail::RollingCase& given, bool mesh_given) {
+  result.warnings = detail::warnings_of(result, given, mesh_given);
   return result;
 }
 
@@ -55,28 +68,20 @@ Result solve(const RollingBody& body, const LoadCase& load_case, const Options& 
 }
 
 Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& load_case, const Options& options) {
-  const detail::RollingPair pair = detail::rolling_pair(body, on);
-  validate(load_case, *pair.body);
-  validate(options);
+  const detail::PairAtSpeed pair = checked_pair(body, on, load_case, options);
   detail::Watch watch(options.observer);
-  if (!options.mesh) {
-    return with_warnings(detail::solve_to_accuracy(pair, load_case, options, watch), options, false);
-  }
-  const detail::MeshModel model =
-      detail::make_model(pair, load_case.angular_speed, *options.mesh, options.curvature, {options.threads, watch});
-  return with_warnings(detail::solve_load_case(model, load_case, options, watch), options, true);
+  const detail::RollingCase given = detail::rolling_case(pair, load_case, options, watch);
+  if (!options.mesh) return with_warnings(detail::solve_to_accuracy(given), given, false);
+  return with_warnings(detail::solve_load_case(model_on_given_mesh(given), given), given, true);
 }
 
 Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
                     const FrozenContact& state, const Options& options) {
-  const detail::RollingPair pair = detail::rolling_pair(body, on);
-  validate(load_case, *pair.body);
-  validate(options);
+  const detail::PairAtSpeed pair = checked_pair(body, on, load_case, options);
   if (!options.mesh) detail::reject("mesh", "the mesh of the state", "none");
   detail::Watch watch(options.observer);
-  const detail::MeshModel model =
-      detail::make_model(pair, load_case.angular_speed, *options.mesh, options.curvature, {options.threads, watch});
-  return with_warnings(detail::solve_frozen_case(model, load_case, options, watch, state), options, true);
+  const detail::RollingCase given = detail::rolling_case(pair, load_case, options, watch);
+  return with_warnings(detail::solve_frozen_case(model_on_given_mesh(given), given, state), given, true);
 }
 
 struct RollingModel::Impl {
@@ -94,7 +99,8 @@ RollingModel::RollingModel(const RollingBody& body, const Counterbody& on, doubl
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::require_thread_count(threads);
   detail::Watch watch(observer);
-  impl_ = std::make_unique<Impl>(Impl{detail::make_model(pair, angular_speed, mesh, curvature, {threads, watch})});
+  impl_ = std::make_unique<Impl>(
+      Impl{detail::make_model(detail::at_speed(pair, angular_speed), mesh, curvature, {threads, watch})});
 }
 
 RollingModel::~RollingModel() = default;
@@ -104,7 +110,7 @@ RollingModel& RollingModel::operator=(RollingModel&&) noexcept = default;
 Result RollingModel::solve(const LoadCase& load_case, const Options& options) const {
   validate(load_case, *impl_->model.pair.body);
   validate(options);
-  const double speed = impl_->model.angular_speed;
+  const double speed = impl_->model.pair.angular_speed;
   if (load_case.angular_speed != speed) {
     detail::reject("angular_speed", "the speed of the model, " + detail::text(speed) + " rad/s",
                    detail::text(load_case.angular_speed) + " rad/s");
@@ -113,7 +119,8 @@ Result RollingModel::solve(const LoadCase& load_case, const Options& options) co
     detail::reject("mesh", "left out or equal to the mesh of the model", "another mesh");
   }
   detail::Watch watch(options.observer);
-  return with_warnings(detail::solve_load_case(impl_->model, load_case, options, watch), options, true);
+  const detail::RollingCase given = detail::rolling_case(impl_->model.pair, load_case, options, watch);
+  return with_warnings(detail::solve_load_case(impl_->model, given), given, true);
 }
 
 }  // namespace viscoroll

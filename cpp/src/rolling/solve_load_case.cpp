@@ -9,7 +9,6 @@
 #include "contact/frozen_contact.hpp"
 #include "rolling/input_checks.hpp"
 #include "rolling/result.hpp"
-#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -30,20 +29,6 @@ std::vector<Eigen::Index> marked(const std::vector<unsigned char>& mask) {
     if (mask[node] != 0) nodes.push_back(static_cast<Eigen::Index>(node));
   }
   return nodes;
-}
-
-/// Add a warning that names every layer with terms that do not relax at this speed.
-void add_slow_terms(const ContactSetup& setup, std::vector<Warning>& warnings) {
-  std::string message;
-  for (const auto& [name, layer] : layers(setup.pair())) {
-    const auto slow = slow_terms(layer.shear_modulus, setup.load_case.angular_speed);
-    if (!slow) continue;
-    message += (message.empty() ? "" : "; ") + name + ".shear_modulus has " + std::to_string(slow->count) +
-               (slow->count == 1 ? " term" : " terms") + " with a relaxation time of at least " +
-               rounded(slow->shortest_time) + " s, too slow to relax at this speed: " + rounded(slow->modulus) +
-               " Pa of the modulus at rest, " + rounded(slow->modulus_at_rest) + " Pa";
-  }
-  if (!message.empty()) warnings.push_back({WarningKind::slow_terms, message});
 }
 
 ContactSolution start_of(const FrozenContact& state, const SurfaceWindow& nodes, double centrifugal) {
@@ -71,25 +56,19 @@ ContactSolution start_of(const FrozenContact& state, const SurfaceWindow& nodes,
 
 }  // namespace
 
-Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
+Result solve_load_case(const MeshModel& model, const RollingCase& given,
                        const std::optional<ContactReach>& coarse_contact) {
-  require_formulation(model, options);
-  require_supported(model, load_case);
-  const ContactSetup setup = assemble(model, load_case, options, watch);
-  require_relaxed_stiffness(setup);
-  Result result = make_result(setup, find_contact_in_window(setup, coarse_contact));
-  add_slow_terms(setup, result.warnings);
-  return result;
+  require_supported(model, given);
+  const ContactSetup setup = assemble(model, given);
+  return make_result(setup, find_contact_in_window(setup, coarse_contact));
 }
 
-Result solve_frozen_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
-                         const FrozenContact& state) {
-  require_formulation(model, options);
-  require_supported(model, load_case);
-  const ContactSetup setup = assemble(model, load_case, options, watch);
+Result solve_frozen_case(const MeshModel& model, const RollingCase& given, const FrozenContact& state) {
+  require_supported(model, given);
+  const ContactSetup setup = assemble(model, given);
   const SurfaceWindow nodes(setup.nodes.grid, window_of(state, setup.nodes.widest));
   const ContactProblem problem = setup.problem(nodes);
-  ContactSolution contact = solve_frozen_contact(problem, start_of(state, nodes, model.centrifugal), setup.limits);
+  ContactSolution contact = solve_frozen_contact(problem, start_of(state, nodes, given.pair.centrifugal), setup.limits);
   find_displacements(*problem.surface, contact);
   const Losses losses = problem.surface->dissipation(contact.force);
   return make_result(setup, {.nodes = nodes, .problem = problem, .contact = std::move(contact), .losses = losses});

@@ -1,54 +1,53 @@
 // Ball, as the rolling body or the counterbody, in point contact: translation-invariant tables of the orders (m, n), or
 // those of the exact sphere.
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
 
 #include "base/validate.hpp"
-#include "modal/centrifugal.hpp"
-#include "modal/harmonic_body.hpp"
 #include "rolling/body.hpp"
-#include "rolling/point_contact_surface.hpp"
+#include "rolling/contact_surface.hpp"
 #include "rolling/sphere_tables.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
 /// Inertia couples neighboring degrees of the exact sphere. It is left out if it is negligible; otherwise the speed is
 /// rejected.
-CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
+LayeredBody without_inertia(LayeredBody body, double angular_speed) {
   constexpr double kNegligible = 1e-3;  // of rho (Omega r_o)^2 / |modulus|; the torque changes by less
-  const HarmonicBody body = body_at_order_zero(layered_body(sphere), angular_speed);
-  const double speed = angular_speed * body.radius();
-  for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
-    const double share = sphere.layers[l].density * speed * speed / std::abs(body.modulus(l, 0));
+  const double speed = angular_speed * body.metric.radius;
+  for (std::size_t l = 0; l < body.layers.size(); ++l) {
+    Layer& layer = body.layers[l];
+    const double relaxed = modulus_in_rolling(layer.shear_modulus, angular_speed, std::array{0.0}).front().real();
+    const double share = layer.density * speed * speed / relaxed;
     if (share > kNegligible) {
       reject("layers[" + std::to_string(l) + "].density",
              "so small that inertia is negligible with curvature EXACT, at most " +
-                 text(sphere.layers[l].density * kNegligible / share) + " kg/m^3 at this speed",
-             text(sphere.layers[l].density) + " kg/m^3");
+                 text(layer.density * kNegligible / share) + " kg/m^3 at this speed",
+             text(layer.density) + " kg/m^3");
     }
-    sphere.layers[l].density = 0.0;
+    layer.density = 0.0;
   }
-  return sphere;
+  return body;
 }
 
-/// Surface of the exact sphere, with inertia in the centrifugal displacement only.
+/// Surface of the exact sphere, without inertia.
 BodySurface surface_of_exact_sphere(const CoatedSphere& sphere, const ContactKinematics& kinematics) {
   const double radius = outer_radius(sphere);
   const double speed = kinematics.angular_speed_at(radius);
   const MeshOnBody mesh = kinematics.mesh_at(radius);
-  const LayeredBody layers = layered_body(without_inertia(sphere, speed));
-  BodySurface surface = surface_under_spot(
-      layers, kinematics, std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), mesh.rounded()));
-  surface.centrifugal = centrifugal_displacement(layered_body(sphere, layers.metric.curvature), speed);
-  return surface;
+  const LayeredBody layers = without_inertia(layered_body(sphere), speed);
+  return surface_of_layers(layers, kinematics,
+                           std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), mesh.rounded()));
 }
 
 BodySurface surface_of(const CoatedSphere& sphere, const ContactKinematics& kinematics) {
   if (sphere.layers.empty()) return {};
   if (kinematics.curvature == Curvature::exact) return surface_of_exact_sphere(sphere, kinematics);
-  return surface_under_spot(layered_body(sphere, kinematics.curvature), kinematics);
+  return surface_of_layers(layered_body(sphere, kinematics.curvature), kinematics);
 }
 
 /// Height of the rolling body's nodes times the ratio of the radii: the slope of the gap along the nodes is then x
@@ -81,8 +80,8 @@ class SphereBody final : public RoundBody {
   [[nodiscard]] BodySurface surface(const ContactKinematics& kinematics) const override {
     return surface_of(sphere_, kinematics);
   }
-  [[nodiscard]] LayeredBody layered(const ContactKinematics& kinematics) const override {
-    return layered_body(sphere_, kinematics.curvature);
+  [[nodiscard]] LayeredBody layered(const SurfaceMotion& motion) const override {
+    return layered_body(sphere_, motion.curvature);
   }
   [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return profile_of(radius(), points); }
   [[nodiscard]] Nodes nodes(const Mesh& mesh, const Body& on) const override {

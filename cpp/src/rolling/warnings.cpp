@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/validate.hpp"
 #include "rolling/result.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -30,6 +32,20 @@ int nodes_across(const Result& result) {
   return static_cast<int>(std::min(along, std::count(columns_touched.begin(), columns_touched.end(), true)));
 }
 
+/// Text that names every layer with terms that do not relax at this speed, empty if there is none.
+std::string slow_terms_text(const PairAtSpeed& pair) {
+  std::string message;
+  for (const auto& [name, layer] : layers(pair)) {
+    const auto slow = slow_terms(layer.shear_modulus, pair.angular_speed);
+    if (!slow) continue;
+    message += (message.empty() ? "" : "; ") + name + ".shear_modulus has " + std::to_string(slow->count) +
+               (slow->count == 1 ? " term" : " terms") + " with a relaxation time of at least " +
+               rounded(slow->shortest_time) + " s, too slow to relax at this speed: " + rounded(slow->modulus) +
+               " Pa of the modulus at rest, " + rounded(slow->modulus_at_rest) + " Pa";
+  }
+  return message;
+}
+
 std::string coarse_mesh_text(int across, double estimate) {
   return "the mesh is too coarse: " + std::to_string(across) + " nodes across the contact (recommended: at least " +
          std::to_string(kMinNodesAcross) + "), error estimate " + rounded(estimate) + " (recommended: at most " +
@@ -49,10 +65,24 @@ std::string pressure_peak_text(const Result& result, double good) {
          "relaxes; torque and penetration do not depend on the peak";
 }
 
+/// Warnings about both bodies, each kind once.
+std::vector<Warning> warnings_of_bodies(const RollingPair& pair, const ContactReach& reach) {
+  const auto& [body, on] = pair;
+  std::vector<Warning> warnings = body->warnings(reach, !on->is_rigid());
+  for (Warning& warning : on->warnings(reach, !body->is_rigid())) {
+    if (std::ranges::find(warnings, warning.kind, &Warning::kind) == warnings.end()) {
+      warnings.push_back(std::move(warning));
+    }
+  }
+  return warnings;
+}
+
 }  // namespace
 
-std::vector<Warning> warnings_of(const Result& result, const Options& options, bool mesh_given) {
-  std::vector<Warning> warnings = result.warnings;  // those of the bodies
+std::vector<Warning> warnings_of(const Result& result, const RollingCase& given, bool mesh_given) {
+  const Options& options = given.options;
+  std::vector<Warning> warnings =
+      warnings_of_bodies(given.pair, reach_of_patches(result, nodes_of(given.pair, result.mesh).grid));
   if (result.status == Status::max_iterations) {
     warnings.push_back(
         {WarningKind::max_iterations,
@@ -79,6 +109,9 @@ std::vector<Warning> warnings_of(const Result& result, const Options& options, b
                                         " (recommended: at most " + rounded(kLargestStrain) +
                                         "): linear theory may have a relative error of " +
                                         rounded(kErrorPerStrain * std::abs(*result.strain)) + " in the torque"});
+  }
+  if (const std::string message = slow_terms_text(given.pair); !message.empty()) {
+    warnings.push_back({WarningKind::slow_terms, message});
   }
   return warnings;
 }

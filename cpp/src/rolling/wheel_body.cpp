@@ -8,8 +8,8 @@
 
 #include "base/validate.hpp"
 #include "rolling/body.hpp"
+#include "rolling/contact_surface.hpp"
 #include "rolling/free_side_tables.hpp"
-#include "rolling/point_contact_surface.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -28,21 +28,20 @@ void require_curvature_of_wheel(Curvature curvature) {
 
 bool has_free_sides(const CoatedWheel& wheel) { return wheel.sides == Sides::free && !wheel.layers.empty(); }
 
+LayeredBody layers_of(const CoatedWheel& wheel, const SurfaceMotion& motion) {
+  require_curvature_of_wheel(motion.curvature);
+  return layered_body(wheel);
+}
+
 /// Surface of the unbounded tread, with the effect of the faces if these are free.
 BodySurface surface_of(const CoatedWheel& wheel, const ContactKinematics& kinematics) {
-  require_curvature_of_wheel(kinematics.curvature);
+  const LayeredBody layers = layers_of(wheel, kinematics);
   if (wheel.layers.empty()) return {};
-  const LayeredBody layers = layered_body(wheel);
-  BodySurface surface = surface_under_spot(layers, kinematics);
+  BodySurface surface = surface_of_layers(layers, kinematics);
   if (has_free_sides(wheel)) {
     surface.tables = std::make_unique<const FreeSideTables>(std::move(surface.tables), wheel, layers, kinematics);
   }
   return surface;
-}
-
-LayeredBody layers_of(const CoatedWheel& wheel, const ContactKinematics& kinematics) {
-  require_curvature_of_wheel(kinematics.curvature);
-  return layered_body(wheel);
 }
 
 /// Profile at the same arc lengths as the nodes of the rolling body.
@@ -163,9 +162,7 @@ class WheelBody final : public RoundBody {
   [[nodiscard]] BodySurface surface(const ContactKinematics& kinematics) const override {
     return surface_of(wheel_, kinematics);
   }
-  [[nodiscard]] LayeredBody layered(const ContactKinematics& kinematics) const override {
-    return layers_of(wheel_, kinematics);
-  }
+  [[nodiscard]] LayeredBody layered(const SurfaceMotion& motion) const override { return layers_of(wheel_, motion); }
   [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return profile_of(wheel_, points); }
   [[nodiscard]] const CoatedWheel* free_tread() const override { return has_free_sides(wheel_) ? &wheel_ : nullptr; }
   [[nodiscard]] double further_error(const ContactReach& contact) const override { return error_of(wheel_, contact); }

@@ -140,7 +140,6 @@ bool holds_contact_roughly(const ContactSetup& setup, const HalfWidths& half, bo
   const Mesh& fine = setup.model.mesh;
   const Mesh mesh{.nodes_per_revolution = coarsened(fine.nodes_per_revolution),
                   .theta_nodes_per_revolution = coarsened(theta_nodes_per_revolution(fine))};
-  const LoadCase& load_case = setup.load_case;
   Options options = setup.options;
   Curvature curvature = setup.model.curvature;
   if (simplified) {
@@ -148,11 +147,17 @@ bool holds_contact_roughly(const ContactSetup& setup, const HalfWidths& half, bo
     options.patch_load = PatchLoad::flat;
     if (curvature == Curvature::exact) curvature = Curvature::sphere;
   }
-  const MeshModel rough = make_model(setup.pair(), load_case.angular_speed, mesh, curvature, setup.execution);
-  LoadCase pressed = load_case;
+  const MeshModel rough = make_model(setup.pair, mesh, curvature, setup.execution);
+  LoadCase pressed = setup.load_case;
   pressed.friction = 0.0;
   pressed.drive = {};
-  const ContactSetup roughly = assemble(rough, pressed, options, setup.execution.watch);
+  const RollingCase pressed_case{.pair = setup.pair,
+                                 .load_case = pressed,
+                                 .options = options,
+                                 .execution = setup.execution,
+                                 .contact = setup.contact,
+                                 .estimated_depth = setup.estimated_depth};
+  const ContactSetup roughly = assemble(rough, pressed_case);
   const int to_side = setup.has_sides() ? roughly.nodes.widest.theta.last : std::numeric_limits<int>::max();
   const HalfWidths width{.phi = coarsened(half.phi) + 1, .theta = std::min(coarsened(half.theta) + 1, to_side)};
   return solve_in_window(roughly, width.window(), false, true).has_value();
@@ -167,9 +172,9 @@ bool holds_rough_contact(const ContactSetup& setup, const HalfWidths& half, bool
   const double along = half.phi * grid.phi_spacing;
   const double angle = to_sides ? along : std::min(along, half.theta * grid.theta_spacing);
   const double depth_at_edge = grid.radius * (1.0 - std::cos(angle));
-  const double bearable_depth = kPressedThrough * thickness(setup.pair());
+  const double bearable_depth = kPressedThrough * thickness(setup.pair);
   const auto reject_if_beyond = [&](double depth) {
-    if (depth > bearable_depth) reject_load(setup.pair(), setup.load_case, "would be pressed through it");
+    if (depth > bearable_depth) reject_load(setup.pair, setup.load_case, "would be pressed through it");
   };
   // The simplified equations may require a larger window than the given ones, which costs little. In the widest window
   // they might reject a load that the given equations support, so that the given ones decide.
@@ -199,7 +204,7 @@ WindowContact find_contact_in_window(const ContactSetup& setup, const std::optio
   };
   HalfWidths half =
       at_most_widest(half_width(likely.along, grid.phi_spacing), half_width(likely.across, grid.theta_spacing));
-  const bool is_shallow = setup.estimated_depth < 0.5 * thickness(setup.pair());
+  const bool is_shallow = setup.estimated_depth < 0.5 * thickness(setup.pair);
   const bool is_cheap = widest.is_line();
   bool is_seen = coarse_contact.has_value();
   for (bool is_likely = is_cheap || is_shallow || is_seen;; is_likely = is_cheap) {
@@ -210,7 +215,7 @@ WindowContact find_contact_in_window(const ContactSetup& setup, const std::optio
     }
     is_seen = false;
     if (is_widest) {
-      reject_contact_over_60_degrees(setup.pair(), setup.load_case);
+      reject_contact_over_60_degrees(setup.pair, setup.load_case);
     }
     half = at_most_widest(half.phi + half.phi / 2 + 1, half.theta + half.theta / 2 + 1);
   }

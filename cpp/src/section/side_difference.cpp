@@ -24,30 +24,30 @@ using cplx = std::complex<double>;
 /// the square of width over thickness. Elements with linear pressures do not lock.
 constexpr double kMinShearRatio = 1e-6;
 
-/// Phase per element at the face of the last sampled order. Its waves, 2 pi / 3.4 elements long, are the shortest that
-/// the elements represent.
+/// Phase by which the last sampled order changes along one element at the face [rad]. Its waves, 2 pi / 3.4 elements
+/// long, are the shortest that the elements represent.
 constexpr double kLastPhase = 3.4;
 
-/// Ratio of successive orders. In ln m the difference behaves like a rational function with poles pi/2 off the real
-/// axis.
+/// Largest ratio of successive sampled orders. In ln m, the sampled difference has poles at the distance pi/2 from the
+/// real axis; steps of ln 1.3 = 0.26 are small compared with this distance.
 constexpr double kMaxOrderRatio = 1.3;
 
 /// Width of a flat tread, in thicknesses, above which its faces do not affect the middle. Their effect decays like
-/// e^(-2.2 e/h) with the distance e, to 2e-8 in the middle of this width.
+/// exp(-2.2 d/h) with the distance d from a face, to 2e-8 in the middle of this width.
 constexpr double kWide = 16.0;
 
-/// Radius of the reference crown, in lengths of the straight section. Its slopes stay below the inverse of this number,
-/// so that its effect is linear in the curvature.
-constexpr double kLinearCrownRadius = 20.0;
+/// Least radius of the reference crown, in lengths of the half section that is straight along the path. The slopes of
+/// the crown stay below the inverse of this number, so that its effect is linear in the curvature.
+constexpr double kMinReferenceCrownRadius = 20.0;
 
 /// Radius of a section that is straight along the path, in thicknesses. The relative effect of its curvature is the
 /// inverse of this number.
 constexpr double kStraightRadius = 1e4;
 
-constexpr double kFlat = std::numeric_limits<double>::infinity();
+constexpr double kFlatCrownRadius = std::numeric_limits<double>::infinity();
 
 CoatedWheel straight_across(CoatedWheel wheel) {
-  wheel.crown_radius = kFlat;
+  wheel.crown_radius = kFlatCrownRadius;
   return wheel;
 }
 
@@ -83,16 +83,16 @@ std::optional<std::vector<SectionMedium<double>>> real_media(const std::vector<S
 /// Largest number of cached treads. A study that alternates among a few treads then finds all of them in the cache. A
 /// tread takes a few megabytes, or about ten times as much if its layers have different relaxation functions.
 constexpr std::size_t kMaxTreads = 8;
-constexpr Eigen::Index kMaxNumbers = 16777216;  // largest number of complex numbers in the cache, 256 MB
+constexpr Eigen::Index kMaxCacheSize = 16777216;  // largest number of complex numbers in the cache, 256 MB
 
 /// All numbers that determine the difference between a tread with faces and an unbounded one.
 using Key = std::vector<double>;
 
-Key key_of(const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers) {
+Key key_of(const CoatedWheel& wheel, bool tangential, const std::vector<double>& key_numbers) {
   Key key{tangential ? 1.0 : 0.0, wheel.core_radius, wheel.width, wheel.crown_radius,
           wheel.hub == Hub::crowned ? 1.0 : 0.0};
   for (const Layer& layer : wheel.layers) key.push_back(layer.thickness);
-  key.insert(key.end(), numbers.begin(), numbers.end());
+  key.insert(key.end(), key_numbers.begin(), key_numbers.end());
   return key;
 }
 
@@ -119,14 +119,14 @@ class TreadCache {
   void add(Key key, Differences differences) {
     const std::scoped_lock lock(mutex_);
     entries_.emplace_front(std::move(key), std::move(differences));
-    while (entries_.size() > 1 && (entries_.size() > kMaxTreads || numbers() > kMaxNumbers)) entries_.pop_back();
+    while (entries_.size() > 1 && (entries_.size() > kMaxTreads || size() > kMaxCacheSize)) entries_.pop_back();
   }
 
  private:
   using Entry = std::pair<Key, Differences>;
 
   /// Number of complex numbers in the cache.
-  [[nodiscard]] Eigen::Index numbers() const {
+  [[nodiscard]] Eigen::Index size() const {
     Eigen::Index sum = 0;
     for (const auto& [key, differences] : entries_) {
       for (const SampledDifference& one : *differences) {
@@ -156,7 +156,8 @@ ArrayXd sampled_orders(const CoatedWheel& wheel, const SectionFineness& fineness
   return orders;
 }
 
-/// The stored matrix contains the factors i of u_phi = i V.
+/// The stored matrix is for u_phi = i V and its load, in place of V and its load: the rows of phi are multiplied by i
+/// and the columns by -i.
 void SampledDifference::set(Parity part, Index order, Eigen::MatrixXcd matrix) {
   const Index lines = z.size();
   if (components > 1) {
@@ -185,21 +186,22 @@ std::vector<SectionMedium<cplx>> section_media(const HarmonicBody& body, std::si
 }
 
 SectionCrown::SectionCrown(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness)
-    : straight_(SectionMesh(straight_along(wheel, kFlat), SectionEnd::unbounded, fineness), tangential),
-      crown_radius_(std::max(wheel.crown_radius, kLinearCrownRadius * length(straight_.mesh()))),
+    : straight_(SectionMesh(straight_along(wheel, kFlatCrownRadius), SectionEnd::unbounded, fineness), tangential),
+      crown_radius_(std::max(wheel.crown_radius, kMinReferenceCrownRadius * length(straight_.mesh()))),
       crowned_(SectionMesh(straight_along(wheel, crown_radius_), SectionEnd::unbounded, fineness), tangential),
-      proportion_(crown_radius_ / wheel.crown_radius),
-      lengthening_(outer_radius(straight_along(wheel, kFlat)) / outer_radius(wheel)) {}
+      curvature_ratio_(crown_radius_ / wheel.crown_radius),
+      radius_ratio_(outer_radius(straight_along(wheel, kFlatCrownRadius)) / outer_radius(wheel)) {}
 
 template <class Scalar>
 std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCrown::at(double m,
                                                                   const std::vector<SectionMedium<Scalar>>& layers,
                                                                   std::span<const Parity> parts) const {
-  auto change = crowned_.at(lengthening_ * m, layers, parts);
-  const auto straight = straight_.at(lengthening_ * m, layers, parts);
-  // A load per radian is distributed over a radian that is longer by this factor.
+  auto change = crowned_.at(radius_ratio_ * m, layers, parts);
+  const auto straight = straight_.at(radius_ratio_ * m, layers, parts);
+  // A radian is longer than that of the wheel by the ratio of the radii. A load per radian is therefore distributed
+  // over a longer arc, so displacements are multiplied by this ratio.
   for (const Parity part : parts) {
-    change[part] = proportion_ * lengthening_ * (change[part] - straight[part]);
+    change[part] = curvature_ratio_ * radius_ratio_ * (change[part] - straight[part]);
   }
   return change;
 }
@@ -212,7 +214,7 @@ SideDifference::SideDifference(const CoatedWheel& wheel, bool tangential, const 
   if (std::isfinite(wheel.crown_radius)) crown_.emplace(wheel, tangential, fineness);
 }
 
-SampledDifference SideDifference::at_orders(const ArrayXd& orders) const {
+SampledDifference SideDifference::allocated(const ArrayXd& orders) const {
   SampledDifference result{.orders = orders,
                            .z = omitted_ + face_.mesh().z().head(static_cast<Index>(face_.mesh().loaded_lines())),
                            .components = tangential_ ? 3 : 1,
@@ -222,7 +224,8 @@ SampledDifference SideDifference::at_orders(const ArrayXd& orders) const {
   return result;
 }
 
-/// The result is half of the difference, because a force on a line includes that on its mirror image.
+/// `SectionCompliance` is for a unit force on half of the section. The result is half of the difference, because the
+/// unit force of `SampledDifference` acts half on a line and half on its mirror image.
 std::array<Eigen::MatrixXcd, 2> SideDifference::at(double m, const std::vector<SectionMedium<cplx>>& layers,
                                                    std::span<const Parity> parts, const Worker& worker) const {
   const auto solved = [&](const auto& media) {
@@ -246,7 +249,7 @@ std::array<Eigen::MatrixXcd, 2> SideDifference::at(double m, const std::vector<S
 
 SampledDifference SideDifference::sampled(const HarmonicBody& body, int threads, Watch& watch) const {
   const std::vector<double>& orders = body.orders();
-  SampledDifference result = at_orders(Eigen::Map<const ArrayXd>(orders.data(), static_cast<Index>(orders.size())));
+  SampledDifference result = allocated(Eigen::Map<const ArrayXd>(orders.data(), static_cast<Index>(orders.size())));
   parallel_for(orders.size(), threads, watch, "solving the section", [&](std::size_t order, const Worker& worker) {
     const auto difference = at(orders[order], section_media(body, order), kBothParts, worker);
     for (const Parity part : kBothParts) result.set(part, static_cast<Index>(order), difference[part]);
@@ -254,9 +257,9 @@ SampledDifference SideDifference::sampled(const HarmonicBody& body, int threads,
   return result;
 }
 
-Differences cached_differences(const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers,
+Differences cached_differences(const CoatedWheel& wheel, bool tangential, const std::vector<double>& key_numbers,
                                const std::function<std::vector<SampledDifference>()>& compute) {
-  Key key = key_of(wheel, tangential, numbers);
+  Key key = key_of(wheel, tangential, key_numbers);
   if (auto cached = treads().find(key)) return cached;
   // The computation does not hold the lock, so that other threads can use the cache meanwhile.
   auto differences = std::make_shared<const std::vector<SampledDifference>>(compute());
@@ -266,13 +269,13 @@ Differences cached_differences(const CoatedWheel& wheel, bool tangential, const 
 
 std::shared_ptr<const SampledDifference> cached_difference(const CoatedWheel& wheel, const HarmonicBody& body,
                                                            bool tangential, int threads, Watch& watch) {
-  std::vector<double> numbers;
+  std::vector<double> moduli;
   for (std::size_t order = 0; order < body.orders().size(); ++order) {
     for (const auto& [shear, lame] : section_media(body, order)) {
-      numbers.insert(numbers.end(), {shear.real(), shear.imag(), lame.real(), lame.imag()});
+      moduli.insert(moduli.end(), {shear.real(), shear.imag(), lame.real(), lame.imag()});
     }
   }
-  const auto differences = cached_differences(wheel, tangential, numbers, [&] {
+  const auto differences = cached_differences(wheel, tangential, moduli, [&] {
     return std::vector{SideDifference(wheel, tangential).sampled(body, threads, watch)};
   });
   return {differences, &differences->front()};

@@ -1,7 +1,7 @@
 /// @file
-/// @brief Difference between the compliance of a tread with faces and that of an unbounded tread that is crowned to
-/// first order, for each order around the axis (docs/theory/wheels.md), and a cache of such differences for further
-/// speeds, loads and meshes.
+/// @brief Difference between the compliance of a tread with faces and that of an unbounded tread, whose crown is
+/// included to first order in its curvature (docs/theory/wheels.md). It is computed for each order m around the axis. A
+/// cache keeps such differences for further speeds, loads and meshes.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,13 +22,15 @@ namespace viscoroll::detail {
 /// @brief Difference at some orders, multiplied by the modulus of the outermost layer at each order. Between the orders
 /// it is smooth.
 struct SampledDifference {
-  Eigen::ArrayXd orders;        ///< orders, see `sampled_orders`
-  Eigen::ArrayXd z;             ///< axial positions of the lines, ascending to the face [m]
+  Eigen::ArrayXd orders;  ///< orders, see `sampled_orders`
+  Eigen::ArrayXd z;       ///< axial positions of the surface nodes, one per line of nodes, ascending to the face [m]
   Eigen::Index components = 1;  ///< number of directions: 1, or 3 with tangential loads
-  /// For each part a row for each order. A row contains a column-major matrix with the displacements along normal, phi
-  /// and tangent, at component * lines + line, per force on a line and its mirror image and per radian [1/m].
+  /// One matrix for each part, with one row for each order. A row contains a column-major matrix of displacements along
+  /// normal, phi and tangent, at component * lines + line [1/m]. They are caused by a unit force per radian, half of
+  /// which acts on a line and half on its mirror image.
   std::array<Eigen::MatrixXcd, 2> parts;
 
+  /// @return number of rows of the matrix of one order: components times lines
   [[nodiscard]] Eigen::Index amplitudes() const { return components * z.size(); }
   /// @brief Store one part at one of the orders.
   /// @param[in] part part of the section
@@ -48,8 +50,9 @@ template <class Scalar>
 [[nodiscard]] std::vector<SectionMedium<std::complex<double>>> section_media(const HarmonicBody& body,
                                                                              std::size_t order);
 
-/// @brief Effect of a crown on finite elements, to first order in its curvature, on an unbounded tread that is straight
-/// along the path. It corresponds to `crowned_compliances`, but contains only the waves that the elements resolve.
+/// @brief Change of the compliance of an unbounded tread, straight along the path, due to a crown. It is computed with
+/// finite elements, to first order in the curvature of the crown. It corresponds to `crowned_compliances`, but contains
+/// only the waves that the elements resolve.
 class SectionCrown {
  public:
   /// @param[in] wheel crowned wheel with at least one layer
@@ -71,14 +74,15 @@ class SectionCrown {
   SectionCompliance straight_;
   double crown_radius_;  // radius of the reference crown, whose effect is linear in the curvature [m]
   SectionCompliance crowned_;
-  double proportion_;   // curvature of the wheel's crown relative to the reference
-  double lengthening_;  // length of a radian relative to that of the wheel
+  double curvature_ratio_;  // curvature of the wheel's crown relative to the reference
+  double radius_ratio_;     // outer radius of the straight section relative to that of the wheel
 };
 
-/// @brief Sections of a wheel's tread with faces and of an unbounded one, with the same elements.
+/// @brief Difference between the compliance of a tread with faces and that of an unbounded tread. Within the width of a
+/// flat tread, both sections have the same elements.
 ///
-/// The errors of the elements for short waves cancel in the difference: those of the flat tread, and to first order
-/// those of the crown.
+/// The errors of the elements for short waves cancel in the difference: completely for a flat tread, and to first order
+/// in the curvature for a crowned one.
 class SideDifference {
  public:
   /// @param[in] wheel wheel with at least one layer
@@ -97,17 +101,17 @@ class SideDifference {
   /// @param[in] m order
   /// @param[in] layers material of each layer from the hub outwards, with positive real parts
   /// @param[in] parts requested parts
-  /// @param[in] worker worker on whose checkpoint this computation polls
+  /// @param[in] worker worker whose `checkpoint` is called between solves
   /// @return for each part, the matrix of `SampledDifference` without the factors i [1/(unit of stress)/m]
   [[nodiscard]] std::array<Eigen::MatrixXcd, 2> at(double m,
                                                    const std::vector<SectionMedium<std::complex<double>>>& layers,
                                                    std::span<const Parity> parts, const Worker& worker) const;
 
-  /// @return difference at some orders, with allocated but unset rows
-  [[nodiscard]] SampledDifference at_orders(const Eigen::ArrayXd& orders) const;
+  /// @return result with these orders, whose rows are allocated but not set: see `SampledDifference::set`
+  [[nodiscard]] SampledDifference allocated(const Eigen::ArrayXd& orders) const;
 
  private:
-  double omitted_;  // omitted part of half the width, in the middle [m]
+  double omitted_;  // length on each side of the middle without elements, because the faces do not affect it [m]
   SectionCompliance face_;
   SectionCompliance unbounded_;
   std::optional<SectionCrown> crown_;
@@ -120,11 +124,11 @@ class SideDifference {
 /// The key contains the dimensions of the wheel and all other numbers on which the differences depend.
 /// @param[in] wheel wheel with at least one layer
 /// @param[in] tangential whether there are tangential loads besides normal ones
-/// @param[in] numbers all other numbers on which the differences depend
+/// @param[in] key_numbers all other numbers on which the differences depend
 /// @param[in] compute function that computes the differences if the cache does not contain them
 /// @return the differences
 [[nodiscard]] std::shared_ptr<const std::vector<SampledDifference>> cached_differences(
-    const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers,
+    const CoatedWheel& wheel, bool tangential, const std::vector<double>& key_numbers,
     const std::function<std::vector<SampledDifference>()>& compute);
 
 /// @brief Difference between a rolling tread with faces and an unbounded one.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/dense_solvers.hpp"
+#include "viscoroll/modulus_functions.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -67,7 +67,7 @@ std::vector<SampledDifference> found(const LayerSpectrum& layers, const WeighedC
                                      const SideDifference& sections, const Eigen::ArrayXd& orders, int threads,
                                      Watch& watch) {
   constexpr std::array kEven{kEvenPart};
-  SampledDifference room = sections.at_orders(orders);
+  SampledDifference room = sections.allocated(orders);
   room.parts[kOddPart].resize(0, 0);
   std::vector<SampledDifference> weights(layers.weights(), room);
   parallel_for(static_cast<std::size_t>(orders.size()), threads, watch, "solving the section",

@@ -11,9 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "rolling/contact_surface.hpp"
 #include "rolling/free_side_tables.hpp"
-#include "rolling/line_contact_surface.hpp"
-#include "rolling/point_contact_surface.hpp"
 #include "transient/free_sides.hpp"
 #include "transient/layer_spectrum.hpp"
 #include "transient/order_weights.hpp"
@@ -34,7 +33,7 @@ void add_sides(std::span<const SampledDifference> differences, const SideSum& su
 CreepTables tables_of_similar_layers(const Body& at_rest, const ContactKinematics& kinematics, const RowShape& shape) {
   const auto& [threads, watch] = kinematics.execution;
   const LayeredBody layers = at_rest.layered(kinematics);
-  const auto sum = kinematics.form.is_line() ? sum_under_line(layers, kinematics) : sum_under_spot(layers, kinematics);
+  const auto sum = sum_of_orders(layers, kinematics);
   std::vector<MirroredTables> tables;
   tables.emplace_back(*sum, shape, threads, watch);  // an initializer list would copy
   if (at_rest.free_tread() != nullptr) {

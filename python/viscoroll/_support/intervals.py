@@ -1,4 +1,4 @@
-"""Intervals of results, from the scatter of draws."""
+"""Confidence intervals of results that are computed for random draws of the input."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from .arguments import Floats, as_float
 from .errors import InvalidInput
 from .extras import extra
 
-__all__ = ["as_confidence", "half_width", "student"]
+__all__ = ["as_confidence", "interval_half_width", "student_quantile"]
 
 
 def as_confidence(confidence: object) -> float:
@@ -19,16 +19,17 @@ def as_confidence(confidence: object) -> float:
     return number
 
 
-def half_width(draws: Floats, confidence: float) -> Floats:
+def interval_half_width(draws: Floats, confidence: float) -> Floats:
     """Return half the width of intervals, from the scatter of draws along the first axis.
 
-    The width is Student's quantile times the standard deviation, whose error is 7 % with 100 draws. Empirical quantiles
-    of so few draws scatter twice as much, and their intervals cover less than the confidence level.
+    Half the width is Student's quantile times the standard deviation. With 100 draws, the standard deviation has an
+    error of 7 %. Empirical quantiles of so few draws scatter twice as much, and their intervals cover less than the
+    confidence level.
     """
-    return np.asarray(student(confidence, len(draws) - 1) * np.std(draws, axis=0, ddof=1))
+    return np.asarray(student_quantile(confidence, len(draws) - 1) * np.std(draws, axis=0, ddof=1))
 
 
-def student(confidence: float, degrees_of_freedom: int) -> float:
+def student_quantile(confidence: float, degrees_of_freedom: int) -> float:
     """Return the two-sided quantile of Student's distribution."""
     with extra("studies"):
         from scipy.stats import t

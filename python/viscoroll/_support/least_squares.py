@@ -13,7 +13,7 @@ from .._core import ConvergenceError
 from .arguments import Floats
 from .errors import InvalidInput
 from .extras import extra
-from .intervals import student
+from .intervals import student_quantile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -105,7 +105,7 @@ class Fit:
             [(self._model(x, *(values + s)) - self._model(x, *(values - s))) / (2.0 * s.sum()) for s in np.diag(steps)]
         )
         variance = np.einsum("i...,ij,j...->...", slopes, self.covariance, slopes)
-        margin = student(self.confidence, self.degrees_of_freedom) * np.sqrt(np.maximum(variance, 0.0))
+        margin = student_quantile(self.confidence, self.degrees_of_freedom) * np.sqrt(np.maximum(variance, 0.0))
         torque = self.predict(x)
         return torque - margin, torque + margin
 
@@ -178,7 +178,7 @@ def with_intervals(
     units: Mapping[str, str], values: Floats, covariance: Floats, confidence: float, degrees_of_freedom: int
 ) -> dict[str, Parameter]:
     """Return the parameters, named by `units`, with intervals from Student's quantiles."""
-    margins = student(confidence, degrees_of_freedom) * np.sqrt(np.diag(covariance))
+    margins = student_quantile(confidence, degrees_of_freedom) * np.sqrt(np.diag(covariance))
     return {
         name: Parameter(value=float(v), lower=float(v - m), upper=float(v + m), unit=unit)
         for (name, unit), v, m in zip(units.items(), values, margins, strict=True)

@@ -32,8 +32,8 @@ ImportError
 """
 
 
-class _Plot(Protocol):
-    """Type of the method `plot` of an object."""
+class _BoundPlot(Protocol):
+    """Type of `obj.plot`."""
 
     @overload
     def __call__(self) -> Figure: ...
@@ -42,14 +42,16 @@ class _Plot(Protocol):
     def __call__(self, ax: Axes) -> Axes: ...
 
 
-class _Method(Protocol):
-    """Type of the method `plot` of a class."""
+class _PlotDescriptor(Protocol):
+    """Type of `Class.plot`, whose `__get__` gives the bound method."""
 
-    def __get__(self, instance: object, owner: type | None = None, /) -> _Plot: ...
+    def __get__(self, instance: object, owner: type | None = None, /) -> _BoundPlot: ...
 
 
-def plots(part: str) -> Callable[[Callable[[Any, Axes | None], Figure | Axes]], _Method]:
-    """Return a decorator for a method that draws a new figure or into given axes: it adds type and docstring sections.
+def plots(part: str) -> Callable[[Callable[[Any, Axes | None], Figure | Axes]], _PlotDescriptor]:
+    """Return a decorator for a method `plot`, which draws into given axes or into a new figure.
+
+    The decorator gives the method its overloaded type, and appends sections to its docstring.
 
     Parameters
     ----------
@@ -57,9 +59,9 @@ def plots(part: str) -> Callable[[Callable[[Any, Axes | None], Figure | Axes]], 
         Noun phrase for the content that the method draws into given axes.
     """
 
-    def with_sections(method: Callable[[Any, Axes | None], Figure | Axes]) -> _Method:
+    def with_sections(method: Callable[[Any, Axes | None], Figure | Axes]) -> _PlotDescriptor:
         if method.__doc__:  # None with python -OO
             method.__doc__ = inspect.cleandoc(method.__doc__) + _SECTIONS.format(part=part)
-        return cast(_Method, method)
+        return cast(_PlotDescriptor, method)
 
     return with_sections

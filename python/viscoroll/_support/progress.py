@@ -80,13 +80,13 @@ def counted(progress: ProgressLike, *, total: int, unit: str, done: int = 0) -> 
     with reporting(progress) as report:
         count = done
 
-        def one_more() -> None:
+        def advance() -> None:
             nonlocal count
             count += 1
             if report is not None:
                 report(f"{unit}s", count / total)
 
-        yield one_more
+        yield advance
 
 
 @cache

@@ -7,7 +7,7 @@ __all__ = ["UNITS", "unit_in_contact"]
 #: Units in line contact of quantities that are per length there.
 _PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "J": "J/m", "m^2": "m"}
 
-#: Units of parameters of this package. Moduli and drives add those of their parameters.
+#: Units of parameters of this package. Moduli, bodies and drives add those of their parameters.
 UNITS = {
     "load": "N",
     "penetration": "m",
@@ -18,12 +18,7 @@ UNITS = {
     "nodes_per_revolution": "1",
     "max_order": "1",
     "theta_nodes_per_revolution": "1",
-    "core_radius": "m",
     "outer_radius": "m",
-    "radius": "m",
-    "path_radius": "m",
-    "crown_radius": "m",
-    "width": "m",
     "thickness": "m",
     "density": "kg/m^3",
     "conductivity": "W/(m K)",

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from ..bodies import Layer
-    from ..materials.moduli import ShearModulusLike
+    from ..materials.modulus_like import ShearModulusLike
 
 __all__ = [
     "ClosedForm",

@@ -9,7 +9,7 @@ import numpy as np
 from .. import _core
 from .._support.arguments import as_float, as_float_array
 from .._support.errors import InvalidInput
-from ..materials.moduli import ShearModulusLike, to_core
+from ..materials.modulus_like import ShearModulusLike, to_core
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from ..materials.moduli import relaxation_of
+from ..materials.modulus_like import relaxation_of
 from ._closed_form import ClosedForm, have_real_poisson_ratios, relaxed_constants
 from ._inputs import Floats, positives
 from .low_speed import low_speed_torque

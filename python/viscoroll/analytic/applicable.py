@@ -13,7 +13,7 @@ import numpy as np
 from .._core import InnerBoundary
 from .._support.arguments import as_float_array, require_type
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Counterbody, Layer, RollingBody
-from ..materials.moduli import standard_linear_solid_of
+from ..materials.modulus_like import standard_linear_solid_of
 from ._at_rest import Coating, reach_at_rest
 from ._closed_form import (
     ClosedForm,

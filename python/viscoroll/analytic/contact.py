@@ -48,9 +48,9 @@ def hertz(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio
     """Return the contact of a rigid plane with a solid elastic sphere: a³ = 3 (1-ν) P R / (8 G), d = a²/R.
 
     Valid without friction for a ≪ R, and on a coating for a ≪ h. The approach of an incompressible sphere is smaller
-    than a²/R, in proportion to a/R. By Lamb's solution for the exact sphere, the approach of a single plane to the mean
-    of the sphere is 6 % smaller at a/R = 0.1 and 3 % at 0.05; that of two opposite planes to its center is 2.9 and
-    1.4 % smaller. (With the paper's curvature terms, the first two numbers are 4 and 2 %.)
+    than a²/R by a fraction proportional to a/R. By Lamb's solution for the exact sphere, the approach of a single plane
+    relative to the mean displacement of the sphere is 6 % smaller at a/R = 0.1 and 3 % at 0.05. That of two opposite
+    planes to the center is 2.9 and 1.4 % smaller. With `Curvature.PAPER`, the first two numbers are 4 and 2 %.
 
     Parameters
     ----------
@@ -83,10 +83,10 @@ def hertz(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio
     >>> f"{contact.radius * 1e3:.3f} mm"
     '5.000 mm'
     """
-    force, size = positives("load", load, "N"), as_positive("radius", radius, "m")
+    load_values, radius_value = positives("load", load, "N"), as_positive("radius", radius, "m")
     stiffness = as_positive("shear_modulus", shear_modulus, "Pa")
-    a = np.cbrt(3.0 * (1.0 - poisson(poisson_ratio)) * force * size / (8.0 * stiffness))
-    return _on_disk(force, a, approach=a**2 / size, exponent=0.5)
+    a = np.cbrt(3.0 * (1.0 - poisson(poisson_ratio)) * load_values * radius_value / (8.0 * stiffness))
+    return _on_disk(load_values, a, approach=a**2 / radius_value, exponent=0.5)
 
 
 def thin_compressible_layer(
@@ -142,11 +142,11 @@ def thin_compressible_layer(
     >>> f"{contact.radius / 0.1e-3:.1f} thicknesses"
     '22.2 thicknesses'
     """
-    force, size, h = load_and_sizes(load, "N", radius, thickness)
+    load_values, radius_value, h = load_and_sizes(load, "N", radius, thickness)
     nu = poisson(poisson_ratio, compressible=True)
-    confined = as_positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
-    a = (4.0 * force * size * h / (np.pi * confined)) ** 0.25
-    return _on_disk(force, a, approach=a**2 / (2.0 * size), exponent=1.0)
+    confined_modulus = as_positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
+    a = (4.0 * load_values * radius_value * h / (np.pi * confined_modulus)) ** 0.25
+    return _on_disk(load_values, a, approach=a**2 / (2.0 * radius_value), exponent=1.0)
 
 
 def thin_incompressible_layer(
@@ -191,10 +191,10 @@ def thin_incompressible_layer(
     >>> f"{contact.radius / 0.1e-3:.1f} thicknesses"
     '13.8 thicknesses'
     """
-    force, size, h = load_and_sizes(load, "N", radius, thickness)
+    load_values, radius_value, h = load_and_sizes(load, "N", radius, thickness)
     stiffness = as_positive("shear_modulus", shear_modulus, "Pa")
-    a = (32.0 * force * size * h**3 / (np.pi * stiffness)) ** (1.0 / 6.0)
-    return _on_disk(force, a, approach=a**2 / (4.0 * size), exponent=2.0)
+    a = (32.0 * load_values * radius_value * h**3 / (np.pi * stiffness)) ** (1.0 / 6.0)
+    return _on_disk(load_values, a, approach=a**2 / (4.0 * radius_value), exponent=2.0)
 
 
 def _on_disk(

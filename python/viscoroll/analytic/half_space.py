@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-    from ..materials.moduli import ShearModulusLike
+    from ..materials.modulus_like import ShearModulusLike
 
 __all__ = ["greenwood_tabor_torque", "persson_torque"]
 

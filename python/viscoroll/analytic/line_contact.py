@@ -91,13 +91,13 @@ def hertz_line(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_
     >>> f"{contact.half_width * 1e3:.3f} mm"
     '5.150 mm'
     """
-    force, size = positives("load", load, "N/m"), as_positive("radius", radius, "m")
+    load_values, radius_value = positives("load", load, "N/m"), as_positive("radius", radius, "m")
     stiffness = as_positive("shear_modulus", shear_modulus, "Pa")
-    a = np.sqrt(2.0 * (1.0 - poisson(poisson_ratio)) * force * size / (np.pi * stiffness))
+    a = np.sqrt(2.0 * (1.0 - poisson(poisson_ratio)) * load_values * radius_value / (np.pi * stiffness))
     return LineContact(
         half_width=float_if_scalar(a),
         approach=None,
-        max_pressure=float_if_scalar(2.0 * force / (np.pi * a)),
+        max_pressure=float_if_scalar(2.0 * load_values / (np.pi * a)),
         exponent=0.5,
     )
 
@@ -144,14 +144,14 @@ def thin_compressible_layer_line(
     >>> f"{contact.half_width * 1e3:.3f} mm"
     '2.614 mm'
     """
-    force, size, h = load_and_sizes(load, "N/m", radius, thickness)
+    load_values, radius_value, h = load_and_sizes(load, "N/m", radius, thickness)
     nu = poisson(poisson_ratio, compressible=True)
-    confined = as_positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
-    a = np.cbrt(1.5 * force * size * h / confined)
+    confined_modulus = as_positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
+    a = np.cbrt(1.5 * load_values * radius_value * h / confined_modulus)
     return LineContact(
         half_width=float_if_scalar(a),
-        approach=float_if_scalar(a**2 / (2.0 * size)),
-        max_pressure=float_if_scalar(0.75 * force / a),
+        approach=float_if_scalar(a**2 / (2.0 * radius_value)),
+        max_pressure=float_if_scalar(0.75 * load_values / a),
         exponent=1.0,
     )
 
@@ -195,13 +195,13 @@ def thin_incompressible_layer_line(
     >>> f"{contact.half_width * 1e3:.3f} mm"
     '2.391 mm'
     """
-    force, size, h = load_and_sizes(load, "N/m", radius, thickness)
+    load_values, radius_value, h = load_and_sizes(load, "N/m", radius, thickness)
     stiffness = as_positive("shear_modulus", shear_modulus, "Pa")
-    a = (7.5 * force * size * h**3 / stiffness) ** 0.2
+    a = (7.5 * load_values * radius_value * h**3 / stiffness) ** 0.2
     return LineContact(
         half_width=float_if_scalar(a),
-        approach=float_if_scalar(a**2 / (6.0 * size)),
-        max_pressure=float_if_scalar(stiffness * a**4 / (8.0 * size * h**3)),
+        approach=float_if_scalar(a**2 / (6.0 * radius_value)),
+        max_pressure=float_if_scalar(stiffness * a**4 / (8.0 * radius_value * h**3)),
         exponent=2.0,
     )
 

@@ -13,7 +13,7 @@ from ._inputs import Floats, complex_modulus, float_if_scalar, poisson, positive
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from ..materials.moduli import ShearModulusLike
+    from ..materials.modulus_like import ShearModulusLike
 
 __all__ = ["brilliantov_poschel_time", "loss_time", "low_speed_torque", "sphere_loss_time"]
 

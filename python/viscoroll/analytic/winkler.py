@@ -10,7 +10,8 @@ import numpy as np
 from .._support.arguments import as_positive, require_type
 from .._support.errors import InvalidInput
 from .._support.text import shown
-from ..materials.moduli import Relaxation, ShearModulus, relaxation_of
+from ..materials.moduli import Relaxation, ShearModulus
+from ..materials.modulus_like import relaxation_of
 from ._inputs import Floats, float_if_scalar, poisson, positives, require_one_volumetric_constant
 
 if TYPE_CHECKING:

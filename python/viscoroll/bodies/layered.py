@@ -12,6 +12,7 @@ import numpy as np
 from .. import _core
 from .._support.arguments import as_member, store_floats
 from .._support.tables import ParameterTable
+from .._support.units import UNITS
 from .layers import HalfSpace, Layer, as_layers, at_rest
 from .si_hints import si_hint
 
@@ -44,6 +45,10 @@ class LayeredBody(ParameterTable):
     _lengths: ClassVar[tuple[str, ...]] = ()
     _optional_lengths: ClassVar[tuple[str, ...]] = ()
     _choices: ClassVar[dict[str, type[Enum]]] = {}
+
+    def __init_subclass__(cls) -> None:
+        """Register the units of the lengths."""
+        UNITS.update(dict.fromkeys((*cls._lengths, *cls._optional_lengths), "m"))
 
     def __post_init__(self) -> None:
         """Store lengths as floats, layers as a tuple and names as enum members, and check the parameters."""

@@ -12,7 +12,7 @@ from .._support.errors import InvalidType
 from .._support.tables import ParameterTable
 from .._support.text import shown
 from ..materials import SofteningModulus
-from ..materials.moduli import ShearModulusLike, as_modulus, to_core
+from ..materials.modulus_like import ShearModulusLike, as_modulus, to_core
 
 __all__ = ["HalfSpace", "Layer", "as_layers", "at_rest"]
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from .._core import ConvergenceError, complex_modulus
 from .._support.errors import InvalidInput
-from ..materials.moduli import ShearModulusLike, to_core
+from ..materials.modulus_like import ShearModulusLike, to_core
 from .layers import Layer, at_rest
 
 __all__ = ["si_hint", "si_hints", "unit_doubt"]

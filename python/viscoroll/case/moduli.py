@@ -8,9 +8,9 @@ from operator import or_
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
-from .. import materials
+from .. import _core, materials
 from .._core import Extrapolation
-from .._support.arguments import as_member
+from .._support.arguments import as_float, as_member
 from .._support.errors import InvalidInput, in_file
 from .._support.extras import extra
 from .._support.text import shown
@@ -149,18 +149,13 @@ def _of_data_sheet(
     decades : float, optional
         Decades of frequency on each side over which the loss factor is constant.
     """
-    modulus = hardness_to_modulus(hardness, scale=scale).value
-    law = {"reference_frequency": reference_frequency, "decades": decades}
-    given = {name: value for name, value in law.items() if value is not None}
+    numbers = {"hardness": hardness, "rebound": rebound, "reference_frequency": reference_frequency, "decades": decades}
+    given = {name: as_float(name, value) for name, value in numbers.items() if value is not None}
+    _core.ShearModulus("hardness", scale=_core.ShoreScale[scale], **given)  # checks the values
+    modulus = hardness_to_modulus(given.pop("hardness"), scale=scale).value
     if rebound is None:
-        if given:
-            raise InvalidInput(f"{' and '.join(given)}", "must be left out without a rebound")
         return materials.Elastic(modulus=modulus)
-    if reference_frequency is None:
-        raise InvalidInput(
-            "reference_frequency", "must be given with a rebound: the frequency [rad/s] of modulus and loss factor"
-        )
-    return LossFactor(modulus=modulus, loss_factor=rebound_to_loss_factor(rebound).value, **given)
+    return LossFactor(modulus=modulus, loss_factor=rebound_to_loss_factor(given.pop("rebound")).value, **given)
 
 
 def _with_columns(
@@ -257,8 +252,7 @@ _ANNOTATIONS: dict[str, tuple[object, ...]] = {
 #: Tables of the moduli of the core, and of others, which Python makes from these.
 _TABLES = (
     *(Annotated[(kind, *_ANNOTATIONS.get(name, (Table(name),)))] for name, kind in MODULI.items()),
-    Annotated[LossFactor, Table("loss_factor")],
-    Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)],
+    Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet, scale=Literal["A", "D"])],
     Annotated[materials.ShearModulus, Table("published", _published)],
     Annotated[materials.ShearModulus, Table("measured", _measured, file=FileName, temperature=float)],
     Annotated[materials.ShearModulus, Table("generalized_maxwell", _of_moduli)],

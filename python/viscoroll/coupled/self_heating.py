@@ -165,10 +165,10 @@ class SelfHeating:
         temperatures: Sequence[float], value_at: Callable[[float], float], progress: ProgressLike
     ) -> NDArray[np.float64]:
         found = []
-        with counted(progress, total=len(temperatures), unit="temperature") as one_more:
+        with counted(progress, total=len(temperatures), unit="temperature") as advance:
             for value in temperatures:
                 found.append(value_at(as_float("temperatures", value)))
-                one_more()
+                advance()
         return np.array(found)
 
 

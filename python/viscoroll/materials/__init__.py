@@ -2,13 +2,13 @@
 
 from .constants import MaterialConstants, read_constants
 from .draws import Draws
-from .loss_factor import LossFactor
 from .moduli import (
     CreepCompliance,
     Elastic,
     FractionalZener,
     HavriliakNegami,
     KelvinVoigt,
+    LossFactor,
     MasterCurve,
     Prony,
     ShearModulus,

@@ -16,7 +16,8 @@ from .._support.text import shown
 from . import abaqus, ansys, comsol, ls_dyna
 from .deck import UNITS, Deck, Found, UnitSystem
 from .fewer_terms import fewer_terms
-from .moduli import MasterCurve, Prony, ShearModulus, relaxation_of
+from .moduli import MasterCurve, Prony, ShearModulus
+from .modulus_like import relaxation_of
 from .shift import Arrhenius, WilliamsLandelFerry, shift_factor, shifted
 
 __all__ = ["MaterialConstants", "holds_constants", "read_constants"]

@@ -7,7 +7,8 @@ import numpy as np
 from .._support.arguments import Floats, as_floats
 from .._support.errors import InvalidInput
 from .._support.text import shown
-from .moduli import MasterCurve, Prony, ShearModulus, relaxation_of
+from .moduli import MasterCurve, Prony, ShearModulus
+from .modulus_like import relaxation_of
 from .series import fit_series, fit_sparse, time_grid
 
 __all__ = ["fewer_terms"]

@@ -14,7 +14,8 @@ import numpy as np
 from .._support.arguments import as_float, as_kelvin, store_positive
 from .._support.errors import InvalidInput, InvalidType
 from .._support.text import shown
-from .moduli import ShearModulus, ShearModulusLike, as_modulus
+from .moduli import ShearModulus
+from .modulus_like import ShearModulusLike, as_modulus
 from .softening import SofteningModulus
 
 __all__ = ["Arrhenius", "Shift", "WilliamsLandelFerry", "scaled", "shift_factor", "shifted"]

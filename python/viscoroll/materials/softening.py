@@ -10,8 +10,8 @@ import numpy as np
 from .. import _core
 from .._support.arguments import as_float, as_positive, require_type
 from .._support.errors import InvalidType
-from .loss_factor import LossFactor
-from .moduli import Elastic, ShearModulus, ShearModulusLike, as_modulus, to_core
+from .moduli import Elastic, LossFactor, ShearModulus
+from .modulus_like import ShearModulusLike, as_modulus, to_core
 from .networks import Network
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ import numpy as np
 from .. import _core
 from .._support.arguments import as_floats, as_member, as_positive
 from .._support.errors import InvalidInput
-from .moduli import ShearModulusLike, as_modulus, to_core
+from .modulus_like import ShearModulusLike, as_modulus, to_core
 from .networks import Network
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ import numpy as np
 
 from .._support.arguments import Floats, as_float
 from ..bodies import RollingBody
-from ..materials.moduli import to_core
+from ..materials.modulus_like import to_core
 from ..materials.series import basis, time_grid
 from .measured import MeasuredModulus, measured
 from .prony_fit import fit_prony

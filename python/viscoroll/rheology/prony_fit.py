@@ -9,7 +9,7 @@ import numpy as np
 
 from .._support.arguments import Floats, as_float, as_float_array, as_int
 from .._support.errors import InvalidInput
-from .._support.intervals import as_confidence, half_width
+from .._support.intervals import as_confidence, interval_half_width
 from .._support.plotting import plots
 from ..materials import Draws, Prony
 from ..materials.series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
@@ -138,7 +138,7 @@ class PronyFit:
         omega = np.atleast_1d(as_float_array("angular_frequency", angular_frequency))
         level = as_confidence(confidence)
         drawn = np.array([series.complex_modulus(omega) for series in self.draws(count, seed=seed)])
-        half = half_width(drawn.real, level) + 1j * half_width(drawn.imag, level)
+        half = interval_half_width(drawn.real, level) + 1j * interval_half_width(drawn.imag, level)
         middle = self.series.complex_modulus(omega)
         return middle - half, middle + half
 

@@ -10,7 +10,7 @@ from .._support.arguments import as_float, as_int, as_member
 from .._support.errors import InvalidInput, in_file
 from .._support.text import shown
 from ..materials import StrainSweep
-from ..materials.moduli import ShearModulusLike
+from ..materials.modulus_like import ShearModulusLike
 from ..materials.strain_sweep import StrainKind
 from .reading import Columns, moduli_are_tensile, moduli_of, named_columns
 from .tables import AMPLITUDE, Table

@@ -13,7 +13,7 @@ from .. import _core
 from .._support.arguments import Floats
 from ..bodies import Counterbody, Drive, HalfSpace, Layer, Mesh, RollingBody
 from ..bodies.layered import materials_of, with_materials
-from ..materials.moduli import to_core
+from ..materials.modulus_like import to_core
 from ..solution import Solution
 
 if TYPE_CHECKING:

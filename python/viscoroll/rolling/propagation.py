@@ -20,7 +20,7 @@ from .._support.errors import InvalidInput
 from .._support.progress import Report
 from .._support.text import shown
 from ..bodies import Counterbody, RollingBody
-from ..materials.moduli import ShearModulusLike, to_core
+from ..materials.modulus_like import ShearModulusLike, to_core
 from ..solution import Solution
 from .frozen import FrozenContact
 from .perturbed import Given, MaterialPosition, bands_of, material_positions

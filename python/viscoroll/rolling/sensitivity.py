@@ -224,11 +224,11 @@ def sensitivity(
         for position in material_positions(given)
     ]
     total = len(numbers) + sum(2 * bands.centers.size for _, bands in moduli)
-    with counted(progress, total=total, unit="parameter") as one_more:
+    with counted(progress, total=total, unit="parameter") as advance:
 
         def each(change: Change, *, downwards: bool = False) -> Floats:
             found = quotients(change, downwards=downwards)
-            one_more()
+            advance()
             return found
 
         def by_band(position: MaterialPosition, bands: Bands, part: Part) -> Floats:

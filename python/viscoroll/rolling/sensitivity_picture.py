@@ -9,7 +9,7 @@ import numpy as np
 
 from .._support.arguments import Floats
 from .._support.pictures import Picture, draw_picture
-from ..materials.moduli import measured_range_of
+from ..materials.modulus_like import measured_range_of
 from ..solution.loss_spectrum import loss_spectrum
 from .perturbed import Given, bands_of, material_positions
 

@@ -10,7 +10,7 @@ from .. import _core
 from .._support.arguments import as_int
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
-from ..materials.moduli import relaxation_of
+from ..materials.modulus_like import relaxation_of
 from .inside import Of, inside_of
 from .interior_fields import place_coordinates
 from .solution import Solution, described, given_of
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
-    from ..materials.moduli import ShearModulusLike
+    from ..materials.modulus_like import ShearModulusLike
 
 __all__ = ["contact_size", "default_max_order", "loss"]
 

@@ -10,7 +10,7 @@ import numpy as np
 from .._core import Curvature
 from .._support.arguments import Floats
 from .._support.errors import InvalidInput
-from ..materials.moduli import measured_range_of
+from ..materials.modulus_like import measured_range_of
 from .inside import Inside, Of, inside_of
 from .interior_fields import order_fields
 from .solution import Solution

@@ -1,9 +1,9 @@
-"""Cache of studies: a database of all solved points, by keys of their inputs, and a netCDF file of the last study.
+"""Cache of studies: a database of all solved points, stored by keys of their inputs, and a netCDF file of a study.
 
-Points are rows of an SQLite database. Each point is one transaction, so that a process that is killed at any moment
-leaves complete rows. Only one study at a time, in any thread or process, can open the database. The netCDF file appears
-complete or not at all. Each row has a checksum, and the database stores the checksum of the netCDF file, so that
-damaged files are detected.
+The netCDF file contains the last study and appears complete or not at all. Points are rows of an SQLite database. Each
+point is one transaction, so that a process that is killed at any moment leaves complete rows. Only one study at a time,
+in any thread or process, can open the database. Each row has a checksum, and the database stores the checksum of the
+netCDF file, so that damaged files are detected.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-__all__ = ["DAMAGED", "StudyCache", "as_cache_path", "point_store_path"]
+__all__ = ["DAMAGED", "StudyCache", "as_cache_path", "database_path"]
 
 #: Outcome of a point whose row does not match its checksum.
 DAMAGED = Outcome(error="the cache is damaged at this point")
@@ -41,23 +41,26 @@ DAMAGED = Outcome(error="the cache is damaged at this point")
 #: SQLite application id of a database of viscoroll ("vcrl").
 _APPLICATION = 0x7663726C
 
-#: Tables: version that made the database; points; checksums of the netCDF file (two while the file is being replaced).
+#: made_by: version that made the database. point: one row per point. study_checksum: checksum of the netCDF file, and
+#: those of replacements that failed.
 _TABLES = (
     "CREATE TABLE made_by (text TEXT NOT NULL)",
     "CREATE TABLE point (key TEXT PRIMARY KEY, scalars TEXT NOT NULL, fields BLOB, draws BLOB, error TEXT NOT NULL, "
     "checksum BLOB NOT NULL)",
-    "CREATE TABLE written (checksum BLOB NOT NULL)",
+    "CREATE TABLE study_checksum (checksum BLOB NOT NULL)",
 )
 
-#: Errors of SQLite caused by the file system, and errors caused by another connection. All others mean damage.
-_OF_FILE_SYSTEM = {
+#: Errors of SQLite that the file system causes. All others with a code of SQLite, except `_IN_USE_ERRORS`, mean damage.
+_FILE_SYSTEM_ERRORS = {
     sqlite3.SQLITE_FULL,
     sqlite3.SQLITE_IOERR,
     sqlite3.SQLITE_CANTOPEN,
     sqlite3.SQLITE_READONLY,
     sqlite3.SQLITE_PERM,
 }
-_IN_USE = {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED}
+
+#: Errors of SQLite that another connection causes.
+_IN_USE_ERRORS = {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED}
 
 
 def as_cache_path(path: str | Path) -> Path:
@@ -71,7 +74,7 @@ def as_cache_path(path: str | Path) -> Path:
     return ending_in([".nc"], path, name="cache")
 
 
-def point_store_path(path: Path) -> Path:
+def database_path(path: Path) -> Path:
     """Return the path of the database that belongs to a cache."""
     return path.with_name(path.name + ".points")
 
@@ -99,16 +102,18 @@ class StudyCache:
             import xarray  # noqa: F401
 
         self.path = path
-        self.points = point_store_path(path)
-        if path.exists() and not self.points.exists():
+        self.database_path = database_path(path)
+        if path.exists() and not self.database_path.exists():
             raise self._unknown_study()
-        with ExitStack() as unless_opened, self._explained():
+        with ExitStack() as close_on_failure, self._converting_sqlite_errors():
             # The threads that solve the points of a study use the database one at a time: see `_Recorder`.
-            self._database = sqlite3.connect(self.points, timeout=0.0, isolation_level=None, check_same_thread=False)
-            unless_opened.callback(self._database.close)
+            self._database = sqlite3.connect(
+                self.database_path, timeout=0.0, isolation_level=None, check_same_thread=False
+            )
+            close_on_failure.callback(self._database.close)
             self._database.text_factory = bytes  # damaged text may not be UTF-8
             self._open()
-            unless_opened.pop_all()
+            close_on_failure.pop_all()
 
     def __enter__(self) -> StudyCache:
         """Return the open cache."""
@@ -126,8 +131,8 @@ class StudyCache:
 
         if not self.path.exists():
             return None
-        with self._explained():
-            known = self._database.execute("SELECT checksum FROM written").fetchall()
+        with self._converting_sqlite_errors():
+            known = self._database.execute("SELECT checksum FROM study_checksum").fetchall()
         if (_file_checksum(self.path),) not in known:
             raise self._unknown_study()
         return xarray.load_dataset(self.path, engine="netcdf4")
@@ -139,14 +144,14 @@ class StudyCache:
             write_netcdf(dataset, draft, encoding=compressed)
             seal(draft)
             checksum = _file_checksum(draft)
-            with self._explained():
-                self._database.execute("INSERT INTO written VALUES (?)", (checksum,))
-        with self._explained():
-            self._database.execute("DELETE FROM written WHERE checksum != ?", (checksum,))
+            with self._converting_sqlite_errors():
+                self._database.execute("INSERT INTO study_checksum VALUES (?)", (checksum,))
+        with self._converting_sqlite_errors():
+            self._database.execute("DELETE FROM study_checksum WHERE checksum != ?", (checksum,))
 
     def outcome(self, key: str) -> Outcome | None:
         """Return the outcome of a point, `DAMAGED` if its checksum does not match, or None if the point is missing."""
-        with self._explained():
+        with self._converting_sqlite_errors():
             query = "SELECT scalars, fields, draws, error, checksum FROM point WHERE key = ?"
             row = self._database.execute(query, (key,)).fetchone()
         if row is None:
@@ -164,7 +169,7 @@ class StudyCache:
         scalars, error = json.dumps(dict(outcome.scalars)), outcome.error
         fields, draws = _packed(outcome.fields), _packed(outcome.draws)
         checksum = _checksum(key.encode(), scalars.encode(), fields, draws, error.encode())
-        with self._explained():
+        with self._converting_sqlite_errors():
             row = (key, scalars, fields, draws, error, checksum)
             self._database.execute("INSERT OR REPLACE INTO point VALUES (?, ?, ?, ?, ?, ?)", row)
 
@@ -187,7 +192,7 @@ class StudyCache:
             if found != (made_by,):
                 version = found[0].decode(errors="replace") if found and isinstance(found[0], bytes) else repr(found)
                 raise ValueError(
-                    f"cache {self.points} must be made by viscoroll {made_by.decode()}, got a cache made by "
+                    f"cache {self.database_path} must be made by viscoroll {made_by.decode()}, got a cache made by "
                     f"{one_line(version)}: delete it and {self.path.name} to start again, or name another cache"
                 )
             if tables != [(statement.encode(),) for statement in sorted(_TABLES)]:
@@ -195,7 +200,7 @@ class StudyCache:
         self._database.execute("COMMIT")
 
     @contextmanager
-    def _explained(self) -> Iterator[None]:
+    def _converting_sqlite_errors(self) -> Iterator[None]:
         """Convert an error of SQLite to one that names the file and says what to do."""
         try:
             yield
@@ -204,23 +209,23 @@ class StudyCache:
             if extended is None:  # an error that does not concern the file
                 raise
             code = extended & 0xFF
-            if code in _IN_USE:
-                raise ValueError(f"cache {self.points} is in use by another study") from None
-            if code in _OF_FILE_SYSTEM:
+            if code in _IN_USE_ERRORS:
+                raise ValueError(f"cache {self.database_path} is in use by another study") from None
+            if code in _FILE_SYSTEM_ERRORS:
                 number = errno.ENOSPC if code == sqlite3.SQLITE_FULL else errno.EIO
-                raise OSError(number, str(error), str(self.points)) from None
+                raise OSError(number, str(error), str(self.database_path)) from None
             raise self._damaged(error.sqlite_errorname) from None  # its message may quote damaged text
 
     def _damaged(self, reason: str) -> ValueError:
         return ValueError(
-            f"cache {self.points} is damaged, or is not a file of viscoroll ({reason}): "
+            f"cache {self.database_path} is damaged, or is not a file of viscoroll ({reason}): "
             f"delete it and {self.path.name} to start again, or name another cache"
         )
 
     def _unknown_study(self) -> ValueError:
         return ValueError(
-            f"cache {self.path} is damaged, or does not belong to {self.points.name}: delete it, and the same call "
-            "makes it again from the points, or name another cache"
+            f"cache {self.path} is damaged, or does not belong to {self.database_path.name}: delete it, and the same "
+            "call makes it again from the points, or name another cache"
         )
 
 

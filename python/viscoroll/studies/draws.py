@@ -9,7 +9,7 @@ import numpy as np
 
 from .._support.arguments import Floats
 from .._support.errors import InvalidInput
-from .._support.intervals import half_width
+from .._support.intervals import interval_half_width
 from .._support.result_warnings import silenced
 from .._support.text import shown
 from ..coupled import strain_softening
@@ -163,7 +163,7 @@ def interval_variables(
         none = np.full(2, np.nan)
         drawn = [answers.get(name, none) for answers in table]
         mean = np.array([values.mean() for values in drawn])
-        half = np.array([half_width(values, confidence) for values in drawn])
+        half = np.array([interval_half_width(values, confidence) for values in drawn])
         count = max(len(answers.get(name, ())) for answers in table)
         for bound, values, description in zip(
             _BOUNDS,

@@ -40,9 +40,9 @@ def run_all(
     executor = ThreadPoolExecutor(workers or core_count())
     try:
         futures = [executor.submit(function, point) for point in points]
-        with counted(progress, total=len(points), unit="solve") as one_more:
+        with counted(progress, total=len(points), unit="solve") as advance:
             for _ in as_completed(futures):
-                one_more()
+                advance()
         return [future.result() for future in futures]
     finally:
         executor.shutdown(cancel_futures=True)

@@ -177,7 +177,7 @@ def run_plan(
         if before is not None and not missing and json.loads(before.attrs["inputs"]) == plan.identity():
             return before
         done = len(recorder.outcomes)
-        recorder.one_more = stack.enter_context(counted(progress, total=len(plan.cases), unit="point", done=done))
+        recorder.advance = stack.enter_context(counted(progress, total=len(plan.cases), unit="point", done=done))
         run(plan, missing, record=recorder, executor=executor)
         dataset = build_dataset(plan, recorder.outcomes)
         if store is not None:
@@ -190,7 +190,7 @@ class _Recorder:
 
     def __init__(self, plan: Plan, store: StudyCache | None, *, retry_failed: bool) -> None:
         self.outcomes = {i: Outcome(error=case) for i, case in enumerate(plan.cases) if not isinstance(case, LoadCase)}
-        self.one_more: Callable[[], None] = lambda: None
+        self.advance: Callable[[], None] = lambda: None
         self._keys, self._store = plan.keys, store
         self._lock = threading.Lock()
         for i, key in enumerate(plan.keys):
@@ -199,8 +199,8 @@ class _Recorder:
                 continue
             if known is DAMAGED:
                 raise ValueError(
-                    f"cache {store.points} is damaged at point {i + 1} of {len(plan.keys)}: solve its damaged points "
-                    "again with retry_failed=True (viscoroll sweep --retry-failed), or delete it and "
+                    f"cache {store.database_path} is damaged at point {i + 1} of {len(plan.keys)}: solve its damaged "
+                    "points again with retry_failed=True (viscoroll sweep --retry-failed), or delete it and "
                     f"{store.path.name} to start again"
                 )
             self.outcomes[i] = known
@@ -210,7 +210,7 @@ class _Recorder:
             if self._store is not None and outcome.lasting and (key := self._keys[index]) is not None:
                 self._store.keep(key, outcome)
             self.outcomes[index] = outcome
-            self.one_more()
+            self.advance()
 
 
 def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:

@@ -23,22 +23,23 @@ def plot_temperature(rise: xarray.DataArray, title: str, ax: Axes | None = None)
 
 
 def _draw(axes: Axes, rise: xarray.DataArray, title: str) -> None:
-    normal, across = rise.dims
-    rise = rise.drop_duplicates(normal)
-    below = "from the axis [mm]" if normal == "radius" else "depth [mm]"
-    if normal == "depth":
+    normal_name, across_name = rise.dims
+    rise = rise.drop_duplicates(normal_name)
+    normal_label = "from the axis [mm]" if normal_name == "radius" else "depth [mm]"
+    if normal_name == "depth":
         axes.invert_yaxis()
-    if rise.sizes[across] == 1:
-        axes.plot(rise[:, 0], rise[normal] * _MM, color="tab:red")
-        axes.set(xlabel="temperature rise [K]", ylabel=below)
+    if rise.sizes[across_name] == 1:
+        axes.plot(rise[:, 0], rise[normal_name] * _MM, color="tab:red")
+        axes.set(xlabel="temperature rise [K]", ylabel=normal_label)
         axes.set_title(title, fontsize="medium")
         return
-    place, along = np.meshgrid(rise[normal], rise[across], indexing="ij")
-    if across == "theta":
-        place, along = place * np.sin(along), place * np.cos(along)
-    image = axes.contourf(along * _MM, place * _MM, rise.to_numpy(), levels=24, cmap="inferno")
-    axes.set(xlabel="along the axis [mm]", ylabel=below)
-    if normal == "radius":
+    vertical, horizontal = np.meshgrid(rise[normal_name], rise[across_name], indexing="ij")
+    if across_name == "theta":
+        radius, theta = vertical, horizontal
+        vertical, horizontal = radius * np.sin(theta), radius * np.cos(theta)
+    image = axes.contourf(horizontal * _MM, vertical * _MM, rise.to_numpy(), levels=24, cmap="inferno")
+    axes.set(xlabel="along the axis [mm]", ylabel=normal_label)
+    if normal_name == "radius":
         axes.set(aspect="equal")
     axes.set_title(title, fontsize="medium")
     axes.figure.colorbar(image, ax=axes, label="temperature rise [K]")

@@ -264,7 +264,7 @@ def _other_tables(random_of: random.Random, database: sqlite3.Connection) -> Non
         "DROP TABLE point",
         "DROP TABLE written",
         "DROP TABLE made_by",
-        "DELETE FROM written",
+        "DELETE FROM study_checksum",
         "DELETE FROM made_by",
         "UPDATE made_by SET text = '0.0.1, commit 1234567'",
         "UPDATE made_by SET text = char(10, 27, 0, 955) || text",

@@ -159,7 +159,7 @@ def infinite(found: object, *, without: tuple[str, ...] = (), place: str = "") -
 
 
 def _message_failure(error: Exception, name: str) -> str | None:
-    """Return what is wrong with the message of a refusal, or None."""
+    """Return what is wrong with the message of a rejection, or None."""
     message = str(error)
     if isinstance(error, OSError) and error.filename is not None:
         return None

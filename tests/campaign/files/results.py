@@ -1,4 +1,4 @@
-"""Studies in netCDF files: a damaged file must be refused, or have the same content."""
+"""Studies in netCDF files: a damaged file must be rejected, or have the same content."""
 
 from __future__ import annotations
 

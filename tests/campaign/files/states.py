@@ -1,4 +1,4 @@
-"""Saved states of histories: a damaged state must be refused, or be the same to the last bit."""
+"""Saved states of histories: a damaged state must be rejected, or be the same to the last bit."""
 
 from __future__ import annotations
 

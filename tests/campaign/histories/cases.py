@@ -156,7 +156,7 @@ def _along(rng: np.random.Generator, case: HistoryCase, motion: Motion, depth: f
     return given
 
 
-#: Changes that must be refused, by the argument that the message names.
+#: Changes that must be rejected, by the argument that the message names.
 _UNPHYSICAL: dict[str, Any] = {
     "load": lambda a: {"load": [1e9 * load for load in a["load"]]},
     "load[": lambda a: {"load": [*a["load"][:-1], -a["load"][0]]},
@@ -177,7 +177,7 @@ def _make_unphysical(rng: np.random.Generator, arguments: dict[str, Any]) -> str
     Returns
     -------
     str
-        Beginning of the message of the refusal.
+        Beginning of the message of the rejection.
     """
     if rng.random() >= 0.08:
         return ""

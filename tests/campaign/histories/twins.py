@@ -1,4 +1,4 @@
-"""Histories that must agree with another: mirrored, in other units, elsewhere along the track, interrupted."""
+"""Twins of a history, whose results follow from it: mirrored, in other units, elsewhere on the track, interrupted."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .invariants import scales
 
 __all__ = ["Twin", "twins"]
 
-#: Powers of two are exact, so a larger difference indicates an absolute number somewhere.
+#: Products with powers of two are exact, so a larger difference indicates a constant with a unit in the solver.
 SCALING_TOLERANCE = 1e-8
 
 #: Tolerance of mirror images and other places, whose sums have other round-off; instants are solved to 1e-10 at least,
@@ -53,7 +53,8 @@ class Twin:
     case : HistoryCase
         The transformed history.
     differences : callable
-        Called with the first history and the twin's; returns differences by name, relative to the tolerance.
+        Called with the history of the case and of the twin; returns those differences that exceed the tolerance, by
+        name, in multiples of the tolerance.
     roll : callable
         Function that computes the history, by default `viscoroll.roll`.
     """

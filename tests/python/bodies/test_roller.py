@@ -1,4 +1,4 @@
-"""Rollers in line contact: limits, closed forms, an independent computation, units, and bad input."""
+"""Rollers in line contact: limits, closed forms, an independent computation, units, and invalid input."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Orders of a wheel's tread: Bessel functions with 40 digits, limit of a roller, layers, parities, and bad input."""
+"""Orders of a wheel's tread: Bessel functions with 40 digits, limit of a roller, layers, parities, invalid input."""
 
 from __future__ import annotations
 

@@ -52,14 +52,14 @@ def test_the_command_prints_the_schema():
     assert json.loads(command("schema").stdout) == json.loads(json.dumps(SCHEMA))
 
 
-def test_types_of_the_npm_package_follow_from_the_schema():
+def test_types_of_the_npm_package_and_lists_of_the_page_follow_from_the_schema():
     script = ROOT / "wasm" / "make_types.py"
     subprocess.run([sys.executable, script, "--check"], check=True)
 
 
 def test_units_of_parameters_are_those_of_their_descriptions():
     spelled = {"kg/m³": "kg/m^3", "-": "1"}
-    for kind in (*MODULI.values(), vr.LossFactor, vr.Layer, vr.Drive):
+    for kind in (*MODULI.values(), vr.CoatedSphere, vr.CoatedWheel, vr.Groove, vr.Layer, vr.Drive):
         for name, found in parameter_schemas(kind).items():
             unit = re.search(r"\[(.*?)\]", found["description"])
             if name in UNITS and unit and "[" in found["description"].split(",")[0]:

@@ -53,7 +53,7 @@ def test_two_solid_rollers(judge):
     judge(creepages(source.on_each_other(), "two solid rollers"))
 
 
-@pytest.mark.parametrize("case", ["μ = 0.05, no force", "μ = 0.05, ¾ of sliding, aluminum braked"])
+@pytest.mark.parametrize("case", ["μ = 0.05, no force", "μ = 0.05, force ¾ μP, aluminum braked"])
 def test_deviation_from_flat_theory_is_curvature(case):
     # The deviation of the creepage is proportional to a/R: rollers four times as large halve it. The arc of a rigid
     # roller exceeds its chord by about (a/R)²; the layers of a solid roller are curved as well.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from published import creep_forces as source
+from published import creep_forces
 
 FRACTIONS = {0.0: "0", 0.25: "¼", 0.5: "½"}
 
@@ -12,10 +12,10 @@ FRACTIONS = {0.0: "0", 0.25: "¼", 0.5: "½"}
 @pytest.mark.filterwarnings("ignore:the relative error of the power balance")
 def test_kalkers_coefficients(judge):
     # 80 nodes across take eight seconds. C₁₁ and C₂₂ converge from above and C₂₃ from below, with half the error on
-    # each finer mesh: 20, 40 and 80 nodes have errors of 2.8, 1.4 and 0.6 % of C₂₃.
+    # each finer mesh: for ν = 0, 20, 40 and 80 nodes have errors of 2.8, 1.4 and 0.6 % of C₂₃.
     found = {}
     for ratio, fraction in FRACTIONS.items():
-        for name, value in zip(("C₁₁", "C₂₂", "C₂₃"), source.coefficients(ratio, across=80), strict=True):
+        for name, value in zip(("C₁₁", "C₂₂", "C₂₃"), creep_forces.coefficients(ratio, across=80), strict=True):
             found[f"{name} of a circle, Poisson's ratio {fraction}"] = value
     judge(found)
 
@@ -23,16 +23,17 @@ def test_kalkers_coefficients(judge):
 def test_carter(judge):
     judge(
         {
-            f"Carter's force [μP], creepage {share} of what slides throughout": source.carter(share)
+            f"Carter's force [μP], creepage {share} of that of full sliding": creep_forces.carter(share)
             for share in (0.2, 0.4, 0.8)
         }
     )
 
 
 def test_creep_force_of_a_steel_wheel(judge):
-    # Eleven solves, each with as many elements as CONTACT (1400 in contact), differ by 0.5 %. The initial slope of
-    # CONTACT differs from Kalker's by 1.5 %, and that of the library by 1 %.
-    wheel = source.SteelWheel()
+    # With as many elements as CONTACT (1400 in contact), the forces differ from those of CONTACT by 0.5 %. The eleven
+    # solves are these creepages and free rolling, from which they count. The initial slope of CONTACT differs from
+    # Kalker's by 1.5 %, and that of the library by 1 %.
+    wheel = creep_forces.SteelWheel()
     judge(
         {
             f"force of a steel wheel [μP], creepage {100.0 * creepage:g} %": wheel.force(creepage)
@@ -42,5 +43,6 @@ def test_creep_force_of_a_steel_wheel(judge):
 
 
 def test_initial_slope_agrees_with_kalker(judge):
-    judge({"its slope at rest [μP], Kalker's C₁₁": source.SteelWheel(finer=2.0).force(1e-5) / 1e-5})
-    assert source.kalkers_slope() == pytest.approx(691.2, abs=0.05)
+    slope = creep_forces.SteelWheel(refinement=2.0).force(1e-5) / 1e-5
+    judge({"initial slope of the force of a steel wheel [μP], by Kalker's C₁₁": slope})
+    assert creep_forces.kalkers_slope() == pytest.approx(691.2, abs=0.05)

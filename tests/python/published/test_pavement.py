@@ -16,12 +16,12 @@ def test_disc_at_rest(judge):
     # ELLEA1 prints four digits. At the surface, the library's deflection has an error of 1.6e-4.
     found = {}
     for depth in (0, 50, 100, 200, 500, 1000):
-        deflection, vertical, level = source.at_rest(1e-3 * depth)
+        deflection, vertical, horizontal = source.at_rest(1e-3 * depth)
         found[f"deflection [mm], {depth} mm deep"] = 1e3 * deflection
         if depth:
             found[f"vertical pressure [MPa], {depth} mm deep"] = 1e-6 * vertical
         if depth in (50, 100):
-            found[f"level pressure [MPa], {depth} mm deep"] = 1e-6 * level
+            found[f"horizontal pressure [MPa], {depth} mm deep"] = 1e-6 * horizontal
     judge(found)
 
 
@@ -35,4 +35,9 @@ def test_moving_disc_by_the_method_of_ellva(judge):
     # ELLVA uses moduli at the age of each load, which lowers the deflection by up to 0.8 %, and its load is half a step
     # behind. With both and the library's compliance, a difference of 0.2 % remains near the disc.
     found = zip(PLACES, source.moving_quasi_elastic([place - 0.5 * STEP for place in PLACES]), strict=True)
-    judge({f"the same as they sum it, {name_of(place)}": 1e3 * deflection for place, deflection in found})
+    judge(
+        {
+            f"deflection [mm], by the method of ELLVA, disc {name_of(place)}": 1e3 * deflection
+            for place, deflection in found
+        }
+    )

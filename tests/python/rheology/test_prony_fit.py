@@ -1,4 +1,4 @@
-"""Prony series from data: recovery, noise, intervals; and moduli from loss factor and hardness."""
+"""Fits of Prony series, with and without noise; moduli from loss factor and hardness; loss factor from rebound."""
 
 from __future__ import annotations
 
@@ -52,7 +52,8 @@ def test_known_series_from_noise_of_3_percent():
 def test_intervals_contain_the_true_value():
     """Coverage over 40 noisy data sets and 10 frequencies; `tests/campaign/intervals.py` tests many more.
 
-    Neighboring frequencies and both moduli are correlated: about 200 independent cases, standard deviation 2 %.
+    The 800 samples are correlated over neighboring frequencies and between both moduli, so they count as about 200
+    independent ones. The fraction inside has a standard deviation of about 2 %.
     """
     probe = np.geomspace(0.3, 3e4, 10)
     true = KNOWN.complex_modulus(probe)
@@ -68,11 +69,11 @@ def test_intervals_contain_the_true_value():
 
 
 def test_scatter_estimates_the_noise():
-    fits = [vr.rheology.fit_prony(sampled(KNOWN, OMEGA, 0.03, seed)).scatter for seed in range(10)]
-    assert np.mean(fits) == pytest.approx(0.03, rel=0.1)
+    scatters = [vr.rheology.fit_prony(sampled(KNOWN, OMEGA, 0.03, seed)).scatter for seed in range(10)]
+    assert np.mean(scatters) == pytest.approx(0.03, rel=0.1)
 
 
-def test_sharp_terms_need_more_times():
+def test_isolated_terms_need_more_times_per_decade():
     """A single term between the times of the grid is fitted poorly with two times per decade, and well with eight."""
     series = vr.Prony(instantaneous_modulus=1e7, weights=[0.3, 0.2, 0.3], relaxation_times=[1.3e-3, 0.9, 57.0])
     omega = np.geomspace(1e-3, 1e4, 71)
@@ -82,9 +83,9 @@ def test_sharp_terms_need_more_times():
 
 
 def test_sparse_series_on_request():
-    """Three sharp terms are recovered; seven terms for nine fit worse than the full series, to a few percent."""
-    sharp = vr.Prony(instantaneous_modulus=1e7, weights=[0.3, 0.2, 0.3], relaxation_times=[1.3e-3, 0.9, 57.0])
-    found = vr.rheology.fit_prony(sampled(sharp, np.geomspace(1e-3, 1e4, 71))).sparse(3).series
+    """A series of three isolated terms is recovered; seven terms fit a series of nine less well than the full fit."""
+    isolated = vr.Prony(instantaneous_modulus=1e7, weights=[0.3, 0.2, 0.3], relaxation_times=[1.3e-3, 0.9, 57.0])
+    found = vr.rheology.fit_prony(sampled(isolated, np.geomspace(1e-3, 1e4, 71))).sparse(3).series
     np.testing.assert_allclose(sorted(found.relaxation_times), [1.3e-3, 0.9, 57.0], rtol=1e-3)
     full = vr.rheology.fit_prony(sampled(KNOWN, OMEGA))
     few = full.sparse(7)
@@ -95,7 +96,10 @@ def test_sparse_series_on_request():
 
 
 def test_relaxed_modulus_has_a_floor():
-    """A liquid has no modulus at rest, so the fit returns `relaxed_floor`."""
+    """A liquid has no relaxed modulus, so the fit returns `relaxed_floor`.
+
+    Its default is a hundredth of the lowest storage modulus.
+    """
     omega = np.geomspace(0.1, 1e3, 41)
     x = 1j * omega * 0.01
     fluid = 1e6 * x / (1.0 + x)
@@ -144,7 +148,7 @@ def test_picture_and_text():
         (sampled(KNOWN, OMEGA), {"relaxed_floor": 0.0}, ValueError, "relaxed_floor must be > 0 Pa, got 0.0"),
     ],
 )
-def test_what_cannot_be_fitted(curve, options, error, message):
+def test_invalid_curves_and_options_are_rejected(curve, options, error, message):
     with pytest.raises(error, match=message):
         vr.rheology.fit_prony(curve, **options)
 
@@ -159,8 +163,8 @@ def test_loss_factor_is_constant_over_its_decades(loss_factor, error, decades):
     assert pad.complex_modulus(50.0).real == pytest.approx(2e6, rel=1e-12)
 
 
-def test_loss_factor_is_kjartansson_s_law_and_causal():
-    """The storage rises as |iω|^α, and a passive series fits it."""
+def test_loss_factor_follows_kjartanssons_law():
+    """The storage modulus rises as ω^α, and a passive Prony series fits the modulus, so it is causal."""
     pad = vr.LossFactor(modulus=1e6, loss_factor=0.3, reference_frequency=10.0)
     omega = 10.0 * np.logspace(-3, 3, 61)
     alpha = 2.0 / np.pi * np.arctan(0.3)
@@ -171,10 +175,10 @@ def test_loss_factor_is_kjartansson_s_law_and_causal():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"modulus": 0.0}, "modulus must be > 0 Pa, got 0.0"),
-        ({"loss_factor": 3.0}, r"loss_factor must be in \[1e-6, 2\], got 3.0"),
-        ({"reference_frequency": -1.0}, "reference_frequency must be > 0 rad/s, got -1.0"),
-        ({"decades": 9.0}, r"decades must be in \[0.5, 8\], got 9.0"),
+        ({"modulus": 0.0}, "modulus must be > 0 Pa, got 0$"),
+        ({"loss_factor": 3.0}, r"loss_factor must be in \[1e-6, 2\], got 3$"),
+        ({"reference_frequency": -1.0}, "reference_frequency must be > 0 rad/s, got -1$"),
+        ({"decades": 9.0}, r"decades must be in \[0.5, 8\], got 9$"),
     ],
 )
 def test_loss_factor_out_of_range(change, message):
@@ -198,9 +202,9 @@ def test_hardness():
 
 
 def test_rebound():
-    """A weakly damped oscillator retains e^(-2 π ζ / sqrt(1 - ζ²)) of its energy in half a swing, η = 2 ζ."""
+    """A weakly damped oscillator, η = 2 ζ, retains e^(-2 π ζ / sqrt(1 - ζ²)) of its energy over half a cycle."""
     for damping in (1e-3, 0.05):
-        kept = np.exp(-np.pi * damping / np.sqrt(1.0 - damping**2)) ** 2  # amplitudes of half a swing, squared
+        kept = np.exp(-np.pi * damping / np.sqrt(1.0 - damping**2)) ** 2  # square of the ratio of amplitudes
         assert vr.rheology.rebound_to_loss_factor(kept).value == pytest.approx(2.0 * damping, rel=2.0 * damping**2)
     with pytest.raises(
         ValueError, match=r"^rebound must be in \[0.02, 1\), as a fraction of the energy, got 55; 55 % is 0.55$"
@@ -212,7 +216,7 @@ def test_rebound():
         vr.rheology.rebound_to_loss_factor("55 %")
 
 
-def test_messages_about_hardness_copied_from_data_sheets():
+def test_hardness_as_written_on_data_sheets():
     assert vr.rheology.hardness_to_modulus(60.0, scale="a") == vr.rheology.hardness_to_modulus(60.0)
     assert vr.rheology.hardness_to_modulus(40.0, scale="d") == vr.rheology.hardness_to_modulus(40.0, scale="D")
     with pytest.raises(TypeError, match=r"^hardness must be a real number, got str '60 A'; pass the scale separately"):

@@ -12,6 +12,7 @@ from viscoroll import enums, paper
 
 SLS = {"instantaneous_modulus": 6e6, "relaxed_modulus": 3e6, "relaxation_time": 0.125}
 PRONY = {"instantaneous_modulus": 6e6, "weights": [0.3, 0.2], "relaxation_times": [0.1, 1.0]}
+LOSS = {"modulus": 1e6, "loss_factor": 0.1, "reference_frequency": 1.0}
 ZENER = SLS | {"order": 0.5}
 CREEP = {"instantaneous_compliance": 1e-6, "compliances": [1e-6, 2e-6], "retardation_times": [0.1, 1.0]}
 CURVE = {"frequency": [1.0, 10.0, 100.0], "storage": [1e6, 2e6, 3e6], "loss": [1e5, 2e5, 1e5]}
@@ -34,6 +35,8 @@ POSITIVE = [
     (vr.StandardLinearSolid, SLS, "relaxation_time", "s"),
     (vr.Prony, PRONY, "instantaneous_modulus", "Pa"),
     (vr.CreepCompliance, CREEP, "instantaneous_compliance", "1/Pa"),
+    (vr.LossFactor, LOSS, "modulus", "Pa"),
+    (vr.LossFactor, LOSS, "reference_frequency", "rad/s"),
     (vr.KelvinVoigt, {"modulus": 1.0, "viscosity": 1.0}, "modulus", "Pa"),
     (vr.FractionalZener, ZENER, "relaxed_modulus", "Pa"),
     (vr.FractionalZener, ZENER, "relaxation_time", "s"),

@@ -22,7 +22,7 @@ import viscoroll as vr
 import xarray
 from viscoroll import enums, paper
 from viscoroll.studies import run as running
-from viscoroll.studies.cache import point_store_path
+from viscoroll.studies.cache import database_path
 from viscoroll.studies.plan import plan_sweep
 
 MESH = vr.Mesh(nodes_per_revolution=100, max_order=50)
@@ -312,9 +312,9 @@ def run_until(program, ready, sent):
 
 def stored_points(path):
     """Count the points that another process has stored, in a copy, because that process locks the file."""
-    if not point_store_path(path).exists():
+    if not database_path(path).exists():
         return 0
-    copied = shutil.copy(point_store_path(path), path.with_name("copy"))
+    copied = shutil.copy(database_path(path), path.with_name("copy"))
     with contextlib.closing(sqlite3.connect(copied)) as database:
         try:
             return database.execute("SELECT count(*) FROM point").fetchone()[0]
@@ -404,7 +404,7 @@ def test_a_cache_of_another_version_is_rejected(tmp_path, monkeypatch, paper_bal
 
 def test_files_that_are_not_a_cache_are_not_changed(tmp_path, paper_ball):
     path = tmp_path / "study.nc"
-    points = point_store_path(path)
+    points = database_path(path)
 
     def refused(file, error, message):
         content = file.read_bytes()

@@ -102,11 +102,11 @@ def test_a_bar_is_closed_if_the_computation_fails(capsys):
 
 def test_counts_are_reported_as_fractions(capsys):
     seen = []
-    with counted(lambda *report: seen.append(report), total=4, unit="point", done=2) as one_more:
-        one_more()
-        one_more()
+    with counted(lambda *report: seen.append(report), total=4, unit="point", done=2) as advance:
+        advance()
+        advance()
     assert seen == [("points", 0.75), ("points", 1.0)]
-    with counted(True, total=2, unit="point") as one_more:
-        one_more()
-        one_more()
+    with counted(True, total=2, unit="point") as advance:
+        advance()
+        advance()
     assert "2/2" in capsys.readouterr().err

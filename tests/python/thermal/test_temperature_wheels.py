@@ -121,7 +121,9 @@ def test_a_section_agrees_with_finite_elements(hub, film):
     )
     layers = Conduction((HUB, OUTER), (K,), modes, film=outer, inner=inner)
     rises = layers.solve(expanded(modes, layers, sample_source), 3.0 if hub is None else 0.0)
-    section = Section((HUB, OUTER), WIDTH, K, film=film, side=SIDE, hub=hub, elements=(48, 96))
+    section = Section(
+        (HUB, OUTER), WIDTH, K, surface_convection=film, side_convection=SIDE, hub_convection=hub, elements=(48, 96)
+    )
     radius, z = layers.coordinate[1::4], np.linspace(-0.45, 0.45, 7) * WIDTH
     expected = section.values(section.steady(sample_source, 3.0), radius, z)
     found = rises[:, 1::4].T @ modes.values(z)
@@ -135,7 +137,7 @@ def test_a_cold_start_agrees_with_finite_elements():
     layers = Conduction((HUB, OUTER), (K,), modes, film=H, inner=np.zeros(80))
     steady = layers.solve(expanded(modes, layers, sample_source))
     after = layers.transient(steady, np.zeros_like(steady), np.array([300.0]), CAPACITY)
-    section = Section((HUB, OUTER), WIDTH, K, film=H, side=SIDE, hub=0.0)
+    section = Section((HUB, OUTER), WIDTH, K, surface_convection=H, side_convection=SIDE, hub_convection=0.0)
     radius, z = layers.coordinate[1::4], np.linspace(-0.45, 0.45, 7) * WIDTH
     expected = section.values(section.after(sample_source, 300.0, CAPACITY, 300), radius, z)
     np.testing.assert_allclose(after[0, :, 1::4].T @ modes.values(z), expected, atol=2e-5 * expected.max())
@@ -237,7 +239,7 @@ def test_the_temperature_field_follows_from_the_loss(crowned):
         return (1.0 - s) * upper + s * lower
 
     hub = 0.1 / (2.0 * math.pi * HUB * CROWNED.width)
-    section = Section((HUB, OUTER), CROWNED.width, K, film=H, side=SIDE, hub=hub)
+    section = Section((HUB, OUTER), CROWNED.width, K, surface_convection=H, side_convection=SIDE, hub_convection=hub)
     share = crowned.bulk_power / (2.0 * math.pi * section.load(source).sum())
     assert share == pytest.approx(1.0, abs=0.02)  # effect of the crown and of the faces
     rise = section.steady(source)

@@ -19,7 +19,7 @@ from reference import transient as reference
 from shared_cases import coated_ball
 from viscoroll import enums, paper
 
-MILLI = 1e3
+MILLI_PER_UNIT = 1e3
 BALL = paper.ball(density=0.0)
 FINE = {"mesh": vr.Mesh(nodes_per_revolution=500), "curvature": enums.Curvature.PAPER}
 COARSE = vr.Mesh(nodes_per_revolution=100)
@@ -142,7 +142,7 @@ def test_elastic_torque_has_mean_zero():
         stepper = vr.RollingHistory(ball, load=100.0, mesh=COARSE, averaged_meshes=1, angle=place * spacing)
         torque.append(stepper.current.resisting_torque)
     size = np.sqrt(np.mean(np.square(torque)))
-    assert size * MILLI > 0.1  # the discrete nodes have an effect
+    assert size * MILLI_PER_UNIT > 0.1  # the discrete nodes have an effect
     assert abs(torque[0]) < 1e-8 * size
     assert abs(torque[16]) < 1e-8 * size
     # Nodes enter and leave the contact, so the harmonics of the torque decay slowly: 32 samples alias some of them.
@@ -202,7 +202,7 @@ STARTS = {
 def test_starts(start, omega):
     values, bars = STARTS[start, omega]
     h = roll_at_speed(omega, 0.5, start=start, **FINE)
-    torque = h.resisting_torque * MILLI
+    torque = h.resisting_torque * MILLI_PER_UNIT
     found = [*np.interp([0.05, 0.1, 0.2, 0.3], h.angle, torque), torque.max()]
     assert (np.abs(np.subtract(found, values)) <= bars).all(), found
     if (start, omega) == (enums.Start.RELAXED, 2.5):
@@ -213,31 +213,33 @@ def test_change_of_speed():
     t, psi = [0, 1.0, 1.6], [0, 2.5, 2.8]
     h = vr.roll(BALL, time=t, angle=psi, load=100.0, start=enums.Start.UNDEFORMED, **FINE)
     for rolled_angle, value in {0.05: 16.92, 0.1: 25.76, 0.2: 31.41, 0.3: 31.81}.items():
-        assert np.interp(2.5 + rolled_angle, h.angle, h.resisting_torque) * MILLI == pytest.approx(value, abs=0.03)
+        assert np.interp(2.5 + rolled_angle, h.angle, h.resisting_torque) * MILLI_PER_UNIT == pytest.approx(
+            value, abs=0.03
+        )
 
 
 @pytest.mark.parametrize(("stand", "torque", "bar"), [(0.1, 28.33, 0.05), (1.0, 52.1, 0.1), (10.0, 52.57, 0.1)])
 def test_break_away_after_standing(stand, torque, bar):
     t = np.cumsum([0, 0.8, stand, 0.1])
     h = vr.roll(BALL, time=t, angle=[0, 2.0, 2.0, 2.25], load=100.0, start=enums.Start.UNDEFORMED, **FINE)
-    assert h.resisting_torque[h.time > t[2]].max() * MILLI == pytest.approx(torque, abs=bar)
+    assert h.resisting_torque[h.time > t[2]].max() * MILLI_PER_UNIT == pytest.approx(torque, abs=bar)
     if stand == 0.1:
         at = np.searchsorted(h.time, t[2])
-        assert h.resisting_torque[at] * MILLI == pytest.approx(6.40, abs=0.02)
-        assert h.penetration[at] * MILLI == pytest.approx(0.1620, abs=2e-5)
+        assert h.resisting_torque[at] * MILLI_PER_UNIT == pytest.approx(6.40, abs=0.02)
+        assert h.penetration[at] * MILLI_PER_UNIT == pytest.approx(0.1620, abs=2e-5)
 
 
 def test_energy_dissipated_in_an_oscillation():
     time = np.linspace(0.0, 4.0, 4 * 160 + 1)
     h = vr.roll(BALL, time=time, angle=np.radians(5.0) * np.sin(2 * np.pi * time), load=100.0, **FINE)
     dissipated = np.interp([3.0, 4.0], h.time, h.dissipated_energy)
-    assert np.diff(dissipated)[0] * MILLI == pytest.approx(9.46, abs=0.03)
+    assert np.diff(dissipated)[0] * MILLI_PER_UNIT == pytest.approx(9.46, abs=0.03)
 
 
 def test_vertical_compliance():
     h = roll_at_speed(2.5, 0.35, compliance=enums.Compliance.VERTICAL, start=enums.Start.UNDEFORMED, **FINE)
-    assert h.resisting_torque.max() * MILLI == pytest.approx(12.34, abs=0.03)
-    assert h.driving_torque.max() * MILLI == pytest.approx(14.36, abs=0.03)
+    assert h.resisting_torque.max() * MILLI_PER_UNIT == pytest.approx(12.34, abs=0.03)
+    assert h.driving_torque.max() * MILLI_PER_UNIT == pytest.approx(14.36, abs=0.03)
 
 
 PENETRATIONS = {
@@ -255,7 +257,7 @@ def test_penetration_at_standstill(compliance):
         compliance=compliance, curvature=enums.Curvature.PAPER, averaged_meshes=1, steps_per_spacing=None,
     )  # fmt: skip
     # Limits of fine meshes [mm]. The error decreases with the square of the spacing: 4e-5 mm at π/400, 1e-5 mm here.
-    np.testing.assert_allclose(h.penetration * MILLI, PENETRATIONS[compliance], rtol=0, atol=2e-5)
+    np.testing.assert_allclose(h.penetration * MILLI_PER_UNIT, PENETRATIONS[compliance], rtol=0, atol=2e-5)
 
 
 # --- the steady solver ----------------------------------------------------------------------------------------------
@@ -365,7 +367,7 @@ def test_a_flat_spot_returns_each_turn():
     omega = 2.5
     h = roll_at_speed(omega, 8 * np.pi, ball=coated_ball(slow), mesh=COARSE)
     turn = (h.angle / (2 * np.pi) + 0.5).astype(int)
-    peaks = np.array([h.resisting_torque[turn == k].max() for k in range(4)]) * MILLI
+    peaks = np.array([h.resisting_torque[turn == k].max() for k in range(4)]) * MILLI_PER_UNIT
     np.testing.assert_allclose(peaks, [53.8, 41.8, 32.6, 25.3], rtol=0.03)  # values at π/150; the mesh here has π/50
     np.testing.assert_allclose(peaks[1:] / peaks[:-1], np.exp(-2 * np.pi / (omega * 10.0)), rtol=0.02)
 

@@ -8,31 +8,31 @@ import viscoroll as vr
 from shared_cases import one_layer
 from viscoroll import enums, paper
 
-MILLI = 1e3
+MILLI_PER_UNIT = 1e3
 BALL = paper.ball(density=0.0)
 
 
-def start(omega: float, turn: float, **options: object) -> vr.History:
+def roll_from_rest(omega: float, turn: float, **options: object) -> vr.History:
     """Return a history from rest at constant angular speed `omega` [rad/s] to the angle `turn` [rad]."""
     return vr.roll(BALL, time=[0.0, turn / omega], angle=[0.0, turn], load=100.0, **options)
 
 
-#: Torques at ψ = 0.05, 0.1, 0.2 and 0.4 from an independent program, and their error bars [mN m]: undeformed start,
-#: 0.2 rad/s, μ = 0.3, VERTICAL compliance.
+#: Torques at ψ = 0.05, 0.1, 0.2 and 0.4 from an independent program, which is not in the repository, and
+#: their error bars [mN m]: undeformed start, 0.2 rad/s, μ = 0.3, VERTICAL compliance.
 STARTING_TORQUES = [17.1, 27.25, 30.1, 30.24]
 ERROR_BARS = [0.2, 0.2, 0.15, 0.1]
 
 
 def starting_torques(nodes: int, steps_per_spacing: int) -> np.ndarray:
-    h = start(
+    h = roll_from_rest(
         0.2, 0.4, start="undeformed", compliance="vertical", curvature="paper", friction=0.3,
         mesh=vr.Mesh(nodes_per_revolution=nodes), steps_per_spacing=steps_per_spacing,
     )  # fmt: skip
-    return np.interp([0.05, 0.1, 0.2, 0.4], h.angle, h.resisting_torque * MILLI)
+    return np.interp([0.05, 0.1, 0.2, 0.4], h.angle, h.resisting_torque * MILLI_PER_UNIT)
 
 
 def test_starting_torque_with_friction():
-    """Extrapolate from π/100 and π/150 to the limit of fine meshes; the error decreases with the spacing squared."""
+    """Extrapolate from the node spacings π/100 and π/150 to fine meshes; the error is proportional to their square."""
     coarse, fine = starting_torques(200, 4), starting_torques(300, 4)
     limit = fine + (fine - coarse) / (1.5**2 - 1.0)
     assert (np.abs(limit - STARTING_TORQUES) <= ERROR_BARS).all(), limit
@@ -59,8 +59,8 @@ def test_friction_ends_in_the_steady_state(friction, compliance):
         start=enums.Start.UNDEFORMED,
         **given,
     )
-    # In each step the ball rolls by one spacing, so that slip and memory move from node to node, unlike in the steady
-    # solver.
+    # In each step the ball rolls by one spacing, so that the slip and the history of loads at a node move to the next
+    # node. The steady solver represents neither in this way, hence the tolerances.
     assert h.resisting_torque[-1] == pytest.approx(steady.resisting_torque, rel=3e-3)
     assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=3e-3)
     assert h.creepage[-1] == pytest.approx(steady.creepage, abs=3e-4)
@@ -81,7 +81,7 @@ def test_energy_balance_with_friction(compliance):
 @pytest.mark.parametrize("load", [1e-4, 0.1])
 @pytest.mark.parametrize("friction", [0.05, 1.0])
 def test_a_load_that_a_single_node_supports(load, friction):
-    """The first guess contains hundreds of nodes if the sphere drops by many penetrations within a spacing."""
+    """The first guess of the contact has hundreds of nodes, although the gap at the next node is many penetrations."""
     mesh = vr.Mesh(nodes_per_revolution=60)
     pressed, smooth = (
         vr.RollingHistory(BALL, load=load, mesh=mesh, averaged_meshes=1, friction=mu) for mu in (friction, 0.0)
@@ -92,8 +92,8 @@ def test_a_load_that_a_single_node_supports(load, friction):
 
 @pytest.mark.parametrize("averaged_meshes", [2, 3, 4])
 @pytest.mark.parametrize(("load", "nodes"), [(5e3, 200), (5e3, 400), (5e4, 200), (5e4, 800)])
-def test_a_roller_is_pressed_with_little_friction(load, nodes, averaged_meshes):
-    """On phase-shifted meshes, no node lies at the center of the contact, so all nodes slip."""
+def test_little_friction_hardly_changes_a_pressed_roller(load, nodes, averaged_meshes):
+    """On the shifted meshes, no node lies at the center of the contact, so all nodes slip."""
     roller = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)])
     mesh = vr.Mesh(nodes_per_revolution=nodes)
     pressed, smooth = (
@@ -118,8 +118,8 @@ def test_a_symmetric_contact_that_slips_does_not_displace_the_center(start):
 
 def test_a_force_on_the_center():
     given = {"friction": 0.5, "mesh": vr.Mesh(nodes_per_revolution=120), "averaged_meshes": 1}
-    pushed = start(0.5, 0.3, drive=vr.Drive(force=5.0), **given)
-    free = start(0.5, 0.3, **given)
+    pushed = roll_from_rest(0.5, 0.3, drive=vr.Drive(force=5.0), **given)
+    free = roll_from_rest(0.5, 0.3, **given)
     np.testing.assert_allclose(pushed.driving_force[1:], 5.0, rtol=1e-6)
     # Balance of moments: the driving force replaces part of the driving torque.
     height = 21e-3 - pushed.penetration[-1]
@@ -128,15 +128,15 @@ def test_a_force_on_the_center():
     )
     assert pushed.creepage[-1] > free.creepage[-1]
     with pytest.raises(ValueError, match=r"driving_force must be smaller than friction \* load = 50 N"):
-        start(0.5, 0.3, drive=vr.Drive(force=60.0), **given)
+        roll_from_rest(0.5, 0.3, drive=vr.Drive(force=60.0), **given)
     with pytest.raises(
         ValueError, match="drive must be a force or a torque in transient rolling; prescribe center_displacement"
     ):
-        start(0.5, 0.3, drive=vr.Drive(creepage=0.1), **given)
+        roll_from_rest(0.5, 0.3, drive=vr.Drive(creepage=0.1), **given)
 
 
-#: Histories [s, rad, N] in which nodes at the edge of the contact joined and left without end, until the solver
-#: counted their changes.
+#: Histories [s, rad, N] that once had no solution, because nodes at the edge of the contact joined and left in turn.
+#: The solver now ends such cycles (cpp/src/contact/cycle_breaker.hpp).
 UNSETTLED = {
     "the load changes at standstill": {
         "time": [0.0, 0.3, 0.8, 0.812], "angle": [0.0, 0.14, 0.14, 0.14], "load": [100.0, 196.0, 128.0, 175.0],
@@ -153,16 +153,16 @@ UNSETTLED = {
 @pytest.mark.parametrize("motion", UNSETTLED.values(), ids=UNSETTLED.keys())
 def test_nodes_at_the_edge_settle_with_little_friction(motion):
     h = vr.roll(BALL, averaged_meshes=1, **motion)
-    assert np.abs(h.driving_force).max() < 1e-9 * max(motion["load"]), "no force acts on the center, to the tolerance"
-    assert (np.diff(h.slip_energy) > -1e-12 * h.work[-1]).all(), "friction returns no energy, to round-off"
+    assert np.abs(h.driving_force).max() < 1e-9 * max(motion["load"]), "a force acts on the center"
+    assert (np.diff(h.slip_energy) > -1e-12 * h.work[-1]).all(), "friction returns energy"
     # The errors of the energy balance on these coarse meshes are 0.03 and 0.3 %.
     assert h.energy_balance_residual[-1] == pytest.approx(0.0, abs=1e-2 * h.work[-1])
 
 
 @pytest.mark.parametrize("seed", range(40))
 def test_random_motions_of_little_friction_settle(seed):
-    # The slip of some nodes once reversed in every iteration without reaching rest: 31 of the first 200 motions had
-    # no solution.
+    # The slip of some nodes once changed its sign in every iteration, and the iteration did not end: 31 of the first
+    # 200 motions had no solution.
     draw = np.random.default_rng([77, seed])
     pieces = draw.integers(3, 6)
     time = np.cumsum([0.0, *10.0 ** draw.uniform(-2.0, 0.0, pieces)])
@@ -170,7 +170,7 @@ def test_random_motions_of_little_friction_settle(seed):
     load, friction = 10.0 ** draw.uniform(1.0, 2.3, pieces + 1), 10.0 ** draw.uniform(-2.5, 0.3)
     mesh, start = vr.Mesh(nodes_per_revolution=int(draw.integers(100, 260))), list(enums.Start)[draw.integers(2)]
     h = vr.roll(BALL, time=time, angle=angle, load=load, friction=friction, mesh=mesh, start=start, averaged_meshes=1)
-    assert np.abs(h.driving_force).max() < 1e-9 * load.max(), "no force acts on the center, to the tolerance"
+    assert np.abs(h.driving_force).max() < 1e-9 * load.max(), "a force acts on the center"
 
 
 def test_a_load_too_large_without_friction_has_a_message_about_the_load():

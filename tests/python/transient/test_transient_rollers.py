@@ -13,7 +13,7 @@ from reference import roller_start as reference
 from shared_cases import RUBBER, one_layer
 from viscoroll import enums
 
-MILLI = 1e3
+MILLI_PER_UNIT = 1e3
 MESH = vr.Mesh(nodes_per_revolution=1000)
 ROLLER = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)])
 SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
@@ -30,7 +30,7 @@ def mean_beyond(values, angle, turn):
 
 def test_start_from_a_flat_spot():
     h = turned(1.0, 1.0)
-    assert h.penetration[0] * MILLI == pytest.approx(0.27500, abs=5e-5)
+    assert h.penetration[0] * MILLI_PER_UNIT == pytest.approx(0.27500, abs=5e-5)
     assert h.resisting_torque.max() == pytest.approx(6.3035, rel=1e-3)
     assert h.angle[h.resisting_torque.argmax()] == pytest.approx(0.0572, abs=0.0016)  # one step
     found = np.interp([0.05, 0.1, 0.2, 0.3], h.angle, h.resisting_torque)
@@ -42,7 +42,7 @@ def test_start_from_a_flat_spot():
 
 def test_start_with_an_undeformed_layer():
     h = turned(1.0, 0.5, start=enums.Start.UNDEFORMED)
-    assert h.penetration[0] * MILLI == pytest.approx(0.1744, abs=5e-5)
+    assert h.penetration[0] * MILLI_PER_UNIT == pytest.approx(0.1744, abs=5e-5)
     assert h.resisting_torque.max() == pytest.approx(2.5373, rel=1e-3)
     found = np.interp([0.05, 0.1, 0.2, 0.3], h.angle, h.resisting_torque)
     np.testing.assert_allclose(found, [0.9164, 2.012, 2.5241, 2.5195], rtol=1e-3)
@@ -78,7 +78,7 @@ def test_steady_moment_on_a_half_plane_is_hunters():
     ground = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5))
     h = turned(1.0, 1.5, body=rigid, on=ground)
     assert h.resisting_torque.max() == pytest.approx(6.9055, rel=1e-3)
-    assert h.distance[h.resisting_torque.argmax()] * MILLI == pytest.approx(3.87, abs=0.08)
+    assert h.distance[h.resisting_torque.argmax()] * MILLI_PER_UNIT == pytest.approx(3.87, abs=0.08)
     assert mean_beyond(h.resisting_torque, h.angle, 1.0) == pytest.approx(4.26712, rel=5e-4)
     assert np.isnan(h.penetration).all()
     assert h.energy_balance_error[-1] < 1e-3

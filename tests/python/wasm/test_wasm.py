@@ -51,6 +51,9 @@ FRACTIONAL = {
     "order": 0.5,
 }
 NEGAMI = {**FRACTIONAL, "type": "havriliak_negami", "asymmetry": 0.5}
+LOSS = {"type": "loss_factor", "modulus": 3e6, "loss_factor": 0.2, "reference_frequency": 30.0}
+SHEET = {"type": "hardness", "hardness": 82.5, "rebound": 0.705, "reference_frequency": 1.0, "decades": 4.5}
+HARD = {"type": "hardness", "hardness": 40, "scale": "D"}
 CURVE = {
     "type": "master_curve",
     "frequency": [0.0, 0.1, 10.0, 1e3],
@@ -110,6 +113,9 @@ CASES = {
         angular_speed=50.0,
     ),
     "asymmetric dispersion": case(ball={"core_radius": 20e-3, "layers": [layer(NEGAMI)]}),
+    "values of data sheets": case(
+        ball={"core_radius": 20e-3, "layers": [layer(HARD), layer(SHEET)]}, plane={"layers": [layer(LOSS)]}
+    ),
     "exact solid ball": case(
         nodes=300,
         numerics={"curvature": "exact"},
@@ -154,6 +160,11 @@ BAD = {
         ball=BALL | {"layers": [layer(RUBBER | {"relaxed_modulus": 7e6})]},
     ),
     "a number that is negative": case(ball=BALL | {"layers": [layer(-3e6)]}),
+    "a loss factor too large": case(ball=BALL | {"layers": [layer(LOSS | {"loss_factor": 3.0})]}),
+    "a hardness too large": case(ball=BALL | {"layers": [layer(SHEET | {"hardness": 95.0})]}),
+    "a rebound in percent": case(ball=BALL | {"layers": [layer(SHEET | {"rebound": 55.0})]}),
+    "decades without a rebound": case(ball=BALL | {"layers": [layer(HARD | {"decades": 2.0})]}),
+    "a rebound without a frequency": case(ball=BALL | {"layers": [layer(HARD | {"rebound": 0.5})]}),
     "a base that is not passive": case(ball=BALL, plane={"base": {"shear_modulus": 1e6, "poisson_ratio": 0.6}}),
     "an unknown key": case(ball=BALL | {"radius": 0.02}),
     "an unknown parameter": case(ball=BALL | {"layers": [layer(RUBBER | {"E": "3 MPa"})]}),

@@ -7,6 +7,7 @@
 
 import { DRIVES, driveZeros, scaleOf } from "./drives.js";
 import { KINDS, kindOf, newLayer } from "./materials.js";
+import { BODIES, MESH } from "./schema.js";
 import { fromSI, tidy, toSI } from "./units.js";
 
 /** State for the example of the README. */
@@ -39,7 +40,10 @@ export function initialState() {
 }
 
 /** Whether load and results are per length. */
-const isLine = (state) => state.body === "cylinder";
+export const isLine = (state) => BODIES[state.body].line;
+
+/** Table of the rolling body of a case. */
+export const bodyOf = (tables) => Object.keys(BODIES).find((name) => name in tables);
 
 /** Quantity of a number of the state; the kinds of materials define the quantities of their numbers. */
 export function quantity(name, state) {
@@ -82,16 +86,13 @@ export function coreRadius(state) {
 /** Angular speed [rad/s]. */
 const angularSpeed = (state) => toSI(state.speed, "speed", outerRadius(state));
 
-/** Names of the rolling bodies, by their tables in a case file. */
-export const BODIES = { ball: "ball", cylinder: "roller", wheel: "wheel" };
-
 /** Names of the counterbodies that the form offers for a body. */
 export function groundsOf(body) {
   return {
     rigid: "rigid plane",
     plane: "layers on a rigid base",
     half_space: "half-space of one material",
-    ...(body === "cylinder" ? {} : { groove: "rigid groove or rail" }),
+    ...(BODIES[body].line ? {} : { groove: "rigid groove or rail" }),
     ...(body === "ball" ? {} : { drum: "rigid drum or roller" }),
   };
 }
@@ -193,7 +194,7 @@ function numericsTable(state) {
 export function stateOf(tables) {
   const state = initialState();
   const left = [];
-  state.body = Object.keys(BODIES).find((name) => name in tables) ?? "ball";
+  state.body = bodyOf(tables) ?? "ball";
   const body = tables[state.body] ?? {};
   const mm = (value) => fromSI(value, "mm", "length");
   state.size = mm(body.core_radius ?? 0);
@@ -254,7 +255,7 @@ function readDrive(state, drive, left) {
 }
 
 function readNumerics(state, { accuracy = 0.01, compliance = "radial", curvature = "sphere", ...others }, left) {
-  const isOfMesh = ([name]) => ["nodes_per_revolution", "theta_nodes_per_revolution", "max_order"].includes(name);
+  const isOfMesh = ([name]) => MESH.includes(name);
   const entries = Object.entries(others);
   Object.assign(state, {
     accuracy,

@@ -1,15 +1,7 @@
 /** A case as Python code and as a case file, with exactly the numbers of the page. */
 
-const CLASSES = {
-  ball: "CoatedSphere",
-  cylinder: "CoatedCylinder",
-  wheel: "CoatedWheel",
-  plane: "CoatedPlane",
-  groove: "Groove",
-  other_ball: "CoatedSphere",
-  other_cylinder: "CoatedCylinder",
-  other_wheel: "CoatedWheel",
-};
+import { bodyOf } from "./case.js";
+import { CLASSES, INTEGERS } from "./schema.js";
 
 /** Classes of types whose class does not have the name of the type. */
 const MODULI = {
@@ -22,12 +14,10 @@ const MODULI = {
 /** The class of a modulus: "KelvinVoigt" for the type "kelvin_voigt". */
 export const classOf = (type) => MODULI[type] ?? type.replace(/(?:^|_)(.)/g, (_, letter) => letter.toUpperCase());
 
-const ROLLING_BODIES = ["ball", "cylinder", "wheel"];
-
 /** Python code that solves a case and prints its results. */
 export function pythonOf(tables) {
   const { rolling, numerics = {}, ...bodies } = tables;
-  const rolls = ROLLING_BODIES.find((name) => name in bodies);
+  const rolls = bodyOf(bodies);
   const on = Object.keys(bodies).find((name) => name !== rolls);
   const lines = ["import viscoroll as vr", ""];
   const layers = (table, prefix) =>
@@ -88,8 +78,6 @@ function modulus({ type, ...table }) {
     ...(decades ? { decades } : {}),
   });
 }
-
-const INTEGERS = ["nodes_per_revolution", "theta_nodes_per_revolution", "max_order"];
 
 /** A number or a text in the common syntax of Python and TOML. */
 function literal(name, value) {

@@ -1,10 +1,11 @@
 /** The form: rolling body, counterbody, motion, and messages of the solver at the fields. */
 
-import { BODIES, coreRadius, groundsOf, outerRadius, quantity, sizedBy, withBody } from "./case.js";
+import { coreRadius, groundsOf, isLine, outerRadius, quantity, sizedBy, withBody } from "./case.js";
 import { el } from "./dom.js";
 import { DRIVES, scaleOf } from "./drives.js";
 import { choiceField, numberField } from "./field.js";
 import { layerRow, layerRows } from "./layer_rows.js";
+import { BODIES, CLASSES } from "./schema.js";
 import { numberText, quantityText } from "./units.js";
 
 /** Fields at which warnings appear, by the kind of the warning; other warnings appear with the results. */
@@ -77,8 +78,10 @@ export class Form {
   /** The field for the parameter of a message: the one with the same path, or else with the same last name. */
   #field(parameter) {
     const path = parameter
-      .replace(/^(ball|cylinder|wheel|rolling|numerics)\./, "")
-      .replace(/^(plane|groove|other_cylinder)\./, "on.")
+      .replace(/^(\w+)\./, (whole, table) => {
+        if (table in BODIES || table === "rolling" || table === "numerics") return "";
+        return table in CLASSES ? "on." : whole;
+      })
       .replace(/^on\.base\./, "on.layers[0].")
       .replace(/shear_modulus$/, "type")
       .replace(/(shear_modulus|drive)\./g, "")
@@ -141,6 +144,7 @@ export class Form {
   #body() {
     const { body, given, inner_boundary: inside } = this.#state;
     const solid = body === "ball" && inside === "solid";
+    const nouns = Object.fromEntries(Object.entries(BODIES).map(([name, { noun }]) => [name, noun]));
     const choose = (chosen) => this.#set(withBody(this.#state, chosen), true);
     const size = [
       this.#choice(
@@ -156,7 +160,7 @@ export class Form {
     ];
     return group(
       "Rolling body",
-      this.#choice("body", "body", BODIES, { change: choose }),
+      this.#choice("body", "body", nouns, { change: choose }),
       body === "ball"
         ? this.#choice("inner_boundary", "inside", INSIDES, { change: (chosen) => this.#setInside(chosen) })
         : null,
@@ -227,8 +231,8 @@ export class Form {
   }
 
   #rolling() {
-    const { body, drive, pressed } = this.#state;
-    const line = body === "cylinder";
+    const { drive, pressed } = this.#state;
+    const line = isLine(this.#state);
     const rubs = () => this.#state.friction > 0;
     const offers = Object.fromEntries(Object.entries(DRIVES).map(([name, { offer }]) => [name, offer]));
     return group(

@@ -2,6 +2,9 @@
  * Solves only the newest case: on a coarse mesh while numbers change; after a pause, to its accuracy; then a curve.
  */
 
+import { bodyOf } from "./case.js";
+import { BODIES } from "./schema.js";
+
 /** Pause without changes after which the case is solved to its accuracy [ms]. */
 const REST = 250;
 
@@ -10,8 +13,8 @@ const ACROSS = 16;
 
 /** Nodes per revolution of coarse meshes: smallest number, number before the first answer, largest number. */
 const FEWEST = 300;
-const FIRST = { ball: 400, wheel: 400, cylinder: 2000 };
-const MOST = 3000;
+const FIRST = { point: 400, line: 2000 };
+const MOST = { point: 3000, line: Infinity };
 
 export class Newest {
   #solver;
@@ -84,8 +87,9 @@ export class Newest {
 
   #nodes(tables, radius) {
     const body = bodyOf(tables);
-    if (this.#across?.body !== body || !(radius > 0)) return FIRST[body];
-    return Math.round(Math.min(Math.max(this.#across.nodes, FEWEST), body === "cylinder" ? Infinity : MOST));
+    const contact = BODIES[body].line ? "line" : "point";
+    if (this.#across?.body !== body || !(radius > 0)) return FIRST[contact];
+    return Math.round(Math.min(Math.max(this.#across.nodes, FEWEST), MOST[contact]));
   }
 
   /** Whether the case changes during the pause. */
@@ -103,8 +107,6 @@ export class Newest {
     if (error.name !== "AbortError") this.#tell.failed(error);
   }
 }
-
-const bodyOf = (tables) => Object.keys(FIRST).find((name) => name in tables);
 
 /** Tables of the case with nodes per revolution instead of an accuracy. */
 function coarse(tables, nodes) {

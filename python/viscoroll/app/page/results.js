@@ -1,7 +1,9 @@
 /** Display of a result: numbers from the solver's table of scalars, pictures of the contact, and warnings. */
 
+import { bodyOf } from "./case.js";
 import { drawContact } from "./contact_picture.js";
 import { el } from "./dom.js";
+import { BODIES } from "./schema.js";
 import { numberText, quantityText, resultUnit, suitableUnit } from "./units.js";
 
 /** Main numbers, and further ones with friction; the table contains all numbers. */
@@ -43,7 +45,7 @@ export class Results {
    * @param {string[]} warnings warnings that do not appear at a field
    */
   show(result, tables, warnings) {
-    this.#last = { result, line: "cylinder" in tables };
+    this.#last = { result, line: BODIES[bodyOf(tables)].line };
     const { scalars } = result;
     const names = [...FIRST, ...("penetration" in tables.rolling ? ["load"] : []), ...(tables.rolling.friction > 0 ? WITH_FRICTION : [])];
     this.#numbers.replaceChildren(...names.map((name) => this.#card(name, scalars)));

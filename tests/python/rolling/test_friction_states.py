@@ -1,4 +1,7 @@
-"""States of stick and slip that are hard to find, each of which was once missed or took minutes."""
+"""States of stick and slip that are hard to find, inputs without a state, and independence of the order of frictions.
+
+Each state was once missed or took minutes.
+"""
 
 from __future__ import annotations
 
@@ -11,11 +14,11 @@ import viscoroll as vr
 from shared_cases import coated_ball
 from viscoroll import enums
 
-FOUND = tomllib.loads((Path(__file__).parent / "friction_states.toml").read_text(encoding="utf-8"))
+CASES = tomllib.loads((Path(__file__).parent / "friction_states.toml").read_text(encoding="utf-8"))
 
 
 def rows(kind):
-    return pytest.mark.parametrize("row", [pytest.param(row, id=row["name"]) for row in FOUND[kind]])
+    return pytest.mark.parametrize("row", [pytest.param(row, id=row["name"]) for row in CASES[kind]])
 
 
 def power_law(*, modulus, amplitude, time, exponent):
@@ -36,44 +39,44 @@ def solve(row):
     return vr.solve(ball, **given)
 
 
-def measured(r):
-    """Return quantities that the file bounds, among them the residual and the largest slip of sticking nodes."""
+def bounded_quantities(r):
+    """Return the quantities that friction_states.toml may bound."""
     speed = np.hypot(*r.slip_velocity)
-    creeping = speed.max(initial=0.0, where=r.stick)
-    curving = (r.semi_axis_x / r.body.outer_radius) ** 2 * r.angular_speed * r.body.outer_radius
+    slip_of_stuck = speed.max(initial=0.0, where=r.stick)
+    slip_of_curvature = (r.semi_axis_x / r.body.outer_radius) ** 2 * r.angular_speed * r.body.outer_radius
     return {
         "contact": r.contact.sum(),
         "stick_share": r.stick.sum() / r.contact.sum(),
         "residual": r.residual,
         "iterations": r.iterations,
-        "creep": creeping / curving,  # slip of sticking nodes, relative to the slip due to the ball's curvature
-        "creep_of_fastest": creeping / speed.max(),
+        "slip_of_stuck": slip_of_stuck / slip_of_curvature,
+        "slip_of_stuck_relative": slip_of_stuck / speed.max(),
     }
 
 
 @rows("state")
-@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # loads that indent a coating by a tenth
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # strains of about a tenth
 def test_hard_states_are_found(row):
     r = solve(row)
     assert r.status is enums.Status[row.get("status", "CONVERGED")]
     assert r.slip_power >= 0.0
     assert (np.hypot(*r.shear_traction) <= r.friction * r.pressure + 1e-8 * r.max_pressure).all()
     assert r.driving_force == row["solve"].get("drive", {}).get("force", r.driving_force)
-    values = measured(r)
+    values = bounded_quantities(r)
     for name, bound in row.get("above", {}).items():
         assert values[name] > bound, name
     for name, bound in row.get("below", {}).items():
         assert values[name] < bound, name
 
 
-@rows("refusal")
+@rows("rejected")
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")
 def test_inputs_without_a_state_are_rejected(row):
     with pytest.raises(ValueError, match=row["message"]):
         solve(row)
 
 
-def test_a_drive_between_the_states_of_two_creepages():
+def test_a_torque_is_found_from_states_at_prescribed_creepages():
     # Iterations from full stick and from zero friction do not reach this state. Those from states at prescribed
     # creepages do, and one of these states is reached only from a smaller friction.
     modulus = vr.Prony(
@@ -114,8 +117,8 @@ def test_a_drive_between_the_states_of_two_creepages():
 
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # large strain
 def test_a_contact_that_fits_with_friction_if_it_fits_without():
-    # With friction, the load was once rejected: the coarse mesh, every fourth node of the widest window, ends within
-    # the contact.
+    # With friction, the load was once rejected. The first contact is solved on every fourth node of the widest window,
+    # and this coarse window was smaller than the contact.
     modulus = vr.StandardLinearSolid(instantaneous_modulus=1e6, relaxed_modulus=5e5, relaxation_time=0.1)
     ball = coated_ball(modulus, thickness=21e-3, poisson_ratio=0.3, core_radius=0.0, inner_boundary="SOLID")
     mesh = vr.Mesh(nodes_per_revolution=200)
@@ -154,12 +157,14 @@ def test_results_of_a_model_do_not_depend_on_the_order_of_frictions():
 @pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # one node is a coarse mesh
 @pytest.mark.parametrize("load", [1e-9, 1.12e-7])
 def test_a_tiny_load_on_one_node(load):
-    # At zero creepage, the sticking node carries a traction of 6e5 loads, which one iteration removes. Iterations
-    # that changed forces by more than 1000 loads were once rejected, so that no state was found.
+    # At zero creepage, the tangential force on the sticking node is 6e5 times the load. One iteration removes it.
+    # Iterations that changed forces by more than 1000 loads were once rejected, so that no state was found.
     ball = coated_ball(vr.Elastic(modulus=1.26e5), thickness=0.555e-3, poisson_ratio=0.5, core_radius=0.110145)
     mesh = vr.Mesh(nodes_per_revolution=93)
     r = vr.solve(ball, load=load, angular_speed=1.0, friction=0.366, compliance="VERTICAL", mesh=mesh)
     assert r.stick.sum() == r.contact.sum() == 1
     lag = 1.0 - np.sin(mesh.spacing) / mesh.spacing  # mean of 1 - cos(phi) over one spacing
     assert abs(r.driving_force) < 1e-8 * load
-    assert r.creepage == pytest.approx(-lag, rel=1e-8)  # the penetration adds its share of the radius
+    assert r.creepage == pytest.approx(
+        -lag, rel=1e-8
+    )  # plus the ratio of penetration to radius, which is smaller than the tolerance

@@ -1,0 +1,26 @@
+// Written by wasm/make_types.py from the package and the JSON Schema of case files.
+
+/** Rolling bodies by their tables in case files: noun, and whether values are per length. */
+export const BODIES = {
+  ball: { noun: "ball", line: false },
+  cylinder: { noun: "roller", line: true },
+  wheel: { noun: "wheel", line: false },
+};
+
+/** Classes of bodies in Python, by their tables in case files. */
+export const CLASSES = {
+  ball: "CoatedSphere",
+  cylinder: "CoatedCylinder",
+  wheel: "CoatedWheel",
+  plane: "CoatedPlane",
+  groove: "Groove",
+  other_ball: "CoatedSphere",
+  other_cylinder: "CoatedCylinder",
+  other_wheel: "CoatedWheel",
+};
+
+/** Keys of case files whose values are whole numbers. */
+export const INTEGERS = ["nodes_per_revolution", "max_order", "theta_nodes_per_revolution"];
+
+/** Keys of the table `numerics` that describe a mesh. */
+export const MESH = ["nodes_per_revolution", "max_order", "theta_nodes_per_revolution"];
