@@ -151,6 +151,7 @@ class WarningKind(enum.Enum):
     CONTACT_AT_SIDE = ...
     EDGE_PRESSURE = ...
     TIGHT_CROWN = ...
+    SLOW_TERMS = ...
 
 class Refinement:
     @property
@@ -981,6 +982,11 @@ def loss_density(
     threads: typing.SupportsInt | typing.SupportsIndex,
     progress: typing.Any,
 ) -> LossDensity: ...
+def modulus_in_rolling(
+    modulus: ShearModulus,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    omega: numpy.typing.NDArray[numpy.float64],
+) -> numpy.typing.NDArray[numpy.complex128]: ...
 def order_fields(
     shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
     m: numpy.typing.NDArray[numpy.int32],

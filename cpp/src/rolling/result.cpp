@@ -131,7 +131,8 @@ class Summary {
     r.center_height = radius() - penetration;
     // In a half-space, the contact width takes the place of the thickness.
     const double contact_size = std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
-    r.strain = penetration / (layer_thickness(given_.pair) + half_space_share(given_.pair) * contact_size);
+    r.strain = penetration /
+               (layer_thickness(given_.pair) + half_space_share(given_.pair, given_.pair.angular_speed) * contact_size);
   }
 
   void add_forces(Result& r) const {

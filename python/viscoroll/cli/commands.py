@@ -14,7 +14,8 @@ from .._support.extras import extra
 from .._support.files import save_picture
 from .._support.text import parsed_range, shown
 from .._support.toml import read_toml
-from ..materials import WilliamsLandelFerry
+from ..materials import WilliamsLandelFerry, read_constants
+from ..materials.constants import holds_constants
 from .output import PICTURES, check_target, progress_bar, write_line, write_message
 
 with extra("cli"):
@@ -54,7 +55,7 @@ def material(
         list[str],
         typer.Argument(
             help="Text, CSV, Excel or JSON exports of a rheometer or DMA instrument; a file without temperatures as "
-            "FILE@20C or FILE@293.15K."
+            "FILE@20C or FILE@293.15K. Or one input file of Abaqus, Ansys or LS-DYNA, whose constants are printed."
         ),
     ],
     reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in K.")] = None,
@@ -81,6 +82,9 @@ def material(
         str | None, typer.Option(help="WLF law of the shift: C1, C2 in K, T_r in K, such as 17.44,51.6,208.")
     ] = None,
     vertical: Annotated[bool, typer.Option("--vertical", help="Also shift the moduli vertically.")] = False,
+    units: Annotated[
+        str, typer.Option(help="Units of an input file of Abaqus, Ansys or LS-DYNA, such as mm-t-s.")
+    ] = "m-kg-s",
     terms_per_decade: Annotated[float, typer.Option(help="Terms of the Prony series per decade.")] = 2.0,
     draws: Annotated[
         int, typer.Option(help="Number of draws to save for confidence intervals (table \\[draws] of a study).", min=0)
@@ -101,6 +105,9 @@ def material(
         raise ValueError("--draws must be 0 or at least 2, got 1")
     if draws and save is None:
         raise ValueError("--save must be given with --draws, because draws are saved with the material")
+    if len(data) == 1 and _holds_constants(Path(data[0])):
+        _write_constants(Path(data[0]), units)
+        return
     files = _files(data)
     named = _columns(columns)
     own = _own_shift(factors, wlf)
@@ -193,6 +200,18 @@ def _fit_over_time(
     if save is not None:
         save_material(save, fit, fit=fit, draws=fit.draws(draws) if draws else None)
         write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+
+
+def _holds_constants(path: Path) -> bool:
+    """Return whether a file is input of a finite-element program. The reader of measurements reports missing files."""
+    return path.is_file() and holds_constants(path.read_text(encoding="latin-1"))
+
+
+def _write_constants(path: Path, units: str) -> None:
+    """Print the constants of an input file, and how a case file refers to it."""
+    for line in repr(read_constants(path, units=units)).splitlines():
+        write_line(line)
+    write_line(f"in a case file, shear_modulus = {{ type = 'constants', file = '{path.name}', units = '{units}' }}")
 
 
 def _files(arguments: list[str]) -> dict[str | Path, float | None]:

@@ -17,8 +17,8 @@ import numpy as np
 from .._support.arguments import Floats
 from .._support.celsius import kelvin_range
 from .._support.extras import extra
+from ..materials.series import SeriesFit, basis, fit_series, time_grid
 from .reading import Isotherm
-from .series import SeriesFit, basis, fit_series, time_grid
 
 __all__ = ["Alignment", "align", "curve_shift", "shift_pairs", "undetermined_pairs"]
 

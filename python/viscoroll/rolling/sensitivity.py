@@ -232,7 +232,11 @@ def sensitivity(
             return found
 
         def by_band(position: MaterialPosition, bands: Bands, part: Part) -> Floats:
-            changes = (change_of_modulus(given, position, bands, band, part) for band in range(bands.centers.size))
+            speed = position.rolling_speed(self)
+            changes = (
+                change_of_modulus(given, position, bands, band, part, rolling_speed=speed)
+                for band in range(bands.centers.size)
+            )
             return np.array([each(change) for change in changes]).T
 
         values = [each(number.change, downwards=number.downwards) for number in numbers]
