@@ -125,7 +125,7 @@ def _type(key: str, schema: dict[str, Any]) -> str:
         return " | ".join(f'"{name}"' for name in schema["enum"])
     if schema["type"] == "array":
         return f"{_type('', schema['items'])}[]"
-    return {"number": "number", "integer": "number"}[schema["type"]]
+    return {"number": "number", "integer": "number", "boolean": "boolean"}[schema["type"]]
 
 
 def _comment(text: str, indent: str = "") -> str:

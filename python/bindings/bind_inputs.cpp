@@ -14,6 +14,7 @@
 #include "viscoroll/modulus_functions.hpp"
 #include "viscoroll/modulus_types.hpp"
 #include "viscoroll/plane.hpp"
+#include "viscoroll/slow_terms.hpp"
 #include "viscoroll/sphere.hpp"
 #include "viscoroll/wheel.hpp"
 
@@ -117,6 +118,13 @@ void bind_inputs(py::module_& m) {
         return py::array_t<cplx>(static_cast<py::ssize_t>(values.size()), values.data());
       },
       py::arg("modulus"), py::arg("omega").noconvert());
+  m.def(
+      "modulus_in_rolling",
+      [](const ShearModulus& modulus, double angular_speed, const InputArray<double>& omega) {
+        const std::vector<cplx> values = modulus_in_rolling(modulus, angular_speed, view(omega));
+        return py::array_t<cplx>(static_cast<py::ssize_t>(values.size()), values.data());
+      },
+      py::arg("modulus"), py::arg("angular_speed"), py::arg("omega").noconvert());
 
   bind_struct<Layer>(m, "Layer", [](const Layer& layer) { validate(layer, ""); });
   py::native_enum<InnerBoundary>(m, "InnerBoundary", "enum.Enum",

@@ -99,6 +99,7 @@ void bind_result(py::module_& m) {
              "the pressure is singular at the edges of a flat wheel with unbounded sides or on a wider deformable "
              "counterbody")
       .value("TIGHT_CROWN", WarningKind::tight_crown, "the crown radius is smaller than the tread thickness")
+      .value("SLOW_TERMS", WarningKind::slow_terms, "terms of a Prony series are too slow to relax at this speed")
       .finalize();
 
   py::classh<Refinement>(m, "Refinement")

@@ -15,14 +15,15 @@ namespace {
 using namespace viscoroll;
 
 Options make_options(std::optional<Mesh> mesh, double accuracy, Compliance compliance, Curvature curvature,
-                     PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations, int threads,
-                     const py::object& progress) {
+                     PatchLoad patch_load, SlipKinematics slip_kinematics, bool finite_strain, int max_iterations,
+                     int threads, const py::object& progress) {
   return {.mesh = mesh,
           .accuracy = accuracy,
           .compliance = compliance,
           .curvature = curvature,
           .patch_load = patch_load,
           .slip_kinematics = slip_kinematics,
+          .finite_strain = finite_strain,
           .max_iterations = max_iterations,
           .threads = threads,
           .observer = python_observer(progress)};
@@ -30,10 +31,10 @@ Options make_options(std::optional<Mesh> mesh, double accuracy, Compliance compl
 
 Result solve_released(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
                       std::optional<Mesh> mesh, double accuracy, Compliance compliance, Curvature curvature,
-                      PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations, int threads,
-                      const py::object& progress) {
+                      PatchLoad patch_load, SlipKinematics slip_kinematics, bool finite_strain, int max_iterations,
+                      int threads, const py::object& progress) {
   const Options options = make_options(mesh, accuracy, compliance, curvature, patch_load, slip_kinematics,
-                                       max_iterations, threads, progress);
+                                       finite_strain, max_iterations, threads, progress);
   const py::gil_scoped_release release;
   return solve(body, on, load_case, options);
 }
@@ -60,7 +61,7 @@ Result solve_frozen_released(const RollingBody& body, const Counterbody& on, con
                              .creepage = creepage};
   const Options defaults;
   const Options options = make_options(mesh, defaults.accuracy, compliance, curvature, patch_load,
-                                       defaults.slip_kinematics, defaults.max_iterations, threads, progress);
+                                       defaults.slip_kinematics, false, defaults.max_iterations, threads, progress);
   const py::gil_scoped_release release;
   return solve_frozen(body, on, load_case, frozen, options);
 }
@@ -73,9 +74,10 @@ RollingModel rolling_model(const RollingBody& body, const Counterbody& on, doubl
 }
 
 Result solve_on_model(const RollingModel& model, const LoadCase& load_case, Compliance compliance, PatchLoad patch_load,
-                      SlipKinematics slip_kinematics, int max_iterations, int threads, const py::object& progress) {
+                      SlipKinematics slip_kinematics, bool finite_strain, int max_iterations, int threads,
+                      const py::object& progress) {
   const Options options = make_options({}, Options{}.accuracy, compliance, Options{}.curvature, patch_load,
-                                       slip_kinematics, max_iterations, threads, progress);
+                                       slip_kinematics, finite_strain, max_iterations, threads, progress);
   const py::gil_scoped_release release;
   return model.solve(load_case, options);
 }
@@ -113,10 +115,11 @@ void bind_solve(py::module_& m) {
 
   py::classh<LoadCase>(m, "LoadCase")
       .def(py::init([](std::optional<double> load, std::optional<double> penetration, double angular_speed,
-                       double friction,
-                       Drive drive) { return LoadCase{load, penetration, angular_speed, friction, drive}; }),
-           py::kw_only(), py::arg("load"), py::arg("penetration"), py::arg("angular_speed"), py::arg("friction"),
-           py::arg("drive"))
+                       std::optional<double> speed, double friction, Drive drive) {
+             return LoadCase{load, penetration, angular_speed, speed, friction, drive};
+           }),
+           py::kw_only(), py::arg("load"), py::arg("penetration"), py::arg("angular_speed"), py::arg("speed") = py::none(),
+           py::arg("friction"), py::arg("drive"))
       .def_readonly("load", &LoadCase::load)
       .def_readonly("angular_speed", &LoadCase::angular_speed)
       .def_readonly("friction", &LoadCase::friction);
@@ -135,11 +138,12 @@ void bind_solve(py::module_& m) {
       .def(py::init(&rolling_model), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("angular_speed"),
            py::arg("mesh"), py::arg("curvature"), py::arg("threads"), py::arg("progress").none(true))
       .def("solve", &solve_on_model, py::arg("load_case"), py::kw_only(), py::arg("compliance"), py::arg("patch_load"),
-           py::arg("slip_kinematics"), py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
+           py::arg("slip_kinematics"), py::arg("finite_strain"), py::arg("max_iterations"), py::arg("threads"),
+           py::arg("progress").none(true));
 
   m.def("solve", &solve_released, py::arg("body"), py::arg("on"), py::arg("load_case"), py::kw_only(),
         py::arg("mesh").none(true), py::arg("accuracy"), py::arg("compliance"), py::arg("curvature"),
-        py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("max_iterations"), py::arg("threads"),
+        py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("finite_strain"), py::arg("max_iterations"), py::arg("threads"),
         py::arg("progress").none(true));
   m.def("solve_frozen", &solve_frozen_released, py::arg("body"), py::arg("on"), py::arg("load_case"), py::kw_only(),
         py::arg("mesh"), py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"),

@@ -253,7 +253,7 @@ export interface Rolling {
   /**
    * Normal load P [N], > 0. For rollers, load per length [N/m]. Exactly one of `load` and `penetration` must be given.
    */
-  load: number;
+  load?: number | null;
   /**
    * Penetration r_o - H [m], as for rollers with a fixed gap; the load is then the result `Result.load`. It is the same
    * quantity as `Result.penetration`: radius of the rolling body at rest minus height of its center above the
@@ -261,12 +261,18 @@ export interface Rolling {
    * and smaller than the thickness of the layers of both bodies. In line contact on a half-space it is undetermined and
    * cannot be given. It does not contain thermal expansion: use the radius of the warm body.
    */
-  penetration: number;
+  penetration?: number | null;
   /**
    * Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the angular speed relative to
-   * the line of centers.
+   * the line of centers. Exactly one of `angular_speed` and `speed` must be given.
    */
-  angular_speed: number;
+  angular_speed?: number | null;
+  /**
+   * Speed V of the ground or belt [m/s], > 0, without friction. The contact is solved at the angular speed V / r_o,
+   * which is `Result.angular_speed`; because the surface is stretched in the contact, the body turns more slowly, at
+   * `Result.finite_strain_angular_speed`.
+   */
+  speed?: number | null;
   /**
    * Coulomb's coefficient of friction μ [-], in [0, 4]. With ``math.inf`` the whole contact sticks; if that would
    * require tension, a `ConvergenceError` is raised.
@@ -316,6 +322,11 @@ export interface Numerics {
    * of the paper's (55a) (FLAT), which has no Heathcote slip and serves only for comparison.
    */
   slip_kinematics?: "exact" | "flat" | null;
+  /**
+   * Whether to compute `Result.finite_strain_torque` and the other results at finite strain. Unless `speed` is given,
+   * they need a second solution, at a speed that is higher by `Result.overspeed`.
+   */
+  finite_strain?: boolean | null;
 }
 
 /** Tables and keys of a case file. */

@@ -43,6 +43,8 @@ std::string_view name_of(WarningKind kind) {
       return "edge_pressure";
     case WarningKind::tight_crown:
       return "tight_crown";
+    case WarningKind::slow_terms:
+      return "slow_terms";
   }
   return "";
 }

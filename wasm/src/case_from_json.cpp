@@ -71,9 +71,12 @@ Drive drive_from_json(Table& table, std::type_identity<std::variant<Kinds...>> /
 LoadCase load_case_from_json(const Json& json, const std::string& path) {
   Table table(json, path);
   const std::optional<double> penetration = table.maybe_number("penetration");
+  const std::optional<double> speed = table.maybe_number("speed");
   LoadCase load_case{.load = penetration ? table.maybe_number("load") : table.number("load"),
                      .penetration = penetration,
-                     .angular_speed = table.number("angular_speed"),
+                     .angular_speed = speed ? table.maybe_number("angular_speed").value_or(0.0)
+                                            : table.number("angular_speed"),
+                     .speed = speed,
                      .friction = table.maybe_number("friction").value_or(0.0)};
   if (const Json* drive = table.take("drive")) {
     Table of_drive(*drive, table.path_of("drive"));
@@ -92,7 +95,8 @@ Options options_from_json(const Json& json, const std::string& path) {
   Options options{.compliance = table.value("compliance", Options{}.compliance, true),
                   .curvature = table.value("curvature", Options{}.curvature, true),
                   .patch_load = table.value("patch_load", Options{}.patch_load, true),
-                  .slip_kinematics = table.value("slip_kinematics", Options{}.slip_kinematics, true)};
+                  .slip_kinematics = table.value("slip_kinematics", Options{}.slip_kinematics, true),
+                  .finite_strain = table.value("finite_strain", Options{}.finite_strain, true)};
   table.close();
   if (nodes) {
     options.mesh =

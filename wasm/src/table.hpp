@@ -98,12 +98,17 @@ class Table {
     throw InvalidInput(path_of(key), "must be one of " + names_of(names), shown(*given));
   }
 
-  /// @brief Take a key whose value is a number, a list of numbers or a name of an enumerator.
+  /// @brief Take a key whose value is a number, a list of numbers, true or false, or a name of an enumerator.
   /// @return the value; `otherwise` if the key is missing and optional
   template <class Value>
   [[nodiscard]] Value value(std::string_view key, Value otherwise, bool is_optional) {
     if constexpr (std::is_enum_v<Value>) {
       return one_of(key, kNames<Value>, otherwise);
+    } else if constexpr (std::is_same_v<Value, bool>) {
+      const Json* given = take(key);
+      if (given == nullptr) return otherwise;
+      if (given->is_boolean()) return given->template get<bool>();
+      throw InvalidInput(path_of(key), "must be true or false", shown(*given));
     } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
       return maybe_number(key);
     } else if constexpr (std::is_same_v<Value, std::vector<double>>) {

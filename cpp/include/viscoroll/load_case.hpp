@@ -9,13 +9,16 @@
 namespace viscoroll {
 
 /// @brief Load or penetration, speed, friction and drive of a rolling body. Exactly one of load and penetration is
-/// given; the other one is a result.
+/// given, and one of angular_speed and speed; the others are results.
 struct LoadCase {
   std::optional<double> load = {};  ///< normal load P [N], > 0; for rollers per unit length [N/m]
   /// Penetration r_o - H [m], the same quantity as `Result::penetration`: radius at rest minus height of the center. It
   /// is larger than minus the centrifugal displacement and smaller than the thickness of the layers.
   std::optional<double> penetration = {};
-  double angular_speed = 0.0;  ///< Omega [rad/s], > 0
+  double angular_speed = 0.0;  ///< Omega [rad/s], > 0; left out if the speed is given
+  /// Speed V of the ground or belt [m/s], > 0, without friction. Linear theory is then solved at V / r_o, and the
+  /// angular speed of the body follows from the overspeed.
+  std::optional<double> speed = {};
   double friction = 0.0;       ///< Coulomb's coefficient mu between the bodies [-], in [0, 4]; infinite: full stick
   Drive drive;                 ///< without friction, a force of 0 or a creepage
 };

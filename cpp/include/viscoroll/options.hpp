@@ -19,6 +19,7 @@ struct Options {
   Curvature curvature = Curvature::sphere;     ///< curvature terms in the layer equations of a sphere
   PatchLoad patch_load = PatchLoad::flat;      ///< traction on the patch of a node
   SlipKinematics slip_kinematics = SlipKinematics::exact;  ///< kinematics of slip, with friction
+  bool finite_strain = true;                               ///< whether to compute the torque at finite strain
   int max_iterations = 2000;                               ///< largest number of linear systems on a mesh, >= 1
   int threads = 0;                                         ///< number of threads, 0 for all cores
   Observer observer;                                       ///< progress and cancellation

@@ -35,6 +35,7 @@ enum class WarningKind {
   edge_pressure,    ///< the pressure is singular at the edges of a flat tread with unbounded sides, or of a flat
                     ///< wheel on a deformable counterbody
   tight_crown,      ///< the crown radius is smaller than the thickness of the tread
+  slow_terms,       ///< terms of a Prony series are too slow to relax at this speed
 };
 
 /// @brief A warning about a result.

@@ -10,6 +10,7 @@
 
 #include "base/validate.hpp"
 #include "modal/harmonic_moduli.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -198,7 +199,8 @@ namespace {
 bool have_same_material(const Layer& a, const Layer& b, double angular_speed) {
   const std::array frequencies{0.0, angular_speed, 8.0 * angular_speed};  // every mesh evaluates these
   return a.poisson_ratio == b.poisson_ratio && a.bulk_modulus == b.bulk_modulus &&
-         complex_modulus(a.shear_modulus, frequencies) == complex_modulus(b.shear_modulus, frequencies);
+         modulus_in_rolling(a.shear_modulus, angular_speed, frequencies) ==
+             modulus_in_rolling(b.shear_modulus, angular_speed, frequencies);
 }
 
 /// Order of the thinnest layer, at which an incompressible layer is most compliant. Neighbors of one material count as

@@ -309,8 +309,10 @@ class Synthesis {
       const auto largest = [&](Entry entry) {
         return values.has(entry) ? std::sqrt(values[entry].segment(range.first, range.count).abs2().maxCoeff()) : 0.0;
       };
-      // The values already contain the factors m and n of mixed entries, so there is nothing to divide by.
-      const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, 1.0);
+      // The values already contain the factors m and n of mixed entries, so there is nothing to divide by. Without the
+      // entry of phi by phi, the mixed entries are compared with that of r by r, which is about as large.
+      const Entry along = values.has(Entry::phiphi) ? Entry::phiphi : Entry::rr;
+      const auto sizes = entry_sizes(largest(Entry::rr), largest(along), 1.0, 1.0);
       for (int e = 0; e < kEntries; ++e) {
         const auto entry = static_cast<Entry>(e);
         if (!values.has(entry)) continue;

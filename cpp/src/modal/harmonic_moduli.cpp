@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "modal/chebyshev_panels.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -43,7 +44,7 @@ std::vector<std::vector<cplx>> harmonic_moduli(const std::vector<Layer>& layers,
     const bool measured = is_measured(layer.shear_modulus);
     std::ranges::transform(orders, omega.begin(),
                            [&](double m) { return angular_speed * (measured ? limited(m, measured_order) : m); });
-    moduli.push_back(complex_modulus(layer.shear_modulus, omega));
+    moduli.push_back(modulus_in_rolling(layer.shear_modulus, angular_speed, omega));
   }
   return moduli;
 }
@@ -60,7 +61,7 @@ std::vector<std::vector<cplx>> resampled_moduli(const std::vector<Layer>& layers
       const auto values = measured.col(column++);
       moduli.emplace_back(values.begin(), values.end());
     } else {
-      moduli.push_back(complex_modulus(layer.shear_modulus, omega));
+      moduli.push_back(modulus_in_rolling(layer.shear_modulus, angular_speed, omega));
     }
   }
   return moduli;

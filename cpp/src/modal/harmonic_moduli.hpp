@@ -12,7 +12,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief Complex shear moduli of layers at the frequencies m Omega.
+/// @brief Complex shear moduli of layers at the frequencies m Omega, with slow terms at rest as in `slow_terms.hpp`.
 /// @param[in] layers layers of a body
 /// @param[in] angular_speed Omega [rad/s]
 /// @param[in] orders orders m >= 0, not necessarily whole numbers

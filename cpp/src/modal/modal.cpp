@@ -14,6 +14,7 @@
 #include "modal/degree_compliance.hpp"
 #include "modal/harmonic_body.hpp"
 #include "modal/layer_system.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll {
 
@@ -138,7 +139,7 @@ ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double rad
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::require_positive("radius", radius, "m");
   const std::array frequency{std::abs(m) * angular_speed};
-  const cplx at_frequency = complex_modulus(layer.shear_modulus, frequency).front();
+  const cplx at_frequency = modulus_in_rolling(layer.shear_modulus, angular_speed, frequency).front();
   const cplx mu = m < 0 ? std::conj(at_frequency) : at_frequency;  // mu*(-w) = conj mu*(w)
   const detail::Medium<cplx> medium{.inner = radius,
                                     .outer = radius,

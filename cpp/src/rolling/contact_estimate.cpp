@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "modal/layer_stack.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -26,13 +27,13 @@ struct Part {
 };
 
 /// Total thickness and smallest moduli of some layers. `frequency` is that at which material passes the contact.
-Part part_of(std::span<const NamedLayer> layers, double frequency) {
+Part part_of(std::span<const NamedLayer> layers, double angular_speed, double frequency) {
   double thickness = 0.0;
   SmallestModuli least{.shear = std::numeric_limits<double>::infinity(),
                        .confined = std::numeric_limits<double>::infinity()};
   for (const auto& [name, layer] : layers) {
     thickness += layer.thickness;
-    const auto moduli = complex_modulus(layer.shear_modulus, std::array{0.0, frequency});
+    const auto moduli = modulus_in_rolling(layer.shear_modulus, angular_speed, std::array{0.0, frequency});
     const double shear = std::max(moduli.front().real(), 0.5 * std::abs(moduli.back()));
     const double ratio = shear_ratio(layer, shear);
     least.shear = std::min(least.shear, shear);
@@ -42,10 +43,10 @@ Part part_of(std::span<const NamedLayer> layers, double frequency) {
 }
 
 /// Layers of the rolling body, base of the counterbody, and layers of the counterbody.
-std::vector<Part> parts_of(const RollingPair& pair, double frequency) {
+std::vector<Part> parts_of(const RollingPair& pair, double angular_speed, double frequency) {
   std::vector<Part> parts;
   const auto append = [&](std::span<const NamedLayer> layers) {
-    if (!layers.empty()) parts.push_back(part_of(layers, frequency));
+    if (!layers.empty()) parts.push_back(part_of(layers, angular_speed, frequency));
   };
   append(pair.body->layers());
   const std::span<const NamedLayer> counterbody = pair.on->layers();
@@ -174,10 +175,10 @@ double reach_across(const RollingPair& pair, double along) {
 template <class RadiusOf>
 ContactReach estimate(const RollingPair& pair, double angular_speed, const RadiusOf& radius_of) {
   constexpr int kPasses = 3;  // a fixed number, so that the result is a smooth function of the load
-  double radius = radius_of(parts_of(pair, 0.0));
+  double radius = radius_of(parts_of(pair, angular_speed, 0.0));
   for (int pass = 0; pass < kPasses; ++pass) {
     const double frequency = angular_speed * std::max(1.0, pair.body->radius() / radius);
-    radius = radius_of(parts_of(pair, frequency));
+    radius = radius_of(parts_of(pair, angular_speed, frequency));
   }
   return {.along = radius, .across = reach_across(pair, radius)};
 }

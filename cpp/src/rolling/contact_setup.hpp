@@ -30,6 +30,16 @@ struct RollingCase {
 [[nodiscard]] RollingCase rolling_case(const PairAtSpeed& pair, const LoadCase& load_case, const Options& options,
                                        Watch& watch);
 
+/// @return a load case with other options, which must outlive it
+[[nodiscard]] inline RollingCase with_options(const RollingCase& given, const Options& options) {
+  return {.pair = given.pair,
+          .load_case = given.load_case,
+          .options = options,
+          .execution = given.execution,
+          .contact = given.contact,
+          .estimated_depth = given.estimated_depth};
+}
+
 /// @brief A load case on a mesh, with the quantities that are known before the contact is solved.
 struct ContactSetup : RollingCase {
   const MeshModel& model;

@@ -12,6 +12,7 @@
 
 #include "base/validate.hpp"
 #include "rolling/drives.hpp"
+#include "rolling/finite_strain.hpp"
 #include "rolling/result.hpp"
 #include "rolling/solve_load_case.hpp"
 #include "viscoroll/errors.hpp"
@@ -134,6 +135,8 @@ class Refiner {
       best_->status = Status::accuracy_not_reached;
     }
     best_->refinements = std::move(refinements_);
+    FasterModel faster;
+    add_finite_strain(*best_, std::move(rough_), given_, faster);
     return *std::move(best_);
   }
 
@@ -150,7 +153,9 @@ class Refiner {
       const MeshModel model =
           make_model(given_.pair, mesh_, options_.curvature, given_.execution, kInertiaShare * options_.accuracy);
       const auto seen = best_ ? std::optional(contact_reach(*best_)) : std::nullopt;
-      note(solve_load_case(model, given_, seen));
+      Options options = options_;
+      options.finite_strain = options_.finite_strain && (!rough_ || given_.pair.body->form().is_line());
+      note(solve_load_case(model, with_options(given_, options), seen));
     } catch (const MeshTooFine&) {
       failure_ = std::current_exception();
       return !best_ && go_on_with(mesh_.nodes_per_revolution / 4.0);
@@ -242,6 +247,7 @@ class Refiner {
     if (has_ended_ && best_ && is_settled(*best_)) return;
     refinements_.push_back(step);
     answers_ = std::move(found);
+    if (result.overspeed && result.status == Status::converged) rough_ = result;
     best_ = std::move(result);
   }
 
@@ -252,8 +258,9 @@ class Refiner {
   std::optional<double> aspect_;  // of patches, if those of the body are not square
   Mesh mesh_;
   bool has_ended_ = false;
-  int ineffective_meshes_ = 0;  // meshes that hardly reduced the error of the largest pressure
-  std::optional<Result> best_;  // on the finest mesh that was solved
+  int ineffective_meshes_ = 0;   // meshes that hardly reduced the error of the largest pressure
+  std::optional<Result> best_;   // on the finest mesh that was solved
+  std::optional<Result> rough_;  // on a mesh that suffices for the correction at finite strain
   std::vector<Answer> answers_;
   std::vector<Refinement> refinements_;
   std::exception_ptr failure_;

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "base/validate.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -148,12 +149,12 @@ double layer_thickness(const RollingPair& pair) {
   return sum;
 }
 
-double half_space_share(const RollingPair& pair) {
+double half_space_share(const RollingPair& pair, double angular_speed) {
   double base = std::numeric_limits<double>::infinity();
   double softest = std::numeric_limits<double>::infinity();
   for (const NamedLayer& named : layers(pair)) {
     const std::array rest{0.0};
-    const double modulus = complex_modulus(named.layer.shear_modulus, rest).front().real();
+    const double modulus = modulus_in_rolling(named.layer.shear_modulus, angular_speed, rest).front().real();
     double& least = std::isinf(named.layer.thickness) ? base : softest;
     least = std::min(least, modulus);
   }

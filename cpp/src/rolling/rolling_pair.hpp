@@ -55,8 +55,10 @@ struct RollingPair {
 /// @return total thickness without half-spaces [m]
 [[nodiscard]] double layer_thickness(const RollingPair& pair);
 
+/// @param[in] pair rolling body and counterbody
+/// @param[in] angular_speed angular speed of the rolling body [rad/s]
 /// @return ratio of the compliance of the half-space to that of the softest layer at rest, at most 1; 0 without a
 /// half-space
-[[nodiscard]] double half_space_share(const RollingPair& pair);
+[[nodiscard]] double half_space_share(const RollingPair& pair, double angular_speed);
 
 }  // namespace viscoroll::detail

@@ -1,6 +1,7 @@
 // Public interface of the library: checks the input once and calls the solver.
 #include "viscoroll/solve.hpp"
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "base/validate.hpp"
 #include "rolling/contact_setup.hpp"
 #include "rolling/drives.hpp"
+#include "rolling/finite_strain.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/refinement.hpp"
 #include "rolling/solve_load_case.hpp"
@@ -29,7 +31,17 @@ void validate(const LoadCase& load_case, const detail::RoundBody& body) {
   } else {
     detail::reject("load", "given, or penetration instead of it", "neither");
   }
-  detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
+  if (load_case.speed) {
+    detail::require_positive("speed", *load_case.speed, "m/s");
+    if (load_case.angular_speed != 0.0) {
+      detail::reject("speed", "left out if the angular speed is given", detail::text(*load_case.speed) + " m/s");
+    }
+    if (load_case.friction != 0.0) {
+      detail::reject("speed", "left out with friction, which determines it", detail::text(*load_case.speed) + " m/s");
+    }
+  } else {
+    detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
+  }
   detail::require_friction(load_case.friction);
   detail::validate_drive(load_case, body);
 }
@@ -43,13 +55,24 @@ void validate(const Options& options) {
   detail::require_thread_count(options.threads);
 }
 
+/// A checked load case whose speed is expressed as the angular speed of linear theory.
+LoadCase checked(LoadCase load_case, const detail::RoundBody& body) {
+  validate(load_case, body);
+  if (load_case.speed) load_case.angular_speed = *load_case.speed / body.radius();
+  return load_case;
+}
+
+struct CheckedCase {
+  detail::PairAtSpeed pair;
+  LoadCase load_case;
+};
+
 /// Check all input values, and combine both bodies at the speed of the load case.
-detail::PairAtSpeed checked_pair(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
-                                 const Options& options) {
+CheckedCase checked(const RollingBody& body, const Counterbody& on, const LoadCase& load_case, const Options& options) {
   const detail::RollingPair pair = detail::rolling_pair(body, on);
-  validate(load_case, *pair.body);
+  const LoadCase at_speed = checked(load_case, *pair.body);
   validate(options);
-  return detail::at_speed(pair, load_case.angular_speed);
+  return {.pair = detail::at_speed(pair, at_speed.angular_speed), .load_case = at_speed};
 }
 
 detail::MeshModel model_on_given_mesh(const detail::RollingCase& given) {
@@ -61,6 +84,13 @@ Result with_warnings(Result result, const detail::RollingCase& given, bool mesh_
   return result;
 }
 
+/// Solve a load case on a given mesh, with the results at finite strain.
+Result solve_on(const detail::MeshModel& model, const detail::RollingCase& given, detail::FasterModel& faster) {
+  Result result = detail::solve_load_case(model, given);
+  detail::add_finite_strain(result, std::nullopt, given, faster);
+  return result;
+}
+
 }  // namespace
 
 Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options) {
@@ -68,24 +98,26 @@ Result solve(const RollingBody& body, const LoadCase& load_case, const Options& 
 }
 
 Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& load_case, const Options& options) {
-  const detail::PairAtSpeed pair = checked_pair(body, on, load_case, options);
+  const auto [pair, at_speed] = checked(body, on, load_case, options);
   detail::Watch watch(options.observer);
-  const detail::RollingCase given = detail::rolling_case(pair, load_case, options, watch);
+  const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
   if (!options.mesh) return with_warnings(detail::solve_to_accuracy(given), given, false);
-  return with_warnings(detail::solve_load_case(model_on_given_mesh(given), given), given, true);
+  detail::FasterModel faster;
+  return with_warnings(solve_on(model_on_given_mesh(given), given, faster), given, true);
 }
 
 Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
                     const FrozenContact& state, const Options& options) {
-  const detail::PairAtSpeed pair = checked_pair(body, on, load_case, options);
+  const auto [pair, at_speed] = checked(body, on, load_case, options);
   if (!options.mesh) detail::reject("mesh", "the mesh of the state", "none");
   detail::Watch watch(options.observer);
-  const detail::RollingCase given = detail::rolling_case(pair, load_case, options, watch);
+  const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
   return with_warnings(detail::solve_frozen_case(model_on_given_mesh(given), given, state), given, true);
 }
 
 struct RollingModel::Impl {
   detail::MeshModel model;
+  detail::FasterModel faster;
 };
 
 RollingModel::RollingModel(const RollingBody& body, double angular_speed, const Mesh& mesh, int threads,
@@ -100,7 +132,7 @@ RollingModel::RollingModel(const RollingBody& body, const Counterbody& on, doubl
   detail::require_thread_count(threads);
   detail::Watch watch(observer);
   impl_ = std::make_unique<Impl>(
-      Impl{detail::make_model(detail::at_speed(pair, angular_speed), mesh, curvature, {threads, watch})});
+      detail::make_model(detail::at_speed(pair, angular_speed), mesh, curvature, {threads, watch}));
 }
 
 RollingModel::~RollingModel() = default;
@@ -108,19 +140,23 @@ RollingModel::RollingModel(RollingModel&&) noexcept = default;
 RollingModel& RollingModel::operator=(RollingModel&&) noexcept = default;
 
 Result RollingModel::solve(const LoadCase& load_case, const Options& options) const {
-  validate(load_case, *impl_->model.pair.body);
+  LoadCase at_speed = checked(load_case, *impl_->model.pair.body);
   validate(options);
   const double speed = impl_->model.pair.angular_speed;
-  if (load_case.angular_speed != speed) {
+  constexpr double kRoundOff = 1e-12;  // of V / r_o
+  if (at_speed.speed && std::abs(at_speed.angular_speed - speed) < kRoundOff * speed) at_speed.angular_speed = speed;
+  if (at_speed.angular_speed != speed) {
     detail::reject("angular_speed", "the speed of the model, " + detail::text(speed) + " rad/s",
-                   detail::text(load_case.angular_speed) + " rad/s");
+                   detail::text(at_speed.angular_speed) + " rad/s");
   }
   if (options.mesh && *options.mesh != impl_->model.mesh) {
     detail::reject("mesh", "left out or equal to the mesh of the model", "another mesh");
   }
   detail::Watch watch(options.observer);
-  const detail::RollingCase given = detail::rolling_case(impl_->model.pair, load_case, options, watch);
-  return with_warnings(detail::solve_load_case(impl_->model, given), given, true);
+  Options own = options;
+  own.curvature = impl_->model.curvature;
+  const detail::RollingCase given = detail::rolling_case(impl_->model.pair, at_speed, own, watch);
+  return with_warnings(solve_on(impl_->model, given, impl_->faster), given, true);
 }
 
 }  // namespace viscoroll

@@ -7,6 +7,7 @@
 
 #include "base/validate.hpp"
 #include "contact/frozen_contact.hpp"
+#include "rolling/finite_strain.hpp"
 #include "rolling/input_checks.hpp"
 #include "rolling/result.hpp"
 
@@ -60,7 +61,10 @@ Result solve_load_case(const MeshModel& model, const RollingCase& given,
                        const std::optional<ContactReach>& coarse_contact) {
   require_supported(model, given);
   const ContactSetup setup = assemble(model, given);
-  return make_result(setup, find_contact_in_window(setup, coarse_contact));
+  const WindowContact solved = find_contact_in_window(setup, coarse_contact);
+  Result result = make_result(setup, solved);
+  result.overspeed = overspeed(setup, solved);
+  return result;
 }
 
 Result solve_frozen_case(const MeshModel& model, const RollingCase& given, const FrozenContact& state) {

@@ -9,6 +9,7 @@
 #include "rolling/body.hpp"
 #include "rolling/contact_surface.hpp"
 #include "rolling/sphere_tables.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -20,7 +21,7 @@ LayeredBody without_inertia(LayeredBody body, double angular_speed) {
   const double speed = angular_speed * body.metric.radius;
   for (std::size_t l = 0; l < body.layers.size(); ++l) {
     Layer& layer = body.layers[l];
-    const double relaxed = std::abs(complex_modulus(layer.shear_modulus, std::array{0.0}).front());
+    const double relaxed = modulus_in_rolling(layer.shear_modulus, angular_speed, std::array{0.0}).front().real();
     const double share = layer.density * speed * speed / relaxed;
     if (share > kNegligible) {
       reject("layers[" + std::to_string(l) + "].density",

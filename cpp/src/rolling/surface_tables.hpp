@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "surface/surface_operator.hpp"
 #include "surface/surface_window.hpp"
@@ -33,6 +34,23 @@ class SurfaceTables {
   [[nodiscard]] virtual std::shared_ptr<const SurfaceOperator> operator_on(const SurfaceWindow& nodes,
                                                                            const Formulation& formulation,
                                                                            const Execution& execution) const = 0;
+
+  /// @brief Displacement of the surface of the rolling body along the path, under forces along the normals.
+  /// @param[in] nodes nodes of a window
+  /// @param[in] formulation formulation of the contact, with the radial compliance
+  /// @param[in] displaced numbers of nodes
+  /// @param[in] force force on every node [N]
+  /// @param[in] execution threads, progress and cancellation
+  /// @return forward displacement of the displaced nodes [m]
+  [[nodiscard]] virtual Eigen::ArrayXd forward_displacement(const SurfaceWindow& nodes, const Formulation& formulation,
+                                                            const std::vector<Eigen::Index>& displaced,
+                                                            const VectorField& force,
+                                                            const Execution& execution) const {
+    Formulation tangential = formulation;
+    tangential.tangential = true;
+    tangential.collocation = 0.0;
+    return operator_on(nodes, tangential, execution)->displacement(force).col(kForward)(displaced);
+  }
 };
 
 }  // namespace viscoroll::detail

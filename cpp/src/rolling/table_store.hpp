@@ -17,6 +17,7 @@ namespace viscoroll::detail {
 /// @brief Purpose of influence tables.
 enum class TableKind {
   displacement,  ///< those of `displacement_tables`
+  forward,       ///< displacements along the path under forces along the normal
   dissipation,   ///< those of `dissipation_tables`
 };
 
@@ -30,6 +31,10 @@ class TableStore final : public SurfaceTables {
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_on(const SurfaceWindow& nodes,
                                                                    const Formulation& formulation,
                                                                    const Execution& execution) const override;
+  [[nodiscard]] Eigen::ArrayXd forward_displacement(const SurfaceWindow& nodes, const Formulation& formulation,
+                                                    const std::vector<Eigen::Index>& displaced,
+                                                    const VectorField& force,
+                                                    const Execution& execution) const override;
 
  private:
   struct TableSet {

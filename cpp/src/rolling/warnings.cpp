@@ -7,6 +7,7 @@
 
 #include "base/validate.hpp"
 #include "rolling/result.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -29,6 +30,20 @@ int nodes_across(const Result& result) {
   const auto along = std::count(rows_touched.begin(), rows_touched.end(), true);
   if (columns == 1) return static_cast<int>(along);  // line contact
   return static_cast<int>(std::min(along, std::count(columns_touched.begin(), columns_touched.end(), true)));
+}
+
+/// Text that names every layer with terms that do not relax at this speed, empty if there is none.
+std::string slow_terms_text(const PairAtSpeed& pair) {
+  std::string message;
+  for (const auto& [name, layer] : layers(pair)) {
+    const auto slow = slow_terms(layer.shear_modulus, pair.angular_speed);
+    if (!slow) continue;
+    message += (message.empty() ? "" : "; ") + name + ".shear_modulus has " + std::to_string(slow->count) +
+               (slow->count == 1 ? " term" : " terms") + " with a relaxation time of at least " +
+               rounded(slow->shortest_time) + " s, too slow to relax at this speed: " + rounded(slow->modulus) +
+               " Pa of the modulus at rest, " + rounded(slow->modulus_at_rest) + " Pa";
+  }
+  return message;
 }
 
 std::string coarse_mesh_text(int across, double estimate) {
@@ -89,11 +104,14 @@ std::vector<Warning> warnings_of(const Result& result, const RollingCase& given,
     warnings.push_back({WarningKind::pressure_peak, pressure_peak_text(result, good)});
   }
   if (result.strain && *result.strain > kLargestStrain) {
-    warnings.push_back(
-        {WarningKind::large_strain, "the strain, penetration / coating thickness, is " + rounded(*result.strain) +
-                                        " (recommended: at most " + rounded(kLargestStrain) +
-                                        "): linear theory may have a relative error of " +
-                                        rounded(kErrorPerStrain * std::abs(*result.strain)) + " in the torque"});
+    warnings.push_back({WarningKind::large_strain, "the strain, penetration / coating thickness, is " +
+                                                       rounded(*result.strain) + " (recommended: at most " +
+                                                       rounded(kLargestStrain) +
+                                                       "): linear theory may have a relative error of " +
+                                                       rounded(*result.model_error) + " in the torque"});
+  }
+  if (const std::string message = slow_terms_text(given.pair); !message.empty()) {
+    warnings.push_back({WarningKind::slow_terms, message});
   }
   return warnings;
 }

@@ -12,6 +12,7 @@ UNITS = {
     "load": "N",
     "penetration": "m",
     "angular_speed": "rad/s",
+    "speed": "m/s",
     "friction": "1",
     "accuracy": "1",
     "max_iterations": "1",

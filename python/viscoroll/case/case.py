@@ -76,11 +76,12 @@ class Rolling(StrictTable):
     """The table `rolling`: the load case."""
 
     documented_by = (solve,)
-    one_of = ("load", "penetration")
+    one_of = (("load", "penetration"), ("angular_speed", "speed"))
 
     load: float | None = None
     penetration: float | None = None
-    angular_speed: float
+    angular_speed: float | None = None
+    speed: float | None = None
     friction: float = 0.0
     drive: Annotated[Drive, Table()] = Drive(force=0.0)
 
@@ -117,6 +118,7 @@ class Numerics(MeshTable):
     curvature: Annotated[Curvature, ByName()] = Curvature.SPHERE
     patch_load: Annotated[PatchLoad, ByName()] = PatchLoad.FLAT
     slip_kinematics: Annotated[SlipKinematics, ByName()] = SlipKinematics.EXACT
+    finite_strain: bool = True
 
 
 def _core_of(given: object) -> object:
@@ -184,13 +186,17 @@ class _File(PairTables):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Case:
-    """One load case, as a file describes it; the parameters are those of `viscoroll.solve`."""
+    """One load case, as a file describes it; the parameters are those of `viscoroll.solve`.
+
+    If the file gives `speed`, `angular_speed` is that at which linear theory is solved.
+    """
 
     body: RollingBody
     on: Counterbody | None = None
     load: float | None
     penetration: float | None
     angular_speed: float
+    speed: float | None = None
     friction: float
     drive: Drive
     mesh: Mesh | None
@@ -199,11 +205,14 @@ class Case:
     curvature: Curvature
     patch_load: PatchLoad
     slip_kinematics: SlipKinematics
+    finite_strain: bool = True
     thermal: Thermal | None = None
 
     def arguments(self) -> dict[str, Any]:
         """Return the arguments of `viscoroll.solve`."""
         given = {field.name: getattr(self, field.name) for field in fields(self) if field.name != "thermal"}
+        if self.speed is not None:
+            del given["angular_speed"]
         return {name: value for name, value in given.items() if value is not None}
 
     def given_load(self) -> float:
@@ -289,12 +298,12 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
     numerics = file.numerics.arguments()
     if numerics["mesh"] is not None and numerics["accuracy"] is not None:
         raise InvalidInput("numerics.accuracy", "must be left out if a mesh is given")
-    return Case(
-        thermal=file.thermal,
-        **pair,
-        **dict(file.rolling),
-        **numerics,
-    )
+    rolling = dict(file.rolling)
+    if rolling["angular_speed"] is not None and rolling["speed"] is not None:
+        raise InvalidInput("rolling.speed", "must be left out if the angular speed is given", f"{rolling['speed']:g}")
+    if rolling["speed"] is not None:
+        rolling["angular_speed"] = rolling["speed"] / pair["body"].outer_radius
+    return Case(thermal=file.thermal, **pair, **rolling, **numerics)
 
 
 def example_text(name: Literal["case", "sweep", "design", "motion", "measured"] = "case") -> str:

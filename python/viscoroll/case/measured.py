@@ -209,7 +209,7 @@ def compare_measured(case: Case, measured: Measurements, *, progress: ProgressLi
     if None in values:
         raise InvalidInput(measured.quantity, "must be determined by the case", "None: compare another result")
     computed = np.array(values, dtype=float)
-    estimates = np.array([result.error_estimate + (result.model_error or 0.0) for result in results])
+    estimates = np.array([result.error_estimate + _model_error(result, measured.quantity) for result in results])
     return Trial(
         case=case,
         measured=measured,
@@ -217,3 +217,10 @@ def compare_measured(case: Case, measured: Measurements, *, progress: ProgressLi
         bands=np.abs(computed) * estimates,
         statuses=[result.status for result in results],
     )
+
+
+def _model_error(result: Result, quantity: str) -> float:
+    """Return the error of linear theory in a quantity; one without an estimate of its own has that of the torque."""
+    own = "finite_strain_torque_error" if quantity == "finite_strain_torque" else f"{quantity}_model_error"
+    error = getattr(result, own, None)
+    return float((result.model_error if error is None else error) or 0.0)

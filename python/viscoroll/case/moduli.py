@@ -74,6 +74,58 @@ def _published(*, name: str, temperature: float) -> materials.ShearModulus:
     return example_material(name).at(temperature=temperature)
 
 
+def _of_moduli(*, relaxed_modulus: float, moduli: list[float], relaxation_times: list[float]) -> materials.Prony:
+    """Return a Prony series from absolute moduli.
+
+    Parameters
+    ----------
+    relaxed_modulus : float
+        Shear modulus at zero frequency [Pa], ≥ 0.
+    moduli : array_like
+        Shear moduli of the terms [Pa], ≥ 0.
+    relaxation_times : array_like
+        Relaxation times [s], > 0, as many as `moduli`.
+    """
+    return materials.Prony.from_moduli(
+        relaxed_modulus=relaxed_modulus, moduli=moduli, relaxation_times=relaxation_times
+    )
+
+
+def _of_program(
+    *,
+    file: Path,
+    name: str | None = None,
+    temperature: float | None = None,
+    units: str = "m-kg-s",
+    temperature_unit: Literal["K", "C"] = "K",
+    relaxed_modulus: float | None = None,
+) -> materials.ShearModulus:
+    """Return a material from the input of Abaqus, Ansys, LS-DYNA or COMSOL, see `viscoroll.materials.read_constants`.
+
+    Parameters
+    ----------
+    file : str
+        Name of the file.
+    name : str, optional
+        Name or number of the material, if the file has several.
+    temperature : float, optional
+        Temperature [K]; by default the reference temperature of the file.
+    units : str, optional
+        Units of the file, by default "m-kg-s".
+    temperature_unit : {"K", "C"}, optional
+        Unit of the temperatures in the file.
+    relaxed_modulus : float, optional
+        Long-term shear modulus [Pa] of a table of branches without it.
+    """
+    try:
+        constants = materials.read_constants(
+            file, name=name, units=units, temperature_unit=temperature_unit, relaxed_modulus=relaxed_modulus
+        )
+    except OSError as error:
+        raise ValueError(f"constants {file}: {error.strerror}") from None
+    return constants.shear_modulus if temperature is None else constants.at(temperature=temperature)
+
+
 def _of_data_sheet(
     *,
     hardness: float,
@@ -203,6 +255,8 @@ _TABLES = (
     Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet, scale=Literal["A", "D"])],
     Annotated[materials.ShearModulus, Table("published", _published)],
     Annotated[materials.ShearModulus, Table("measured", _measured, file=FileName, temperature=float)],
+    Annotated[materials.ShearModulus, Table("generalized_maxwell", _of_moduli)],
+    Annotated[materials.ShearModulus, Table("constants", _of_program, file=FileName, temperature=float)],
 )
 
 if TYPE_CHECKING:

@@ -62,17 +62,18 @@ class StrictTable(BaseModel):
     #: Classes and functions whose docstrings describe the keys.
     documented_by: ClassVar[tuple[Callable[..., Any], ...]] = ()
 
-    #: Keys of which the table must have one; the class that is made from the table rejects several. Messages about a
-    #: missing key name the first one.
-    one_of: ClassVar[tuple[str, ...]] = ()
+    #: Groups of keys of which the table must have one; the code that uses the table rejects several. Messages about a
+    #: missing key name the first one of its group.
+    one_of: ClassVar[tuple[tuple[str, ...], ...]] = ()
 
     @model_validator(mode="wrap")
     @classmethod
     def _has_one(cls, table: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
-        """Report a missing key of `one_of` as pydantic reports any other missing key, together with all errors."""
-        if not cls.one_of or not isinstance(table, dict) or not table.keys().isdisjoint(cls.one_of):
+        """Report missing keys of `one_of` as pydantic reports any other missing key, together with all errors."""
+        groups = [group for group in cls.one_of if isinstance(table, dict) and table.keys().isdisjoint(group)]
+        if not groups:
             return handler(table)
-        missing = InitErrorDetails(type="missing", loc=(cls.one_of[0],), input=table)
+        missing = [InitErrorDetails(type="missing", loc=(group[0],), input=table) for group in groups]
         try:
             handler(table)
         except ValidationError as error:
@@ -80,15 +81,16 @@ class StrictTable(BaseModel):
                 InitErrorDetails(type=one["type"], loc=one["loc"], input=one["input"], ctx=one.get("ctx", {}))
                 for one in error.errors()
             ]
-            raise ValidationError.from_exception_data(cls.__name__, [missing, *others]) from None
-        raise ValidationError.from_exception_data(cls.__name__, [missing])
+            raise ValidationError.from_exception_data(cls.__name__, [*missing, *others]) from None
+        raise ValidationError.from_exception_data(cls.__name__, missing)
 
     @classmethod
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         """Return the JSON Schema with descriptions and ranges from the docstrings."""
         made = handler(schema)
         if cls.one_of:
-            handler.resolve_ref_schema(made)["oneOf"] = [{"required": [name]} for name in cls.one_of]
+            groups = [{"oneOf": [{"required": [name]} for name in group]} for group in cls.one_of]
+            handler.resolve_ref_schema(made)["allOf"] = groups
         keys = handler.resolve_ref_schema(made).get("properties", {})
         for name in keys:  # a missing value is None in Python, but not in a file
             kinds = [kind for kind in keys[name].get("anyOf", []) if kind != {"type": "null"}]

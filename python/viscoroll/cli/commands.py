@@ -7,14 +7,15 @@ import re
 import sys
 from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 
 from .._support.celsius import ZERO_CELSIUS, kelvin_range, kelvin_text
 from .._support.extras import extra
 from .._support.files import save_picture
 from .._support.text import parsed_range, shown
 from .._support.toml import read_toml
-from ..materials import WilliamsLandelFerry
+from ..materials import WilliamsLandelFerry, read_constants
+from ..materials.constants import holds_constants
 from .output import PICTURES, check_target, progress_bar, write_line, write_message
 
 with extra("cli"):
@@ -24,7 +25,16 @@ if TYPE_CHECKING:
     import xarray
 
     from ..materials import Draws, Prony
-    from ..rheology import Isotherm, PronyFit, RheologyData, ShiftFactors, Superposition, TemperatureRamp
+    from ..materials.shear_modulus import ShearModulus
+    from ..rheology import (
+        Isotherm,
+        PronyFit,
+        RheologyData,
+        ShiftFactors,
+        Superposition,
+        TemperatureRamp,
+        TimeData,
+    )
 
 __all__ = ["design", "export", "material"]
 
@@ -44,8 +54,8 @@ def material(
     data: Annotated[
         list[str],
         typer.Argument(
-            help="Text or CSV exports of a rheometer or DMA instrument; a file without temperatures as FILE@20C or "
-            "FILE@293.15K."
+            help="Text, CSV, Excel or JSON exports of a rheometer or DMA instrument; a file without temperatures as "
+            "FILE@20C or FILE@293.15K. Or one input file of Abaqus, Ansys or LS-DYNA, whose constants are printed."
         ),
     ],
     reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in K.")] = None,
@@ -72,6 +82,9 @@ def material(
         str | None, typer.Option(help="WLF law of the shift: C1, C2 in K, T_r in K, such as 17.44,51.6,208.")
     ] = None,
     vertical: Annotated[bool, typer.Option("--vertical", help="Also shift the moduli vertically.")] = False,
+    units: Annotated[
+        str, typer.Option(help="Units of an input file of Abaqus, Ansys or LS-DYNA, such as mm-t-s.")
+    ] = "m-kg-s",
     terms_per_decade: Annotated[float, typer.Option(help="Terms of the Prony series per decade.")] = 2.0,
     draws: Annotated[
         int, typer.Option(help="Number of draws to save for confidence intervals (table \\[draws] of a study).", min=0)
@@ -81,8 +94,10 @@ def material(
         Path | None, typer.Option(help="Write the material to this file (.toml), to which case files can refer.")
     ] = None,
 ) -> None:
-    """Make a material from measured moduli: read, shift to one temperature, check, fit, save."""
-    from ..rheology import check_modulus, fit_prony, read_rheology, save_material, superpose
+    """Make a material from measured moduli, relaxation or creep: read, shift to one temperature, check, fit, save."""
+    from ..rheology import check_modulus, fit_prony, read_rheology, read_time_tests, save_material, superpose
+    from ..rheology.reading import SWEEP_ROLES
+    from ..rheology.time_tests import TIME_ROLES, contains_time_tests
 
     check_target("--plot", plot, PICTURES)
     check_target("--save", save, (".toml",))
@@ -90,9 +105,28 @@ def material(
         raise ValueError("--draws must be 0 or at least 2, got 1")
     if draws and save is None:
         raise ValueError("--save must be given with --draws, because draws are saved with the material")
+    if len(data) == 1 and _holds_constants(Path(data[0])):
+        _write_constants(Path(data[0]), units)
+        return
+    files = _files(data)
+    named = _columns(columns)
+    own = _own_shift(factors, wlf)
+    if over_time := [path for path in files if contains_time_tests(path, columns=named, step=step)]:
+        if plot is not None or between is not None or frequency is not None or vertical:
+            raise ValueError(
+                "--plot, --between, --frequency and --vertical must be left out with relaxation or creep, "
+                f"which {over_time[0]} contains"
+            )
+        options: _ReadingOptions = {"tensile": tensile, "poisson_ratio": poisson_ratio, "step": step}
+        given = {path: files[path] for path in over_time}
+        parts: list[TimeData | RheologyData] = [read_time_tests(given, columns=_only(named, TIME_ROLES), **options)]
+        if rest := {path: kelvin for path, kelvin in files.items() if path not in given}:
+            parts.append(read_rheology(rest, columns=_only(named, SWEEP_ROLES), **options))
+        _fit_over_time(parts, reference, own, at=at, draws=draws, save=save)
+        return
     measured = read_rheology(
-        _files(data),
-        columns=_columns(columns),
+        files,
+        columns=named,
         tensile=tensile,
         poisson_ratio=poisson_ratio,
         frequency=frequency,
@@ -104,7 +138,6 @@ def material(
         measured = measured.between(*ends)
     for line in repr(measured).splitlines():
         write_line(line)
-    own = _own_shift(factors, wlf)
     curve: Superposition | Isotherm
     if measured.ramp is not None and own is None:
         _write_ramp(measured.ramp, at, wanted=plot or save)
@@ -129,6 +162,56 @@ def material(
     if save is not None:
         save_material(save, curve, fit=fit, draws=_draws(curve, fit, draws))
         write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+
+
+class _ReadingOptions(TypedDict):
+    """Options of both readers."""
+
+    tensile: bool | None
+    poisson_ratio: float
+    step: int | None
+
+
+def _only(columns: dict[str, str | tuple[str, str]] | None, roles: tuple[str, ...]) -> Any:
+    """Return the named columns that a reader knows."""
+    return columns and {role: name for role, name in columns.items() if role in roles}
+
+
+def _fit_over_time(
+    parts: list[TimeData | RheologyData],
+    reference: float | None,
+    own: ShiftFactors | WilliamsLandelFerry | None,
+    *,
+    at: float | None,
+    draws: int,
+    save: Path | None,
+) -> None:
+    """Fit relaxation and creep, and sweeps of the same material, and print and save the fit."""
+    from ..rheology import fit_spectrum, save_material
+
+    for part in parts:
+        for line in repr(part).splitlines():
+            write_line(line)
+    fit = fit_spectrum(parts, reference=reference, factors=own)
+    for line in repr(fit).splitlines():
+        write_line(line)
+    if at is not None:
+        _write_moduli(fit.series_at(temperature=at), at, *fit.range_at(temperature=at))
+    if save is not None:
+        save_material(save, fit, fit=fit, draws=fit.draws(draws) if draws else None)
+        write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+
+
+def _holds_constants(path: Path) -> bool:
+    """Return whether a file is input of a finite-element program. The reader of measurements reports missing files."""
+    return path.is_file() and holds_constants(path.read_text(encoding="latin-1"))
+
+
+def _write_constants(path: Path, units: str) -> None:
+    """Print the constants of an input file, and how a case file refers to it."""
+    for line in repr(read_constants(path, units=units)).splitlines():
+        write_line(line)
+    write_line(f"in a case file, shear_modulus = {{ type = 'constants', file = '{path.name}', units = '{units}' }}")
 
 
 def _files(arguments: list[str]) -> dict[str | Path, float | None]:
@@ -268,19 +351,23 @@ def _write_ramp(ramp: TemperatureRamp, at: float | None, *, wanted: Path | None)
 
 
 def _write_modulus(curve: Superposition | Isotherm, temperature: float) -> None:
-    import numpy as np
-
     from ..rheology import Superposition
 
     if not isinstance(curve, Superposition):
         raise ValueError("--at must be left out without sweeps at several temperatures")
     table = curve.at(temperature=temperature)
+    _write_moduli(table, temperature, table.frequency[1], table.frequency[-1])
+
+
+def _write_moduli(modulus: ShearModulus, temperature: float, low: float, high: float) -> None:
+    """Print a modulus at frequencies of rolling, and which of them are measured, from `low` to `high`."""
+    import numpy as np
+
     omega = np.logspace(-2, 4, 7)
-    low, high = table.frequency[1], table.frequency[-1]
     write_line(f"at {kelvin_text(temperature)}, measured from {low:.3g} to {high:.3g} rad/s:")
-    for w, modulus in zip(omega, table.complex_modulus(omega), strict=True):
+    for w, value in zip(omega, modulus.complex_modulus(omega), strict=True):
         held = "" if low <= w <= high else "  (extrapolated)"
-        write_line(f"  {w:8g} rad/s  storage {modulus.real:.4g} Pa  loss {modulus.imag:.4g} Pa{held}")
+        write_line(f"  {w:8g} rad/s  storage {value.real:.4g} Pa  loss {value.imag:.4g} Pa{held}")
 
 
 def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None, float | None]:

@@ -1,5 +1,6 @@
 """Shear moduli of viscoelastic materials, strain-dependent filler networks and time-temperature shifts."""
 
+from .constants import MaterialConstants, read_constants
 from .draws import Draws
 from .moduli import (
     CreepCompliance,
@@ -30,6 +31,7 @@ __all__ = [
     "LossFactor",
     "MasingNetwork",
     "MasterCurve",
+    "MaterialConstants",
     "Prony",
     "ShearModulus",
     "SoftenedModulus",
@@ -37,4 +39,5 @@ __all__ = [
     "StandardLinearSolid",
     "StrainSweep",
     "WilliamsLandelFerry",
+    "read_constants",
 ]

@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 
 from .. import _core
+from .._support.arguments import as_floats, as_not_negative
 from .._support.errors import InvalidInput
 from .._support.text import snake_case
-from .shear_modulus import Relaxation, ShearModulus
+from .shear_modulus import KnownTimes, Relaxation, ShearModulus
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -95,6 +96,52 @@ class Prony(ShearModulus):
             ("weights", "relaxation_times"), zip(*terms, strict=True) if terms else ((), ()), strict=True
         ):
             object.__setattr__(self, name, column)
+
+    @classmethod
+    def from_moduli(
+        cls,
+        *,
+        relaxed_modulus: float,
+        moduli: Sequence[float] | NDArray[np.float64],
+        relaxation_times: Sequence[float] | NDArray[np.float64],
+    ) -> Prony:
+        """Return the series of a generalized Maxwell model, G(t) = G_∞ + Σ G_k exp(-t/τ_k).
+
+        Parameters
+        ----------
+        relaxed_modulus : float
+            Shear modulus G_∞ at zero frequency [Pa], ≥ 0.
+        moduli : array_like
+            Shear moduli G_k of the terms [Pa], ≥ 0.
+        relaxation_times : array_like
+            Relaxation times τ_k [s], > 0, as many as `moduli`. The moduli of terms with infinite times are added to the
+            relaxed modulus.
+
+        Raises
+        ------
+        ValueError
+            If a value is out of range, or the moduli add up to 0.
+
+        Examples
+        --------
+        >>> Prony.from_moduli(relaxed_modulus=3e6, moduli=[1e6, 2e6], relaxation_times=[0.1, 1.0]).weights
+        (0.16666666666666666, 0.3333333333333333)
+        """
+        relaxed = as_not_negative("relaxed_modulus", relaxed_modulus, "Pa")
+        terms, times = as_floats("moduli", moduli), as_floats("relaxation_times", relaxation_times)
+        if len(terms) != len(times):
+            raise InvalidInput("relaxation_times", f"must be as many as moduli ({len(terms)})", len(times))
+        for index, modulus in enumerate(terms):
+            as_not_negative(f"moduli[{index}]", modulus, "Pa")
+        total = relaxed + sum(terms)
+        if not total > 0.0:
+            raise InvalidInput("moduli", "must add up to more than 0 Pa with relaxed_modulus", f"{total:g}")
+        kept = [(modulus / total, time) for modulus, time in zip(terms, times, strict=True) if time != float("inf")]
+        return cls(
+            instantaneous_modulus=total,
+            weights=[weight for weight, _ in kept],
+            relaxation_times=[time for _, time in kept],
+        )
 
     def _relaxation(self) -> Relaxation:
         fractions = np.append(self.weights, 1.0 - np.sum(self.weights))
@@ -226,6 +273,11 @@ class LossFactor(_EqualsProny):
     reference_frequency: float
     decades: float = 3.0
     _units: ClassVar = {"modulus": (1, 0), "reference_frequency": (0, -1)}
+
+    def _known_times(self) -> KnownTimes:
+        longest = 10.0**self.decades / self.reference_frequency
+        rest = float(self.complex_modulus(0.0).real)
+        return KnownTimes(longest, "the loss factor is defined", (rest, self.modulus))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -361,6 +413,9 @@ class MasterCurve(ShearModulus):
     loss: Sequence[float] | NDArray[np.float64]
     extrapolation: _core.Extrapolation = _core.Extrapolation.ERROR
     _units: ClassVar = {"frequency": (0, -1), "storage": (1, 0), "loss": (1, 0)}
+
+    def _known_times(self) -> KnownTimes:
+        return KnownTimes(1.0 / min(w for w in self.frequency if w > 0.0), "the table is measured")
 
 
 #: Moduli of the C++ core, by the names of their types in case files.

@@ -17,7 +17,7 @@ from .._support.units import UNITS
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Relaxation", "ShearModulus"]
+__all__ = ["KnownTimes", "Relaxation", "ShearModulus", "known_times_of"]
 
 #: Beginning of the types of parameters that are columns of numbers.
 _COLUMN = "Sequence[float]"
@@ -48,6 +48,25 @@ class Relaxation:
     def longest_time(self) -> float:
         """Longest finite relaxation time [s]; 0 if there is none."""
         return float(self.times[:-1].max(initial=0.0))
+
+
+@dataclass(frozen=True, slots=True)
+class KnownTimes:
+    """Times for which a modulus is measured or defined.
+
+    Attributes
+    ----------
+    longest : float
+        Longest time [s]; creep beyond it is an extrapolation.
+    meaning : str
+        Subject and verb of a sentence that ends with this time.
+    extrapolated_rest : (float, float) or None
+        Modulus at rest, if it is an extrapolation, and the modulus that the user gives [Pa].
+    """
+
+    longest: float
+    meaning: str
+    extrapolated_rest: tuple[float, float] | None = None
 
 
 class ShearModulus(ParameterTable):
@@ -112,3 +131,12 @@ class ShearModulus(ParameterTable):
     def _standard_linear_solid(self) -> Any:
         """Return the `StandardLinearSolid` that equals this modulus, or None if there is none."""
         return None
+
+    def _known_times(self) -> KnownTimes | None:
+        """Return the times for which the modulus is measured or defined, or None if there is no limit."""
+        return None
+
+
+def known_times_of(modulus: object) -> KnownTimes | None:
+    """Return the times for which a modulus is measured or defined; None without a limit, as for functions."""
+    return modulus._known_times() if isinstance(modulus, ShearModulus) else None

@@ -14,8 +14,10 @@ from .ramps import TemperatureRamp
 from .reading import Isotherm, RheologyData, read_rheology
 from .shift_laws import ShiftFactors, ShiftLaw
 from .shifting import superpose
+from .spectrum_fit import SpectrumFit, fit_spectrum
 from .strain_sweeps import read_strain_sweep
 from .superposition import Superposition
+from .time_tests import TimeData, TimeTest, read_time_tests
 
 __all__ = [
     "Check",
@@ -26,18 +28,23 @@ __all__ = [
     "RheologyData",
     "ShiftFactors",
     "ShiftLaw",
+    "SpectrumFit",
     "Superposition",
     "TemperatureRamp",
+    "TimeData",
+    "TimeTest",
     "check_modulus",
     "check_range",
     "example_data",
     "example_material",
     "fit_network",
     "fit_prony",
+    "fit_spectrum",
     "hardness_to_modulus",
     "load_material",
     "read_rheology",
     "read_strain_sweep",
+    "read_time_tests",
     "rebound_to_loss_factor",
     "rolling_range",
     "save_material",

@@ -17,10 +17,10 @@ import numpy as np
 from .._support.arguments import Floats
 from .._support.celsius import kelvin_range
 from .._support.extras import extra
+from ..materials.series import SeriesFit, basis, fit_series, time_grid
 from .reading import Isotherm
-from .series import SeriesFit, basis, fit_series, time_grid
 
-__all__ = ["Alignment", "align", "shift_pairs", "undetermined_pairs"]
+__all__ = ["Alignment", "align", "curve_shift", "shift_pairs", "undetermined_pairs"]
 
 _LN10 = float(np.log(10.0))
 _TERMS_PER_DECADE = 2.0
@@ -90,7 +90,25 @@ def _distances(cold: Isotherm, hot: Isotherm) -> Floats:
 
 def _shift_on(cold: Isotherm, hot: Isotherm) -> float:
     """Return the shift by which the hotter isotherm fits the colder one best [decades]."""
-    costs = _distances(cold, hot)
+    return _best(_distances(cold, hot))
+
+
+def curve_shift(cold: Sequence[tuple[Floats, Floats]], hot: Sequence[tuple[Floats, Floats]]) -> float:
+    """Return the shift by which curves at the hotter temperature fit those at the colder one best [decades].
+
+    Each curve is a pair of log₁₀ of frequency, increasing, and log₁₀ of modulus.
+    """
+    costs = np.full((len(cold) * len(hot), _TRIALS.size), np.inf)
+    pairs = ((one, other) for one in cold for other in hot)
+    for row, ((x, y), (x_hot, y_hot)) in enumerate(pairs):
+        costs[row] = [_distance(x, y[None], x_hot + shift, y_hot[None]) for shift in _TRIALS]
+    known = np.isfinite(costs)
+    mean = np.where(known, costs, 0.0).sum(axis=0) / np.maximum(known.sum(axis=0), 1)
+    return _best(np.where(known.any(axis=0), mean, np.inf))
+
+
+def _best(costs: Floats) -> float:
+    """Return the trial shift with the smallest cost, refined by a parabola [decades]."""
     best = int(np.argmin(costs))
     if 0 < best < len(costs) - 1 and np.isfinite(costs[best - 1 : best + 2]).all():
         # Vertex of the parabola through the best trial and its neighbors.
@@ -102,14 +120,14 @@ def _shift_on(cold: Isotherm, hot: Isotherm) -> float:
 
 
 def _distance(x: Floats, y: Floats, x_shifted: Floats, y_shifted: Floats) -> float:
-    """Return the mean squared distance of two curves in their overlap, in both directions and for both moduli."""
+    """Return the mean squared distance of two curves in their overlap, in both directions and for all moduli."""
     total, count = 0.0, 0
     for a, b, other_a, other_b in ((x, y, x_shifted, y_shifted), (x_shifted, y_shifted, x, y)):
         inside = (other_a >= a[0]) & (other_a <= a[-1])
         for row, other in zip(b, other_b, strict=True):
             total += float(((np.interp(other_a[inside], a, row) - other[inside]) ** 2).sum())
-        count += 2 * int(inside.sum())
-    if count < 8:  # at least two points in each direction, for both moduli
+        count += len(y) * int(inside.sum())
+    if count < 4 * len(y):  # at least two points in each direction, for each modulus
         return np.inf
     return total / count + 1e-6 / count  # prefers the larger overlap if distances are equal
 

@@ -11,9 +11,9 @@ import numpy as np
 from .._support.arguments import Floats, as_float
 from ..bodies import RollingBody
 from ..materials.modulus_like import to_core
+from ..materials.series import basis, time_grid
 from .measured import MeasuredModulus, measured
 from .prony_fit import fit_prony
-from .series import basis, time_grid
 from .superposition import Superposition
 
 __all__ = ["Check", "check_modulus", "check_range", "rolling_range"]

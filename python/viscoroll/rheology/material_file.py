@@ -17,6 +17,7 @@ from .._support.toml import read_toml
 from ..materials import Draws, MasterCurve, Prony
 from .prony_fit import PronyFit, fit_prony
 from .shift_laws import ShiftFactors
+from .spectrum_fit import SpectrumFit
 from .superposition import Superposition
 from .tabulated import tabulated
 
@@ -32,10 +33,10 @@ Form = Literal["table", "prony"]
 
 def save_material(
     path: str | Path,
-    curve: Superposition | Isotherm,
+    curve: Superposition | SpectrumFit | Isotherm,
     *,
-    fit: PronyFit | None = None,
-    draws: Draws[Superposition] | Draws[Prony] | None = None,
+    fit: PronyFit | SpectrumFit | None = None,
+    draws: Draws[Superposition] | Draws[SpectrumFit] | Draws[Prony] | None = None,
 ) -> None:
     """Write a measured material to a TOML file that `load_material` and case files read.
 
@@ -43,12 +44,12 @@ def save_material(
     ----------
     path : path-like
         Path of the file, ending in .toml.
-    curve : Superposition or Isotherm
-        Measured modulus. For a superposition, the file also contains the shift factors for other temperatures.
-    fit : PronyFit, optional
+    curve : Superposition, SpectrumFit or Isotherm
+        Measured modulus. For data at several temperatures, the file also contains the shift factors.
+    fit : PronyFit or SpectrumFit, optional
         Prony series of the same curve, stored in addition to the table.
     draws : Draws, optional
-        Draws of the superposition or of the fit, stored in addition; draws of a superposition with their own shift
+        Draws of the superposition or of the fit, stored in addition; draws at several temperatures with their own shift
         factors. Requires `fit`.
 
     Raises
@@ -57,8 +58,11 @@ def save_material(
         If the suffix is not .toml, or if draws are given without a fit.
     """
     path = ending_in([".toml"], path)
-    table = curve.curve if isinstance(curve, Superposition) else _table_of(curve)
-    reference = curve.reference if isinstance(curve, Superposition) else curve.temperature
+    shifted = curve if isinstance(curve, Superposition | SpectrumFit) else None
+    if isinstance(curve, Superposition | SpectrumFit):
+        table, reference = curve.curve, curve.reference
+    else:
+        table, reference = _table_of(curve), curve.temperature
     lines = ["# Measured shear moduli, written by viscoroll. Frequencies in rad/s, moduli in Pa, temperatures in K."]
     if isinstance(curve, Superposition):
         lines.append(f"source = {_quoted(curve.data.source)}")
@@ -72,8 +76,8 @@ def save_material(
         if fit is None:
             raise InvalidInput("fit", "must be given with draws, which are Prony series")
         lines += ["", "[draws]", *_rows_of_draws(draws)]
-    if isinstance(curve, Superposition):
-        lines += ["", f"# {curve.law}", "[shift]", *_columns(curve.factors, ("temperature", "log10_factor"))]
+    if shifted is not None and shifted.factors is not None:
+        lines += ["", f"# {shifted.law}", "[shift]", *_columns(shifted.factors, ("temperature", "log10_factor"))]
     write_text("\n".join(lines) + "\n", path)
 
 
@@ -199,16 +203,23 @@ def _moved(values: Sequence[float], decades: float) -> list[float]:
     return moved
 
 
-def _rows_of_draws(draws: Draws[Superposition] | Draws[Prony]) -> list[str]:
+def _rows_of_draws(draws: Draws[Superposition] | Draws[SpectrumFit] | Draws[Prony]) -> list[str]:
     """Return TOML lines with one row per draw: the series and, for superpositions, the shift factors."""
-    series = [draw.fit.series if isinstance(draw, Superposition) else draw for draw in draws]
+    series = [_series_of(draw) for draw in draws]
     lines = [f"instantaneous_modulus = {_list(s.instantaneous_modulus for s in series)}"]
     columns = {name: [getattr(s, name) for s in series] for name in ("weights", "relaxation_times")}
-    if factors := [draw.factors.log10_factor for draw in draws if isinstance(draw, Superposition)]:
+    shifts = [draw.factors for draw in draws if isinstance(draw, Superposition | SpectrumFit)]
+    if factors := [one.log10_factor for one in shifts if one is not None]:
         columns["log10_factor"] = factors
     for name, rows in columns.items():
         lines += [f"{name} = [", *(f"    {_list(row)}," for row in rows), "]"]
     return lines
+
+
+def _series_of(draw: Superposition | SpectrumFit | Prony) -> Prony:
+    if isinstance(draw, Superposition):
+        return draw.fit.series
+    return draw.series if isinstance(draw, SpectrumFit) else draw
 
 
 def _shift(document: dict[str, Any], temperature: float | None, factors: Sequence[float] | None = None) -> float:

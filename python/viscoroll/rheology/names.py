@@ -10,7 +10,7 @@ import numpy as np
 from .._support.celsius import ZERO_CELSIUS
 from .._support.text import one_line
 
-__all__ = ["Column", "header_column", "is_unit", "normalized", "parse_header", "role_of"]
+__all__ = ["Column", "header_column", "is_unit", "is_unit_of", "normalized", "parse_header", "role_of"]
 
 #: Decimal places [K] to which converted temperatures are rounded: only round-off is removed.
 PLACES = 9
@@ -49,10 +49,28 @@ UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
         "F": (5.0 / 9.0, _ZERO_FAHRENHEIT),
         "degF": (5.0 / 9.0, _ZERO_FAHRENHEIT),
     },
-    "strain": {"%": (0.01, 0.0), "1": (1.0, 0.0), "-": (1.0, 0.0)},
+    "strain": {"%": (0.01, 0.0), "1": (1.0, 0.0), "-": (1.0, 0.0), "mm/mm": (1.0, 0.0)},
     "angle": {"°": (np.pi / 180.0, 0.0), "deg": (np.pi / 180.0, 0.0), "rad": (1.0, 0.0), "mrad": (1e-3, 0.0)},
-    "time": {"s": (1.0, 0.0), "ms": (1e-3, 0.0), "min": (60.0, 0.0), "h": (3600.0, 0.0)},
-    "compliance": {"1/Pa": (1.0, 0.0), "1/kPa": (1e-3, 0.0), "1/MPa": (1e-6, 0.0), "1/GPa": (1e-9, 0.0)},
+    "time": {
+        "s": (1.0, 0.0),
+        "sec": (1.0, 0.0),
+        "ms": (1e-3, 0.0),
+        "min": (60.0, 0.0),
+        "h": (3600.0, 0.0),
+        "d": (86400.0, 0.0),
+    },
+    "compliance": {
+        "1/Pa": (1.0, 0.0),
+        "1/kPa": (1e-3, 0.0),
+        "1/MPa": (1e-6, 0.0),
+        "1/GPa": (1e-9, 0.0),
+        "Pa-1": (1.0, 0.0),
+        "kPa-1": (1e-3, 0.0),
+        "MPa-1": (1e-6, 0.0),
+        "GPa-1": (1e-9, 0.0),
+        "m2/N": (1.0, 0.0),
+        "mm2/N": (1e-6, 0.0),
+    },
     "viscosity": {"Pa s": (1.0, 0.0), "Pa.s": (1.0, 0.0), "mPa.s": (1e-3, 0.0), "mPa s": (1e-3, 0.0)},
     "ratio": {"": (1.0, 0.0), "-": (1.0, 0.0), "1": (1.0, 0.0)},
 }
@@ -178,19 +196,32 @@ _NAMES = {
     },
     "time": {"time", "step time", "test time", "zeit", "temps", "時間"},
     "stress": {"stress", "shear stress", "schubspannung", "spannung", "contrainte", "応力"},
-    "relaxation": {"relaxation modulus", "g(t)", "e(t)", "relaxationsmodul", "module de relaxation", "緩和弾性率"},
+    "relaxation": {
+        "relaxation modulus",
+        "stress relaxation modulus",
+        "g(t)",
+        "e(t)",
+        "relaxationsmodul",
+        "module de relaxation",
+        "緩和弾性率",
+    },
     "compliance": {
         "compliance",
         "creep compliance",
         "j(t)",
+        "d(t)",
         "nachgiebigkeit",
+        "kriechnachgiebigkeit",
         "complaisance",
+        "complaisance de fluage",
         "クリープコンプライアンス",
     },
     "viscosity": {"viscosity", "viskosität", "viscosité", "粘度"},
 }
-_TENSILE = re.compile(r"(e|tensile|young'?s?|extensional|flexural|bending|compression)\b|e['_\"]|e(stor|loss)")
-_SHEAR = re.compile(r"(g|shear)\b|g['_\"]|g(stor|loss)")
+_TENSILE = re.compile(
+    r"(e|d(?=\(t\))|tensile|young'?s?|extensional|flexural|bending|compression)\b|e['_\"]|e(stor|loss)"
+)
+_SHEAR = re.compile(r"(g|j(?=\(t\))|shear)\b|g['_\"]|g(stor|loss)")
 
 
 #: Typographic primes and apostrophes by code point, and a pair of single ones, with their plain replacements.
@@ -241,9 +272,13 @@ class Column:
         """Whether the unit of a frequency is one of angular frequency."""
         return (self._unit() or "").startswith("rad")
 
+    @property
+    def _is_named_angular(self) -> bool:
+        return normalized(self.name.replace("_", " ")) in _ANGULAR
+
     def _unit(self) -> str | None:
         """Return the unit in the table of units, or None if it is missing or unknown."""
-        if normalized(self.name) in _ANGULAR and _plain_unit(self.unit) in _PER_SECOND:
+        if self._is_named_angular and _plain_unit(self.unit) in _PER_SECOND:
             return "rad/s"
         return _known_unit(_KIND[self.role], self.unit)
 
@@ -266,7 +301,7 @@ class Column:
                 f'pass columns={{"{self.role}": ("{name}", unit)}}, '
                 f"in the shell --columns {self.role}={name}:unit"
             )
-        if normalized(self.name) in _ANGULAR and unit.endswith("Hz"):
+        if self._is_named_angular and unit.endswith("Hz"):
             raise ValueError(
                 f"{path}: column {self.name!r} must be in 'rad/s' according to its name, got {self.unit!r}"
             )
@@ -300,8 +335,14 @@ def normalized(name: str) -> str:
 
 
 def role_of(name: str) -> str | None:
-    """Return the role of the column with a name, or None if the name is unknown."""
-    return _role(normalized(name)) or _role(normalized(name.replace("_", " ")))
+    """Return the role of the column with a name, or with a name and its symbol; None if the name is unknown."""
+    found = _role(normalized(name)) or _role(normalized(name.replace("_", " ")))
+    if found is None and " " in name.strip():
+        words, symbol = name.strip().rsplit(None, 1)
+        found = _role(normalized(words))
+        if found != _role(normalized(symbol)):
+            return None
+    return found
 
 
 def _role(plain: str) -> str | None:
@@ -309,7 +350,7 @@ def _role(plain: str) -> str | None:
     if plain in _FREQUENCY | _ANGULAR:
         return "frequency"
     for role, known in _NAMES.items():
-        if plain in known or (role in ("storage", "loss") and bare in known):
+        if plain in known or (role in ("storage", "loss", "relaxation", "compliance") and bare in known):
             return role
     if re.fullmatch(r"[eg]('|_?stor(age)?|_?prime| prime)", plain):
         return "storage"
@@ -333,8 +374,11 @@ def parse_header(cell: str) -> tuple[str, str]:
             return found[1].strip(), found[2].strip()
     for pattern in (r"(.+?)\s*/\s*(.+)", r"(.+?) in (\S+)", r"(.+?),\s*(.+)"):
         found = re.fullmatch(pattern, cell)
-        if found and is_unit(found[2]):
+        if found and (is_unit(found[2]) or (found[2].strip() in ("1", "-") and role_of(found[1]))):
             return found[1].strip(), found[2].strip()
+    found = re.fullmatch(r"(.+?)\s*/\s*(.+)", cell)
+    if found and role_of(found[1]) and not role_of(cell) and not role_of(found[2]):  # a unit that is unknown
+        return found[1].strip(), found[2].strip()
     found = re.fullmatch(r"(.+)_([^_]+)", cell)
     if found and found[2].lower() in _LOWER_UNITS and role_of(found[1]):
         return found[1], found[2]
@@ -364,6 +408,11 @@ def is_unit(text: str) -> bool:
     return plain == "%" or (
         plain not in ("1", "-", "") and (plain in _PER_SECOND or any(_known_unit(kind, plain) for kind in kinds))
     )
+
+
+def is_unit_of(kind: str, text: str) -> bool:
+    """Return whether a text is a unit of a kind of quantity."""
+    return _known_unit(kind, text) is not None
 
 
 def _plain_unit(text: str) -> str:

@@ -12,9 +12,9 @@ from .._support.errors import InvalidInput
 from .._support.intervals import as_confidence, interval_half_width
 from .._support.plotting import plots
 from ..materials import Draws, Prony
+from ..materials.series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
 from .bootstrap import wild_copies
 from .measured import MeasuredModulus, measured
-from .series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

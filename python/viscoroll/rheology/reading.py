@@ -15,16 +15,26 @@ from .._support.arguments import Floats, as_float, as_int, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput, InvalidType, in_file
 from .._support.text import one_line, shown
+from .formats import read_text
 from .ramps import TemperatureRamp
-from .tables import AMPLITUDE, ONE_FREQUENCY, RAMP, SWEEP, Table, listed
-from .text import Names, closest_header, find_tables, read_text
+from .tables import AMPLITUDE, CREEP, ONE_FREQUENCY, RAMP, RELAXATION, SWEEP, Table, listed
+from .text import Names, closest_header, find_tables
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Columns", "Isotherm", "RheologyData", "moduli_are_tensile", "named_columns", "read_rheology"]
+__all__ = [
+    "SWEEP_ROLES",
+    "Columns",
+    "Isotherm",
+    "RheologyData",
+    "moduli_are_tensile",
+    "named_columns",
+    "read_rheology",
+]
 
-_ROLES = ("frequency", "storage", "loss", "complex", "tan_delta", "phase", "temperature", "sweep")
+#: Columns of sweeps that the caller may specify.
+SWEEP_ROLES = ("frequency", "storage", "loss", "complex", "tan_delta", "phase", "temperature", "sweep")
 
 #: Gap between temperatures that separates sweeps without sweep numbers [K].
 _TEMPERATURE_GAP = 1.0
@@ -146,7 +156,7 @@ def read_rheology(
     frequency: float | None = None,
     step: int | None = None,
 ) -> RheologyData:
-    """Read frequency sweeps, or temperature ramps, from a text or CSV export.
+    """Read frequency sweeps, or temperature ramps, from a text, CSV, Excel or JSON export.
 
     The reader accepts the names and units that TA's TRIOS ("LIMS" and "Plain Text"), Anton Paar's RheoCompass,
     Netzsch's Proteus, pyvisco and people write, in English, German, French and Japanese: separated by commas,
@@ -216,7 +226,7 @@ def read_rheology(
         )
         return _combined([_at(read_one(one), kelvin) for one, kelvin in path.items()])
     path = Path(path)
-    names = named_columns(columns, _ROLES)
+    names = named_columns(columns, SWEEP_ROLES)
     nu = as_float("poisson_ratio", poisson_ratio)
     if not -1.0 < nu <= 0.5:
         raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{nu!r}")
@@ -362,7 +372,12 @@ def named_columns(columns: Columns | None, roles: Sequence[str]) -> dict[str, tu
 
 def _nothing_found(path: Path, text: str, names: Names, found: Sequence[Table]) -> str:
     if found:
-        other = "; read_strain_sweep reads amplitude sweeps" if any(one.kind == AMPLITUDE for one in found) else ""
+        readers = {
+            "read_strain_sweep reads amplitude sweeps": {AMPLITUDE},
+            "read_time_tests reads stress relaxation and creep": {CREEP, RELAXATION},
+        }
+        kinds = {one.kind for one in found}
+        other = "".join(f"; {text}" for text, readable in readers.items() if kinds & readable)
         return f"{path}: must contain a frequency sweep or a temperature ramp, got {listed(found)}{other}"
     header = closest_header(text, names)
     lines = [line for line in text.splitlines() if line.strip()]

@@ -19,8 +19,8 @@ from .._support.files import write_text
 from .._support.least_squares import Parameter, with_intervals
 from .._support.text import finite_number, shown
 from ..materials import Arrhenius, WilliamsLandelFerry
+from .formats import read_text
 from .names import PLACES, UNITS_OF, parse_header
-from .text import read_text
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

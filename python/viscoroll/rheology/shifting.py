@@ -10,10 +10,10 @@ import numpy as np
 from .._support.arguments import Floats, as_kelvin, require_type
 from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput
+from ..materials.series import fit_series, time_grid
 from ..materials.shift import Shift, shift_factor
 from .alignment import shift_pairs, undetermined_pairs
 from .reading import Isotherm, RheologyData
-from .series import fit_series, time_grid
 from .shift_laws import ShiftFactors
 from .superposition import Superposition, aligned
 

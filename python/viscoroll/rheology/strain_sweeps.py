@@ -12,9 +12,10 @@ from .._support.text import shown
 from ..materials import StrainSweep
 from ..materials.modulus_like import ShearModulusLike
 from ..materials.strain_sweep import StrainKind
+from .formats import read_text
 from .reading import Columns, moduli_are_tensile, moduli_of, named_columns
 from .tables import AMPLITUDE, Table
-from .text import find_tables, read_text
+from .text import find_tables
 
 __all__ = ["read_strain_sweep"]
 

@@ -13,11 +13,11 @@ from .._support.arguments import Floats, as_kelvin
 from .._support.celsius import kelvin_text
 from .._support.plotting import plots
 from ..materials import Draws, MasterCurve, Prony
+from ..materials.series import basis
 from .alignment import align
 from .bootstrap import wild_copies
 from .prony_fit import PronyFit, fit_prony
 from .reading import RheologyData
-from .series import basis
 from .shift_laws import ShiftFactors, ShiftLaw, fit_arrhenius, fit_wlf
 from .tabulated import tabulated
 

@@ -11,7 +11,7 @@ import numpy as np
 from .._support.arguments import Floats
 from .names import Column
 
-__all__ = ["ONE_FREQUENCY", "SWEEP", "Table", "data_sets", "listed"]
+__all__ = ["CREEP", "ONE_FREQUENCY", "RAMP", "RELAXATION", "SWEEP", "Table", "data_sets", "listed"]
 
 #: Relative difference below which two frequencies count as equal: instruments do not hold them more accurately.
 ONE_FREQUENCY = 0.01
@@ -22,9 +22,16 @@ _VARYING_STRAIN = 1.5
 #: Range of temperatures from which on a test at one frequency is a temperature ramp [K].
 _VARYING_TEMPERATURE = 2.0
 
+#: Relative range within which an instrument holds the strain of a relaxation test or the stress of a creep test.
+_HELD_WITHIN = 0.02
+
 #: Kinds of tests.
 SWEEP, RAMP, AMPLITUDE = "frequency sweep", "temperature ramp", "amplitude sweep"
 CREEP, RELAXATION, FLOW, OTHER = "creep", "stress relaxation", "flow", "unknown test"
+AT_REST = "test at one frequency and temperature"
+
+#: Largest number of points of a frequency sweep in which all frequencies are equal. More are another test.
+_POINTS_OF_ONE_FREQUENCY = 2
 
 #: Varied column of each kind of test, and the other columns that are read.
 _COLUMNS = {
@@ -105,7 +112,9 @@ class Table:
             return AMPLITUDE
         if "frequency" not in have and self.held_frequency is None:
             return RAMP if "temperature" in have else AMPLITUDE if "strain" in have else OTHER
-        return RAMP if is_heated else SWEEP
+        if is_heated:
+            return RAMP
+        return AT_REST if "frequency" in have and len(self.rows) > _POINTS_OF_ONE_FREQUENCY else SWEEP
 
     def needed(self, kind: str) -> list[str]:
         """Return the roles of the columns in which a row of a test must have numbers."""
@@ -133,13 +142,25 @@ class Table:
 
 def _kind_over_time(table: Table) -> str:
     have = table.columns.keys()
-    if "compliance" in have or {"time", "strain", "stress"} <= have:
+    if "compliance" in have:
         return CREEP
-    if "relaxation" in have or {"time", "stress"} <= have:
+    if "relaxation" in have:
+        return RELAXATION
+    if {"time", "strain", "stress"} <= have:
+        return RELAXATION if _is_held(table, "strain") and not _is_held(table, "stress") else CREEP
+    if {"time", "stress"} <= have:
         return RELAXATION
     if {"time", "strain"} <= have:
         return CREEP
     return FLOW if "viscosity" in have else OTHER
+
+
+def _is_held(table: Table, role: str) -> bool:
+    """Return whether the quantity of a column is constant, except for the beginning of the test."""
+    numbers = np.abs(table.numbers(role))
+    numbers = numbers[np.isfinite(numbers)]
+    later = numbers[numbers.size // 4 :]
+    return bool(later.size > 1 and np.ptp(later) <= _HELD_WITHIN * later.mean())
 
 
 def data_sets(table: Table) -> list[Table]:

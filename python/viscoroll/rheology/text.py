@@ -7,20 +7,18 @@ between and after tables (headers of TRIOS, intervals of RheoCompass) is skipped
 
 from __future__ import annotations
 
-import codecs
 import csv
 import math
 import re
 from collections.abc import Mapping
-from pathlib import Path
 
 import numpy as np
 
 from .._support.text import finite_number
-from .names import Column, header_column, is_unit, normalized, parse_header, role_of
+from .names import Column, header_column, is_unit, is_unit_of, normalized, parse_header
 from .tables import Table, data_sets
 
-__all__ = ["closest_header", "find_tables", "read_text"]
+__all__ = ["closest_header", "find_tables"]
 
 _SEPARATORS = ("\t", ";", ",")
 
@@ -34,24 +32,6 @@ _STEP = re.compile(
 
 #: Names of columns and units, as the caller gives them by role.
 Names = Mapping[str, "tuple[str, str | None]"]
-
-
-def read_text(path: Path) -> str:
-    """Return the text of a file encoded in UTF-8, UTF-16, or the Western or the Japanese Windows code page."""
-    content = path.read_bytes()
-    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return content.decode("utf-16", errors="replace")
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        pass
-    try:
-        japanese = content.decode("cp932")
-    except UnicodeDecodeError:
-        japanese = ""
-    if any(role_of(parse_header(cell)[0]) and not cell.isascii() for cell in re.split(r"[\t;,\r\n]", japanese)):
-        return japanese
-    return content.decode("cp1252", errors="replace")
 
 
 def find_tables(text: str, names: Names) -> list[Table]:
@@ -215,15 +195,15 @@ def _add_units(table: Table, cells: list[str], names: Names) -> None:
         unit = cells[column.index].strip("[]") if column.index < len(cells) else ""
         given = names[column.role][1] if column.role in names else None
         role = column.role
-        if role == "temperature" and unit.lower() in ("s", "min", "h"):
-            role = "time"  # the column "t"
+        if role == "temperature" and normalized(column.name) == "t" and is_unit_of("time", unit):
+            role = "time"
         return Column(column.index, column.name, given or column.unit or unit, role, column.frequency)
 
-    columns = [with_unit(column) for column in table.columns.values()]
-    table.columns = {}
+    columns = [with_unit(column) for column in [*table.columns.values(), *table.repeated]]
+    table.columns, table.repeated = {}, []
     for column in columns:
-        table.columns.setdefault(column.role, column)
-    table.repeated = [with_unit(column) for column in table.repeated]
+        if table.columns.setdefault(column.role, column) is not column:
+            table.repeated.append(column)
 
 
 def _add_row(table: Table, cells: list[str], separator: str) -> bool:

@@ -12,7 +12,10 @@ from ..bodies import core_counterbody
 from ..solution import Solution
 from .perturbed import Given
 
-__all__ = ["FrozenContact"]
+__all__ = ["NOT_FROZEN", "FrozenContact"]
+
+#: Scalars that are not computed with a frozen contact.
+NOT_FROZEN = frozenset({"overspeed", "finite_strain_angular_speed", "finite_strain_torque_error"})
 
 #: Largest relative difference from the result when the frozen contact is solved for the same input. The difference can
 #: be 1e-5 with `Curvature.EXACT` if the influence tables cover a larger contact.
@@ -67,7 +70,14 @@ class FrozenContact:
                 )
 
     def _read(self, solution: _core.Result) -> Floats:
-        return np.array([getattr(solution, answer) for answer in self._answers])
+        return np.array([self._value(solution, answer) for answer in self._answers])
+
+    def _value(self, solution: _core.Result, answer: str) -> float:
+        """Return a scalar. The torque at finite strain is taken as proportional to that of linear theory."""
+        if answer != "finite_strain_torque":
+            return float(getattr(solution, answer))
+        result = self._result
+        return float(solution.resisting_torque * (result.finite_strain_torque / result.resisting_torque))
 
     def _solved(self, given: Given) -> _core.Result:
         result = self._result

@@ -192,13 +192,18 @@ def bands_of(rolling_speed: float, mesh: Mesh, per_decade: int) -> Bands:
     return Bands(10.0 ** (np.arange(lowest, highest + 1) / per_decade))
 
 
-def change_of_modulus(given: Given, position: MaterialPosition, bands: Bands, band: int, part: Part) -> Change:
-    """Return a function that changes the storage or the loss part of a modulus in a band."""
+def change_of_modulus(
+    given: Given, position: MaterialPosition, bands: Bands, band: int, part: Part, *, rolling_speed: float
+) -> Change:
+    """Return a function that changes the storage or the loss part of a modulus in a band.
+
+    `rolling_speed` is the lowest frequency of the load on the material [rad/s], at which slow terms do not relax.
+    """
     modulus = to_core(position.material(given).shear_modulus)
 
     def changed(relative: float) -> Given:
         def values(frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
-            value = _core.complex_modulus(modulus, frequency)
+            value = _core.modulus_in_rolling(modulus, rolling_speed, frequency)
             change = relative * bands.weight(band, frequency)
             return value + change * (value.real if part == "storage" else 1j * value.imag)
 

@@ -132,6 +132,8 @@ class _DrawnModulus:
     ----------
     position : MaterialPosition
         Position of the layer.
+    rolling_speed : float
+        Lowest frequency of the load on the layer [rad/s].
     moduli : tuple
         Modulus of the result, followed by those of the draws.
     features : ndarray, shape (draws, features)
@@ -139,6 +141,7 @@ class _DrawnModulus:
     """
 
     position: MaterialPosition
+    rolling_speed: float
     moduli: tuple[ShearModulusLike, ...]
     features: Floats
 
@@ -146,17 +149,18 @@ class _DrawnModulus:
     def at(cls, position: MaterialPosition, result: Solution, givens: Sequence[Given]) -> _DrawnModulus:
         """Return the modulus at a position, for the result (first of `givens`) and for the draws."""
         moduli = tuple(position.material(given).shear_modulus for given in givens)
-        bands = bands_of(position.rolling_speed(result), result.mesh, _PER_DECADE)
-        values = _values(moduli, np.concatenate([[0.0], bands.centers]))
+        speed = position.rolling_speed(result)
+        bands = bands_of(speed, result.mesh, _PER_DECADE)
+        values = _values(moduli, speed, np.concatenate([[0.0], bands.centers]))
         parts = np.hstack([values.real, values.imag])
         parts = parts[:, parts[0] > 0.0]
-        return cls(position, moduli, parts[1:] / parts[0] - 1.0)
+        return cls(position, speed, moduli, parts[1:] / parts[0] - 1.0)
 
     def with_weights(self, weights: Floats) -> Callable[[Floats], NDArray[np.complex128]]:
         """Return the modulus of the result plus a weighted sum of the deviations of the draws."""
 
         def modulus(frequency: Floats) -> NDArray[np.complex128]:
-            values = _values(self.moduli, frequency)
+            values = _values(self.moduli, self.rolling_speed, frequency)
             return np.asarray(values[0] + weights @ (values[1:] - values[0]))
 
         return modulus
@@ -178,6 +182,6 @@ def _input_of_draw(given: Given, draw: Pair) -> Given:
     return drawn
 
 
-def _values(moduli: Sequence[ShearModulusLike], frequency: Floats) -> NDArray[np.complex128]:
-    """Return the moduli at frequencies, one row per modulus [Pa]."""
-    return np.array([_core.complex_modulus(to_core(modulus), frequency) for modulus in moduli])
+def _values(moduli: Sequence[ShearModulusLike], speed: float, frequency: Floats) -> NDArray[np.complex128]:
+    """Return the moduli at frequencies, one row per modulus [Pa], when a body rolls at an angular speed [rad/s]."""
+    return np.array([_core.modulus_in_rolling(to_core(modulus), speed, frequency) for modulus in moduli])

@@ -17,7 +17,7 @@ from .._support.progress import ProgressLike, counted
 from .._support.text import shown
 from ..solution import Solution
 from ..solution.scalars import SCALARS
-from .frozen import FrozenContact
+from .frozen import NOT_FROZEN, FrozenContact
 from .modulus_sensitivity import ModulusSensitivity
 from .perturbed import (
     Bands,
@@ -232,7 +232,11 @@ def sensitivity(
             return found
 
         def by_band(position: MaterialPosition, bands: Bands, part: Part) -> Floats:
-            changes = (change_of_modulus(given, position, bands, band, part) for band in range(bands.centers.size))
+            speed = position.rolling_speed(self)
+            changes = (
+                change_of_modulus(given, position, bands, band, part, rolling_speed=speed)
+                for band in range(bands.centers.size)
+            )
             return np.array([each(change) for change in changes]).T
 
         values = [each(number.change, downwards=number.downwards) for number in numbers]
@@ -267,7 +271,11 @@ def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
     if wanted is None:
         return tuple(answer for answer in _ANSWERS if scalars[answer] is not None and answer != result.prescribed)
     for answer in wanted:
-        if answer not in SCALARS or answer == result.prescribed or not isinstance(scalars[answer], float):
+        if (
+            answer not in SCALARS.keys() - NOT_FROZEN
+            or answer == result.prescribed
+            or not isinstance(scalars[answer], float)
+        ):
             raise InvalidInput("answers", "must be names of scalars of this result", shown(answer))
     return tuple(wanted)
 

@@ -26,7 +26,8 @@ def solve(
     on: Counterbody | None = None,
     load: float | None = None,
     penetration: float | None = None,
-    angular_speed: float,
+    angular_speed: float | None = None,
+    speed: float | None = None,
     mesh: Mesh | None = None,
     accuracy: float | None = None,
     friction: float = 0.0,
@@ -35,6 +36,7 @@ def solve(
     curvature: Curvature | str = Curvature.SPHERE,
     patch_load: PatchLoad | str = PatchLoad.FLAT,
     slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
+    finite_strain: bool = True,
     max_iterations: int = 2000,
     threads: int = 0,
     progress: ProgressLike = None,
@@ -63,7 +65,11 @@ def solve(
         undetermined and cannot be given. It does not contain thermal expansion: use the radius of the warm body.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the angular speed relative to
-        the line of centers.
+        the line of centers. Exactly one of `angular_speed` and `speed` must be given.
+    speed : float, optional
+        Speed V of the ground or belt [m/s], > 0, without friction. The contact is solved at the angular speed V / r_o,
+        which is `Result.angular_speed`; because the surface is stretched in the contact, the body turns more slowly, at
+        `Result.finite_strain_angular_speed`.
     mesh : Mesh, optional
         Surface mesh. By default the solver refines the mesh until the error estimate is below `accuracy`.
     accuracy : float, default 0.01
@@ -90,6 +96,9 @@ def solve(
     slip_kinematics : SlipKinematics or str, default SlipKinematics.EXACT
         Distance that material travels between nodes, with friction: that on the undeformed body (EXACT), or the last
         form of the paper's (55a) (FLAT), which has no Heathcote slip and serves only for comparison.
+    finite_strain : bool, default True
+        Whether to compute `Result.finite_strain_torque` and the other results at finite strain. Unless `speed` is
+        given, they need a second solution, at a speed that is higher by `Result.overspeed`.
     max_iterations : int, default 2000
         Largest number of linear systems solved on a mesh, ≥ 1.
     threads : int, default 0
@@ -142,10 +151,10 @@ def solve(
     curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
-    speed = as_float("angular_speed", angular_speed)
-    load_case = _core_load_case(load, penetration, speed, friction, drive)
-    options = _core_options(compliance, patch_load, slip_kinematics, max_iterations, threads)
-    with reporting(progress) as report, si_hints(body, on, angular_speed=speed):
+    load_case = _core_load_case(load, penetration, angular_speed, speed, friction, drive)
+    solved_speed = _solved_speed(body, angular_speed, speed)
+    options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
+    with reporting(progress) as report, si_hints(body, on, angular_speed=solved_speed):
         solution = _core.solve(
             body._to_core(),
             core_counterbody(on),
@@ -156,7 +165,7 @@ def solve(
             progress=report,
             **options,
         )
-    return _result(solution, body, on, load_case, drive, curvature, options)
+    return _result(solution, body, on, load_case, solved_speed, drive, curvature, options)
 
 
 class RollingModel:
@@ -171,8 +180,10 @@ class RollingModel:
         Rolling body: rigid core and layers.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         Counterbody, same as in `solve`.
-    angular_speed : float
-        Ω [rad/s], > 0 and below `critical_speed(body)`.
+    angular_speed : float, optional
+        Ω [rad/s], > 0 and below `critical_speed(body)`. Exactly one of `angular_speed` and `speed` must be given.
+    speed : float, optional
+        Speed V of the ground or belt [m/s], same as in `solve`.
     mesh : Mesh
         Surface mesh.
     curvature : Curvature or str, default Curvature.SPHERE
@@ -200,7 +211,8 @@ class RollingModel:
         body: RollingBody,
         *,
         on: Counterbody | None = None,
-        angular_speed: float,
+        angular_speed: float | None = None,
+        speed: float | None = None,
         mesh: Mesh,
         curvature: Curvature | str = Curvature.SPHERE,
         threads: int = 0,
@@ -211,7 +223,8 @@ class RollingModel:
         curvature = as_member("curvature", curvature, Curvature)
         self.body = body
         self.on = on
-        self.angular_speed = as_float("angular_speed", angular_speed)
+        self.angular_speed = _solved_speed(body, angular_speed, speed)
+        self.speed = speed
         self.mesh = mesh
         self.curvature = curvature
         with reporting(progress) as report, si_hints(body, on, angular_speed=self.angular_speed):
@@ -227,14 +240,18 @@ class RollingModel:
 
     def __repr__(self) -> str:
         """Return the arguments of the constructor."""
+        name = self._given_speed()
         return (
-            f"RollingModel({self.body!r}, on={self.on!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r}, "
+            f"RollingModel({self.body!r}, on={self.on!r}, {name}={getattr(self, name)!r}, mesh={self.mesh!r}, "
             f"curvature=Curvature.{self.curvature.name})"
         )
 
+    def _given_speed(self) -> str:
+        return "angular_speed" if self.speed is None else "speed"
+
     def __reduce__(self) -> tuple[partial[RollingModel], tuple[RollingBody]]:
         """Pickle the arguments; the copy computes the tables again."""
-        given = {name: getattr(self, name) for name in ("on", "angular_speed", "mesh", "curvature")}
+        given = {name: getattr(self, name) for name in ("on", self._given_speed(), "mesh", "curvature")}
         return partial(type(self), **given), (self.body,)
 
     def solve(
@@ -247,27 +264,45 @@ class RollingModel:
         compliance: Compliance | str = Compliance.RADIAL,
         patch_load: PatchLoad | str = PatchLoad.FLAT,
         slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
+        finite_strain: bool = True,
         max_iterations: int = 2000,
         threads: int = 0,
         progress: ProgressLike = None,
     ) -> Result:
         """Solve one load case; parameters, result and errors are the same as in `viscoroll.solve`."""
-        load_case = _core_load_case(load, penetration, self.angular_speed, friction, drive)
-        options = _core_options(compliance, patch_load, slip_kinematics, max_iterations, threads)
+        load_case = _core_load_case(
+            load, penetration, self.angular_speed if self.speed is None else None, self.speed, friction, drive
+        )
+        options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
         with reporting(progress) as report, si_hints(self.body, self.on, angular_speed=self.angular_speed):
             solution = self._core.solve(load_case, progress=report, **options)
-        return _result(solution, self.body, self.on, load_case, drive, self.curvature, options)
+        return _result(solution, self.body, self.on, load_case, self.angular_speed, drive, self.curvature, options)
+
+
+def _solved_speed(body: RollingBody, angular_speed: float | None, speed: float | None) -> float:
+    """Return the angular speed at which linear theory is solved."""
+    if angular_speed is None and speed is None:
+        raise InvalidInput("angular_speed", "must be given, or speed instead of it", "neither")
+    if angular_speed is not None:
+        return as_float("angular_speed", angular_speed)
+    return as_float("speed", speed) / body.outer_radius
 
 
 def _core_load_case(
-    load: float | None, penetration: float | None, angular_speed: float, friction: float, drive: Drive
+    load: float | None,
+    penetration: float | None,
+    angular_speed: float | None,
+    speed: float | None,
+    friction: float,
+    drive: Drive,
 ) -> _core.LoadCase:
     """Convert a load case to the type of the core."""
     require_type("drive", drive, Drive)
     return _core.LoadCase(
         load=None if load is None else as_float("load", load),
         penetration=None if penetration is None else as_float("penetration", penetration),
-        angular_speed=angular_speed,
+        angular_speed=0.0 if angular_speed is None else as_float("angular_speed", angular_speed),
+        speed=None if speed is None else as_float("speed", speed),
         friction=as_float("friction", friction),
         drive=drive._to_core(),
     )
@@ -277,14 +312,17 @@ def _core_options(
     compliance: Compliance | str,
     patch_load: PatchLoad | str,
     slip_kinematics: SlipKinematics | str,
+    finite_strain: bool,
     max_iterations: int,
     threads: int,
 ) -> dict[str, Any]:
     """Convert options of all load cases to the types of the core."""
+    require_type("finite_strain", finite_strain, bool)
     return {
         "compliance": as_member("compliance", compliance, Compliance),
         "patch_load": as_member("patch_load", patch_load, PatchLoad),
         "slip_kinematics": as_member("slip_kinematics", slip_kinematics, SlipKinematics),
+        "finite_strain": finite_strain,
         "max_iterations": as_int("max_iterations", max_iterations),
         "threads": as_int("threads", threads),
     }
@@ -295,6 +333,7 @@ def _result(
     body: RollingBody,
     on: Counterbody | None,
     load_case: _core.LoadCase,
+    angular_speed: float,
     drive: Drive,
     curvature: Curvature | str,
     options: dict[str, Any],
@@ -305,7 +344,7 @@ def _result(
         body=body,
         on=on,
         prescribed="penetration" if load_case.load is None else "load",
-        angular_speed=load_case.angular_speed,
+        angular_speed=angular_speed,
         friction=load_case.friction,
         drive=drive,
         curvature=curvature,

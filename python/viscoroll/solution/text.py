@@ -14,13 +14,13 @@ __all__ = ["result_html", "result_lines", "result_summary", "result_title", "res
 def result_summary(result: Solution) -> str:
     """Return a summary that fits on one screen."""
     rows = [
+        *_torque_rows(result),
         ("rolling resistance coefficient", f"{result.rolling_resistance_coefficient:.6g}"),
         ("driving torque T", _quantity(result, "driving_torque")),
         (
             "driving force Q, lateral force",
             f"{_quantity(result, 'driving_force')}, {_quantity(result, 'lateral_force')}",
         ),
-        ("resisting torque T_r", _quantity(result, "resisting_torque")),
         *_shape_rows(result),
         (
             "largest pressure",
@@ -89,6 +89,8 @@ def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
     absent = set() if result.face_distance is not None else {"face_distance"}  # only wheels have faces
     if _is_line_contact(result):
         absent |= {"contact_area", "semi_axis_x", "semi_axis_z", "contact_width"}  # its one dimension is the length
+    if result.finite_strain_torque is None:
+        absent |= {"overspeed", *(name for name in SCALARS if name.startswith("finite_strain_"))}
     rows = [
         (label, getattr(result, name), result.unit(name)) for name, (_, label) in SCALARS.items() if name not in absent
     ]
@@ -103,6 +105,19 @@ def _is_line_contact(result: Solution) -> bool:
 
 def _quantity(result: Solution, name: str) -> str:
     return f"{getattr(result, name):.6g} {result.unit(name)}"
+
+
+def _torque_rows(result: Solution) -> list[tuple[str, str]]:
+    """Return the torque nearest to reality, and that of linear theory."""
+    linear = _quantity(result, "resisting_torque")
+    if result.finite_strain_torque is None:
+        return [("resisting torque T_r", linear)]
+    error = f"relative error {result.finite_strain_torque_error:.2g} (estimate)"
+    return [
+        ("torque at finite strain", f"{_quantity(result, 'finite_strain_torque')}, {error}"),
+        ("resisting torque T_r of linear theory", linear),
+        ("overspeed of the surface in the contact", f"{result.overspeed:.3g}"),
+    ]
 
 
 def _shape_rows(result: Solution) -> list[tuple[str, str]]:

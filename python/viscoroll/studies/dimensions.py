@@ -169,6 +169,9 @@ def checked(name: str, value: object) -> object:
         return None
     if name == "max_iterations":
         return as_int(name, value)
+    if name == "finite_strain":
+        require_type(name, value, bool)
+        return value
     if name == "on":
         for one in (value.best_estimate, *value) if isinstance(value, Draws) else (value,):
             require_type(name, one, Counterbody)

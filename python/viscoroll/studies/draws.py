@@ -16,6 +16,7 @@ from ..coupled import strain_softening
 from ..coupled.softening_search import softens
 from ..materials import Draws
 from ..rolling import Result, solve
+from ..rolling.frozen import NOT_FROZEN
 from ..rolling.propagation import Pair, propagated
 from ..solution.scalars import SCALARS
 
@@ -32,7 +33,9 @@ _BOUNDS = ("mean", "lower", "upper")
 
 #: Scalars that describe the computation, and dimensions of the contact. Linear draws do not change the latter.
 _OF_THE_SOLVER = {"energy_balance_error", "error_estimate", "iterations", "operator_applications", "residual"}
-_OF_THE_CONTACT = {name for name in SCALARS if name.startswith(("contact_", "semi_axis_"))} | {"face_distance"}
+_OF_THE_CONTACT = (
+    {name for name in SCALARS if name.startswith(("contact_", "semi_axis_"))} | {"face_distance"} | NOT_FROZEN
+)
 
 #: Largest relative change of the penetration for linear draws [-]. The penetration varies approximately as the power
 #: -0.4 of all moduli. At this limit, the moduli differ by about 60 %, and the neglected terms are half of the

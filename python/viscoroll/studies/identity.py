@@ -67,7 +67,8 @@ class PointKeys:
             Method for the results of draws.
         """
         case = {name: value for name, value in sorted({**_DEFAULTS, **arguments}.items()) if value is not None}
-        speed, highest = case["angular_speed"], _highest_harmonic(case.get("mesh"))
+        speed = case["speed"] / body.outer_radius if "speed" in case else case["angular_speed"]
+        highest = _highest_harmonic(case.get("mesh"))
         if "on" in case:
             case["on"] = _counterbody_text(case["on"], speed * body.outer_radius, highest)
         text = f"{case!r} {fields!r} {self._body(body, speed, highest)}"

@@ -20,7 +20,7 @@ from .identity import PointKeys, digest
 __all__ = ["LoadCase", "Plan", "Task", "plan_sweep"]
 
 #: Arguments that determine the influence table, in addition to the body.
-_SHARED = ("on", "angular_speed", "mesh", "compliance", "curvature", "patch_load")
+_SHARED = ("on", "angular_speed", "speed", "mesh", "compliance", "curvature", "patch_load")
 
 #: Longest text that the identity of a study contains in full [characters].
 _LONGEST_TEXT = 160

@@ -171,7 +171,9 @@ def _solver(
         return partial(strain_softening, body, **shared, **options)  # the moduli depend on the strain of each point
     if "mesh" not in shared or any("accuracy" in case for case in cases):
         return partial(solve, body, **shared, **options)
-    of_model = {name: value for name, value in shared.items() if name in ("on", "angular_speed", "mesh", "curvature")}
+    of_model = {
+        name: value for name, value in shared.items() if name in ("on", "angular_speed", "speed", "mesh", "curvature")
+    }
     model = RollingModel(body, **of_model, **options)
     rest = {name: value for name, value in shared.items() if name not in of_model}
     return partial(model.solve, **rest, **options)

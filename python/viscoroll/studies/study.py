@@ -223,7 +223,9 @@ def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:
 
 
 def _check_names(parameters: dict[str, Any]) -> None:
-    wanted = {"load", "angular_speed"} if parameters.get("penetration") is None else {"angular_speed"}
+    wanted = {
+        name for name, other in (("load", "penetration"), ("angular_speed", "speed")) if parameters.get(other) is None
+    }
     if missing := sorted(wanted - parameters.keys()):
         guesses = [guess for name in parameters if (guess := suggestion(name, missing))]
         hint = f"; did you mean {', '.join(guesses)}?" if guesses else ""

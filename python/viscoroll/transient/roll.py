@@ -12,10 +12,12 @@ from .._support.arguments import as_float_array, as_member, require_type
 from .._support.errors import InvalidInput
 from .._support.files import ending_in
 from .._support.progress import ProgressLike, Report, reporting
+from .._support.result_warnings import warn
 from ..bodies import Counterbody, RollingBody
 from ..bodies.si_hints import si_hints
 from .distance import as_angles
 from .history import ContactInstant, History
+from .history_warnings import strain_warnings, time_warnings
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .rolling_history import RollingHistory, RollingState
 from .series import HISTORY_SCALARS
@@ -111,6 +113,12 @@ def roll(
     KeyboardInterrupt
         On Ctrl-C, within 0.3 s.
 
+    Warns
+    -----
+    ResultWarning
+        If the motion lasts longer than the times for which a material is measured or defined, if the state at rest of a
+        loss factor is an extrapolation, or if the strain is above 0.2.
+
     Examples
     --------
     >>> from viscoroll import Mesh, paper
@@ -155,6 +163,8 @@ def roll(
         )
         pieces, contacts = _follow(stepper, motion, contact_times, checkpoint, report)
     rows = {name: _joined([getattr(piece, name) for piece in pieces]) for name in HISTORY_SCALARS}
+    duration = float(waypoints[-1] - waypoints[0])
+    warn([*time_warnings(body, on, duration=duration), *strain_warnings(body, on, np.asarray(rows["penetration"]))])
     return History(
         body=body,
         on=on,

@@ -22,6 +22,7 @@ from .._support.scalars import with_scalars
 from ..bodies import Counterbody, Mesh, RollingBody, core_counterbody
 from ..bodies.si_hints import si_hints, unit_doubt
 from .distance import as_angle
+from .history_warnings import rest_warnings
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .series import HISTORY_SCALARS, InstantFields
 from .state_file import SUFFIX, read_state, write_state
@@ -196,7 +197,8 @@ class RollingHistory:
                 progress=report,
                 **initial,
             )
-        warn(filter(None, [unit_doubt(body, on)]))
+        is_relaxed = not isinstance(start, RollingState) and initial["start"] is Start.RELAXED
+        warn(filter(None, [unit_doubt(body, on), *(rest_warnings(body, on) if is_relaxed else [])]))
         self._lock = threading.Lock()
 
     def advance(

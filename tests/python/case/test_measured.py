@@ -37,7 +37,7 @@ def test_bands_are_the_error_estimates_of_the_results(case_file, measurement_fil
     trial = compare_measured(case, read_measurements(path))
     r = case.solve(threads=1)
     assert trial.computed[[0, 2]] == pytest.approx(r.penetration, rel=1e-12)
-    assert trial.bands[0] == pytest.approx(r.penetration * (r.model_error + r.error_estimate), rel=1e-12)
+    assert trial.bands[0] == pytest.approx(r.penetration * (r.penetration_model_error + r.error_estimate), rel=1e-12)
     assert trial.computed[1] < trial.computed[0]
 
 

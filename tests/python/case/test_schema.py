@@ -139,7 +139,7 @@ WRONG = [
     (f"{MODULUS}.relaxation_times", {name: value for name, value in PRONY.items() if name != "relaxation_times"}),
     ("rolling.load", None),
     ("rolling.load", "much"),
-    ("rolling.speed", 1.0),
+    ("rolling.velocity", 1.0),
     ("rolling.angular_speed", None),
     ("rolling.friction", "high"),
     ("rolling.drive.push", 1.0),

@@ -84,7 +84,7 @@ def test_misspelled_parameters_of_a_study():
 
 def test_a_sweep_without_a_speed_suggests_the_parameter():
     with pytest.raises(TypeError, match="sweep requires angular_speed; did you mean angular_speed = "):
-        vr.sweep(paper.ball(), load=1.0, speed=1.0)
+        vr.sweep(paper.ball(), load=1.0, velocity=1.0)
 
 
 MM = 1e3  # factor on lengths [m] that a user gives in millimeters
@@ -222,11 +222,11 @@ def test_files_of_another_kind(tmp_path):
     case.write_text(example_text().replace("angular_speed", "angularspeed"), encoding="utf-8")
     extra = "is not a parameter, got 2.5"
     assert message_of("solve", case) == f"{case}: rolling.angularspeed {extra}; did you mean angular_speed?"
-    case.write_text(example_text().replace("angular_speed", "speed"), encoding="utf-8")
+    case.write_text(example_text().replace("angular_speed", "velocity"), encoding="utf-8")
     meant = "did you mean angular_speed = V / r_o?"
-    assert message_of("solve", case) == f"{case}: rolling.speed {extra}; {meant}"
-    case.write_text(example_text().replace("angular_speed", "speed") + example_text("sweep"), encoding="utf-8")
-    assert message_of("solve", case) == f"{case}: rolling.speed {extra}; {meant}"  # [sweep] does not set it
+    assert message_of("solve", case) == f"{case}: rolling.velocity {extra}; {meant}"
+    case.write_text(example_text().replace("angular_speed", "velocity") + example_text("sweep"), encoding="utf-8")
+    assert message_of("solve", case) == f"{case}: rolling.velocity {extra}; {meant}"  # [sweep] does not set it
     case.write_text(example_text() + "[belt]\nlayers = []\n", encoding="utf-8")
     assert message_of("solve", case).endswith("; did you mean plane?")
     layer = "thickness = 5e-3\npoisson_ratio = 0.5\nshear_modulus = 1e6\n"

@@ -25,7 +25,7 @@ STAGES = (
 #: Public headers of each stage: the first stage that may include them.
 PUBLIC = {
     "base": {"cores", "errors", "fields", "observer"},
-    "materials": {"materials", "modulus_functions", "modulus_types"},
+    "materials": {"materials", "modulus_functions", "modulus_types", "slow_terms"},
     "modal": {"cylinder", "inner_boundaries", "plane", "rolling_body", "sphere", "wheel", "modal"},
     "influence": {"formulation", "influence", "mesh"},
     "rolling": {"drive", "load_case", "options", "result", "result_scalars", "rolling_resistance", "solve"},

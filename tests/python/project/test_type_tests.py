@@ -15,6 +15,11 @@ PACKAGE = Path(vr.__file__).parent
 #: Folders that may test for the type of a body or a modulus.
 DEFINING = ("bodies", "materials")
 
+
+def _is_modulus(value: object) -> bool:
+    return isinstance(value, type) and issubclass(value, vr.materials.ShearModulus)
+
+
 #: Names of all types of bodies and moduli, of their base classes, and of the unions of them.
 NAMES = {
     "LayeredBody",
@@ -23,7 +28,7 @@ NAMES = {
     "Counterbody",
     "ShearModulus",
     *(kind.__name__ for kind in typing.get_args(bodies.Counterbody)),
-    *(name for name in materials.__all__ if issubclass(getattr(materials, name), vr.materials.ShearModulus)),
+    *(name for name, kind in vars(materials).items() if name in materials.__all__ and _is_modulus(kind)),
 }
 
 PATHS = sorted(

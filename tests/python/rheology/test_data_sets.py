@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import viscoroll as vr
+from campaign import rheology_files
 from shared_cases import command
 
 DATA = Path(__file__).parent / "data"
@@ -211,3 +212,38 @@ def test_random_dialects_are_read_without_loss(tmp_path, seed):
         np.testing.assert_allclose(found.frequency, frequency, rtol=1e-12)
         np.testing.assert_allclose(found.storage, storage, rtol=1e-12)
         np.testing.assert_allclose(found.loss, loss, rtol=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(1000, 1040))
+def test_random_files_of_instruments_are_read_or_rejected_for_their_fault(tmp_path, seed):
+    file = rheology_files.draw(seed)
+    assert not rheology_files.check(file, tmp_path), file
+
+
+@pytest.mark.parametrize(
+    ("header", "message"),
+    [
+        ("ω/s^-1,G'/foo,G''/Pa", r"column \"G'\" \(storage\) must have a unit of 'Pa', .*, got unit 'foo'"),
+        ("f/Hz,Strain/1,Storage Modulus G'/Pa,Loss modulus G''/Pa", "got 1: amplitude sweep, 3 points"),
+        ("f/Hz,Temperature/K,G'/Pa,G''/Pa", "got 1: test at one frequency and temperature, 3 points"),
+    ],
+)
+def test_other_tests_are_not_frequency_sweeps(tmp_path, header, message):
+    rows = ["1,1e-3,1e6,1e5", "1,1e-2,9e5,1e5", "1,1e-1,8e5,1e5"]
+    if "Temp" in header:
+        rows = ["1,300,1e6,1e5", "1,300,9e5,1e5", "1,300.1,8e5,1e5"]
+    if "foo" in header:
+        rows = ["1,1e6,1e5", "2,1e6,1e5", "3,1e6,1e5"]
+    with pytest.raises(ValueError, match=message):
+        vr.rheology.read_rheology(written(tmp_path, "\n".join([header, *rows])), tensile=False)
+
+
+def test_columns_that_differ_in_case_only(tmp_path):
+    text = "T;t;ω;G';G''\n°C;s;rad/s;Pa;Pa\n20;1;1;2e6;1e5\n20;2;10;3e6;1e5\n"
+    (sweep,) = vr.rheology.read_rheology(written(tmp_path, text)).isotherms
+    assert (sweep.temperature, sweep.frequency.tolist()) == (293.15, [1.0, 10.0])
+
+
+def test_western_units_are_not_japanese(tmp_path):
+    path = written(tmp_path, "Frequenz [Hz],Speichermodul [N/mm²],Verlustmodul [Pa]\n1,2,1e5\n2,3,1e5\n", "cp1252")
+    assert vr.rheology.read_rheology(path, tensile=False).isotherms[0].storage[0] == 2e6

@@ -234,7 +234,7 @@ def test_units_that_differ_only_in_case(tmp_path):
 def test_a_binary_file(tmp_path):
     path = tmp_path / "sweep.tri"
     path.write_bytes(bytes(range(256)) * 2000)
-    with pytest.raises(ValueError, match="must have a header"):
+    with pytest.raises(ValueError, match="got a TRIOS file"):
         vr.rheology.read_rheology(path)
 
 

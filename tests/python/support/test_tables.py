@@ -33,8 +33,12 @@ def test_texts_are_escaped():
 def test_all_scalars_of_a_result_have_their_units(paper_ball):
     r = vr.solve(paper_ball, load=50.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=100), friction=0.2)
     found = cells(r._repr_html_())
-    assert SCALARS["face_distance"][1] not in found  # a ball has no faces
-    for name, (_, label) in SCALARS.items() - {("face_distance", SCALARS["face_distance"])}:
+    # A ball has no faces, and the torque at finite strain is not known with friction.
+    absent = {"face_distance", "overspeed", *(name for name in SCALARS if name.startswith("finite_strain_"))}
+    assert not {SCALARS[name][1] for name in absent} & set(found)
+    for name, (_, label) in SCALARS.items():
+        if name in absent:
+            continue
         place = found.index(label)
         assert found[place + 1 : place + 3] == [f"{v:.6g}" if isinstance(v := getattr(r, name), float) else str(v),
                                                 unit_text(r.unit(name))]  # fmt: skip

@@ -6,8 +6,9 @@ import { el } from "./dom.js";
 import { BODIES } from "./schema.js";
 import { numberText, quantityText, resultUnit, suitableUnit } from "./units.js";
 
-/** Main numbers, and further ones with friction; the table contains all numbers. */
+/** Main numbers, unless they are undetermined, and further ones with friction; the table contains all numbers. */
 const FIRST = [
+  "finite_strain_torque",
   "resisting_torque",
   "rolling_resistance_coefficient",
   "dissipated_power",
@@ -18,7 +19,8 @@ const FIRST = [
 const WITH_FRICTION = ["driving_torque", "driving_force", "creepage", "slip_power"];
 
 /** Ratios that are displayed in percent. */
-const PERCENTS = ["strain", "model_error", "creepage", "energy_balance_error", "error_estimate", "max_pressure_error"];
+const PERCENTS = ["strain", "overspeed", "creepage"];
+const isPercent = (name) => PERCENTS.includes(name) || name.includes("error");
 
 export class Results {
   #numbers;
@@ -47,7 +49,7 @@ export class Results {
   show(result, tables, warnings) {
     this.#last = { result, line: BODIES[bodyOf(tables)].line };
     const { scalars } = result;
-    const names = [...FIRST, ...("penetration" in tables.rolling ? ["load"] : []), ...(tables.rolling.friction > 0 ? WITH_FRICTION : [])];
+    const names = [...this.#first(scalars), ...("penetration" in tables.rolling ? ["load"] : []), ...(tables.rolling.friction > 0 ? WITH_FRICTION : [])];
     this.#numbers.replaceChildren(...names.map((name) => this.#card(name, scalars)));
     this.#table.replaceChildren(
       ...this.#scalars.map(({ name, description }) =>
@@ -65,20 +67,26 @@ export class Results {
 
   /** Text of torque and coefficient, on one line. */
   brief({ scalars }) {
-    const [torque, coefficient] = FIRST.map((name) => this.text(name, scalars[name]));
-    return `torque ${torque}  ·  coefficient ${coefficient}`;
+    const torque = this.#first(scalars)[0];
+    const [first, coefficient] = [torque, "rolling_resistance_coefficient"].map((name) => this.text(name, scalars[name]));
+    return `torque ${first}  ·  coefficient ${coefficient}`;
+  }
+
+  /** Names of the main numbers that a result has. */
+  #first(scalars) {
+    return FIRST.filter((name) => name !== "finite_strain_torque" || scalars[name] !== null);
   }
 
   /** Text of a scalar result in a suitable unit. */
   text(name, value) {
     if (value === null || value === undefined) return numberText(value);
     const [unit, one] = this.unit(name, value);
-    return `${numberText(value / one, PERCENTS.includes(name) ? 4 : 5)} ${unit}`.trim();
+    return `${numberText(value / one, isPercent(name) ? 4 : 5)} ${unit}`.trim();
   }
 
   /** Suitable unit for a value of a scalar result, and the SI value of this unit. */
   unit(name, value) {
-    if (PERCENTS.includes(name)) return ["%", 1e-2];
+    if (isPercent(name)) return ["%", 1e-2];
     return suitableUnit(value, resultUnit(this.#scalar(name).unit, this.#last?.line));
   }
 
@@ -108,7 +116,8 @@ export class Results {
       return `resisting force ${quantityText(scalars[name] * scalars.load, this.#last.line ? "N/m" : "N")}`;
     }
     if (name === "strain") return "penetration divided by thickness";
-    if (name === "model_error") return "estimated error of linear theory";
+    if (name === "resisting_torque" && scalars.finite_strain_torque !== null) return "linear theory";
+    if (name === "model_error") return "estimated error of the torque of linear theory";
     return null;
   }
 

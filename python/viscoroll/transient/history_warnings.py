@@ -1,0 +1,78 @@
+"""Warnings about histories: times for which a material is not defined, and large strains."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from .._support.arguments import Floats
+from ..bodies import Counterbody, RollingBody
+from ..bodies.layered import materials_of
+from ..materials.shear_modulus import known_times_of
+
+__all__ = ["rest_warnings", "strain_warnings", "time_warnings"]
+
+#: Largest strain that finite-strain computations support, and the model error per strain, the same as in `solve`
+#: (`cpp/src/rolling/warnings.cpp`, `model_error` in result_scalars.def).
+_LARGEST_STRAIN, _ERROR_PER_STRAIN = 0.2, 0.75
+
+#: Smallest change of the modulus at rest of a constant loss factor that is worth a warning [-].
+_WORTH_MENTION = 0.2
+
+
+def _materials(body: RollingBody, on: Counterbody | None) -> Iterator[tuple[str, object]]:
+    """Yield the name and the modulus of each material."""
+    for name, one in (("body", body), ("on", on)):
+        if one is None:
+            continue
+        materials = materials_of(one)
+        for index, material in enumerate(materials, len(one.layers) - len(materials)):
+            place = f"layers[{index}]" if index >= 0 else "base"
+            yield f"{name}.{place}.shear_modulus", material.shear_modulus
+
+
+def time_warnings(body: RollingBody, on: Counterbody | None, *, duration: float) -> list[str]:
+    """Return a warning for each material that is not defined for times as long as the motion [s]."""
+    messages = []
+    for name, modulus in _materials(body, on):
+        known = known_times_of(modulus)
+        if known is not None and duration > known.longest:
+            messages.append(
+                f"the motion lasts {duration:.3g} s, but {known.meaning} up to {known.longest:.3g} s only ({name}): "
+                "creep and recovery beyond are an extrapolation; use a creep or relaxation test (rheology.fit_spectrum)"
+            )
+    return messages
+
+
+def rest_warnings(body: RollingBody, on: Counterbody | None) -> list[str]:
+    """Return a warning for each material whose state after an infinite rest is an extrapolation."""
+    messages = []
+    for name, modulus in _materials(body, on):
+        known = known_times_of(modulus)
+        if known is None or known.extrapolated_rest is None:
+            continue
+        relaxed, given = known.extrapolated_rest
+        if relaxed < (1.0 - _WORTH_MENTION) * given:
+            messages.append(
+                f"start = 'relaxed' is a rest of infinite time, but {known.meaning} up to {known.longest:.3g} s only "
+                f"({name}): its modulus at rest, {relaxed:.3g} Pa in place of {given:.3g} Pa, is an extrapolation; use "
+                "a creep or relaxation test (rheology.fit_spectrum), or start = 'undeformed'"
+            )
+    return messages
+
+
+def strain_warnings(body: RollingBody, on: Counterbody | None, penetration: Floats) -> list[str]:
+    """Return a warning if the strain, penetration / coating thickness, exceeds what linear theory supports."""
+    depth = sum(one.depth for one in (body, on) if one is not None)  # infinite with a half-space
+    known = penetration[np.isfinite(penetration)]
+    if not (known.size and 0.0 < depth < math.inf):
+        return []
+    strain = float(known.max()) / depth
+    if strain <= _LARGEST_STRAIN:
+        return []
+    return [
+        f"the strain, penetration / coating thickness, is up to {strain:.2g} (recommended: at most "
+        f"{_LARGEST_STRAIN:g}): linear theory may have a relative error of {_ERROR_PER_STRAIN * strain:.2g}"
+    ]
