@@ -10,9 +10,9 @@ import numpy as np
 
 from .._core import ConvergenceError
 from .._support.arguments import Floats
+from ..materials.series import basis, nonnegative
 from .reading import Isotherm
 from .retardation import creep_rows
-from .series import basis, nonnegative
 from .time_tests import TimeTest
 
 __all__ = ["Points", "Spectrum", "fit_points", "points_of", "predicted"]

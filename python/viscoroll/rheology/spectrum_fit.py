@@ -19,12 +19,12 @@ from .._support.extras import extra
 from .._support.intervals import as_confidence, interval_half_width
 from .._support.text import shown
 from ..materials import Draws, MasterCurve, Prony
+from ..materials.series import time_grid
 from ..materials.shift import Shift, shift_factor
 from .alignment import curve_shift
 from .bootstrap import wild_copies
 from .joint_points import Points, Spectrum, fit_points, points_of, predicted
 from .reading import Isotherm, RheologyData
-from .series import time_grid
 from .shift_laws import ShiftFactors, ShiftLaw, fit_arrhenius, fit_wlf
 from .time_tests import TimeData, TimeTest
 
