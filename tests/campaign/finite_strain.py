@@ -170,6 +170,29 @@ def summary(rows):
         print(f"{strain:8.2f}{rms[0]:10.1%}{rms[1]:15.1%}{corrected.min():10.3f} - {corrected.max():.3f}")
 
 
+def draw(source, target):
+    """Draw the ratios of torques of a CSV file against strain."""
+    from matplotlib.figure import Figure
+
+    with source.open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    picture = Figure(figsize=(10.0, 4.2), layout="constrained")
+    both = picture.subplots(1, 2, sharey=True)
+    colors = {"low": "tab:blue", "max": "tab:red", "high": "tab:green"}
+    styles = {"newton": "-", "simo": "--", "abaqus": ":"}
+    titles = {"raw ratio": "linear theory", "corrected ratio": "with overspeed"}
+    lines = {tuple(row[name] for name in ("h/R_c", "rubber", "speed", "law")) for row in rows}
+    for axes, (column, title) in zip(both, titles.items(), strict=True):
+        for line in sorted(lines):
+            some = [row for row in rows if (row["h/R_c"], row["rubber"], row["speed"], row["law"]) == line]
+            x, y = ([float(row[name]) for row in some] for name in ("strain", column))
+            axes.plot(x, y, color=colors[line[2]], linestyle=styles[line[3]], linewidth=1)
+        axes.axhline(1.0, color="black", linewidth=0.8)
+        axes.set(xlabel="strain, penetration / thickness", title=title)
+    both[0].set_ylabel("torque by finite elements / by theory")
+    picture.savefig(target)
+
+
 def main():
     """Run the command."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -177,7 +200,13 @@ def main():
     parser.add_argument("--across", type=int, default=40, help="elements across the largest contact")
     parser.add_argument("--through", type=int, default=6, help="elements through the cover")
     parser.add_argument("--csv", type=Path, help="file to which the rows are appended")
+    parser.add_argument("--picture", type=Path, help="draw the rows of the CSV file to this picture, and solve nothing")
     given = parser.parse_args()
+    if given.picture is not None:
+        if given.csv is None:
+            parser.error("--picture needs --csv")
+        draw(given.csv, given.picture)
+        return 0
     rows = []
     for case in cases(given.set):
         start = time.perf_counter()
