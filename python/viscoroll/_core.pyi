@@ -211,6 +211,11 @@ class ResultScalars:
         relative error estimate of the contact length [1]. Uncertainty of the extrapolated edges: half a spacing for each edge where the pressure rises within less than a spacing. Unless the mesh is given, it is at least half of the change from the previous mesh.
         """
     @property
+    def contact_length_model_error(self) -> float | None:
+        """
+        relative error of the contact length of linear theory [1]. 0.5 ε, which covers rollers at finite strain up to ε = 0.2.
+        """
+    @property
     def contact_width(self) -> float | None:
         """
         contact width, across the path [m]. Distance between the outermost nodes in contact, including their patches. None in line contact.
@@ -301,9 +306,14 @@ class ResultScalars:
         relative error estimate of the largest pressure [1]. Pressures are extrapolated by one spacing ahead of each node, from this node and the one behind it. The estimate is the excess of the largest extrapolated pressure over max_pressure. Unless the mesh is given, it is at least the change from the previous mesh, and at least a quarter of the estimate on that mesh. If material enters the contact faster than it relaxes, the pressure may have a peak that the finest meshes do not resolve; torque and penetration do not depend on this peak.
         """
     @property
+    def max_pressure_model_error(self) -> float | None:
+        """
+        relative error of the largest pressure of linear theory [1]. 0.7 ε, which covers rollers at finite strain up to ε = 0.2.
+        """
+    @property
     def model_error(self) -> float | None:
         """
-        relative error of linear theory, estimated from the strain [1]. 0.75 times the strain; for wheels, the neglected effects of crown and sides are added. With the radial compliance, the estimate covers the torque and penetration of finite-strain computations up to a strain of 0.24, for h/r_o from 1/84 to 1/5, ν = 0.3 and ½, and the viscosities of Newton and Jaumann. A Lagrangian viscosity with ν = 0.3 gives twice that error.
+        relative error of the torque of linear theory [1]. Estimated from the strain ε. Balls: 0.75 ε, which covers slow rolling at finite strain up to ε = 0.24, for h/r_o from 1/84 to 1/5, ν = 0.3 and ½, and the viscosities of Newton and Jaumann; a Lagrangian viscosity with ν = 0.3 gives twice that error. Rollers and wheels: (0.9 + 4.5 ε) ε, which covers finite elements of rollers up to ε = 0.2; the torque of linear theory is too small. For wheels, the neglected effects of crown and sides are added, also to the following errors.
         """
     @property
     def operator_applications(self) -> int:
@@ -319,6 +329,11 @@ class ResultScalars:
     def penetration(self) -> float | None:
         """
         penetration r_o - H [m]. Radius of the rolling body at rest minus the height of its center. Pressure and centrifugal growth change it in opposite directions: a fast body touches while it is still negative. None in line contact if a body rests on a half-space: the penetration is then undetermined.
+        """
+    @property
+    def penetration_model_error(self) -> float | None:
+        """
+        relative error of the penetration of linear theory [1]. 0.35 ε, which covers balls and rollers at finite strain up to ε = 0.2. At a given penetration, the load has about the same error.
         """
     @property
     def residual(self) -> float:
