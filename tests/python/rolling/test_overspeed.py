@@ -1,6 +1,8 @@
 """Results at finite strain: overspeed of the surface in the contact, and the torque that follows from it."""
 
+import csv
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -112,6 +114,8 @@ def test_a_cover_without_loss_has_no_torque():
     assert abs(r.finite_strain_torque) < 1e-12 * r.load * r.contact_length
 
 
+COVERED = ("strain", "raw ratio", "corrected ratio", "penetration ratio", "pressure ratio")
+
 UNKNOWN = {
     "friction": {"friction": 0.3},
     "vertical compliance": {"compliance": "vertical"},
@@ -126,6 +130,27 @@ def test_where_the_torque_at_finite_strain_is_not_known(case):
     assert r.model_error > 0.0
     for name in ("overspeed", "finite_strain_torque", "finite_strain_torque_error", "finite_strain_angular_speed"):
         assert getattr(r, name) is None, name
+
+
+def test_errors_cover_finite_elements():
+    # Rows of docs/finite-strain.md up to 20 % strain, computed by `python -m tests.campaign.finite_strain`.
+    lines = (Path(__file__).parents[3] / "docs/recorded/finite-strain.csv").read_text(encoding="utf-8").splitlines()
+    rows = [{name: float(row[name]) for name in COVERED} for row in csv.DictReader(lines)]
+    rows = [row for row in rows if row["strain"] < 0.21]
+    assert len(rows) == 180
+    r = vr.solve(ROLLER, penetration=1e-3, angular_speed=2.5, accuracy=0.05)
+    assert r.strain == pytest.approx(0.1, rel=1e-12)
+    assert r.finite_strain_torque_error == pytest.approx(0.4 * 0.1 + 6.0 * 0.1**3, rel=1e-12)
+    assert r.model_error == pytest.approx((0.9 + 4.5 * 0.1) * 0.1, rel=1e-12)
+    errors = {
+        "corrected ratio": lambda strain: 0.4 * strain + 6.0 * strain**3,
+        "raw ratio": lambda strain: (0.9 + 4.5 * strain) * strain,
+        "penetration ratio": lambda strain: strain * r.penetration_model_error / 0.1,
+        "pressure ratio": lambda strain: strain * r.max_pressure_model_error / 0.1,
+    }
+    for name, error in errors.items():
+        covered = [abs(row[name] - 1.0) <= error(row["strain"]) for row in rows]
+        assert np.mean(covered) > 0.95, name
 
 
 def test_speed_and_angular_speed_exclude_each_other():
