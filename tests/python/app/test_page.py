@@ -12,7 +12,6 @@ import http.server
 import io
 import json
 import os
-import re
 import runpy
 import shutil
 import subprocess
@@ -24,7 +23,6 @@ import pytest
 import viscoroll as vr
 from viscoroll.app import PageServer, answer
 from viscoroll.case import load_case
-from viscoroll.case.case import BODIES, COUNTERBODIES
 
 ROOT = Path(__file__).parents[3]
 TESTS = ROOT / "tests" / "page"
