@@ -62,7 +62,8 @@ std::vector<std::complex<double>> modulus_in_rolling(const ShearModulus& modulus
       require_modulus_at_rest(*series, angular_speed);
     std::vector<std::complex<double>> values = complex_modulus(modulus, omega);
     const auto* curve = std::get_if<MasterCurve>(&modulus);
-    if (const double slowest = angular_speed / kSlowTerm; curve != nullptr && slowest > curve->frequency.front()) {
+    const double slowest = angular_speed / kSlowTerm;
+    if (curve != nullptr && slowest > *std::ranges::upper_bound(curve->frequency, 0.0)) {
       const double at_rest = complex_modulus(modulus, std::span(&slowest, 1)).front().real();
       for (std::size_t i = 0; i < omega.size(); ++i) {
         if (omega[i] == 0.0) values[i] = at_rest;
