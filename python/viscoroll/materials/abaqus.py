@@ -215,7 +215,11 @@ def write(deck: Deck) -> str:
             lines.append(", ".join(repr(value) for value in (*g, *k, omega / (2.0 * math.pi))))
     else:
         young, ratio = elastic_constants(deck.instantaneous, deck)
-        lines += ["*ELASTIC, MODULI=INSTANTANEOUS", f"{young!r}, {ratio!r}", "*VISCOELASTIC, TIME=PRONY"]
+        lines += [
+            "*ELASTIC, MODULI=INSTANTANEOUS",
+            f"{young!r}, {ratio!r}",
+            *["*VISCOELASTIC, TIME=PRONY"] * bool(deck.weights),
+        ]
         for weight, time in zip(deck.weights, deck.times, strict=True):
             lines.append(f"{weight!r}, {0.0 if deck.bulk_modulus is not None else weight!r}, {time!r}")
     if deck.shift is not None:

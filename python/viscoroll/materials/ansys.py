@@ -168,7 +168,8 @@ def write(deck: Deck) -> str:
     lines = [*(f"! {comment}" for comment in deck.comments), f"MP,EX,1,{young!r}", f"MP,NUXY,1,{ratio!r}"]
     if deck.density is not None:
         lines.append(f"MP,DENS,1,{deck.density!r}")
-    for option in ("SHEAR",) if deck.bulk_modulus is not None else ("SHEAR", "BULK"):
+    relaxing = ("SHEAR",) if deck.bulk_modulus is not None else ("SHEAR", "BULK")
+    for option in relaxing if deck.weights else ():
         lines.append(f"TB,PRONY,1,1,{len(deck.weights)},{option}")
         for i, (weight, time) in enumerate(zip(deck.weights, deck.times, strict=True)):
             lines.append(f"TBDATA,{2 * i + 1},{weight!r},{time!r}")

@@ -9,16 +9,17 @@ from typing import Literal
 
 import numpy as np
 
-from .._support.arguments import as_int, as_kelvin, as_positive
+from .._support.arguments import as_int, as_kelvin, as_positive, store_floats, store_positive
 from .._support.celsius import ZERO_CELSIUS
-from .._support.errors import InvalidInput, in_file
+from .._support.errors import InvalidInput, InvalidType, in_file
 from .._support.text import shown
 from . import abaqus, ansys, comsol, ls_dyna
 from .deck import UNITS, Deck, Found, UnitSystem
 from .fewer_terms import fewer_terms
 from .moduli import MasterCurve, Prony, ShearModulus
-from .modulus_like import relaxation_of
+from .modulus_like import as_modulus, relaxation_of
 from .shift import Arrhenius, WilliamsLandelFerry, shift_factor, shifted
+from .softening import SofteningModulus
 
 __all__ = ["MaterialConstants", "holds_constants", "read_constants"]
 
@@ -35,6 +36,9 @@ _SIGNS = {
     "comsol": re.compile(r"\A(\s*([%#].*)?\n)*\s*[\d.][^%#\n]*[,;\s]+\S+", re.IGNORECASE),
 }
 
+#: Smallest ratio of the bulk to the shear modulus. Poisson's ratio is -0.9955 there; less is an error of units.
+_SMALLEST_BULK = 1e-3
+
 #: Shear modulus at rest [Pa] below which the units of a text are probably not those assumed.
 _SOFTEST = 1e3
 
@@ -47,22 +51,31 @@ class MaterialConstants:
 
     Parameters
     ----------
-    shear_modulus : ShearModulus
-        Shear modulus at the reference temperature of `shift`.
+    shear_modulus : ShearModulus or float
+        Shear modulus at the reference temperature of `shift`; a number [Pa] is an elastic modulus.
     poisson_ratio : float, optional
-        Poisson's ratio [-] if it is constant, so that the bulk modulus relaxes like the shear modulus.
+        Poisson's ratio in (-1, 0.5] if it is constant, so that the bulk modulus relaxes like the shear modulus.
     bulk_modulus : float, optional
-        Bulk modulus [Pa] if it is constant, so that only the shear modulus relaxes.
+        Bulk modulus [Pa] if it is constant, so that only the shear modulus relaxes; at least 0.001 of the
+        instantaneous shear modulus.
     shift : WilliamsLandelFerry or Arrhenius, optional
         Shift of relaxation times with temperature.
     density : float, optional
-        Mass density [kg/m³].
+        Mass density [kg/m³], > 0.
     name : str, default "material"
-        Name or number of the material.
+        Name or number of the material: printable characters other than commas and quotation marks, of which the first
+        is neither * nor $.
     program : str, optional
         Program from whose text the constants were read.
     notes : tuple of str, optional
         Statements about constants that were read in another form, or left out.
+
+    Raises
+    ------
+    TypeError
+        If a parameter has a wrong type; the strain-dependent `SofteningModulus` is one, too.
+    ValueError
+        If a number is out of range, or a program could not read the name.
 
     Examples
     --------
@@ -88,9 +101,26 @@ class MaterialConstants:
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        """Check that at most one of Poisson's ratio and bulk modulus is given."""
+        """Store the numbers as floats and check the parameters."""
+        object.__setattr__(self, "shear_modulus", _rate_dependent(self.shear_modulus))
         if self.poisson_ratio is not None and self.bulk_modulus is not None:
-            raise InvalidInput("bulk_modulus", "must be left out with poisson_ratio", f"{self.bulk_modulus:g}")
+            raise InvalidInput("bulk_modulus", "must be left out with poisson_ratio", shown(self.bulk_modulus))
+        units = {"bulk_modulus": "Pa", "density": "kg/m³"}
+        store_positive(self, {name: unit for name, unit in units.items() if getattr(self, name) is not None})
+        store_floats(self, (), optional=("poisson_ratio",))
+        if self.poisson_ratio is not None and not -1.0 < self.poisson_ratio <= 0.5:
+            raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{self.poisson_ratio:g}")
+        smallest = _SMALLEST_BULK * _largest_known(self.shear_modulus)
+        if self.bulk_modulus is not None and self.bulk_modulus < smallest:
+            rule = f"must be >= {smallest:.3g} Pa, 0.001 of the shear modulus: check its unit"
+            raise InvalidInput("bulk_modulus", rule, f"{self.bulk_modulus:g}")
+        if not isinstance(self.shift, WilliamsLandelFerry | Arrhenius | None):
+            raise InvalidType("shift", "must be WilliamsLandelFerry, Arrhenius or None", shown(self.shift))
+        if not isinstance(self.name, str):
+            raise InvalidType("name", "must be a text", shown(self.name))
+        if self.name != _label(self.name):
+            rule = "must be of printable characters without , and quotation marks, and not begin with *, $ or a space"
+            raise InvalidInput("name", rule, shown(self.name))
 
     def at(self, *, temperature: float) -> ShearModulus:
         """Return the shear modulus at a temperature [K].
@@ -228,6 +258,26 @@ class MaterialConstants:
         if self.density is not None:
             known.append(f"  density {self.density:.6g} kg/m³")
         return "\n".join([*known, *(f"  note: {note}" for note in self.notes)])
+
+
+def _rate_dependent(modulus: object) -> ShearModulus:
+    """Return a modulus unchanged and a number as an elastic modulus; reject functions and moduli that need a strain."""
+    accepted = as_modulus(modulus)  # type: ignore[arg-type]
+    if not isinstance(accepted, ShearModulus) or isinstance(accepted, SofteningModulus):
+        raise InvalidType("shear_modulus", "must be a modulus at vanishing strain or a number", shown(modulus))
+    return accepted
+
+
+def _largest_known(modulus: ShearModulus) -> float:
+    """Return the instantaneous modulus [Pa] of a sum of exponentials, and the modulus at rest of others."""
+    relaxation = relaxation_of(modulus)
+    return float(modulus.complex_modulus(0.0).real if relaxation is None else np.sum(relaxation.moduli))
+
+
+def _label(name: str) -> str:
+    """Return a name without characters that end a name, or make a line a keyword or comment, in any program."""
+    kept = "".join(c if c.isprintable() and c not in ",\"'" else " " for c in name)
+    return kept.lstrip("*$ ").rstrip()
 
 
 def holds_constants(text: str) -> bool:
@@ -368,8 +418,8 @@ def _constants(found: Found, program: str, offset: float) -> MaterialConstants:
         poisson_ratio=found.poisson_ratio,
         bulk_modulus=found.bulk_modulus,
         shift=shift,
-        density=found.density,
-        name=found.name or "material",
+        density=found.density or None,
+        name=" ".join(_label(found.name).split()) or "material",
         program=program,
         notes=tuple(notes),
     )

@@ -319,3 +319,46 @@ def test_messages_of_arguments(tmp_path):
     path.write_text("*ELASTIC\n1e6\n*VISCOELASTIC\n")
     with pytest.raises(vr.InvalidInput, match=rf"^{path}: line 3 \(\*VISCOELASTIC\)"):
         read_constants(path)
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "message"),
+    [
+        ({"shear_modulus": "x"}, TypeError, "shear_modulus must be a modulus of viscoroll, a number"),
+        ({"shear_modulus": -1e6}, vr.InvalidInput, "modulus must be > 0 Pa, got -1e"),
+        ({"shear_modulus": abs}, TypeError, "shear_modulus must be a modulus at vanishing strain or a number"),
+        ({"poisson_ratio": 0.7}, vr.InvalidInput, r"poisson_ratio must be in \(-1, 0.5\], got 0.7"),
+        ({"poisson_ratio": -1.0}, vr.InvalidInput, r"poisson_ratio must be in \(-1, 0.5\], got -1"),
+        ({"poisson_ratio": math.nan}, vr.InvalidInput, r"poisson_ratio must be in \(-1, 0.5\], got nan"),
+        ({"poisson_ratio": "0.5"}, TypeError, "poisson_ratio must be a real number, got str '0.5'"),
+        ({"bulk_modulus": math.nan}, vr.InvalidInput, "bulk_modulus must be > 0 Pa, got nan"),
+        ({"bulk_modulus": 2.0}, vr.InvalidInput, r"bulk_modulus must be >= 1.23e\+06 Pa, 0.001 of the shear modulus"),
+        ({"density": -1.0}, vr.InvalidInput, "density must be > 0 kg/m³, got -1"),
+        ({"shift": lambda temperature: 1.0}, TypeError, "shift must be WilliamsLandelFerry, Arrhenius or None"),
+        ({"name": 7}, TypeError, "name must be a text, got 7"),
+        ({"name": "a\nb"}, vr.InvalidInput, "name must be of printable characters without , and quotation marks"),
+        ({"name": "a, b"}, vr.InvalidInput, "name must be of printable characters without , and quotation marks"),
+        ({"name": "*END"}, vr.InvalidInput, "name must be of printable characters without , and quotation marks"),
+    ],
+)
+def test_invalid_constants_have_messages(given, error, message):
+    with pytest.raises(error, match=f"^{message}"):
+        MaterialConstants(**({"shear_modulus": SERIES} | given))
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_a_number_is_an_elastic_modulus(program):
+    constants = MaterialConstants(shear_modulus=1e6, poisson_ratio=0.25, density=1100.0)
+    assert constants.shear_modulus == vr.Elastic(modulus=1e6)
+    text = constants.to_text(program)
+    assert "PRONY" not in text  # a table without terms is an error in Abaqus and Ansys
+    if program == "ls-dyna":
+        np.testing.assert_allclose(read_constants(text).shear_modulus.complex_modulus(OMEGA), 1e6, rtol=1e-12)
+    else:  # G in COMSOL, E = 2 G (1 + nu) in Abaqus and Ansys
+        assert ("% G = 1000000.0\n" if program == "comsol" else "2500000.0") in text
+
+
+def test_names_of_decks_become_names_for_all_programs():
+    found = read_constants(LS_DYNA.replace("soft pad", "pad, 60 Shore A"), units="mm-t-s")
+    assert found.name == "pad 60 Shore A"
+    assert "*MATERIAL, NAME=pad 60 Shore A\n" in found.to_text("abaqus")
