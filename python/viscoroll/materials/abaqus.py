@@ -113,7 +113,7 @@ def _material(name: str, options: dict[str, _Option], units: UnitSystem) -> Foun
     if "DENSITY" in options:
         found.density = options["DENSITY"].only_row().floats(1, "a density")[0] * units.density
     if "TRS" in options:
-        found.wlf = _shift(options["TRS"])
+        found.wlf, found.shift_line = _shift(options["TRS"]), options["TRS"].line
     return found
 
 

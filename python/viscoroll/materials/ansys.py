@@ -121,7 +121,7 @@ def _material(name: str, material: _Material, units: UnitSystem) -> Found:
         found.density = material.properties["DENS"][1] * units.density
     if shift := material.tables.get(("SHIFT", "")):
         reference, c1, c2 = (shift.value(i, what) for i, what in enumerate(("T_r", "C1", "C2"), 1))
-        found.wlf = (c1, c2, reference)
+        found.wlf, found.shift_line = (c1, c2, reference), shift.line
     return found
 
 

@@ -29,11 +29,13 @@ _NAMES = ("G", "nu", "K", "rho", "T_ref", "C1", "C2")
 def read(text: str, units: UnitSystem, relaxed_modulus: float | None) -> list[Found]:
     """Return the constants of a table, whose relaxed modulus [Pa] is given unless the comments contain it."""
     constants: dict[str, float] = {}
+    lines: dict[str, Line] = {}
     rows: list[tuple[Line, list[float]]] = []
     for place, raw in enumerate(text.splitlines(), 1):
         if named := re.match(r"\s*[%#]\s*(\w+)\s*=\s*(\S+)", raw):
             if named[1] in _NAMES:
-                constants[named[1]] = number(named[2], Line(place, named[1], (named[2],)))
+                lines[named[1]] = Line(place, named[1], (named[2],))
+                constants[named[1]] = number(named[2], lines[named[1]])
             continue
         cells = tuple(re.split(r"[,;\s]+", re.split(r"[%#]", raw)[0].strip(" \t,;")))
         if cells == ("",):
@@ -63,6 +65,7 @@ def read(text: str, units: UnitSystem, relaxed_modulus: float | None) -> list[Fo
     found.density = constants["rho"] * units.density if "rho" in constants else None
     if "T_ref" in constants:
         found.wlf = (constants.get("C1", 0.0), constants.get("C2", 0.0), constants["T_ref"])
+        found.shift_line = lines["T_ref"]
     return [found]
 
 

@@ -400,14 +400,27 @@ def _chosen(found: list[Found], name: str | None, program: str) -> Found:
     return matching[0]
 
 
+def _reference(found: Found, given: float, offset: float) -> float:
+    """Return the reference temperature of a shift [K], or raise an error about its line and the unit."""
+    try:
+        return as_kelvin("reference_temperature", given + offset)
+    except InvalidInput as error:
+        if found.shift_line is None:
+            raise
+        hint = "" if offset else 'give temperature_unit="C" if the temperatures of the text are in °C'
+        raise found.shift_line.error("must have a reference temperature >= 100 K", error.value).with_more(
+            hint
+        ) from None
+
+
 def _constants(found: Found, program: str, offset: float) -> MaterialConstants:
     shift: WilliamsLandelFerry | Arrhenius | None = None
     if found.wlf is not None:
         c1, c2, reference = found.wlf
-        shift = WilliamsLandelFerry(c1=c1, c2=c2, reference_temperature=reference + offset)
+        shift = WilliamsLandelFerry(c1=c1, c2=c2, reference_temperature=_reference(found, reference, offset))
     if found.arrhenius is not None:
         energy, reference = found.arrhenius
-        shift = Arrhenius(activation_energy=energy, reference_temperature=reference + offset)
+        shift = Arrhenius(activation_energy=energy, reference_temperature=_reference(found, reference, offset))
     modulus = found.modulus
     stiffness = modulus.storage[-1] if isinstance(modulus, MasterCurve) else modulus.instantaneous_modulus
     notes = list(found.notes)

@@ -79,6 +79,7 @@ class Found:
     density: float | None = None
     wlf: tuple[float, float, float] | None = None  #: C₁ [-], C₂ [K] and T_r in the unit of the text
     arrhenius: tuple[float, float] | None = None  #: activation energy [J/mol] and T_r in the unit of the text
+    shift_line: Line | None = None  #: line with T_r
     name: str = ""
     notes: list[str] = field(default_factory=list)
 

@@ -118,6 +118,7 @@ def _shift(found: Found, card: Line, values: list[float]) -> None:
     reference, a, b = values
     if a == 0.0 or reference == 0.0:
         return
+    found.shift_line = card
     if b == 0.0:
         found.arrhenius = (abs(a) * _GAS_CONSTANT, reference)
     else:

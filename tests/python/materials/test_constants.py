@@ -362,3 +362,20 @@ def test_names_of_decks_become_names_for_all_programs():
     found = read_constants(LS_DYNA.replace("soft pad", "pad, 60 Shore A"), units="mm-t-s")
     assert found.name == "pad 60 Shore A"
     assert "*MATERIAL, NAME=pad 60 Shore A\n" in found.to_text("abaqus")
+
+
+@pytest.mark.parametrize(
+    ("text", "where"),
+    [
+        (ABAQUS_LONG_TERM, r"line 9 \(\*TRS\)"),
+        (ANSYS, r"line 10 \(TB\)"),
+        (LS_DYNA.replace("293.15", "    20"), r"line 6 \(\*MAT_GENERAL_VISCOELASTIC_TITLE\)"),
+        (COMSOL + "% T_ref = 20\n% C1 = 8.86\n% C2 = 101.6\n", r"line 5 \(T_ref\)"),
+    ],
+    ids=["abaqus", "ansys", "ls-dyna", "comsol"],
+)
+def test_low_reference_temperatures_suggest_their_unit(text, where):
+    rule = 'must have a reference temperature >= 100 K, got 20 K; give temperature_unit="C" if'
+    with pytest.raises(vr.InvalidInput, match=f"^{where} {rule}"):
+        read_constants(text, units="mm-t-s")
+    assert read_constants(text, units="mm-t-s", temperature_unit="C").shift.reference_temperature == 293.15
