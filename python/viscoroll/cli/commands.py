@@ -218,7 +218,7 @@ def _fit_over_time(
 
 def _holds_constants(path: Path) -> bool:
     """Return whether a file is input of a finite-element program. The reader of measurements reports missing files."""
-    return path.is_file() and holds_constants(path.read_text(encoding="latin-1"))
+    return path.is_file() and holds_constants(path)
 
 
 def _require_options_of(context: typer.Context, file: str, *, is_deck: bool) -> None:

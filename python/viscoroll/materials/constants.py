@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from os import PathLike
 from pathlib import Path
 from typing import Literal
 
@@ -11,6 +12,7 @@ import numpy as np
 
 from .._support.arguments import as_int, as_kelvin, as_positive, store_floats, store_positive
 from .._support.celsius import ZERO_CELSIUS
+from .._support.encodings import binary_format, decoded_utf16
 from .._support.errors import InvalidInput, InvalidType, in_file
 from .._support.text import shown
 from . import abaqus, ansys, comsol, ls_dyna
@@ -280,8 +282,12 @@ def _label(name: str) -> str:
     return kept.lstrip("*$ ").rstrip()
 
 
-def holds_constants(text: str) -> bool:
-    """Return whether a text contains a keyword or command of viscoelastic constants of Abaqus, Ansys or LS-DYNA."""
+def holds_constants(path: Path) -> bool:
+    """Return whether a file contains a keyword or command of viscoelastic constants of Abaqus, Ansys or LS-DYNA."""
+    try:
+        text = _decoded(path)
+    except InvalidInput:  # a binary file
+        return False
     return any(sign.search(text) for program, sign in _SIGNS.items() if program != "comsol")
 
 
@@ -301,7 +307,7 @@ def read_constants(
     Parameters
     ----------
     source : str or Path
-        Path of a file, or a text of more than one line.
+        Path of a file in UTF-8, UTF-16 or Latin-1, or a text of more than one line.
     name : str, optional
         Name or number of the material; required if the text has several viscoelastic materials.
     units : str, default "m-kg-s"
@@ -319,6 +325,8 @@ def read_constants(
 
     Raises
     ------
+    TypeError
+        If `source` is neither a path nor a text, or another argument has a wrong type.
     ValueError
         If the program is not recognized, a constant is missing or out of range, or the material is of a form that is
         not read. The message names line and keyword.
@@ -350,6 +358,12 @@ def read_constants(
     scale = _units(units)
     offset = ZERO_CELSIUS if _temperature_unit(temperature_unit) == "C" else 0.0
     relaxed = None if relaxed_modulus is None else as_positive("relaxed_modulus", relaxed_modulus, "Pa")
+    if not isinstance(source, str | PathLike):
+        raise InvalidType("source", "must be a path or a text", shown(source))
+    if not isinstance(name, str | None):
+        raise InvalidType("name", "must be a text or None", shown(name))
+    if not str(source).strip():
+        raise InvalidInput("source", "must be a path or a text of more than one line", shown(source))
     is_text = isinstance(source, str) and "\n" in source
     text = str(source) if is_text else _decoded(Path(source))
     try:
@@ -368,6 +382,11 @@ def read_constants(
 
 def _decoded(path: Path) -> str:
     content = path.read_bytes()
+    if (binary := binary_format(content)) is not None:
+        names = ", ".join(_PROGRAMS.values())
+        raise InvalidInput("text", f"must be input of {names}", binary).of_file(path)
+    if (text := decoded_utf16(content)) is not None:
+        return text
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -375,7 +394,7 @@ def _decoded(path: Path) -> str:
 
 
 def _units(name: str) -> UnitSystem:
-    if name not in UNITS:
+    if not isinstance(name, str) or name not in UNITS:
         raise InvalidInput("units", f"must be one of {', '.join(UNITS)}", shown(name))
     return UNITS[name]
 

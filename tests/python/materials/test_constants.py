@@ -379,3 +379,43 @@ def test_low_reference_temperatures_suggest_their_unit(text, where):
     with pytest.raises(vr.InvalidInput, match=f"^{where} {rule}"):
         read_constants(text, units="mm-t-s")
     assert read_constants(text, units="mm-t-s", temperature_unit="C").shift.reference_temperature == 293.15
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "message"),
+    [
+        ({"source": ""}, vr.InvalidInput, "source must be a path or a text of more than one line, got ''"),
+        ({"source": " \n"}, vr.InvalidInput, r"source must be a path or a text of more than one line, got ' \\n'"),
+        ({"source": None}, TypeError, "source must be a path or a text, got None"),
+        ({"source": b"*ELASTIC"}, TypeError, r"source must be a path or a text, got b'\*ELASTIC'"),
+        ({"name": 1}, TypeError, "name must be a text or None, got 1"),
+        ({"units": ["mm"]}, vr.InvalidInput, r"units must be one of .*, got \['mm'\]"),
+        ({"temperature_unit": ["C"]}, vr.InvalidInput, r"temperature_unit must be 'K' or 'C', got \['C'\]"),
+    ],
+)
+def test_arguments_of_wrong_types_have_messages(given, error, message):
+    with pytest.raises(error, match=f"^{message}"):
+        read_constants(**({"source": ABAQUS_LONG_TERM} | given))
+
+
+@pytest.mark.parametrize(
+    ("content", "format_"),
+    [
+        (b"PK\x03\x04*ELASTIC\n", "a ZIP archive"),
+        (b"\x89HDF\r\n\x1a\n*ELASTIC\n", "an HDF5 file"),
+        (b"*ELASTIC\n\x00\x01\x02\x03", "a binary file of unknown format"),
+    ],
+)
+def test_binary_files_are_named(tmp_path, content, format_):
+    path = tmp_path / "deck.odb"
+    path.write_bytes(content)
+    message = f"^{path}: text must be input of Abaqus, Ansys, LS-DYNA, COMSOL, got {format_}$"
+    with pytest.raises(vr.InvalidInput, match=message):
+        read_constants(path)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "latin-1"])
+def test_encodings_of_decks(tmp_path, encoding):
+    path = tmp_path / "deck.inp"
+    path.write_text(ABAQUS_LONG_TERM.replace("** comment", "** Außenhaut"), encoding=encoding)
+    assert read_constants(path, units="mm-t-s", temperature_unit="C").name == "Soft pad"
