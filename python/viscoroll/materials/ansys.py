@@ -14,13 +14,16 @@ import re
 
 from .._support.errors import InvalidInput
 from .._support.text import finite_number, shown
-from .deck import Deck, Found, Line, UnitSystem, elastic_constants, moduli_of, number, series
+from .deck import Deck, Found, Line, UnitSystem, elastic_constants, moduli_of, number, series, unread
 from .shift import Arrhenius
 
 __all__ = ["read", "write"]
 
 #: Options of TB,SHIFT that stand for the Williams-Landel-Ferry law.
 _WLF = ("WLF", "1")
+
+#: Tables that are read; a note lists others.
+_TABLES = ("ELASTIC", "HYPER", "PRONY", "SHIFT")
 
 
 class _Table:
@@ -43,6 +46,7 @@ class _Material:
     def __init__(self) -> None:
         self.properties: dict[str, tuple[Line, float]] = {}
         self.tables: dict[tuple[str, str], _Table] = {}
+        self.unread: list[Line] = []
 
 
 def read(text: str, units: UnitSystem) -> list[Found]:
@@ -66,6 +70,7 @@ def _materials(text: str) -> dict[str, _Material]:
             property_, material = cells[0].upper(), cells[1]
             values = [cell for cell in cells[(2 if command == "MP" else 3) :] if cell]
             if property_ not in ("EX", "NUXY", "PRXY", "DENS"):
+                _of(materials, material).unread.append(Line(line.number, f"{command},{property_}", ()))
                 continue
             if len(values) != 1:
                 raise resolved.error("must have one constant: those of one temperature", shown(",".join(line.cells)))
@@ -78,6 +83,8 @@ def _materials(text: str) -> dict[str, _Material]:
                 raise resolved.error("must have the option SHEAR or BULK", option or "none")
             if kind == "SHIFT" and option not in _WLF:
                 raise resolved.error("must have the option WLF", option or "none")
+            if kind not in _TABLES:
+                _of(materials, material).unread.append(Line(line.number, f"TB,{kind}", ()))
             table = _Table(resolved, option)
             _of(materials, material).tables[kind, option if kind == "PRONY" else ""] = table
         elif command == "TBDATA" and table is not None:
@@ -85,6 +92,8 @@ def _materials(text: str) -> dict[str, _Material]:
             for offset, cell in enumerate(cells[1:]):
                 if cell:
                     table.values[start + offset] = (resolved, number(cell, resolved))
+        elif command.startswith("TB") and materials:
+            list(materials.values())[-1].unread.append(Line(line.number, command, ()))
     return materials
 
 
@@ -105,7 +114,7 @@ def _of(materials: dict[str, _Material], name: str) -> _Material:
 
 def _material(name: str, material: _Material, units: UnitSystem) -> Found:
     shear, bulk = _moduli(material)
-    notes: list[str] = []
+    notes = unread(material.unread)
     terms = _pairs(material.tables["PRONY", "SHEAR"])
     found = Found(series(shear * units.stress, terms, units, notes), name=name, notes=notes)
     of_bulk = _pairs(material.tables["PRONY", "BULK"]) if ("PRONY", "BULK") in material.tables else []

@@ -321,7 +321,8 @@ def read_constants(
     Returns
     -------
     MaterialConstants
-        Shear modulus, Poisson's ratio or bulk modulus, shift and density in SI units, and notes.
+        Shear modulus, Poisson's ratio or bulk modulus, shift and density in SI units, and notes. A note lists keywords
+        of the material that were not read, for example because of a typing error.
 
     Raises
     ------

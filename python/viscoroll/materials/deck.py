@@ -11,7 +11,18 @@ from .._support.text import finite_number, shown
 from .moduli import MasterCurve, Prony
 from .shift import Arrhenius, WilliamsLandelFerry
 
-__all__ = ["UNITS", "Deck", "Found", "Line", "UnitSystem", "elastic_constants", "moduli_of", "number", "series"]
+__all__ = [
+    "UNITS",
+    "Deck",
+    "Found",
+    "Line",
+    "UnitSystem",
+    "elastic_constants",
+    "moduli_of",
+    "number",
+    "series",
+    "unread",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +68,15 @@ class Line:
         if len(cells) < least:
             raise self.error(f"must have {what}", shown(", ".join(self.cells)))
         return [number(cell, self) if cell else 0.0 for cell in cells]
+
+
+def unread(lines: Sequence[Line]) -> list[str]:
+    """Return a note that lists the keywords of lines that a reader left out, each once; empty without such lines."""
+    if not lines:
+        return []
+    places = {line.keyword: line.number for line in reversed(lines)}
+    listed = ", ".join(f"{keyword} (line {place})" for keyword, place in sorted(places.items(), key=lambda one: one[1]))
+    return [f"not read: {listed}"]
 
 
 def number(cell: str, line: Line) -> float:

@@ -419,3 +419,36 @@ def test_encodings_of_decks(tmp_path, encoding):
     path = tmp_path / "deck.inp"
     path.write_text(ABAQUS_LONG_TERM.replace("** comment", "** Außenhaut"), encoding=encoding)
     assert read_constants(path, units="mm-t-s", temperature_unit="C").name == "Soft pad"
+
+
+@pytest.mark.parametrize(
+    ("text", "note"),
+    [
+        (ABAQUS_LONG_TERM.replace("*Trs", "*Tsr"), "not read: *TSR (line 9)"),
+        (
+            ABAQUS_LONG_TERM.replace("*Density", "*Damping").replace("*Step", "*Expansion\n1.\n*Step"),
+            "not read: *DAMPING (line 11), *EXPANSION (line 13)",
+        ),
+        (ABAQUS_INSTANTANEOUS + "*TSR\n20., 8.86, 101.6\n", "not read: *TSR (line 6)"),
+        (ANSYS.replace("TB,SHIFT", "TB,SHFT"), "not read: TB,SHFT (line 10)"),
+        (
+            ANSYS.replace("TB,SHIFT", "MP,ALPX,matid,1\nTBTEMP,20\nTB,SHIFT"),
+            "not read: MP,ALPX (line 10), TBTEMP (line 11)",
+        ),
+        (
+            LS_DYNA.replace("*END", "*MAT_ADD_THERMAL_EXPANSION\n$ comment\n7\n*END"),
+            "not read: *MAT_ADD_THERMAL_EXPANSION (line 11)",
+        ),
+        (COMSOL + "% T_rfe = 293.15\n", "not read: T_rfe (line 5)"),
+    ],
+)
+def test_a_note_lists_keywords_that_were_not_read(text, note):
+    found = read_constants(text, units="mm-t-s", temperature_unit="K" if text.startswith("*KEY") else "C")
+    assert [line for line in found.notes if line.startswith("not read")] == [note]
+
+
+def test_keywords_outside_of_materials_are_not_listed():
+    before = "*HEADING\ntitle\n*NODE\n1, 0., 0.\n*AMPLITUDE, NAME=A\n0., 1.\n"
+    after = "*SURFACE INTERACTION, NAME=B\n*FRICTION\n0.1,\n*BOUNDARY\n1, 1\n"
+    text = before + ABAQUS_LONG_TERM.replace("*Step", after + "*Step")
+    assert read_constants(text, units="mm-t-s", temperature_unit="C").notes == ()
