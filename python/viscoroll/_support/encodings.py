@@ -30,7 +30,7 @@ _BINARY = (
     (b"{\\rtf", "an RTF document"),
 )
 
-#: Description of a file that contains no text and none of these first bytes.
+#: Description of a file without text whose first bytes are not in this list.
 UNKNOWN = "a binary file of unknown format"
 
 #: Byte order marks of UTF-16.

@@ -75,7 +75,7 @@ class MaterialConstants:
     Raises
     ------
     TypeError
-        If a parameter has a wrong type; the strain-dependent `SofteningModulus` is one, too.
+        If a parameter has a wrong type, or the modulus is a function or a strain-dependent `SofteningModulus`.
     ValueError
         If a number is out of range, or a program could not read the name.
 
