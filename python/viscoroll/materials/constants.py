@@ -264,9 +264,13 @@ class MaterialConstants:
 
 def _rate_dependent(modulus: object) -> ShearModulus:
     """Return a modulus unchanged and a number as an elastic modulus; reject functions and moduli that need a strain."""
-    accepted = as_modulus(modulus)  # type: ignore[arg-type]
+    rule = "must be a modulus of viscoroll at vanishing strain, or a number"
+    try:
+        accepted = as_modulus(modulus)  # type: ignore[arg-type]
+    except InvalidType as error:
+        raise InvalidType("shear_modulus", rule, error.value) from None
     if not isinstance(accepted, ShearModulus) or isinstance(accepted, SofteningModulus):
-        raise InvalidType("shear_modulus", "must be a modulus at vanishing strain or a number", shown(modulus))
+        raise InvalidType("shear_modulus", rule, shown(modulus))
     return accepted
 
 

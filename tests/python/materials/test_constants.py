@@ -324,9 +324,17 @@ def test_messages_of_arguments(tmp_path):
 @pytest.mark.parametrize(
     ("given", "error", "message"),
     [
-        ({"shear_modulus": "x"}, TypeError, "shear_modulus must be a modulus of viscoroll, a number"),
+        (
+            {"shear_modulus": "x"},
+            TypeError,
+            "shear_modulus must be a modulus of viscoroll at vanishing strain, or a number",
+        ),
         ({"shear_modulus": -1e6}, vr.InvalidInput, "modulus must be > 0 Pa, got -1e"),
-        ({"shear_modulus": abs}, TypeError, "shear_modulus must be a modulus at vanishing strain or a number"),
+        (
+            {"shear_modulus": abs},
+            TypeError,
+            "shear_modulus must be a modulus of viscoroll at vanishing strain, or a number",
+        ),
         ({"poisson_ratio": 0.7}, vr.InvalidInput, r"poisson_ratio must be in \(-1, 0.5\], got 0.7"),
         ({"poisson_ratio": -1.0}, vr.InvalidInput, r"poisson_ratio must be in \(-1, 0.5\], got -1"),
         ({"poisson_ratio": math.nan}, vr.InvalidInput, r"poisson_ratio must be in \(-1, 0.5\], got nan"),
