@@ -50,7 +50,15 @@ class Code(StrEnum):
     LETHE = "lethe"
 
 
+class TemperatureUnit(StrEnum):
+    """Units of the temperatures of an input file."""
+
+    K = "K"
+    C = "C"
+
+
 def material(
+    context: typer.Context,
     data: Annotated[
         list[str],
         typer.Argument(
@@ -85,6 +93,9 @@ def material(
     units: Annotated[
         str, typer.Option(help="Units of an input file of Abaqus, Ansys or LS-DYNA, such as mm-t-s.")
     ] = "m-kg-s",
+    temperature_unit: Annotated[
+        TemperatureUnit, typer.Option(help="Unit of the temperatures of such an input file.")
+    ] = TemperatureUnit.K,
     terms_per_decade: Annotated[float, typer.Option(help="Terms of the Prony series per decade.")] = 2.0,
     draws: Annotated[
         int, typer.Option(help="Number of draws to save for confidence intervals (table \\[draws] of a study).", min=0)
@@ -99,15 +110,18 @@ def material(
     from ..rheology.reading import SWEEP_ROLES
     from ..rheology.time_tests import TIME_ROLES, contains_time_tests
 
+    is_deck = len(data) == 1 and _holds_constants(Path(data[0]))
+    if is_deck or len(data) > 1 or Path(data[0]).is_file():  # the reader of measurements reports a missing file
+        _require_options_of(context, data[0], is_deck=is_deck)
+    if is_deck:
+        _write_constants(Path(data[0]), units, temperature_unit)
+        return
     check_target("--plot", plot, PICTURES)
     check_target("--save", save, (".toml",))
     if draws == 1:
         raise ValueError("--draws must be 0 or at least 2, got 1")
     if draws and save is None:
         raise ValueError("--save must be given with --draws, because draws are saved with the material")
-    if len(data) == 1 and _holds_constants(Path(data[0])):
-        _write_constants(Path(data[0]), units)
-        return
     files = _files(data)
     named = _columns(columns)
     own = _own_shift(factors, wlf)
@@ -204,14 +218,32 @@ def _fit_over_time(
 
 def _holds_constants(path: Path) -> bool:
     """Return whether a file is input of a finite-element program. The reader of measurements reports missing files."""
-    return path.is_file() and holds_constants(path.read_text(encoding="latin-1"))
+    return path.is_file() and holds_constants(path)
 
 
-def _write_constants(path: Path, units: str) -> None:
+def _require_options_of(context: typer.Context, file: str, *, is_deck: bool) -> None:
+    """Raise an error that lists the given options that do not apply to an input file, or only to such a file."""
+    given = [
+        parameter
+        for parameter in context.command.params
+        if (source := context.get_parameter_source(str(parameter.name))) is not None
+        and source.name != "DEFAULT"
+        and parameter.param_type_name == "option"
+        and (parameter.name in ("units", "temperature_unit")) != is_deck
+    ]
+    if given:
+        names = ", ".join("/".join([*parameter.opts, *parameter.secondary_opts]) for parameter in given)
+        condition = f"with constants, which {file} contains" if is_deck else "without one input file of another program"
+        raise ValueError(f"{names} must be left out {condition}")
+
+
+def _write_constants(path: Path, units: str, temperature_unit: TemperatureUnit) -> None:
     """Print the constants of an input file, and how a case file refers to it."""
-    for line in repr(read_constants(path, units=units)).splitlines():
+    for line in repr(read_constants(path, units=units, temperature_unit=temperature_unit.value)).splitlines():
         write_line(line)
-    write_line(f"in a case file, shear_modulus = {{ type = 'constants', file = '{path.name}', units = '{units}' }}")
+    of_temperature = "" if temperature_unit is TemperatureUnit.K else f", temperature_unit = '{temperature_unit}'"
+    table = f"type = 'constants', file = '{path.name}', units = '{units}'{of_temperature}"
+    write_line(f"in a case file, shear_modulus = {{ {table} }}")
 
 
 def _files(arguments: list[str]) -> dict[str | Path, float | None]:

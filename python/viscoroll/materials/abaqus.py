@@ -12,19 +12,28 @@ Analysis User's Guide ("Time domain viscoelasticity", "Frequency domain viscoela
 from __future__ import annotations
 
 import math
+import re
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from .._support.errors import InvalidInput
 from .._support.text import shown
-from .deck import Deck, Found, Line, UnitSystem, elastic_constants, moduli_of, series
+from .deck import Deck, Found, Line, UnitSystem, elastic_constants, moduli_of, series, unread
 from .moduli import MasterCurve
 from .shift import Arrhenius
 
 __all__ = ["read", "write"]
 
-#: Keywords below *MATERIAL that are read. Other keywords of a material, such as *DAMPING, have no effect on moduli.
+#: Keywords below *MATERIAL that are read. A note lists other keywords of a material, such as *DAMPING.
 _READ = ("DENSITY", "ELASTIC", "HYPERELASTIC", "VISCOELASTIC", "TRS")
+
+#: First words of keywords that end a material.
+_OUTSIDE = re.compile(
+    "(AMPLITUDE|ASSEMBLY|BOUNDARY|COHESIVE|CONNECTOR|CONTACT|COUPLING|ELEMENT|ELSET|END|EQUATION|FRICTION|GAP|HEADING"
+    "|INITIAL|INSTANCE|KINEMATIC|MEMBRANE|MPC|NODE|NSET|ORIENTATION|PART|PHYSICAL|PREPRINT|RIGID|SHELL|SOLID|STEP"
+    r"|SURFACE|SYSTEM|TIE|TRANSFORM)\b"
+)
 
 #: Coefficients of the initial shear modulus of strain energies, and the number of the coefficient D₁ [1/stress].
 _ENERGIES = {"NEO HOOKE": ((2.0,), 1), "MOONEY-RIVLIN": ((2.0, 2.0), 2), "YEOH": ((2.0,), 3)}
@@ -54,15 +63,25 @@ class _Option:
         return given == "LONG TERM"
 
 
+@dataclass(slots=True)
+class _Material:
+    """Name of a material with its options, and the lines of other keywords below it."""
+
+    name: str = ""
+    options: dict[str, _Option] = field(default_factory=dict)
+    unread: list[Line] = field(default_factory=list)
+
+
 def read(text: str, units: UnitSystem) -> list[Found]:
     """Return the constants of all viscoelastic materials of a text."""
-    return [_material(name, options, units) for name, options in _materials(text) if "VISCOELASTIC" in options]
+    return [_material(material, units) for material in _materials(text) if "VISCOELASTIC" in material.options]
 
 
-def _materials(text: str) -> list[tuple[str, dict[str, _Option]]]:
-    """Return the names of materials with their options. Options outside of a material belong to one without name."""
-    materials: list[tuple[str, dict[str, _Option]]] = [("", {})]
+def _materials(text: str) -> list[_Material]:
+    """Return the materials of a text. Options outside of a material belong to one without name."""
+    materials = [_Material()]
     option: _Option | None = None
+    inside = True
     pending = ""
     for number, raw in enumerate(text.splitlines(), 1):
         line = raw.strip()
@@ -78,18 +97,25 @@ def _materials(text: str) -> list[tuple[str, dict[str, _Option]]]:
             option = _Option(Line(number, f"*{name}", tuple(parameters)))
             if name == "MATERIAL":
                 label = next((p.partition("=")[2].strip() for p in parameters if p.upper().startswith("NAME")), "")
-                materials.append((label.strip('"'), {}))
+                materials.append(_Material(label.strip('"')))
+                inside = True
             elif name in _READ:
-                if name in materials[-1][1]:
+                if name in materials[-1].options:
                     raise option.line.error("must occur once in a material")
-                materials[-1][1][name] = option
+                materials[-1].options[name] = option
+                inside = True
+            elif _OUTSIDE.match(name):
+                inside = False
+            elif inside:
+                materials[-1].unread.append(option.line)
             continue
         if option is not None:
             option.rows.append(Line(number, option.name, tuple(cell.strip() for cell in line.split(","))))
     return materials
 
 
-def _material(name: str, options: dict[str, _Option], units: UnitSystem) -> Found:
+def _material(material: _Material, units: UnitSystem) -> Found:
+    name, options = material.name, material.options
     viscous = options["VISCOELASTIC"]
     domain = {key: viscous.parameters[key] for key in ("TIME", "FREQUENCY") if key in viscous.parameters}
     kind = next(iter(domain.items()), ("", ""))
@@ -101,7 +127,7 @@ def _material(name: str, options: dict[str, _Option], units: UnitSystem) -> Foun
     if "PRELOAD" in viscous.parameters:
         raise viscous.line.error("must be left without PRELOAD")
     elastic, shear, bulk = _elastic(name, options, units)
-    notes: list[str] = []
+    notes = unread(material.unread)
     long_term = elastic.moduli_are_long_term()
     if kind[0] == "FREQUENCY" and not long_term:
         raise elastic.line.error("must have MODULI=LONG TERM in the frequency domain", "INSTANTANEOUS")
@@ -113,7 +139,7 @@ def _material(name: str, options: dict[str, _Option], units: UnitSystem) -> Foun
     if "DENSITY" in options:
         found.density = options["DENSITY"].only_row().floats(1, "a density")[0] * units.density
     if "TRS" in options:
-        found.wlf = _shift(options["TRS"])
+        found.wlf, found.shift_line = _shift(options["TRS"]), options["TRS"].line
     return found
 
 
@@ -215,7 +241,11 @@ def write(deck: Deck) -> str:
             lines.append(", ".join(repr(value) for value in (*g, *k, omega / (2.0 * math.pi))))
     else:
         young, ratio = elastic_constants(deck.instantaneous, deck)
-        lines += ["*ELASTIC, MODULI=INSTANTANEOUS", f"{young!r}, {ratio!r}", "*VISCOELASTIC, TIME=PRONY"]
+        lines += [
+            "*ELASTIC, MODULI=INSTANTANEOUS",
+            f"{young!r}, {ratio!r}",
+            *["*VISCOELASTIC, TIME=PRONY"] * bool(deck.weights),
+        ]
         for weight, time in zip(deck.weights, deck.times, strict=True):
             lines.append(f"{weight!r}, {0.0 if deck.bulk_modulus is not None else weight!r}, {time!r}")
     if deck.shift is not None:

@@ -14,13 +14,16 @@ import re
 
 from .._support.errors import InvalidInput
 from .._support.text import finite_number, shown
-from .deck import Deck, Found, Line, UnitSystem, elastic_constants, moduli_of, number, series
+from .deck import Deck, Found, Line, UnitSystem, elastic_constants, moduli_of, number, series, unread
 from .shift import Arrhenius
 
 __all__ = ["read", "write"]
 
 #: Options of TB,SHIFT that stand for the Williams-Landel-Ferry law.
 _WLF = ("WLF", "1")
+
+#: Tables that are read; a note lists others.
+_TABLES = ("ELASTIC", "HYPER", "PRONY", "SHIFT")
 
 
 class _Table:
@@ -43,6 +46,7 @@ class _Material:
     def __init__(self) -> None:
         self.properties: dict[str, tuple[Line, float]] = {}
         self.tables: dict[tuple[str, str], _Table] = {}
+        self.unread: list[Line] = []
 
 
 def read(text: str, units: UnitSystem) -> list[Found]:
@@ -66,6 +70,7 @@ def _materials(text: str) -> dict[str, _Material]:
             property_, material = cells[0].upper(), cells[1]
             values = [cell for cell in cells[(2 if command == "MP" else 3) :] if cell]
             if property_ not in ("EX", "NUXY", "PRXY", "DENS"):
+                _of(materials, material).unread.append(Line(line.number, f"{command},{property_}", ()))
                 continue
             if len(values) != 1:
                 raise resolved.error("must have one constant: those of one temperature", shown(",".join(line.cells)))
@@ -78,6 +83,8 @@ def _materials(text: str) -> dict[str, _Material]:
                 raise resolved.error("must have the option SHEAR or BULK", option or "none")
             if kind == "SHIFT" and option not in _WLF:
                 raise resolved.error("must have the option WLF", option or "none")
+            if kind not in _TABLES:
+                _of(materials, material).unread.append(Line(line.number, f"TB,{kind}", ()))
             table = _Table(resolved, option)
             _of(materials, material).tables[kind, option if kind == "PRONY" else ""] = table
         elif command == "TBDATA" and table is not None:
@@ -85,6 +92,8 @@ def _materials(text: str) -> dict[str, _Material]:
             for offset, cell in enumerate(cells[1:]):
                 if cell:
                     table.values[start + offset] = (resolved, number(cell, resolved))
+        elif command.startswith("TB") and materials:
+            list(materials.values())[-1].unread.append(Line(line.number, command, ()))
     return materials
 
 
@@ -105,7 +114,7 @@ def _of(materials: dict[str, _Material], name: str) -> _Material:
 
 def _material(name: str, material: _Material, units: UnitSystem) -> Found:
     shear, bulk = _moduli(material)
-    notes: list[str] = []
+    notes = unread(material.unread)
     terms = _pairs(material.tables["PRONY", "SHEAR"])
     found = Found(series(shear * units.stress, terms, units, notes), name=name, notes=notes)
     of_bulk = _pairs(material.tables["PRONY", "BULK"]) if ("PRONY", "BULK") in material.tables else []
@@ -121,7 +130,7 @@ def _material(name: str, material: _Material, units: UnitSystem) -> Found:
         found.density = material.properties["DENS"][1] * units.density
     if shift := material.tables.get(("SHIFT", "")):
         reference, c1, c2 = (shift.value(i, what) for i, what in enumerate(("T_r", "C1", "C2"), 1))
-        found.wlf = (c1, c2, reference)
+        found.wlf, found.shift_line = (c1, c2, reference), shift.line
     return found
 
 
@@ -168,7 +177,8 @@ def write(deck: Deck) -> str:
     lines = [*(f"! {comment}" for comment in deck.comments), f"MP,EX,1,{young!r}", f"MP,NUXY,1,{ratio!r}"]
     if deck.density is not None:
         lines.append(f"MP,DENS,1,{deck.density!r}")
-    for option in ("SHEAR",) if deck.bulk_modulus is not None else ("SHEAR", "BULK"):
+    relaxing = ("SHEAR",) if deck.bulk_modulus is not None else ("SHEAR", "BULK")
+    for option in relaxing if deck.weights else ():
         lines.append(f"TB,PRONY,1,1,{len(deck.weights)},{option}")
         for i, (weight, time) in enumerate(zip(deck.weights, deck.times, strict=True)):
             lines.append(f"TBDATA,{2 * i + 1},{weight!r},{time!r}")

@@ -17,7 +17,7 @@ import re
 
 from .._support.errors import InvalidInput
 from .._support.text import shown
-from .deck import Deck, Found, Line, UnitSystem, number, series
+from .deck import Deck, Found, Line, UnitSystem, number, series, unread
 from .shift import Arrhenius
 
 __all__ = ["read", "write"]
@@ -29,11 +29,16 @@ _NAMES = ("G", "nu", "K", "rho", "T_ref", "C1", "C2")
 def read(text: str, units: UnitSystem, relaxed_modulus: float | None) -> list[Found]:
     """Return the constants of a table, whose relaxed modulus [Pa] is given unless the comments contain it."""
     constants: dict[str, float] = {}
+    lines: dict[str, Line] = {}
+    others: list[Line] = []
     rows: list[tuple[Line, list[float]]] = []
     for place, raw in enumerate(text.splitlines(), 1):
         if named := re.match(r"\s*[%#]\s*(\w+)\s*=\s*(\S+)", raw):
             if named[1] in _NAMES:
-                constants[named[1]] = number(named[2], Line(place, named[1], (named[2],)))
+                lines[named[1]] = Line(place, named[1], (named[2],))
+                constants[named[1]] = number(named[2], lines[named[1]])
+            else:
+                others.append(Line(place, named[1], ()))
             continue
         cells = tuple(re.split(r"[,;\s]+", re.split(r"[%#]", raw)[0].strip(" \t,;")))
         if cells == ("",):
@@ -45,7 +50,7 @@ def read(text: str, units: UnitSystem, relaxed_modulus: float | None) -> list[Fo
         infinite = time in ("inf", "infinity")
         rows.append((line, [number(cells[-2], line), math.inf if infinite else number(time, line)]))
     relaxed = constants["G"] * units.stress if "G" in constants else relaxed_modulus
-    notes: list[str] = []
+    notes = unread(others)
     never_relaxes = any(time == math.inf for _, (_, time) in rows)
     if relaxed is None and not never_relaxes:
         raise InvalidInput(
@@ -63,6 +68,7 @@ def read(text: str, units: UnitSystem, relaxed_modulus: float | None) -> list[Fo
     found.density = constants["rho"] * units.density if "rho" in constants else None
     if "T_ref" in constants:
         found.wlf = (constants.get("C1", 0.0), constants.get("C2", 0.0), constants["T_ref"])
+        found.shift_line = lines["T_ref"]
     return [found]
 
 

@@ -4,21 +4,24 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from os import PathLike
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
 
-from .._support.arguments import as_int, as_kelvin, as_positive
+from .._support.arguments import as_int, as_kelvin, as_positive, store_floats, store_positive
 from .._support.celsius import ZERO_CELSIUS
-from .._support.errors import InvalidInput, in_file
+from .._support.encodings import binary_format, decoded_utf16
+from .._support.errors import InvalidInput, InvalidType, in_file
 from .._support.text import shown
 from . import abaqus, ansys, comsol, ls_dyna
 from .deck import UNITS, Deck, Found, UnitSystem
 from .fewer_terms import fewer_terms
 from .moduli import MasterCurve, Prony, ShearModulus
-from .modulus_like import relaxation_of
+from .modulus_like import as_modulus, relaxation_of
 from .shift import Arrhenius, WilliamsLandelFerry, shift_factor, shifted
+from .softening import SofteningModulus
 
 __all__ = ["MaterialConstants", "holds_constants", "read_constants"]
 
@@ -35,6 +38,9 @@ _SIGNS = {
     "comsol": re.compile(r"\A(\s*([%#].*)?\n)*\s*[\d.][^%#\n]*[,;\s]+\S+", re.IGNORECASE),
 }
 
+#: Smallest ratio of the bulk to the shear modulus. Poisson's ratio is -0.9955 there; less is an error of units.
+_SMALLEST_BULK = 1e-3
+
 #: Shear modulus at rest [Pa] below which the units of a text are probably not those assumed.
 _SOFTEST = 1e3
 
@@ -47,22 +53,31 @@ class MaterialConstants:
 
     Parameters
     ----------
-    shear_modulus : ShearModulus
-        Shear modulus at the reference temperature of `shift`.
+    shear_modulus : ShearModulus or float
+        Shear modulus at the reference temperature of `shift`; a number [Pa] is an elastic modulus.
     poisson_ratio : float, optional
-        Poisson's ratio [-] if it is constant, so that the bulk modulus relaxes like the shear modulus.
+        Poisson's ratio in (-1, 0.5] if it is constant, so that the bulk modulus relaxes like the shear modulus.
     bulk_modulus : float, optional
-        Bulk modulus [Pa] if it is constant, so that only the shear modulus relaxes.
+        Bulk modulus [Pa] if it is constant, so that only the shear modulus relaxes; at least 0.001 of the
+        instantaneous shear modulus.
     shift : WilliamsLandelFerry or Arrhenius, optional
         Shift of relaxation times with temperature.
     density : float, optional
-        Mass density [kg/m³].
+        Mass density [kg/m³], > 0.
     name : str, default "material"
-        Name or number of the material.
+        Name or number of the material: printable characters other than commas and quotation marks, of which the first
+        is neither * nor $.
     program : str, optional
         Program from whose text the constants were read.
     notes : tuple of str, optional
         Statements about constants that were read in another form, or left out.
+
+    Raises
+    ------
+    TypeError
+        If a parameter has a wrong type, or the modulus is a function or a strain-dependent `SofteningModulus`.
+    ValueError
+        If a number is out of range, or a program could not read the name.
 
     Examples
     --------
@@ -88,9 +103,26 @@ class MaterialConstants:
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        """Check that at most one of Poisson's ratio and bulk modulus is given."""
+        """Store the numbers as floats and check the parameters."""
+        object.__setattr__(self, "shear_modulus", _rate_dependent(self.shear_modulus))
         if self.poisson_ratio is not None and self.bulk_modulus is not None:
-            raise InvalidInput("bulk_modulus", "must be left out with poisson_ratio", f"{self.bulk_modulus:g}")
+            raise InvalidInput("bulk_modulus", "must be left out with poisson_ratio", shown(self.bulk_modulus))
+        units = {"bulk_modulus": "Pa", "density": "kg/m³"}
+        store_positive(self, {name: unit for name, unit in units.items() if getattr(self, name) is not None})
+        store_floats(self, (), optional=("poisson_ratio",))
+        if self.poisson_ratio is not None and not -1.0 < self.poisson_ratio <= 0.5:
+            raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{self.poisson_ratio:g}")
+        smallest = _SMALLEST_BULK * _largest_known(self.shear_modulus)
+        if self.bulk_modulus is not None and self.bulk_modulus < smallest:
+            rule = f"must be >= {smallest:.3g} Pa, 0.001 of the shear modulus: check its unit"
+            raise InvalidInput("bulk_modulus", rule, f"{self.bulk_modulus:g}")
+        if not isinstance(self.shift, WilliamsLandelFerry | Arrhenius | None):
+            raise InvalidType("shift", "must be WilliamsLandelFerry, Arrhenius or None", shown(self.shift))
+        if not isinstance(self.name, str):
+            raise InvalidType("name", "must be a text", shown(self.name))
+        if self.name != _label(self.name):
+            rule = "must be of printable characters without , and quotation marks, and not begin with *, $ or a space"
+            raise InvalidInput("name", rule, shown(self.name))
 
     def at(self, *, temperature: float) -> ShearModulus:
         """Return the shear modulus at a temperature [K].
@@ -230,8 +262,36 @@ class MaterialConstants:
         return "\n".join([*known, *(f"  note: {note}" for note in self.notes)])
 
 
-def holds_constants(text: str) -> bool:
-    """Return whether a text contains a keyword or command of viscoelastic constants of Abaqus, Ansys or LS-DYNA."""
+def _rate_dependent(modulus: object) -> ShearModulus:
+    """Return a modulus unchanged and a number as an elastic modulus; reject functions and moduli that need a strain."""
+    rule = "must be a modulus of viscoroll at vanishing strain, or a number"
+    try:
+        accepted = as_modulus(modulus)  # type: ignore[arg-type]
+    except InvalidType as error:
+        raise InvalidType("shear_modulus", rule, error.value) from None
+    if not isinstance(accepted, ShearModulus) or isinstance(accepted, SofteningModulus):
+        raise InvalidType("shear_modulus", rule, shown(modulus))
+    return accepted
+
+
+def _largest_known(modulus: ShearModulus) -> float:
+    """Return the instantaneous modulus [Pa] of a sum of exponentials, and the modulus at rest of others."""
+    relaxation = relaxation_of(modulus)
+    return float(modulus.complex_modulus(0.0).real if relaxation is None else np.sum(relaxation.moduli))
+
+
+def _label(name: str) -> str:
+    """Return a name without characters that end a name, or make a line a keyword or comment, in any program."""
+    kept = "".join(c if c.isprintable() and c not in ",\"'" else " " for c in name)
+    return kept.lstrip("*$ ").rstrip()
+
+
+def holds_constants(path: Path) -> bool:
+    """Return whether a file contains a keyword or command of viscoelastic constants of Abaqus, Ansys or LS-DYNA."""
+    try:
+        text = _decoded(path)
+    except InvalidInput:  # a binary file
+        return False
     return any(sign.search(text) for program, sign in _SIGNS.items() if program != "comsol")
 
 
@@ -251,7 +311,7 @@ def read_constants(
     Parameters
     ----------
     source : str or Path
-        Path of a file, or a text of more than one line.
+        Path of a file in UTF-8, UTF-16 or Latin-1, or a text of more than one line.
     name : str, optional
         Name or number of the material; required if the text has several viscoelastic materials.
     units : str, default "m-kg-s"
@@ -265,10 +325,13 @@ def read_constants(
     Returns
     -------
     MaterialConstants
-        Shear modulus, Poisson's ratio or bulk modulus, shift and density in SI units, and notes.
+        Shear modulus, Poisson's ratio or bulk modulus, shift and density in SI units, and notes. A note lists keywords
+        of the material that were not read, for example because of a typing error.
 
     Raises
     ------
+    TypeError
+        If `source` is neither a path nor a text, or another argument has a wrong type.
     ValueError
         If the program is not recognized, a constant is missing or out of range, or the material is of a form that is
         not read. The message names line and keyword.
@@ -300,6 +363,12 @@ def read_constants(
     scale = _units(units)
     offset = ZERO_CELSIUS if _temperature_unit(temperature_unit) == "C" else 0.0
     relaxed = None if relaxed_modulus is None else as_positive("relaxed_modulus", relaxed_modulus, "Pa")
+    if not isinstance(source, str | PathLike):
+        raise InvalidType("source", "must be a path or a text", shown(source))
+    if not isinstance(name, str | None):
+        raise InvalidType("name", "must be a text or None", shown(name))
+    if not str(source).strip():
+        raise InvalidInput("source", "must be a path or a text of more than one line", shown(source))
     is_text = isinstance(source, str) and "\n" in source
     text = str(source) if is_text else _decoded(Path(source))
     try:
@@ -318,6 +387,11 @@ def read_constants(
 
 def _decoded(path: Path) -> str:
     content = path.read_bytes()
+    if (binary := binary_format(content)) is not None:
+        names = ", ".join(_PROGRAMS.values())
+        raise InvalidInput("text", f"must be input of {names}", binary).of_file(path)
+    if (text := decoded_utf16(content)) is not None:
+        return text
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -325,7 +399,7 @@ def _decoded(path: Path) -> str:
 
 
 def _units(name: str) -> UnitSystem:
-    if name not in UNITS:
+    if not isinstance(name, str) or name not in UNITS:
         raise InvalidInput("units", f"must be one of {', '.join(UNITS)}", shown(name))
     return UNITS[name]
 
@@ -350,14 +424,27 @@ def _chosen(found: list[Found], name: str | None, program: str) -> Found:
     return matching[0]
 
 
+def _reference(found: Found, given: float, offset: float) -> float:
+    """Return the reference temperature of a shift [K], or raise an error about its line and the unit."""
+    try:
+        return as_kelvin("reference_temperature", given + offset)
+    except InvalidInput as error:
+        if found.shift_line is None:
+            raise
+        hint = "" if offset else 'give temperature_unit="C" if the temperatures of the text are in °C'
+        raise found.shift_line.error("must have a reference temperature >= 100 K", error.value).with_more(
+            hint
+        ) from None
+
+
 def _constants(found: Found, program: str, offset: float) -> MaterialConstants:
     shift: WilliamsLandelFerry | Arrhenius | None = None
     if found.wlf is not None:
         c1, c2, reference = found.wlf
-        shift = WilliamsLandelFerry(c1=c1, c2=c2, reference_temperature=reference + offset)
+        shift = WilliamsLandelFerry(c1=c1, c2=c2, reference_temperature=_reference(found, reference, offset))
     if found.arrhenius is not None:
         energy, reference = found.arrhenius
-        shift = Arrhenius(activation_energy=energy, reference_temperature=reference + offset)
+        shift = Arrhenius(activation_energy=energy, reference_temperature=_reference(found, reference, offset))
     modulus = found.modulus
     stiffness = modulus.storage[-1] if isinstance(modulus, MasterCurve) else modulus.instantaneous_modulus
     notes = list(found.notes)
@@ -368,8 +455,8 @@ def _constants(found: Found, program: str, offset: float) -> MaterialConstants:
         poisson_ratio=found.poisson_ratio,
         bulk_modulus=found.bulk_modulus,
         shift=shift,
-        density=found.density,
-        name=found.name or "material",
+        density=found.density or None,
+        name=" ".join(_label(found.name).split()) or "material",
         program=program,
         notes=tuple(notes),
     )

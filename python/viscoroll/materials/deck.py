@@ -11,7 +11,18 @@ from .._support.text import finite_number, shown
 from .moduli import MasterCurve, Prony
 from .shift import Arrhenius, WilliamsLandelFerry
 
-__all__ = ["UNITS", "Deck", "Found", "Line", "UnitSystem", "elastic_constants", "moduli_of", "number", "series"]
+__all__ = [
+    "UNITS",
+    "Deck",
+    "Found",
+    "Line",
+    "UnitSystem",
+    "elastic_constants",
+    "moduli_of",
+    "number",
+    "series",
+    "unread",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +70,15 @@ class Line:
         return [number(cell, self) if cell else 0.0 for cell in cells]
 
 
+def unread(lines: Sequence[Line]) -> list[str]:
+    """Return a note that lists the keywords of lines that a reader left out, each once; empty without such lines."""
+    if not lines:
+        return []
+    places = {line.keyword: line.number for line in reversed(lines)}
+    listed = ", ".join(f"{keyword} (line {place})" for keyword, place in sorted(places.items(), key=lambda one: one[1]))
+    return [f"not read: {listed}"]
+
+
 def number(cell: str, line: Line) -> float:
     """Return a number in the notation of Fortran or C, such as 1.5e3, 1.5D3 or 1.5+3."""
     text = re.sub(r"(?<=[\d.])[dD](?=[+-]?\d)", "e", cell.strip())
@@ -79,6 +99,7 @@ class Found:
     density: float | None = None
     wlf: tuple[float, float, float] | None = None  #: C₁ [-], C₂ [K] and T_r in the unit of the text
     arrhenius: tuple[float, float] | None = None  #: activation energy [J/mol] and T_r in the unit of the text
+    shift_line: Line | None = None  #: line with T_r
     name: str = ""
     notes: list[str] = field(default_factory=list)
 

@@ -17,7 +17,7 @@ import math
 from collections.abc import Iterator
 
 from .._support.errors import InvalidInput
-from .deck import Deck, Found, Line, UnitSystem, series
+from .deck import Deck, Found, Line, UnitSystem, series, unread
 from .shift import Arrhenius, WilliamsLandelFerry
 
 __all__ = ["MOST_TERMS", "read", "write"]
@@ -34,8 +34,12 @@ _GAS_CONSTANT = 8.314462618  # [J/(mol K)], CODATA 2018
 def read(text: str, units: UnitSystem) -> list[Found]:
     """Return the constants of all materials 76 and 6 of a text."""
     found = []
-    for keyword, cards in _blocks(text):
+    added: list[Line] = []
+    for line, cards in _blocks(text):
+        keyword = line.keyword
         kind = keyword.removeprefix("*MAT_").removesuffix("_TITLE")
+        if keyword.startswith("*MAT_ADD_"):
+            added.append(line)
         if kind not in (*_GENERAL, *_SIMPLE):
             continue
         name = ""
@@ -46,25 +50,27 @@ def read(text: str, units: UnitSystem) -> list[Found]:
             raise InvalidInput(keyword, "must have cards", "none")
         read_material = _general if kind in _GENERAL else _simple
         found.append(read_material(name, cards, units))
+    for one in found:
+        one.notes += unread(added)
     return found
 
 
-def _blocks(text: str) -> Iterator[tuple[str, list[Line]]]:
+def _blocks(text: str) -> Iterator[tuple[Line, list[Line]]]:
     """Iterate over the keywords of a text with their cards. A blank card is one of zeros, unless it ends the text."""
-    keyword, width, default = "", 10, 10
+    keyword, start, width, default = "", 0, 10, 10
     cards: list[Line] = []
     for place, raw in enumerate(text.rstrip().splitlines(), 1):
         if raw.startswith("$"):
             continue
         if raw.startswith("*"):
             if keyword:
-                yield keyword, cards
+                yield Line(start, keyword, ()), cards
             words = raw.upper().split()
             if words[0] == "*KEYWORD" and "LONG=Y" in words:
                 default = 20
             suffix = words[0][-1] if words[0][-1] in "+-%" else next((w for w in words[1:] if w in "+-%"), "")
             width = {"+": 20, "-": 10, "%": 10}.get(suffix, default)
-            keyword, cards = words[0].rstrip("+-%"), []
+            keyword, start, cards = words[0].rstrip("+-%"), place, []
             continue
         if keyword.endswith("_TITLE") and not cards:
             cut = [raw]
@@ -74,7 +80,7 @@ def _blocks(text: str) -> Iterator[tuple[str, list[Line]]]:
             cut = [raw[i : i + width] for i in range(0, len(raw.rstrip()), width)]
         cards.append(Line(place, keyword, tuple(cell.strip() for cell in cut)))
     if keyword:
-        yield keyword, cards
+        yield Line(start, keyword, ()), cards
 
 
 def _general(name: str, cards: list[Line], units: UnitSystem) -> Found:
@@ -118,6 +124,7 @@ def _shift(found: Found, card: Line, values: list[float]) -> None:
     reference, a, b = values
     if a == 0.0 or reference == 0.0:
         return
+    found.shift_line = card
     if b == 0.0:
         found.arrhenius = (abs(a) * _GAS_CONSTANT, reference)
     else:

@@ -6,7 +6,6 @@ them. A sheet or a step becomes a section of the text with its name as the title
 
 from __future__ import annotations
 
-import codecs
 import json
 import re
 from collections.abc import Iterable, Iterator
@@ -14,33 +13,11 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
+from .._support.encodings import OLE, UNKNOWN, ZIP, binary_format, decoded_utf16
 from .._support.extras import extra
 from .names import parse_header, role_of
 
 __all__ = ["read_text"]
-
-_ZIP = b"PK\x03\x04"
-_OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
-
-#: First bytes of files that contain no text, with the names of the formats.
-_BINARY = (
-    (_ZIP, "a ZIP archive"),
-    (_OLE, "a file of an older Microsoft Office"),
-    (b"%PDF", "a PDF document"),
-    (b"\x89HDF\r\n\x1a\n", "an HDF5 file"),
-    (b"CDF", "a NetCDF file"),
-    (b"\x89PNG", "a PNG image"),
-    (b"\xff\xd8\xff", "a JPEG image"),
-    (b"GIF8", "a GIF image"),
-    (b"II*\x00", "a TIFF image"),
-    (b"MM\x00*", "a TIFF image"),
-    (b"\x1f\x8b", "a gzip archive"),
-    (b"7z\xbc\xaf\x27\x1c", "a 7z archive"),
-    (b"Rar!", "a RAR archive"),
-    (b"SQLite format 3", "an SQLite database"),
-    (b"MATLAB 5.0", "a MATLAB file"),
-    (b"{\\rtf", "an RTF document"),
-)
 
 #: Projects that only the program of an instrument reads, by the ending of the file name.
 _PROJECTS = {
@@ -50,9 +27,6 @@ _PROJECTS = {
     ".rslt": "a RheoCompass file",
     ".ngb-dm8": "a Proteus file",
 }
-
-#: Byte order marks of UTF-16.
-_UTF16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 
 
 def read_text(path: Path) -> str:
@@ -69,7 +43,7 @@ def read_text(path: Path) -> str:
         If the file is a workbook and the extra `viscoroll[excel]` is missing.
     """
     content = path.read_bytes()
-    if content.startswith((_ZIP, _OLE)) and (text := _workbook(path, content)) is not None:
+    if content.startswith((ZIP, OLE)) and (text := _workbook(path, content)) is not None:
         return text
     _require_text(path, content)
     text = _decoded(content)
@@ -77,10 +51,8 @@ def read_text(path: Path) -> str:
 
 
 def _decoded(content: bytes) -> str:
-    if content.startswith(_UTF16):
-        return content.decode("utf-16", errors="replace")
-    if (byte_order := _utf16_without_mark(content)) is not None:
-        return content.decode(byte_order, errors="replace")
+    if (text := decoded_utf16(content)) is not None:
+        return text
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -95,26 +67,13 @@ def _decoded(content: bytes) -> str:
     return content.decode("cp1252", errors="replace")
 
 
-def _utf16_without_mark(content: bytes) -> str | None:
-    """Return the encoding of a text in UTF-16 without a byte order mark: every second byte of ASCII text is zero."""
-    start = content[:2000]
-    half = len(start) // 2
-    if half < 2 or len(content) % 2:
-        return None
-    for encoding, zeros, others in (("utf-16-le", start[1::2], start[::2]), ("utf-16-be", start[::2], start[1::2])):
-        if zeros.count(0) > 0.7 * half and others.count(0) == 0:
-            return encoding
-    return None
-
-
 def _require_text(path: Path, content: bytes) -> None:
     """Raise a ValueError that names the format of a file without text."""
-    found = next((name for start, name in _BINARY if content.startswith(start)), None)
+    found = binary_format(content)
     if found is None:
-        is_text = content.startswith(_UTF16) or _utf16_without_mark(content) is not None or b"\x00" not in content
-        if is_text:
-            return
-        found = _PROJECTS.get(path.suffix.lower(), "a binary file of unknown format")
+        return
+    if found == UNKNOWN:
+        found = _PROJECTS.get(path.suffix.lower(), found)
     raise ValueError(f"{path}: must be a text or CSV file, an Excel workbook or TRIOS JSON, got {found}")
 
 

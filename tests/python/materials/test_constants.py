@@ -319,3 +319,144 @@ def test_messages_of_arguments(tmp_path):
     path.write_text("*ELASTIC\n1e6\n*VISCOELASTIC\n")
     with pytest.raises(vr.InvalidInput, match=rf"^{path}: line 3 \(\*VISCOELASTIC\)"):
         read_constants(path)
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "message"),
+    [
+        (
+            {"shear_modulus": "x"},
+            TypeError,
+            "shear_modulus must be a modulus of viscoroll at vanishing strain, or a number",
+        ),
+        ({"shear_modulus": -1e6}, vr.InvalidInput, "modulus must be > 0 Pa, got -1e"),
+        (
+            {"shear_modulus": abs},
+            TypeError,
+            "shear_modulus must be a modulus of viscoroll at vanishing strain, or a number",
+        ),
+        ({"poisson_ratio": 0.7}, vr.InvalidInput, r"poisson_ratio must be in \(-1, 0.5\], got 0.7"),
+        ({"poisson_ratio": -1.0}, vr.InvalidInput, r"poisson_ratio must be in \(-1, 0.5\], got -1"),
+        ({"poisson_ratio": math.nan}, vr.InvalidInput, r"poisson_ratio must be in \(-1, 0.5\], got nan"),
+        ({"poisson_ratio": "0.5"}, TypeError, "poisson_ratio must be a real number, got str '0.5'"),
+        ({"bulk_modulus": math.nan}, vr.InvalidInput, "bulk_modulus must be > 0 Pa, got nan"),
+        ({"bulk_modulus": 2.0}, vr.InvalidInput, r"bulk_modulus must be >= 1.23e\+06 Pa, 0.001 of the shear modulus"),
+        ({"density": -1.0}, vr.InvalidInput, "density must be > 0 kg/m³, got -1"),
+        ({"shift": lambda temperature: 1.0}, TypeError, "shift must be WilliamsLandelFerry, Arrhenius or None"),
+        ({"name": 7}, TypeError, "name must be a text, got 7"),
+        ({"name": "a\nb"}, vr.InvalidInput, "name must be of printable characters without , and quotation marks"),
+        ({"name": "a, b"}, vr.InvalidInput, "name must be of printable characters without , and quotation marks"),
+        ({"name": "*END"}, vr.InvalidInput, "name must be of printable characters without , and quotation marks"),
+    ],
+)
+def test_invalid_constants_have_messages(given, error, message):
+    with pytest.raises(error, match=f"^{message}"):
+        MaterialConstants(**({"shear_modulus": SERIES} | given))
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_a_number_is_an_elastic_modulus(program):
+    constants = MaterialConstants(shear_modulus=1e6, poisson_ratio=0.25, density=1100.0)
+    assert constants.shear_modulus == vr.Elastic(modulus=1e6)
+    text = constants.to_text(program)
+    assert "PRONY" not in text  # a table without terms is an error in Abaqus and Ansys
+    if program == "ls-dyna":
+        np.testing.assert_allclose(read_constants(text).shear_modulus.complex_modulus(OMEGA), 1e6, rtol=1e-12)
+    else:  # G in COMSOL, E = 2 G (1 + nu) in Abaqus and Ansys
+        assert ("% G = 1000000.0\n" if program == "comsol" else "2500000.0") in text
+
+
+def test_names_of_decks_become_names_for_all_programs():
+    found = read_constants(LS_DYNA.replace("soft pad", "pad, 60 Shore A"), units="mm-t-s")
+    assert found.name == "pad 60 Shore A"
+    assert "*MATERIAL, NAME=pad 60 Shore A\n" in found.to_text("abaqus")
+
+
+@pytest.mark.parametrize(
+    ("text", "where"),
+    [
+        (ABAQUS_LONG_TERM, r"line 9 \(\*TRS\)"),
+        (ANSYS, r"line 10 \(TB\)"),
+        (LS_DYNA.replace("293.15", "    20"), r"line 6 \(\*MAT_GENERAL_VISCOELASTIC_TITLE\)"),
+        (COMSOL + "% T_ref = 20\n% C1 = 8.86\n% C2 = 101.6\n", r"line 5 \(T_ref\)"),
+    ],
+    ids=["abaqus", "ansys", "ls-dyna", "comsol"],
+)
+def test_low_reference_temperatures_suggest_their_unit(text, where):
+    rule = 'must have a reference temperature >= 100 K, got 20 K; give temperature_unit="C" if'
+    with pytest.raises(vr.InvalidInput, match=f"^{where} {rule}"):
+        read_constants(text, units="mm-t-s")
+    assert read_constants(text, units="mm-t-s", temperature_unit="C").shift.reference_temperature == 293.15
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "message"),
+    [
+        ({"source": ""}, vr.InvalidInput, "source must be a path or a text of more than one line, got ''"),
+        ({"source": " \n"}, vr.InvalidInput, r"source must be a path or a text of more than one line, got ' \\n'"),
+        ({"source": None}, TypeError, "source must be a path or a text, got None"),
+        ({"source": b"*ELASTIC"}, TypeError, r"source must be a path or a text, got b'\*ELASTIC'"),
+        ({"name": 1}, TypeError, "name must be a text or None, got 1"),
+        ({"units": ["mm"]}, vr.InvalidInput, r"units must be one of .*, got \['mm'\]"),
+        ({"temperature_unit": ["C"]}, vr.InvalidInput, r"temperature_unit must be 'K' or 'C', got \['C'\]"),
+    ],
+)
+def test_arguments_of_wrong_types_have_messages(given, error, message):
+    with pytest.raises(error, match=f"^{message}"):
+        read_constants(**({"source": ABAQUS_LONG_TERM} | given))
+
+
+@pytest.mark.parametrize(
+    ("content", "format_"),
+    [
+        (b"PK\x03\x04*ELASTIC\n", "a ZIP archive"),
+        (b"\x89HDF\r\n\x1a\n*ELASTIC\n", "an HDF5 file"),
+        (b"*ELASTIC\n\x00\x01\x02\x03", "a binary file of unknown format"),
+    ],
+)
+def test_binary_files_are_named(tmp_path, content, format_):
+    path = tmp_path / "deck.odb"
+    path.write_bytes(content)
+    message = f"^{path}: text must be input of Abaqus, Ansys, LS-DYNA, COMSOL, got {format_}$"
+    with pytest.raises(vr.InvalidInput, match=message):
+        read_constants(path)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "latin-1"])
+def test_encodings_of_decks(tmp_path, encoding):
+    path = tmp_path / "deck.inp"
+    path.write_text(ABAQUS_LONG_TERM.replace("** comment", "** Außenhaut"), encoding=encoding)
+    assert read_constants(path, units="mm-t-s", temperature_unit="C").name == "Soft pad"
+
+
+@pytest.mark.parametrize(
+    ("text", "note"),
+    [
+        (ABAQUS_LONG_TERM.replace("*Trs", "*Tsr"), "not read: *TSR (line 9)"),
+        (
+            ABAQUS_LONG_TERM.replace("*Density", "*Damping").replace("*Step", "*Expansion\n1.\n*Step"),
+            "not read: *DAMPING (line 11), *EXPANSION (line 13)",
+        ),
+        (ABAQUS_INSTANTANEOUS + "*TSR\n20., 8.86, 101.6\n", "not read: *TSR (line 6)"),
+        (ANSYS.replace("TB,SHIFT", "TB,SHFT"), "not read: TB,SHFT (line 10)"),
+        (
+            ANSYS.replace("TB,SHIFT", "MP,ALPX,matid,1\nTBTEMP,20\nTB,SHIFT"),
+            "not read: MP,ALPX (line 10), TBTEMP (line 11)",
+        ),
+        (
+            LS_DYNA.replace("*END", "*MAT_ADD_THERMAL_EXPANSION\n$ comment\n7\n*END"),
+            "not read: *MAT_ADD_THERMAL_EXPANSION (line 11)",
+        ),
+        (COMSOL + "% T_rfe = 293.15\n", "not read: T_rfe (line 5)"),
+    ],
+)
+def test_a_note_lists_keywords_that_were_not_read(text, note):
+    found = read_constants(text, units="mm-t-s", temperature_unit="K" if text.startswith("*KEY") else "C")
+    assert [line for line in found.notes if line.startswith("not read")] == [note]
+
+
+def test_keywords_outside_of_materials_are_not_listed():
+    before = "*HEADING\ntitle\n*NODE\n1, 0., 0.\n*AMPLITUDE, NAME=A\n0., 1.\n"
+    after = "*SURFACE INTERACTION, NAME=B\n*FRICTION\n0.1,\n*BOUNDARY\n1, 1\n"
+    text = before + ABAQUS_LONG_TERM.replace("*Step", after + "*Step")
+    assert read_constants(text, units="mm-t-s", temperature_unit="C").notes == ()

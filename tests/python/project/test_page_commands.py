@@ -2,7 +2,7 @@
 
 A command is a line of a block `console` or `sh`, an indented line, or inline code that names a file. The first line of
 a TOML block names its file; a block without a body is the lower part of the example case, as its comment says. The
-reader's own files, measurements and a case file of the example, are provided.
+reader's own files, measurements and a case file of the example, are provided, and the deck that a page shows.
 """
 
 from __future__ import annotations
@@ -69,6 +69,12 @@ def write_files_of_readers(folder: Path) -> None:
     (folder / "case.toml").write_text(example_text(), encoding="utf-8")
 
 
+def write_deck_of(page: Path, folder: Path) -> None:
+    """Write the deck of a finite-element program, if a cell of the page has one."""
+    if deck := re.search(r'^deck = """\\\n(.*?)"""', page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE):
+        (folder / "tread.inp").write_text(deck[1], encoding="utf-8")
+
+
 def write_file(block: str, folder: Path) -> None:
     name = re.match(r"# (\S+\.toml)\b", block)
     assert name, f"a TOML block must begin with the name of its file, as # case.toml, got {block.splitlines()[0]!r}"
@@ -106,5 +112,6 @@ def test_pages_have_commands_of_all_kinds():
 )
 def test_commands_and_files_of_a_page(page, tmp_path):
     write_files_of_readers(tmp_path)
+    write_deck_of(page, tmp_path)
     for kind, text in steps(page):
         (write_file if kind == "toml" else run_line)(text, tmp_path)
