@@ -131,6 +131,7 @@ void bind_solve(py::module_& m) {
       .def_readonly("curvature", &Options::curvature)
       .def_readonly("patch_load", &Options::patch_load)
       .def_readonly("slip_kinematics", &Options::slip_kinematics)
+      .def_readonly("finite_strain", &Options::finite_strain)
       .def_readonly("max_iterations", &Options::max_iterations)
       .def_readonly("threads", &Options::threads);
 

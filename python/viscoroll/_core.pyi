@@ -213,7 +213,7 @@ class ResultScalars:
     @property
     def contact_length_model_error(self) -> float | None:
         """
-        relative error of the contact length of linear theory [1]. 0.5 ε, which covers rollers at finite strain up to ε = 0.2.
+        relative error of the contact length of linear theory [1]. The strain ε, which covers rollers at finite strain up to ε = 0.2, within the spacing of the finite elements.
         """
     @property
     def contact_width(self) -> float | None:
@@ -273,7 +273,7 @@ class ResultScalars:
     @property
     def finite_strain_torque_error(self) -> float | None:
         """
-        relative error of the torque at finite strain [1]. Estimated from the strain: 0.4 ε + 10 ε³, which covers finite elements of rollers up to a strain of 0.2; for wheels, the neglected effects of crown and sides are added.
+        relative error of the torque at finite strain [1]. Estimated from the strain: 0.4 ε + 6 ε³, which covers 96 % of the finite elements of rollers up to a strain of 0.2. The error estimate of the mesh is added, and for wheels the neglected effects of crown and sides.
         """
     @property
     def iterations(self) -> int:
@@ -308,7 +308,7 @@ class ResultScalars:
     @property
     def max_pressure_model_error(self) -> float | None:
         """
-        relative error of the largest pressure of linear theory [1]. 0.7 ε, which covers rollers at finite strain up to ε = 0.2.
+        relative error of the largest pressure of linear theory [1]. 0.9 ε, which covers rollers at finite strain up to ε = 0.2.
         """
     @property
     def model_error(self) -> float | None:
@@ -333,7 +333,7 @@ class ResultScalars:
     @property
     def penetration_model_error(self) -> float | None:
         """
-        relative error of the penetration of linear theory [1]. 0.35 ε, which covers balls and rollers at finite strain up to ε = 0.2. At a given penetration, the load has about the same error.
+        relative error of the penetration of linear theory [1]. The strain ε, which covers balls and rollers at finite strain up to ε = 0.2. At a given penetration, the load has about the same error.
         """
     @property
     def residual(self) -> float:
@@ -458,6 +458,8 @@ class Options:
     def compliance(self) -> Compliance: ...
     @property
     def curvature(self) -> Curvature: ...
+    @property
+    def finite_strain(self) -> bool: ...
     @property
     def max_iterations(self) -> int: ...
     @property

@@ -154,6 +154,8 @@ void add_finite_strain(Result& result, std::optional<Result> rough, const Rollin
   if (!result.finite_strain_torque) {
     result.overspeed.reset();
     result.finite_strain_torque_error.reset();
+  } else {
+    *result.finite_strain_torque_error += result.error_estimate;
   }
 }
 

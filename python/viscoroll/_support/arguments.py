@@ -57,6 +57,8 @@ def kind_names(kind: type | UnionType) -> str:
 
 def _public_name(kind: type) -> str:
     root = kind.__module__.split(".")[0]
+    if root == "builtins":
+        return kind.__name__
     if kind.__name__ in sys.modules[root].__all__:
         return f"{root}.{kind.__name__}"
     return f"{root}.{'enums' if issubclass(kind, Enum) else kind.__module__.split('.')[1]}.{kind.__name__}"

@@ -7,7 +7,7 @@ from typing import Any
 
 from .. import _core
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
-from .._support.arguments import as_float, as_int, as_member, require_type
+from .._support.arguments import as_float, as_int, as_member, as_positive, require_type
 from .._support.errors import InvalidInput
 from .._support.progress import ProgressLike, reporting
 from .._support.result_warnings import warn
@@ -151,8 +151,8 @@ def solve(
     curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
-    load_case = _core_load_case(load, penetration, angular_speed, speed, friction, drive)
     solved_speed = _solved_speed(body, angular_speed, speed)
+    load_case = _core_load_case(load, penetration, angular_speed, speed, friction, drive)
     options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
     with reporting(progress) as report, si_hints(body, on, angular_speed=solved_speed):
         solution = _core.solve(
@@ -283,9 +283,11 @@ def _solved_speed(body: RollingBody, angular_speed: float | None, speed: float |
     """Return the angular speed at which linear theory is solved."""
     if angular_speed is None and speed is None:
         raise InvalidInput("angular_speed", "must be given, or speed instead of it", "neither")
-    if angular_speed is not None:
+    if speed is None:
         return as_float("angular_speed", angular_speed)
-    return as_float("speed", speed) / body.outer_radius
+    if angular_speed is not None:
+        raise InvalidInput("speed", "must be left out if the angular speed is given", f"{shown(speed)} m/s")
+    return as_positive("speed", speed, "m/s") / body.outer_radius
 
 
 def _core_load_case(

@@ -117,6 +117,11 @@ def _torque_rows(result: Solution) -> list[tuple[str, str]]:
         ("torque at finite strain", f"{_quantity(result, 'finite_strain_torque')}, {error}"),
         ("resisting torque T_r of linear theory", linear),
         ("overspeed of the surface in the contact", f"{result.overspeed:.3g}"),
+        *(
+            [("angular speed of the body", _quantity(result, "finite_strain_angular_speed"))]
+            if result.finite_strain_angular_speed != result.angular_speed
+            else []
+        ),
     ]
 
 

@@ -232,6 +232,8 @@ def _check_names(parameters: dict[str, Any]) -> None:
         raise TypeError(f"sweep requires {' and '.join(missing)}{hint}")
     if parameters.get("load") is not None and parameters.get("penetration") is not None:
         raise InvalidInput("penetration", "must be left out if the load is given", shown(parameters["penetration"]))
+    if parameters.get("angular_speed") is not None and parameters.get("speed") is not None:
+        raise InvalidInput("speed", "must be left out if the angular speed is given", shown(parameters["speed"]))
     if parameters.get("mesh") is not None and parameters.get("accuracy") is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", f"{parameters['accuracy']!r}")
     if taken := sorted(parameters.keys() & RESERVED - LOAD_CASE):

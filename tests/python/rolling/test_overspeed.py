@@ -140,7 +140,8 @@ def test_errors_cover_finite_elements():
     assert len(rows) == 180
     r = vr.solve(ROLLER, penetration=1e-3, angular_speed=2.5, accuracy=0.05)
     assert r.strain == pytest.approx(0.1, rel=1e-12)
-    assert r.finite_strain_torque_error == pytest.approx(0.4 * 0.1 + 6.0 * 0.1**3, rel=1e-12)
+    of_strain = r.finite_strain_torque_error - r.error_estimate
+    assert of_strain == pytest.approx(0.4 * 0.1 + 6.0 * 0.1**3, rel=1e-12)
     assert r.model_error == pytest.approx((0.9 + 4.5 * 0.1) * 0.1, rel=1e-12)
     errors = {
         "corrected ratio": lambda strain: 0.4 * strain + 6.0 * strain**3,
@@ -161,6 +162,12 @@ def test_speed_and_angular_speed_exclude_each_other():
 
     assert message() == "angular_speed must be given, or speed instead of it, got neither"
     assert message(angular_speed=1.0, speed=1.0) == "speed must be left out if the angular speed is given, got 1 m/s"
+    with pytest.raises(vr.InvalidInput, match=r"^speed must be left out if the angular speed is given, got 1 m/s$"):
+        vr.RollingModel(BALL, angular_speed=1.0, speed=1.0, mesh=vr.Mesh(nodes_per_revolution=200))
+    with pytest.raises(vr.InvalidInput, match="^speed must be left out if the angular speed is given"):
+        vr.sweep(BALL, load=[1.0], angular_speed=[1.0, 2.0], speed=0.1, progress=False)
+    with pytest.raises(TypeError, match="^finite_strain must be "):
+        vr.solve(BALL, load=50.0, angular_speed=1.0, finite_strain=1)
     assert message(speed=-1.0) == "speed must be > 0 m/s, got -1"
     assert message(speed=1.0, friction=0.3) == "speed must be left out with friction, which determines it, got 1 m/s"
 

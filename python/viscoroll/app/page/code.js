@@ -9,6 +9,7 @@ const MODULI = {
   kraus: "materials.KrausNetwork",
   masing: "materials.MasingNetwork",
   strain_sweep: "materials.StrainSweep",
+  generalized_maxwell: "Prony.from_moduli",
 };
 
 /** The class of a modulus: "KelvinVoigt" for the type "kelvin_voigt". */
