@@ -151,7 +151,7 @@ def problem(
     )
     if on is not None and given.smallest_strain > LARGEST_STRAIN:
         least = 1.0 / (LARGEST_STRAIN / (_SMALLEST_RATIO * roller.thickness) - 1.0 / given.radius)
-        rule = f"must be at least {least:.4g} m for this cover, whose mesh is too coarse for smaller contacts"
+        rule = f"must be at least {least:.4g} m for this cover (use viscoroll.solve for smaller contacts)"
         raise InvalidInput("on.outer_radius", rule, f"{given.radius / given.surface.curvature:g} m")
     return given
 
