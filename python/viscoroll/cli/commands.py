@@ -209,6 +209,12 @@ def _fit_over_time(
     fit = fit_spectrum(parts, reference=reference, factors=own)
     for line in repr(fit).splitlines():
         write_line(line)
+    write_line(str(fit.check))
+    if not fit.check.passed:
+        raise ValueError(
+            f"{', '.join(part.source for part in parts)}: must be consistent with one passive material, "
+            f"got a {fit.check.message}; check columns, units and temperatures"
+        )
     if at is not None:
         _write_moduli(fit.series_at(temperature=at), at, *fit.range_at(temperature=at))
     if save is not None:

@@ -233,7 +233,8 @@ def result_of(
     length = float(segments.sum())
     overspeed = length / turned - 1.0 if turned > 0.0 else 0.0
     speed = (1.0 + overspeed) * problem.angular_speed * radius
-    strain = rolling.penetration / problem.thickness
+    penetration = float(rolling.penetration)
+    strain = penetration / problem.thickness
     # A quadratic edge gives two thirds of its load to its middle and one sixth to each end.
     angles = mesh.angles
     steps = (np.roll(angles, -1) - np.roll(angles, 1)) % (2.0 * np.pi)
@@ -250,7 +251,7 @@ def result_of(
         angular_speed=problem.angular_speed,
         prescribed=prescribed,
         load=load,
-        penetration=rolling.penetration * radius,
+        penetration=penetration * radius,
         strain=strain,
         driving_torque=torque,
         resisting_torque=torque / (1.0 + problem.surface.curvature),

@@ -15,7 +15,7 @@ from .._support.progress import ProgressLike, Report, reporting
 from .._support.result_warnings import warn
 from ..bodies.si_hints import si_hints, unit_doubt
 from .equilibrium import Equilibrium, Rolling, Target
-from .problem import Problem, problem
+from .problem import LARGEST_STRAIN, Problem, problem
 from .result import FiniteStrainResult, result_of
 
 if TYPE_CHECKING:
@@ -25,11 +25,11 @@ if TYPE_CHECKING:
 
 __all__ = ["ladder", "solve"]
 
-#: Largest strain, penetration per thickness, that can be given.
-_LARGEST_STRAIN = 0.5
-
 #: First strain from the undeformed cover, and largest increment of strain between two equilibria.
 _FIRST_STRAIN, _INCREMENT = 0.03, 0.06
+
+#: Relative difference from the smallest strain that passes, because the message rounds the limit.
+_ROUNDING = 1e-3
 
 #: Number of times an increment is halved if Newton's method fails.
 _HALVINGS = 6
@@ -68,9 +68,12 @@ def solve(
         Rigid counterbody: a plane, which is the default, a roller, or a drum around the roller (a groove that is curved
         along the path).
     load : float, optional
-        Load P per length [N/m], > 0. Exactly one of `load` and `penetration` must be given.
+        Load P per length [N/m], > 0. Exactly one of `load` and `penetration` must be given. The penetration that it
+        causes has the limits of `penetration`.
     penetration : float, optional
-        Penetration r_o - H [m], > 0 and at most half of the thickness of the cover.
+        Penetration r_o - H [m], from 0.1 % to 50 % of the thickness h of the cover. The lower limit is larger,
+        0.005 h² (1/r_o + 1/R'), if the cover is thick or the counterbody has a small radius R': the half-length of the
+        contact must be at least 3 % of the thickness. `viscoroll.solve` solves smaller strains.
     angular_speed : float
         Ω relative to the line of centers [rad/s], > 0.
     law : Law or str, default "newton"
@@ -151,7 +154,7 @@ def ladder(
     Parameters
     ----------
     penetrations : sequence of float
-        Penetrations r_o - H [m], > 0, increasing, at most half of the thickness of the cover. The mesh is designed for
+        Penetrations r_o - H [m], increasing, within the limits of `penetration` in `solve`. The mesh is designed for
         the largest one; the smallest should be above 5 % of it.
     roller, on, angular_speed, law, elasticity, elements_across, elements_through, progress
         Same as in `solve`.
@@ -179,7 +182,7 @@ def ladder(
     rungs = [_checked(given, f"penetrations[{j}]", value) for j, value in enumerate(values)]
     for j, (lower, upper) in enumerate(pairwise(values), start=1):
         if upper <= lower:
-            raise InvalidInput(f"penetrations[{j}]", f"must be > penetrations[{j - 1}] = {lower:g} m", f"{upper:g}")
+            raise InvalidInput(f"penetrations[{j}]", f"must be > penetrations[{j - 1}] = {lower:g} m", f"{upper:g} m")
     with reporting(progress) as report, si_hints(roller, on, angular_speed=given.angular_speed):
         results = _climb(given, rungs, None, size, report)
     _warn(results)
@@ -196,9 +199,14 @@ def _elements(across: int, through: int) -> tuple[int, int]:
 
 def _checked(given: Problem, name: str, penetration: float) -> float:
     """Return a penetration per outer radius after a check of its range."""
-    most = _LARGEST_STRAIN * given.roller.thickness
-    if not 0.0 < penetration <= most:
-        raise InvalidInput(name, f"must be in (0, {most:g}] m, half of the thickness", f"{penetration:g}")
+    least, most = given.smallest_strain, LARGEST_STRAIN
+    thickness = given.roller.thickness
+    if not least * (1.0 - _ROUNDING) <= penetration / thickness <= most:
+        rule = (
+            f"must be in [{least * thickness:.4g}, {most * thickness:g}] m, {least:.2g} to {most:g} times the "
+            "thickness (use viscoroll.solve for smaller strains)"
+        )
+        raise InvalidInput(name, rule, f"{penetration:g} m")
     return penetration / given.radius
 
 
@@ -227,11 +235,20 @@ def _penetration(given: Problem, load: float, report: Report | None) -> float:
     else:
         most = loads[-1] * given.modulus * given.radius
         rule = f"must be below {most:.3g} N/m, the load at a penetration of half of the thickness"
-        raise InvalidInput("load", rule, f"{load * given.modulus * given.radius:g}")
+        raise InvalidInput("load", rule, f"{load * given.modulus * given.radius:g} N/m")
     # Load grows about as the power 1.3 of the penetration, whatever the thickness.
     power = 1.3
     (low, high), (start, end) = (np.array(loads[-2:]) ** (1.0 / power), strains[-2:])
-    return float(start + (load ** (1.0 / power) - low) / (high - low) * (end - start)) * given.thickness
+    strain = float(start + (load ** (1.0 / power) - low) / (high - low) * (end - start))
+    if strain < given.smallest_strain:
+        thickness = given.roller.thickness
+        rule = (
+            f"must cause a penetration of at least {given.smallest_strain * thickness:.4g} m, "
+            f"{given.smallest_strain:.2g} times the thickness (use viscoroll.solve for smaller strains)"
+        )
+        got = f"{load * given.modulus * given.radius:g} N/m, which causes about {strain * thickness:.2g} m"
+        raise InvalidInput("load", rule, got)
+    return strain * given.thickness
 
 
 class _Path:

@@ -16,7 +16,7 @@ from .measured import MeasuredModulus, measured
 from .prony_fit import fit_prony
 from .superposition import Superposition
 
-__all__ = ["Check", "check_modulus", "check_range", "rolling_range"]
+__all__ = ["Check", "check_modulus", "check_range", "rolling_range", "scatter_check"]
 
 #: Limit of the checks for data without scatter [-].
 _TOLERANCE = 0.02
@@ -119,12 +119,17 @@ def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
             message=f"largest decrease of the storage modulus with frequency {drop:.2%}; scatter of the points "
             f"{noise:.2%} (limit {most:.2%})",
         ),
-        Check(
-            name="scatter",
-            value=noise,
-            limit=_LARGEST_SCATTER,
-            message=f"scatter of the points {noise:.2%} (limit {_LARGEST_SCATTER:.0%})",
-        ),
+        scatter_check(noise, "of the points"),
+    )
+
+
+def scatter_check(scatter: float, reference: str) -> Check:
+    """Return the check of a relative scatter [-], whose message contains the reference, such as "of the points"."""
+    return Check(
+        name="scatter",
+        value=scatter,
+        limit=_LARGEST_SCATTER,
+        message=f"scatter {reference} {scatter:.2%} (limit {_LARGEST_SCATTER:.0%})",
     )
 
 

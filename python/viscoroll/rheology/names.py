@@ -257,10 +257,15 @@ class Column:
     @property
     def is_tensile(self) -> bool | None:
         """Whether the name denotes a modulus of tension; None if it denotes neither tension nor shear."""
-        name = normalized(self.name).removeprefix("complex ").lstrip("|")
-        if _TENSILE.match(name):
-            return True
-        return False if _SHEAR.match(name) else None
+        name = normalized(self.name).removeprefix("complex ")
+        symbol = name.split(" ")[-1]
+        # A symbol can follow the words, as in "Relaxation modulus G(t)".
+        for part in (name, symbol if role_of(symbol) == self.role else ""):
+            if _TENSILE.match(part.lstrip("|")):
+                return True
+            if _SHEAR.match(part.lstrip("|")):
+                return False
+        return None
 
     @property
     def has_unit(self) -> bool:

@@ -23,6 +23,7 @@ from ..materials.series import time_grid
 from ..materials.shift import Shift, shift_factor
 from .alignment import curve_shift
 from .bootstrap import wild_copies
+from .checks import Check, scatter_check
 from .joint_points import Points, Spectrum, fit_points, points_of, predicted
 from .reading import Isotherm, RheologyData
 from .shift_laws import ShiftFactors, ShiftLaw, fit_arrhenius, fit_wlf
@@ -93,6 +94,14 @@ class SpectrumFit:
     def relaxed_modulus(self) -> float:
         """Relaxed modulus [Pa]."""
         return self._spectrum.relaxed
+
+    @property
+    def check(self) -> Check:
+        """Check of the scatter, at most 10 %: a larger one means that no passive material has these moduli.
+
+        An example is a relaxation modulus that grows with time. Other causes are tests of different materials.
+        """
+        return scatter_check(self.scatter, "about one series")
 
     @property
     def curve(self) -> MasterCurve:
@@ -251,7 +260,8 @@ def fit_spectrum(
         Known shift factors at temperatures that span the data, or a law as a function of temperature in kelvin. By
         default the shifts are fitted.
     relaxed_floor : float, optional
-        Smallest relaxed modulus [Pa], > 0; by default a hundredth of the lowest modulus other than a loss modulus.
+        Smallest relaxed modulus [Pa], > 0, at most the lowest modulus other than a loss modulus; by default a hundredth
+        of this modulus.
 
     Returns
     -------
@@ -263,7 +273,8 @@ def fit_spectrum(
     TypeError
         If `data` contain an object of another type.
     ValueError
-        If there are no data, a temperature is missing, or the reference is outside the temperatures.
+        If there are no data, a temperature is missing, the reference is outside the temperatures, or `relaxed_floor` is
+        above a measured modulus.
     ConvergenceError
         If the fit does not converge.
 
@@ -282,10 +293,11 @@ def fit_spectrum(
         raise InvalidInput("data", "must contain a test", "none")
     temperatures, indices = _temperatures_of(tests)
     points = points_of(tests, indices)
-    static = points.modulus[points.quantity != "loss"]
-    floor = _FLOOR * float(static.min()) if relaxed_floor is None else as_float("relaxed_floor", relaxed_floor)
-    if not 0.0 < floor < math.inf:
-        raise InvalidInput("relaxed_floor", "must be > 0 Pa", repr(floor))
+    lowest = float(points.modulus[points.quantity != "loss"].min())
+    floor = _FLOOR * lowest if relaxed_floor is None else as_float("relaxed_floor", relaxed_floor)
+    if not 0.0 < floor <= lowest:
+        rule = f"must be in (0, {lowest:.4g}] Pa, at most the lowest modulus other than a loss modulus"
+        raise InvalidInput("relaxed_floor", rule, f"{floor:.4g} Pa")
     if temperatures.size == 1:
         kelvin = _one_reference(reference, float(temperatures[0]))
         return _fitted(points, temperatures, kelvin, 0, np.zeros(1), is_shift_given=True, floor=floor)

@@ -186,6 +186,12 @@ def read_time_tests(
         read, left_out = _tests(table, path, divisor)
         tests += read
         dropped += left_out
+    if not tests:
+        value = "compliance" if tables[0].kind == CREEP else "modulus"
+        raise ValueError(
+            f"{path}: {tables[0].kind} must have at least 3 points with time and {value} > 0, "
+            f"got none: all {dropped} points were dropped because time or {value} is missing or not positive"
+        )
     remarks = []
     if len(tables) < len(found):
         chosen = [str(number) for number, table in enumerate(found, 1) if any(table is one for one in tables)]

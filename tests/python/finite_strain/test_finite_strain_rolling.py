@@ -198,9 +198,13 @@ def test_text_and_picture():
     [
         ({"load": 1.0}, "load or penetration must be given, and not both, got both"),
         ({"penetration": None}, "load or penetration must be given, and not both, got none"),
-        ({"penetration": -0.01}, "penetration must be in (0, 0.125] m, half of the thickness, got -0.01"),
+        ({"penetration": -0.01}, "penetration must be in [0.00025, 0.125] m, 0.001 to 0.5 times the thickness"),
         ({"penetration": math.nan}, "penetration must be"),
-        ({"penetration": 0.2}, "penetration must be in (0, 0.125] m, half of the thickness, got 0.2"),
+        ({"penetration": 0.2}, "times the thickness (use viscoroll.solve for smaller strains), got 0.2 m"),
+        ({"penetration": 1e-20}, "penetration must be in [0.00025, 0.125] m, 0.001 to 0.5 times the thickness"),
+        ({"penetration": None, "load": 1e-8}, "load must cause a penetration of at least 0.00025 m, 0.001 times the"),
+        ({"penetration": 0.01, "on": vr.CoatedCylinder(core_radius=0.02)}, "penetration must be in [0.01"),
+        ({"on": vr.CoatedCylinder(core_radius=1e-3)}, "on.outer_radius must be at least 0.002505 m for this cover"),
         ({"angular_speed": 0.0}, "angular_speed must be > 0 rad/s, got 0"),
         ({"law": "maxwell"}, "law must be"),
         ({"elements_across": 4}, "elements_across must be in [8, 400], got 4"),
@@ -221,8 +225,10 @@ def test_invalid_input(changes, message):
 
 
 def test_invalid_ladders_and_types():
-    with pytest.raises(vr.InvalidInput, match=r"penetrations\[1\] must be > penetrations\[0\] = 0.02 m, got 0.01"):
+    with pytest.raises(vr.InvalidInput, match=r"penetrations\[1\] must be > penetrations\[0\] = 0.02 m, got 0.01 m"):
         finite_strain.ladder(roller(), penetrations=[0.02, 0.01], angular_speed=1.0)
+    with pytest.raises(vr.InvalidInput, match=r"penetrations\[0\] must be in \[0.00025, 0.125\] m"):
+        finite_strain.ladder(roller(), penetrations=[1e-6, 0.01], angular_speed=1.0)
     with pytest.raises(vr.InvalidInput, match="penetrations must contain at least one penetration"):
         finite_strain.ladder(roller(), penetrations=[], angular_speed=1.0)
     with pytest.raises(

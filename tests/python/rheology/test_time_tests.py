@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -55,6 +56,9 @@ def test_a_relaxation_test_of_stress_and_strain(tmp_path):
         ("t [s],J(t) [Pa^-1]", "creep", 1.0),
         ("t [s],D(t) [mm2/N]", "creep", 1e6 / 3.0),
         ("time_s,E(t) [GPa]", "relaxation", 1e9 / 3.0),
+        ("Time (s),Relaxation modulus G(t) (Pa)", "relaxation", 1.0),
+        ("Time (s),Relaxation modulus E(t) (Pa)", "relaxation", 1.0 / 3.0),
+        ("Time (s),Creep compliance J(t) (1/Pa)", "creep", 1.0),
     ],
 )
 def test_names_and_units_of_tests_over_time(tmp_path, header, kind, expected):
@@ -75,6 +79,11 @@ def test_names_and_units_of_tests_over_time(tmp_path, header, kind, expected):
             "must contain stress relaxation or creep over time, got 1",
         ),
         ("t [s],G(t) [Pa]\n1,1\n2,1\n", "time must be one-dimensional with at least 3 points"),
+        (
+            "t [s],G(t) [Pa]\n1,-5\n2,-5\n4,0\n",
+            "data.csv: stress relaxation must have at least 3 points with time and modulus > 0, got none: "
+            "all 3 points were dropped because time or modulus is missing or not positive",
+        ),
         ("t [s],G(t) [Pa],T [K]\n1,1,300\n2,1,300\n4,1,310\n", "must be isothermal within 2 K, got 300 to 310 K"),
     ],
 )
@@ -131,8 +140,27 @@ def test_rejected_data():
     unknown = TimeTest(kind="relaxation", time=TIMES, modulus=tests[0].modulus)
     with pytest.raises(ValueError, match="data must have a temperature for every test or for none"):
         fit_spectrum([unknown, tests[1]], reference=REFERENCE)
+    for floor in (0.0, 1e12, math.inf):
+        with pytest.raises(ValueError, match=r"relaxed_floor must be in \(0, .*\] Pa, at most the lowest modulus"):
+            fit_spectrum(tests[:1], relaxed_floor=floor)
     with pytest.raises(ValueError, match="time must increase"):
         TimeTest(kind="creep", time=[1.0, 3.0, 2.0], modulus=[1.0, 1.0, 1.0])
+
+
+def test_a_modulus_that_grows_with_time_is_inconsistent(tmp_path):
+    """No relaxation modulus grows. The command reports the scatter of the fit and does not save it."""
+    time = np.geomspace(0.01, 100.0, 20)
+    check = fit_spectrum(TimeTest(kind="relaxation", time=time, modulus=1e6 * time**0.3)).check
+    assert not check.passed
+    assert check.limit == 0.1
+    rows = "".join(f"{t!r},{1e6 * t**0.3!r}\n" for t in time.tolist())
+    path = written(tmp_path, "Time (s),Relaxation modulus G(t) (Pa)\n" + rows)
+    saved = tmp_path / "grown.toml"
+    done = command("material", path, "--save", saved)
+    assert done.returncode == 2
+    assert "scatter: INCONSISTENT, scatter about one series 63.45% (limit 10%)" in done.stdout
+    assert "must be consistent with one passive material, got a scatter" in " ".join(done.stderr.split())
+    assert not saved.exists()
 
 
 def test_the_command_fits_time_and_frequency_files_together(tmp_path):
