@@ -273,7 +273,7 @@ class ResultScalars:
     @property
     def finite_strain_torque_error(self) -> float | None:
         """
-        relative error of the torque at finite strain [1]. Estimated from the strain: 0.4 ε + 6 ε³, which covers 96 % of the finite elements of rollers up to a strain of 0.2. The error estimate of the mesh is added, and for wheels the neglected effects of crown and sides.
+        relative error of the torque at finite strain [1]. Estimated from the strain: 0.5 ε + 4 ε³, which covers 97 % of the finite elements of rollers up to a strain of 0.2. The error estimate of the mesh is added, and for wheels the neglected effects of crown and sides.
         """
     @property
     def iterations(self) -> int:

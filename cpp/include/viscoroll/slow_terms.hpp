@@ -40,8 +40,7 @@ struct SlowTerms {
 /// @param[in] modulus any shear modulus
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] omega angular frequencies [rad/s], >= 0
-/// @return one value for each frequency [Pa]; at frequency 0 slow terms are not relaxed, and a master curve has its
-/// storage modulus at Omega / `kSlowTerm`, so that a curve and the series fitted to it have the same modulus
+/// @return one value for each frequency [Pa]; at frequency 0 slow terms are not relaxed
 /// @throws InvalidInput same as `complex_modulus`, and for a Prony series without modulus at rest, with the speed from
 /// which on its slowest term does not relax
 [[nodiscard]] std::vector<std::complex<double>> modulus_in_rolling(const ShearModulus& modulus, double angular_speed,

@@ -60,16 +60,7 @@ std::vector<std::complex<double>> modulus_in_rolling(const ShearModulus& modulus
     const auto* series = std::get_if<Prony>(&modulus);
     if (series != nullptr && std::ranges::find(omega, 0.0) != omega.end())
       require_modulus_at_rest(*series, angular_speed);
-    std::vector<std::complex<double>> values = complex_modulus(modulus, omega);
-    const auto* curve = std::get_if<MasterCurve>(&modulus);
-    const double slowest = angular_speed / kSlowTerm;
-    if (curve != nullptr && slowest > *std::ranges::upper_bound(curve->frequency, 0.0)) {
-      const double at_rest = complex_modulus(modulus, std::span(&slowest, 1)).front().real();
-      for (std::size_t i = 0; i < omega.size(); ++i) {
-        if (omega[i] == 0.0) values[i] = at_rest;
-      }
-    }
-    return values;
+    return complex_modulus(modulus, omega);
   }
   std::vector<double> positive(omega.begin(), omega.end());
   std::ranges::replace(positive, 0.0, angular_speed);  // a series without relaxed modulus has no value at rest

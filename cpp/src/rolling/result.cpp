@@ -93,7 +93,7 @@ ArrayXd traction_area(const ContactSetup& given, const SurfaceGrid& grid, const 
 void set_model_errors(Result& r, bool is_ball, double further) {
   const double strain = std::abs(*r.strain);
   r.model_error = (is_ball ? 0.75 : 0.9 + 4.5 * strain) * strain + further;
-  r.finite_strain_torque_error = (0.4 + 6.0 * strain * strain) * strain + further;
+  r.finite_strain_torque_error = (0.5 + 4.0 * strain * strain) * strain + further;
   r.penetration_model_error = strain + further;
   r.max_pressure_model_error = 0.9 * strain + further;
   r.contact_length_model_error = strain + further;

@@ -286,7 +286,11 @@ def _solved_speed(body: RollingBody, angular_speed: float | None, speed: float |
     if speed is None:
         return as_float("angular_speed", angular_speed)
     if angular_speed is not None:
-        raise InvalidInput("speed", "must be left out if the angular speed is given", f"{shown(speed)} m/s")
+        raise InvalidInput(
+            "speed",
+            "must be left out if the angular speed is given",
+            f"{speed:g} m/s" if isinstance(speed, int | float) else shown(speed),
+        )
     return as_positive("speed", speed, "m/s") / body.outer_radius
 
 
