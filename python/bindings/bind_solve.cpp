@@ -115,11 +115,10 @@ void bind_solve(py::module_& m) {
 
   py::classh<LoadCase>(m, "LoadCase")
       .def(py::init([](std::optional<double> load, std::optional<double> penetration, double angular_speed,
-                       std::optional<double> speed, double friction, Drive drive) {
-             return LoadCase{load, penetration, angular_speed, speed, friction, drive};
-           }),
-           py::kw_only(), py::arg("load"), py::arg("penetration"), py::arg("angular_speed"), py::arg("speed") = py::none(),
-           py::arg("friction"), py::arg("drive"))
+                       std::optional<double> speed, double friction,
+                       Drive drive) { return LoadCase{load, penetration, angular_speed, speed, friction, drive}; }),
+           py::kw_only(), py::arg("load"), py::arg("penetration"), py::arg("angular_speed"),
+           py::arg("speed") = py::none(), py::arg("friction"), py::arg("drive"))
       .def_readonly("load", &LoadCase::load)
       .def_readonly("angular_speed", &LoadCase::angular_speed)
       .def_readonly("friction", &LoadCase::friction);
@@ -144,8 +143,8 @@ void bind_solve(py::module_& m) {
 
   m.def("solve", &solve_released, py::arg("body"), py::arg("on"), py::arg("load_case"), py::kw_only(),
         py::arg("mesh").none(true), py::arg("accuracy"), py::arg("compliance"), py::arg("curvature"),
-        py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("finite_strain"), py::arg("max_iterations"), py::arg("threads"),
-        py::arg("progress").none(true));
+        py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("finite_strain"), py::arg("max_iterations"),
+        py::arg("threads"), py::arg("progress").none(true));
   m.def("solve_frozen", &solve_frozen_released, py::arg("body"), py::arg("on"), py::arg("load_case"), py::kw_only(),
         py::arg("mesh"), py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"),
         py::arg("contact").noconvert(), py::arg("stick").noconvert(), py::arg("pressure").noconvert(),

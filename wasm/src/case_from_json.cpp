@@ -72,12 +72,12 @@ LoadCase load_case_from_json(const Json& json, const std::string& path) {
   Table table(json, path);
   const std::optional<double> penetration = table.maybe_number("penetration");
   const std::optional<double> speed = table.maybe_number("speed");
-  LoadCase load_case{.load = penetration ? table.maybe_number("load") : table.number("load"),
-                     .penetration = penetration,
-                     .angular_speed = speed ? table.maybe_number("angular_speed").value_or(0.0)
-                                            : table.number("angular_speed"),
-                     .speed = speed,
-                     .friction = table.maybe_number("friction").value_or(0.0)};
+  LoadCase load_case{
+      .load = penetration ? table.maybe_number("load") : table.number("load"),
+      .penetration = penetration,
+      .angular_speed = speed ? table.maybe_number("angular_speed").value_or(0.0) : table.number("angular_speed"),
+      .speed = speed,
+      .friction = table.maybe_number("friction").value_or(0.0)};
   if (const Json* drive = table.take("drive")) {
     Table of_drive(*drive, table.path_of("drive"));
     load_case.drive = drive_from_json(of_drive, std::type_identity<Drive>{});

@@ -19,8 +19,8 @@ struct LoadCase {
   /// Speed V of the ground or belt [m/s], > 0, without friction. Linear theory is then solved at V / r_o, and the
   /// angular speed of the body follows from the overspeed.
   std::optional<double> speed = {};
-  double friction = 0.0;       ///< Coulomb's coefficient mu between the bodies [-], in [0, 4]; infinite: full stick
-  Drive drive;                 ///< without friction, a force of 0 or a creepage
+  double friction = 0.0;  ///< Coulomb's coefficient mu between the bodies [-], in [0, 4]; infinite: full stick
+  Drive drive;            ///< without friction, a force of 0 or a creepage
 };
 
 }  // namespace viscoroll

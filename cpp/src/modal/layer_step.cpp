@@ -3,7 +3,7 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr int kMaxTerms = 81;        // steps without short shear waves need at most 40
+constexpr int kMaxTerms = 81;              // steps without short shear waves need at most 40
 constexpr double kNegligibleTerm = 1e-17;  // relative size of a negligible term
 
 /// Terms t_j = z_j x^j of a solution in one lane: t_j, t_{j-1} and t_{j-2}.

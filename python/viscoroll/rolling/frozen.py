@@ -76,8 +76,9 @@ class FrozenContact:
         """Return a scalar. The torque at finite strain is taken as proportional to that of linear theory."""
         if answer != "finite_strain_torque":
             return float(getattr(solution, answer))
-        result = self._result
-        return float(solution.resisting_torque * (result.finite_strain_torque / result.resisting_torque))
+        corrected = self._result.finite_strain_torque
+        assert corrected is not None
+        return solution.resisting_torque * (corrected / self._result.resisting_torque)
 
     def _solved(self, given: Given) -> _core.Result:
         result = self._result
