@@ -141,9 +141,9 @@ void set_finite_strain(Result& result, std::optional<Result> rough, const Rollin
     result.finite_strain_torque = torque_ratio * result.resisting_torque;
     result.finite_strain_angular_speed = given.pair.angular_speed / (given.load_case.speed ? speed_ratio : 1.0);
   } catch (const InvalidInput&) {
-    // The higher speed is at or above a critical speed, so that the torque at finite strain is not known.
+    result.finite_strain_torque.reset();  // not known: the higher speed is at or above a critical speed
   } catch (const ConvergenceError&) {
-    // The contact at the higher speed has no solution, so that the torque at finite strain is not known.
+    result.finite_strain_torque.reset();  // not known: the contact at the higher speed has no solution
   }
 }
 
