@@ -30,10 +30,11 @@ struct RollingCase {
 [[nodiscard]] RollingCase rolling_case(const PairAtSpeed& pair, const LoadCase& load_case, const Options& options,
                                        Watch& watch);
 
-/// @return a load case with other options, which must outlive it
-[[nodiscard]] inline RollingCase with_options(const RollingCase& given, const Options& options) {
-  return {.pair = given.pair,
-          .load_case = given.load_case,
+/// @return the case of another pair, load case and options, which must outlive it, with the same estimated contact
+[[nodiscard]] inline RollingCase with_same_estimate(const RollingCase& given, const PairAtSpeed& pair,
+                                                    const LoadCase& load_case, const Options& options) {
+  return {.pair = pair,
+          .load_case = load_case,
           .options = options,
           .execution = given.execution,
           .contact = given.contact,

@@ -114,13 +114,7 @@ void set_finite_strain(Result& result, std::optional<Result> rough, const Rollin
     same_load.angular_speed = model.pair.angular_speed;
     Options options = given.options;
     options.finite_strain = with_overspeed;
-    const RollingCase again{.pair = model.pair,
-                            .load_case = same_load,
-                            .options = options,
-                            .execution = given.execution,
-                            .contact = given.contact,
-                            .estimated_depth = given.estimated_depth};
-    return solve_load_case(model, again, reach);
+    return solve_load_case(model, with_same_estimate(given, model.pair, same_load, options), reach);
   };
   try {
     if (!rough && result.overspeed) rough = result;

@@ -155,7 +155,7 @@ class Refiner {
       const auto seen = best_ ? std::optional(contact_reach(*best_)) : std::nullopt;
       Options options = options_;
       options.finite_strain = options_.finite_strain && (!rough_ || given_.pair.body->form().is_line());
-      note(solve_load_case(model, with_options(given_, options), seen));
+      note(solve_load_case(model, with_same_estimate(given_, given_.pair, load_case_, options), seen));
     } catch (const MeshTooFine&) {
       failure_ = std::current_exception();
       return !best_ && go_on_with(mesh_.nodes_per_revolution / 4.0);

@@ -151,13 +151,7 @@ bool holds_contact_roughly(const ContactSetup& setup, const HalfWidths& half, bo
   LoadCase pressed = setup.load_case;
   pressed.friction = 0.0;
   pressed.drive = {};
-  const RollingCase pressed_case{.pair = setup.pair,
-                                 .load_case = pressed,
-                                 .options = options,
-                                 .execution = setup.execution,
-                                 .contact = setup.contact,
-                                 .estimated_depth = setup.estimated_depth};
-  const ContactSetup roughly = assemble(rough, pressed_case);
+  const ContactSetup roughly = assemble(rough, with_same_estimate(setup, setup.pair, pressed, options));
   const int to_side = setup.has_sides() ? roughly.nodes.widest.theta.last : std::numeric_limits<int>::max();
   const HalfWidths width{.phi = coarsened(half.phi) + 1, .theta = std::min(coarsened(half.theta) + 1, to_side)};
   return solve_in_window(roughly, width.window(), false, true).has_value();

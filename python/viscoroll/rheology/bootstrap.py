@@ -11,14 +11,20 @@ own frequency, and drawing one twice would omit another.)
 from __future__ import annotations
 
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_int
+from .._support.arguments import Floats, as_float_array, as_int
 from .._support.errors import InvalidInput
+from .._support.intervals import as_confidence, interval_half_width
+from ..materials import Prony
 
-__all__ = ["wild_copies"]
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["modulus_band", "wild_copies"]
 
 #: Smallest fraction of an error that a fit is assumed to leave, and smallest factor of a modulus after adding noise.
 _LEAST = 0.1
@@ -62,3 +68,15 @@ def wild_copies(data: Floats, expected: Floats, columns: Floats, *, count: int, 
     generator = np.random.default_rng([seed, zlib.crc32(data.tobytes())])
     for _ in range(count):
         yield expected * np.maximum(1.0 + error * generator.choice([-1.0, 1.0], error.size), _LEAST)
+
+
+def modulus_band(
+    series: Prony, draws: Iterable[Prony], angular_frequency: ArrayLike, confidence: float
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Return pointwise confidence bounds of the modulus of a series [Pa], from the scatter of its draws."""
+    omega = np.atleast_1d(as_float_array("angular_frequency", angular_frequency))
+    level = as_confidence(confidence)
+    drawn = np.array([one.complex_modulus(omega) for one in draws])
+    half = interval_half_width(drawn.real, level) + 1j * interval_half_width(drawn.imag, level)
+    middle = series.complex_modulus(omega)
+    return middle - half, middle + half

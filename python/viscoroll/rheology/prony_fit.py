@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float, as_float_array, as_int
+from .._support.arguments import Floats, as_float, as_int
 from .._support.errors import InvalidInput
-from .._support.intervals import as_confidence, interval_half_width
 from .._support.plotting import plots
 from ..materials import Draws, Prony
 from ..materials.series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
-from .bootstrap import wild_copies
+from .bootstrap import modulus_band, wild_copies
 from .measured import MeasuredModulus, measured
 
 if TYPE_CHECKING:
@@ -135,12 +134,7 @@ class PronyFit:
         lower, upper : ndarray of complex
             Bounds of storage (real part) and loss (imaginary part) [Pa].
         """
-        omega = np.atleast_1d(as_float_array("angular_frequency", angular_frequency))
-        level = as_confidence(confidence)
-        drawn = np.array([series.complex_modulus(omega) for series in self.draws(count, seed=seed)])
-        half = interval_half_width(drawn.real, level) + 1j * interval_half_width(drawn.imag, level)
-        middle = self.series.complex_modulus(omega)
-        return middle - half, middle + half
+        return modulus_band(self.series, self.draws(count, seed=seed), angular_frequency, confidence)
 
     def sparse(self, terms: int) -> PronyFit:
         """Return a fit with few terms, whose times are fitted too, for programs that limit the number of terms.

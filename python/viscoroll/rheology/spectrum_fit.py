@@ -12,17 +12,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import Extrapolation
-from .._support.arguments import Floats, as_float, as_float_array, as_kelvin
+from .._support.arguments import Floats, as_float, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput, InvalidType
 from .._support.extras import extra
-from .._support.intervals import as_confidence, interval_half_width
 from .._support.text import shown
 from ..materials import Draws, MasterCurve, Prony
 from ..materials.series import time_grid
 from ..materials.shift import Shift, shift_factor
 from .alignment import curve_shift
-from .bootstrap import wild_copies
+from .bootstrap import modulus_band, wild_copies
 from .checks import Check, scatter_check
 from .joint_points import Points, Spectrum, fit_points, points_of, predicted
 from .reading import Isotherm, RheologyData
@@ -214,12 +213,8 @@ class SpectrumFit:
         lower, upper : ndarray of complex
             Bounds of storage (real part) and loss (imaginary part) [Pa].
         """
-        omega = np.atleast_1d(as_float_array("angular_frequency", angular_frequency))
-        level = as_confidence(confidence)
-        drawn = np.array([one.series.complex_modulus(omega) for one in self.draws(count, seed=seed)])
-        half = interval_half_width(drawn.real, level) + 1j * interval_half_width(drawn.imag, level)
-        middle = self.series.complex_modulus(omega)
-        return middle - half, middle + half
+        drawn = (one.series for one in self.draws(count, seed=seed))
+        return modulus_band(self.series, drawn, angular_frequency, confidence)
 
     def __repr__(self) -> str:
         """Return the numbers of points and terms, the range and the scatter, and the law of the shift."""
