@@ -5,10 +5,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 
 #include "surface/surface_operator.hpp"
 #include "transient/contact_place.hpp"
+#include "transient/elastic_contact.hpp"
 #include "transient/time_step.hpp"
 #include "transient/viscoelastic_pair.hpp"
 
@@ -75,6 +77,26 @@ struct ActingPlaces {
 /// @param[in] end end of the step
 [[nodiscard]] CenterCondition center_condition(const ViscoelasticPair& pair, const RollingInstant& now, double duration,
                                                const StepEnd& end);
+
+/// @brief Condition for load and penetration at the end of a step of an axle with mass, spring and damper. Its motion
+/// follows the same method as that of a center with mass.
+/// @param[in] axle mass, spring and damper
+/// @param[in] now penetration, speed and acceleration at the start of the step
+/// @param[in] rest penetration at which the spring exerts no force [m]
+/// @param[in] duration of the step [s], 0 for a jump, in which a mass or a damper does not move
+/// @param[in] force external force at the end of the step [N]
+[[nodiscard]] ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, double rest,
+                                               double duration, double force);
+
+/// @return the same condition for forces multiplied by a factor
+[[nodiscard]] ApproachCondition scaled(const ApproachCondition& condition, double factor);
+
+/// @brief Take speed and acceleration of the axle at the end of a step.
+/// @param[in] axle none: the speed is the mean over the step
+/// @param[in] duration of the step [s], positive
+/// @param[in] risen distance by which the axle has risen in the step [m]
+/// @param[in,out] now speed and acceleration of the axle
+void move_axle(const std::optional<Axle>& axle, double duration, double risen, RollingInstant& now);
 
 /// @brief Move the center by a step.
 /// @param[in] mass mass that moves with the center [kg]

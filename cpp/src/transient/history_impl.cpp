@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "transient/history_input.hpp"
@@ -19,13 +20,28 @@ using Eigen::Index;
 
 /// Check the input; set the creep of both bodies and the mesh. @return estimated extent of the contact at rest
 detail::ContactReach RollingHistory::Impl::prepare(const RollingBody& body, const Counterbody& on, double load,
-                                                   detail::Watch& watch) {
+                                                   const std::optional<double>& axle_height, detail::Watch& watch) {
   const detail::RollingPair given = detail::rolling_pair(body, on);
   detail::validate(options);
   detail::require_supported_options(given, options);
-  detail::require_positive("load", load, given.body->form().load_unit);
+  if (!axle_height) detail::require_positive("load", load, given.body->form().load_unit);
   at_rest = detail::rolling_pair(detail::with_relaxed_moduli(body), detail::with_relaxed_moduli(on));
-  const detail::ContactReach contact = detail::estimate_contact(at_rest, 1.0, load);
+  constexpr double kAnySpeed = 1.0;  // without inertia, it only selects a frequency of moduli that are relaxed here
+  detail::ContactReach contact{};
+  if (axle_height) {
+    require_axle_height(at_rest, *axle_height);
+    const double radius = given.body->radius();
+    if (!(*axle_height < radius)) {
+      reject("axle_height", "< r_o = " + text(radius) + " m at the first instant, so that the bodies touch",
+             text(*axle_height) + " m");
+    }
+    detail::PairAtSpeed at_speed;
+    static_cast<detail::RollingPair&>(at_speed) = at_rest;
+    at_speed.angular_speed = kAnySpeed;
+    contact = detail::estimate_contact(at_speed, {.penetration = radius - *axle_height, .angular_speed = kAnySpeed});
+  } else {
+    contact = detail::estimate_contact(at_rest, kAnySpeed, load);
+  }
   if (!options.mesh)
     options.mesh = detail::chosen_mesh(given.body->radius(), contact.along, given.body->form().is_line());
   spectra = detail::creep_spectra(given, options, watch);
@@ -42,6 +58,23 @@ void RollingHistory::Impl::create_meshes(const detail::ContactReach& contact, de
   for (int l = 0; l < options.averaged_meshes; ++l) {
     meshes.emplace_back(pair, static_cast<double>(l) / options.averaged_meshes, half_rows);
   }
+}
+
+/// Solve the first contact on all meshes.
+void RollingHistory::Impl::start(Start start, const StepEnd& first, detail::Watch& watch) {
+  on_meshes(watch, [&](std::size_t, ShiftedMesh& shifted, const detail::Worker& worker) {
+    shifted.start(start, first, options.center_speed, worker.checkpoint);
+  });
+  std::vector<RollingInstant> instants;
+  instants.reserve(meshes.size());
+  for (const ShiftedMesh& shifted : meshes) instants.push_back(shifted.current());
+  current = mean(instants, first.time);
+  if (!options.axle) return;
+  // The tangent stiffness of a contact is one to two times P / d; an impact compresses it, with the short-time modulus.
+  constexpr double kImpact = 3.0;
+  constexpr double kMostStiffening = 10.0;
+  const double stiffening = std::min(1.0 / instantaneous(), kMostStiffening);
+  contact_stiffness = kImpact * stiffening * current.load / std::abs(current.penetration);
 }
 
 RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_meshes, double time) const {
@@ -89,6 +122,16 @@ void RollingHistory::Impl::require_forces(const StepEnd& to) const {
   }
 }
 
+void RollingHistory::Impl::require_axle_height(const detail::RollingPair& both, double height) const {
+  detail::require_finite("axle_height", height);
+  const auto left_out = [&](bool is_given, const char* why) {
+    if (is_given) reject("axle_height", std::string("left out ") + why, text(height) + " m");
+  };
+  left_out(options.friction > 0.0, "with friction");
+  left_out(options.axle.has_value(), "with an axle, whose motion is a result");
+  left_out(!detail::approach_exists(both), "in line contact on a half-space, where the penetration is undetermined");
+}
+
 void RollingHistory::Impl::require_step(const StepEnd& to) const {
   detail::require_finite("time", to.time);
   detail::require_finite("angle", to.angle);
@@ -97,7 +140,11 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   if (!(to.time >= current.time)) {
     reject("time", ">= the current time, " + text(current.time) + " s", text(to.time) + " s");
   }
-  detail::require_nonnegative("load", to.load, pair->pair.body->form().load_unit);
+  if (to.axle_height) {
+    require_axle_height(pair->pair, *to.axle_height);
+  } else {
+    detail::require_nonnegative("load", to.load, pair->pair.body->form().load_unit);
+  }
   require_forces(to);
   if (std::abs(to.angle - current.angle) > max_turn()) {
     reject("angle", "within " + detail::rounded(max_turn()) + " rad of the previous angle (ten million steps)",
@@ -105,7 +152,7 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   }
   const double duration = to.time - current.time;
   if (duration == 0.0) {
-    const bool moves = to.angle != current.angle || to.load != current.load ||
+    const bool moves = to.angle != current.angle || to.load != current.axle_force || to.axle_height.has_value() ||
                        to.center_displacement.value_or(current.center_displacement) != current.center_displacement;
     if (moves && instantaneous() == 0.0) {
       reject("time",
@@ -125,13 +172,42 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   }
 }
 
+/// Turn of a segment, or the turn that corresponds to the displacement of a center that passes uneven ground faster.
+double RollingHistory::Impl::turn_of(const StepEnd& begin, const StepEnd& end) const {
+  const double turn = end.angle - begin.angle;
+  if (!end.center_displacement || pair->heights.are_smooth()) return turn;
+  const double passed = *end.center_displacement - *begin.center_displacement;
+  return std::max(std::abs(turn), std::abs(passed) / pair->nodes.grid.radius);
+}
+
+/// Change of the load or, if the height of the axle is given, of the penetration.
+double RollingHistory::Impl::relative_change(const StepEnd& begin, const StepEnd& end) const {
+  if (!end.axle_height) return detail::relative_change(begin.load, end.load);
+  constexpr double kMostSteps = 1e-3;  // limits the steps of an axle that is lifted far
+  const double change = std::abs(*end.axle_height - *begin.axle_height);
+  const double lower = std::min(*begin.axle_height, *end.axle_height);
+  const double deepest = std::max(pair->nodes.grid.radius - lower, kMostSteps * change);
+  return change > 0.0 ? change / deepest : 0.0;
+}
+
+/// Sixtieth of the period in which an axle vibrates on the contact and its spring. The stiffness of the contact is that
+/// of a penetration proportional to the load, with the short-time modulus.
+double RollingHistory::Impl::longest_step() const {
+  constexpr double kStepsPerPeriod = 60.0;
+  if (!options.axle || options.axle->mass == 0.0) return std::numeric_limits<double>::infinity();
+  const double stiffness = options.axle->stiffness + contact_stiffness;
+  return 2.0 * std::numbers::pi * std::sqrt(options.axle->mass / stiffness) / kStepsPerPeriod;
+}
+
 /// Steps to the end of a segment; for a segment that has begun, the remaining steps.
 std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
   if (!started || started->taken == 0 || started->end != end) {
+    const double height = detail::approach_exists(pair->pair) ? pair->nodes.grid.radius - current.penetration : 0.0;
     started = detail::StartedSegment{.begin = {.time = current.time,
                                                .angle = current.angle,
-                                               .load = current.load,
-                                               .center_displacement = current.center_displacement},
+                                               .load = current.axle_force,
+                                               .center_displacement = current.center_displacement,
+                                               .axle_height = height},
                                      .end = end,
                                      .last_step = last_step,
                                      .taken = 0};
@@ -143,8 +219,9 @@ std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
   }
   const detail::StepChoice choice(pair->nodes.grid.phi_spacing, options.steps_per_spacing, shortest);
   const auto fractions = choice.fractions({.duration = end.time - begin.time,
-                                           .turn = end.angle - begin.angle,
-                                           .relative_load = detail::relative_change(begin.load, end.load)},
+                                           .turn = turn_of(begin, end),
+                                           .relative_load = relative_change(begin, end),
+                                           .longest_step = longest_step()},
                                           started->last_step);
   std::vector<StepEnd> path;
   path.reserve(fractions.size());

@@ -50,6 +50,7 @@ struct RollingHistory::Impl {
   std::vector<detail::ShiftedMesh> meshes;
   detail::Trial trial;
   RollingInstant current;
+  double contact_stiffness = 0.0;                 // estimate for impacts, if there is an axle [N/m]
   double last_step = 0.0;                         // [s]
   std::optional<detail::StartedSegment> started;  // has begun and not ended
   std::int64_t steps = 0;
@@ -116,11 +117,17 @@ struct RollingHistory::Impl {
   [[nodiscard]] std::vector<RollingInstant> follow(std::span<const detail::StepEnd> path, detail::Watch& watch,
                                                    const detail::Share& of_motion = {});
   [[nodiscard]] RollingState state() const;
-  detail::ContactReach prepare(const RollingBody& body, const Counterbody& on, double load, detail::Watch& watch);
+  detail::ContactReach prepare(const RollingBody& body, const Counterbody& on, double load,
+                               const std::optional<double>& axle_height, detail::Watch& watch);
+  void start(Start start, const detail::StepEnd& first, detail::Watch& watch);
   void create_meshes(const detail::ContactReach& contact, detail::Watch& watch);
   void restore(const RollingState& state, detail::Watch& watch);
   void require_step(const detail::StepEnd& to) const;
   void require_forces(const detail::StepEnd& to) const;
+  void require_axle_height(const detail::RollingPair& both, double height) const;
+  [[nodiscard]] double turn_of(const detail::StepEnd& begin, const detail::StepEnd& end) const;
+  [[nodiscard]] double relative_change(const detail::StepEnd& begin, const detail::StepEnd& end) const;
+  [[nodiscard]] double longest_step() const;
   [[nodiscard]] double max_turn() const {
     return detail::max_turn(pair->nodes.grid.phi_spacing, options.steps_per_spacing);
   }

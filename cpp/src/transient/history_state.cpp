@@ -18,11 +18,13 @@ RollingState RollingHistory::Impl::state() const {
   numbers.put(static_cast<double>(pair->half_nodes()));
   numbers.put(static_cast<double>(pair->track_reach));
   numbers.put(static_cast<double>(meshes.size()));
+  pair->heights.write(numbers);
   for (const detail::ViscoelasticBody& body : pair->bodies) {
     numbers.put(body.tables.diagonal_compliance());
     detail::write(body.spectrum, numbers);
   }
-  for (const double number : {current.time, last_step, static_cast<double>(steps)}) numbers.put(number);
+  for (const double number : {current.time, contact_stiffness, last_step, static_cast<double>(steps)})
+    numbers.put(number);
   detail::write(started, numbers);
   for (const ShiftedMesh& mesh : meshes) mesh.write(numbers);
   return state;
@@ -37,6 +39,7 @@ void RollingHistory::Impl::restore(const RollingState& state, detail::Watch& wat
     reject("start", "a state with the same number of averaged meshes (" + std::to_string(meshes.size()) + ")",
            "a state with another number");
   }
+  pair->heights.require_same(numbers);
   Impl next(*this);
   for (std::size_t b = 0; b < spectra.size(); ++b) {
     const double compliance = numbers.get();
@@ -51,6 +54,7 @@ void RollingHistory::Impl::restore(const RollingState& state, detail::Watch& wat
   }
   next.pair = next.with({.half_nodes = half_nodes, .track_reach = track_reach}, watch);
   next.current.time = numbers.get();
+  next.contact_stiffness = numbers.get();
   next.last_step = numbers.get();
   next.steps = numbers.count(1e15);
   next.started = detail::read_started_segment(numbers);

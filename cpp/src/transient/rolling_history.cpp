@@ -2,6 +2,7 @@
 #include "viscoroll/rolling_history.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "transient/history_impl.hpp"
 #include "transient/history_input.hpp"
@@ -18,34 +19,30 @@ RollingHistory::RollingHistory(const RollingBody& body, double load, Start start
     : RollingHistory(body, CoatedPlane{}, load, start, options, time, angle, observer) {}
 
 RollingHistory::RollingHistory(const RollingBody& body, const Counterbody& on, double load, Start start,
-                               const HistoryOptions& options, double time, double angle, const Observer& observer)
+                               const HistoryOptions& options, double time, double angle, const Observer& observer,
+                               std::optional<double> axle_height)
     : impl_(std::make_unique<Impl>()) {
   detail::require_finite("time", time);
   detail::require_finite("angle", angle);
   detail::Watch watch(observer);
   Impl& impl = *impl_;
   impl.options = options;
-  const detail::ContactReach contact = impl.prepare(body, on, load, watch);
+  const detail::ContactReach contact = impl.prepare(body, on, load, axle_height, watch);
   if (start == Start::undeformed && impl.instantaneous() == 0.0) {
     reject("start", "RELAXED for a coating without instantaneous compliance (KelvinVoigt)", "UNDEFORMED");
   }
   impl.create_meshes(contact, watch);
-  const StepEnd first{.time = time, .angle = angle, .load = load, .center_displacement = {}};
-  impl.on_meshes(watch, [&](std::size_t, ShiftedMesh& shifted, const detail::Worker& worker) {
-    shifted.start(start, first, options.center_speed, worker.checkpoint);
-  });
-  std::vector<RollingInstant> instants;
-  instants.reserve(impl.meshes.size());
-  for (const ShiftedMesh& shifted : impl.meshes) instants.push_back(shifted.current());
-  impl.current = impl.mean(instants, time);
+  impl.start(start, {.time = time, .angle = angle, .load = load, .center_displacement = {}, .axle_height = axle_height},
+             watch);
 }
 
 RollingHistory::RollingHistory(const RollingBody& body, const Counterbody& on, double load, const RollingState& state,
-                               const HistoryOptions& options, const Observer& observer)
+                               const HistoryOptions& options, const Observer& observer,
+                               std::optional<double> axle_height)
     : impl_(std::make_unique<Impl>()) {
   detail::Watch watch(observer);
   impl_->options = options;
-  impl_->create_meshes(impl_->prepare(body, on, load, watch), watch);
+  impl_->create_meshes(impl_->prepare(body, on, load, axle_height, watch), watch);
   impl_->restore(state, watch);
 }
 
@@ -59,9 +56,14 @@ RollingHistory& RollingHistory::operator=(RollingHistory&& other) noexcept = def
 RollingHistory::~RollingHistory() = default;
 
 RollingInstant RollingHistory::advance(double time, double angle, double load,
-                                       std::optional<double> center_displacement, const Observer& observer) {
+                                       std::optional<double> center_displacement, const Observer& observer,
+                                       std::optional<double> axle_height) {
   detail::Watch watch(observer);
-  const StepEnd end{.time = time, .angle = angle, .load = load, .center_displacement = center_displacement};
+  const StepEnd end{.time = time,
+                    .angle = angle,
+                    .load = load,
+                    .center_displacement = center_displacement,
+                    .axle_height = axle_height};
   impl_->require_step(end);
   return impl_->follow(impl_->path_to(end), watch).back();
 }
@@ -89,20 +91,26 @@ void RollingHistory::restore(const RollingState& state, const Observer& observer
 namespace {
 
 StepEnd waypoint_of(const Motion& motion, std::size_t k) {
-  StepEnd waypoint{.time = motion.time[k], .angle = motion.angle[k], .load = motion.load[k], .center_displacement = {}};
+  StepEnd waypoint{.time = motion.time[k], .angle = motion.angle[k], .load = 0.0, .center_displacement = {}};
+  if (!motion.load.empty()) waypoint.load = motion.load[k];
+  if (!motion.axle_height.empty()) waypoint.axle_height = motion.axle_height[k];
   if (!motion.center_displacement.empty()) waypoint.center_displacement = motion.center_displacement[k];
   return waypoint;
 }
 
 /// Next waypoint. Of several waypoints at the present time, it is the one after the waypoint that has been reached.
-std::size_t next_waypoint(const Motion& motion, const RollingInstant& current) {
+std::size_t next_waypoint(const Motion& motion, const RollingInstant& current, double radius) {
+  constexpr double kRoundOff = 1e-12;  // relative to the radius, of heights that follow from penetrations
   std::size_t next = 0;
   while (motion.time[next] < current.time) ++next;
   for (std::size_t k = next; k < motion.time.size() && motion.time[k] == current.time; ++k) {
     const StepEnd waypoint = waypoint_of(motion, k);
     const bool reached =
         waypoint.center_displacement.value_or(current.center_displacement) == current.center_displacement;
-    if (waypoint.angle == current.angle && waypoint.load == current.load && reached) next = k + 1;
+    const double height = radius - current.penetration;
+    const bool supported = waypoint.axle_height ? std::abs(*waypoint.axle_height - height) <= kRoundOff * radius
+                                                : waypoint.load == current.axle_force;
+    if (waypoint.angle == current.angle && supported && reached) next = k + 1;
   }
   return next;
 }
@@ -122,7 +130,7 @@ std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, 
     return duration > 0.0 ? (time - motion.time.front()) / duration : 1.0;
   };
   std::vector<RollingInstant> instants{impl.current};
-  for (std::size_t k = next_waypoint(motion, impl.current); k < motion.time.size(); ++k) {
+  for (std::size_t k = next_waypoint(motion, impl.current, impl.pair->nodes.grid.radius); k < motion.time.size(); ++k) {
     const StepEnd end = waypoint_of(motion, k);
     impl.require_step(end);
     const std::vector<StepEnd> path = impl.path_to(end);

@@ -18,7 +18,7 @@ from .._support.text import shown
 from .._support.units import UNITS, unit_in_contact
 from ..solution.scalars import SCALARS
 from ..studies.runner import run_all
-from .columns import read_columns, read_header
+from .._support.columns import read_columns, read_header
 
 if TYPE_CHECKING:
     from pathlib import Path

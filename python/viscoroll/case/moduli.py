@@ -19,7 +19,7 @@ from ..materials.moduli import MODULI
 from ..materials.networks import Network
 from ..materials.strain_sweep import StrainKind
 from ..rheology import example_material, hardness_to_modulus, load_material, rebound_to_loss_factor
-from .columns import read_columns
+from .._support.columns import read_columns
 from .tables import (
     AlsoAs,
     ByName,

@@ -14,7 +14,7 @@ from .._support.toml import read_toml
 from ..bodies import Counterbody, Drive, RollingBody
 from ..transient.roll import roll
 from .case import MeshTable, PairTables
-from .columns import read_columns
+from .._support.columns import read_columns
 from .tables import ByName, FileName, StrictTable, checked, errors_in
 
 if TYPE_CHECKING:

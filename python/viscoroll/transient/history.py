@@ -16,6 +16,7 @@ from .._support.plotting import plots
 from .._support.scalars import with_scalars
 from .._support.tables import html_table, number_text, unit_text
 from ..bodies import Counterbody, Drive, Mesh, RollingBody
+from ..ground import Axle, Profile
 from .rolling_history import RollingState
 from .series import HISTORY_SCALARS, SeriesFields, series_units
 
@@ -59,7 +60,7 @@ class History(SeriesFields):
 
     Attributes
     ----------
-    body, on, mesh, compliance, curvature, friction, drive, mass, averaged_meshes
+    body, on, mesh, compliance, curvature, friction, drive, mass, ground, tread, axle, averaged_meshes
         Input, with the mesh that was used. For a roller, forces, torques and energies are per length.
     start : Start or None
         Initial state; None if the history continued from a saved state.
@@ -81,6 +82,9 @@ class History(SeriesFields):
     friction: float
     drive: Drive
     mass: float
+    ground: Profile | None
+    tread: Profile | None
+    axle: Axle | None
     averaged_meshes: int
     spectrum_error: float
     contacts: tuple[ContactInstant, ...]
@@ -99,6 +103,16 @@ class History(SeriesFields):
     def distance(self) -> NDArray[np.float64]:
         """Distance rolled along the track, r_o ψ [m]: the displacement of the contact without slip."""
         return self.body.outer_radius * self.angle
+
+    @property
+    def axle_height(self) -> NDArray[np.float64]:
+        """Height of the axle, r_o minus the penetration [m]: the radius when the undeformed body touches flat ground."""
+        return self.body.outer_radius - self.penetration
+
+    @property
+    def ground_height(self) -> NDArray[np.float64]:
+        """Height of the ground below the axle [m]; 0 if the ground is smooth."""
+        return np.zeros_like(self.angle) if self.ground is None else self.ground.height_at(self.distance)
 
     @property
     def units(self) -> dict[str, str]:
@@ -212,6 +226,13 @@ class History(SeriesFields):
             If the extra `viscoroll[files]` is missing, for ``.nc``.
         """
         save(self, path, FORMATS)
+
+    @plots("only ground and path of the axle")
+    def plot_ground(self, ax: Axes | None = None) -> Figure | Axes:
+        """Draw ground and path of the axle, load, torque and contact length over the distance."""
+        from .picture import plot_ground
+
+        return plot_ground(self._series(), self.units, self.distance, self.ground_height, ax)
 
     @plots("only the torque over time")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:

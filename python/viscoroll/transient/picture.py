@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     Series = Mapping[str, NDArray[np.float64]]
     Units = Mapping[str, str]
 
-__all__ = ["plot_history"]
+__all__ = ["plot_ground", "plot_history"]
 
 _MILLI = 1e3
 
@@ -80,3 +80,44 @@ def _draw_loop(axes: Axes, series: Series, units: Units) -> None:
         ylabel=f"resisting torque $T_r$ [m{units['resisting_torque']}]",
         title=f"∫$T_r$ d$ψ$ = {work:.4g} m{units['work']}",
     )
+
+
+def plot_ground(
+    series: Series, units: Units, distance: NDArray[np.float64], ground: NDArray[np.float64], ax: Axes | None = None
+) -> Picture | Axes:
+    """Draw ground and path of the axle, load, torque and contact length over the distance.
+
+    Parameters
+    ----------
+    series, units
+        Same as in `plot_history`.
+    distance, ground : ndarray
+        Distance rolled, and height of the ground there [m].
+    ax : matplotlib.axes.Axes, optional
+        Axes for ground and path of the axle only.
+
+    Returns
+    -------
+    matplotlib.figure.Figure or matplotlib.axes.Axes
+        Four axes over the distance in a figure without a window; or `ax`.
+    """
+
+    def draw_path(axes: Axes) -> None:
+        axes.plot(distance * _MILLI, ground * _MILLI, color="0.3", label="ground")
+        axes.plot(distance * _MILLI, -series["penetration"] * _MILLI, label="axle, above $r_o$")
+        axes.set_ylabel("height [mm]")
+        axes.legend(fontsize="small")
+
+    def compose(picture: Picture) -> None:
+        axes = picture.subplots(4, 1, sharex=True)
+        draw_path(axes[0])
+        for one, name, label, factor in (
+            (axes[1], "load", f"load [{units['load']}]", 1.0),
+            (axes[2], "resisting_torque", f"$T_r$ [m{units['resisting_torque']}]", _MILLI),
+            (axes[3], "contact_length", "contact length [mm]", _MILLI),
+        ):
+            one.plot(distance * _MILLI, series[name] * factor)
+            one.set_ylabel(label)
+        axes[3].set_xlabel("distance [mm]")
+
+    return draw_picture(draw_path, ax, figsize=(9.0, 8.0), compose=compose)
