@@ -16,7 +16,7 @@ import numpy as np
 from .roller import coating
 from .roller_start import LOAD, RADIUS, Viscoelastic, relaxed
 
-STEPS, MESHES = 4, 4  # steps per spacing, and phase-shifted meshes
+MESHES = 4  # phase-shifted meshes
 
 
 class Rolled(NamedTuple):
@@ -80,7 +80,7 @@ def contact(compliance, gap, on_force, on_penetration, value):
     raise RuntimeError("the contact did not settle")
 
 
-def roll(ground, *, nodes=1000, speed, end, tread=None, fixed=False, mass=0.0, load=LOAD, elastic=False, backward=False):
+def roll(ground, *, nodes=1000, speed, end, tread=None, fixed=False, mass=0.0, load=LOAD, steps=4):
     """Roll from rest at the distance 0, relaxed, to a distance; results are means over the phase-shifted meshes.
 
     Parameters
@@ -91,17 +91,13 @@ def roll(ground, *, nodes=1000, speed, end, tread=None, fixed=False, mass=0.0, l
         Whether the axle stays at the height of the start.
     mass : float
         Mass on the axle [kg/m].
-    backward : bool
-        Whether the roller rolls from `end` to 0.
+    steps : int
+        Time steps per spacing.
     """
-    ring = Viscoelastic(coating(nodes).offsets(relaxed, 0.0)[:, 0], 1.0 if elastic else 0.5, 0.25)
+    ring = Viscoelastic(coating(nodes).offsets(relaxed, 0.0)[:, 0], 0.5, 0.25)
     spacing = 2.0 * np.pi / nodes
-    angle = spacing / STEPS * np.arange(round(end / RADIUS / spacing * STEPS) + 1)
-    if backward:
-        angle = angle[::-1]
-    meshes = [
-        _roll(ring, angle, k / MESHES, speed, ground, tread, fixed, mass, load) for k in range(MESHES)
-    ]
+    angle = spacing / steps * np.arange(round(end / RADIUS / spacing * steps) + 1)
+    meshes = [_roll(ring, angle, k / MESHES, speed, ground, tread, fixed, mass, load) for k in range(MESHES)]
     return Rolled(RADIUS * angle, *np.mean(meshes, axis=0))
 
 
@@ -137,7 +133,7 @@ def _roll(ring, angle, shift, speed, ground, tread, fixed, mass, load):
 
     note()
     for before, psi in itertools.pairwise(angle):
-        duration = abs(psi - before) * RADIUS / speed
+        duration = (psi - before) * RADIUS / speed
         fading, old, new = ring.weights(duration)
         retarded = fading * crept + old * force
         condition = (1.0, 0.0, load)
@@ -174,12 +170,17 @@ def main(nodes: int = 1000) -> None:
         flat = roll(lambda s: 0.0 * s, nodes=nodes, speed=speed, end=80e-3)
         r = roll(bump, nodes=nodes, speed=speed, end=80e-3)
         there = np.interp([30e-3, 35e-3, 40e-3, 45e-3, 50e-3], r.distance, r.moment)
-        print(f"bump, {speed * 1e3:g} mm/s: M {np.round(there, 4)}, {r.moment.max():.3f}, {r.moment.min():.3f} N;", end=" ")
+        print(
+            f"bump, {speed * 1e3:g} mm/s: M {np.round(there, 4)}, {r.moment.max():.3f}, {r.moment.min():.3f} N;",
+            end=" ",
+        )
         print(f"min d {r.penetration.min() * 1e3:.5f} mm; D {r.dissipated[-1]:.4f}, flat {flat.dissipated[-1]:.4f} J/m")
     for speed in (6e-3, 60e-3):
         r = roll(half_sine(0.5e-3, 20e-3, 40e-3), nodes=nodes, speed=speed, end=80e-3, fixed=True)
         top = r.load.argmax()
-        print(f"fixed height, {speed * 1e3:g} mm/s: P {r.load[top]:.0f} N/m at {r.distance[top] * 1e3:.1f} mm;", end=" ")
+        print(
+            f"fixed height, {speed * 1e3:g} mm/s: P {r.load[top]:.0f} N/m at {r.distance[top] * 1e3:.1f} mm;", end=" "
+        )
         print(f"M {r.moment.max():.2f} N")
     for speed in (0.3, 0.6):
         r = roll(bump, nodes=nodes, speed=speed, end=80e-3, mass=500.0)

@@ -119,13 +119,13 @@ CenterCondition center_condition(const ViscoelasticPair& pair, const RollingInst
           .coasted = now.center_speed * duration};
 }
 
-ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, double rest, double duration,
+ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, const AxleState& state, double duration,
                                  double force) {
   const bool is_inert = axle.mass > 0.0 || axle.damping > 0.0;
   if (is_inert && duration == 0.0) return {.force = 0.0, .penetration = 1.0, .value = now.penetration};
   // Downward speed and acceleration, like the penetration.
   const double speed = -now.axle_speed;
-  const double acceleration = -now.axle_acceleration;
+  const double acceleration = -state.acceleration;
   const double coasted = now.penetration + speed * duration;
   double stiffness = axle.stiffness;
   double damped = 0.0;
@@ -135,7 +135,7 @@ ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, do
   }
   return {.force = 1.0,
           .penetration = stiffness,
-          .value = force - damped - axle.stiffness * (coasted - rest),
+          .value = force - damped - axle.stiffness * (coasted - state.rest),
           .coasted = coasted};
 }
 
@@ -147,16 +147,18 @@ ApproachCondition scaled(const ApproachCondition& condition, double factor) {
   return result;
 }
 
-void move_axle(const std::optional<Axle>& axle, double duration, double risen, RollingInstant& now) {
+void move_axle(bool is_free, double duration, double risen, AxleState& state, RollingInstant& now) {
   const double mean_speed = risen / duration;
-  const double before = now.axle_acceleration;
-  if (!axle) {
-    now.axle_acceleration = (mean_speed - now.axle_speed) / duration;
+  const double change = (mean_speed - now.axle_speed) / duration;
+  if (!is_free) {
+    now.axle_acceleration = change;
     now.axle_speed = mean_speed;
     return;
   }
-  now.axle_acceleration = (mean_speed - now.axle_speed) / duration + 0.5 * before;
-  now.axle_speed += duration * (1.5 * now.axle_acceleration - 0.5 * before);
+  const double before = state.acceleration;
+  state.acceleration = change + 0.5 * before;
+  now.axle_speed += duration * (1.5 * state.acceleration - 0.5 * before);
+  now.axle_acceleration = 2.0 * state.acceleration - before;  // mass times this is the sum of the forces
 }
 
 void move_center(double mass, double duration, double displacement, double& acceleration, RollingInstant& now) {

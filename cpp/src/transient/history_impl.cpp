@@ -190,13 +190,18 @@ double RollingHistory::Impl::relative_change(const StepEnd& begin, const StepEnd
   return change > 0.0 ? change / deepest : 0.0;
 }
 
-/// Sixtieth of the period in which an axle vibrates on the contact and its spring. The stiffness of the contact is that
-/// of a penetration proportional to the load, with the short-time modulus.
-double RollingHistory::Impl::longest_step() const {
+/// Sixtieth of the period in which an axle vibrates on the contact and its spring. Where this would take a large
+/// multiple of the steps that rolling takes, the ground changes so slowly that the axle follows without vibrating.
+double RollingHistory::Impl::longest_step(const StepEnd& begin, const StepEnd& end) const {
   constexpr double kStepsPerPeriod = 60.0;
+  constexpr double kMostPerRollingStep = 16.0;
+  constexpr double kMostSteps = 10000.0;
   if (!options.axle || options.axle->mass == 0.0) return std::numeric_limits<double>::infinity();
   const double stiffness = options.axle->stiffness + contact_stiffness;
-  return 2.0 * std::numbers::pi * std::sqrt(options.axle->mass / stiffness) / kStepsPerPeriod;
+  const double resolved = 2.0 * std::numbers::pi * std::sqrt(options.axle->mass / stiffness) / kStepsPerPeriod;
+  const double rolling =
+      std::abs(turn_of(begin, end)) * options.steps_per_spacing.value_or(1) / pair->nodes.grid.phi_spacing;
+  return std::max(resolved, (end.time - begin.time) / std::max(kMostPerRollingStep * rolling, kMostSteps));
 }
 
 /// Steps to the end of a segment; for a segment that has begun, the remaining steps.
@@ -221,7 +226,7 @@ std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
   const auto fractions = choice.fractions({.duration = end.time - begin.time,
                                            .turn = turn_of(begin, end),
                                            .relative_load = relative_change(begin, end),
-                                           .longest_step = longest_step()},
+                                           .longest_step = longest_step(begin, end)},
                                           started->last_step);
   std::vector<StepEnd> path;
   path.reserve(fractions.size());

@@ -127,7 +127,7 @@ struct RollingHistory::Impl {
   void require_axle_height(const detail::RollingPair& both, double height) const;
   [[nodiscard]] double turn_of(const detail::StepEnd& begin, const detail::StepEnd& end) const;
   [[nodiscard]] double relative_change(const detail::StepEnd& begin, const detail::StepEnd& end) const;
-  [[nodiscard]] double longest_step() const;
+  [[nodiscard]] double longest_step(const detail::StepEnd& begin, const detail::StepEnd& end) const;
   [[nodiscard]] double max_turn() const {
     return detail::max_turn(pair->nodes.grid.phi_spacing, options.steps_per_spacing);
   }

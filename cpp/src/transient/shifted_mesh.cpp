@@ -175,7 +175,7 @@ ApproachCondition ShiftedMesh::approach(const Attempt& attempt) const {
   const StepEnd& end = attempt.end;
   if (end.axle_height) return {.force = 0.0, .penetration = 1.0, .value = pair_->nodes.grid.radius - *end.axle_height};
   if (!pair_->axle || attempt.step == nullptr) return {.value = compliance * end.load};
-  return scaled(axle_condition(*pair_->axle, now_, rest_penetration_, attempt.step->duration, end.load), compliance);
+  return scaled(axle_condition(*pair_->axle, now_, axle_, attempt.step->duration, end.load), compliance);
 }
 
 std::vector<HalfField> ShiftedMesh::displacements(const ContactPlace& place) const {
@@ -320,7 +320,7 @@ void ShiftedMesh::start(Start start, const StepEnd& at, double center_speed, con
   take_stored_energy();
   now_.dissipated_energy = now_.counterbody_dissipated_energy = now_.slip_energy = 0.0;
   now_.center_speed = center_speed;
-  rest_penetration_ = now_.penetration;
+  axle_.rest = now_.penetration;
 }
 
 void ShiftedMesh::advance(const PairStep& step, const StepEnd& end, const Checkpoint& checkpoint) {
@@ -361,12 +361,12 @@ void ShiftedMesh::advance(const PairStep& step, const StepEnd& end, const Checkp
 
 void ShiftedMesh::take_axle(const RollingInstant& before, double duration) {
   const double risen = before.penetration - now_.penetration;
-  if (duration > 0.0) move_axle(pair_->axle, duration, risen, now_);
+  if (duration > 0.0) move_axle(pair_->axle.has_value(), duration, risen, axle_, now_);
   if (!pair_->axle) return;
   const auto& [mass, stiffness, damping] = *pair_->axle;
   const double old = before.axle_speed;
   const double speed = now_.axle_speed;
-  now_.axle_energy = 0.5 * mass * speed * speed + 0.5 * stiffness * std::pow(now_.penetration - rest_penetration_, 2);
+  now_.axle_energy = 0.5 * mass * speed * speed + 0.5 * stiffness * std::pow(now_.penetration - axle_.rest, 2);
   now_.dissipated_energy += damping * duration * (old * old + old * speed + speed * speed) / 3.0;
 }
 
@@ -401,7 +401,7 @@ void ShiftedMesh::widen(std::shared_ptr<const ViscoelasticPair> pair, const Chec
 
 void ShiftedMesh::write(NumberWriter& numbers) const {
   for (const auto member : kShiftedMeshScalars) numbers.put(now_.*member);
-  for (const double number : {center_acceleration_, ahead_, rest_penetration_}) numbers.put(number);
+  for (const double number : {center_acceleration_, ahead_, axle_.acceleration, axle_.rest}) numbers.put(number);
   numbers.put(power_.along_track);
   numbers.put(power_.creeping);
   numbers.put(static_cast<double>(half_rows_));
@@ -424,7 +424,7 @@ void ShiftedMesh::read(NumberReader& numbers, const Checkpoint& checkpoint) {
   }
   const double spacing = pair_->nodes.grid.phi_spacing;
   NumberReader::require(std::abs(now_.angle) <= kMaxRows * spacing && now_.load >= 0.0);
-  for (double* number : {&center_acceleration_, &ahead_, &rest_penetration_}) *number = numbers.get();
+  for (double* number : {&center_acceleration_, &ahead_, &axle_.acceleration, &axle_.rest}) *number = numbers.get();
   power_ = {.along_track = numbers.get(), .creeping = numbers.get()};
   half_rows_ = numbers.count(static_cast<double>(pair_->nodes.widest.phi.last));
   lowest_ = numbers.get();

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "transient/center_motion.hpp"
 #include "transient/instant_contact.hpp"
 #include "transient/row_memory.hpp"
 #include "transient/time_step.hpp"
@@ -131,8 +132,8 @@ class ShiftedMesh {
   double lowest_ = 0.0;                    // position of its middle row relative to the lowest point [spacings]
   CenterPower power_;                      // at the last instant
   double center_acceleration_ = 0.0;       // of a center with mass, in the time integration [m/s^2]
-  double ahead_ = 0.0;             // distance by which the center has moved farther than the body has rolled [m]
-  double rest_penetration_ = 0.0;  // penetration at which the spring of the axle exerts no force [m]
+  double ahead_ = 0.0;  // distance by which the center has moved farther than the body has rolled [m]
+  AxleState axle_;
   RollingInstant now_;
 };
 

@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
+from .._support.columns import read_columns
 from .._support.errors import InvalidInput
 from .._support.toml import read_toml
 from ..bodies import Counterbody, Drive, RollingBody
 from ..transient.roll import roll
 from .case import MeshTable, PairTables
-from .._support.columns import read_columns
+from .ground import AxleTable, ProfileTable
 from .tables import ByName, FileName, StrictTable, checked, errors_in
 
 if TYPE_CHECKING:
@@ -53,6 +54,7 @@ class Motion(StrictTable):
     angle: list[float] | None = None
     distance: list[float] | None = None
     load: float | list[float] | None = None
+    axle_height: float | list[float] | None = None
     file: FileName | None = None
     amplitude: float | None = None
     frequency: float | None = None
@@ -81,6 +83,9 @@ class Numerics(MeshTable):
 class _File(PairTables):
     motion: Motion
     numerics: Numerics = Numerics()
+    ground: ProfileTable | None = None
+    tread: ProfileTable | None = None
+    axle: AxleTable | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,7 +97,8 @@ class MotionCase:
     time: NDArray[np.float64]
     angle: NDArray[np.float64] | None
     distance: NDArray[np.float64] | None
-    load: NDArray[np.float64] | float
+    load: NDArray[np.float64] | float | None
+    axle_height: NDArray[np.float64] | float | None
     center_displacement: NDArray[np.float64] | None
     start: Start
     options: dict[str, Any]
@@ -122,13 +128,16 @@ def _build(file: _File) -> MotionCase:
     motion = file.motion
     return MotionCase(
         **file.pair(),
-        **({"angle": None, "distance": None, "center_displacement": None} | _waypoints(motion)),
+        **({"angle": None, "distance": None, "center_displacement": None, "axle_height": None} | _waypoints(motion)),
         start=motion.start,
         options={
             "friction": motion.friction,
             "drive": _drive(motion),
             "mass": motion.mass,
             "center_speed": motion.center_speed,
+            "ground": file.ground,
+            "tread": file.tread,
+            "axle": file.axle,
             **file.numerics.arguments(),
         },
     )
@@ -154,9 +163,10 @@ def _waypoints(motion: Motion) -> dict[str, Any]:
             return _table(motion)
         case "amplitude":
             return _oscillation(motion)
-    if (motion.angle is None and motion.distance is None) or motion.load is None:
-        raise InvalidInput("motion", "must have load, and angle or distance, with time")
-    return {name: getattr(motion, name) for name in ("time", "angle", "distance", "load", "center_displacement")}
+    if (motion.angle is None and motion.distance is None) or (motion.load is None and motion.axle_height is None):
+        raise InvalidInput("motion", "must have load or axle_height, and angle or distance, with time")
+    names = ("time", "angle", "distance", "load", "axle_height", "center_displacement")
+    return {name: getattr(motion, name) for name in names}
 
 
 def _table(motion: Motion) -> dict[str, Any]:

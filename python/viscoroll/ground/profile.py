@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -204,14 +205,9 @@ class Profile:
         return self._to_core().height_at(np.ascontiguousarray(distances.ravel())).reshape(distances.shape)
 
     @property
-    def is_step(self) -> NDArray[np.bool_]:
-        """Whether each interval between two points is a step."""
-        return np.diff(self.distance) == 0.0
-
-    @property
     def largest_slope(self) -> float:
         """Largest slope between two points in magnitude, except at steps [-]."""
-        smooth = ~self.is_step
+        smooth = np.diff(self.distance) > 0.0
         return float(np.max(np.abs(np.diff(self.height)[smooth] / np.diff(self.distance)[smooth]), initial=0.0))
 
     @property
@@ -221,17 +217,19 @@ class Profile:
         It is the shortest distance between two successive steps, or twice the shortest distance between two successive
         extrema.
         """
-        rise = np.diff(self.height)
+        distance, height = self.distance, self.height
+        if self.periodic:  # two periods contain all features, but their ends belong to none
+            distance, height = np.append(distance, distance + np.ptp(distance)), np.append(height, height)
+        rise, is_step = np.diff(height), np.diff(distance) == 0.0
         moves = np.flatnonzero(rise)
-        lengths = [np.inf]
-        for before, after in zip(moves[:-1], moves[1:], strict=True):
-            if self.is_step[before] and self.is_step[after]:
-                lengths.append(self.distance[after] - self.distance[before + 1])
-        turns = [after for before, after in zip(moves[:-1], moves[1:], strict=True) if rise[before] * rise[after] < 0.0]
-        smooth = [index for index in turns if not self.is_step[index]]
-        ends = [moves[0], *smooth, moves[-1] + 1] if len(smooth) else []
-        lengths += [2.0 * (self.distance[b] - self.distance[a]) for a, b in zip(ends[:-1], ends[1:], strict=True)]
-        return float(min(length for length in lengths if length > 0.0))
+        successive = list(pairwise(moves.tolist()))
+        lengths = [
+            distance[after] - distance[before + 1] for before, after in successive if is_step[[before, after]].all()
+        ]
+        turns = [after for before, after in successive if rise[before] * rise[after] < 0.0 and not is_step[after]]
+        extrema = turns if self.periodic or not turns else [int(moves[0]), *turns, int(moves[-1]) + 1]
+        lengths += [2.0 * (distance[after] - distance[before]) for before, after in pairwise(extrema)]
+        return float(min((length for length in lengths if length > 0.0), default=np.inf))
 
     def __eq__(self, other: object) -> bool:
         """Return whether another profile has the same points."""

@@ -106,7 +106,7 @@ class History(SeriesFields):
 
     @property
     def axle_height(self) -> NDArray[np.float64]:
-        """Height of the axle, r_o minus the penetration [m]: the radius when the undeformed body touches flat ground."""
+        """Height of the axle, r_o minus the penetration [m]; r_o if the undeformed body touches flat ground."""
         return self.body.outer_radius - self.penetration
 
     @property

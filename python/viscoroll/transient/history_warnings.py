@@ -13,7 +13,7 @@ from ..bodies.layered import materials_of
 from ..materials.shear_modulus import known_times_of
 from .options import HistoryOptions
 
-__all__ = ["ground_warnings", "highest", "rest_warnings", "strain_warnings", "time_warnings"]
+__all__ = ["ground_warnings", "local_height", "rest_warnings", "strain_warnings", "time_warnings"]
 
 #: Largest strain that finite-strain computations support, and the model error per strain, the same as in `solve`
 #: (`cpp/src/rolling/warnings.cpp`, `model_error` in result_scalars.def).
@@ -69,9 +69,18 @@ def rest_warnings(body: RollingBody, on: Counterbody | None) -> list[str]:
 _NODES_PER_FEATURE, _LARGEST_HEIGHT, _LARGEST_SLOPE = 8.0, 0.03, 0.5
 
 
-def highest(options: HistoryOptions) -> float:
-    """Return the largest height of ground and tread above the smooth surfaces [m]."""
-    return sum(max(float(one.height.max()), 0.0) for one in (options.ground, options.tread) if one is not None)
+def local_height(body: RollingBody, options: HistoryOptions, distance: Floats, length: Floats) -> Floats:
+    """Return by how much ground and tread raise the deepest point of each contact above the penetration [m].
+
+    Parameters
+    ----------
+    distance, length : ndarray
+        Distance rolled and contact length at every instant [m]. The contact may lie ahead of the axle or behind it.
+    """
+    aside = np.linspace(-1.0, 1.0, 17) * np.nan_to_num(length)[:, np.newaxis]
+    raised = np.zeros_like(aside) if options.ground is None else options.ground.height_at(distance[:, None] + aside)
+    raised = raised + (0.0 if options.tread is None else float(options.tread.height.max()))
+    return np.asarray(np.max(raised - 0.5 * aside**2 / body.outer_radius, axis=1))
 
 
 def ground_warnings(body: RollingBody, mesh: Mesh, options: HistoryOptions, distance: Floats) -> list[str]:
@@ -99,13 +108,13 @@ def ground_warnings(body: RollingBody, mesh: Mesh, options: HistoryOptions, dist
             )
     ground = options.ground
     if ground is not None and not ground.periodic:
-        ends = [(ground.distance[0], ground.height[:2]), (ground.distance[-1], ground.height[-2:])]
-        passed = [distance.min() < ends[0][0], distance.max() > ends[1][0]]
-        is_level = [math.isclose(*heights, abs_tol=1e-3 * float(np.ptp(ground.height))) for _, heights in ends]
         messages += [
-            f"the body rolls beyond the end of ground at {end:.4g} m, where the height stays {heights[0]:.3g} m"
-            for (end, heights), beyond, level in zip(ends, passed, is_level, strict=True)
-            if beyond and not (level or math.isclose(heights[0], 0.0, abs_tol=1e-3 * float(np.ptp(ground.height))))
+            f"the body rolls beyond the end of ground at {end:.4g} m, where its height stays {height:.3g} m"
+            for end, height, before, is_beyond in (
+                (ground.distance[0], ground.height[0], ground.height[1], distance.min() < ground.distance[0]),
+                (ground.distance[-1], ground.height[-1], ground.height[-2], distance.max() > ground.distance[-1]),
+            )
+            if is_beyond and height not in (0.0, before)
         ]
     return messages
 

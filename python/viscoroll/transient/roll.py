@@ -17,7 +17,7 @@ from ..bodies import Counterbody, RollingBody
 from ..bodies.si_hints import si_hints
 from .distance import as_angles
 from .history import ContactInstant, History
-from .history_warnings import ground_warnings, highest, strain_warnings, time_warnings
+from .history_warnings import ground_warnings, local_height, strain_warnings, time_warnings
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .rolling_history import RollingHistory, RollingState
 from .series import HISTORY_SCALARS
@@ -174,8 +174,11 @@ def roll(
     rows = {name: _joined([getattr(piece, name) for piece in pieces]) for name in HISTORY_SCALARS}
     duration = float(waypoints[-1] - waypoints[0])
     messages = [*time_warnings(body, on, duration=duration)]
-    messages += ground_warnings(body, stepper.mesh, chosen, np.asarray(rows["angle"]) * body.outer_radius)
-    messages += strain_warnings(body, on, np.asarray(rows["penetration"]) + highest(chosen))
+    passed, penetration = body.outer_radius * np.asarray(rows["angle"]), np.asarray(rows["penetration"])
+    messages += ground_warnings(body, stepper.mesh, chosen, passed)
+    if chosen.ground is not None or chosen.tread is not None:
+        penetration = penetration + local_height(body, chosen, passed, np.asarray(rows["contact_length"]))
+    messages += strain_warnings(body, on, penetration)
     warn(messages)
     return History(
         body=body,
