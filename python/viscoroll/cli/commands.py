@@ -63,7 +63,8 @@ def material(
         list[str],
         typer.Argument(
             help="Text, CSV, Excel or JSON exports of a rheometer or DMA instrument; a file without temperatures as "
-            "FILE@20C or FILE@293.15K. Or one input file of Abaqus, Ansys or LS-DYNA, whose constants are printed."
+            "FILE@20C or FILE@293.15K, with the temperature in its name, such as a_-20C.csv, or matched by a pattern "
+            "such as 'a_*C.csv'. Or one input file of Abaqus, Ansys or LS-DYNA, whose constants are printed."
         ),
     ],
     reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in K.")] = None,
@@ -110,8 +111,9 @@ def material(
     from ..rheology.reading import SWEEP_ROLES
     from ..rheology.time_tests import TIME_ROLES, contains_time_tests
 
+    files = _files(data)
     is_deck = len(data) == 1 and _holds_constants(Path(data[0]))
-    if is_deck or len(data) > 1 or Path(data[0]).is_file():  # the reader of measurements reports a missing file
+    if is_deck or isinstance(files, dict) or files.is_file():  # the reader of measurements reports a missing file
         _require_options_of(context, data[0], is_deck=is_deck)
     if is_deck:
         _write_constants(Path(data[0]), units, temperature_unit)
@@ -122,19 +124,19 @@ def material(
         raise ValueError("--draws must be 0 or at least 2, got 1")
     if draws and save is None:
         raise ValueError("--save must be given with --draws, because draws are saved with the material")
-    files = _files(data)
     named = _columns(columns)
     own = _own_shift(factors, wlf)
-    if over_time := [path for path in files if contains_time_tests(path, columns=named, step=step)]:
+    listed = files if isinstance(files, dict) else {files: None}
+    if over_time := [path for path in listed if contains_time_tests(path, columns=named, step=step)]:
         if plot is not None or between is not None or frequency is not None or vertical:
             raise ValueError(
                 "--plot, --between, --frequency and --vertical must be left out with relaxation or creep, "
                 f"which {over_time[0]} contains"
             )
         options: _ReadingOptions = {"tensile": tensile, "poisson_ratio": poisson_ratio, "step": step}
-        given = {path: files[path] for path in over_time}
-        parts: list[TimeData | RheologyData] = [read_time_tests(given, columns=_only(named, TIME_ROLES), **options)]
-        if rest := {path: kelvin for path, kelvin in files.items() if path not in given}:
+        tests = {path: listed[path] for path in over_time} if isinstance(files, dict) else files
+        parts: list[TimeData | RheologyData] = [read_time_tests(tests, columns=_only(named, TIME_ROLES), **options)]
+        if rest := {path: kelvin for path, kelvin in listed.items() if path not in over_time}:
             parts.append(read_rheology(rest, columns=_only(named, SWEEP_ROLES), **options))
         _fit_over_time(parts, reference, own, at=at, draws=draws, save=save)
         return
@@ -252,16 +254,18 @@ def _write_constants(path: Path, units: str, temperature_unit: TemperatureUnit) 
     write_line(f"in a case file, shear_modulus = {{ {table} }}")
 
 
-def _files(arguments: list[str]) -> dict[str | Path, float | None]:
-    """Return the temperature [K] of each file, from arguments such as "a.csv@20C"; None without one."""
-    files: dict[str | Path, float | None] = {}
+def _files(arguments: list[str]) -> Path | dict[Path, float | None]:
+    """Return the path of a single file, or the temperature [K] of each, from arguments such as "a.csv@20C"."""
+    from ..rheology.file_sets import file_set, temperatures_of
+
+    files: list[tuple[str, float | None]] = []
     for argument in arguments:
         found = re.fullmatch(r"(.+)@(-?\d+(?:\.\d+)?) ?(C|degC|K)", argument)
         if found is None:
-            files[argument] = None
+            files.append((argument, None))
         else:
-            files[found[1]] = float(found[2]) + (0.0 if found[3] == "K" else ZERO_CELSIUS)
-    return files
+            files.append((found[1], float(found[2]) + (0.0 if found[3] == "K" else ZERO_CELSIUS)))
+    return file_set(arguments[0]) if files == [(arguments[0], None)] else temperatures_of(files)
 
 
 def export(
