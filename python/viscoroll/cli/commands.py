@@ -22,11 +22,14 @@ with extra("cli"):
     import typer
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     import xarray
 
     from ..materials import Draws, Prony
     from ..materials.shear_modulus import ShearModulus
     from ..rheology import (
+        Check,
         Isotherm,
         PronyFit,
         RheologyData,
@@ -101,6 +104,9 @@ def material(
     draws: Annotated[
         int, typer.Option(help="Number of draws to save for confidence intervals (table \\[draws] of a study).", min=0)
     ] = 0,
+    accept: Annotated[
+        bool, typer.Option("--accept", help="Accept data that fail a check, which is otherwise an error.")
+    ] = False,
     plot: Annotated[Path | None, typer.Option(help="Draw data, fit and residual (.png, .svg, .pdf).")] = None,
     save: Annotated[
         Path | None, typer.Option(help="Write the material to this file (.toml), to which case files can refer.")
@@ -138,7 +144,7 @@ def material(
         parts: list[TimeData | RheologyData] = [read_time_tests(tests, columns=_only(named, TIME_ROLES), **options)]
         if rest := {path: kelvin for path, kelvin in listed.items() if path not in over_time}:
             parts.append(read_rheology(rest, columns=_only(named, SWEEP_ROLES), **options))
-        _fit_over_time(parts, reference, own, at=at, draws=draws, save=save)
+        _fit_over_time(parts, reference, own, at=at, draws=draws, accept=accept, save=save)
         return
     measured = read_rheology(
         files,
@@ -166,7 +172,8 @@ def material(
         if reference is not None:
             raise ValueError("--reference requires sweeps at two or more temperatures, got one sweep")
         curve = measured.isotherms[0]
-    for check in check_modulus(curve):
+    checks = check_modulus(curve)
+    for check in checks:
         write_line(str(check))
     fit = fit_prony(curve, terms_per_decade=terms_per_decade)
     write_line(repr(fit))
@@ -175,6 +182,7 @@ def material(
     if plot is not None:
         save_picture(fit.plot(), plot)
         write_line(f"data, fit and residual drawn to {plot}")
+    _require_consistent(measured.source, checks, accept=accept)
     if save is not None:
         save_material(save, curve, fit=fit, draws=_draws(curve, fit, draws))
         write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
@@ -200,6 +208,7 @@ def _fit_over_time(
     *,
     at: float | None,
     draws: int,
+    accept: bool,
     save: Path | None,
 ) -> None:
     """Fit relaxation and creep, and sweeps of the same material, and print and save the fit."""
@@ -212,16 +221,22 @@ def _fit_over_time(
     for line in repr(fit).splitlines():
         write_line(line)
     write_line(str(fit.check))
-    if not fit.check.passed:
-        raise ValueError(
-            f"{', '.join(part.source for part in parts)}: must be consistent with one passive material, "
-            f"got a {fit.check.message}; check columns, units and temperatures"
-        )
     if at is not None:
         _write_moduli(fit.series_at(temperature=at), at, *fit.range_at(temperature=at))
+    _require_consistent(", ".join(part.source for part in parts), [fit.check], accept=accept)
     if save is not None:
         save_material(save, fit, fit=fit, draws=fit.draws(draws) if draws else None)
         write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+
+
+def _require_consistent(source: str, checks: Iterable[Check], *, accept: bool) -> None:
+    """Raise a ValueError that names the failed checks, unless the user accepts them."""
+    failed = [f"{check.name}: {check.message}" for check in checks if not check.passed]
+    if failed and not accept:
+        raise ValueError(
+            f"{source}: must be consistent with one passive material, got {'; '.join(failed)}; check columns, units "
+            "and temperatures, leave out bad tests, or give --accept to use the data anyway"
+        )
 
 
 def _holds_constants(path: Path) -> bool:
