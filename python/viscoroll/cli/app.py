@@ -139,7 +139,7 @@ def solve(
         temperatures = [] if heated is None else [state.temperature for state in heated.states]
         if loaded.thermal is not None and heated is None:
             temperatures = [loaded.thermal.temperature(result, progress=report)]
-        rows = finite_strain_scalars(loaded, result, progress=report) if finite_strain else {}
+        rows = finite_strain_scalars(result, progress=report) if finite_strain else {}
     if as_json:
         scalars = result.scalars()
         if temperatures:

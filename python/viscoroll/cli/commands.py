@@ -230,8 +230,8 @@ def _fit_over_time(
 
 
 def _require_consistent(source: str, checks: Iterable[Check], *, accept: bool) -> None:
-    """Raise a ValueError that names the failed checks, unless the user accepts them."""
-    failed = [f"{check.name}: {check.message}" for check in checks if not check.passed]
+    """Raise a ValueError with the messages of the failed checks, unless the user accepts them."""
+    failed = [check.message for check in checks if not check.passed]
     if failed and not accept:
         raise ValueError(
             f"{source}: must be consistent with one passive material, got {'; '.join(failed)}; check columns, units "

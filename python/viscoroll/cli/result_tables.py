@@ -8,6 +8,7 @@ from .. import paper
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.tables import handy
+from ..solution.scalars import SCALARS
 from ..solution.text import with_unit
 from ..thermal.temperature import QUANTITIES
 
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
 
     from .._support.progress import Report
     from ..bodies import CoatedCylinder
-    from ..case import Case
     from ..coupled import SelfHeating
     from ..reproduce import Verdict
     from ..rolling import Result
@@ -35,16 +35,10 @@ __all__ = [
     "verdict_table",
 ]
 
-#: Quantities that `--finite-strain` compares: name, unit per length, label.
-_COMPARED = (
-    ("resisting_torque", "N", "resisting torque T_r"),
-    ("load", "N/m", "load"),
-    ("penetration", "m", "penetration"),
-    ("contact_length", "m", "contact length"),
-    ("max_pressure", "Pa", "largest pressure"),
-    ("overspeed", "1", "overspeed"),
-)
+#: Results that `--finite-strain` compares.
+_COMPARED = ("resisting_torque", "load", "penetration", "contact_length", "max_pressure", "overspeed")
 
+#: Unit, and value of the finite elements, of corrected linear theory and of linear theory, by name.
 FiniteStrainRows = dict[str, tuple[str, float, float | None, float | None]]
 
 
@@ -111,46 +105,38 @@ def table_2(torques: dict[tuple[int, int], float]) -> Table:
     return table
 
 
-def finite_strain_scalars(case: Case, result: Result, *, progress: Report) -> FiniteStrainRows:
+def finite_strain_scalars(result: Result, *, progress: Report) -> FiniteStrainRows:
     """Return unit and value of finite elements, corrected linear theory and linear theory for every compared quantity.
 
-    The load or the penetration is that of the case, and the angular speed that of the body, which follows from the
-    overspeed if the case gives the speed.
+    The finite elements have the bodies, the given load or penetration, and the angular speed at finite strain of the
+    result of linear theory.
     """
     from .. import finite_strain
 
-    if case.friction > 0.0:
-        raise InvalidInput("rolling.friction", "must be 0 with --finite-strain", f"{case.friction:g}")
-    speed = result.finite_strain_angular_speed or result.angular_speed
+    if result.friction > 0.0:
+        raise InvalidInput("rolling.friction", "must be 0 with --finite-strain", f"{result.friction:g}")
     found = finite_strain.solve(
-        cast("CoatedCylinder", case.body),  # finite_strain.solve rejects other bodies
-        on=case.on,
+        cast("CoatedCylinder", result.body),  # finite_strain.solve rejects other bodies
+        on=result.on,
         **{result.prescribed: getattr(result, result.prescribed)},
-        angular_speed=speed,
+        angular_speed=result.finite_strain_angular_speed or result.angular_speed,
         progress=progress,
     )
+    linear = {name: getattr(result, name) for name in _COMPARED if name != "overspeed"}
     corrected = {"resisting_torque": result.finite_strain_torque, "overspeed": result.overspeed}
     return {
-        name: (
-            unit,
-            getattr(found, name),
-            corrected.get(name),
-            None if name == "overspeed" else getattr(result, name),
-        )
-        for name, unit, _ in _COMPARED
+        name: (result.unit(name), getattr(found, name), corrected.get(name), linear.get(name)) for name in _COMPARED
     }
 
 
 def finite_strain_table(rows: FiniteStrainRows) -> Table:
     """Return the table of finite elements, corrected linear theory and linear theory side by side."""
-    table = Table(
-        title="rolling at finite strain; linear theory corrected for overspeed, and as it is", title_justify="left"
-    )
+    table = Table(title="rolling at finite strain; corrected: linear theory with overspeed", title_justify="left")
     for head in ("", "finite elements", "corrected", "linear theory"):
         table.add_column(head)
-    for name, _, label in _COMPARED:
-        unit, *values = rows[name]
-        texts, handy_unit = handy([value for value in values if value is not None], unit)
-        shown = iter(texts)
-        table.add_row(escape(with_unit(label, handy_unit)), *("" if value is None else next(shown) for value in values))
+    for name, (unit, *values) in rows.items():
+        texts, handy_unit = handy(values, unit)
+        cells = ("" if value is None else text for value, text in zip(values, texts, strict=True))
+        label = SCALARS[name][1].partition(",")[0]
+        table.add_row(escape(with_unit(label, handy_unit)), *cells)
     return table

@@ -60,7 +60,7 @@ def test_the_command_saves_inconsistent_sweeps_only_if_they_are_accepted(tmp_pat
     assert done.returncode == 2
     assert "monotonicity: INCONSISTENT" in done.stdout
     message = " ".join(done.stderr.split())
-    assert "sweep.csv: must be consistent with one passive material, got Kramers-Kronig: residual" in message
+    assert "sweep.csv: must be consistent with one passive material, got residual of the best causal series" in message
     assert "give --accept to use the data anyway" in message
     assert not saved.exists()
     assert command("material", path, "--save", saved, "--accept").returncode == 0
