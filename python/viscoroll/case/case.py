@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from importlib import resources
 from pathlib import Path
@@ -33,6 +33,7 @@ from ..rolling import Result, solve
 from ..thermal import Temperature
 from ..thermal.surroundings import Core
 from .moduli import Modulus, Shift
+from .sizes import SizedTable
 from .tables import (
     ByName,
     FileTables,
@@ -49,6 +50,7 @@ __all__ = [
     "BODIES",
     "COUNTERBODIES",
     "Case",
+    "CaseFile",
     "MeshTable",
     "PairTables",
     "Thermal",
@@ -61,12 +63,12 @@ __all__ = [
 _Layers: TypeAlias = list[Annotated[Layer, Table(shear_modulus=Modulus)]]
 _Base: TypeAlias = Annotated[HalfSpace, Table(documented_by=Layer, shear_modulus=Modulus)]
 
-_Ball: TypeAlias = Annotated[CoatedSphere, Table(layers=_Layers)]
-_Cylinder: TypeAlias = Annotated[CoatedCylinder, Table(layers=_Layers)]
-_Wheel: TypeAlias = Annotated[CoatedWheel, Table(layers=_Layers)]
+_Ball: TypeAlias = Annotated[CoatedSphere, SizedTable(CoatedSphere, layers=_Layers)]
+_Cylinder: TypeAlias = Annotated[CoatedCylinder, SizedTable(CoatedCylinder, layers=_Layers)]
+_Wheel: TypeAlias = Annotated[CoatedWheel, SizedTable(CoatedWheel, layers=_Layers)]
 
-#: Tables of rolling bodies; a file has exactly one of them.
-BODIES = ("ball", "cylinder", "wheel")
+#: Tables of rolling bodies, and their classes; a file has exactly one of them.
+BODIES: dict[str, type[RollingBody]] = {"ball": CoatedSphere, "cylinder": CoatedCylinder, "wheel": CoatedWheel}
 
 #: Tables of counterbodies; a file has at most one of them.
 COUNTERBODIES = ("plane", "groove", "other_ball", "other_cylinder", "other_wheel")
@@ -163,6 +165,11 @@ class PairTables(FileTables):
     other_cylinder: _Cylinder | None = None
     other_wheel: _Wheel | None = None
 
+    @classmethod
+    def is_of_roller(cls, document: Mapping[str, Any]) -> bool:
+        """Return whether forces of the file are per length."""
+        return any(name in document and kind.line_contact for name, kind in BODIES.items())
+
     def pair(self) -> dict[str, Any]:
         """Return the arguments `body` and `on` of `viscoroll.solve` and `viscoroll.roll`."""
         bodies, counterbodies = (
@@ -178,7 +185,9 @@ class PairTables(FileTables):
         return {"body": next(iter(bodies.values())), "on": next(iter(counterbodies.values()), None)}
 
 
-class _File(PairTables):
+class CaseFile(PairTables):
+    """A case file."""
+
     rolling: Rolling
     numerics: Numerics = Numerics()
     thermal: Thermal | None = None
@@ -293,7 +302,7 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
     ValueError, TypeError
         If the content is not valid.
     """
-    file = checked(_File, document, folder)
+    file = checked(CaseFile, document, folder)
     pair = file.pair()
     numerics = file.numerics.arguments()
     if numerics["mesh"] is not None and numerics["accuracy"] is not None:

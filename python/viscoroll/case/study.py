@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import itertools
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any, Literal
 
@@ -14,7 +14,7 @@ import numpy as np
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.intervals import as_confidence
-from .._support.text import shown
+from .._support.text import key_path_text, shown
 from .._support.toml import read_toml
 from .._support.units import UNITS
 from ..bodies import Counterbody, RollingBody
@@ -22,8 +22,9 @@ from ..rheology.material_file import count_draws
 from ..rolling.propagation import Pair
 from ..studies.dimensions import MOST_POINTS, Dimension, require_feasible
 from ..studies.plan import LoadCase, Plan
-from .case import BODIES, COUNTERBODIES, Case, build_case
+from .case import BODIES, COUNTERBODIES, Case, CaseFile, build_case
 from .tables import StrictTable, checked, errors_in
+from .unit_texts import Key, has_quantities
 
 with extra("cli"):
     from pydantic import Field, ValidationInfo, field_validator
@@ -135,6 +136,9 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
         )
     draws = checked(_DrawsFile, {"draws": document.pop("draws")}).draws if "draws" in document else None
     key_paths = [key_path_of(key) for key in table]
+    if has_quantities(table):
+        keys = CaseFile.keys_of(document)
+        table = {key: _in_si(key, entry, keys.at(document, key_path_of(key))) for key, entry in table.items()}
     entries = {key: _entry(key, entry) for key, entry in table.items()}
     counts = {key: entry.count if isinstance(entry, Range) else len(entry) for key, entry in entries.items()}
     require_feasible({f'of "{key}"': count for key, count in counts.items()})
@@ -178,7 +182,7 @@ def _plan(
 
 def _drawn(document: dict[str, Any], folder: Path, key_paths: list[_KeyPath]) -> tuple[Pair, ...]:
     """Return both bodies for each draw of some materials; the i-th draws of all these materials belong together."""
-    counts = {_text(key_path): _count_draws(document, folder, key_path) for key_path in key_paths}
+    counts = {key_path_text(key_path): _count_draws(document, folder, key_path) for key_path in key_paths}
     if len(set(counts.values())) != 1:
         found = ", ".join(f"{count} at {key_path}" for key_path, count in counts.items()) or "none"
         raise InvalidInput("draws.of", "must name materials with equal numbers of draws", found)
@@ -198,12 +202,14 @@ def _count_draws(document: dict[str, Any], folder: Path, key_path: _KeyPath) -> 
         file = folder / material["file"]
     except (IndexError, KeyError, TypeError):
         raise InvalidInput(
-            "draws.of", "must name tables of measured materials whose files contain draws", f'"{_text(key_path)}"'
+            "draws.of",
+            "must name tables of measured materials whose files contain draws",
+            f'"{key_path_text(key_path)}"',
         ) from None
     return count_draws(file)
 
 
-def _numbers_in(tables: tuple[str, ...], chosen: Mapping[_KeyPath, float]) -> tuple[float, ...]:
+def _numbers_in(tables: Collection[str | int], chosen: Mapping[_KeyPath, float]) -> tuple[float, ...]:
     return tuple(number for key_path, number in chosen.items() if key_path[0] in tables)
 
 
@@ -216,6 +222,21 @@ def key_path_of(key: str) -> _KeyPath:
     if not _KEY_PATH.fullmatch(key):
         raise ValueError(f'sweep: keys must be paths like "ball.layers[0].thickness", got {key!r}')
     return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
+
+
+def _in_si(key: str, entry: Any, found: Key | None) -> Any:
+    """Return an entry of the table `sweep` with numbers in SI units in place of texts with units."""
+    path = f'sweep."{key}"'
+    if found is not None and isinstance(entry, list):
+        return [found.number(one, f"{path}[{i}]") if isinstance(one, str) else one for i, one in enumerate(entry)]
+    if found is not None and isinstance(entry, dict):
+        ends = {
+            name: found.number(entry[name], f"{path}.{name}")
+            for name in ("from", "to")
+            if isinstance(entry.get(name), str)
+        }
+        return entry | ends
+    return entry
 
 
 def _entry(key: str, entry: object) -> list[float] | list[int] | Range:
@@ -247,13 +268,15 @@ def substituted(document: dict[str, Any], chosen: Mapping[_KeyPath, float]) -> d
                 target[last]  # raises an IndexError instead of adding an entry
             target[last] = number
         except (IndexError, KeyError, TypeError):
-            raise ValueError(f'sweep: the file has no key "{_text(key_path)}"') from None
+            raise ValueError(f'sweep: the file has no key "{key_path_text(key_path)}"') from None
     return document
 
 
 def _names(key_paths: list[_KeyPath]) -> list[str]:
-    short = [_text(key_path[_leaf_position(key_path) :]) for key_path in key_paths]
-    chosen = [s if short.count(s) == 1 else _text(key_path[1:]) for s, key_path in zip(short, key_paths, strict=True)]
+    short = [key_path_text(key_path[_leaf_position(key_path) :]) for key_path in key_paths]
+    chosen = [
+        s if short.count(s) == 1 else key_path_text(key_path[1:]) for s, key_path in zip(short, key_paths, strict=True)
+    ]
     return [re.sub(r"\W+", "_", name).strip("_") for name in chosen]
 
 
@@ -263,7 +286,3 @@ def _leaf(key_path: _KeyPath) -> str:
 
 def _leaf_position(key_path: _KeyPath) -> int:
     return max(i for i, part in enumerate(key_path) if isinstance(part, str))
-
-
-def _text(key_path: _KeyPath) -> str:
-    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in key_path).lstrip(".")

@@ -7,9 +7,10 @@ file; the class itself checks the values and has the defaults.
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from enum import Enum
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self, TypeAlias, TypeVar
@@ -17,9 +18,10 @@ from typing import Annotated, Any, ClassVar, Literal, Self, TypeAlias, TypeVar
 from .._support.errors import InvalidInput, in_file
 from .._support.extras import extra
 from .._support.suggestions import suggestion
-from .._support.text import one_line, shown
+from .._support.text import key_path_text, one_line, shown
 from .._support.toml import read_toml
 from .descriptions import parameter_schemas
+from .unit_texts import FileKeys, has_quantities
 
 with extra("cli"):
     from pydantic import (
@@ -105,7 +107,15 @@ class StrictTable(BaseModel):
             for name, found in parameter_schemas(make).items():
                 if name in keys:
                     keys[name] = found | keys[name]
+        for name in [name for name in keys if not _takes_numbers(keys[name])]:
+            keys[name].pop("unit", None)
         return made
+
+
+def _takes_numbers(schema: dict[str, Any]) -> bool:
+    """Return whether JSON Schema of a key allows a number or a list of numbers."""
+    kinds = [schema, *schema.get("anyOf", []), *schema.get("oneOf", [])]
+    return any(kind.get("type") == "number" or kind.get("items", {}).get("type") == "number" for kind in kinds)
 
 
 #: Tables that only some commands read, and the command to name in messages.
@@ -121,10 +131,25 @@ _COMMANDS = {
 class FileTables(StrictTable):
     """Base of a whole file. Tables for other commands are skipped, because several commands can read the same file."""
 
+    @classmethod
+    def keys_of(cls, document: Mapping[str, Any]) -> FileKeys:
+        """Return the keys of a file, which texts with units need."""
+        return FileKeys(_schema_of(cls), line_contact=cls.is_of_roller(document))
+
+    @classmethod
+    def is_of_roller(cls, document: Mapping[str, Any]) -> bool:  # noqa: ARG003
+        """Return whether forces of the file are per length."""
+        return False
+
     @model_validator(mode="before")
     @classmethod
     def _own(cls, document: dict[str, Any]) -> dict[str, Any]:
         return {name: table for name, table in document.items() if name not in skipped(cls, document)}
+
+
+@cache
+def _schema_of(kind: type[FileTables]) -> dict[str, Any]:
+    return kind.model_json_schema()
 
 
 def skipped(kind: type[FileTables], document: Iterable[str]) -> dict[str, str]:
@@ -187,7 +212,7 @@ class Table:
             name: (self._types.get(name, Any), Field() if name in needed else None)
             for name in [*parameters, *self._types]
         }
-        model = create_model(make.__name__.removeprefix("_"), __base__=StrictTable, **keys)
+        model: type[StrictTable] = create_model(make.__name__.removeprefix("_"), __base__=StrictTable, **keys)
         model.documented_by = (make,) if self._documented_by is None else (self._documented_by,)
         return model
 
@@ -277,6 +302,8 @@ def errors_in(path: Path) -> Iterator[None]:
 def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = None) -> _Model:
     """Return the tables of a file as an object of `kind`, which defines the allowed content.
 
+    Texts such as "10 mm" become numbers in SI units.
+
     Parameters
     ----------
     kind : type
@@ -292,6 +319,8 @@ def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = 
     InvalidInput
         If the tables have other content.
     """
+    if issubclass(kind, FileTables) and has_quantities(document):
+        document = kind.keys_of(document).in_si(document)
     try:
         return kind.model_validate(document, context=folder)
     except ValidationError as error:
@@ -360,7 +389,7 @@ _TYPED = ("shear_modulus", "shift", "matrix", "network")
 def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") -> InvalidInput:
     """Return an error of pydantic as an error of a parameter."""
     parts = pairwise(("", *error["loc"]))
-    path = _path_text([part for before, part in parts if before not in _TYPED and part not in _ALTERNATIVES])
+    path = key_path_text([part for before, part in parts if before not in _TYPED and part not in _ALTERNATIVES])
     kind = next((part for before, part in reversed([*pairwise(error["loc"])]) if before in _TYPED), None)
     context, message = error.get("ctx", {}), error["msg"]
     value = shown(error["input"]) if with_value else ""
@@ -379,7 +408,3 @@ def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") ->
     wanted = message.removeprefix("Input should be ")
     rule = f"must be {wanted}" if wanted != message else f"is invalid: {message[0].lower()}{message[1:]}"
     return InvalidInput(path, rule, value, more=more)
-
-
-def _path_text(parts: Sequence[str | int]) -> str:
-    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in parts).lstrip(".")

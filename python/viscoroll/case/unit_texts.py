@@ -1,0 +1,134 @@
+"""Conversion of texts such as "10 mm" in tables of case files, with the unit that the JSON Schema gives each key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from .._support.errors import InvalidInput
+from .._support.text import key_path_text
+from .._support.units import unit_in_contact
+from .quantities import as_quantity, in_si
+
+__all__ = ["FileKeys", "Key", "has_quantities"]
+
+#: Largest number of further errors that a message lists.
+_MAX_LISTED = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """A key of a file that takes numbers.
+
+    Attributes
+    ----------
+    unit : str
+        SI unit, "1" for numbers without unit.
+    difference : bool
+        Whether a value in K is a difference of temperatures.
+    """
+
+    unit: str
+    difference: bool = False
+
+    def number(self, text: str, path: str) -> float:
+        """Return the number in SI units that a text states; the path is that of the key, for messages."""
+        return in_si(text, self.unit, path=path, difference=self.difference)
+
+
+def has_quantities(content: object) -> bool:
+    """Return whether any text of tables and lists starts like a number, so that it may be a number with a unit."""
+    if isinstance(content, str):
+        return content.lstrip().startswith(tuple("0123456789.+-"))
+    if isinstance(content, dict):
+        return any(map(has_quantities, content.values()))
+    return isinstance(content, list) and any(map(has_quantities, content))
+
+
+@dataclass(frozen=True, slots=True)
+class FileKeys:
+    """Keys of a file, as its JSON Schema describes them.
+
+    Attributes
+    ----------
+    schema : mapping
+        JSON Schema of the file.
+    line_contact : bool
+        Whether the rolling body of the file is a roller, whose forces are per length.
+    """
+
+    schema: Mapping[str, Any]
+    line_contact: bool
+
+    def in_si(self, document: Mapping[str, Any]) -> Any:
+        """Return the tables of a file in which numbers in SI units replace texts with units.
+
+        Raises
+        ------
+        InvalidInput
+            If a text is not a number with a unit of the right dimension. The message also lists other such texts.
+        """
+        errors: list[InvalidInput] = []
+        converted = self._converted(document, self.schema, (), errors)
+        if not errors:
+            return converted
+        listed = [f"{error.parameter} {error.rule}" for error in errors[1:]]
+        raise errors[0].with_more("; ".join(listed) if len(listed) <= _MAX_LISTED else f"and {len(listed)} more errors")
+
+    def at(self, document: Mapping[str, Any], path: Sequence[str | int]) -> Key | None:
+        """Return the key at a path of the file, or None if there is no such key or its values are not numbers."""
+        node: Mapping[str, Any] | None = self.schema
+        value: Any = document
+        for part in path:
+            node = None if node is None else self._child(node, value, part)
+            if isinstance(part, int):
+                value = value[part] if isinstance(value, list) and part < len(value) else {}
+            else:
+                value = value.get(part, {}) if isinstance(value, dict) else {}
+        return None if node is None else self._key(node)
+
+    def _converted(
+        self, value: Any, node: Mapping[str, Any] | None, path: tuple[str | int, ...], errors: list[InvalidInput]
+    ) -> Any:
+        if node is None:
+            return value
+        if isinstance(value, dict):
+            return {
+                name: self._converted(v, self._child(node, value, name), (*path, name), errors)
+                for name, v in value.items()
+            }
+        if isinstance(value, list):
+            return [self._converted(v, self._child(node, value, i), (*path, i), errors) for i, v in enumerate(value)]
+        if not isinstance(value, str) or as_quantity(value) is None or (key := self._key(node)) is None:
+            return value
+        try:
+            return key.number(value, key_path_text(path))
+        except InvalidInput as error:
+            errors.append(error)
+            return value
+
+    def _key(self, node: Mapping[str, Any]) -> Key | None:
+        if not any(kind.get("type") == "number" for kind in self._kinds(node)):
+            return None
+        unit = unit_in_contact(node.get("unit", "1"), line_contact=self.line_contact)
+        return Key(unit, difference=unit == "K" and "difference" in node.get("description", ""))
+
+    def _child(self, node: Mapping[str, Any], value: Any, part: str | int) -> Mapping[str, Any] | None:
+        """Return the schema of a key of a table, or of an entry of a list, which has the unit of the list."""
+        if isinstance(part, int):
+            items = next((kind["items"] for kind in self._kinds(node) if "items" in kind), None)
+            return None if items is None else {**{k: node[k] for k in ("unit", "description") if k in node}, **items}
+        tables = [kind["properties"] for kind in self._kinds(node) if "properties" in kind]
+        keys = value if isinstance(value, dict) else {}
+        typed = [table for table in tables if table.get("type", {}).get("const", 0) == keys.get("type")]
+        fitting = [table for table in tables if keys.keys() <= table.keys()]
+        return next((table[part] for table in (*typed, *fitting, *tables) if part in table), None)
+
+    def _kinds(self, node: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+        """Yield the alternatives of a schema, without references."""
+        if "$ref" in node:
+            yield from self._kinds(self.schema["$defs"][node["$ref"].rpartition("/")[2]])
+        yield node
+        for kind in (*node.get("anyOf", ()), *node.get("oneOf", ())):
+            yield from self._kinds(kind)
