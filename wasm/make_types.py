@@ -44,7 +44,7 @@ INTERFACES = {
 TYPE_OF = {f"#/$defs/{definition}": name for name, definition in INTERFACES.items()}
 
 #: Keys of case files that the library in WebAssembly does not read.
-FILE_ONLY = {"file", "outer_diameter"}
+FILE_ONLY = {"allow_large", "file", "outer_diameter"}
 
 #: Tables of case files that the library in WebAssembly does not read.
 OTHERS = ("thermal", "motion", "sweep", "draws", "design")

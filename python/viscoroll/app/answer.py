@@ -82,7 +82,8 @@ def readable_case(document: object) -> Case:
         raise InvalidInput("case", "must be an object with the tables of a case file")
     if others := [name for name in OTHER_TABLES if name in document]:
         raise InvalidInput(others[0], "must be left out: the page does not support this table")
-    return build_case(document, None)
+    # Fields of the page show the unit of each length, and the page itself warns of implausible ones.
+    return build_case({"allow_large": True} | document, None)
 
 
 def tables_of_page(document: dict[str, Any]) -> dict[str, Any]:
@@ -93,8 +94,9 @@ def tables_of_page(document: dict[str, Any]) -> dict[str, Any]:
     ValueError, TypeError
         If the tables are not valid, refer to a file, or include tables of `OTHER_TABLES`.
     """
-    case = readable_case(document)
+    case = readable_case({"allow_large": False} | document)
     tables: dict[str, Any] = CaseFile.keys_of(document).in_si(document)
+    tables.pop("allow_large", None)
     for names, body in ((BODIES, case.body), (COUNTERBODIES, case.on)):
         for name in [name for name in names if "outer_diameter" in tables.get(name, {})]:
             core_radius = getattr(body, "core_radius")  # noqa: B009 - planes have no core, and no diameter

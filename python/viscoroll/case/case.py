@@ -33,6 +33,7 @@ from ..rolling import Result, solve
 from ..thermal import Temperature
 from ..thermal.surroundings import Core
 from .moduli import Modulus, Shift
+from .plausible import require_plausible, require_plausible_width
 from .sizes import SizedTable
 from .tables import (
     ByName,
@@ -154,7 +155,15 @@ class Thermal(StrictTable):
 
 
 class PairTables(FileTables):
-    """Base of a file with one rolling body of `BODIES`, and at most one counterbody of `COUNTERBODIES`."""
+    """Base of a file with one rolling body of `BODIES`, and at most one counterbody of `COUNTERBODIES`.
+
+    Parameters
+    ----------
+    allow_large : bool, optional
+        Whether to accept bodies of which a length is probably in millimeters, such as a ball with a radius of 20 m.
+    """
+
+    allow_large: bool = False
 
     ball: _Ball | None = None
     cylinder: _Cylinder | None = None
@@ -182,7 +191,10 @@ class PairTables(FileTables):
             raise ValueError(
                 f"at most one of {', '.join(COUNTERBODIES)} may be given, got {' and '.join(counterbodies)}"
             )
-        return {"body": next(iter(bodies.values())), "on": next(iter(counterbodies.values()), None)}
+        (name, body), (other, on) = *bodies.items(), next(iter(counterbodies.items()), (None, None))
+        if not self.allow_large:
+            require_plausible(name, body, other, on)
+        return {"body": body, "on": on}
 
 
 class CaseFile(PairTables):
@@ -304,6 +316,8 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
     """
     file = checked(CaseFile, document, folder)
     pair = file.pair()
+    if file.thermal is not None and file.thermal.width is not None and not file.allow_large:
+        require_plausible_width("thermal.width", file.thermal.width, pair["body"].outer_radius)
     numerics = file.numerics.arguments()
     if numerics["mesh"] is not None and numerics["accuracy"] is not None:
         raise InvalidInput("numerics.accuracy", "must be left out if a mesh is given")

@@ -22,6 +22,7 @@ from .._support.sealed import load_sealed
 from .._support.tables import handy
 from ..bodies.si_hints import unit_doubt
 from ..case import Case, example_text, load_case
+from ..case.plausible import speed_text, speed_warning
 from ..case.tables import skipped_in
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
@@ -143,11 +144,14 @@ def solve(
         typer.echo(_json(scalars))
     else:
         _print_result(result)
+        write_line(speed_text(result.angular_speed, result.body.outer_radius))
         if temperatures:
             OUTPUT.print(_thermal_table(_thermal_scalars(temperatures, heated)))
         if softened is not None:
             for line in repr(softened).splitlines():
                 write_line(line)
+    if fast := speed_warning(result.angular_speed, result.body.outer_radius):
+        write_message(f"warning: {fast}")
     issued = [str(warning.message) for warning in caught if issubclass(warning.category, ResultWarning)]
     for message in dict.fromkeys([*result_warnings(result), *issued]):
         write_message(f"warning: {message}")
