@@ -32,9 +32,10 @@ from ..coupled.softening_search import softens
 from ..rolling import Result, solve
 from ..thermal import Temperature
 from ..thermal.surroundings import Core
+from .key_paths import changed
 from .moduli import Modulus, Shift
 from .plausible import require_plausible, require_plausible_width
-from .sizes import SizedTable
+from .sizes import SIZES, SizedTable
 from .tables import (
     ByName,
     FileTables,
@@ -58,6 +59,7 @@ __all__ = [
     "build_case",
     "example_text",
     "load_case",
+    "with_changes",
 ]
 
 
@@ -273,13 +275,15 @@ class Case:
         return self_heating(**self.arguments(), **cooling, **options)
 
 
-def load_case(path: str | Path) -> Case:
+def load_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case:
     """Read a case from a TOML file.
 
     Parameters
     ----------
     path : path-like
         Path of the file; ``example_text()`` is a commented example.
+    changes : mapping, optional
+        Values that replace those of the file, by the paths of their keys: ``{"rolling.load": "500 N"}``.
 
     Returns
     -------
@@ -295,7 +299,12 @@ def load_case(path: str | Path) -> Case:
     """
     path = Path(path)
     with errors_in(path):
-        return build_case(read_toml(path), path.parent)
+        return build_case(with_changes(read_toml(path), changes or {}), path.parent)
+
+
+def with_changes(document: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the content of a file with other values; a speed replaces an angular speed, and so on."""
+    return changed(document, changes, (*Rolling.one_of, SIZES))
 
 
 def build_case(document: dict[str, Any], folder: Path | None) -> Case:

@@ -19,8 +19,8 @@ from .._support.result_warnings import silenced
 from .._support.toml import read_toml
 from ..rolling import Result
 from .case import CaseFile, build_case
+from .key_paths import key_path_of, substituted
 from .limits import LIMITS, Outcome, limit_units, outcome_of
-from .study import key_path_of, substituted
 from .tables import StrictTable, checked, errors_in
 from .unit_texts import Key, has_quantities
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["Design", "design_case"]
+__all__ = ["Design", "check_design", "design_case"]
 
 #: Number of values of the first, geometric search.
 _POINTS = 15
@@ -187,6 +187,11 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
             search = _Search(solve, report)
             solve(float(np.sqrt(low * high)))  # raises the errors of the file, if there are any
             return _best(variable, low, high, limits, search)
+
+
+def check_design(document: dict[str, Any]) -> None:
+    """Raise the error of the table `design` of a file, if there is one."""
+    _checked(document.pop("design", None), document)
 
 
 class Wanted(StrictTable):

@@ -14,7 +14,10 @@ from ..bodies import Layer
 from ..enums import InnerBoundary
 from .tables import StrictTable, Table
 
-__all__ = ["SizedTable"]
+__all__ = ["SIZES", "SizedTable"]
+
+#: Keys that give the size of a body.
+SIZES = ("core_radius", "outer_diameter")
 
 _Body = TypeVar("_Body")
 
@@ -38,7 +41,7 @@ class SizedTable(Table):
         model = super()._model_of(make)
         model.documented_by = (self._kind, _sized)
         if inspect.signature(self._kind).parameters["core_radius"].default is inspect.Parameter.empty:
-            model.one_of = (("core_radius", "outer_diameter"),)
+            model.one_of = (SIZES,)
         return model
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import itertools
 import re
 from collections.abc import Collection, Mapping
@@ -23,19 +22,14 @@ from ..rolling.propagation import Pair
 from ..studies.dimensions import MOST_POINTS, Dimension, require_feasible
 from ..studies.plan import LoadCase, Plan
 from .case import BODIES, COUNTERBODIES, Case, CaseFile, build_case
+from .key_paths import KeyPath, key_path_of, substituted
 from .tables import StrictTable, checked, errors_in
 from .unit_texts import Key, has_quantities
 
 with extra("cli"):
     from pydantic import Field, ValidationInfo, field_validator
 
-__all__ = ["key_path_of", "load_study", "substituted"]
-
-#: Pattern of the path of a key in the file, such as "ball.layers[0].thickness".
-_KEY_PATH = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
-
-#: Path of a key: names of tables and keys, and indices in lists.
-_KeyPath = tuple[str | int, ...]
+__all__ = ["load_study", "plan_study"]
 
 
 class Draws(StrictTable):
@@ -125,10 +119,11 @@ def load_study(path: str | Path) -> Plan:
     """
     path = Path(path)
     with errors_in(path):
-        return _study(read_toml(path), path.parent)
+        return plan_study(read_toml(path), path.parent)
 
 
-def _study(document: dict[str, Any], folder: Path) -> Plan:
+def plan_study(document: dict[str, Any], folder: Path) -> Plan:
+    """Return the study that the content of a file describes, without the tables of the study, which it removes."""
     table = document.pop("sweep", None)
     if not isinstance(table, dict) or not table:
         raise InvalidInput(
@@ -151,7 +146,7 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
 
 
 def _plan(
-    document: dict[str, Any], folder: Path, key_paths: list[_KeyPath], dimensions: list[Dimension], draws: Draws | None
+    document: dict[str, Any], folder: Path, key_paths: list[KeyPath], dimensions: list[Dimension], draws: Draws | None
 ) -> Plan:
     cases: list[LoadCase | str] = []
     bodies: dict[tuple[float, ...], RollingBody] = {}
@@ -180,7 +175,7 @@ def _plan(
     return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases), **intervals)  # type: ignore[arg-type]
 
 
-def _drawn(document: dict[str, Any], folder: Path, key_paths: list[_KeyPath]) -> tuple[Pair, ...]:
+def _drawn(document: dict[str, Any], folder: Path, key_paths: list[KeyPath]) -> tuple[Pair, ...]:
     """Return both bodies for each draw of some materials; the i-th draws of all these materials belong together."""
     counts = {key_path_text(key_path): _count_draws(document, folder, key_path) for key_path in key_paths}
     if len(set(counts.values())) != 1:
@@ -193,7 +188,7 @@ def _drawn(document: dict[str, Any], folder: Path, key_paths: list[_KeyPath]) ->
     return tuple((case.body, case.on) for case in cases)
 
 
-def _count_draws(document: dict[str, Any], folder: Path, key_path: _KeyPath) -> int:
+def _count_draws(document: dict[str, Any], folder: Path, key_path: KeyPath) -> int:
     """Return the number of draws in the file of a measured material; reject paths of other tables."""
     material: Any = document
     try:
@@ -209,19 +204,12 @@ def _count_draws(document: dict[str, Any], folder: Path, key_path: _KeyPath) -> 
     return count_draws(file)
 
 
-def _numbers_in(tables: Collection[str | int], chosen: Mapping[_KeyPath, float]) -> tuple[float, ...]:
+def _numbers_in(tables: Collection[str | int], chosen: Mapping[KeyPath, float]) -> tuple[float, ...]:
     return tuple(number for key_path, number in chosen.items() if key_path[0] in tables)
 
 
 def _arguments(case: Case) -> dict[str, Any]:
     return {name: value for name, value in case.arguments().items() if name != "body"}
-
-
-def key_path_of(key: str) -> _KeyPath:
-    """Return the parts of a path such as "ball.layers[0].thickness"."""
-    if not _KEY_PATH.fullmatch(key):
-        raise ValueError(f'sweep: keys must be paths like "ball.layers[0].thickness", got {key!r}')
-    return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
 
 
 def _in_si(key: str, entry: Any, found: Key | None) -> Any:
@@ -255,24 +243,7 @@ def _entry(key: str, entry: object) -> list[float] | list[int] | Range:
         raise error.inside(f'sweep."{key}"') from None
 
 
-def substituted(document: dict[str, Any], chosen: Mapping[_KeyPath, float]) -> dict[str, Any]:
-    """Return the document with other numbers for some keys; tables above a key that are missing are created."""
-    document = copy.deepcopy(document)
-    for key_path, number in chosen.items():
-        target: Any = document
-        try:
-            for part in key_path[:-1]:
-                target = target.setdefault(part, {}) if isinstance(target, dict) else target[part]
-            last: Any = key_path[-1]
-            if isinstance(target, list):
-                target[last]  # raises an IndexError instead of adding an entry
-            target[last] = number
-        except (IndexError, KeyError, TypeError):
-            raise ValueError(f'sweep: the file has no key "{key_path_text(key_path)}"') from None
-    return document
-
-
-def _names(key_paths: list[_KeyPath]) -> list[str]:
+def _names(key_paths: list[KeyPath]) -> list[str]:
     short = [key_path_text(key_path[_leaf_position(key_path) :]) for key_path in key_paths]
     chosen = [
         s if short.count(s) == 1 else key_path_text(key_path[1:]) for s, key_path in zip(short, key_paths, strict=True)
@@ -280,9 +251,9 @@ def _names(key_paths: list[_KeyPath]) -> list[str]:
     return [re.sub(r"\W+", "_", name).strip("_") for name in chosen]
 
 
-def _leaf(key_path: _KeyPath) -> str:
+def _leaf(key_path: KeyPath) -> str:
     return str(key_path[_leaf_position(key_path)])
 
 
-def _leaf_position(key_path: _KeyPath) -> int:
+def _leaf_position(key_path: KeyPath) -> int:
     return max(i for i, part in enumerate(key_path) if isinstance(part, str))

@@ -50,6 +50,7 @@ __all__ = [
     "checked",
     "errors_in",
     "in_folder",
+    "problems",
     "skipped_in",
 ]
 
@@ -326,6 +327,19 @@ def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = 
     except ValidationError as error:
         others = skipped(kind, document) if issubclass(kind, FileTables) else {}
         raise _first_error(error, others, kind.model_fields) from None
+
+
+def problems(kind: type[FileTables], document: dict[str, Any], folder: Path | None) -> list[InvalidInput]:
+    """Return all errors of tables that can be found without making the bodies; parameters as in `checked`."""
+    found: list[InvalidInput] = []
+    if has_quantities(document):
+        document, found = kind.keys_of(document).converted(document)
+    try:
+        kind.model_validate(document, context=folder)
+    except ValidationError as error:
+        places = {one.parameter for one in found}
+        found += [one for one in map(_invalid, error.errors()) if one.parameter not in places]
+    return found
 
 
 #: Python calls that messages suggest, and their form in a file.

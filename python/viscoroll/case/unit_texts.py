@@ -69,12 +69,16 @@ class FileKeys:
         InvalidInput
             If a text is not a number with a unit of the right dimension. The message also lists other such texts.
         """
-        errors: list[InvalidInput] = []
-        converted = self._converted(document, self.schema, (), errors)
+        found, errors = self.converted(document)
         if not errors:
-            return converted
+            return found
         listed = [f"{error.parameter} {error.rule}" for error in errors[1:]]
         raise errors[0].with_more("; ".join(listed) if len(listed) <= _MAX_LISTED else f"and {len(listed)} more errors")
+
+    def converted(self, document: Mapping[str, Any]) -> tuple[Any, list[InvalidInput]]:
+        """Return the tables of a file with numbers in place of texts, and the errors of texts that remain."""
+        errors: list[InvalidInput] = []
+        return self._converted(document, self.schema, (), errors), errors
 
     def at(self, document: Mapping[str, Any], path: Sequence[str | int]) -> Key | None:
         """Return the key at a path of the file, or None if there is no such key or its values are not numbers."""

@@ -21,7 +21,8 @@ from .._support.result_warnings import ResultWarning
 from .._support.sealed import load_sealed
 from .._support.tables import handy
 from ..bodies.si_hints import unit_doubt
-from ..case import Case, example_text, load_case
+from ..case import Case, load_case
+from ..case.key_paths import parsed_change
 from ..case.plausible import speed_text, speed_warning
 from ..case.tables import skipped_in
 from ..rolling import Result
@@ -29,9 +30,12 @@ from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
 from ..solution.text import result_lines, result_title, result_warnings, with_unit
 from ..thermal.temperature import QUANTITIES
+from .check import CHANGES, check
 from .commands import design, export, material, schema
+from .example import example
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, write_line, write_message
 from .page import serve_page
+from .several import print_several, solve_several
 
 with extra("cli"):
     import typer
@@ -107,7 +111,11 @@ def _main(
 
 @app.command()
 def solve(
-    case: Annotated[Path, typer.Argument(help="Case file in TOML; `viscoroll example` prints a commented one.")],
+    case: Annotated[
+        list[Path],
+        typer.Argument(help="Case file in TOML; `viscoroll example` prints a commented one. Several are compared."),
+    ],
+    changes: Annotated[list[str] | None, CHANGES] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print all scalar results as JSON in SI units.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Draw the contact to this picture (.png, .svg, .pdf).")] = None,
     save: Annotated[Path | None, typer.Option(help="Write the fields to this file (.csv, .nc, .vtu, .vtk).")] = None,
@@ -119,8 +127,17 @@ def solve(
     check_target("--plot", plot, PICTURES)
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
-    loaded = load_case(case)
-    _report_skipped(case, "viscoroll solve")
+    wanted = dict(map(parsed_change, changes or []))
+    for path in case:
+        _report_skipped(path, "viscoroll solve")
+    if len(case) > 1:
+        results = solve_several(case, wanted, plot=plot, others={"--save": save, "--section": section})
+        if as_json:
+            typer.echo(json.dumps({name: json.loads(_json(one.scalars())) for name, one in results.items()}, indent=2))
+        else:
+            print_several(results)
+        return
+    loaded = load_case(case[0], wanted)
     heated, softened = None, None
     with progress_bar() as report, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", ResultWarning)
@@ -257,27 +274,6 @@ def plot(
     path = study.with_suffix(".png") if output is None else output
     save_picture(plot_study(load_sealed(study), variable=variable), path)
     write_line(f"{variable} drawn to {path}")
-
-
-@app.command()
-def example(
-    with_sweep: Annotated[bool, typer.Option("--sweep", help="Append the table of a study.")] = False,
-    with_design: Annotated[bool, typer.Option("--design", help="Append the table of `viscoroll design`.")] = False,
-    motion: Annotated[bool, typer.Option("--motion", help="Print a file for `viscoroll roll` instead.")] = False,
-    measured: Annotated[
-        bool, typer.Option("--measured", help="Print invented measurements for `viscoroll compare` instead.")
-    ] = False,
-) -> None:
-    """Print a commented case file to start from: viscoroll example > case.toml."""
-    tables = [name for name, wanted in (("sweep", with_sweep), ("design", with_design)) if wanted]
-    others = [name for name, wanted in (("motion", motion), ("measured", measured)) if wanted]
-    if len(others) + bool(tables) > 1:
-        options = " and ".join(f"--{name}" for name in [*tables, *others])
-        raise ValueError(
-            f"--sweep and --design extend a case file; --motion and --measured must be given alone, got {options}"
-        )
-    names = others or ["case", *tables]
-    typer.echo("".join(example_text(name) for name in names), nl=False)  # type: ignore[arg-type]
 
 
 @app.command()
@@ -494,6 +490,6 @@ def _table_2(torques: dict[tuple[int, int], float]) -> Table:
     return table
 
 
-for command in (material, export, design, schema):
+for command in (check, example, material, export, design, schema):
     app.command()(command)
 app.command("app")(serve_page)
