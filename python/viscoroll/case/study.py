@@ -167,12 +167,36 @@ def _plan(
             drawn[id(body), id(on)] = _drawn(substituted(document, chosen), folder, of_draws)
         pairs = drawn.get((id(body), id(on)), ())
         cases.append(LoadCase(body=body, arguments=_arguments(case) | {"on": on}, draws=pairs))
+    _require_effect(dimensions, key_paths, cases)
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
     names = {dimension.name for dimension in dimensions}
     same = {k: v for k, v in (every[0] if every else {}).items() if all(other.get(k) == v for other in every)}
     fixed = {name: value for name, value in same.items() if name not in names}
     intervals = {} if draws is None else {"method": draws.method, "confidence": as_confidence(draws.confidence)}
     return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases), **intervals)  # type: ignore[arg-type]
+
+
+def _require_effect(dimensions: list[Dimension], key_paths: list[KeyPath], cases: list[LoadCase | str]) -> None:
+    """Raise an InvalidInput if all points along an axis are the same, because the study does not use its key."""
+    every = np.empty(len(cases), dtype=object)
+    every[:] = cases
+    grid = every.reshape([len(dimension.values) for dimension in dimensions])
+    for axis, (dimension, key_path) in enumerate(zip(dimensions, key_paths, strict=True)):
+        lines = np.moveaxis(grid, axis, -1).reshape(-1, len(dimension.values))
+        if len(set(dimension.values)) > 1 and all(_same(line[0], other) for line in lines for other in line[1:]):
+            raise InvalidInput(
+                f'sweep."{key_path_text(key_path)}"',
+                f"must change the case: `viscoroll sweep` does not use this key of [{key_path[0]}]",
+            )
+
+
+def _same(first: LoadCase | str, second: LoadCase | str) -> bool:
+    return (
+        isinstance(first, LoadCase)
+        and isinstance(second, LoadCase)
+        and first.body == second.body
+        and first.arguments == second.arguments
+    )
 
 
 def _drawn(document: dict[str, Any], folder: Path, key_paths: list[KeyPath]) -> tuple[Pair, ...]:

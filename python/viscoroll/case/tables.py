@@ -99,6 +99,8 @@ class StrictTable(BaseModel):
             kinds = [kind for kind in keys[name].get("anyOf", []) if kind != {"type": "null"}]
             if keys[name].get("default", 0) is None:
                 del keys[name]["default"]
+            if name in cls.model_fields and isinstance(member := cls.model_fields[name].default, Enum):
+                keys[name]["default"] = member.name.lower()  # pydantic gives the number of the member
             if kinds:
                 keys[name]["anyOf"] = kinds
             if len(kinds) == 1:
@@ -119,13 +121,14 @@ def _takes_numbers(schema: dict[str, Any]) -> bool:
     return any(kind.get("type") == "number" or kind.get("items", {}).get("type") == "number" for kind in kinds)
 
 
-#: Tables that only some commands read, and the command to name in messages.
+#: Tables that only some commands read, and these commands; messages name the first one.
 _COMMANDS = {
-    "rolling": "viscoroll solve",
-    "thermal": "viscoroll solve",
-    "motion": "viscoroll roll",
-    "sweep": "viscoroll sweep",
-    "design": "viscoroll design",
+    "rolling": ("solve", "sweep", "design", "compare", "export"),
+    "thermal": ("solve", "design"),
+    "motion": ("roll",),
+    "sweep": ("sweep", "export"),
+    "draws": ("sweep",),
+    "design": ("design",),
 }
 
 
@@ -155,15 +158,19 @@ def _schema_of(kind: type[FileTables]) -> dict[str, Any]:
 
 def skipped(kind: type[FileTables], document: Iterable[str]) -> dict[str, str]:
     """Return the names of the tables that are for other commands, with these commands."""
-    return {name: _COMMANDS[name] for name in document if name in _COMMANDS and name not in kind.model_fields}
+    return {
+        name: f"viscoroll {_COMMANDS[name][0]}"
+        for name in document
+        if name in _COMMANDS and name not in kind.model_fields
+    }
 
 
 def skipped_in(path: Path, *, command: str) -> str:
-    """Return a text that lists the tables of a file for other commands; empty if there are none."""
-    others = {name: other for name, other in _COMMANDS.items() if other != command}
+    """Return a text that lists the tables of a file that a command such as "solve" does not use, or an empty text."""
     with errors_in(path):
         document = read_toml(path)
-    return "; ".join(f"[{name}] is for `{others[name]}`" for name in document if name in others)
+    others = {name: readers[0] for name, readers in _COMMANDS.items() if command not in readers}
+    return "; ".join(f"[{name}] is for `viscoroll {others[name]}`" for name in document if name in others)
 
 
 class Table:

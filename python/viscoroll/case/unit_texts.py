@@ -85,7 +85,7 @@ class FileKeys:
         node: Mapping[str, Any] | None = self.schema
         value: Any = document
         for part in path:
-            node = None if node is None else self._child(node, value, part)
+            node = None if node is None else self.child(node, value, part)
             if isinstance(part, int):
                 value = value[part] if isinstance(value, list) and part < len(value) else {}
             else:
@@ -99,11 +99,11 @@ class FileKeys:
             return value
         if isinstance(value, dict):
             return {
-                name: self._converted(v, self._child(node, value, name), (*path, name), errors)
+                name: self._converted(v, self.child(node, value, name), (*path, name), errors)
                 for name, v in value.items()
             }
         if isinstance(value, list):
-            return [self._converted(v, self._child(node, value, i), (*path, i), errors) for i, v in enumerate(value)]
+            return [self._converted(v, self.child(node, value, i), (*path, i), errors) for i, v in enumerate(value)]
         if not isinstance(value, str) or as_quantity(value) is None or (key := self._key(node)) is None:
             return value
         try:
@@ -118,16 +118,41 @@ class FileKeys:
         unit = unit_in_contact(node.get("unit", "1"), line_contact=self.line_contact)
         return Key(unit, difference=unit == "K" and "difference" in node.get("description", ""))
 
-    def _child(self, node: Mapping[str, Any], value: Any, part: str | int) -> Mapping[str, Any] | None:
-        """Return the schema of a key of a table, or of an entry of a list, which has the unit of the list."""
+    def child(self, node: Mapping[str, Any], value: Any, part: str | int) -> Mapping[str, Any] | None:
+        """Return the schema of a key of a table, or of an entry of a list, which has the unit of the list.
+
+        Parameters
+        ----------
+        node : mapping
+            Schema of the table or list.
+        value : object
+            The table or list, whose key `type` may decide between several schemas.
+        part : str or int
+            Key or index.
+        """
         if isinstance(part, int):
             items = next((kind["items"] for kind in self._kinds(node) if "items" in kind), None)
             return None if items is None else {**{k: node[k] for k in ("unit", "description") if k in node}, **items}
+        return self.properties(node, value).get(part)
+
+    def properties(self, node: Mapping[str, Any], value: Any) -> dict[str, Mapping[str, Any]]:
+        """Return the schemas of the keys of a table; parameters as in `child`."""
         tables = [kind["properties"] for kind in self._kinds(node) if "properties" in kind]
         keys = value if isinstance(value, dict) else {}
         typed = [table for table in tables if table.get("type", {}).get("const", 0) == keys.get("type")]
         fitting = [table for table in tables if keys.keys() <= table.keys()]
-        return next((table[part] for table in (*typed, *fitting, *tables) if part in table), None)
+        return dict(next(iter((*typed, *fitting, *tables)), {}))
+
+    def kinds_text(self, node: Mapping[str, Any]) -> str:
+        """Return the values of the key `type` that a table may have, for a comment."""
+        tables = [kind["properties"] for kind in self._kinds(node) if "type" in kind.get("properties", {})]
+        return ", ".join(dict.fromkeys(table["type"]["const"] for table in tables))
+
+    def holds_tables(self, node: Mapping[str, Any]) -> bool:
+        """Return whether the value of a key is a table, or a list of tables."""
+        kinds = [*self._kinds(node)]
+        entries = [entry for kind in kinds if "items" in kind for entry in self._kinds(kind["items"])]
+        return any("properties" in kind for kind in (*kinds, *entries))
 
     def _kinds(self, node: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
         """Yield the alternatives of a schema, without references."""

@@ -24,7 +24,6 @@ from ..bodies.si_hints import unit_doubt
 from ..case import Case, load_case
 from ..case.key_paths import parsed_change
 from ..case.plausible import speed_text, speed_warning
-from ..case.tables import skipped_in
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
@@ -33,7 +32,7 @@ from ..thermal.temperature import QUANTITIES
 from .check import CHANGES, check
 from .commands import design, export, material, schema
 from .example import example
-from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, write_line, write_message
+from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 from .page import serve_page
 from .several import print_several, solve_several
 
@@ -129,7 +128,7 @@ def solve(
     check_target("--save", save, tuple(FORMATS))
     wanted = dict(map(parsed_change, changes or []))
     for path in case:
-        _report_skipped(path, "viscoroll solve")
+        report_skipped(path, "solve")
     if len(case) > 1:
         results = solve_several(case, wanted, plot=plot, others={"--save": save, "--section": section})
         if as_json:
@@ -203,7 +202,7 @@ def roll(
     check_target("--save", save, tuple(HISTORY_FORMATS))
     check_target("--checkpoint", checkpoint, (SUFFIX,))
     loaded = load_motion(case)
-    _report_skipped(case, "viscoroll roll")
+    report_skipped(case, "roll")
     resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
     with progress_bar() as report:
         history = loaded.roll(progress=report, checkpoint=checkpoint, **resumed)
@@ -238,6 +237,7 @@ def sweep(
     check_target("--output", output, (".nc",))
     check_target("--table", table, (".csv",))
     path = study.with_suffix(".nc") if output is None else output
+    report_skipped(study, "sweep")
     try:
         dataset = run_plan(load_study(study), cache=path, retry_failed=retry_failed, progress=MESSAGES.is_terminal)
     except KeyboardInterrupt:
@@ -338,6 +338,7 @@ def compare(
 
     check_target("--output", output, PICTURES)
     loaded = load_case(case)
+    report_skipped(case, "compare")
     if measured is not None:
         if speeds is not None:
             raise ValueError("--speeds must be left out with --measured: the case is solved at the measured points")
@@ -398,11 +399,6 @@ def demo(
     _print_result(chosen)
     save_picture(chosen.plot(), plot)
     write_line(f"contact pressure drawn to {plot}")
-
-
-def _report_skipped(path: Path, command: str) -> None:
-    if others := skipped_in(path, command=command):
-        write_message(f"skipped in {path.name}: {others}")
 
 
 _STATUS_TEXT = {

@@ -25,8 +25,8 @@ def file_of(name, layer=2e-3, **body):
         (
             file_of("ball", 1.0, core_radius=20.0),
             r"^ball.core_radius must be at most 1.5 m, unless allow_large = true is written at the beginning of the "
-            r'file, got 20 m; if millimeters were meant, write "20 mm"; also implausible: ball.layers\[0\].thickness = 1 '
-            r"m$",
+            r'file, got 20 m; if millimeters were meant, write "20 mm"; also implausible: '
+            r"ball.layers\[0\].thickness = 1 m$",
         ),
         (file_of("ball", 1.0, core_radius=0.02), r"^ball.layers\[0\].thickness must be at most 0.4 m"),
         (file_of("ball", 0.3, core_radius=0.02), r"thickness must be at most 8 times the radius of the core"),
