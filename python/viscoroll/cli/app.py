@@ -30,6 +30,7 @@ from ..solution.files import FORMATS
 from ..solution.text import result_lines, result_title, result_warnings, with_unit
 from ..thermal.temperature import QUANTITIES
 from .check import CHANGES, check
+from .cite import print_citation
 from .commands import design, export, material, schema
 from .example import example
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
@@ -103,6 +104,10 @@ def _main(
         typer.Option(
             "--version", callback=_print_version, is_eager=True, help="Print the version and the FFT library."
         ),
+    ] = False,
+    cite: Annotated[
+        bool,
+        typer.Option("--cite", callback=print_citation, is_eager=True, help="Print how to cite viscoroll, in BibTeX."),
     ] = False,
 ) -> None:
     pass
