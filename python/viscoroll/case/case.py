@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
-from .._support.arguments import as_member
+from .._support.arguments import as_kelvin, as_member
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.progress import ProgressLike
@@ -46,7 +46,7 @@ from .tables import (
 )
 
 with extra("cli"):
-    from pydantic import BeforeValidator
+    from pydantic import AfterValidator, BeforeValidator, ValidationInfo
 
 __all__ = [
     "BODIES",
@@ -130,16 +130,23 @@ def _core_of(given: object) -> object:
     return as_member("core", given, Core) if isinstance(given, str) else given
 
 
+def _kelvin(value: float, info: ValidationInfo) -> float:
+    return as_kelvin(str(info.field_name), value)
+
+
+_Kelvin: TypeAlias = Annotated[float, AfterValidator(_kelvin)]
+
+
 class Thermal(StrictTable):
     """Cooling of a case; the parameters are those of `viscoroll.self_heating`. Without `shift`, moduli are constant."""
 
     documented_by = (Result.temperature, self_heating)
 
     convection: float
-    ambient: float
+    ambient: _Kelvin
     conductivity: float | list[float] | None = None
     core: Annotated[Core | float, BeforeValidator(_core_of)] = Core.INSULATED
-    core_temperature: float | None = None
+    core_temperature: _Kelvin | None = None
     width: float | None = None
     side_convection: float | None = None
     hub_conductance: float | None = None

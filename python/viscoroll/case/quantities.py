@@ -113,7 +113,7 @@ def as_quantity(text: str) -> tuple[str, str] | None:
     >>> as_quantity("1.2 MPa"), as_quantity("10mm"), as_quantity("60A.toml"), as_quantity("insulated")
     (('1.2', 'MPa'), ('10', 'mm'), None, None)
     """
-    found = _TEXT.fullmatch(text)
+    found = _TEXT.fullmatch(text.replace("\N{MINUS SIGN}", "-"))
     if found is None or re.search(r"\.[a-zA-Z]\w*$", text):
         return None
     unit = found["unit"] or ""
@@ -147,7 +147,7 @@ def in_si(text: str, unit: str, *, path: str, difference: bool = False) -> float
     rule = f"must be {_expected(unit, difference=difference)}"
     parts = as_quantity(text)
     if parts is None:
-        raise InvalidInput(path, rule, shown(text))
+        raise InvalidInput(path, rule, shown(text), more="write a decimal point" if "," in text else "")
     number, given = parts
     if not math.isfinite(float(number)):
         raise InvalidInput(path, "must be a finite number", shown(text))
@@ -156,7 +156,7 @@ def in_si(text: str, unit: str, *, path: str, difference: bool = False) -> float
     name = _spelled(given, unit)
     parsed = _parsed(name)
     if parsed is None:
-        raise InvalidInput(path, rule, shown(text), more=f"the unit {shown(given)} is not known")
+        raise InvalidInput(path, rule, shown(text), more=_unknown(number, given, unit))
     if not same_dimension(name, unit):
         raise InvalidInput(path, rule, shown(text), more=_advice(name, unit))
     offset = offset_of(name)
@@ -243,9 +243,20 @@ def _expected(unit: str, *, difference: bool) -> str:
     return f"{_NAMES.get(unit, 'a quantity')} [{unit}]"
 
 
+def _unknown(number: str, given: str, unit: str) -> str:
+    """Return a message about an unknown unit, with usual units of the same dimension."""
+    if "shore" in given.lower():
+        return f'a hardness is a table: {{ type = "hardness", hardness = {number} }}'
+    usual = [names for _, names in DISPLAYED.values() if same_dimension(names[0], unit) and unit != "1"]
+    known = f"; use for example {', '.join(usual[0])}" if usual else ""
+    return f"the unit {shown(given)} is not known{known}"
+
+
 def _advice(given: str, unit: str) -> str:
     """Return how a quantity of another dimension may have been meant."""
     dimension = _parsed(given).dimensionality
+    if unit == "K" and same_dimension(given, "rad"):
+        return 'write "degC" for degrees Celsius'
     if unit == "rad/s" and dimension == _parsed(CENTER_SPEED).dimensionality:
         return "give the speed of the ground as speed"
     if unit == CENTER_SPEED and dimension == _parsed("rad/s").dimensionality:

@@ -344,8 +344,13 @@ def problems(kind: type[FileTables], document: dict[str, Any], folder: Path | No
     try:
         kind.model_validate(document, context=folder)
     except ValidationError as error:
-        places = {one.parameter for one in found}
-        found += [one for one in map(_invalid, error.errors()) if one.parameter not in places]
+        keys = kind.keys_of(document)
+        places = tuple(one.parameter for one in found)
+        for one in error.errors():
+            meant = keys.meant(document, one["loc"]) if one["type"] == "extra_forbidden" else ""
+            invalid = _invalid(one, more=f"did you mean {meant}?" if meant else "")
+            if not any(place.startswith(invalid.parameter) for place in places):
+                found.append(invalid)
     return found
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .._support.errors import InvalidInput
+from .._support.suggestions import suggestion
 from .._support.text import key_path_text
 from .._support.units import unit_in_contact
 from .quantities import as_quantity, in_si
@@ -15,6 +16,9 @@ __all__ = ["FileKeys", "Key", "has_quantities"]
 
 #: Largest number of further errors that a message lists.
 _MAX_LISTED = 3
+
+#: Characters with which a number may start.
+_STARTS = tuple("0123456789.+-\N{MINUS SIGN}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +44,7 @@ class Key:
 def has_quantities(content: object) -> bool:
     """Return whether any text of tables and lists starts like a number, so that it may be a number with a unit."""
     if isinstance(content, str):
-        return content.lstrip().startswith(tuple("0123456789.+-"))
+        return content.lstrip().startswith(_STARTS)
     if isinstance(content, dict):
         return any(map(has_quantities, content.values()))
     return isinstance(content, list) and any(map(has_quantities, content))
@@ -104,13 +108,20 @@ class FileKeys:
             }
         if isinstance(value, list):
             return [self._converted(v, self.child(node, value, i), (*path, i), errors) for i, v in enumerate(value)]
-        if not isinstance(value, str) or as_quantity(value) is None or (key := self._key(node)) is None:
+        if not isinstance(value, str) or (key := self._key(node)) is None:
+            return value
+        is_number = as_quantity(value) is not None or (has_quantities(value) and not self._takes_texts(node))
+        if not is_number:
             return value
         try:
             return key.number(value, key_path_text(path))
         except InvalidInput as error:
             errors.append(error)
             return value
+
+    def _takes_texts(self, node: Mapping[str, Any]) -> bool:
+        """Return whether a key also takes texts of another meaning, such as names of files."""
+        return any(kind.get("type") == "string" or "enum" in kind for kind in self._kinds(node))
 
     def _key(self, node: Mapping[str, Any]) -> Key | None:
         if not any(kind.get("type") == "number" for kind in self._kinds(node)):
@@ -142,6 +153,21 @@ class FileKeys:
         typed = [table for table in tables if table.get("type", {}).get("const", 0) == keys.get("type")]
         fitting = [table for table in tables if keys.keys() <= table.keys()]
         return dict(next(iter((*typed, *fitting, *tables)), {}))
+
+    def meant(self, document: Mapping[str, Any], path: Sequence[str | int]) -> str:
+        """Return a suggestion for an unknown key: a similar one of its table, or the same one of another table."""
+        node: Mapping[str, Any] | None = self.schema
+        value: Any = document
+        for part in path[:-1]:
+            node = None if node is None else self.child(node, value, part)
+            value = value[part]
+        name = str(path[-1])
+        if node is not None and (similar := suggestion(name, self.properties(node, value))):
+            return similar
+        if name in self.schema["properties"]:
+            return f"{name}, at the beginning of the file"
+        tables = [table for table in document if name in self.properties(self.schema["properties"].get(table, {}), {})]
+        return f"{tables[0]}.{name}" if len(path) == 1 and tables else ""
 
     def kinds_text(self, node: Mapping[str, Any]) -> str:
         """Return the values of the key `type` that a table may have, for a comment."""

@@ -51,6 +51,13 @@ def test_all_errors_are_listed(file):
         ("rolling.lod=5", "rolling.lod is not a parameter, got 5"),
         ("ball.core_radius=20", "ball.core_radius must be at most 1.5 m"),
         ("ball.layers[3].thickness=1", '--set: the file has no key "ball.layers[3].thickness"'),
+        ("rolling.load=1,5 kN", "rolling.load must be a force [N], got '1,5 kN'; write a decimal point"),
+        ("rolling.load=5 kgs", "the unit 'kgs' is not known; use for example N, kN, kgf, lbf"),
+        ("ball.layers[0].shear_modulus=70 Shore A", 'a hardness is a table: { type = "hardness", hardness = 70 }'),
+        ("ball.layers[0].youngs_modulus=5", "did you mean shear_modulus = E / (2 (1 + nu))?"),
+        ("ball.diameter=42 mm", "did you mean outer_diameter?"),
+        ("load=5 N", "load is not a parameter, got '5 N'; did you mean rolling.load?"),
+        ("numerics.allow_large=true", "did you mean allow_large, at the beginning of the file?"),
         ("rolling", "--set must have the form KEY=VALUE, such as rolling.load=500, got 'rolling'"),
         ("rolling.angular_speed=0", "angular_speed must be"),
     ],
@@ -60,6 +67,21 @@ def test_values_are_checked_without_a_solve(file, change, message):
     assert done.returncode == 2
     assert message in done.stderr
     assert len(done.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ("thermal.ambient=23", "thermal.ambient must be >= 100 K (20 °C are 293.15 K), got 23 K"),
+        ("thermal.ambient=23 degrees", 'write "degC" for degrees Celsius'),
+        ("thermal.convecton=5", "did you mean convection or side_convection?"),
+    ],
+)
+def test_tables_of_temperature_are_checked(file, change, message):
+    text = COARSE + "\n[thermal]\nconvection = 10.0\nambient = 293.15\nconductivity = 0.2\n"
+    done = command("check", file(text), "--set", change)
+    assert done.returncode == 2
+    assert message in done.stderr
 
 
 def test_values_replace_those_of_the_file(file):
