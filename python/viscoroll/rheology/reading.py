@@ -15,6 +15,7 @@ from .._support.arguments import Floats, as_float, as_int, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput, InvalidType, in_file
 from .._support.text import one_line, shown
+from .file_sets import Files, file_set, read_files
 from .formats import read_text
 from .ramps import TemperatureRamp
 from .tables import AMPLITUDE, CREEP, ONE_FREQUENCY, RAMP, RELAXATION, SWEEP, Table, listed
@@ -148,7 +149,7 @@ class RheologyData:
 
 
 def read_rheology(
-    path: str | Path | Mapping[str | Path, float | None],
+    path: Files,
     *,
     columns: Columns | None = None,
     tensile: bool | None = None,
@@ -170,7 +171,9 @@ def read_rheology(
     Parameters
     ----------
     path : path-like, or mapping of path-like to float
-        Path of the file; or several files with the temperature of each [K], which is None if the file contains it.
+        Path of the file; or several files with the temperature of each [K], which is None if the file contains it, or
+        else its name, as ``a_-20C.csv``, ``b_296K.csv`` or ``c 40 degC.xlsx``. A path with wildcards, such as
+        ``dma_*C.csv``, means all files that match.
     columns : mapping of str to str or (str, str), optional
         Name of the column, or name and unit, for "frequency", "storage", "loss", "complex" (the absolute value of the
         modulus), "tan_delta", "phase", "temperature" or "sweep". Required only if a name is unknown or a unit is
@@ -199,7 +202,7 @@ def read_rheology(
     ValueError
         If the file has no data set with frequency and moduli, a unit is missing or unknown, two frequency columns
         disagree, or the moduli may be tensile or shear; the message names the argument to pass, or the data sets of
-        the file.
+        the file. If one of several files has no temperature, or its name is not clear about it, as ``dma-20C.csv``.
     OSError
         If the file cannot be read.
 
@@ -208,6 +211,7 @@ def read_rheology(
     Sweeps in several files, at temperatures that only the user knows:
 
     >>> vr.rheology.read_rheology({"at0.csv": 273.15, "at20.csv": 293.15})  # doctest: +SKIP
+    >>> vr.rheology.read_rheology("dma_*C.csv")  # doctest: +SKIP
 
     >>> import viscoroll as vr
     >>> path = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
@@ -215,7 +219,8 @@ def read_rheology(
     RheologyData of pressure_sensitive_adhesive.txt: 339 points in 20 sweeps at 233.15 to 423.14 K (-40 to 150 °C),
     0.6283 to 125.7 rad/s, moduli of shear; 1 points dropped
     """
-    if isinstance(path, Mapping):
+    files = file_set(path)
+    if isinstance(files, dict):
         read_one = partial(
             read_rheology,
             columns=columns,
@@ -224,8 +229,8 @@ def read_rheology(
             frequency=frequency,
             step=step,
         )
-        return _combined([_at(read_one(one), kelvin) for one, kelvin in path.items()])
-    path = Path(path)
+        return _combined(list(read_files(files, read_one, _at, _lacks_temperature)))
+    path = files
     names = named_columns(columns, SWEEP_ROLES)
     nu = as_float("poisson_ratio", poisson_ratio)
     if not -1.0 < nu <= 0.5:
@@ -277,23 +282,23 @@ def read_rheology(
     )
 
 
-def _at(data: RheologyData, temperature: float | None) -> RheologyData:
-    """Return a sweep at the temperature that the user gives for its file."""
-    if temperature is None:
-        return data
+def _lacks_temperature(data: RheologyData) -> bool:
+    return any(math.isnan(sweep.temperature) for sweep in data.isotherms)
+
+
+def _at(data: RheologyData, temperature: float, remarks: tuple[str, ...]) -> RheologyData:
+    """Return a sweep at the temperature of its file."""
     kelvin = as_kelvin("temperature", temperature)
     (first, *others) = data.isotherms
     if others or not (math.isnan(first.temperature) or abs(first.temperature - kelvin) <= _WIDEST_SWEEP):
         low, high = first.temperature, data.isotherms[-1].temperature
         got = f"{kelvin_text(kelvin)} for {len(others) + 1} sweeps at {kelvin_range(low, high)}"
         raise InvalidInput("temperature", f"must be that of the sweep in {data.source}", got)
-    return replace(data, isotherms=(replace(first, temperature=kelvin),))
+    return replace(data, isotherms=(replace(first, temperature=kelvin),), remarks=data.remarks + remarks)
 
 
 def _combined(parts: list[RheologyData]) -> RheologyData:
     """Return the sweeps of several files as those of one."""
-    if not parts:
-        raise InvalidInput("path", "must contain a file", "none")
     if len({part.is_tensile for part in parts}) > 1:
         kinds = ", ".join(f"{part.source}: {'tension' if part.is_tensile else 'shear'}" for part in parts)
         raise InvalidInput("path", "must contain moduli of tension in all files or of shear in all files", kinds)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Literal
 
@@ -14,6 +14,7 @@ from .._support.arguments import Floats, as_float, as_int, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput, InvalidType, in_file
 from .._support.text import shown
+from .file_sets import Files, file_set, read_files
 from .formats import read_text
 from .reading import SWEEP_ROLES, Columns, named_columns
 from .tables import CREEP, RAMP, RELAXATION, SWEEP, Table, listed
@@ -117,7 +118,7 @@ class TimeData:
 
 
 def read_time_tests(
-    path: str | Path | Mapping[str | Path, float | None],
+    path: Files,
     *,
     columns: Columns | None = None,
     tensile: bool | None = None,
@@ -132,7 +133,7 @@ def read_time_tests(
     Parameters
     ----------
     path : path-like, or mapping of path-like to float
-        Path of the file; or several files with the temperature of each [K], which is None if the file contains it.
+        Path of the file, several files with temperatures [K], or a path with wildcards, as in `read_rheology`.
     columns : mapping of str to str or (str, str), optional
         Name of the column, or name and unit, for "time", "relaxation", "compliance", "stress", "strain" or
         "temperature". Required only if a name is unknown or a unit is missing. Units are ms, s, min, h, d; Pa to GPa;
@@ -161,13 +162,11 @@ def read_time_tests(
     -----
     The time counts from an instantaneous step. A real step takes a rise time: omit times below ten times the rise time.
     """
-    if isinstance(path, Mapping):
-        parts = [
-            _at(read_time_tests(one, columns=columns, tensile=tensile, poisson_ratio=poisson_ratio, step=step), kelvin)
-            for one, kelvin in path.items()
-        ]
-        return _combined(parts)
-    path = Path(path)
+    files = file_set(path)
+    if isinstance(files, dict):
+        read_one = partial(read_time_tests, columns=columns, tensile=tensile, poisson_ratio=poisson_ratio, step=step)
+        return _combined(list(read_files(files, read_one, _at, _lacks_temperature)))
+    path = files
     names = named_columns(columns, TIME_ROLES)
     nu = as_float("poisson_ratio", poisson_ratio)
     if not -1.0 < nu <= 0.5:
@@ -320,22 +319,23 @@ def _parts(time: Floats, rows: np.ndarray) -> list[np.ndarray]:
     return [part for part in np.split(rows, starts) if part.size]
 
 
-def _at(data: TimeData, temperature: float | None) -> TimeData:
-    """Return tests at the temperature that the user gives for their file."""
-    if temperature is None:
-        return data
+def _lacks_temperature(data: TimeData) -> bool:
+    return any(math.isnan(test.temperature) for test in data.tests)
+
+
+def _at(data: TimeData, temperature: float, remarks: tuple[str, ...]) -> TimeData:
+    """Return tests at the temperature of their file."""
     kelvin = as_kelvin("temperature", temperature)
     for test in data.tests:
         if abs(test.temperature - kelvin) > _WIDEST_TEST:
             got = f"{kelvin_text(kelvin)} for a test at {kelvin_text(test.temperature)}"
             raise InvalidInput("temperature", f"must be that of the tests in {data.source}", got)
-    return replace(data, tests=tuple(replace(test, temperature=kelvin) for test in data.tests))
+    tests = tuple(replace(test, temperature=kelvin) for test in data.tests)
+    return replace(data, tests=tests, remarks=data.remarks + remarks)
 
 
 def _combined(parts: list[TimeData]) -> TimeData:
     """Return the tests of several files as those of one."""
-    if not parts:
-        raise InvalidInput("path", "must contain a file", "none")
     return replace(
         parts[0],
         tests=_sorted([test for part in parts for test in part.tests]),
