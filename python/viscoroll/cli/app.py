@@ -20,14 +20,17 @@ from .._support.files import save_picture
 from .._support.result_warnings import ResultWarning
 from .._support.sealed import load_sealed
 from ..bodies.si_hints import unit_doubt
-from ..case import Case, example_text, load_case
-from ..case.tables import skipped_in
+from ..case import Case, load_case
+from ..case.key_paths import parsed_change
+from ..case.plausible import speed_text, speed_warning
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
 from ..solution.text import result_lines, result_title, result_warnings
+from .check import CHANGES
+from .cite import print_citation
 from .commands import design, export, material, schema
-from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, write_line, write_message
+from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 from .page import serve_page
 from .result_tables import (
     finite_strain_scalars,
@@ -37,6 +40,7 @@ from .result_tables import (
     thermal_table,
     verdict_table,
 )
+from .several import print_several, solve_several
 
 with extra("cli"):
     import typer
@@ -102,13 +106,21 @@ def _main(
             "--version", callback=_print_version, is_eager=True, help="Print the version and the FFT library."
         ),
     ] = False,
+    cite: Annotated[
+        bool,
+        typer.Option("--cite", callback=print_citation, is_eager=True, help="Print how to cite viscoroll, in BibTeX."),
+    ] = False,
 ) -> None:
     pass
 
 
 @app.command()
 def solve(
-    case: Annotated[Path, typer.Argument(help="Case file in TOML; `viscoroll example` prints a commented one.")],
+    case: Annotated[
+        list[Path],
+        typer.Argument(help="Case file in TOML; `viscoroll example` prints a commented one. Several are compared."),
+    ],
+    changes: Annotated[list[str] | None, CHANGES] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print all scalar results as JSON in SI units.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Draw the contact to this picture (.png, .svg, .pdf).")] = None,
     save: Annotated[Path | None, typer.Option(help="Write the fields to this file (.csv, .nc, .vtu, .vtk).")] = None,
@@ -123,8 +135,22 @@ def solve(
     check_target("--plot", plot, PICTURES)
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
-    loaded = load_case(case)
-    _report_skipped(case, "viscoroll solve")
+    wanted = dict(map(parsed_change, changes or []))
+    for path in case:
+        report_skipped(path, "solve")
+    if len(case) > 1:
+        results = solve_several(
+            case,
+            wanted,
+            plot=plot,
+            others={"--save": save, "--section": section, "--finite-strain": finite_strain or None},
+        )
+        if as_json:
+            typer.echo(json.dumps({name: json.loads(_json(one.scalars())) for name, one in results.items()}, indent=2))
+        else:
+            print_several(results)
+        return
+    loaded = load_case(case[0], wanted)
     heated, softened = None, None
     with progress_bar() as report, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", ResultWarning)
@@ -151,6 +177,7 @@ def solve(
         typer.echo(_json(scalars))
     else:
         _print_result(result)
+        write_line(speed_text(result.angular_speed, result.body.outer_radius))
         if temperatures:
             OUTPUT.print(thermal_table(thermal_scalars(temperatures, heated)))
         if rows:
@@ -158,6 +185,8 @@ def solve(
         if softened is not None:
             for line in repr(softened).splitlines():
                 write_line(line)
+    if fast := speed_warning(result.angular_speed, result.body.outer_radius):
+        write_message(f"warning: {fast}")
     issued = [str(warning.message) for warning in caught if issubclass(warning.category, ResultWarning)]
     for message in dict.fromkeys([*result_warnings(result), *issued]):
         write_message(f"warning: {message}")
@@ -192,7 +221,7 @@ def roll(
     check_target("--save", save, tuple(HISTORY_FORMATS))
     check_target("--checkpoint", checkpoint, (SUFFIX,))
     loaded = load_motion(case)
-    _report_skipped(case, "viscoroll roll")
+    report_skipped(case, "roll")
     resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
     with progress_bar() as report:
         history = loaded.roll(progress=report, checkpoint=checkpoint, **resumed)
@@ -227,6 +256,7 @@ def sweep(
     check_target("--output", output, (".nc",))
     check_target("--table", table, (".csv",))
     path = study.with_suffix(".nc") if output is None else output
+    report_skipped(study, "sweep")
     try:
         dataset = run_plan(load_study(study), cache=path, retry_failed=retry_failed, progress=MESSAGES.is_terminal)
     except KeyboardInterrupt:
@@ -263,27 +293,6 @@ def plot(
     path = study.with_suffix(".png") if output is None else output
     save_picture(plot_study(load_sealed(study), variable=variable), path)
     write_line(f"{variable} drawn to {path}")
-
-
-@app.command()
-def example(
-    with_sweep: Annotated[bool, typer.Option("--sweep", help="Append the table of a study.")] = False,
-    with_design: Annotated[bool, typer.Option("--design", help="Append the table of `viscoroll design`.")] = False,
-    motion: Annotated[bool, typer.Option("--motion", help="Print a file for `viscoroll roll` instead.")] = False,
-    measured: Annotated[
-        bool, typer.Option("--measured", help="Print invented measurements for `viscoroll compare` instead.")
-    ] = False,
-) -> None:
-    """Print a commented case file to start from: viscoroll example > case.toml."""
-    tables = [name for name, wanted in (("sweep", with_sweep), ("design", with_design)) if wanted]
-    others = [name for name, wanted in (("motion", motion), ("measured", measured)) if wanted]
-    if len(others) + bool(tables) > 1:
-        options = " and ".join(f"--{name}" for name in [*tables, *others])
-        raise ValueError(
-            f"--sweep and --design extend a case file; --motion and --measured must be given alone, got {options}"
-        )
-    names = others or ["case", *tables]
-    typer.echo("".join(example_text(name) for name in names), nl=False)  # type: ignore[arg-type]
 
 
 @app.command()
@@ -348,6 +357,7 @@ def compare(
 
     check_target("--output", output, PICTURES)
     loaded = load_case(case)
+    report_skipped(case, "compare")
     if measured is not None:
         if speeds is not None:
             raise ValueError("--speeds must be left out with --measured: the case is solved at the measured points")
@@ -408,11 +418,6 @@ def demo(
     _print_result(chosen)
     save_picture(chosen.plot(), plot)
     write_line(f"contact pressure drawn to {plot}")
-
-
-def _report_skipped(path: Path, command: str) -> None:
-    if others := skipped_in(path, command=command):
-        write_message(f"skipped in {path.name}: {others}")
 
 
 _STATUS_TEXT = {

@@ -16,7 +16,7 @@ from .._support.text import parsed_range, shown
 from .._support.toml import read_toml
 from ..materials import WilliamsLandelFerry, read_constants
 from ..materials.constants import holds_constants
-from .output import PICTURES, check_target, progress_bar, write_line, write_message
+from .output import PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 
 with extra("cli"):
     import typer
@@ -305,6 +305,7 @@ def export(
     path = case.with_suffix(f".{code.value}") if output is None else output
     if path.is_dir() or not path.parent.is_dir():
         raise ValueError(f"--output must be a file in a folder that exists, got {shown(str(path))}")
+    report_skipped(case, "export")
     study, load, speed = _study_around(case, span)
     for message in study_warnings(study):
         write_message(f"warning: {message}")
@@ -322,6 +323,7 @@ def design(
     from ..case.design import design_case
 
     check_target("--plot", plot, PICTURES)
+    report_skipped(case, "design")
     with progress_bar() as report:
         found = design_case(case, progress=report)
     power = f"{found.result.dissipated_power:.6g} {found.result.unit('dissipated_power')}"

@@ -32,7 +32,7 @@ class WilliamsLandelFerry:
     c1 : float
         C₁ [-], > 0.
     c2 : float
-        C₂ [K], > 0.
+        C₂, a difference of temperatures [K], > 0.
     reference_temperature : float
         Temperature T_r at which the moduli were measured [K], > 0.
 

@@ -126,7 +126,7 @@ WRONG = [
     ("ball.layers", 3),
     (f"{LAYER}.thickness", None),
     (f"{LAYER}.thickness", 0.0),
-    (f"{LAYER}.thickness", "1 mm"),
+    (f"{LAYER}.thickness", "thin"),
     (f"{LAYER}.density", -1.0),
     (f"{LAYER}.density", [1.0]),
     (f"{LAYER}.thicknes", 1e-3),
