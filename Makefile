@@ -114,9 +114,8 @@ test-clang: deps-clang
 	build/clang/venv/bin/python -m pytest $(PARALLEL) -m 'not slow'
 
 # Print the oldest versions that pyproject.toml declares for the package and for all extras that the tests need.
-OLDEST_VERSIONS = import tomllib; project = tomllib.load(open("pyproject.toml", "rb"))["project"]; \
-  extras = [project["optional-dependencies"][name] for name in ("cli", "plot", "files", "studies", "test")]; \
-  lines = {line for extra in [project["dependencies"], *extras] for line in extra if not line.startswith("viscoroll[")}; \
+OLDEST_VERSIONS = $(EXTRAS); \
+  lines = {*project["dependencies"], *requirements("test")}; \
   print(*sorted(line.replace(">=", "==") for line in lines), sep="\n")
 
 # Old packages warn about interfaces that newer versions changed. netCDF4 1.6 warns about the sizes of NumPy's objects,
@@ -314,9 +313,13 @@ $(VENV)/demo.stamp: $(SOURCES) $(LIBRARY).stamp | $(VENV)/bin/pip
 	$(BIN)/pip install --quiet $(call WITH_LIBRARY,build) '.[cli,plot,files,studies]'
 	touch $@
 
+# Python statements that define requirements(extra): the list of its requirements and of those of the extras it contains.
+EXTRAS = import tomllib; project = tomllib.load(open("pyproject.toml", "rb"))["project"]; \
+  requirements = lambda extra: [requirement for line in project["optional-dependencies"][extra] for requirement in ( \
+    sum(map(requirements, line[len("viscoroll["):-1].split(",")), []) if line.startswith("viscoroll[") else [line])]
+
 # Print the requirements of an extra, without the package itself.
-REQUIREMENTS = import tomllib; extras = tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-dependencies"]; \
-  print(*(line for line in extras["$(1)"] if not line.startswith("viscoroll[")), sep="\n")
+REQUIREMENTS = $(EXTRAS); print(*requirements("$(1)"), sep="\n")
 
 $(VENV)/%.stamp: $(VENV)/demo.stamp
 	$(BIN)/python -c '$(call REQUIREMENTS,$*)' > $(VENV)/$*.txt

@@ -1,8 +1,8 @@
 """Write JavaScript files from the JSON Schema of case files; with --check, compare them.
 
-The files are the types of inputs in package/viscoroll.d.ts, and python/viscoroll/app/page/schema.js, the lists for the
-page. `make stubs` runs this script, and a test compares the files. The types of the answer in viscoroll.d.ts, below the
-marked lines, are written by hand.
+The files are the types of inputs in package/viscoroll.d.ts, and the lists for the page, schema.js and unit_table.js in
+python/viscoroll/app/page. `make stubs` runs this script, and a test compares the files. The types of the answer in
+viscoroll.d.ts, below the marked lines, are written by hand.
 """
 
 from __future__ import annotations
@@ -16,11 +16,13 @@ from typing import Any
 
 import viscoroll
 from viscoroll.case.case import BODIES, COUNTERBODIES
+from viscoroll.case.quantities import CENTER_SPEED, DISPLAYED, SPELLINGS, offset_of, same_dimension, scale_of
 from viscoroll.case.schema import json_schema
 from viscoroll.materials.moduli import MODULI
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "python" / "viscoroll" / "app" / "page" / "schema.js"
+UNITS = PAGE.with_name("unit_table.js")
 TYPES = ROOT / "wasm" / "package" / "viscoroll.d.ts"
 BEGIN = "// Written by wasm/make_types.py from the JSON Schema of case files:\n"
 END = "// End of the types that are written by wasm/make_types.py\n"
@@ -40,6 +42,9 @@ INTERFACES = {
     "Numerics": "viscoroll__case__case__Numerics",
 }
 TYPE_OF = {f"#/$defs/{definition}": name for name, definition in INTERFACES.items()}
+
+#: Keys of case files that the library in WebAssembly does not read.
+FILE_ONLY = {"allow_large", "file", "outer_diameter"}
 
 #: Tables of case files that the library in WebAssembly does not read.
 OTHERS = ("thermal", "motion", "sweep", "draws", "design")
@@ -83,25 +88,59 @@ def page_lists() -> str:
     )
 
 
+def page_units() -> str:
+    """Return the module of the page with the SI values of units, which pint computes as in case files."""
+    units: dict[str, dict[str, float | None]] = {}
+    for quantity, (si, names) in DISPLAYED.items():
+        speeds = [name for name in names if same_dimension(name, CENTER_SPEED) and si != CENTER_SPEED]
+        units[quantity] = {name: None if name in speeds else float(scale_of(name, si)) for name in names}
+    displayed = {name for names in units.values() for name in names}
+    lists = {
+        "UNITS": (
+            "SI values of the units, by quantity; the first unit is the default. `CENTER_SPEEDS` has those of null.",
+            units,
+        ),
+        "OFFSETS": (
+            "SI value of 0 in a unit, for units whose zero is not that of the SI unit.",
+            {name: float(offset_of(name)) for name in sorted(displayed) if offset_of(name)},
+        ),
+        "ALIASES": ("Other spellings of units that users may type, in lower case.", SPELLINGS),
+        "CENTER_SPEEDS": (
+            "SI values [m/s] of units for the speed of the center: the angular speed times the outer radius.",
+            {name: float(scale_of(name, CENTER_SPEED)) for name, scale in units["speed"].items() if scale is None},
+        ),
+    }
+    exports = [f"/** {text} */\nexport const {name} = {_literal(value)};\n" for name, (text, value) in lists.items()]
+    return "\n".join(["// Written by wasm/make_types.py from python/viscoroll/case/units.txt.\n", *exports])
+
+
 def _literal(value: Any) -> str:
     """Return a list in one line, or an object with one line for each key."""
     if not isinstance(value, dict):
         return json.dumps(value)
-    return "{\n" + "".join(f"  {key}: {_inline(one)},\n" for key, one in value.items()) + "}"
+    return "{\n" + "".join(f"  {_name(key)}: {_inline(one)},\n" for key, one in value.items()) + "}"
 
 
 def _inline(value: Any) -> str:
     """Return an object or a text in one line, with keys as JavaScript usually spells them."""
     if not isinstance(value, dict):
-        return json.dumps(value)
-    return "{ " + ", ".join(f"{key}: {json.dumps(one)}" for key, one in value.items()) + " }"
+        whole = isinstance(value, float) and value.is_integer()
+        return json.dumps(int(value) if whole else value, ensure_ascii=False).replace("e-0", "e-")
+    return "{ " + ", ".join(f"{_name(key)}: {_inline(one)}" for key, one in value.items()) + " }"
+
+
+def _name(key: str) -> str:
+    """Return a key as JavaScript usually spells it."""
+    return key if key.isidentifier() else json.dumps(key, ensure_ascii=False)
 
 
 def _interface(name: str, schema: dict[str, Any]) -> str:
-    required = {*schema.get("required", []), *(key for one in schema.get("oneOf", []) for key in one["required"])}
+    choices = [schema.get("oneOf", []), *(group["oneOf"] for group in schema.get("allOf", []))]
+    left = [[one["required"] for one in choice if not {*one["required"]} & FILE_ONLY] for choice in choices]
+    required = {*schema.get("required", []), *(key for choice in left if len(choice) == 1 for key in choice[0])}
     lines = [_comment(schema["description"]) if "description" in schema else "", f"export interface {name} {{\n"]
     for key, found in schema["properties"].items():
-        if key == "file":  # this library reads no files
+        if key in FILE_ONLY:
             continue
         if "description" in found and key != "shear_modulus":  # described at `ShearModulus`, which is no function here
             lines.append(_comment(found["description"], "  "))
@@ -125,7 +164,8 @@ def _type(key: str, schema: dict[str, Any]) -> str:
         return " | ".join(f'"{name}"' for name in schema["enum"])
     if schema["type"] == "array":
         return f"{_type('', schema['items'])}[]"
-    return {"number": "number", "integer": "number", "boolean": "boolean"}[schema["type"]]
+    kind = schema["type"][0] if isinstance(schema["type"], list) else schema["type"]  # texts with units are for files
+    return {"number": "number", "integer": "number", "boolean": "boolean"}[kind]
 
 
 def _comment(text: str, indent: str = "") -> str:
@@ -140,7 +180,11 @@ def main() -> int:
     """Write or check the files; return the exit code."""
     found = TYPES.read_text(encoding="utf-8")
     before, _, rest = found.partition(BEGIN)
-    files = {TYPES: f"{before}{BEGIN}\n{input_types()}\n{END}{rest.partition(END)[2]}", PAGE: page_lists()}
+    files = {
+        TYPES: f"{before}{BEGIN}\n{input_types()}\n{END}{rest.partition(END)[2]}",
+        PAGE: page_lists(),
+        UNITS: page_units(),
+    }
     if sys.argv[1:] == ["--check"]:
         wrong = [path for path, text in files.items() if not path.exists() or path.read_text(encoding="utf-8") != text]
         for path in wrong:

@@ -146,3 +146,13 @@ test("a curve has the case in its middle, and its ends are solved first", () => 
   );
   assert.deepEqual(pointsOf({ ...state, layers: [] }, "thickness"), []);
 });
+
+test("a case with the speed of the ground keeps it", () => {
+  const { state, left } = stateOf({
+    cylinder: { core_radius: 0.042, layers: [{ thickness: 0.008, shear_modulus: 2e6, poisson_ratio: 0.5 }] },
+    rolling: { load: 3000, speed: 10 },
+  });
+  assert.deepEqual(state.speed, [10, "m/s"]);
+  assert.deepEqual(left, []);
+  assert.equal(caseOf(state).rolling.angular_speed, 200);
+});

@@ -47,6 +47,24 @@ export interface LossFactor {
   reference_frequency: number;
   /** Decades above and below ω₀ over which the law holds [-], in [0.5, 8]. */
   decades?: number | null;
+  /**
+   * Compression set of ISO 815, the strain that remains after a compression divided by this compression [-], in (0, 1).
+   * A data sheet states it in percent.
+   */
+  compression_set?: number | null;
+  /** Duration of the compression [s], > 0. Required with `compression_set`. */
+  compression_time?: number | null;
+  /** Time from the release of the compression to the measurement [s], > 0; by default 1800, as in ISO 815. */
+  recovery_time?: number | null;
+  /**
+   * Strain at `creep_time` divided by the strain at `creep_start` under constant stress [-], > 1. Excludes
+   * `compression_set`.
+   */
+  creep_ratio?: number | null;
+  /** Time of the last strain of a creep test [s], > `creep_start`. Required with `creep_ratio`. */
+  creep_time?: number | null;
+  /** Time of the first strain of a creep test [s], > 0. Required with `creep_ratio`. */
+  creep_start?: number | null;
   type: "loss_factor";
 }
 

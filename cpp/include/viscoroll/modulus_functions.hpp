@@ -15,7 +15,7 @@ namespace viscoroll {
 
 /// @brief Standard linear solid: the Prony series with one term, given by its two limits.
 /// @param[in] instantaneous_modulus shear modulus at infinite frequency [Pa], > 0
-/// @param[in] relaxed_modulus shear modulus at zero frequency [Pa], > 0 and <= instantaneous_modulus
+/// @param[in] relaxed_modulus shear modulus at zero frequency [Pa], in [1e-12, 1] times instantaneous_modulus
 /// @param[in] relaxation_time relaxation time [s], > 0
 /// @return the series
 /// @throws InvalidInput if a value is out of range
@@ -42,21 +42,42 @@ namespace viscoroll {
 ///     mu* = modulus sqrt(1 + loss_factor^2) (i w / reference_frequency)^alpha,   alpha = (2 / pi) atan(loss_factor)
 ///
 /// The law holds over `decades` above and below the reference frequency; beyond that range the material is elastic.
+///
+/// With a compression set or a creep test, the relaxation continues one decade beyond that range, where the law ends,
+/// to the end of the test:
+///
+///     G(t) = G_1 (t / t_1)^-beta,   t_1 = 10^(decades + 1) / reference_frequency
+///
+/// The exponent beta is the one for which the material has the measured set or the measured creep.
 struct LossFactor {
-  double modulus = 0.0;              ///< storage modulus at the reference frequency [Pa], > 0
-  double loss_factor = 0.0;          ///< tan delta [-], in [1e-6, 2]
-  double reference_frequency = 0.0;  ///< angular frequency [rad/s], > 0
-  double decades = 3.0;              ///< decades on each side over which the law holds [-], in [0.5, 8]
+  double modulus = 0.0;                    ///< storage modulus at the reference frequency [Pa], > 0
+  double loss_factor = 0.0;                ///< tan delta [-], in [1e-6, 2]
+  double reference_frequency = 0.0;        ///< angular frequency [rad/s], > 0
+  double decades = 3.0;                    ///< decades on each side over which the law holds [-], in [0.5, 8]
+  std::optional<double> compression_set;   ///< strain that remains after a compression, relative to it [-], in (0, 1)
+  std::optional<double> compression_time;  ///< duration of the compression [s], > 0; only with a compression set
+  std::optional<double> recovery_time;     ///< time from its release to the measurement [s], > 0; 1800 by default
+  std::optional<double> creep_ratio;       ///< strain at `creep_time` / strain at `creep_start` [-], > 1
+  std::optional<double> creep_time;        ///< time under constant stress [s], > creep_start; only with a creep ratio
+  std::optional<double> creep_start;       ///< time of the first strain [s], > 0; only with a creep ratio
 
   static constexpr auto fields() {
-    return std::tuple{Field{"modulus", &LossFactor::modulus}, Field{"loss_factor", &LossFactor::loss_factor},
+    return std::tuple{Field{"modulus", &LossFactor::modulus},
+                      Field{"loss_factor", &LossFactor::loss_factor},
                       Field{"reference_frequency", &LossFactor::reference_frequency},
-                      Field{"decades", &LossFactor::decades, true}};
+                      Field{"decades", &LossFactor::decades, true},
+                      Field{"compression_set", &LossFactor::compression_set, true},
+                      Field{"compression_time", &LossFactor::compression_time, true},
+                      Field{"recovery_time", &LossFactor::recovery_time, true},
+                      Field{"creep_ratio", &LossFactor::creep_ratio, true},
+                      Field{"creep_time", &LossFactor::creep_time, true},
+                      Field{"creep_start", &LossFactor::creep_start, true}};
   }
 };
 
 /// @brief Prony series of a nearly constant loss factor. The relative error of the loss factor is at most 0.5 % for
-/// loss factors up to 1, and 3 % up to 2.
+/// loss factors up to 1, and 3 % up to 2; in the lowest decade of its range it is larger with a compression set or a
+/// creep test.
 /// @param[in] law parameters
 /// @return the series
 /// @throws InvalidInput if a value is out of range

@@ -166,6 +166,14 @@ Prony standard_linear_solid(double instantaneous_modulus, double relaxed_modulus
   if (relaxed_modulus > instantaneous_modulus) {
     reject("relaxed_modulus", "<= instantaneous_modulus = " + text(instantaneous_modulus) + " Pa", relaxed_modulus);
   }
+  // At lower ratios, round-off of the stored weight, 1 - ratio, leaves fewer than four digits of the modulus.
+  constexpr double kSmallestRatio = 1e-12;
+  if (relaxed_modulus < kSmallestRatio * instantaneous_modulus) {
+    reject("relaxed_modulus",
+           ">= " + text(kSmallestRatio) + " instantaneous_modulus = " + text(kSmallestRatio * instantaneous_modulus) +
+               " Pa",
+           relaxed_modulus);
+  }
   if (relaxed_modulus == instantaneous_modulus) return {.instantaneous_modulus = instantaneous_modulus};
   return {.instantaneous_modulus = instantaneous_modulus,
           .weights = {1.0 - relaxed_modulus / instantaneous_modulus},

@@ -31,6 +31,7 @@ _SYNONYMS = (
     ("hardness shore durometer", "shear_modulus", "hardness_to_modulus(...).value"),
     ("rebound resilience", "loss_factor", "rebound_to_loss_factor(...).value"),
     ("R radius r_o outer_radius", "core_radius", "outer radius - thickness of the layers"),
+    ("D diameter", "outer_diameter", ""),
     ("D diameter", "core_radius", "diameter / 2 - thickness of the layers"),
     ("layer coating coatings tread tire tyre cover", "layers", ""),
     ("thickness h t shear_modulus E G poisson_ratio nu", "layers", "[Layer(...)]"),

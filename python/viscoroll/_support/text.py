@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 
-__all__ = ["finite_number", "one_line", "parsed_range", "shown", "snake_case"]
+__all__ = ["finite_number", "key_path_text", "one_line", "parsed_range", "shown", "snake_case"]
 
 #: Longest text of a value in messages [characters].
 _LONGEST = 120
@@ -30,6 +31,11 @@ def finite_number(text: str) -> float | None:
     except ValueError:
         return None
     return number if math.isfinite(number) and "_" not in text else None
+
+
+def key_path_text(path: Sequence[str | int]) -> str:
+    """Return the text of a path of keys and indices, such as "ball.layers[0].thickness"."""
+    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in path).lstrip(".")
 
 
 def parsed_range(text: str) -> tuple[float, float] | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 __all__ = ["UNITS", "unit_in_contact"]
 
 #: Units in line contact of quantities that are per length there.
-_PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "J": "J/m", "m^2": "m"}
+_PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "J": "J/m", "kg": "kg/m", "m^2": "m"}
 
 #: Units of parameters of this package. Moduli, bodies and drives add those of their parameters.
 UNITS = {
@@ -20,6 +20,7 @@ UNITS = {
     "max_order": "1",
     "theta_nodes_per_revolution": "1",
     "outer_radius": "m",
+    "outer_diameter": "m",
     "thickness": "m",
     "density": "kg/m^3",
     "conductivity": "W/(m K)",

@@ -12,13 +12,14 @@ from .._support.result_warnings import silenced
 from .._support.text import one_line
 from ..bodies.si_hints import unit_doubt
 from ..case import build_case
+from ..case.case import BODIES, COUNTERBODIES, CaseFile
 
 if TYPE_CHECKING:
     from .._support.progress import ProgressLike
     from ..case import Case
     from ..rolling import Result
 
-__all__ = ["OTHER_TABLES", "answer", "readable_case", "scalars"]
+__all__ = ["OTHER_TABLES", "answer", "readable_case", "scalars", "tables_of_page"]
 
 #: Keys of a request.
 _KEYS = {"case", "fields"}
@@ -81,7 +82,28 @@ def readable_case(document: object) -> Case:
         raise InvalidInput("case", "must be an object with the tables of a case file")
     if others := [name for name in OTHER_TABLES if name in document]:
         raise InvalidInput(others[0], "must be left out: the page does not support this table")
-    return build_case(document, None)
+    # Fields of the page show the unit of each length, and the page itself warns of implausible ones.
+    return build_case({"allow_large": True} | document, None)
+
+
+def tables_of_page(document: dict[str, Any]) -> dict[str, Any]:
+    """Return the tables of a case file as the page reads them: in SI units, with the radii of cores.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If the tables are not valid, refer to a file, or include tables of `OTHER_TABLES`.
+    """
+    case = readable_case({"allow_large": False} | document)
+    tables: dict[str, Any] = CaseFile.keys_of(document).in_si(document)
+    tables.pop("allow_large", None)
+    for names, body in ((BODIES, case.body), (COUNTERBODIES, case.on)):
+        for name in [name for name in names if "outer_diameter" in tables.get(name, {})]:
+            core_radius = getattr(body, "core_radius")  # noqa: B009 - planes have no core, and no diameter
+            tables[name] = {k: v for k, v in tables[name].items() if k != "outer_diameter"} | {
+                "core_radius": core_radius
+            }
+    return tables
 
 
 def _finite(value: float | int | str | None) -> float | int | str | None:

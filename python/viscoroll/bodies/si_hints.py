@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from typing import Protocol
@@ -32,6 +33,9 @@ _LARGEST_THICKNESS = 0.5  # [m]
 _SMALLEST_MODULUS = 1e3  # [Pa]
 _LARGEST_SPEED = 100.0  # [rad/s]
 
+#: Pattern of a modulus at rest from 10 to 100 Pa, a number that may be a Shore hardness.
+_SHORE = re.compile(r"= \d\d(?:\.\d+)? Pa at rest")
+
 #: Parameters that are rejected if other lengths or moduli have wrong units.
 _AFFECTED = ("load", "angular_speed")
 
@@ -45,7 +49,8 @@ def si_hint(body: _Layered, on: _Layered | None = None) -> str:
 def unit_doubt(body: _Layered, on: _Layered | None = None) -> str:
     """Return a hint that asks whether other units were meant, or an empty string if all values are plausible."""
     hint = si_hint(body, on)
-    meant = [name for name, unit in (("millimeters", " m"), ("megapascals", " Pa at rest")) if _mentions(hint, unit)]
+    stress = "megapascals or a Shore hardness" if _SHORE.search(hint) else "megapascals"
+    meant = [name for name, unit in (("millimeters", " m"), (stress, " Pa at rest")) if _mentions(hint, unit)]
     return f"{hint}; were {' and '.join(meant)} meant?" if hint else ""
 
 

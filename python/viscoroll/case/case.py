@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
-from .._support.arguments import as_member
+from .._support.arguments import as_kelvin, as_member
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.progress import ProgressLike
@@ -32,7 +32,10 @@ from ..coupled.softening_search import softens
 from ..rolling import Result, solve
 from ..thermal import Temperature
 from ..thermal.surroundings import Core
+from .key_paths import changed
 from .moduli import Modulus, Shift
+from .plausible import require_plausible, require_plausible_width
+from .sizes import SIZES, SizedTable
 from .tables import (
     ByName,
     FileTables,
@@ -43,30 +46,32 @@ from .tables import (
 )
 
 with extra("cli"):
-    from pydantic import BeforeValidator
+    from pydantic import AfterValidator, BeforeValidator, ValidationInfo
 
 __all__ = [
     "BODIES",
     "COUNTERBODIES",
     "Case",
+    "CaseFile",
     "MeshTable",
     "PairTables",
     "Thermal",
     "build_case",
     "example_text",
     "load_case",
+    "with_changes",
 ]
 
 
 _Layers: TypeAlias = list[Annotated[Layer, Table(shear_modulus=Modulus)]]
 _Base: TypeAlias = Annotated[HalfSpace, Table(documented_by=Layer, shear_modulus=Modulus)]
 
-_Ball: TypeAlias = Annotated[CoatedSphere, Table(layers=_Layers)]
-_Cylinder: TypeAlias = Annotated[CoatedCylinder, Table(layers=_Layers)]
-_Wheel: TypeAlias = Annotated[CoatedWheel, Table(layers=_Layers)]
+_Ball: TypeAlias = Annotated[CoatedSphere, SizedTable(CoatedSphere, layers=_Layers)]
+_Cylinder: TypeAlias = Annotated[CoatedCylinder, SizedTable(CoatedCylinder, layers=_Layers)]
+_Wheel: TypeAlias = Annotated[CoatedWheel, SizedTable(CoatedWheel, layers=_Layers)]
 
-#: Tables of rolling bodies; a file has exactly one of them.
-BODIES = ("ball", "cylinder", "wheel")
+#: Tables of rolling bodies, and their classes; a file has exactly one of them.
+BODIES: dict[str, type[RollingBody]] = {"ball": CoatedSphere, "cylinder": CoatedCylinder, "wheel": CoatedWheel}
 
 #: Tables of counterbodies; a file has at most one of them.
 COUNTERBODIES = ("plane", "groove", "other_ball", "other_cylinder", "other_wheel")
@@ -125,16 +130,23 @@ def _core_of(given: object) -> object:
     return as_member("core", given, Core) if isinstance(given, str) else given
 
 
+def _kelvin(value: float, info: ValidationInfo) -> float:
+    return as_kelvin(str(info.field_name), value)
+
+
+_Kelvin: TypeAlias = Annotated[float, AfterValidator(_kelvin)]
+
+
 class Thermal(StrictTable):
     """Cooling of a case; the parameters are those of `viscoroll.self_heating`. Without `shift`, moduli are constant."""
 
     documented_by = (Result.temperature, self_heating)
 
     convection: float
-    ambient: float
+    ambient: _Kelvin
     conductivity: float | list[float] | None = None
     core: Annotated[Core | float, BeforeValidator(_core_of)] = Core.INSULATED
-    core_temperature: float | None = None
+    core_temperature: _Kelvin | None = None
     width: float | None = None
     side_convection: float | None = None
     hub_conductance: float | None = None
@@ -152,7 +164,15 @@ class Thermal(StrictTable):
 
 
 class PairTables(FileTables):
-    """Base of a file with one rolling body of `BODIES`, and at most one counterbody of `COUNTERBODIES`."""
+    """Base of a file with one rolling body of `BODIES`, and at most one counterbody of `COUNTERBODIES`.
+
+    Parameters
+    ----------
+    allow_large : bool, optional
+        Whether to accept bodies of which a length is probably in millimeters, such as a ball with a radius of 20 m.
+    """
+
+    allow_large: bool = False
 
     ball: _Ball | None = None
     cylinder: _Cylinder | None = None
@@ -162,6 +182,11 @@ class PairTables(FileTables):
     other_ball: _Ball | None = None
     other_cylinder: _Cylinder | None = None
     other_wheel: _Wheel | None = None
+
+    @classmethod
+    def is_of_roller(cls, document: Mapping[str, Any]) -> bool:
+        """Return whether forces of the file are per length."""
+        return any(name in document and kind.line_contact for name, kind in BODIES.items())
 
     def pair(self) -> dict[str, Any]:
         """Return the arguments `body` and `on` of `viscoroll.solve` and `viscoroll.roll`."""
@@ -175,10 +200,15 @@ class PairTables(FileTables):
             raise ValueError(
                 f"at most one of {', '.join(COUNTERBODIES)} may be given, got {' and '.join(counterbodies)}"
             )
-        return {"body": next(iter(bodies.values())), "on": next(iter(counterbodies.values()), None)}
+        (name, body), (other, on) = *bodies.items(), next(iter(counterbodies.items()), (None, None))
+        if not self.allow_large:
+            require_plausible(name, body, other, on)
+        return {"body": body, "on": on}
 
 
-class _File(PairTables):
+class CaseFile(PairTables):
+    """A case file."""
+
     rolling: Rolling
     numerics: Numerics = Numerics()
     thermal: Thermal | None = None
@@ -232,7 +262,12 @@ class Case:
 
     def strain_softening(self, **options: Any) -> StrainSoftening:
         """Solve the case with the strain at which the layers soften. `options` go to `viscoroll.strain_softening`."""
-        return strain_softening(**self.arguments(), **options)
+        return strain_softening(**self._at_angular_speed(), **options)
+
+    def _at_angular_speed(self) -> dict[str, Any]:
+        """Return the arguments of functions that take no `speed`."""
+        given = {name: value for name, value in self.arguments().items() if name != "speed"}
+        return given | {"angular_speed": self.angular_speed}
 
     def self_heating(self, **options: Any) -> SelfHeating:
         """Compute the steady states of temperature and torque of a case whose table [thermal] has a shift.
@@ -249,16 +284,18 @@ class Case:
                 )
         self.given_load()
         cooling = {name: value for name, value in self.thermal if name not in ("of", "base_convection", "period")}
-        return self_heating(**self.arguments(), **cooling, **options)
+        return self_heating(**self._at_angular_speed(), **cooling, **options)
 
 
-def load_case(path: str | Path) -> Case:
+def load_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case:
     """Read a case from a TOML file.
 
     Parameters
     ----------
     path : path-like
         Path of the file; ``example_text()`` is a commented example.
+    changes : mapping, optional
+        Values that replace those of the file, by the paths of their keys: ``{"rolling.load": "500 N"}``.
 
     Returns
     -------
@@ -274,7 +311,12 @@ def load_case(path: str | Path) -> Case:
     """
     path = Path(path)
     with errors_in(path):
-        return build_case(read_toml(path), path.parent)
+        return build_case(with_changes(read_toml(path), changes or {}), path.parent)
+
+
+def with_changes(document: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the content of a file with other values; a speed replaces an angular speed, and so on."""
+    return changed(document, changes, (*Rolling.one_of, SIZES))
 
 
 def build_case(document: dict[str, Any], folder: Path | None) -> Case:
@@ -293,8 +335,10 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
     ValueError, TypeError
         If the content is not valid.
     """
-    file = checked(_File, document, folder)
+    file = checked(CaseFile, document, folder)
     pair = file.pair()
+    if file.thermal is not None and file.thermal.width is not None and not file.allow_large:
+        require_plausible_width("thermal.width", file.thermal.width, pair["body"].outer_radius)
     numerics = file.numerics.arguments()
     if numerics["mesh"] is not None and numerics["accuracy"] is not None:
         raise InvalidInput("numerics.accuracy", "must be left out if a mesh is given")

@@ -31,17 +31,26 @@ _RANGES = {
     "in [0, 1]": {"minimum": 0, "maximum": 1},
     "in (0, 1]": {"exclusiveMinimum": 0, "maximum": 1},
 }
+
+#: Unit in a docstring, the first text in brackets that is no interval.
+_UNIT = re.compile(r"\[(?P<unit>[^\d\W][^\]\d]*[²³]?[^\]\d]*|1/[^\]]+|-)\]")
+
 _RANGE = re.compile(r"\], (?:each )?(?P<range>" + "|".join(map(re.escape, _RANGES)) + r")(?!\d|\.\d)")
 
 
 def parameter_schemas(make: Callable[..., Any]) -> dict[str, dict[str, Any]]:
-    """Return JSON Schema of each parameter of a class or function, with its description, type, range and default."""
+    """Return JSON Schema of each parameter of a class or function: its description, type, unit, range and default.
+
+    The unit is an annotation of this package, ``unit``, with "1" for numbers without unit.
+    """
     section = _SECTION.search(f"{inspect.getdoc(make) or ''}\n")
     found: dict[str, dict[str, Any]] = {}
     for entry in _ENTRY.finditer(section["entries"] if section else ""):
         text = " ".join(entry["text"].split())
         for name in entry["names"].split(", "):
             found[name] = {"description": text, **_of_kind(entry["kind"], text)}
+            if unit := _UNIT.search(text):
+                found[name]["unit"] = "1" if unit["unit"] == "-" else unit["unit"]
     for name, parameter in inspect.signature(make).parameters.items():
         if name in found and (default := _as_json(parameter.default)) is not None:
             found[name]["default"] = default

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
@@ -18,10 +18,11 @@ from .._support.progress import ProgressLike, Report, reporting
 from .._support.result_warnings import silenced
 from .._support.toml import read_toml
 from ..rolling import Result
-from .case import build_case
-from .limits import LIMITS, Outcome, outcome_of
-from .study import key_path_of, substituted
+from .case import CaseFile, build_case
+from .key_paths import key_path_of, substituted
+from .limits import LIMITS, Outcome, limit_units, outcome_of
 from .tables import StrictTable, checked, errors_in
+from .unit_texts import Key, has_quantities
 
 with extra("cli"):
     from pydantic import Field
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["Design", "design_case"]
+__all__ = ["Design", "check_design", "design_case"]
 
 #: Number of values of the first, geometric search.
 _POINTS = 15
@@ -176,7 +177,7 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
     path = Path(path)
     with errors_in(path):
         document = read_toml(path)
-        variable, low, high, limits = _checked(document.pop("design", None))
+        variable, low, high, limits = _checked(document.pop("design", None), document)
         key_path = key_path_of(variable)
 
         def solve(value: float, report: Report | None = None) -> Outcome:
@@ -186,6 +187,11 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
             search = _Search(solve, report)
             solve(float(np.sqrt(low * high)))  # raises the errors of the file, if there are any
             return _best(variable, low, high, limits, search)
+
+
+def check_design(document: dict[str, Any]) -> None:
+    """Raise the error of the table `design` of a file, if there is one."""
+    _checked(document.pop("design", None), document)
 
 
 class Wanted(StrictTable):
@@ -211,9 +217,34 @@ class _File(StrictTable):
     design: Wanted
 
 
-def _checked(table: object) -> tuple[str, float, float, dict[str, float]]:
+def _in_si(table: dict[str, Any], document: dict[str, Any]) -> dict[str, Any]:
+    """Return the table `design` with numbers in SI units in place of texts with units."""
+    keys = CaseFile.keys_of(document)
+    vary = table.get("vary")
+    varied = keys.at(document, key_path_of(vary)) if isinstance(vary, str) else None
+    found = {name: varied for name in ("from", "to") if varied is not None}
+    ends = {
+        name: key.number(table[name], f"design.{name}")
+        for name, key in found.items()
+        if isinstance(table.get(name), str)
+    }
+    if not isinstance(limits := table.get("limits"), dict):
+        return table | ends
+    units = limit_units(line_contact=keys.line_contact)
+    in_si = {
+        name: Key(units[name]).number(limit, f"design.limits.{name}")
+        if isinstance(limit, str) and name in units
+        else limit
+        for name, limit in limits.items()
+    }
+    return table | ends | {"limits": in_si}
+
+
+def _checked(table: object, document: dict[str, Any]) -> tuple[str, float, float, dict[str, float]]:
     if not isinstance(table, dict):
         raise InvalidInput("design", 'must be a table, such as vary = "ball.layers[0].thickness", from = ..., to = ...')
+    if has_quantities(table):
+        table = _in_si(table, document)
     wanted = checked(_File, {"design": table}).design
     if not wanted.low < wanted.high:
         raise ValueError(f"design.from and design.to must be 0 < from < to, got {wanted.low!r} and {wanted.high!r}")

@@ -10,13 +10,13 @@ from .._support.errors import InvalidInput
 from .._support.progress import Report
 from ..rolling import Result
 from ..solution.inside import Inside, inside_of
-from ..solution.scalars import SCALARS
+from ..solution.scalars import SCALARS, scalar_units
 
 if TYPE_CHECKING:
     from ..thermal import Temperature
     from .case import Case
 
-__all__ = ["LIMITS", "Outcome", "outcome_of"]
+__all__ = ["LIMITS", "Outcome", "limit_units", "outcome_of"]
 
 #: Quantities inside the layers: name, unit, description.
 _INSIDE = {
@@ -28,6 +28,11 @@ _INSIDE = {
 
 #: Names that limits may have.
 LIMITS = (*SCALARS, *_INSIDE)
+
+
+def limit_units(*, line_contact: bool) -> dict[str, str]:
+    """Return the unit of every quantity that a design can limit."""
+    return scalar_units(line_contact=line_contact) | {name: unit for name, (unit, _) in _INSIDE.items()}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

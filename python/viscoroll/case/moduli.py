@@ -208,8 +208,10 @@ def _strain_sweep(
 
     Parameters
     ----------
-    strain, storage, loss : array_like
-        Strain amplitudes [-], and storage and loss moduli [Pa] at these amplitudes.
+    strain : array_like
+        Strain amplitudes [-].
+    storage, loss : array_like
+        Storage and loss moduli [Pa] at these amplitudes.
     kind : StrainKind or str, optional
         Kind of the strain and of the moduli.
     frequency : float, optional
@@ -233,7 +235,7 @@ def _softening(*, matrix: Any, network: Network | Callable[[Any], materials.Stra
     Parameters
     ----------
     matrix : table
-        Modulus that does not depend on strain.
+        Modulus that does not depend on strain; a number is an elastic modulus [Pa].
     network : table
         Filler network, whose modulus decreases with strain.
     """

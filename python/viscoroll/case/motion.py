@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from ..transient.history import History
 
-__all__ = ["MotionCase", "load_motion"]
+__all__ = ["MotionCase", "MotionFile", "build_motion", "load_motion"]
 
 #: Number of waypoints in each cycle of an oscillation.
 _WAYPOINTS_PER_CYCLE = 160
@@ -80,7 +80,9 @@ class Numerics(MeshTable):
     spectrum_tolerance: float = 0.01
 
 
-class _File(PairTables):
+class MotionFile(PairTables):
+    """A motion file."""
+
     motion: Motion
     numerics: Numerics = Numerics()
     ground: ProfileTable | None = None
@@ -121,10 +123,15 @@ def load_motion(path: str | Path) -> MotionCase:
     """
     path = Path(path)
     with errors_in(path):
-        return _build(checked(_File, read_toml(path), path.parent))
+        return build_motion(read_toml(path), path.parent)
 
 
-def _build(file: _File) -> MotionCase:
+def build_motion(document: dict[str, Any], folder: Path | None) -> MotionCase:
+    """Return the motion that the content of a file describes; parameters as in `viscoroll.case.build_case`."""
+    return _build(checked(MotionFile, document, folder))
+
+
+def _build(file: MotionFile) -> MotionCase:
     motion = file.motion
     return MotionCase(
         **file.pair(),

@@ -8,6 +8,7 @@ from .._support.extras import extra
 from . import case, design, motion, study
 from .case import BODIES, COUNTERBODIES
 from .ground import AxleTable, ProfileTable
+from .quantities import QUANTITY
 
 with extra("cli"):
     from pydantic import create_model
@@ -23,14 +24,24 @@ class _WithoutTitles(GenerateJsonSchema):
         return False
 
 
+def _with_texts(schema: Any) -> Any:
+    """Return JSON Schema in which texts with units may replace all numbers that are not integers."""
+    if isinstance(schema, list):
+        return [_with_texts(one) for one in schema]
+    if not isinstance(schema, dict):
+        return schema
+    found = {name: _with_texts(one) for name, one in schema.items()}
+    return found | {"type": ["number", "string"], "pattern": QUANTITY} if found.get("type") == "number" else found
+
+
 def json_schema() -> dict[str, Any]:
     """Return the JSON Schema (2020-12) of case files, with all tables that any command reads.
 
     Returns
     -------
     dict
-        Schema that can be written as JSON. It contains names, types, units and ranges of all keys. Rules that relate
-        several keys are left to the commands.
+        Schema that can be written as JSON. It contains names, types, units and ranges of all keys; the unit is also in
+        an annotation of its own, `unit`. Rules that relate several keys are left to the commands.
     """
     numbers = list[float] | study.Range
     model = create_model(
@@ -47,14 +58,15 @@ def json_schema() -> dict[str, Any]:
         draws=(study.Draws | None, None),
         design=(design.Wanted | None, None),
     )
-    schema = model.model_json_schema(schema_generator=_WithoutTitles)
+    schema = _with_texts(model.model_json_schema(schema_generator=_WithoutTitles))
     one_body = [{"required": [name]} for name in BODIES]
     pairs = [{"required": [first, second]} for i, first in enumerate(COUNTERBODIES) for second in COUNTERBODIES[:i]]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         **schema,
         "title": "Case file of viscoroll",
-        "description": "Bodies, load case and studies for the commands of viscoroll, in SI units.",
+        "description": "Bodies, load case and studies for the commands of viscoroll. Numbers are in SI units; texts "
+        "such as '10 mm' state their unit.",
         "oneOf": one_body,
         "not": {"anyOf": pairs},
     }

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import copy
 import itertools
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any, Literal
 
@@ -14,7 +13,7 @@ import numpy as np
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.intervals import as_confidence
-from .._support.text import shown
+from .._support.text import key_path_text, shown
 from .._support.toml import read_toml
 from .._support.units import UNITS
 from ..bodies import Counterbody, RollingBody
@@ -22,19 +21,15 @@ from ..rheology.material_file import count_draws
 from ..rolling.propagation import Pair
 from ..studies.dimensions import MOST_POINTS, Dimension, require_feasible
 from ..studies.plan import LoadCase, Plan
-from .case import BODIES, COUNTERBODIES, Case, build_case
+from .case import BODIES, COUNTERBODIES, Case, CaseFile, build_case
+from .key_paths import KeyPath, key_path_of, substituted
 from .tables import StrictTable, checked, errors_in
+from .unit_texts import Key, has_quantities
 
 with extra("cli"):
     from pydantic import Field, ValidationInfo, field_validator
 
-__all__ = ["key_path_of", "load_study", "substituted"]
-
-#: Pattern of the path of a key in the file, such as "ball.layers[0].thickness".
-_KEY_PATH = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
-
-#: Path of a key: names of tables and keys, and indices in lists.
-_KeyPath = tuple[str | int, ...]
+__all__ = ["load_study", "plan_study"]
 
 
 class Draws(StrictTable):
@@ -124,10 +119,11 @@ def load_study(path: str | Path) -> Plan:
     """
     path = Path(path)
     with errors_in(path):
-        return _study(read_toml(path), path.parent)
+        return plan_study(read_toml(path), path.parent)
 
 
-def _study(document: dict[str, Any], folder: Path) -> Plan:
+def plan_study(document: dict[str, Any], folder: Path) -> Plan:
+    """Return the study that the content of a file describes, without the tables of the study, which it removes."""
     table = document.pop("sweep", None)
     if not isinstance(table, dict) or not table:
         raise InvalidInput(
@@ -135,6 +131,9 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
         )
     draws = checked(_DrawsFile, {"draws": document.pop("draws")}).draws if "draws" in document else None
     key_paths = [key_path_of(key) for key in table]
+    if has_quantities(table):
+        keys = CaseFile.keys_of(document)
+        table = {key: _in_si(key, entry, keys.at(document, key_path_of(key))) for key, entry in table.items()}
     entries = {key: _entry(key, entry) for key, entry in table.items()}
     counts = {key: entry.count if isinstance(entry, Range) else len(entry) for key, entry in entries.items()}
     require_feasible({f'of "{key}"': count for key, count in counts.items()})
@@ -147,7 +146,7 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
 
 
 def _plan(
-    document: dict[str, Any], folder: Path, key_paths: list[_KeyPath], dimensions: list[Dimension], draws: Draws | None
+    document: dict[str, Any], folder: Path, key_paths: list[KeyPath], dimensions: list[Dimension], draws: Draws | None
 ) -> Plan:
     cases: list[LoadCase | str] = []
     bodies: dict[tuple[float, ...], RollingBody] = {}
@@ -168,6 +167,7 @@ def _plan(
             drawn[id(body), id(on)] = _drawn(substituted(document, chosen), folder, of_draws)
         pairs = drawn.get((id(body), id(on)), ())
         cases.append(LoadCase(body=body, arguments=_arguments(case) | {"on": on}, draws=pairs))
+    _require_effect(dimensions, key_paths, cases)
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
     names = {dimension.name for dimension in dimensions}
     same = {k: v for k, v in (every[0] if every else {}).items() if all(other.get(k) == v for other in every)}
@@ -176,9 +176,32 @@ def _plan(
     return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases), **intervals)  # type: ignore[arg-type]
 
 
-def _drawn(document: dict[str, Any], folder: Path, key_paths: list[_KeyPath]) -> tuple[Pair, ...]:
+def _require_effect(dimensions: list[Dimension], key_paths: list[KeyPath], cases: list[LoadCase | str]) -> None:
+    """Raise an InvalidInput if all points along an axis are the same, because the study does not use its key."""
+    every = np.empty(len(cases), dtype=object)
+    every[:] = cases
+    grid = every.reshape([len(dimension.values) for dimension in dimensions])
+    for axis, (dimension, key_path) in enumerate(zip(dimensions, key_paths, strict=True)):
+        lines = np.moveaxis(grid, axis, -1).reshape(-1, len(dimension.values))
+        if len(set(dimension.values)) > 1 and all(_same(line[0], other) for line in lines for other in line[1:]):
+            raise InvalidInput(
+                f'sweep."{key_path_text(key_path)}"',
+                f"must change the case: `viscoroll sweep` does not use this key of [{key_path[0]}]",
+            )
+
+
+def _same(first: LoadCase | str, second: LoadCase | str) -> bool:
+    return (
+        isinstance(first, LoadCase)
+        and isinstance(second, LoadCase)
+        and first.body == second.body
+        and first.arguments == second.arguments
+    )
+
+
+def _drawn(document: dict[str, Any], folder: Path, key_paths: list[KeyPath]) -> tuple[Pair, ...]:
     """Return both bodies for each draw of some materials; the i-th draws of all these materials belong together."""
-    counts = {_text(key_path): _count_draws(document, folder, key_path) for key_path in key_paths}
+    counts = {key_path_text(key_path): _count_draws(document, folder, key_path) for key_path in key_paths}
     if len(set(counts.values())) != 1:
         found = ", ".join(f"{count} at {key_path}" for key_path, count in counts.items()) or "none"
         raise InvalidInput("draws.of", "must name materials with equal numbers of draws", found)
@@ -189,7 +212,7 @@ def _drawn(document: dict[str, Any], folder: Path, key_paths: list[_KeyPath]) ->
     return tuple((case.body, case.on) for case in cases)
 
 
-def _count_draws(document: dict[str, Any], folder: Path, key_path: _KeyPath) -> int:
+def _count_draws(document: dict[str, Any], folder: Path, key_path: KeyPath) -> int:
     """Return the number of draws in the file of a measured material; reject paths of other tables."""
     material: Any = document
     try:
@@ -198,12 +221,14 @@ def _count_draws(document: dict[str, Any], folder: Path, key_path: _KeyPath) -> 
         file = folder / material["file"]
     except (IndexError, KeyError, TypeError):
         raise InvalidInput(
-            "draws.of", "must name tables of measured materials whose files contain draws", f'"{_text(key_path)}"'
+            "draws.of",
+            "must name tables of measured materials whose files contain draws",
+            f'"{key_path_text(key_path)}"',
         ) from None
     return count_draws(file)
 
 
-def _numbers_in(tables: tuple[str, ...], chosen: Mapping[_KeyPath, float]) -> tuple[float, ...]:
+def _numbers_in(tables: Collection[str | int], chosen: Mapping[KeyPath, float]) -> tuple[float, ...]:
     return tuple(number for key_path, number in chosen.items() if key_path[0] in tables)
 
 
@@ -211,11 +236,19 @@ def _arguments(case: Case) -> dict[str, Any]:
     return {name: value for name, value in case.arguments().items() if name != "body"}
 
 
-def key_path_of(key: str) -> _KeyPath:
-    """Return the parts of a path such as "ball.layers[0].thickness"."""
-    if not _KEY_PATH.fullmatch(key):
-        raise ValueError(f'sweep: keys must be paths like "ball.layers[0].thickness", got {key!r}')
-    return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
+def _in_si(key: str, entry: Any, found: Key | None) -> Any:
+    """Return an entry of the table `sweep` with numbers in SI units in place of texts with units."""
+    path = f'sweep."{key}"'
+    if found is not None and isinstance(entry, list):
+        return [found.number(one, f"{path}[{i}]") if isinstance(one, str) else one for i, one in enumerate(entry)]
+    if found is not None and isinstance(entry, dict):
+        ends = {
+            name: found.number(entry[name], f"{path}.{name}")
+            for name in ("from", "to")
+            if isinstance(entry.get(name), str)
+        }
+        return entry | ends
+    return entry
 
 
 def _entry(key: str, entry: object) -> list[float] | list[int] | Range:
@@ -234,36 +267,17 @@ def _entry(key: str, entry: object) -> list[float] | list[int] | Range:
         raise error.inside(f'sweep."{key}"') from None
 
 
-def substituted(document: dict[str, Any], chosen: Mapping[_KeyPath, float]) -> dict[str, Any]:
-    """Return the document with other numbers for some keys; tables above a key that are missing are created."""
-    document = copy.deepcopy(document)
-    for key_path, number in chosen.items():
-        target: Any = document
-        try:
-            for part in key_path[:-1]:
-                target = target.setdefault(part, {}) if isinstance(target, dict) else target[part]
-            last: Any = key_path[-1]
-            if isinstance(target, list):
-                target[last]  # raises an IndexError instead of adding an entry
-            target[last] = number
-        except (IndexError, KeyError, TypeError):
-            raise ValueError(f'sweep: the file has no key "{_text(key_path)}"') from None
-    return document
-
-
-def _names(key_paths: list[_KeyPath]) -> list[str]:
-    short = [_text(key_path[_leaf_position(key_path) :]) for key_path in key_paths]
-    chosen = [s if short.count(s) == 1 else _text(key_path[1:]) for s, key_path in zip(short, key_paths, strict=True)]
+def _names(key_paths: list[KeyPath]) -> list[str]:
+    short = [key_path_text(key_path[_leaf_position(key_path) :]) for key_path in key_paths]
+    chosen = [
+        s if short.count(s) == 1 else key_path_text(key_path[1:]) for s, key_path in zip(short, key_paths, strict=True)
+    ]
     return [re.sub(r"\W+", "_", name).strip("_") for name in chosen]
 
 
-def _leaf(key_path: _KeyPath) -> str:
+def _leaf(key_path: KeyPath) -> str:
     return str(key_path[_leaf_position(key_path)])
 
 
-def _leaf_position(key_path: _KeyPath) -> int:
+def _leaf_position(key_path: KeyPath) -> int:
     return max(i for i, part in enumerate(key_path) if isinstance(part, str))
-
-
-def _text(key_path: _KeyPath) -> str:
-    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in key_path).lstrip(".")

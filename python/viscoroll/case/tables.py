@@ -7,9 +7,10 @@ file; the class itself checks the values and has the defaults.
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from enum import Enum
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self, TypeAlias, TypeVar
@@ -17,9 +18,10 @@ from typing import Annotated, Any, ClassVar, Literal, Self, TypeAlias, TypeVar
 from .._support.errors import InvalidInput, in_file
 from .._support.extras import extra
 from .._support.suggestions import suggestion
-from .._support.text import one_line, shown
+from .._support.text import key_path_text, one_line, shown
 from .._support.toml import read_toml
 from .descriptions import parameter_schemas
+from .unit_texts import FileKeys, has_quantities
 
 with extra("cli"):
     from pydantic import (
@@ -48,6 +50,7 @@ __all__ = [
     "checked",
     "errors_in",
     "in_folder",
+    "problems",
     "skipped_in",
 ]
 
@@ -96,6 +99,8 @@ class StrictTable(BaseModel):
             kinds = [kind for kind in keys[name].get("anyOf", []) if kind != {"type": "null"}]
             if keys[name].get("default", 0) is None:
                 del keys[name]["default"]
+            if name in cls.model_fields and isinstance(member := cls.model_fields[name].default, Enum):
+                keys[name]["default"] = member.name.lower()  # pydantic gives the number of the member
             if kinds:
                 keys[name]["anyOf"] = kinds
             if len(kinds) == 1:
@@ -105,21 +110,43 @@ class StrictTable(BaseModel):
             for name, found in parameter_schemas(make).items():
                 if name in keys:
                     keys[name] = found | keys[name]
+        for name in [name for name in keys if not _takes_numbers(keys[name])]:
+            keys[name].pop("unit", None)
         return made
 
 
-#: Tables that only some commands read, and the command to name in messages.
+def _takes_numbers(schema: dict[str, Any]) -> bool:
+    """Return whether JSON Schema of a key allows a number or a list of numbers."""
+    kinds = [schema, *schema.get("anyOf", []), *schema.get("oneOf", [])]
+    return any(kind.get("type") == "number" or kind.get("items", {}).get("type") == "number" for kind in kinds)
+
+
+#: Tables that only some commands read, and these commands; messages name the first one.
 _COMMANDS = {
-    "rolling": "viscoroll solve",
-    "thermal": "viscoroll solve",
-    "motion": "viscoroll roll",
-    "sweep": "viscoroll sweep",
-    "design": "viscoroll design",
+    "rolling": ("solve", "sweep", "design", "compare", "export"),
+    "thermal": ("solve", "design"),
+    "motion": ("roll",),
+    "ground": ("roll",),
+    "tread": ("roll",),
+    "axle": ("roll",),
+    "sweep": ("sweep", "export"),
+    "draws": ("sweep",),
+    "design": ("design",),
 }
 
 
 class FileTables(StrictTable):
     """Base of a whole file. Tables for other commands are skipped, because several commands can read the same file."""
+
+    @classmethod
+    def keys_of(cls, document: Mapping[str, Any]) -> FileKeys:
+        """Return the keys of a file, which texts with units need."""
+        return FileKeys(_schema_of(cls), line_contact=cls.is_of_roller(document))
+
+    @classmethod
+    def is_of_roller(cls, document: Mapping[str, Any]) -> bool:  # noqa: ARG003
+        """Return whether forces of the file are per length."""
+        return False
 
     @model_validator(mode="before")
     @classmethod
@@ -127,17 +154,26 @@ class FileTables(StrictTable):
         return {name: table for name, table in document.items() if name not in skipped(cls, document)}
 
 
+@cache
+def _schema_of(kind: type[FileTables]) -> dict[str, Any]:
+    return kind.model_json_schema()
+
+
 def skipped(kind: type[FileTables], document: Iterable[str]) -> dict[str, str]:
     """Return the names of the tables that are for other commands, with these commands."""
-    return {name: _COMMANDS[name] for name in document if name in _COMMANDS and name not in kind.model_fields}
+    return {
+        name: f"viscoroll {_COMMANDS[name][0]}"
+        for name in document
+        if name in _COMMANDS and name not in kind.model_fields
+    }
 
 
 def skipped_in(path: Path, *, command: str) -> str:
-    """Return a text that lists the tables of a file for other commands; empty if there are none."""
-    others = {name: other for name, other in _COMMANDS.items() if other != command}
+    """Return a text that lists the tables of a file that a command such as "solve" does not use, or an empty text."""
     with errors_in(path):
         document = read_toml(path)
-    return "; ".join(f"[{name}] is for `{others[name]}`" for name in document if name in others)
+    others = {name: readers[0] for name, readers in _COMMANDS.items() if command not in readers}
+    return "; ".join(f"[{name}] is for `viscoroll {others[name]}`" for name in document if name in others)
 
 
 class Table:
@@ -187,7 +223,7 @@ class Table:
             name: (self._types.get(name, Any), Field() if name in needed else None)
             for name in [*parameters, *self._types]
         }
-        model = create_model(make.__name__.removeprefix("_"), __base__=StrictTable, **keys)
+        model: type[StrictTable] = create_model(make.__name__.removeprefix("_"), __base__=StrictTable, **keys)
         model.documented_by = (make,) if self._documented_by is None else (self._documented_by,)
         return model
 
@@ -277,6 +313,8 @@ def errors_in(path: Path) -> Iterator[None]:
 def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = None) -> _Model:
     """Return the tables of a file as an object of `kind`, which defines the allowed content.
 
+    Texts such as "10 mm" become numbers in SI units.
+
     Parameters
     ----------
     kind : type
@@ -292,11 +330,31 @@ def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = 
     InvalidInput
         If the tables have other content.
     """
+    if issubclass(kind, FileTables) and has_quantities(document):
+        document = kind.keys_of(document).in_si(document)
     try:
         return kind.model_validate(document, context=folder)
     except ValidationError as error:
         others = skipped(kind, document) if issubclass(kind, FileTables) else {}
         raise _first_error(error, others, kind.model_fields) from None
+
+
+def problems(kind: type[FileTables], document: dict[str, Any], folder: Path | None) -> list[InvalidInput]:
+    """Return all errors of tables that can be found without making the bodies; parameters as in `checked`."""
+    found: list[InvalidInput] = []
+    if has_quantities(document):
+        document, found = kind.keys_of(document).converted(document)
+    try:
+        kind.model_validate(document, context=folder)
+    except ValidationError as error:
+        keys = kind.keys_of(document)
+        places = tuple(one.parameter for one in found)
+        for one in error.errors():
+            meant = keys.meant(document, one["loc"]) if one["type"] == "extra_forbidden" else ""
+            invalid = _invalid(one, more=f"did you mean {meant}?" if meant else "")
+            if not any(place.startswith(invalid.parameter) for place in places):
+                found.append(invalid)
+    return found
 
 
 #: Python calls that messages suggest, and their form in a file.
@@ -360,7 +418,7 @@ _TYPED = ("shear_modulus", "shift", "matrix", "network")
 def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") -> InvalidInput:
     """Return an error of pydantic as an error of a parameter."""
     parts = pairwise(("", *error["loc"]))
-    path = _path_text([part for before, part in parts if before not in _TYPED and part not in _ALTERNATIVES])
+    path = key_path_text([part for before, part in parts if before not in _TYPED and part not in _ALTERNATIVES])
     kind = next((part for before, part in reversed([*pairwise(error["loc"])]) if before in _TYPED), None)
     context, message = error.get("ctx", {}), error["msg"]
     value = shown(error["input"]) if with_value else ""
@@ -379,7 +437,3 @@ def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") ->
     wanted = message.removeprefix("Input should be ")
     rule = f"must be {wanted}" if wanted != message else f"is invalid: {message[0].lower()}{message[1:]}"
     return InvalidInput(path, rule, value, more=more)
-
-
-def _path_text(parts: Sequence[str | int]) -> str:
-    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in parts).lstrip(".")

@@ -19,18 +19,28 @@ from .._support.extras import extra
 from .._support.files import save_picture
 from .._support.result_warnings import ResultWarning
 from .._support.sealed import load_sealed
-from .._support.tables import handy
 from ..bodies.si_hints import unit_doubt
-from ..case import Case, example_text, load_case
-from ..case.tables import skipped_in
+from ..case import Case, load_case
+from ..case.key_paths import parsed_change
+from ..case.plausible import speed_text, speed_warning
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
-from ..solution.text import result_lines, result_title, result_warnings, with_unit
-from ..thermal.temperature import QUANTITIES
+from ..solution.text import result_lines, result_title, result_warnings
+from .check import CHANGES
+from .cite import print_citation
 from .commands import design, export, material, schema
-from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, write_line, write_message
+from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 from .page import serve_page
+from .result_tables import (
+    finite_strain_scalars,
+    finite_strain_table,
+    table_2,
+    thermal_scalars,
+    thermal_table,
+    verdict_table,
+)
+from .several import print_several, solve_several
 
 with extra("cli"):
     import typer
@@ -38,11 +48,7 @@ with extra("cli"):
     from rich.table import Table
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
-    from ..coupled import SelfHeating
     from ..reproduce import Verdict
-    from ..thermal import Temperature
 
 __all__ = ["run"]
 
@@ -100,26 +106,51 @@ def _main(
             "--version", callback=_print_version, is_eager=True, help="Print the version and the FFT library."
         ),
     ] = False,
+    cite: Annotated[
+        bool,
+        typer.Option("--cite", callback=print_citation, is_eager=True, help="Print how to cite viscoroll, in BibTeX."),
+    ] = False,
 ) -> None:
     pass
 
 
 @app.command()
 def solve(
-    case: Annotated[Path, typer.Argument(help="Case file in TOML; `viscoroll example` prints a commented one.")],
+    case: Annotated[
+        list[Path],
+        typer.Argument(help="Case file in TOML; `viscoroll example` prints a commented one. Several are compared."),
+    ],
+    changes: Annotated[list[str] | None, CHANGES] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print all scalar results as JSON in SI units.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Draw the contact to this picture (.png, .svg, .pdf).")] = None,
     save: Annotated[Path | None, typer.Option(help="Write the fields to this file (.csv, .nc, .vtu, .vtk).")] = None,
     section: Annotated[
         Path | None, typer.Option(help="Draw the stress in the section through the contact to this picture.")
     ] = None,
+    finite_strain: Annotated[
+        bool, typer.Option("--finite-strain", help="Solve a roller by finite elements at finite strain as well.")
+    ] = False,
 ) -> None:
     """Solve the load case of a file and print torque, penetration, pressure and power balance."""
     check_target("--plot", plot, PICTURES)
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
-    loaded = load_case(case)
-    _report_skipped(case, "viscoroll solve")
+    wanted = dict(map(parsed_change, changes or []))
+    for path in case:
+        report_skipped(path, "solve")
+    if len(case) > 1:
+        results = solve_several(
+            case,
+            wanted,
+            plot=plot,
+            others={"--save": save, "--section": section, "--finite-strain": finite_strain or None},
+        )
+        if as_json:
+            typer.echo(json.dumps({name: json.loads(_json(one.scalars())) for name, one in results.items()}, indent=2))
+        else:
+            print_several(results)
+        return
+    loaded = load_case(case[0], wanted)
     heated, softened = None, None
     with progress_bar() as report, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", ResultWarning)
@@ -134,20 +165,28 @@ def solve(
         temperatures = [] if heated is None else [state.temperature for state in heated.states]
         if loaded.thermal is not None and heated is None:
             temperatures = [loaded.thermal.temperature(result, progress=report)]
+        rows = finite_strain_scalars(result, progress=report) if finite_strain else {}
     if as_json:
         scalars = result.scalars()
         if temperatures:
-            scalars["thermal"] = _thermal_scalars(temperatures, heated)  # type: ignore[assignment]
+            scalars["thermal"] = thermal_scalars(temperatures, heated)  # type: ignore[assignment]
         if softened is not None:
             scalars["softening"] = {name: value for name, value, _ in softened.rows()}  # type: ignore[assignment]
+        if rows:
+            scalars["finite_strain"] = {name: found for name, (_, found, *_) in rows.items()}  # type: ignore[assignment]
         typer.echo(_json(scalars))
     else:
         _print_result(result)
+        write_line(speed_text(result.angular_speed, result.body.outer_radius))
         if temperatures:
-            OUTPUT.print(_thermal_table(_thermal_scalars(temperatures, heated)))
+            OUTPUT.print(thermal_table(thermal_scalars(temperatures, heated)))
+        if rows:
+            OUTPUT.print(finite_strain_table(rows))
         if softened is not None:
             for line in repr(softened).splitlines():
                 write_line(line)
+    if fast := speed_warning(result.angular_speed, result.body.outer_radius):
+        write_message(f"warning: {fast}")
     issued = [str(warning.message) for warning in caught if issubclass(warning.category, ResultWarning)]
     for message in dict.fromkeys([*result_warnings(result), *issued]):
         write_message(f"warning: {message}")
@@ -182,7 +221,7 @@ def roll(
     check_target("--save", save, tuple(HISTORY_FORMATS))
     check_target("--checkpoint", checkpoint, (SUFFIX,))
     loaded = load_motion(case)
-    _report_skipped(case, "viscoroll roll")
+    report_skipped(case, "roll")
     resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
     with progress_bar() as report:
         history = loaded.roll(progress=report, checkpoint=checkpoint, **resumed)
@@ -217,6 +256,7 @@ def sweep(
     check_target("--output", output, (".nc",))
     check_target("--table", table, (".csv",))
     path = study.with_suffix(".nc") if output is None else output
+    report_skipped(study, "sweep")
     try:
         dataset = run_plan(load_study(study), cache=path, retry_failed=retry_failed, progress=MESSAGES.is_terminal)
     except KeyboardInterrupt:
@@ -256,27 +296,6 @@ def plot(
 
 
 @app.command()
-def example(
-    with_sweep: Annotated[bool, typer.Option("--sweep", help="Append the table of a study.")] = False,
-    with_design: Annotated[bool, typer.Option("--design", help="Append the table of `viscoroll design`.")] = False,
-    motion: Annotated[bool, typer.Option("--motion", help="Print a file for `viscoroll roll` instead.")] = False,
-    measured: Annotated[
-        bool, typer.Option("--measured", help="Print invented measurements for `viscoroll compare` instead.")
-    ] = False,
-) -> None:
-    """Print a commented case file to start from: viscoroll example > case.toml."""
-    tables = [name for name, wanted in (("sweep", with_sweep), ("design", with_design)) if wanted]
-    others = [name for name, wanted in (("motion", motion), ("measured", measured)) if wanted]
-    if len(others) + bool(tables) > 1:
-        options = " and ".join(f"--{name}" for name in [*tables, *others])
-        raise ValueError(
-            f"--sweep and --design extend a case file; --motion and --measured must be given alone, got {options}"
-        )
-    names = others or ["case", *tables]
-    typer.echo("".join(example_text(name) for name in names), nl=False)  # type: ignore[arg-type]
-
-
-@app.command()
 def reproduce(
     items: Annotated[
         list[str] | None, typer.Argument(metavar="[ITEM]...", help="Items such as table2 or figure12; by default all.")
@@ -305,7 +324,7 @@ def reproduce(
             write_files(item, outcome, output)
             verdicts[name] = runner.judge(outcome)
     write_verdicts(output / "verdicts.md", verdicts)
-    OUTPUT.print(_verdict_table(verdicts))
+    OUTPUT.print(verdict_table(verdicts))
     write_line(f"pictures, numbers and verdicts.md in {output}")
 
 
@@ -338,6 +357,7 @@ def compare(
 
     check_target("--output", output, PICTURES)
     loaded = load_case(case)
+    report_skipped(case, "compare")
     if measured is not None:
         if speeds is not None:
             raise ValueError("--speeds must be left out with --measured: the case is solved at the measured points")
@@ -392,17 +412,12 @@ def demo(
             if key == (500, 500):
                 chosen = result
             report("table 2 of the paper", len(torques) / len(paper.TABLE_2))
-    OUTPUT.print(_table_2(torques))
+    OUTPUT.print(table_2(torques))
     worst = max(abs(torques[key] / printed - 1.0) for key, printed in paper.TABLE_2.items())
     OUTPUT.print(f"largest deviation of the {len(torques)} entries: {worst:.2%}\n", highlight=False)
     _print_result(chosen)
     save_picture(chosen.plot(), plot)
     write_line(f"contact pressure drawn to {plot}")
-
-
-def _report_skipped(path: Path, command: str) -> None:
-    if others := skipped_in(path, command=command):
-        write_message(f"skipped in {path.name}: {others}")
 
 
 _STATUS_TEXT = {
@@ -428,66 +443,6 @@ def _print_result(result: Result) -> None:
     for line in result_lines(result):
         table.add_row(*map(escape, line))
     OUTPUT.print(table)
-
-
-def _thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
-    """Return the reported scalars of every steady state, in SI units."""
-    scalars: list[dict[str, float | str]] = []
-    for number, found in enumerate(temperatures):
-        row: dict[str, float | str] = {name: getattr(found, name) for name in QUANTITIES}
-        if heated is not None:
-            state = heated.states[number]
-            row |= {
-                "mean_temperature": state.mean_temperature,
-                "resisting_torque": state.result.resisting_torque,
-                "stability": "stable" if state.stable else "unstable",
-            }
-        scalars.append(row)
-    return scalars
-
-
-def _thermal_table(scalars: list[dict[str, float | str]]) -> Table:
-    quantities = QUANTITIES | {
-        "mean_temperature": ("K", "mean temperature of the layers"),
-        "resisting_torque": ("N m", "resisting torque T_r"),
-    }
-    title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
-    table = Table(title=title, title_justify="left", show_header=False)
-    for name, (unit, label) in quantities.items():
-        if name in scalars[0]:
-            texts, handy_unit = handy([float(row[name]) for row in scalars], unit)
-            table.add_row(escape(with_unit(label, handy_unit)), *texts)
-    if "stability" in scalars[0]:
-        table.add_row("steady state", *(str(row["stability"]) for row in scalars))
-    return table
-
-
-def _verdict_table(verdicts: Mapping[str, Sequence[Verdict]]) -> Table:
-    table = Table(title="Comparison with the paper", title_justify="left")
-    for head in ("item", "statement of the paper", "viscoroll", "verdict"):
-        table.add_column(head, overflow="fold")
-    for name, rows in verdicts.items():
-        for index, verdict in enumerate(rows):
-            color = {"agrees": "[green]", "disagrees": "[red]"}.get(verdict.judgment, "[yellow]")
-            judged = f"{color}{escape(verdict.judgment)}[/]"
-            cells = (name if index == 0 else "", escape(verdict.statement), escape(verdict.found), judged)
-            table.add_row(*cells, end_section=index == len(rows) - 1)
-    return table
-
-
-def _table_2(torques: dict[tuple[int, int], float]) -> Table:
-    orders = sorted({order for _, order in torques})
-    table = Table(title="Resisting torque T_r [mN m], computed and printed in table 2", title_justify="left")
-    table.add_column("spacing")
-    table.add_column("N_t")
-    for order in orders:
-        table.add_column(str(order), justify="right")
-    for nodes in sorted({nodes for nodes, _ in torques}):
-        for label, source in (("computed", torques), ("printed", paper.TABLE_2)):
-            cells = [f"{source[nodes, o] * 1e3:.2f}" if (nodes, o) in source else "N/A" for o in orders]
-            head = f"π/{nodes // 2}" if source is torques else ""
-            table.add_row(head, label, *cells, end_section=source is paper.TABLE_2)
-    return table
 
 
 for command in (material, export, design, schema):

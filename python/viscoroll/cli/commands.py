@@ -16,17 +16,20 @@ from .._support.text import parsed_range, shown
 from .._support.toml import read_toml
 from ..materials import WilliamsLandelFerry, read_constants
 from ..materials.constants import holds_constants
-from .output import PICTURES, check_target, progress_bar, write_line, write_message
+from .output import PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 
 with extra("cli"):
     import typer
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     import xarray
 
     from ..materials import Draws, Prony
     from ..materials.shear_modulus import ShearModulus
     from ..rheology import (
+        Check,
         Isotherm,
         PronyFit,
         RheologyData,
@@ -63,7 +66,8 @@ def material(
         list[str],
         typer.Argument(
             help="Text, CSV, Excel or JSON exports of a rheometer or DMA instrument; a file without temperatures as "
-            "FILE@20C or FILE@293.15K. Or one input file of Abaqus, Ansys or LS-DYNA, whose constants are printed."
+            "FILE@20C or FILE@293.15K, with the temperature in its name, such as a_-20C.csv, or matched by a pattern "
+            "such as 'a_*C.csv'. Or one input file of Abaqus, Ansys or LS-DYNA, whose constants are printed."
         ),
     ],
     reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in K.")] = None,
@@ -100,6 +104,9 @@ def material(
     draws: Annotated[
         int, typer.Option(help="Number of draws to save for confidence intervals (table \\[draws] of a study).", min=0)
     ] = 0,
+    accept: Annotated[
+        bool, typer.Option("--accept", help="Accept data that fail a check, which is otherwise an error.")
+    ] = False,
     plot: Annotated[Path | None, typer.Option(help="Draw data, fit and residual (.png, .svg, .pdf).")] = None,
     save: Annotated[
         Path | None, typer.Option(help="Write the material to this file (.toml), to which case files can refer.")
@@ -110,8 +117,9 @@ def material(
     from ..rheology.reading import SWEEP_ROLES
     from ..rheology.time_tests import TIME_ROLES, contains_time_tests
 
+    files = _files(data)
     is_deck = len(data) == 1 and _holds_constants(Path(data[0]))
-    if is_deck or len(data) > 1 or Path(data[0]).is_file():  # the reader of measurements reports a missing file
+    if is_deck or isinstance(files, dict) or files.is_file():  # the reader of measurements reports a missing file
         _require_options_of(context, data[0], is_deck=is_deck)
     if is_deck:
         _write_constants(Path(data[0]), units, temperature_unit)
@@ -122,21 +130,21 @@ def material(
         raise ValueError("--draws must be 0 or at least 2, got 1")
     if draws and save is None:
         raise ValueError("--save must be given with --draws, because draws are saved with the material")
-    files = _files(data)
     named = _columns(columns)
     own = _own_shift(factors, wlf)
-    if over_time := [path for path in files if contains_time_tests(path, columns=named, step=step)]:
+    listed = files if isinstance(files, dict) else {files: None}
+    if over_time := [path for path in listed if contains_time_tests(path, columns=named, step=step)]:
         if plot is not None or between is not None or frequency is not None or vertical:
             raise ValueError(
                 "--plot, --between, --frequency and --vertical must be left out with relaxation or creep, "
                 f"which {over_time[0]} contains"
             )
         options: _ReadingOptions = {"tensile": tensile, "poisson_ratio": poisson_ratio, "step": step}
-        given = {path: files[path] for path in over_time}
-        parts: list[TimeData | RheologyData] = [read_time_tests(given, columns=_only(named, TIME_ROLES), **options)]
-        if rest := {path: kelvin for path, kelvin in files.items() if path not in given}:
+        tests = {path: listed[path] for path in over_time} if isinstance(files, dict) else files
+        parts: list[TimeData | RheologyData] = [read_time_tests(tests, columns=_only(named, TIME_ROLES), **options)]
+        if rest := {path: kelvin for path, kelvin in listed.items() if path not in over_time}:
             parts.append(read_rheology(rest, columns=_only(named, SWEEP_ROLES), **options))
-        _fit_over_time(parts, reference, own, at=at, draws=draws, save=save)
+        _fit_over_time(parts, reference, own, at=at, draws=draws, accept=accept, save=save)
         return
     measured = read_rheology(
         files,
@@ -164,7 +172,8 @@ def material(
         if reference is not None:
             raise ValueError("--reference requires sweeps at two or more temperatures, got one sweep")
         curve = measured.isotherms[0]
-    for check in check_modulus(curve):
+    checks = check_modulus(curve)
+    for check in checks:
         write_line(str(check))
     fit = fit_prony(curve, terms_per_decade=terms_per_decade)
     write_line(repr(fit))
@@ -173,6 +182,7 @@ def material(
     if plot is not None:
         save_picture(fit.plot(), plot)
         write_line(f"data, fit and residual drawn to {plot}")
+    _require_consistent(measured.source, checks, accept=accept)
     if save is not None:
         save_material(save, curve, fit=fit, draws=_draws(curve, fit, draws))
         write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
@@ -198,6 +208,7 @@ def _fit_over_time(
     *,
     at: float | None,
     draws: int,
+    accept: bool,
     save: Path | None,
 ) -> None:
     """Fit relaxation and creep, and sweeps of the same material, and print and save the fit."""
@@ -210,16 +221,22 @@ def _fit_over_time(
     for line in repr(fit).splitlines():
         write_line(line)
     write_line(str(fit.check))
-    if not fit.check.passed:
-        raise ValueError(
-            f"{', '.join(part.source for part in parts)}: must be consistent with one passive material, "
-            f"got a {fit.check.message}; check columns, units and temperatures"
-        )
     if at is not None:
         _write_moduli(fit.series_at(temperature=at), at, *fit.range_at(temperature=at))
+    _require_consistent(", ".join(part.source for part in parts), [fit.check], accept=accept)
     if save is not None:
         save_material(save, fit, fit=fit, draws=fit.draws(draws) if draws else None)
         write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+
+
+def _require_consistent(source: str, checks: Iterable[Check], *, accept: bool) -> None:
+    """Raise a ValueError with the messages of the failed checks, unless the user accepts them."""
+    failed = [check.message for check in checks if not check.passed]
+    if failed and not accept:
+        raise ValueError(
+            f"{source}: must be consistent with one passive material, got {'; '.join(failed)}; check columns, units "
+            "and temperatures, leave out bad tests, or give --accept to use the data anyway"
+        )
 
 
 def _holds_constants(path: Path) -> bool:
@@ -252,16 +269,18 @@ def _write_constants(path: Path, units: str, temperature_unit: TemperatureUnit) 
     write_line(f"in a case file, shear_modulus = {{ {table} }}")
 
 
-def _files(arguments: list[str]) -> dict[str | Path, float | None]:
-    """Return the temperature [K] of each file, from arguments such as "a.csv@20C"; None without one."""
-    files: dict[str | Path, float | None] = {}
+def _files(arguments: list[str]) -> Path | dict[Path, float | None]:
+    """Return the path of a single file, or the temperature [K] of each, from arguments such as "a.csv@20C"."""
+    from ..rheology.file_sets import file_set, temperatures_of
+
+    files: list[tuple[str, float | None]] = []
     for argument in arguments:
         found = re.fullmatch(r"(.+)@(-?\d+(?:\.\d+)?) ?(C|degC|K)", argument)
         if found is None:
-            files[argument] = None
+            files.append((argument, None))
         else:
-            files[found[1]] = float(found[2]) + (0.0 if found[3] == "K" else ZERO_CELSIUS)
-    return files
+            files.append((found[1], float(found[2]) + (0.0 if found[3] == "K" else ZERO_CELSIUS)))
+    return file_set(arguments[0]) if files == [(arguments[0], None)] else temperatures_of(files)
 
 
 def export(
@@ -286,6 +305,7 @@ def export(
     path = case.with_suffix(f".{code.value}") if output is None else output
     if path.is_dir() or not path.parent.is_dir():
         raise ValueError(f"--output must be a file in a folder that exists, got {shown(str(path))}")
+    report_skipped(case, "export")
     study, load, speed = _study_around(case, span)
     for message in study_warnings(study):
         write_message(f"warning: {message}")
@@ -303,6 +323,7 @@ def design(
     from ..case.design import design_case
 
     check_target("--plot", plot, PICTURES)
+    report_skipped(case, "design")
     with progress_bar() as report:
         found = design_case(case, progress=report)
     power = f"{found.result.dissipated_power:.6g} {found.result.unit('dissipated_power')}"

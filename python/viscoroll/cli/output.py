@@ -11,6 +11,7 @@ from .._support.extras import extra
 from .._support.files import ending_in
 from .._support.progress import Report
 from .._support.text import one_line, shown
+from ..case.tables import skipped_in
 
 with extra("cli"):
     from rich.console import Console
@@ -22,6 +23,7 @@ __all__ = [
     "PICTURES",
     "check_target",
     "progress_bar",
+    "report_skipped",
     "write_line",
     "write_message",
 ]
@@ -48,6 +50,12 @@ def check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> N
     ending_in(suffixes, path, name=option)
     if path.is_dir() or not path.parent.is_dir():
         raise InvalidInput(option, "must be a file in a folder that exists", shown(str(path)))
+
+
+def report_skipped(path: Path, command: str) -> None:
+    """Write which tables of a file a command such as "solve" does not use."""
+    if others := skipped_in(path, command=command):
+        write_message(f"skipped in {path.name}: {others}")
 
 
 @contextmanager

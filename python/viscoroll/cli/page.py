@@ -22,7 +22,7 @@ def serve_page(
 ) -> None:
     """Edit and solve cases on a page in the browser; this machine solves them, and Ctrl-C stops the server."""
     from ..app import serve
-    from ..app.answer import OTHER_TABLES, readable_case
+    from ..app.answer import OTHER_TABLES, tables_of_page
 
     document = None
     if case is not None:
@@ -31,5 +31,5 @@ def serve_page(
             for name in [name for name in OTHER_TABLES if name in document]:
                 write_message(f"skipped in {case.name}: the page does not support the table [{name}]")
                 del document[name]
-            readable_case(document)
+            document = tables_of_page(document)
     serve(document, browser=browser, tell=write_line)

@@ -156,7 +156,9 @@ def dem(
 
     Each code defines its coefficient differently. The docstrings of the modules in `viscoroll.export` cite the
     definitions. The torque is the dissipated power divided by the angular speed; for two balls, by their relative
-    angular speed, with opposite torques on both.
+    angular speed, with opposite torques on both. It is the torque of linear theory, because a study of two coated balls
+    or of filled rubber has no other; where `Result.finite_strain_torque` is known, its ratio to
+    `Result.resisting_torque` is the correction for finite strain.
 
     Parameters
     ----------

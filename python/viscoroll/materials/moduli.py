@@ -193,17 +193,6 @@ class StandardLinearSolid(ShearModulus):
     def _standard_linear_solid(self) -> StandardLinearSolid:
         return self
 
-    def _to_core(self) -> _core.ShearModulus:
-        core = ShearModulus._to_core(self)
-        # At lower ratios, round-off of the stored weight, 1 - ratio, leaves fewer than four digits of the modulus.
-        if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
-            raise InvalidInput(
-                "relaxed_modulus",
-                f"must be >= 1e-12 instantaneous_modulus = {1e-12 * self.instantaneous_modulus:g} Pa",
-                f"{self.relaxed_modulus:g}",
-            )
-        return core
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CreepCompliance(_EqualsProny):
@@ -256,28 +245,81 @@ class LossFactor(_EqualsProny):
         ω₀ [rad/s], > 0. Choose Ω R/a, with the angular speed Ω, the radius R and the half-width a of the contact.
     decades : float, default 3
         Decades above and below ω₀ over which the law holds [-], in [0.5, 8].
+    compression_set : float, optional
+        Compression set of ISO 815, the strain that remains after a compression divided by this compression [-], in
+        (0, 1). A data sheet states it in percent.
+    compression_time : float, optional
+        Duration of the compression [s], > 0. Required with `compression_set`.
+    recovery_time : float, optional
+        Time from the release of the compression to the measurement [s], > 0; by default 1800, as in ISO 815.
+    creep_ratio : float, optional
+        Strain at `creep_time` divided by the strain at `creep_start` under constant stress [-], > 1. Excludes
+        `compression_set`.
+    creep_time : float, optional
+        Time of the last strain of a creep test [s], > `creep_start`. Required with `creep_ratio`.
+    creep_start : float, optional
+        Time of the first strain of a creep test [s], > 0. Required with `creep_ratio`.
+
+    Notes
+    -----
+    A loss factor contains no information about times beyond 10^(`decades`) / ω₀. A compression set or a creep test
+    extends the material to the end of the test: the relaxation continues as G(t) = G₁ (t/t₁)^-β from t₁ =
+    10^(`decades` + 1) / ω₀, where the law of the loss factor ends. The exponent β in [0, 1] is the one for which the
+    material, compressed for `compression_time` and released, keeps the set at `recovery_time`, or creeps by
+    `creep_ratio`. For slow relaxation this means G(t_c + t_r) = (1 - set) G(t_r) with t_c = `compression_time` and
+    t_r = `recovery_time`. Beyond the test the material is elastic.
+
+    One number cannot determine the relaxation at each time: the power law, a constant relative decrease per decade, is
+    an assumption. The material has one temperature, so use the set at the temperature of use. A set of a hotter test
+    includes faster relaxation and chemical changes, and overestimates flat spots.
 
     References
     ----------
     E. Kjartansson, "Constant Q-wave propagation and attenuation", J. Geophys. Res. 84 (1979) 4737-4748.
+
+    ISO 815-1, "Rubber, vulcanized or thermoplastic: Determination of compression set, Part 1".
 
     Examples
     --------
     >>> pad = LossFactor(modulus=1e6, loss_factor=0.1, reference_frequency=100.0)
     >>> pad.complex_modulus([1.0, 100.0, 10000.0]).round(-3)
     array([ 747000. +75000.j, 1000000.+100000.j, 1339000.+134000.j])
+
+    The same pad with a set of 20 % after one day, defined for rests of up to one day:
+
+    >>> pad = LossFactor(
+    ...     modulus=1e6, loss_factor=0.1, reference_frequency=100.0, compression_set=0.2, compression_time=86400.0
+    ... )
+    >>> round(float(pad.complex_modulus(0.0).real), -3)
+    342000.0
     """
 
     modulus: float
     loss_factor: float
     reference_frequency: float
     decades: float = 3.0
-    _units: ClassVar = {"modulus": (1, 0), "reference_frequency": (0, -1)}
+    compression_set: float | None = None
+    compression_time: float | None = None
+    recovery_time: float | None = None
+    creep_ratio: float | None = None
+    creep_time: float | None = None
+    creep_start: float | None = None
+    _units: ClassVar = {
+        "modulus": (1, 0),
+        "reference_frequency": (0, -1),
+        "compression_time": (0, 1),
+        "recovery_time": (0, 1),
+        "creep_time": (0, 1),
+        "creep_start": (0, 1),
+    }
 
     def _known_times(self) -> KnownTimes:
-        longest = 10.0**self.decades / self.reference_frequency
-        rest = float(self.complex_modulus(0.0).real)
-        return KnownTimes(longest, "the loss factor is defined", (rest, self.modulus))
+        rest = (float(self.complex_modulus(0.0).real), self.modulus)
+        if self.compression_time is not None:
+            return KnownTimes(self.compression_time, "the compression set is measured", rest)
+        if self.creep_time is not None:
+            return KnownTimes(self.creep_time, "creep is measured", rest)
+        return KnownTimes(10.0**self.decades / self.reference_frequency, "the loss factor is defined", rest)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

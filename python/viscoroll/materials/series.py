@@ -24,6 +24,9 @@ __all__ = ["SeriesFit", "basis", "fit_series", "fit_sparse", "nonnegative", "tim
 #: Decades by which the times extend beyond the data, at either end.
 MARGIN = 0.5
 
+#: Smallest relaxed modulus, relative to the lowest measured modulus other than a loss modulus.
+FLOOR = 1e-2
+
 
 def time_grid(frequency: Floats, terms_per_decade: float, *, margin: float = MARGIN) -> Floats:
     """Return times with equal ratios that extend `margin` decades beyond the frequencies [s]."""

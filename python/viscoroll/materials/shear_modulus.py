@@ -87,7 +87,7 @@ class ShearModulus(ParameterTable):
         """Store numbers as floats, columns as tuples and names as members of enumerations; check the parameters."""
         for field in fields(self):  # type: ignore[arg-type]
             value = getattr(self, field.name)
-            if field.type == "float":
+            if field.type == "float" or (field.type == "float | None" and value is not None):
                 value = as_float(field.name, value)
             elif str(field.type).startswith(_COLUMN):
                 value = as_floats(field.name, value)
@@ -98,7 +98,8 @@ class ShearModulus(ParameterTable):
 
     def _to_core(self) -> _core.ShearModulus:
         """Return the corresponding modulus of the C++ core, which has checked the parameters."""
-        parameters = {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
+        values = {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
+        parameters = {name: value for name, value in values.items() if value is not None}
         return _core.ShearModulus(snake_case(type(self).__name__), **parameters)
 
     def complex_modulus(self, angular_frequency: ArrayLike) -> NDArray[np.complex128]:

@@ -32,7 +32,7 @@ class WilliamsLandelFerry:
     c1 : float
         C₁ [-], > 0.
     c2 : float
-        C₂ [K], > 0.
+        C₂, a difference of temperatures [K], > 0.
     reference_temperature : float
         Temperature T_r at which the moduli were measured [K], > 0.
 
@@ -169,7 +169,8 @@ def _rescaled(modulus: ShearModulusLike, stress: float, time: float) -> ShearMod
         return replace(known, matrix=_rescaled(known.matrix, stress, time))
     if isinstance(known, ShearModulus) and known._units:
         factors = {name: stress**first * time**second for name, (first, second) in known._units.items()}
-        return replace(known, **{name: _product(factor, getattr(known, name)) for name, factor in factors.items()})  # type: ignore[type-var]
+        given = {name: value for name in factors if (value := getattr(known, name)) is not None}
+        return replace(known, **{name: _product(factors[name], value) for name, value in given.items()})  # type: ignore[type-var]
     evaluate = known.complex_modulus if isinstance(known, ShearModulus) else known
     return lambda omega: stress * evaluate(time * omega)
 

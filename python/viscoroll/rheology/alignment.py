@@ -20,10 +20,13 @@ from .._support.extras import extra
 from ..materials.series import SeriesFit, basis, fit_series, time_grid
 from .reading import Isotherm
 
-__all__ = ["Alignment", "align", "curve_shift", "shift_pairs", "undetermined_pairs"]
+__all__ = ["FREQUENCY_RATIO", "Alignment", "align", "curve_shift", "shift_pairs", "undetermined_pairs"]
 
 _LN10 = float(np.log(10.0))
 _TERMS_PER_DECADE = 2.0
+
+#: Ratio of frequencies in a difference quotient.
+FREQUENCY_RATIO = 1.001
 
 #: Trial shifts of an isotherm relative to its neighbor [decades].
 _TRIALS = np.linspace(-6.0, 6.0, 241)

@@ -11,7 +11,7 @@ from .._support.arguments import Floats, as_float, as_int
 from .._support.errors import InvalidInput
 from .._support.plotting import plots
 from ..materials import Draws, Prony
-from ..materials.series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
+from ..materials.series import FLOOR, MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
 from .bootstrap import modulus_band, wild_copies
 from .measured import MeasuredModulus, measured
 
@@ -21,9 +21,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["PronyFit", "fit_prony"]
-
-#: Smallest relaxed modulus, relative to the lowest measured storage modulus.
-_FLOOR = 1e-2
 
 #: Number of shifted grids of relaxation times; the fit uses the best one. The shift matters for materials with few
 #: sharp relaxations.
@@ -222,7 +219,7 @@ def fit_prony(curve: MeasuredModulus, *, terms_per_decade: float = 2.0, relaxed_
     per_decade = as_float("terms_per_decade", terms_per_decade)
     if not 0.5 <= per_decade <= 10.0:
         raise InvalidInput("terms_per_decade", "must be in [0.5, 10]", repr(per_decade))
-    floor = _FLOOR * float(storage.min()) if relaxed_floor is None else as_float("relaxed_floor", relaxed_floor)
+    floor = FLOOR * float(storage.min()) if relaxed_floor is None else as_float("relaxed_floor", relaxed_floor)
     if not 0.0 < floor < np.inf:
         raise InvalidInput("relaxed_floor", "must be > 0 Pa", repr(floor))
     fit = _fit_on_best_grid(frequency, storage, loss, per_decade, floor)

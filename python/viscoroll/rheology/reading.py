@@ -3,33 +3,33 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float, as_int, as_kelvin
+from .._support.arguments import Floats, as_float, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
-from .._support.errors import InvalidInput, InvalidType, in_file
+from .._support.errors import InvalidInput
 from .._support.text import one_line, shown
+from .file_sets import Files, file_set, read_files
 from .formats import read_text
 from .ramps import TemperatureRamp
+from .reader_arguments import Columns, checked_conversion, named_columns, numbered, tables_of, unread_tables
 from .tables import AMPLITUDE, CREEP, ONE_FREQUENCY, RAMP, RELAXATION, SWEEP, Table, listed
-from .text import Names, closest_header, find_tables
+from .text import Names, closest_header
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = [
     "SWEEP_ROLES",
-    "Columns",
     "Isotherm",
     "RheologyData",
     "moduli_are_tensile",
-    "named_columns",
     "read_rheology",
 ]
 
@@ -44,8 +44,6 @@ _WIDEST_SWEEP = 2.0
 
 #: Round-off of temperature differences [K].
 _ROUND_OFF = 1e-9
-
-Columns: TypeAlias = Mapping[str, "str | tuple[str, str]"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -148,7 +146,7 @@ class RheologyData:
 
 
 def read_rheology(
-    path: str | Path | Mapping[str | Path, float | None],
+    path: Files,
     *,
     columns: Columns | None = None,
     tensile: bool | None = None,
@@ -170,7 +168,9 @@ def read_rheology(
     Parameters
     ----------
     path : path-like, or mapping of path-like to float
-        Path of the file; or several files with the temperature of each [K], which is None if the file contains it.
+        Path of the file; or several files with the temperature of each [K], which is None if the file contains it, or
+        else its name, as ``a_-20C.csv``, ``b_296K.csv`` or ``c 40 degC.xlsx``. A path with wildcards, such as
+        ``dma_*C.csv``, means all files that match.
     columns : mapping of str to str or (str, str), optional
         Name of the column, or name and unit, for "frequency", "storage", "loss", "complex" (the absolute value of the
         modulus), "tan_delta", "phase", "temperature" or "sweep". Required only if a name is unknown or a unit is
@@ -199,7 +199,7 @@ def read_rheology(
     ValueError
         If the file has no data set with frequency and moduli, a unit is missing or unknown, two frequency columns
         disagree, or the moduli may be tensile or shear; the message names the argument to pass, or the data sets of
-        the file.
+        the file. If one of several files has no temperature, or its name is not clear about it, as ``dma-20C.csv``.
     OSError
         If the file cannot be read.
 
@@ -208,6 +208,7 @@ def read_rheology(
     Sweeps in several files, at temperatures that only the user knows:
 
     >>> vr.rheology.read_rheology({"at0.csv": 273.15, "at20.csv": 293.15})  # doctest: +SKIP
+    >>> vr.rheology.read_rheology("dma_*C.csv")  # doctest: +SKIP
 
     >>> import viscoroll as vr
     >>> path = vr.rheology.example_data("pressure_sensitive_adhesive.txt")
@@ -215,7 +216,8 @@ def read_rheology(
     RheologyData of pressure_sensitive_adhesive.txt: 339 points in 20 sweeps at 233.15 to 423.14 K (-40 to 150 °C),
     0.6283 to 125.7 rad/s, moduli of shear; 1 points dropped
     """
-    if isinstance(path, Mapping):
+    files = file_set(path)
+    if isinstance(files, dict):
         read_one = partial(
             read_rheology,
             columns=columns,
@@ -224,25 +226,17 @@ def read_rheology(
             frequency=frequency,
             step=step,
         )
-        return _combined([_at(read_one(one), kelvin) for one, kelvin in path.items()])
-    path = Path(path)
+        return _combined(list(read_files(files, read_one, _at, _lacks_temperature)))
+    path = files
     names = named_columns(columns, SWEEP_ROLES)
-    nu = as_float("poisson_ratio", poisson_ratio)
-    if not -1.0 < nu <= 0.5:
-        raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{nu!r}")
-    if tensile is not None and not isinstance(tensile, bool):
-        raise InvalidType("tensile", "must be True, False or None", shown(tensile))
+    nu = checked_conversion(tensile, poisson_ratio)
     held = None if frequency is None else as_float("frequency", frequency)
     if held is not None and not 0.0 < held < math.inf:
         raise InvalidInput("frequency", "must be > 0 rad/s and finite", repr(held))
-    text = read_text(path)
-    try:
-        found = find_tables(text, names)
-    except ValueError as error:
-        raise in_file(error, path) from None
+    found = tables_of(path, names)
     tables = _chosen(found, step, path)
     if not tables:
-        raise ValueError(_nothing_found(path, text, names, found))
+        raise ValueError(_nothing_found(path, names, found))
     kind = tables[0].kind
     knows_frequency = any("frequency" in table.columns or table.held_frequency for table in tables)
     if held is not None and knows_frequency:
@@ -264,9 +258,7 @@ def read_rheology(
         raise ValueError(f"{path}: must have points with moduli > 0, got none among {dropped}")
     isotherms.sort(key=lambda isotherm: (isotherm.temperature, isotherm.frequency[0]))
     remarks = [table.remark for table in tables if table.remark]
-    if len(tables) < len(found):
-        chosen = [str(number) for number, table in enumerate(found, 1) if any(table is one for one in tables)]
-        remarks.append(f"data sets of the file: {listed(found)}; read: {', '.join(chosen)}")
+    remarks += unread_tables(found, tables)
     return RheologyData(
         isotherms=_merged(isotherms),
         source=path.name,
@@ -277,23 +269,23 @@ def read_rheology(
     )
 
 
-def _at(data: RheologyData, temperature: float | None) -> RheologyData:
-    """Return a sweep at the temperature that the user gives for its file."""
-    if temperature is None:
-        return data
+def _lacks_temperature(data: RheologyData) -> bool:
+    return any(math.isnan(sweep.temperature) for sweep in data.isotherms)
+
+
+def _at(data: RheologyData, temperature: float, remarks: tuple[str, ...]) -> RheologyData:
+    """Return a sweep at the temperature of its file."""
     kelvin = as_kelvin("temperature", temperature)
     (first, *others) = data.isotherms
     if others or not (math.isnan(first.temperature) or abs(first.temperature - kelvin) <= _WIDEST_SWEEP):
         low, high = first.temperature, data.isotherms[-1].temperature
         got = f"{kelvin_text(kelvin)} for {len(others) + 1} sweeps at {kelvin_range(low, high)}"
         raise InvalidInput("temperature", f"must be that of the sweep in {data.source}", got)
-    return replace(data, isotherms=(replace(first, temperature=kelvin),))
+    return replace(data, isotherms=(replace(first, temperature=kelvin),), remarks=data.remarks + remarks)
 
 
 def _combined(parts: list[RheologyData]) -> RheologyData:
     """Return the sweeps of several files as those of one."""
-    if not parts:
-        raise InvalidInput("path", "must contain a file", "none")
     if len({part.is_tensile for part in parts}) > 1:
         kinds = ", ".join(f"{part.source}: {'tension' if part.is_tensile else 'shear'}" for part in parts)
         raise InvalidInput("path", "must contain moduli of tension in all files or of shear in all files", kinds)
@@ -309,9 +301,7 @@ def _combined(parts: list[RheologyData]) -> RheologyData:
 def _chosen(found: Sequence[Table], step: int | None, path: Path) -> list[Table]:
     """Return the data sets to be read: the one with a number, or all frequency sweeps, or else all ramps."""
     if step is not None:
-        if not 1 <= as_int("step", step) <= len(found):
-            raise InvalidInput("step", f"must be in [1, {len(found)}]", shown(step))
-        table = found[step - 1]
+        table = numbered(found, step)
         if table.kind not in (SWEEP, RAMP):
             raise InvalidInput("step", f"must be a frequency sweep or a temperature ramp of {path}", listed(found))
         return [table]
@@ -346,31 +336,7 @@ def _are_columns(first: Isotherm, second: Isotherm) -> bool:
     return second.frequency.size == 1 and not (first.frequency == second.frequency[0]).any()
 
 
-def named_columns(columns: Columns | None, roles: Sequence[str]) -> dict[str, tuple[str, str | None]]:
-    """Return names and units of the columns that the caller specifies, after a check of their roles.
-
-    Raises
-    ------
-    ValueError, TypeError
-        If a role is unknown, or a value is neither a name nor a pair of name and unit.
-    """
-    names: dict[str, tuple[str, str | None]] = {}
-    for role, value in (columns or {}).items():
-        if role not in roles:
-            raise InvalidInput("columns", f"must have keys from {', '.join(roles)}", repr(role))
-        pair = (value, None) if isinstance(value, str) else value
-        if (
-            not isinstance(pair, tuple | list)
-            or len(pair) != 2
-            or not isinstance(pair[0], str)
-            or not isinstance(pair[1], str | None)
-        ):
-            raise InvalidType(f"columns[{role!r}]", "must be a name, or a name and a unit", shown(value))
-        names[role] = (pair[0], pair[1])
-    return names
-
-
-def _nothing_found(path: Path, text: str, names: Names, found: Sequence[Table]) -> str:
+def _nothing_found(path: Path, names: Names, found: Sequence[Table]) -> str:
     if found:
         readers = {
             "read_strain_sweep reads amplitude sweeps": {AMPLITUDE},
@@ -379,6 +345,7 @@ def _nothing_found(path: Path, text: str, names: Names, found: Sequence[Table]) 
         kinds = {one.kind for one in found}
         other = "".join(f"; {text}" for text, readable in readers.items() if kinds & readable)
         return f"{path}: must contain a frequency sweep or a temperature ramp, got {listed(found)}{other}"
+    text = read_text(path)
     header = closest_header(text, names)
     lines = [line for line in text.splitlines() if line.strip()]
     got = f"the names {', '.join(map(repr, header))}" if len(header) > 1 else shown((lines or [""])[0][:80])

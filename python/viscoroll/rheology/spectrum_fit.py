@@ -18,14 +18,15 @@ from .._support.errors import InvalidInput, InvalidType
 from .._support.extras import extra
 from .._support.text import shown
 from ..materials import Draws, MasterCurve, Prony
-from ..materials.series import time_grid
+from ..materials.series import FLOOR, MARGIN, time_grid
 from ..materials.shift import Shift, shift_factor
-from .alignment import curve_shift
+from .alignment import FREQUENCY_RATIO, curve_shift
 from .bootstrap import modulus_band, wild_copies
 from .checks import Check, scatter_check
 from .joint_points import Points, Spectrum, fit_points, points_of, predicted
 from .reading import Isotherm, RheologyData
 from .shift_laws import ShiftFactors, ShiftLaw, fit_arrhenius, fit_wlf
+from .tabulated import ENTRIES_PER_DECADE
 from .time_tests import TimeData, TimeTest
 
 if TYPE_CHECKING:
@@ -40,21 +41,11 @@ __all__ = ["SpectrumFit", "fit_spectrum"]
 
 _LN10 = math.log(10.0)
 
-#: Relaxation times per decade, decades by which they extend beyond the data, and number of shifted grids of times, of
-#: which the best is used, as in `prony_fit`.
-_PER_DECADE, _MARGIN, _GRIDS = 3.0, 0.5, 4
-
-#: Smallest relaxed modulus, relative to the lowest measured modulus other than a loss modulus.
-_FLOOR = 1e-2
-
-#: Entries per decade of the table of a fit.
-_ENTRIES_PER_DECADE = 10
+#: Relaxation times per decade, and number of shifted grids of times, of which the best is used.
+_PER_DECADE, _GRIDS = 3.0, 4
 
 #: Temperatures closer than this belong to one shift factor [K].
 _SAME_TEMPERATURE = 1.0
-
-#: Ratio of frequencies in a difference quotient.
-_RATIO = 1.001
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -109,7 +100,7 @@ class SpectrumFit:
         The first entry, at frequency 0, is the relaxed modulus.
         """
         low, high = self.range
-        omega = np.geomspace(low, high, max(2, math.ceil(_ENTRIES_PER_DECADE * math.log10(high / low)) + 1))
+        omega = np.geomspace(low, high, max(2, math.ceil(ENTRIES_PER_DECADE * math.log10(high / low)) + 1))
         modulus = self.series.complex_modulus(omega)
         return MasterCurve(
             np.concatenate([[0.0], omega]),
@@ -289,7 +280,7 @@ def fit_spectrum(
     temperatures, indices = _temperatures_of(tests)
     points = points_of(tests, indices)
     lowest = float(points.modulus[points.quantity != "loss"].min())
-    floor = _FLOOR * lowest if relaxed_floor is None else as_float("relaxed_floor", relaxed_floor)
+    floor = FLOOR * lowest if relaxed_floor is None else as_float("relaxed_floor", relaxed_floor)
     if not 0.0 < floor <= lowest:
         rule = f"must be in (0, {lowest:.4g}] Pa, at most the lowest modulus other than a loss modulus"
         raise InvalidInput("relaxed_floor", rule, f"{floor:.4g} Pa")
@@ -384,12 +375,12 @@ def _fitted(
 ) -> SpectrumFit:
     """Return the fit of points, in which the shifts are fitted too unless they are given."""
     covariance = None
-    margin = _MARGIN if is_shift_given else 2.0 * _MARGIN  # for changes of the shifts
+    margin = MARGIN if is_shift_given else 2.0 * MARGIN  # for changes of the shifts
     times = time_grid(points.shifted(shifts), _PER_DECADE, margin=margin)
     if not is_shift_given:
         shifts, covariance = _aligned(points, times, anchor, shifts, floor)
     reduced = points.shifted(shifts)
-    times = time_grid(reduced, _PER_DECADE, margin=_MARGIN)
+    times = time_grid(reduced, _PER_DECADE, margin=MARGIN)
     grids = (times * 10.0 ** (grid / (_GRIDS * _PER_DECADE)) for grid in range(_GRIDS))
     spectrum = min((fit_points(points, reduced, grid, floor=floor) for grid in grids), key=lambda fit: fit.scatter)
     factors = None
@@ -462,8 +453,8 @@ def _aligned(points: Points, times: Floats, anchor: int, start: Floats, floor: f
 def _shift_columns(points: Points, spectrum: Spectrum, shifts: Floats, anchor: int) -> Floats:
     """Return the derivative of the logarithm of all moduli by ln a_T of each temperature except the anchor."""
     frequency = points.shifted(shifts)
-    low, _ = predicted(points, frequency / _RATIO, spectrum.times, spectrum.relaxed, spectrum.terms)
-    high, _ = predicted(points, frequency * _RATIO, spectrum.times, spectrum.relaxed, spectrum.terms)
-    slope = np.log(high / low) / (2.0 * math.log(_RATIO))
+    low, _ = predicted(points, frequency / FREQUENCY_RATIO, spectrum.times, spectrum.relaxed, spectrum.terms)
+    high, _ = predicted(points, frequency * FREQUENCY_RATIO, spectrum.times, spectrum.relaxed, spectrum.terms)
+    slope = np.log(high / low) / (2.0 * math.log(FREQUENCY_RATIO))
     others = np.delete(np.arange(shifts.size), anchor)
     return np.where(points.temperature[:, None] == others, slope[:, None], 0.0)

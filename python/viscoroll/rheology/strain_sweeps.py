@@ -6,16 +6,15 @@ from pathlib import Path
 
 import numpy as np
 
-from .._support.arguments import as_float, as_int, as_member
+from .._support.arguments import as_int, as_member
 from .._support.errors import InvalidInput, in_file
 from .._support.text import shown
 from ..materials import StrainSweep
 from ..materials.modulus_like import ShearModulusLike
 from ..materials.strain_sweep import StrainKind
-from .formats import read_text
-from .reading import Columns, moduli_are_tensile, moduli_of, named_columns
+from .reader_arguments import Columns, checked_conversion, named_columns, tables_of
+from .reading import moduli_are_tensile, moduli_of
 from .tables import AMPLITUDE, Table
-from .text import find_tables
 
 __all__ = ["read_strain_sweep"]
 
@@ -65,13 +64,8 @@ def read_strain_sweep(
         If the file cannot be read.
     """
     path = Path(path)
-    nu = as_float("poisson_ratio", poisson_ratio)
-    if not -1.0 < nu <= 0.5:
-        raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{nu!r}")
-    try:
-        found = find_tables(read_text(path), named_columns(columns, _ROLES))
-    except ValueError as error:
-        raise in_file(error, path) from None
+    nu = checked_conversion(tensile, poisson_ratio)
+    found = tables_of(path, named_columns(columns, _ROLES))
     tables = [table for table in found if "strain" in table.columns and table.columns.keys() & {"storage", "complex"}]
     if amplitude := [table for table in tables if table.kind == AMPLITUDE]:
         tables = amplitude

@@ -14,7 +14,7 @@ from .._support.celsius import kelvin_text
 from .._support.plotting import plots
 from ..materials import Draws, MasterCurve, Prony
 from ..materials.series import basis
-from .alignment import align
+from .alignment import FREQUENCY_RATIO, align
 from .bootstrap import wild_copies
 from .prony_fit import PronyFit, fit_prony
 from .reading import RheologyData
@@ -33,9 +33,6 @@ _ADEQUATE_RESIDUAL = 0.01
 
 #: Largest number of undetermined steps that are printed.
 _MAX_LISTED = 4
-
-#: Ratio of frequencies in a difference quotient.
-_FREQUENCY_RATIO = 1.001
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -192,7 +189,7 @@ class Superposition:
         expected = _parts_of(series.complex_modulus(frequency))
         columns = [basis(frequency, np.asarray(series.relaxation_times)) / expected[:, None]]
         if self.covariance is not None:
-            slope = np.log(_parts_of(series.complex_modulus(frequency * _FREQUENCY_RATIO)) / expected)
+            slope = np.log(_parts_of(series.complex_modulus(frequency * FREQUENCY_RATIO)) / expected)
             columns += [
                 np.tile(sweep_index == i, 2)[:, None] * slope[:, None] for i in range(len(sweeps)) if i != self.anchor
             ]

@@ -8,10 +8,10 @@ from .._core import Extrapolation
 from .._support.arguments import Floats
 from ..materials import MasterCurve
 
-__all__ = ["tabulated"]
+__all__ = ["ENTRIES_PER_DECADE", "tabulated"]
 
-#: Entries per decade. Neighboring points of several isotherms are averaged.
-_ENTRIES_PER_DECADE = 10
+#: Entries of a table per decade. Neighboring points of several isotherms are averaged.
+ENTRIES_PER_DECADE = 10
 
 
 def tabulated(frequency: Floats, storage: Floats, loss: Floats, *, relaxed: float | None = None) -> MasterCurve:
@@ -19,7 +19,7 @@ def tabulated(frequency: Floats, storage: Floats, loss: Floats, *, relaxed: floa
 
     If a relaxed modulus [Pa] is given, the table begins with an entry at frequency 0.
     """
-    cells = np.floor(np.log10(frequency) * _ENTRIES_PER_DECADE).astype(np.int64)
+    cells = np.floor(np.log10(frequency) * ENTRIES_PER_DECADE).astype(np.int64)
     _, cells = np.unique(cells, return_inverse=True)
     count = np.bincount(cells)
     means = [np.exp(np.bincount(cells, np.log(values)) / count) for values in (frequency, storage, loss)]

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float, as_int, as_kelvin
+from .._support.arguments import Floats, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
-from .._support.errors import InvalidInput, InvalidType, in_file
+from .._support.errors import InvalidInput, in_file
 from .._support.text import shown
-from .formats import read_text
-from .reading import SWEEP_ROLES, Columns, named_columns
+from .file_sets import Files, file_set, read_files
+from .reader_arguments import Columns, checked_conversion, named_columns, numbered, tables_of, unread_tables
+from .reading import SWEEP_ROLES
 from .tables import CREEP, RAMP, RELAXATION, SWEEP, Table, listed
-from .text import find_tables
 
 __all__ = ["TIME_ROLES", "TimeData", "TimeTest", "contains_time_tests", "read_time_tests"]
 
@@ -117,7 +117,7 @@ class TimeData:
 
 
 def read_time_tests(
-    path: str | Path | Mapping[str | Path, float | None],
+    path: Files,
     *,
     columns: Columns | None = None,
     tensile: bool | None = None,
@@ -132,7 +132,7 @@ def read_time_tests(
     Parameters
     ----------
     path : path-like, or mapping of path-like to float
-        Path of the file; or several files with the temperature of each [K], which is None if the file contains it.
+        Path of the file, several files with temperatures [K], or a path with wildcards, as in `read_rheology`.
     columns : mapping of str to str or (str, str), optional
         Name of the column, or name and unit, for "time", "relaxation", "compliance", "stress", "strain" or
         "temperature". Required only if a name is unknown or a unit is missing. Units are ms, s, min, h, d; Pa to GPa;
@@ -161,23 +161,14 @@ def read_time_tests(
     -----
     The time counts from an instantaneous step. A real step takes a rise time: omit times below ten times the rise time.
     """
-    if isinstance(path, Mapping):
-        parts = [
-            _at(read_time_tests(one, columns=columns, tensile=tensile, poisson_ratio=poisson_ratio, step=step), kelvin)
-            for one, kelvin in path.items()
-        ]
-        return _combined(parts)
-    path = Path(path)
+    files = file_set(path)
+    if isinstance(files, dict):
+        read_one = partial(read_time_tests, columns=columns, tensile=tensile, poisson_ratio=poisson_ratio, step=step)
+        return _combined(list(read_files(files, read_one, _at, _lacks_temperature)))
+    path = files
     names = named_columns(columns, TIME_ROLES)
-    nu = as_float("poisson_ratio", poisson_ratio)
-    if not -1.0 < nu <= 0.5:
-        raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{nu!r}")
-    if tensile is not None and not isinstance(tensile, bool):
-        raise InvalidType("tensile", "must be True, False or None", shown(tensile))
-    try:
-        found = find_tables(read_text(path), names)
-    except ValueError as error:
-        raise in_file(error, path) from None
+    nu = checked_conversion(tensile, poisson_ratio)
+    found = tables_of(path, names)
     tables = _chosen(found, step, path)
     is_tensile = _are_tensile(path, tables) if tensile is None else tensile
     divisor = 2.0 * (1.0 + nu) if is_tensile else 1.0
@@ -192,17 +183,13 @@ def read_time_tests(
             f"{path}: {tables[0].kind} must have at least 3 points with time and {value} > 0, "
             f"got none: all {dropped} points were dropped because time or {value} is missing or not positive"
         )
-    remarks = []
-    if len(tables) < len(found):
-        chosen = [str(number) for number, table in enumerate(found, 1) if any(table is one for one in tables)]
-        remarks.append(f"data sets of the file: {listed(found)}; read: {', '.join(chosen)}")
     return TimeData(
         tests=_sorted(tests),
         source=path.name,
         is_tensile=is_tensile,
         poisson_ratio=nu,
         dropped=dropped,
-        remarks=tuple(remarks),
+        remarks=tuple(unread_tables(found, tables)),
     )
 
 
@@ -212,10 +199,7 @@ def contains_time_tests(path: str | Path, *, columns: Columns | None = None, ste
     Errors are the same as in `read_time_tests`, but any file without a table is one without tests.
     """
     names = named_columns(columns, (*TIME_ROLES, *SWEEP_ROLES))
-    try:
-        kinds = [table.kind for table in find_tables(read_text(Path(path)), names)]
-    except ValueError as error:
-        raise in_file(error, Path(path)) from None
+    kinds = [table.kind for table in tables_of(Path(path), names)]
     if step is not None:
         kinds = kinds[step - 1 : step]
     return not {SWEEP, RAMP} & set(kinds) and bool({CREEP, RELAXATION} & set(kinds))
@@ -227,9 +211,7 @@ def _sorted(tests: list[TimeTest]) -> tuple[TimeTest, ...]:
 
 def _chosen(found: list[Table], step: int | None, path: Path) -> list[Table]:
     """Return the data sets to be read: the one with a number, or all relaxation and creep tests."""
-    if step is not None and not 1 <= as_int("step", step) <= len(found):
-        raise InvalidInput("step", f"must be in [1, {len(found)}]", shown(step))
-    chosen = found if step is None else [found[step - 1]]
+    chosen = found if step is None else [numbered(found, step)]
     tables = [table for table in chosen if table.kind in (CREEP, RELAXATION)]
     if not tables:
         other = f"got {listed(chosen)}; read_rheology reads sweeps" if chosen else "got no table that is understood"
@@ -320,22 +302,23 @@ def _parts(time: Floats, rows: np.ndarray) -> list[np.ndarray]:
     return [part for part in np.split(rows, starts) if part.size]
 
 
-def _at(data: TimeData, temperature: float | None) -> TimeData:
-    """Return tests at the temperature that the user gives for their file."""
-    if temperature is None:
-        return data
+def _lacks_temperature(data: TimeData) -> bool:
+    return any(math.isnan(test.temperature) for test in data.tests)
+
+
+def _at(data: TimeData, temperature: float, remarks: tuple[str, ...]) -> TimeData:
+    """Return tests at the temperature of their file."""
     kelvin = as_kelvin("temperature", temperature)
     for test in data.tests:
         if abs(test.temperature - kelvin) > _WIDEST_TEST:
             got = f"{kelvin_text(kelvin)} for a test at {kelvin_text(test.temperature)}"
             raise InvalidInput("temperature", f"must be that of the tests in {data.source}", got)
-    return replace(data, tests=tuple(replace(test, temperature=kelvin) for test in data.tests))
+    tests = tuple(replace(test, temperature=kelvin) for test in data.tests)
+    return replace(data, tests=tests, remarks=data.remarks + remarks)
 
 
 def _combined(parts: list[TimeData]) -> TimeData:
     """Return the tests of several files as those of one."""
-    if not parts:
-        raise InvalidInput("path", "must contain a file", "none")
     return replace(
         parts[0],
         tests=_sorted([test for part in parts for test in part.tests]),

@@ -56,7 +56,8 @@ def roll(
     """Compute transient rolling along a motion that is linear in time between waypoints.
 
     The motion may contain starts, stops, rests, reversals, jumps and changes of load.
-    The call releases the GIL and stops on Ctrl-C.
+    The call releases the GIL and stops on Ctrl-C. Torques and forces are those of linear theory. In steady rolling,
+    the ratio of `Result.finite_strain_torque` to `Result.resisting_torque` is the correction for finite strain.
 
     Parameters
     ----------

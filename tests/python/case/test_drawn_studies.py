@@ -92,7 +92,8 @@ def test_draws_of_a_file(folder):
 def test_the_command_line_saves_draws_of_one_curve(folder):
     folder, _ = folder
     omega = np.geomspace(0.1, 100.0, 16)
-    rows = "".join(f"{w},{1e6 * w**0.1},{1e5 * w**0.1}\n" for w in omega)
+    modulus = 1e6 * (1j * omega) ** 0.1
+    rows = "".join(f"{w},{value.real},{value.imag}\n" for w, value in zip(omega, modulus, strict=True))
     (folder / "data.csv").write_text(f"frequency,storage modulus,loss modulus\nrad/s,Pa,Pa\n{rows}")
     ended = command("material", "data.csv", "--shear", "--draws", 3, "--save", "one.toml", cwd=folder)
     assert ended.returncode == 0, ended.stderr

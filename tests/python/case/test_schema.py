@@ -126,7 +126,7 @@ WRONG = [
     ("ball.layers", 3),
     (f"{LAYER}.thickness", None),
     (f"{LAYER}.thickness", 0.0),
-    (f"{LAYER}.thickness", "1 mm"),
+    (f"{LAYER}.thickness", "thin"),
     (f"{LAYER}.density", -1.0),
     (f"{LAYER}.density", [1.0]),
     (f"{LAYER}.thicknes", 1e-3),
@@ -173,6 +173,6 @@ def test_wrong_files_are_rejected_at_the_same_place(path, value):
     else:
         case = changed(place, value)
     with pytest.raises(vr.InvalidInput) as raised:
-        checked(motion._File, case) if path.startswith("motion") else build_case(case, None)
+        checked(motion.MotionFile, case) if path.startswith("motion") else build_case(case, None)
     assert raised.value.parameter == path
     assert path in {place for error in VALIDATOR.iter_errors(case) for place in places(error)}

@@ -96,6 +96,42 @@ def test_solve_prints_json_and_writes_files(case_file, tmp_path):
     assert (tmp_path / "fields.csv").read_text().startswith("x [m],z [m],pressure [Pa]")
 
 
+def roller_file(folder, *, friction=0.0):
+    """Write the case of a roller at 2 % strain."""
+    path = folder / "roller.toml"
+    text = "[cylinder]\ncore_radius = 40e-3\n[[cylinder.layers]]\nthickness = 10e-3\npoisson_ratio = 0.5\n"
+    text += 'shear_modulus = {type = "standard_linear_solid", instantaneous_modulus = 2e6, relaxed_modulus = 1e6, '
+    text += f"relaxation_time = 0.01}}\n[rolling]\npenetration = 2e-4\nangular_speed = 9.0\nfriction = {friction}\n"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_finite_strain_is_solved_beside_linear_theory(tmp_path):
+    path = roller_file(tmp_path)
+    done = command("solve", path, "--finite-strain", "--json")
+    assert done.returncode == 0, done.stderr
+    scalars = json.loads(done.stdout)
+    found = scalars["finite_strain"]
+    assert found["penetration"] == pytest.approx(2e-4, rel=1e-12)
+    for name in ("load", "contact_length", "max_pressure"):
+        assert found[name] == pytest.approx(scalars[name], rel=0.03)
+    assert found["resisting_torque"] == pytest.approx(
+        scalars["finite_strain_torque"], rel=scalars["finite_strain_torque_error"]
+    )
+    assert found["overspeed"] == pytest.approx(scalars["overspeed"], rel=0.1)
+
+
+def test_finite_strain_requires_a_roller_without_friction(case_file, tmp_path):
+    assert_rejected(
+        command("solve", roller_file(tmp_path, friction=0.3), "--finite-strain"),
+        "rolling.friction must be 0 with --finite-strain, got 0.3",
+    )
+    assert_rejected(
+        command("solve", case_file(accuracy="0.1"), "--finite-strain"),
+        "rolling at finite strain of a ball is not implemented",
+    )
+
+
 def test_demo_compares_with_the_paper(tmp_path):
     done = command("demo", "--plot", tmp_path / "demo.png")
     assert done.returncode == 0, done.stderr

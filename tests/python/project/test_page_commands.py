@@ -11,6 +11,7 @@ import re
 import shlex
 from pathlib import Path
 
+import numpy as np
 import pytest
 import viscoroll as vr
 from shared_cases import command
@@ -67,6 +68,27 @@ def write_files_of_readers(folder: Path) -> None:
     ]
     (folder / "dma.csv").write_text("T,w,G',G''\nK,rad/s,Pa,Pa\n" + "\n".join(rows), encoding="utf-8")
     (folder / "case.toml").write_text(example_text(), encoding="utf-8")
+    for sweep in vr.rheology.read_rheology(source, tensile=False).between(273.15, 313.15).isotherms:
+        lines = ["w,G',G''", "rad/s,Pa,Pa"]
+        lines += [f"{w},{a},{b}" for w, a, b in zip(sweep.frequency, sweep.storage, sweep.loss, strict=True)]
+        name = f"dma_{sweep.temperature - 273.15:.0f}C.csv"
+        (folder / name).write_text("\n".join(lines), encoding="utf-8")
+    write_time_tests(folder)
+
+
+def write_time_tests(folder: Path) -> None:
+    """Write relaxation tests at 20 and 60 °C and a frequency sweep at 20 °C of a material, 10 times faster at 60 °C."""
+    tau = np.logspace(-3.0, 3.0, 13)
+    for name, times in (("relaxation20.csv", tau), ("relaxation60.csv", 0.1 * tau)):
+        t = np.logspace(-1.0, 3.0, 40)
+        modulus = 1e5 + 2e4 * np.exp(-t[:, None] / times).sum(axis=1)
+        rows = [f"{time},{value}" for time, value in zip(t, modulus, strict=True)]
+        (folder / name).write_text("time,G(t)\ns,Pa\n" + "\n".join(rows), encoding="utf-8")
+    omega = np.logspace(-1.0, 2.0, 30)
+    terms = 1j * omega[:, None] * tau
+    moduli = 1e5 + 2e4 * (terms / (1.0 + terms)).sum(axis=1)
+    rows = [f"{w}\t20\t{g.real}\t{g.imag}" for w, g in zip(omega, moduli, strict=True)]
+    (folder / "sweeps.txt").write_text("w\tT\tG'\tG''\nrad/s\t°C\tPa\tPa\n" + "\n".join(rows), encoding="utf-8")
 
 
 def write_deck_of(page: Path, folder: Path) -> None:

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import viscoroll as vr
+from shared_cases import command
 
 RUBBER = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
 
@@ -48,3 +49,19 @@ def test_limits_of_a_smooth_curve():
         check = vr.rheology.check_modulus(SimpleNamespace(frequency=omega, storage=storage, loss=modulus.imag))[2]
         assert check.passed is passes
         assert check.limit == pytest.approx(0.02)
+
+
+def test_the_command_saves_inconsistent_sweeps_only_if_they_are_accepted(tmp_path):
+    """The storage modulus decreases with frequency, which no passive solid can do."""
+    path, saved = tmp_path / "sweep.csv", tmp_path / "rubber.toml"
+    rows = "".join(f"{w!r},{1e6 * w**-0.1!r},1e5\n" for w in np.logspace(-1, 2, 31).tolist())
+    path.write_text(f"f [rad/s],G' [Pa],G'' [Pa]\n{rows}")
+    done = command("material", path, "--save", saved)
+    assert done.returncode == 2
+    assert "monotonicity: INCONSISTENT" in done.stdout
+    message = " ".join(done.stderr.split())
+    assert "sweep.csv: must be consistent with one passive material, got residual of the best causal series" in message
+    assert "give --accept to use the data anyway" in message
+    assert not saved.exists()
+    assert command("material", path, "--save", saved, "--accept").returncode == 0
+    assert isinstance(vr.rheology.load_material(saved), vr.MasterCurve)

@@ -78,7 +78,7 @@ def test_options_of_histories_are_the_same_everywhere():
         assert "options" not in function.__doc__
     numerics = motion.Numerics().arguments()
     tables = {"ground", "tread", "axle"}
-    assert tables <= motion._File.model_fields.keys()
+    assert tables <= motion.MotionFile.model_fields.keys()
     in_files = set(motion.Motion.model_fields) | {"drive", *numerics, *tables}
     assert options.keys() - in_files == {"threads"}
     assert numerics == {name: options[name] for name in numerics}

@@ -211,7 +211,7 @@ export function stateOf(tables) {
   if (rolling.penetration !== undefined) {
     Object.assign(state, { pressed: "penetration", penetration: mm(rolling.penetration) });
   }
-  state.speed = [rolling.angular_speed ?? 2.5, "rad/s"];
+  state.speed = rolling.speed === undefined ? [rolling.angular_speed ?? 2.5, "rad/s"] : [rolling.speed, "m/s"];
   state.friction = rolling.friction ?? 0;
   Object.assign(state, driveZeros(line));
   if (state.friction > 0) readDrive(state, rolling.drive, left);

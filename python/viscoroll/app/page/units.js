@@ -1,27 +1,8 @@
 /** Units for input and display, and conversion to SI units. */
 
-const TURN = 2 * Math.PI;
+import { ALIASES, CENTER_SPEEDS, OFFSETS, UNITS } from "./unit_table.js";
 
-/** SI values of the units, by quantity; the first unit is the default. For speeds (null), see `factor`. */
-export const UNITS = {
-  length: { mm: 1e-3, cm: 1e-2, m: 1, in: 0.0254 },
-  modulus: { MPa: 1e6, kPa: 1e3, GPa: 1e9, Pa: 1, psi: 6894.757293168 },
-  force: { N: 1, kN: 1e3, kgf: 9.80665, lbf: 4.4482216152605 },
-  line_force: { "N/mm": 1e3, "N/m": 1, "kN/m": 1e3, "lbf/in": 175.12683524647636 },
-  torque: { "N m": 1, "mN m": 1e-3, "lbf in": 0.1129848290276167 },
-  line_torque: { "N m/m": 1, "N mm/mm": 1 },
-  power: { W: 1, kW: 1e3, mW: 1e-3, hp: 745.69987158227022 },
-  line_power: { "W/m": 1, "kW/m": 1e3 },
-  speed: { "km/h": null, "m/s": null, mph: null, rpm: TURN / 60, "rad/s": 1 },
-  time: { s: 1, ms: 1e-3, µs: 1e-6 },
-  frequency: { "rad/s": 1, Hz: TURN },
-  density: { "kg/m³": 1, "g/cm³": 1e3 },
-  temperature: { "°C": 1, K: 1 },
-  percent: { "%": 1e-2 },
-};
-
-/** SI value of 0 in a unit, for units whose zero is not that of the SI unit. */
-const OFFSETS = { "°C": 273.15 };
+export { UNITS };
 
 /** SI unit of each quantity, as in messages of the solver; empty if it has none. */
 export const SI = Object.fromEntries(
@@ -31,31 +12,12 @@ export const SI = Object.fromEntries(
   ]),
 );
 
-/** Other spellings of units that users may type. */
-const ALIASES = {
-  kg: "kgf",
-  lb: "lbf",
-  inch: "in",
-  '"': "in",
-  nm: "N m",
-  mnm: "mN m",
-  "kg/m3": "kg/m³",
-  "g/cm3": "g/cm³",
-  us: "µs",
-  kmh: "km/h",
-  kph: "km/h",
-  c: "°C",
-};
-
 /** The unit of a quantity that a text names, regardless of case; undefined if there is none. */
 export function unitNamed(text, quantity) {
   const name = text.toLowerCase();
   const wanted = (ALIASES[name] ?? name).toLowerCase();
   return Object.keys(UNITS[quantity]).find((unit) => unit.toLowerCase() === wanted);
 }
-
-/** SI values [m/s] of the units for the speed of the center, which is the angular speed times the outer radius. */
-const CENTER_SPEEDS = { "km/h": 1 / 3.6, "m/s": 1, mph: 0.44704 };
 
 /**
  * SI value of a number with a unit, without round-off in the last digits: 3 mm are 0.003 m.

@@ -1,0 +1,142 @@
+"""Tables of results that the command line prints besides the scalars of `viscoroll.Result`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, cast
+
+from .. import paper
+from .._support.errors import InvalidInput
+from .._support.extras import extra
+from .._support.tables import handy
+from ..solution.scalars import SCALARS
+from ..solution.text import with_unit
+from ..thermal.temperature import QUANTITIES
+
+with extra("cli"):
+    from rich.markup import escape
+    from rich.table import Table
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from .._support.progress import Report
+    from ..bodies import CoatedCylinder
+    from ..coupled import SelfHeating
+    from ..reproduce import Verdict
+    from ..rolling import Result
+    from ..thermal import Temperature
+
+__all__ = [
+    "finite_strain_scalars",
+    "finite_strain_table",
+    "table_2",
+    "thermal_scalars",
+    "thermal_table",
+    "verdict_table",
+]
+
+#: Results that `--finite-strain` compares.
+_COMPARED = ("resisting_torque", "load", "penetration", "contact_length", "max_pressure", "overspeed")
+
+#: Unit, and value of the finite elements, of corrected linear theory and of linear theory, by name.
+FiniteStrainRows = dict[str, tuple[str, float, float | None, float | None]]
+
+
+def thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
+    """Return the reported scalars of every steady state, in SI units."""
+    scalars: list[dict[str, float | str]] = []
+    for number, found in enumerate(temperatures):
+        row: dict[str, float | str] = {name: getattr(found, name) for name in QUANTITIES}
+        if heated is not None:
+            state = heated.states[number]
+            row |= {
+                "mean_temperature": state.mean_temperature,
+                "resisting_torque": state.result.resisting_torque,
+                "stability": "stable" if state.stable else "unstable",
+            }
+        scalars.append(row)
+    return scalars
+
+
+def thermal_table(scalars: list[dict[str, float | str]]) -> Table:
+    """Return the table of the reported scalars, with a column for every steady state."""
+    quantities = QUANTITIES | {
+        "mean_temperature": ("K", "mean temperature of the layers"),
+        "resisting_torque": ("N m", "resisting torque T_r"),
+    }
+    title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
+    table = Table(title=title, title_justify="left", show_header=False)
+    for name, (unit, label) in quantities.items():
+        if name in scalars[0]:
+            texts, handy_unit = handy([float(row[name]) for row in scalars], unit)
+            table.add_row(escape(with_unit(label, handy_unit)), *texts)
+    if "stability" in scalars[0]:
+        table.add_row("steady state", *(str(row["stability"]) for row in scalars))
+    return table
+
+
+def verdict_table(verdicts: Mapping[str, Sequence[Verdict]]) -> Table:
+    """Return the table that compares the paper's statements with the results of this program."""
+    table = Table(title="Comparison with the paper", title_justify="left")
+    for head in ("item", "statement of the paper", "viscoroll", "verdict"):
+        table.add_column(head, overflow="fold")
+    for name, rows in verdicts.items():
+        for index, verdict in enumerate(rows):
+            color = {"agrees": "[green]", "disagrees": "[red]"}.get(verdict.judgment, "[yellow]")
+            judged = f"{color}{escape(verdict.judgment)}[/]"
+            cells = (name if index == 0 else "", escape(verdict.statement), escape(verdict.found), judged)
+            table.add_row(*cells, end_section=index == len(rows) - 1)
+    return table
+
+
+def table_2(torques: dict[tuple[int, int], float]) -> Table:
+    """Return table 2 of the paper, computed and printed, for numbers of nodes and orders as keys."""
+    orders = sorted({order for _, order in torques})
+    table = Table(title="Resisting torque T_r [mN m], computed and printed in table 2", title_justify="left")
+    table.add_column("spacing")
+    table.add_column("N_t")
+    for order in orders:
+        table.add_column(str(order), justify="right")
+    for nodes in sorted({nodes for nodes, _ in torques}):
+        for label, source in (("computed", torques), ("printed", paper.TABLE_2)):
+            cells = [f"{source[nodes, o] * 1e3:.2f}" if (nodes, o) in source else "N/A" for o in orders]
+            head = f"π/{nodes // 2}" if source is torques else ""
+            table.add_row(head, label, *cells, end_section=source is paper.TABLE_2)
+    return table
+
+
+def finite_strain_scalars(result: Result, *, progress: Report) -> FiniteStrainRows:
+    """Return unit and value of finite elements, corrected linear theory and linear theory for every compared quantity.
+
+    The finite elements have the bodies, the given load or penetration, and the angular speed at finite strain of the
+    result of linear theory.
+    """
+    from .. import finite_strain
+
+    if result.friction > 0.0:
+        raise InvalidInput("rolling.friction", "must be 0 with --finite-strain", f"{result.friction:g}")
+    found = finite_strain.solve(
+        cast("CoatedCylinder", result.body),  # finite_strain.solve rejects other bodies
+        on=result.on,
+        **{result.prescribed: getattr(result, result.prescribed)},
+        angular_speed=result.finite_strain_angular_speed or result.angular_speed,
+        progress=progress,
+    )
+    linear = {name: getattr(result, name) for name in _COMPARED if name != "overspeed"}
+    corrected = {"resisting_torque": result.finite_strain_torque, "overspeed": result.overspeed}
+    return {
+        name: (result.unit(name), getattr(found, name), corrected.get(name), linear.get(name)) for name in _COMPARED
+    }
+
+
+def finite_strain_table(rows: FiniteStrainRows) -> Table:
+    """Return the table of finite elements, corrected linear theory and linear theory side by side."""
+    table = Table(title="rolling at finite strain; corrected: linear theory with overspeed", title_justify="left")
+    for head in ("", "finite elements", "corrected", "linear theory"):
+        table.add_column(head)
+    for name, (unit, *values) in rows.items():
+        texts, handy_unit = handy(values, unit)
+        cells = ("" if value is None else text for value, text in zip(values, texts, strict=True))
+        label = SCALARS[name][1].partition(",")[0]
+        table.add_row(escape(with_unit(label, handy_unit)), *cells)
+    return table
