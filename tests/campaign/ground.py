@@ -116,7 +116,9 @@ def main() -> int:
         failed += bool(found)
         for fault in found:
             print(f"{case.name}: {fault} {options}", flush=True)
-    print(f"{done} cases: {failed} failed, {rejected} rejected, {unsolved} without convergence, slowest {slowest:.1f} s")
+    print(
+        f"{done} cases: {failed} failed, {rejected} rejected, {unsolved} without convergence, slowest {slowest:.1f} s"
+    )
     return int(failed > 0)
 
 

@@ -5,7 +5,16 @@ from __future__ import annotations
 __all__ = ["UNITS", "unit_in_contact"]
 
 #: Units in line contact of quantities that are per length there.
-_PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "J": "J/m", "kg": "kg/m", "m^2": "m"}
+_PER_LENGTH = {
+    "N m": "N",
+    "N": "N/m",
+    "N/m": "N/m^2",
+    "N s/m": "N s/m^2",
+    "W": "W/m",
+    "J": "J/m",
+    "kg": "kg/m",
+    "m^2": "m",
+}
 
 #: Units of parameters of this package. Moduli, bodies and drives add those of their parameters.
 UNITS = {
@@ -36,5 +45,5 @@ UNITS = {
 
 
 def unit_in_contact(unit: str, *, line_contact: bool) -> str:
-    """Return a unit in point or line contact; in line contact, forces, torques, powers and areas are per length."""
+    """Return a unit in point or line contact; in line contact, extensive quantities are per length."""
     return _PER_LENGTH.get(unit, unit) if line_contact else unit

@@ -412,7 +412,7 @@ def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iter
 _ALTERNATIVES = ("float", "list[float]")
 
 #: Tables with a key `type`. Pydantic adds its value to the location, after the name of the table.
-_TYPED = ("shear_modulus", "shift", "matrix", "network")
+_TYPED = ("shear_modulus", "shift", "matrix", "network", "ground", "tread")
 
 
 def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") -> InvalidInput:
