@@ -81,7 +81,10 @@ def test_the_commented_tables_are_valid():
 @pytest.mark.parametrize(
     ("tables", "message"),
     [
-        ({"ground": {"type": "pebble"}}, "ground.type must be one of points, file, step, half_sine, joint, corrugation"),
+        (
+            {"ground": {"type": "pebble"}},
+            "ground.type must be one of points, file, step, half_sine, joint, corrugation",
+        ),
         ({"ground": {"type": "step", "height": 1e-3}}, "ground.at must be given for the type step"),
         ({"ground": {"type": "step", "height": "1 kg", "at": 0.0}}, r"ground\.height must be a length \[m\]"),
         ({"ground": {"type": "half_sine", "height": 1e-3, "length": -1.0, "at": 0.0}}, r"ground\.length must be > 0 m"),
