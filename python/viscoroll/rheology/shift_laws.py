@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_floats, as_kelvin
+from .._support.arguments import Floats, as_float_in, as_floats, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
-from .._support.errors import InvalidInput, in_file
+from .._support.errors import InvalidInput, Range, in_file
 from .._support.extras import extra
 from .._support.files import write_text
 from .._support.least_squares import Parameter, with_intervals
@@ -62,8 +62,9 @@ class ShiftFactors:
                 f"got {len(self.temperature)} and {len(self.log10_factor)}"
             )
         for index, value in enumerate(self.temperature):
-            if not as_kelvin(f"temperature[{index}]", value) <= _HOTTEST:
-                raise InvalidInput(f"temperature[{index}]", f"must be <= {_HOTTEST:g} K", f"{value:g} K")
+            as_float_in(
+                Range(maximum=_HOTTEST, unit="K"), f"temperature[{index}]", as_kelvin(f"temperature[{index}]", value)
+            )
         for index, value in enumerate(self.log10_factor):
             if not abs(value) <= _MAX_DECADES:
                 allowed = f"[-{_MAX_DECADES:g}, {_MAX_DECADES:g}]"
