@@ -33,7 +33,7 @@ detail::ContactReach RollingHistory::Impl::prepare(const RollingBody& body, cons
     const double radius = given.body->radius();
     if (!(*axle_height < radius)) {
       reject("axle_height", "< r_o = " + text(radius) + " m at the first instant, so that the bodies touch",
-             text(*axle_height) + " m");
+             text(*axle_height) + " m", Range{.unit = "m", .maximum = radius, .excludes_maximum = true});
     }
     detail::PairAtSpeed at_speed;
     static_cast<detail::RollingPair&>(at_speed) = at_rest;
@@ -136,9 +136,12 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   detail::require_finite("time", to.time);
   detail::require_finite("angle", to.angle);
   const double farthest = detail::kMaxRows * pair->nodes.grid.phi_spacing;
-  if (std::abs(to.angle) > farthest) reject("angle", "in +-" + detail::rounded(farthest) + " rad", to.angle);
+  if (std::abs(to.angle) > farthest)
+    reject("angle", "in +-" + detail::rounded(farthest) + " rad", to.angle,
+           Range{.unit = "rad", .minimum = -farthest, .maximum = farthest});
   if (!(to.time >= current.time)) {
-    reject("time", ">= the current time, " + text(current.time) + " s", text(to.time) + " s");
+    reject("time", ">= the current time, " + text(current.time) + " s", text(to.time) + " s",
+           Range{.unit = "s", .minimum = current.time});
   }
   if (to.axle_height) {
     require_axle_height(pair->pair, *to.axle_height);

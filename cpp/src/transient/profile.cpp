@@ -25,7 +25,7 @@ void validate(const HeightProfile& profile, std::string_view path) {
     if (k > 0 && profile.distance[k] < profile.distance[k - 1]) {
       detail::reject(prefix + "distance" + index,
                      ">= distance[" + std::to_string(k - 1) + "] = " + detail::text(profile.distance[k - 1]) + " m",
-                     detail::text(profile.distance[k]) + " m");
+                     detail::text(profile.distance[k]) + " m", Range{.unit = "m", .minimum = profile.distance[k - 1]});
     }
   }
   if (!(profile.distance.back() > profile.distance.front())) {

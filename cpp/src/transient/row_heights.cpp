@@ -40,7 +40,7 @@ void require_fit(const HeightProfile& tread, double circumference) {
   }
   if (first >= 0.0 && last <= circumference * (1.0 + kRoundOff)) return;
   reject("tread.distance", "in [0, " + rounded(circumference) + "] m, the circumference",
-         text(first) + " to " + text(last) + " m");
+         text(first) + " to " + text(last) + " m", Range{.unit = "m", .minimum = 0.0, .maximum = circumference});
 }
 
 /// Number that identifies a profile: a hash of its bits, shortened to the precision of the numbers of a state.

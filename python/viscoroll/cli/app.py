@@ -27,9 +27,10 @@ from ..rolling import Result
 from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
 from ..solution.text import result_lines, result_title, result_warnings
-from .check import CHANGES
+from .check import CHANGES, check
 from .cite import print_citation
 from .commands import design, export, material, schema
+from .example import example
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 from .page import serve_page
 from .result_tables import (
@@ -445,6 +446,6 @@ def _print_result(result: Result) -> None:
     OUTPUT.print(table)
 
 
-for command in (material, export, design, schema):
+for command in (check, example, material, export, design, schema):
     app.command()(command)
 app.command("app")(serve_page)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _core
-from .._support.arguments import as_float, as_float_array, as_int, as_positive, require_callable
+from .._support.arguments import as_count, as_float, as_float_array, as_positive, require_callable
 from .._support.errors import InvalidInput
 from .._support.plotting import plots
 
@@ -165,9 +165,7 @@ class Profile:
             Whether the profile repeats with the period stop - start.
         """
         require_callable("function", function)
-        points = as_int("points", points)
-        if points < 2:
-            raise InvalidInput("points", "must be >= 2", f"{points}")
+        points = as_count("points", points, 2)
         distance = np.linspace(as_float("start", start), as_float("stop", stop), points)
         heights = np.broadcast_to(as_float_array("height", function(distance)), distance.shape)
         return cls(distance, heights, periodic)

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from .._support.arguments import Floats
+from .._support.arguments import Floats, as_float_in
 from .._support.columns import read_columns
-from .._support.errors import InvalidInput, in_file
+from .._support.errors import InvalidInput, Range, in_file
 from .._support.files import ending_in
 
 __all__ = ["read_profile"]
@@ -53,8 +53,7 @@ def _read_crg(path: Path, lateral: float) -> tuple[Floats, Floats]:
         raise
     except Exception as error:
         raise in_file(ValueError(f"must be an OpenCRG file: {error}"), path) from None
-    if not road.v_min <= lateral <= road.v_max:
-        raise InvalidInput("lateral", f"must be in [{road.v_min:g}, {road.v_max:g}] m", f"{lateral:g}")
+    as_float_in(Range(road.v_min, road.v_max, "m"), "lateral", lateral)
     distances = np.asarray(road.u, dtype=np.float64)
     heights = np.asarray(road.uv_to_z(distances, np.full_like(distances, lateral)), dtype=np.float64)
     return distances - distances[0], heights - heights[0]
