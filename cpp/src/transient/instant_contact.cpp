@@ -290,12 +290,10 @@ void set_extent(const ViscoelasticPair& pair, const InstantContact& instant, Rol
   now.penetration = instant.contact.penetration;
   const std::vector<Eigen::Index>& contact = instant.contact.nodes;
   if (!std::isnan(now.penetration)) {
-    double local = 0.0;  // height where the bodies touch
-    if (!contact.empty() && !pair.heights.are_smooth()) {
-      const ArrayXd rows = instant.place.heights.ground + instant.place.heights.tread;
-      local = at_nodes_of_rows(rows, pair.half_nodes())(contact).maxCoeff();
-    }
-    require_depth(pair.pair, now.load, now.penetration + local);
+    // Over uneven ground, the deepest point is where the undeformed bodies overlap most.
+    const bool is_even = contact.empty() || pair.heights.are_smooth();
+    const double highest = is_even ? 0.0 : -instant.place.gap(contact).minCoeff();
+    require_depth(pair.pair, now.load, now.penetration + highest);
   }
   const ArrayXd touching = weights(contact).square() * nodes.patch_area(contact);
   const ArrayXd pressure = forces(contact) / weights(contact) / flat_patch(nodes.grid());

@@ -59,6 +59,14 @@ def test_the_window_reaches_an_obstacle_ahead():
     assert h.energy_balance_error[-1] < 2e-3
 
 
+def test_a_thin_layer_climbs_a_bump_that_is_higher_than_its_thickness():
+    """The contact lies ahead of the axle, where the surface of the body is higher: the layer is hardly indented."""
+    thin = vr.CoatedCylinder(core_radius=59.7e-3, layers=[one_layer(thickness=0.3e-3)])
+    h = over(BUMP, 60e-3, body=thin, end=50e-3, mesh=vr.Mesh(nodes_per_revolution=2000), averaged_meshes=1)
+    assert h.penetration.min() == pytest.approx(-1e-3, abs=0.1e-3)
+    assert h.energy_balance_error[-1] < 5e-3
+
+
 def test_step_and_joint():
     """Largest moment and penetration converge at a step (2.1, 0.95, 0.43 N between meshes of 500, 1000, 2000 nodes)."""
     h = over(Profile.step(0.5e-3, at=40e-3), 60e-3)
