@@ -53,10 +53,10 @@ def _measured(*, file: Path, lateral: float = 0.0, periodic: bool = False) -> Pr
 _TABLES = (
     Annotated[Profile, Table("points", _points, distance=list[float], height=list[float], periodic=bool)],
     Annotated[Profile, Table("file", _measured, file=FileName, periodic=bool)],
-    Annotated[Profile, Table("step", Profile.step, documented_by=Profile.step)],
-    Annotated[Profile, Table("half_sine", Profile.half_sine, documented_by=Profile.half_sine)],
-    Annotated[Profile, Table("joint", Profile.joint, documented_by=Profile.joint)],
-    Annotated[Profile, Table("corrugation", Profile.corrugation, documented_by=Profile.corrugation)],
+    Annotated[Profile, Table("step", Profile.step)],
+    Annotated[Profile, Table("half_sine", Profile.half_sine)],
+    Annotated[Profile, Table("joint", Profile.joint)],
+    Annotated[Profile, Table("corrugation", Profile.corrugation)],
 )
 
 if TYPE_CHECKING:

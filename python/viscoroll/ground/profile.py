@@ -65,6 +65,10 @@ class Profile:
     height: NDArray[np.float64]
     periodic: bool = False
 
+    if TYPE_CHECKING:  # the fields are arrays, but lists are also accepted
+
+        def __init__(self, distance: ArrayLike, height: ArrayLike, periodic: bool = False) -> None: ...
+
     def __post_init__(self) -> None:
         """Store read-only arrays of floats and check them."""
         for name in ("distance", "height"):

@@ -19,7 +19,7 @@ from .distance import as_angles
 from .history import ContactInstant, History
 from .history_warnings import ground_warnings, local_height, strain_warnings, time_warnings
 from .options import HistoryKeywords, HistoryOptions, with_options
-from .rolling_history import RollingHistory, RollingState
+from .rolling_history import RollingHistory, RollingState, require_one_support
 from .series import HISTORY_SCALARS
 from .state_file import SUFFIX
 
@@ -236,13 +236,11 @@ def _joined(pieces: list[NDArray[np.float64]]) -> NDArray[np.float64]:
 
 def _motion(**waypoints: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
     """Return the given quantities at the waypoints as arrays of equal length; the core checks their values."""
+    require_one_support(waypoints["load"], waypoints["axle_height"])
     arrays = {name: as_float_array(name, values) for name, values in waypoints.items() if values is not None}
-    supports = [name for name in ("load", "axle_height") if name in arrays]
-    if len(supports) != 1:
-        raise ValueError(f"exactly one of load and axle_height must be given, got {'both' if supports else 'none'}")
-    for name in supports:
-        if arrays[name].ndim == 0:
-            arrays[name] = np.full_like(arrays["time"], arrays[name])
+    support = "load" if "load" in arrays else "axle_height"
+    if arrays[support].ndim == 0:
+        arrays[support] = np.full_like(arrays["time"], arrays[support])
     for name, values in arrays.items():
         if values.ndim != 1:
             raise InvalidInput(name, "must be one-dimensional", f"shape {values.shape}")

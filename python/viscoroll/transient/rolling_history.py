@@ -30,7 +30,7 @@ from .state_file import SUFFIX, read_state, write_state
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Instant", "RollingHistory", "RollingState"]
+__all__ = ["Instant", "RollingHistory", "RollingState", "require_one_support"]
 
 
 @with_scalars(_core.history_scalars())
@@ -190,13 +190,14 @@ class RollingHistory:
             "shortest_time": as_float("shortest_time", shortest_time),
             "longest_time": as_float("longest_time", longest_time),
         }
-        self._given = {**_support(load, axle_height), **times}
+        require_one_support(load, axle_height)
+        self._given = {**_floats(load=load, axle_height=axle_height), **times}
         self._options = chosen
         with reporting(progress) as report, si_hints(body, on):
             self._history = _core.RollingHistory(
                 body._to_core(),
                 core_counterbody(on),
-                load=0.0 if load is None else self._given["load"],
+                load=self._given.get("load", 0.0),
                 axle_height=self._given.get("axle_height"),
                 options=chosen._to_core(**times),
                 progress=report,
@@ -248,13 +249,15 @@ class RollingHistory:
             If the solver finds no contact; the history is then unchanged.
         """
         turned = as_angle(self.body, angle, distance)
-        moved = None if center_displacement is None else as_float("center_displacement", center_displacement)
+        require_one_support(load, axle_height)
+        given = _floats(load=load, axle_height=axle_height, center_displacement=center_displacement)
         with self._lock, si_hints(self.body, self.on):
             self._history.advance(
                 time=as_float("time", time),
                 angle=turned,
-                center_displacement=moved,
-                **({"load": 0.0, "axle_height": None} | _support(load, axle_height)),
+                load=given.get("load", 0.0),
+                axle_height=given.get("axle_height"),
+                center_displacement=given.get("center_displacement"),
             )
             return _instant(self._history.current())
 
@@ -320,13 +323,16 @@ class RollingHistory:
         return f"RollingHistory({pair}, {values}, {self.mesh})"
 
 
-def _support(load: float | None, axle_height: float | None) -> dict[str, float]:
-    """Return the load or the height of the axle, by name."""
-    given = {"load": load, "axle_height": axle_height}
-    values = {name: as_float(name, value) for name, value in given.items() if value is not None}
-    if len(values) != 1:
-        raise ValueError(f"exactly one of load and axle_height must be given, got {'both' if values else 'none'}")
-    return values
+def require_one_support(load: object, axle_height: object) -> None:
+    """Raise a ValueError unless either the load or the height of the axle is given."""
+    if (load is None) == (axle_height is None):
+        found = "none" if load is None else "both"
+        raise ValueError(f"exactly one of load and axle_height must be given, got {found}")
+
+
+def _floats(**given: float | None) -> dict[str, float]:
+    """Return the numbers that are given as floats, by name."""
+    return {name: as_float(name, value) for name, value in given.items() if value is not None}
 
 
 def _bodies_text(body: RollingBody, on: Counterbody | None) -> str:
