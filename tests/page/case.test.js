@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { caseOf, initialState, outerRadius, stateOf, withBody } from "../../python/viscoroll/app/page/case.js";
+import { caseOf, initialState, outerRadius, stateOf } from "../../python/viscoroll/app/page/case.js";
 import { pointsOf, spread } from "../../python/viscoroll/app/page/curve.js";
 import { EXAMPLES, exampleState } from "../../python/viscoroll/app/page/examples.js";
 import { fragmentOf, stateOfFragment } from "../../python/viscoroll/app/page/link.js";
@@ -84,14 +84,6 @@ test("numerics without fields in the form are kept, except those of a mesh", () 
 test("unsupported keys are reported by name", () => {
   const tables = { ...README, numerics: { nodes_per_revolution: 500 }, other_ball: { core_radius: 1, layers: [] } };
   assert.deepEqual(stateOf(tables).left, ["other_ball", "numerics.nodes_per_revolution"]);
-});
-
-test("changing between total load and load per length resets the load", () => {
-  const roller = withBody(initialState(), "cylinder");
-  assert.deepEqual(roller.load, [2, "N/mm"]);
-  assert.equal(caseOf(roller).rolling.load, 2000);
-  assert.deepEqual(withBody(roller, "wheel").load, [100, "N"]);
-  assert.deepEqual(withBody({ ...initialState(), on: "groove" }, "cylinder").on, "rigid");
 });
 
 test("a body is pressed by a load or by a penetration", () => {

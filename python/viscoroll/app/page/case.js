@@ -97,17 +97,6 @@ export function groundsOf(body) {
   };
 }
 
-/**
- * The same state with another body. The outer diameter gives the size of wheels and rollers, as in catalogs. Load and
- * drive are reset if the body changes from total values to values per length, or back.
- */
-export function withBody(state, body) {
-  const on = state.on in groundsOf(body) ? state.on : "rigid";
-  const next = { ...sizedBy({ ...state, body }, body === "ball" ? state.given : "outer_diameter"), on };
-  if (isLine(next) === isLine(state)) return next;
-  return { ...next, load: isLine(next) ? [2, "N/mm"] : [100, "N"], ...driveZeros(isLine(next)) };
-}
-
 /** The same state with the size given by core radius or outer diameter. */
 export function sizedBy(state, given) {
   const meters = given === "core_radius" ? coreRadius(state) : 2 * outerRadius(state);

@@ -108,9 +108,10 @@ class Page {
   #tellResult(result, tables, stage, seconds) {
     const warnings = result.warnings.filter(({ kind }) => stage === "fine" || kind !== "coarse_mesh");
     at("error").textContent = "";
-    this.#results.show(result, tables, this.#form.sayWarnings(warnings));
+    this.#form.markWarnings(warnings);
+    this.#results.show(result, tables, warnings);
     this.#curve.mark(result);
-    at("brief").textContent = `${this.#results.brief(result)} ↓`;
+    at("brief").textContent = `${this.#results.brief(result)}${countText(warnings.length)} ↓`;
     say(stage === "coarse" ? `Result on a coarse mesh (${meshText(result, seconds)}).` : refinedText(result, seconds));
   }
 
@@ -131,6 +132,12 @@ class Page {
 
 function say(text) {
   at("said").textContent = text;
+}
+
+/** Number of warnings for the brief answer, empty without warnings. */
+function countText(count) {
+  if (count === 0) return "";
+  return `  ·  ${count}\u00a0${count === 1 ? "warning" : "warnings"}`;
 }
 
 function meshText({ scalars }, seconds) {
