@@ -129,7 +129,12 @@ export class CurvePicture {
         ? `Coarse mesh; ${open} of ${this.#points.length} points are not solved yet.`
         : "Coarse mesh; the ring marks the case above.",
       OF_FRICTION.includes(this.#name) && this.#state.friction === 0 ? "This result exists only with friction." : "",
-      failed ? `${failed} of the points have no result: the load or the speed is too large.` : "",
+      failed ? failedText(failed, this.#found.length, this.#along) : "",
     ].join(" ");
   }
+}
+
+function failedText(failed, found, along) {
+  if (failed === found) return "No point of the curve has a result.";
+  return `${failed} of the points have no result: this case has none at that ${ALONG[along].label}.`;
 }

@@ -6,6 +6,7 @@ import { el } from "./dom.js";
 import { DRIVES, scaleOf } from "./drives.js";
 import { choiceField, numberField } from "./field.js";
 import { layerRow, layerRows } from "./layer_rows.js";
+import { errorText } from "./messages.js";
 import { BODIES, CLASSES } from "./schema.js";
 import { numberText, quantityText } from "./units.js";
 
@@ -62,12 +63,11 @@ export class Form {
   }
 
   /** Show an error at the field that caused it, if there is one; return the text to show with the results. */
-  sayError({ message, parameter }) {
-    const field = parameter && this.#field(parameter);
-    if (!field) return message;
-    const text = message.replace(/^[\w.[\]]+: /, ""); // the position of the message shows which key it concerns
-    field.say(text, "error");
-    field.root.closest("details")?.setAttribute("open", "");
+  sayError(error) {
+    const field = error.parameter && this.#field(error.parameter);
+    const text = errorText(error, field);
+    field?.say(text, "error");
+    field?.root.closest("details")?.setAttribute("open", "");
     return `No result: ${text}`;
   }
 
@@ -187,6 +187,7 @@ export class Form {
       ),
       this.#number("size", given === "core_radius" ? "core radius" : "outer diameter", {
         parameter: "core_radius",
+        derived: given !== "core_radius",
         range: [2e-3, 0.5],
       }),
     ];
