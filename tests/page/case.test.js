@@ -83,7 +83,7 @@ test("numerics without fields in the form are kept, except those of a mesh", () 
 
 test("unsupported keys are reported by name", () => {
   const tables = { ...README, numerics: { nodes_per_revolution: 500 }, other_ball: { core_radius: 1, layers: [] } };
-  assert.deepEqual(stateOf(tables).left, ["other_ball", "numerics.nodes_per_revolution"]);
+  assert.deepEqual(stateOf(tables).left, ["numerics.nodes_per_revolution", "other_ball"]);
 });
 
 test("a body is pressed by a load or by a penetration", () => {
@@ -94,6 +94,14 @@ test("a body is pressed by a load or by a penetration", () => {
   assert.deepEqual(left, []);
   assert.deepEqual(stateOfFragment(fragmentOf(pressed)), pressed);
   assert.ok(pointsOf(pressed, "load").every(({ unit, tables }) => unit === "mm" && !("load" in tables.rolling)));
+});
+
+test("keys with default values need no support", () => {
+  const plain = { sides: "free", hub: "straight", width: 0.03, core_radius: 0.02, layers: README.ball.layers };
+  const tables = { wheel: plain, rolling: { ...README.rolling, drive: { force: 0 } }, numerics: { curvature: "sphere" } };
+  assert.deepEqual(stateOf(tables).left, []);
+  const heated = { ...README.ball, layers: [{ ...README.ball.layers[0], conductivity: 0.2 }] };
+  assert.deepEqual(stateOf({ ...README, ball: heated }).left, ["ball.layers[0].conductivity"]);
 });
 
 test("a case without friction has no drive", () => {

@@ -36,6 +36,14 @@ async function refined(page) {
   );
 }
 
+/** Wait for the answer for a load [N]. */
+const answered = (page, load) =>
+  page.waitForFunction(
+    (newton) => JSON.parse(document.getElementById("answer").dataset.of ?? "{}").rolling?.load === newton,
+    {},
+    load,
+  );
+
 /** Slider next to the field of a label. */
 const slider = (page, label) => page.$(`input[aria-label="${label}, slider"]`);
 
@@ -75,19 +83,31 @@ seen.load = await page.$eval(
   "#form",
   () => JSON.parse(atob(location.hash.slice(1).replaceAll("-", "+").replaceAll("_", "/"))).load,
 );
-await page.waitForFunction(
-  (newton) => JSON.parse(document.getElementById("answer").dataset.of).rolling.load === newton,
-  {},
-  seen.load[0],
-);
+await answered(page, seen.load[0]);
 seen.answered = (performance.now() - moved) / 1e3;
 seen.moved = await refined(page);
 
 // The copied text is this case, and a link restores it.
 seen.python = await text(page, "#copy-python");
 seen.caseFile = await text(page, "#copy-case");
-seen.link = await text(page, "#copy-link");
+seen.hasLink = await page.$eval("#copy-link", (button) => !button.hidden);
+seen.link = seen.hasLink ? await text(page, "#copy-link") : page.url();
 seen.restored = await refined(await open(seen.link));
+
+// So does the copied case file, if it is opened or dropped on the page.
+const file = join(folder, "case.toml");
+writeFileSync(file, seen.caseFile);
+const other = await open(address);
+await (await other.$("#case-file")).uploadFile(file);
+await answered(other, seen.load[0]);
+seen.opened = await refined(other);
+await other.evaluate((content) => {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File([content], "dropped.toml"));
+  document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+}, "wheel = 5");
+await other.waitForSelector('#file-said[data-kind="error"]');
+seen.dropped = await other.$eval("#file-said", (said) => said.textContent);
 
 // The field of a wrong number displays the error; a new number removes it.
 await page.bringToFront();

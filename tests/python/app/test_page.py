@@ -39,7 +39,7 @@ needs_node = pytest.mark.skipif(NODE is None, reason="no node")
 @needs_node
 def test_modules():
     files = sorted(TESTS.glob("*.test.js"))
-    assert len(files) == 8
+    assert len(files) == 9
     done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
 
@@ -114,7 +114,7 @@ def seen(request, tmp_path_factory):
         address = server.address
         server = served(server)
     with server:
-        yield driven(address, tmp_path_factory.mktemp("seen")) | {"address": address.removesuffix("index.html")}
+        yield driven(address, tmp_path_factory.mktemp("seen")) | {"address": address.removesuffix("index.html"), "page": request.param}
 
 
 #: Scalars that depend on the round-off of each compiler.
@@ -180,6 +180,13 @@ def test_a_copied_case_file_gives_the_numbers_of_the_page(seen, tmp_path):
 @pytest.mark.slow
 def test_a_link_restores_the_case(seen):
     assert seen["restored"] == seen["moved"]
+    assert seen["hasLink"] == ("site over http" in seen["page"])
+
+
+@pytest.mark.slow
+def test_an_opened_case_file_restores_the_case(seen):
+    assert seen["opened"] == seen["moved"]
+    assert seen["dropped"].startswith("dropped.toml is not opened: ")
 
 
 @pytest.mark.slow

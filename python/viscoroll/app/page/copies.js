@@ -4,8 +4,12 @@ import { caseOf } from "./case.js";
 import { caseFileOf, pythonOf } from "./code.js";
 import { fragmentOf } from "./link.js";
 
-/** Connect the buttons; the function `state` returns the current state. */
-export function connectCopies(state) {
+/**
+ * Connect the buttons.
+ * @param {() => object} state returns the current state
+ * @param {boolean} hasLink whether others can open the address of the page
+ */
+export function connectCopies(state, hasLink) {
   const texts = {
     "copy-python": ["Python", () => pythonOf(caseOf(state()))],
     "copy-case": ["Case file", () => caseFileOf(caseOf(state()))],
@@ -14,6 +18,7 @@ export function connectCopies(state) {
   for (const [id, [name, text]] of Object.entries(texts)) {
     document.getElementById(id).addEventListener("click", () => copy(name, text()));
   }
+  document.getElementById("copy-link").hidden = !hasLink;
   document.getElementById("code-close").addEventListener("click", () => {
     document.getElementById("code").hidden = true;
   });

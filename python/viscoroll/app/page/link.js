@@ -30,6 +30,6 @@ export function stateOfFragment(fragment) {
 }
 
 /** Whether a state describes a case: missing numbers and unknown units become null in its JSON. */
-function hasCase(state) {
+export function hasCase(state) {
   return !JSON.stringify(caseOf(state)).includes(":null");
 }

@@ -1,0 +1,75 @@
+/** Reader of case files for the site; `viscoroll app` reads them in Python (app/case_text.py). */
+
+import { bodyOf, stateOf } from "./case.js";
+import { hasCase } from "./link.js";
+import { BODIES, KEY_UNITS, OTHER_TABLES } from "./schema.js";
+import { parseToml } from "./toml.js";
+import { CENTER_SPEEDS } from "./unit_table.js";
+import { SI, UNITS, resultUnit, tidy, toSI, unitNamed } from "./units.js";
+
+const QUANTITY = /^\s*([-+−]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*?)\s*$/i;
+
+/**
+ * The case that the text of a case file describes.
+ * @returns {{tables: object, skipped: string[]}|{error: {message: string}}} tables in SI units, and names of the tables
+ *   that the page does not support
+ */
+export function openCase(text) {
+  try {
+    const document = parseToml(text);
+    const skipped = OTHER_TABLES.filter((name) => name in document);
+    for (const name of [...skipped, "allow_large"]) delete document[name];
+    const body = bodyOf(document);
+    if (!body) throw new Error(`one of the tables ${Object.keys(BODIES).join(", ")} must be given`);
+    const tables = inSI(document, "", BODIES[body].line);
+    for (const table of Object.values(tables)) replaceDiameter(table);
+    if (!isCase(tables)) throw new Error("a number is missing, or a table is not as `viscoroll example` prints it");
+    return { tables, skipped };
+  } catch (error) {
+    return { error: { message: error.message } };
+  }
+}
+
+/** Whether the form has a number for each of its fields. */
+function isCase(tables) {
+  try {
+    return hasCase(stateOf(tables).state);
+  } catch {
+    return false;
+  }
+}
+
+/** Tables and lists with numbers in SI units in place of texts with units. */
+function inSI(value, path, line) {
+  if (Array.isArray(value)) return value.map((one, i) => inSI(one, `${path}[${i}]`, line));
+  if (value !== null && typeof value === "object") {
+    const inside = (name) => (path ? `${path}.${name}` : name);
+    return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, inSI(one, inside(name), line)]));
+  }
+  if (typeof value === "number" && !Number.isFinite(value)) throw new Error(`${path} must be finite on this page`);
+  const key = path.split(".").at(-1).replace(/\[\d+\]$/, "");
+  return typeof value === "string" && key in KEY_UNITS && QUANTITY.test(value) ? number(value, key, path, line) : value;
+}
+
+function number(text, key, path, line) {
+  const [, digits, name] = QUANTITY.exec(text);
+  const value = Number(digits.replace("−", "-"));
+  const si = resultUnit(KEY_UNITS[key], line);
+  if (si === "m/s") {
+    const unit = unitNamed(name, "speed");
+    if (unit in CENTER_SPEEDS) return tidy(value * CENTER_SPEEDS[unit]);
+  } else {
+    const quantity = Object.keys(UNITS).find((one) => (SI[one] || "1") === si && unitNamed(name, one) !== undefined);
+    const unit = quantity && unitNamed(name, quantity);
+    if (unit && !(unit in CENTER_SPEEDS)) return toSI([value, unit], quantity);
+  }
+  throw new Error(`${path} must be a number [${si}] or have a unit that this page reads, got "${text}"`);
+}
+
+/** Give the radius of the core in place of the outer diameter, as the form does. */
+function replaceDiameter(table) {
+  if (table?.outer_diameter === undefined) return;
+  const thickness = (table.layers ?? []).reduce((sum, layer) => sum + layer.thickness, 0);
+  table.core_radius = tidy(0.5 * table.outer_diameter - thickness);
+  delete table.outer_diameter;
+}
