@@ -114,7 +114,10 @@ def seen(request, tmp_path_factory):
         address = server.address
         server = served(server)
     with server:
-        yield driven(address, tmp_path_factory.mktemp("seen")) | {"address": address.removesuffix("index.html"), "page": request.param}
+        yield driven(address, tmp_path_factory.mktemp("seen")) | {
+            "address": address.removesuffix("index.html"),
+            "page": request.param,
+        }
 
 
 #: Scalars that depend on the round-off of each compiler.
@@ -227,13 +230,26 @@ def test_size_of_the_download(site):
 @needs_node
 def test_the_page_of_the_site_is_one_script(tmp_path):
     page = runpy.run_path(str(ROOT / "docs" / "try_page.py"))
-    assert page["write_page"](tmp_path / "try", tmp_path / "none.js") is False
-    assert sorted(path.name for path in (tmp_path / "try").iterdir()) == ["index.html", "page.css", "page.js"]
+    (tmp_path / "library.js").touch()
+    assert page["write_page"](tmp_path / "try", tmp_path / "library.js") is True
+    assert sorted(path.name for path in (tmp_path / "try").iterdir()) == [
+        "index.html",
+        "page.css",
+        "page.js",
+        "solver.js",
+    ]
     done = subprocess.run([NODE, "--check", tmp_path / "try" / "page.js"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     text = (tmp_path / "try" / "index.html").read_text(encoding="utf-8")
     assert 'type="module"' not in text
-    assert '{"solver": "none"}' in text
+    assert '{"solver": "wasm"}' in text
+
+
+def test_a_site_without_library_has_no_page(tmp_path):
+    page = runpy.run_path(str(ROOT / "docs" / "try_page.py"))
+    (tmp_path / "try").mkdir()
+    assert page["write_page"](tmp_path / "try", tmp_path / "none.js") is False
+    assert not (tmp_path / "try").exists()
 
 
 @needs_node

@@ -4,8 +4,8 @@ import { bodyOf, stateOf } from "./case.js";
 import { hasCase } from "./link.js";
 import { BODIES, KEY_UNITS, OTHER_TABLES } from "./schema.js";
 import { parseToml } from "./toml.js";
-import { CENTER_SPEEDS } from "./unit_table.js";
-import { SI, UNITS, resultUnit, tidy, toSI, unitNamed } from "./units.js";
+import { CENTER_SPEEDS, UNITS } from "./unit_table.js";
+import { SI, resultUnit, tidy, toSI, unitNamed } from "./units.js";
 
 const QUANTITY = /^\s*([-+−]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*?)\s*$/i;
 
