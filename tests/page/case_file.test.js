@@ -80,6 +80,10 @@ test("cases that the page cannot read are rejected", () => {
   assert.equal(refused(ball('core_radius = "2 N"')), unit);
   assert.match(refused(ball("core_radius = 0.02", 'load = 1\nspeed = "2 rpm"')), /^rolling.speed must be a number \[m\/s\]/);
   assert.match(refused("[rolling]\nload = 1"), /^one of the tables ball, cylinder, wheel must be given/);
+  assert.equal(refused("wheel = 5"), "wheel must be a table");
+  assert.equal(refused("ball.core_radius = 1"), "exactly one of rolling.load and rolling.penetration must be given");
+  const thin = ball("core_radius = 0.02").replaceAll("ball", "wheel");
+  assert.equal(refused(thin), "wheel.width must be given");
   assert.match(refused(ball("core_radius = inf")), /must be finite on this page/);
   assert.match(refused(ball("core_radius = 1").replace("thickness", "thick")), /^a number is missing/);
   assert.match(refused(ball('core_radius = "20 mm"').replace('"1.2 MPa"', '{ type = "elastic" }')), /^a number is missing/);

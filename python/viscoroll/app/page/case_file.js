@@ -9,6 +9,18 @@ import { SI, resultUnit, tidy, toSI, unitNamed } from "./units.js";
 
 const QUANTITY = /^\s*([-+−]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*?)\s*$/i;
 
+/** Keys of tables; of each group, a case file has exactly one. */
+const SIZE = ["core_radius", "outer_diameter"];
+const REQUIRED = {
+  ball: [],
+  cylinder: [SIZE],
+  wheel: [SIZE, ["width"]],
+  rolling: [
+    ["load", "penetration"],
+    ["angular_speed", "speed"],
+  ],
+};
+
 /**
  * The case that the text of a case file describes.
  * @returns {{tables: object, skipped: string[]}|{error: {message: string}}} tables in SI units, and names of the tables
@@ -21,12 +33,28 @@ export function openCase(text) {
     for (const name of [...skipped, "allow_large"]) delete document[name];
     const body = bodyOf(document);
     if (!body) throw new Error(`one of the tables ${Object.keys(BODIES).join(", ")} must be given`);
+    requireKeys(document, body);
     const tables = inSI(document, "", BODIES[body].line);
     for (const table of Object.values(tables)) replaceDiameter(table);
     if (!isCase(tables)) throw new Error("a number is missing, or a table is not as `viscoroll example` prints it");
     return { tables, skipped };
   } catch (error) {
     return { error: { message: error.message } };
+  }
+}
+
+/** Check that all values of the file are tables, and that they have the keys for which the form has an initial number. */
+function requireKeys(document, body) {
+  const other = Object.keys(document).find((name) => typeof document[name] !== "object" || Array.isArray(document[name]));
+  if (other) throw new Error(`${other} must be a table`);
+  for (const table of [body, "rolling"]) {
+    for (const keys of REQUIRED[table]) {
+      const given = keys.filter((key) => key in (document[table] ?? {}));
+      if (given.length !== 1) {
+        const one = keys.length > 1 ? "exactly one of " : "";
+        throw new Error(`${one}${keys.map((key) => `${table}.${key}`).join(" and ")} must be given`);
+      }
+    }
   }
 }
 
