@@ -63,9 +63,13 @@ seen.readme = await refined(page);
 seen.start = (performance.now() - begun) / 1e3;
 await page.waitForSelector('#curve[data-filling="done"]', { timeout: 60_000 });
 seen.points = await page.$$eval("#curve circle.dot", (dots) => dots.length);
-await page.setViewport({ width: 1280, height: 1350 });
 await page.screenshot({ path: join(folder, "try-1280.png") });
-await page.setViewport({ width: 1280, height: 900 });
+seen.inView = await page.evaluate(() =>
+  ["load", "speed"].every((label) => {
+    const slider = document.querySelector(`input[aria-label="${label}, slider"]`);
+    return slider.getBoundingClientRect().bottom < innerHeight;
+  }),
+);
 
 // Thirty moves of a slider; the last value is solved.
 const load = await slider(page, "load");

@@ -159,6 +159,11 @@ def test_the_case_of_the_readme_gives_its_numbers(seen):
 
 
 @pytest.mark.slow
+def test_load_and_speed_are_visible_without_scrolling(seen):
+    assert seen["inView"] is True
+
+
+@pytest.mark.slow
 def test_the_last_position_of_a_slider_is_solved(seen):
     """Print the response times; newest.test.js tests that at most two of many positions of a slider are solved."""
     print(f"{seen['address']}: {seen['first']:.2f} s to the first answer, {seen['start']:.2f} s to the refined one")
