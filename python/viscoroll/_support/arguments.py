@@ -140,7 +140,10 @@ def as_poisson_ratio(name: str, value: object, *, compressible: bool = False) ->
 
 def as_kelvin(name: str, value: object) -> float:
     """Return a temperature [K]; reject values below 100 K, where no rubber is rubbery: they are probably in °C."""
-    return as_float_in(Range(100.0, unit="K"), name, value, " (20 °C are 293.15 K)")
+    temperature, allowed = as_float(name, value), Range(100.0, unit="K")
+    if temperature not in allowed:
+        raise allowed.error(name, f"{temperature:g} K", " (20 °C are 293.15 K)")
+    return temperature
 
 
 def as_int(name: str, value: object) -> int:

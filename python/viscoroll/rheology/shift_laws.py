@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float_in, as_floats, as_kelvin
+from .._support.arguments import Floats, as_floats, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput, Range, in_file
 from .._support.extras import extra
@@ -61,10 +61,10 @@ class ShiftFactors:
                 "temperature and log10_factor must have the same length >= 2, "
                 f"got {len(self.temperature)} and {len(self.log10_factor)}"
             )
+        hottest = Range(maximum=_HOTTEST, unit="K")
         for index, value in enumerate(self.temperature):
-            as_float_in(
-                Range(maximum=_HOTTEST, unit="K"), f"temperature[{index}]", as_kelvin(f"temperature[{index}]", value)
-            )
+            if as_kelvin(f"temperature[{index}]", value) not in hottest:
+                raise hottest.error(f"temperature[{index}]", f"{value:g} K")
         for index, value in enumerate(self.log10_factor):
             if not abs(value) <= _MAX_DECADES:
                 allowed = f"[-{_MAX_DECADES:g}, {_MAX_DECADES:g}]"
