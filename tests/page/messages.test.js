@@ -50,8 +50,19 @@ test("a parameter that follows from the number of the field has its own name and
     errorText(core, millimeters("outer diameter", "2", true)),
     "core radius must be greater than 0 m, got −2 mm",
   );
-  const stiff = error("shear_modulus.relaxed_modulus", "must be <= instantaneous_modulus = 6e+06 Pa", "7e+06 Pa");
-  assert.equal(errorText(stiff), "relaxed modulus must be <= instantaneous modulus = 6 MPa, got 7 MPa");
+  const below = { unit: "Pa", maximum: 6e6 };
+  const stiff = error("shear_modulus.relaxed_modulus", "must be <= instantaneous_modulus = 6e+06 Pa", "7e+06", below);
+  assert.equal(errorText(stiff), "relaxed modulus must be at most instantaneous modulus = 6 MPa, got 7 MPa");
+});
+
+test("the reason of a range and a remark about the value stay", () => {
+  const percent = { label: "rebound", derived: false, typed: () => "120 %", inUnit: (ratio) => `${100 * ratio} %` };
+  const fraction = { minimum: 0.02, maximum: 1, excludes_maximum: true };
+  const rebound = error("shear_modulus.rebound", "must be in [0.02, 1), as a fraction", "1.2; 1.2 % is 0.012", fraction);
+  assert.equal(errorText(rebound, percent), "rebound must be at least 2 % and less than 100 %, as a fraction, got 120 %");
+  const heavy = error("load", "must be small enough", "1e+05 N (pressed 0.00215 m into a coating)");
+  const load = { label: "load", derived: false, typed: () => "100 kN" };
+  assert.equal(errorText(heavy, load), "load must be small enough, got 100 kN (pressed 2.15 mm into a coating)");
 });
 
 test("rules that are not ranges have quantities in the units of the page", () => {

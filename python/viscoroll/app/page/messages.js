@@ -10,7 +10,13 @@ const PATH = /\b(?:on|ball|cylinder|wheel|plane|groove|other_[a-z]+|rolling|nume
 const NAME = /\b[a-z]+(?:_[a-z]+)+\b/g;
 
 /** The text of a range at the beginning of a rule; the reason for the range may follow. */
-const RANGE = /^must be (?:in [[(].*?[\])]|[<>]=? \S+)/;
+const RANGE = /^must be (?:in [[(].*?[\])]|[<>]=? -?[\d.]+(?:e[-+]?\d+)?)/;
+
+/** Signs of comparison in rules with other texts. */
+const COMPARED = { ">": "greater than", ">=": "at least", "<": "less than", "<=": "at most" };
+
+/** A remark after a value, as in "0.015 m, with which it drops by 0.015 m". */
+const REMARK = /^[^(,;]*( \(.*|, .*)$/;
 
 /**
  * The text of an error.
@@ -23,8 +29,16 @@ export function errorText({ message, parameter, rule, value, allowed }, field) {
   const isTyped = field && !field.derived;
   const quantity = (si) => (isTyped ? field.inUnit(si) : inSuitableUnit(si, allowed?.unit ?? ""));
   const subject = isTyped ? field.label.replace(/ \(.*\)$/, "") + placeOf(parameter) : inWords(parameter);
-  const text = allowed ? `must be ${rangeText(allowed, quantity)}${reasonOf(rule, allowed)}` : inPageUnits(rule);
-  return `${subject} ${text}${gotText(value, isTyped ? field : null, quantity)}`;
+  return `${subject} ${ruleText(rule, allowed, quantity)}${gotText(value, isTyped ? field : null, quantity)}`;
+}
+
+/** A rule with the ends of its range written by `quantity`, if it begins with a range. */
+function ruleText(rule, allowed, quantity) {
+  const range = allowed && RANGE.exec(rule);
+  if (!range) return inPageUnits(rule.replace(/(?<=^must be )[<>]=?(?= )/, (sign) => COMPARED[sign]));
+  const after = rule.slice(range[0].length);
+  const reason = after.startsWith(` ${allowed.unit}`) ? after.slice(1 + allowed.unit.length) : after;
+  return `must be ${rangeText(allowed, quantity)}${inPageUnits(reason)}`;
 }
 
 /** A range in words, such as "greater than −1 and at most 0.5"; `quantity` writes a number in SI units. */
@@ -57,17 +71,10 @@ function placeOf(path) {
   return /^(on|plane|groove|other_\w+)\./.test(path) ? `${ofLayer} of the counterbody` : ofLayer;
 }
 
-function reasonOf(rule, { unit }) {
-  const range = RANGE.exec(rule);
-  if (!range) return "";
-  const reason = rule.slice(range[0].length);
-  return inPageUnits(reason.startsWith(` ${unit}`) ? reason.slice(1 + unit.length) : reason);
-}
-
 function gotText(value, field, quantity) {
   if (!value) return "";
-  if (!/^[-\d.e+]+$/.test(value)) return `, got ${inPageUnits(value)}`; // a text, or a number with unit and remarks
-  return `, got ${field ? field.typed() : quantity(Number(value))}`;
+  if (field) return `, got ${field.typed()}${inPageUnits(REMARK.exec(value)?.[1] ?? "")}`;
+  return `, got ${/^[-\d.e+]+$/.test(value) ? quantity(Number(value)) : inPageUnits(value)}`;
 }
 
 function inSuitableUnit(value, unit) {
