@@ -18,6 +18,7 @@ const error = (parameter, rule, value, allowed = null) => ({
 const millimeters = (label, typed, derived = false) => ({
   label,
   derived,
+  siUnit: "m",
   typed: () => `${typed} mm`,
   inUnit: (meters) => `${numberText(fromSI(meters, "mm", "length")[0])} mm`,
 });
@@ -48,7 +49,7 @@ test("a parameter that follows from the number of the field has its own name and
   const core = error("ball.core_radius", "must be > 0 m", "-0.002", { unit: "m", minimum: 0, excludes_minimum: true });
   assert.equal(
     errorText(core, millimeters("outer diameter", "2", true)),
-    "core radius must be greater than 0 m, got −2 mm",
+    "core radius must be greater than 0 mm, got −2 mm",
   );
   const below = { unit: "Pa", maximum: 6e6 };
   const stiff = error("shear_modulus.relaxed_modulus", "must be <= instantaneous_modulus = 6e+06 Pa", "7e+06", below);
@@ -60,6 +61,10 @@ test("the reason of a range and a remark about the value stay", () => {
   const fraction = { minimum: 0.02, maximum: 1, excludes_maximum: true };
   const rebound = error("shear_modulus.rebound", "must be in [0.02, 1), as a fraction", "1.2; 1.2 % is 0.012", fraction);
   assert.equal(errorText(rebound, percent), "rebound must be at least 2 % and less than 100 %, as a fraction, got 120 %");
+  const none = { minimum: null, maximum: 4 };
+  const rough = error("friction", "must be <= 4 (no pair has more)", "30", none);
+  const friction = { label: "friction", derived: false, typed: () => "30", inUnit: String };
+  assert.equal(errorText(rough, friction), "friction must be at most 4 (no pair has more), got 30");
   const heavy = error("load", "must be small enough", "1e+05 N (pressed 0.00215 m into a coating)");
   const load = { label: "load", derived: false, typed: () => "100 kN" };
   assert.equal(errorText(heavy, load), "load must be small enough, got 100 kN (pressed 2.15 mm into a coating)");
@@ -82,5 +87,6 @@ test("texts have no names of keys and no SI units of lengths and moduli", () => 
   assert.equal(inPageUnits("ball.layers[0].thickness = 0.0205 m"), "thickness of layer 1 = 20.5 mm");
   assert.equal(inPageUnits("angular_speed at 3.5 m/s, 8.4e+06 Pa, 2 N m"), "angular speed at 3.5 m/s, 8.4 MPa, 2 N m");
   assert.equal(inPageUnits('with hub="crowned" (at most 0.2), e.g. 30 mm'), "with hub crowned (at most 0.2), e.g. 30 mm");
+  assert.equal(inPageUnits("unless on.layers or on.base of the counterbody"), "unless layers of the counterbody or base of the counterbody");
   assert.equal(errorText({ message: "not enough memory", parameter: null }), "not enough memory");
 });

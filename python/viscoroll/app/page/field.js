@@ -167,6 +167,7 @@ export function numberField({
     label,
     parameter,
     derived,
+    siUnit: SI[quantity],
     say: sayOfRead,
     refresh: () => show({ text: false }),
     typed: () => (number === null ? (empty ?? "") : written(number, unit)),

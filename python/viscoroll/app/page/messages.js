@@ -21,14 +21,15 @@ const REMARK = /^[^(,;]*( \(.*|, .*)$/;
 /**
  * The text of an error.
  * @param {object} error an error of the solver
- * @param {object} [field] field of the form that has the parameter, with `label`, `typed()`, `inUnit(si)`, and `derived`
- *   if the parameter follows from the number of the field
+ * @param {object} [field] field of the form that has the parameter, with `label`, `siUnit`, `typed()`, `inUnit(si)`, and
+ *   `derived` if the parameter follows from the number of the field
  */
 export function errorText({ message, parameter, rule, value, allowed }, field) {
   if (!parameter) return inPageUnits(message);
   const isTyped = field && !field.derived;
-  const quantity = (si) => (isTyped ? field.inUnit(si) : inSuitableUnit(si, allowed?.unit ?? ""));
-  const subject = isTyped ? field.label.replace(/ \(.*\)$/, "") + placeOf(parameter) : inWords(parameter);
+  const hasUnit = isTyped || (field && allowed && field.siUnit === allowed.unit);
+  const quantity = (si) => (hasUnit ? field.inUnit(si) : inSuitableUnit(si, allowed?.unit ?? ""));
+  const subject = isTyped ? field.label.replace(/ \(.*\)$|, forward$/, "") + placeOf(parameter) : inWords(parameter);
   return `${subject} ${ruleText(rule, allowed, quantity)}${gotText(value, isTyped ? field : null, quantity)}`;
 }
 
@@ -37,7 +38,7 @@ function ruleText(rule, allowed, quantity) {
   const range = allowed && RANGE.exec(rule);
   if (!range) return inPageUnits(rule.replace(/(?<=^must be )[<>]=?(?= )/, (sign) => COMPARED[sign]));
   const after = rule.slice(range[0].length);
-  const reason = after.startsWith(` ${allowed.unit}`) ? after.slice(1 + allowed.unit.length) : after;
+  const reason = allowed.unit && after.startsWith(` ${allowed.unit}`) ? after.slice(1 + allowed.unit.length) : after;
   return `must be ${rangeText(allowed, quantity)}${inPageUnits(reason)}`;
 }
 
@@ -56,7 +57,8 @@ export function inPageUnits(text) {
     .replace(QUANTITY, (_, number, unit) => inSuitableUnit(Number(number), unit))
     .replace(PATH, inWords)
     .replace(/(\w+)="(\w+)"/g, "$1 $2")
-    .replace(NAME, (name) => name.replaceAll("_", " "));
+    .replace(NAME, (name) => name.replaceAll("_", " "))
+    .replace(/( of the counterbody){2,}/g, "$1");
 }
 
 /** The key of a path in words: "thickness of layer 1" for "ball.layers[0].thickness". */
