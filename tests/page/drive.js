@@ -113,6 +113,14 @@ await other.evaluate((content) => {
 await other.waitForSelector('#file-said[data-kind="error"]');
 seen.dropped = await other.$eval("#file-said", (said) => said.textContent);
 
+// The numbers of a kept case appear beside those of the next one.
+await other.waitForSelector("#keep:not([disabled])");
+await other.click("#keep");
+await other.select("#examples", "paper");
+await answered(other, 100);
+await refined(other);
+seen.kept = await other.$eval('#numbers [data-scalar="penetration"] + .kept', (note) => note.textContent);
+
 // The field of a wrong number displays the error; a new number removes it.
 await page.bringToFront();
 const field = await page.evaluateHandle(() =>

@@ -12,6 +12,7 @@ import http.server
 import io
 import json
 import os
+import re
 import runpy
 import shutil
 import subprocess
@@ -39,7 +40,7 @@ needs_node = pytest.mark.skipif(NODE is None, reason="no node")
 @needs_node
 def test_modules():
     files = sorted(TESTS.glob("*.test.js"))
-    assert len(files) == 9
+    assert len(files) == 10
     done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
 
@@ -195,6 +196,14 @@ def test_a_link_restores_the_case(seen):
 def test_an_opened_case_file_restores_the_case(seen):
     assert seen["opened"] == seen["moved"]
     assert seen["dropped"].startswith("dropped.toml is not opened: ")
+
+
+@pytest.mark.slow
+def test_the_numbers_of_a_kept_case_are_shown(seen):
+    change = 100.0 * (seen["readme"]["penetration"] / seen["moved"]["penetration"] - 1.0)
+    kept, percent = re.fullmatch(r"kept: (\S+) mm \(−(\S+)\s%\)", seen["kept"]).groups()
+    assert float(kept) == pytest.approx(1e3 * seen["moved"]["penetration"], rel=1e-3)
+    assert -float(percent) == pytest.approx(change, abs=1.0)
 
 
 @pytest.mark.slow

@@ -1,6 +1,7 @@
 /** The page: it makes a case from the form, has it solved, and shows numbers and pictures. */
 
 import { caseOf, initialState, outerRadius, stateOf } from "./case.js";
+import { Comparison } from "./comparison.js";
 import { connectCopies } from "./copies.js";
 import { CurvePicture } from "./curve_picture.js";
 import { el } from "./dom.js";
@@ -22,6 +23,7 @@ class Page {
   #state;
   #form = new Form(at("form"), (state) => this.#change(state));
   #results;
+  #comparison;
   #curve;
   #solver;
   #newest = null; // null until the solver answers
@@ -48,6 +50,11 @@ class Page {
   async #start() {
     const elements = { numbers: at("numbers"), pictures: at("pictures"), table: at("table"), warnings: at("warnings") };
     this.#results = new Results(elements, await this.#solver.scalars());
+    const ofKept = { keep: at("keep"), exchange: at("exchange"), remove: at("remove-kept"), said: at("kept-said") };
+    this.#comparison = new Comparison(
+      { ...ofKept, numbers: at("numbers"), pictures: at("kept-pictures"), root: at("cases") },
+      { changed: () => this.#ask(), open: (state) => this.#follow(state) },
+    );
     this.#curve = new CurvePicture(at("curve"), this.#results, () => this.#ask());
     this.#newest = new Newest(this.#solver, {
       solving: (stage) => this.#tellSolving(stage),
@@ -56,7 +63,10 @@ class Page {
       failed: (error) => this.#fail(error),
     });
     at("where").textContent = `Solved ${this.#solver.where}.`;
-    followTheme(() => this.#results.draw());
+    followTheme(() => {
+      this.#results.draw();
+      this.#comparison.draw();
+    });
     this.#ask();
   }
 
@@ -103,7 +113,12 @@ class Page {
 
   #ask() {
     if (this.#newest && document.body.dataset.wrong === "true") this.#takeBack();
-    this.#newest?.ask(caseOf(this.#state), outerRadius(this.#state), this.#curve.begin(this.#state));
+    this.#comparison?.wait();
+    this.#newest?.ask(
+      caseOf(this.#state),
+      outerRadius(this.#state),
+      this.#curve.begin(this.#state, this.#comparison.state),
+    );
   }
 
   #connectExamples() {
@@ -142,6 +157,8 @@ class Page {
     at("error").textContent = "";
     this.#form.markWarnings(warnings);
     this.#results.show(result, tables, warnings);
+    const isOfForm = stage === "fine" && JSON.stringify(caseOf(this.#state)) === JSON.stringify(tables);
+    this.#comparison.use(result, tables, isOfForm ? this.#state : null);
     this.#curve.mark(result);
     at("brief").textContent = `${this.#results.brief(result)}${countText(warnings.length)} ↓`;
     say(stage === "coarse" ? `Result on a coarse mesh (${meshText(result, seconds)}).` : refinedText(result, seconds));
