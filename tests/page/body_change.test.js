@@ -19,10 +19,10 @@ test("load, speed, layers and outer diameter stay if the values remain total val
 test("a load per length is the load over the width of the tread", () => {
   const ball = { ...initialState(), width: [30, "mm"] };
   const { state: roller, changed } = withBody(ball, "cylinder");
-  assert.deepEqual(changed, ["The load of 100 N is now 3.333 N/mm per length, for a width of 30 mm."]);
+  assert.deepEqual(changed, ["The load of 100 N is now 3.333 N/mm, for a width of 30 mm."]);
   assert.equal(caseOf(roller).rolling.load, 3333.333333333);
   const { state: wheel, changed: back } = withBody(roller, "wheel");
-  assert.deepEqual(back, ["The load of 3.333 N/mm is now 100 N over a width of 30 mm."]);
+  assert.deepEqual(back, ["The load of 3.333 N/mm is now 100 N, for a width of 30 mm."]);
   assert.deepEqual(wheel.load, [100, "N"]);
 });
 
@@ -31,7 +31,7 @@ test("a text about the drive appears only if the form shows a drive", () => {
   assert.deepEqual(withBody(driven, "cylinder").changed, []);
   const { state, changed } = withBody({ ...driven, friction: 0.3 }, "cylinder");
   assert.deepEqual(state.torque, [100, "N m/m"]);
-  assert.deepEqual(changed, ["The torque of 3 N m is now 100 N m/m per length, for a width of 30 mm."]);
+  assert.deepEqual(changed, ["The torque of 3 N m is now 100 N m/m, for a width of 30 mm."]);
   assert.deepEqual(withBody(state, "wheel").state.torque, [3, "N m"]);
 });
 

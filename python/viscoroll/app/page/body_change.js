@@ -52,14 +52,11 @@ function convert(before, state, changed) {
     const value = line ? tidy(old / width) : Number((old * width).toPrecision(DIGITS));
     state[name] = fromSI(value, to.unit, to.quantity);
     const isShown = name === "load" ? state.pressed === name : state.friction > 0 && state.drive === name && value !== 0;
-    if (isShown) changed.push(`${changeText(name, before[name], state[name])} ${widthText(state)}`);
+    if (isShown) changed.push(changeText(name, before[name], state[name], state.width));
   }
 }
 
-function changeText(name, [old, oldUnit], [value, unit]) {
-  return `The ${name} of ${numberText(old)} ${oldUnit} is now ${numberText(value)} ${unit}`;
-}
-
-function widthText({ body, width: [width, unit] }) {
-  return `${BODIES[body].line ? "per length, for a width of" : "over a width of"} ${numberText(width)} ${unit}.`;
+function changeText(name, ...quantities) {
+  const [old, now, width] = quantities.map(([value, unit]) => `${numberText(value)} ${unit}`);
+  return `The ${name} of ${old} is now ${now}, for a width of ${width}.`;
 }

@@ -6,8 +6,9 @@ import { SI, fromSI, numberText, tidy, toSI, unitNamed } from "./units.js";
 
 const STEPS = 300; // number of steps of a slider: over three decades, a step changes the number by about 2 %
 
-/** Significant digits of a number in its field. Converted numbers may have more. */
-const SHOWN = 8;
+/** Largest number of significant digits that a user types, and number of digits of longer numbers, which are converted. */
+const TYPED = 8;
+const SHOWN = 5;
 
 /** Pause in typing after which a number is read [ms], so that the first digit of 78 is not solved as 7. */
 const PAUSE = 300;
@@ -16,6 +17,11 @@ const PAUSE = 300;
 const THOUSANDS = /^[-+]?[1-9]\d{0,2},\d{3}(?!\d)/;
 
 let count = 0;
+
+/** Text of a number in its field: as typed, or shorter if a conversion gave the number. */
+function fieldText(number) {
+  return String(Number(number.toPrecision(TYPED)) === number ? number : Number(number.toPrecision(SHOWN)));
+}
 
 /**
  * A field for a number with its unit.
@@ -79,7 +85,7 @@ export function numberField({
   const problem = el("p", { class: "problem", role: "alert" });
 
   function show({ text = true } = {}) {
-    if (text) input.value = number === null ? "" : String(Number(number.toPrecision(SHOWN)));
+    if (text) input.value = number === null ? "" : fieldText(number);
     if (units.length > 1) select.value = unit;
     slider.disabled = number === null;
     const shownSI = number === null ? null : si([number, unit]);
