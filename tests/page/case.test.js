@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { caseOf, initialState, outerRadius, stateOf } from "../../python/viscoroll/app/page/case.js";
+import { caseOf, fileOf, initialState, outerRadius, stateOf } from "../../python/viscoroll/app/page/case.js";
 import { pointsOf, spread } from "../../python/viscoroll/app/page/curve.js";
 import { EXAMPLES, exampleState } from "../../python/viscoroll/app/page/examples.js";
 import { fragmentOf, stateOfFragment } from "../../python/viscoroll/app/page/link.js";
@@ -102,6 +102,19 @@ test("keys with default values need no support", () => {
   assert.deepEqual(stateOf(tables).left, []);
   const heated = { ...README.ball, layers: [{ ...README.ball.layers[0], conductivity: 0.2 }] };
   assert.deepEqual(stateOf({ ...README, ball: heated }).left, ["ball.layers[0].conductivity"]);
+});
+
+test("the table of the temperature is that of the form, outside of the case", () => {
+  const heated = { ...initialState(), temperature: "on", ambient: [23, "°C"], core: "isothermal" };
+  const thermal = { convection: 10, ambient: 296.15, conductivity: 0.2, core: "isothermal" };
+  assert.deepEqual(fileOf(heated), { ...README, thermal });
+  assert.deepEqual(caseOf(heated), README);
+  assert.deepEqual(fileOf(stateOf(fileOf(heated)).state), fileOf(heated));
+  assert.deepEqual(stateOf(fileOf(heated)).left, []);
+  assert.deepEqual(stateOfFragment(fragmentOf(heated)), heated);
+  const solid = stateOf({ ...README, thermal: { ...thermal, core: 0.3, conductivity: [0.25], shift: {} } });
+  assert.deepEqual(fileOf(solid.state).thermal, { ...thermal, core: 0.3, conductivity: 0.25 });
+  assert.deepEqual(solid.left, ["thermal.conductivity"]);
 });
 
 test("a case without friction has no drive", () => {

@@ -9,6 +9,8 @@ from typing import Any
 from .._support.errors import InvalidInput
 from .._support.text import key_path_text, one_line
 from .._support.toml import parse_toml
+from ..case import build_case
+from ..case.case import CaseFile
 from .answer import OTHER_TABLES, tables_of_page
 
 __all__ = ["opened", "page_case"]
@@ -45,12 +47,17 @@ def page_case(document: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
     ValueError, TypeError
         If the tables are not valid, contain infinite numbers, or refer to a file.
     """
-    skipped = [name for name in OTHER_TABLES if name in document]
-    tables = tables_of_page({name: table for name, table in document.items() if name not in skipped})
+    others = [name for name in OTHER_TABLES if name in document]
+    pair = {name: table for name, table in document.items() if name not in others}
+    tables = tables_of_page(pair)
+    if "thermal" in document:
+        with_thermal = pair | {"thermal": document["thermal"]}
+        build_case(with_thermal, None)  # checks the table
+        tables["thermal"] = CaseFile.keys_of(with_thermal).in_si(with_thermal)["thermal"]
     for path, number in _numbers(tables, ()):
         if not math.isfinite(number):
             raise InvalidInput(key_path_text(path), "must be finite on the page", f"{number}")
-    return tables, skipped
+    return tables, [name for name in others if name != "thermal"]
 
 
 def _numbers(value: object, path: tuple[str | int, ...]) -> Iterator[tuple[tuple[str | int, ...], float]]:

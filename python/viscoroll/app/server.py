@@ -29,6 +29,7 @@ from typing import TYPE_CHECKING, Any
 
 from .answer import answer, scalars
 from .case_text import opened
+from .temperature import temperature_answer
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -244,7 +245,7 @@ class _Handler(BaseHTTPRequestHandler):
         name = self._name()
         if name is None:
             return
-        if name not in ("solve", "open", "scalars"):
+        if name not in ("solve", "temperature", "open", "scalars"):
             self._refuse(HTTPStatus.NOT_FOUND)
             return
         body = self._body()
@@ -262,7 +263,8 @@ class _Handler(BaseHTTPRequestHandler):
             self._send_json(opened(request))
             return
         try:
-            self._send_json(answer(request, progress=self._stop_if_closed))
+            found = temperature_answer if name == "temperature" else answer
+            self._send_json(found(request, progress=self._stop_if_closed))
         except _Disconnected:
             return
 

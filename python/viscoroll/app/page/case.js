@@ -35,6 +35,11 @@ export function initialState() {
     compliance: "radial",
     curvature: "sphere",
     accuracy: 0.01,
+    temperature: "off", // or "on"
+    convection: 10, // [W/(m² K)]
+    ambient: [20, "°C"],
+    conductivity: 0.2, // [W/(m K)]
+    core: "insulated",
     numerics: {}, // other keys of this table in a case file
   };
 }
@@ -59,6 +64,7 @@ export function quantity(name, state) {
     load: line ? "line_force" : "force",
     penetration: "length",
     speed: "speed",
+    ambient: "temperature",
   }[name];
 }
 
@@ -103,7 +109,18 @@ export function sizedBy(state, given) {
   return given === state.given ? state : { ...state, given, size: fromSI(meters, "mm", "length") };
 }
 
-/** Tables of the case file for a state, in SI units. */
+/** Tables of the case file for a state, in SI units: those of its case, and of the temperature if it is computed. */
+export function fileOf(state) {
+  return { ...caseOf(state), ...(state.temperature === "on" ? { thermal: thermalOf(state) } : {}) };
+}
+
+/** Table of the temperature. */
+export function thermalOf({ convection, ambient, conductivity, core }) {
+  const isNumber = Number.isFinite(Number(core)); // the conductivity of a solid core, in a case file
+  return { convection, ambient: toSI(ambient, "temperature"), conductivity, core: isNumber ? Number(core) : core };
+}
+
+/** Tables of the case for a state, in SI units, without its temperature. */
 export function caseOf(state) {
   return {
     [state.body]: bodyTable(state),
@@ -204,8 +221,18 @@ export function stateOf(tables) {
   Object.assign(state, driveZeros(line));
   if (state.friction > 0) readDrive(state, rolling.drive);
   readNumerics(state, tables.numerics ?? {});
+  if (tables.thermal) readThermal(state, tables.thermal, body.layers?.at(-1));
   const { speed, ...others } = rolling; // the case has the angular speed
-  return { state, left: missingIn(caseOf(state), { ...tables, rolling: others }) };
+  return { state, left: missingIn(fileOf(state), { ...tables, rolling: others }) };
+}
+
+/** Without a conductivity of all layers, use that of the outer layer. */
+function readThermal(state, { convection, ambient = 293.15, conductivity, core }, layer) {
+  state.temperature = "on";
+  if (Number.isFinite(convection)) state.convection = convection;
+  state.ambient = fromSI(ambient, "°C", "temperature");
+  state.conductivity = [conductivity, layer?.conductivity].flat().find(Number.isFinite) ?? state.conductivity;
+  state.core = core ?? state.core;
 }
 
 /** Values of keys that a case omits because they are the default. */
@@ -216,6 +243,7 @@ function missingIn(tables, file, path = "") {
   return Object.entries(file).flatMap(([name, value]) => {
     const inside = Array.isArray(file) ? `${path}[${name}]` : path ? `${path}.${name}` : name;
     if (!(name in tables)) return isDefault(name, value) ? [] : [inside];
+    if (Array.isArray(value) && typeof tables[name] === "number") return [inside]; // a number for each layer
     const areTables = [value, tables[name]].every((one) => one !== null && typeof one === "object");
     return areTables ? missingIn(tables[name], value, inside) : [];
   });

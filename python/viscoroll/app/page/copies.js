@@ -1,6 +1,6 @@
 /** Buttons that copy the case as Python code, as a case file and as a link. */
 
-import { caseOf } from "./case.js";
+import { fileOf } from "./case.js";
 import { caseFileOf, pythonOf } from "./code.js";
 import { fragmentOf } from "./link.js";
 
@@ -11,8 +11,8 @@ import { fragmentOf } from "./link.js";
  */
 export function connectCopies(state, hasLink) {
   const texts = {
-    "copy-python": ["Python", () => pythonOf(caseOf(state()))],
-    "copy-case": ["Case file", () => caseFileOf(caseOf(state()))],
+    "copy-python": ["Python", () => pythonOf(fileOf(state()))],
+    "copy-case": ["Case file", () => caseFileOf(fileOf(state()))],
     "copy-link": ["Link", () => location.href.split("#")[0] + fragmentOf(state())],
   };
   for (const [id, [name, text]] of Object.entries(texts)) {

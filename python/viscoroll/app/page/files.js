@@ -1,6 +1,6 @@
 /** Case files: download of the case, and opening by a button or by drag and drop. */
 
-import { caseOf } from "./case.js";
+import { fileOf } from "./case.js";
 import { caseFileOf } from "./code.js";
 
 /** Name of the downloaded file. */
@@ -21,7 +21,7 @@ export function connectFiles({ state, open, downloaded }) {
     input.value = ""; // so that the same file can be chosen again
   });
   document.getElementById("download-case").addEventListener("click", () => {
-    download(caseFileOf(caseOf(state())));
+    download(caseFileOf(fileOf(state())));
     downloaded();
   });
   connectDrop(open);

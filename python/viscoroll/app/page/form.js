@@ -24,6 +24,7 @@ const PRESSED_BY = { load: "a load", penetration: "a fixed gap: given penetratio
 
 export class Form {
   #root;
+  #hasTemperature;
   #change;
   #fields = [];
   #state;
@@ -32,10 +33,12 @@ export class Form {
 
   /**
    * @param {HTMLElement} root element to fill
+   * @param {boolean} hasTemperature whether the solver computes temperatures
    * @param {(state) => void} change called with each new state
    */
-  constructor(root, change) {
+  constructor(root, hasTemperature, change) {
     this.#root = root;
+    this.#hasTemperature = hasTemperature;
     this.#change = change;
     root.addEventListener("submit", (event) => event.preventDefault());
   }
@@ -57,6 +60,7 @@ export class Form {
       this.#layers(),
       this.#ground(),
       this.#friction(),
+      this.#hasTemperature ? this.#temperature() : "",
       this.#model(),
     );
     if (position >= 0) this.#controls()[position]?.focus();
@@ -274,6 +278,24 @@ export class Form {
         rubs,
         this.#number(drive, DRIVES[drive].label, { range: scaleOf(drive, isLine(this.#state)).range, linear: true }),
       ),
+    );
+  }
+
+  #temperature() {
+    const { core } = this.#state;
+    const isComputed = () => this.#state.temperature === "on";
+    const cores = { insulated: "insulated", isothermal: "as warm as the surroundings" };
+    if (!(core in cores)) cores[core] = `solid, ${core} W/(m K)`; // from a case file
+    const fields = [
+      this.#number("convection", "convection [W/(m² K)]", { range: [1, 200] }),
+      this.#number("ambient", "surroundings", { range: [253.15, 333.15], linear: true, step: 1 }),
+      this.#number("conductivity", "conductivity [W/(m K)]", { range: [0.05, 1] }),
+      this.#choice("core", "core or hub", cores),
+    ];
+    return group(
+      "Temperature",
+      this.#choice("temperature", "temperature", { off: "not computed", on: "computed" }),
+      ...fields.map((field) => this.#shownWhile(isComputed, field)),
     );
   }
 

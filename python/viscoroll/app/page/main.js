@@ -1,6 +1,6 @@
 /** The page: it makes a case from the form, has it solved, and shows numbers and pictures. */
 
-import { caseOf, initialState, outerRadius, stateOf } from "./case.js";
+import { caseOf, initialState, outerRadius, stateOf, thermalOf } from "./case.js";
 import { Comparison } from "./comparison.js";
 import { connectCopies } from "./copies.js";
 import { CurvePicture } from "./curve_picture.js";
@@ -12,6 +12,7 @@ import { fragmentOf, stateOfFragment } from "./link.js";
 import { Newest } from "./newest.js";
 import { Results } from "./results.js";
 import { connect } from "./solver.js";
+import { TemperaturePicture } from "./temperature_picture.js";
 import { followTheme } from "./theme.js";
 
 /** Largest size of a case file [bytes]; the server of the page has the same limit. */
@@ -21,7 +22,8 @@ const at = (id) => document.getElementById(id);
 
 class Page {
   #state;
-  #form = new Form(at("form"), (state) => this.#change(state));
+  #form;
+  #temperature = new TemperaturePicture(at("temperature"));
   #results;
   #comparison;
   #curve;
@@ -31,6 +33,7 @@ class Page {
   /** @param {object} start the solver, and maybe an initial case, from the script element of the page */
   constructor(start) {
     this.#solver = connect(start);
+    this.#form = new Form(at("form"), this.#solver.hasTemperature, (state) => this.#change(state));
     this.#state = stateOfFragment(location.hash) ?? (start.case ? this.#stateOfFile(start.case, []) : initialState());
     this.#form.show(this.#state);
     this.#connectExamples();
@@ -59,6 +62,7 @@ class Page {
     this.#newest = new Newest(this.#solver, {
       solving: (stage) => this.#tellSolving(stage),
       solved: (...of) => this.#tellSolved(...of),
+      temperature: (answer) => this.#tellTemperature(answer),
       point: (index, answer) => this.#curve.add(index, answer),
       failed: (error) => this.#fail(error),
     });
@@ -113,11 +117,14 @@ class Page {
 
   #ask() {
     if (this.#newest && document.body.dataset.wrong === "true") this.#takeBack();
+    const isComputed = this.#solver.hasTemperature && this.#state.temperature === "on";
+    this.#temperature.begin(isComputed);
     this.#comparison?.wait();
     this.#newest?.ask(
       caseOf(this.#state),
       outerRadius(this.#state),
       this.#curve.begin(this.#state, this.#comparison.state),
+      isComputed ? thermalOf(this.#state) : null,
     );
   }
 
@@ -162,6 +169,11 @@ class Page {
     this.#curve.mark(result);
     at("brief").textContent = `${this.#results.brief(result)}${countText(warnings.length)} ↓`;
     say(stage === "coarse" ? `Result on a coarse mesh (${meshText(result, seconds)}).` : refinedText(result, seconds));
+  }
+
+  #tellTemperature({ temperature, error }) {
+    if (error) this.#temperature.fail(this.#form.sayError(error));
+    else this.#temperature.show(temperature);
   }
 
   /** Remove the messages about the previous case, while the new one is solved. */

@@ -3,6 +3,7 @@
  *
  *     async solve(request, signal) -> {result} or {error}    async scalars() -> [{name, unit, description}]
  *     async open(text) -> {tables, skipped} or {error}       the case of a case file
+ *     async temperature(request, signal) -> {temperature} or {error}    only if `hasTemperature`
  *
  * for the same requests. An aborted signal ends a solve, and its promise is rejected with an AbortError.
  */
@@ -19,6 +20,7 @@ export function connect(start) {
 /** Solver in the program that serves the page. */
 class NativeSolver {
   where = "on this machine, by the installed library";
+  hasTemperature = true;
 
   async solve(request, signal) {
     return post("solve", request, signal);
@@ -26,6 +28,10 @@ class NativeSolver {
 
   async open(text) {
     return post("open", text);
+  }
+
+  async temperature(request, signal) {
+    return post("temperature", request, signal);
   }
 
   async scalars() {
@@ -49,6 +55,7 @@ async function post(name, content, signal) {
 /** Solver in a worker, which answers one request after the other. To abort one, the worker is replaced by a new one. */
 class WorkerSolver {
   where = "in this browser, by WebAssembly; no data leave it";
+  hasTemperature = false;
   #script;
   #materials;
   #worker = null;
