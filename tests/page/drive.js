@@ -121,6 +121,14 @@ await answered(other, 100);
 await refined(other);
 seen.kept = await other.$eval('#numbers [data-scalar="penetration"] + .kept', (note) => note.textContent);
 
+// The server of `viscoroll app` also computes temperatures.
+const heated = await open(`${address}#${Buffer.from(JSON.stringify({ temperature: "on" })).toString("base64url")}`);
+const legends = await heated.$$eval("#form legend", (all) => all.map(({ textContent }) => textContent));
+seen.hasTemperature = legends.includes("Temperature");
+if (seen.hasTemperature) await heated.waitForSelector("#temperature .card", { timeout: 60_000 });
+seen.hottest = await heated.$$eval("#temperature .card dd", (cards) => cards[0]?.textContent);
+seen.charts = await heated.$$eval("#temperature svg", (charts) => charts.length);
+
 // The field of a wrong number displays the error; a new number removes it.
 await page.bringToFront();
 const field = await page.evaluateHandle(() =>

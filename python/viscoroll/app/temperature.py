@@ -34,8 +34,8 @@ def temperature_answer(request: object, *, progress: ProgressLike = None) -> dic
     -------
     dict
         ``{"temperature": {"maximum", "surface_maximum", "mean", "heat", "heat_to_core", "ambient", "heat_unit", "rise",
-        "axes"}}``: attributes of `viscoroll.thermal.Temperature`, and the coordinates of the rise by the names of its
-        dimensions, in their order; or ``{"error": {...}}`` as in `viscoroll.app.answer`.
+        "axes", "warnings"}}``: attributes of `viscoroll.thermal.Temperature`, the coordinates of the rise by the names
+        of its dimensions, in their order, and texts of warnings; or ``{"error": {...}}`` as in `viscoroll.app.answer`.
     """
     try:
         if not isinstance(request, dict) or set(request) != {"case", "thermal"}:
@@ -45,7 +45,9 @@ def temperature_answer(request: object, *, progress: ProgressLike = None) -> dic
         if case.thermal is None:
             raise InvalidInput("thermal", "must be a table")
         with silenced():
-            found = case.thermal.temperature(case.solve(progress=progress), progress=progress)
+            result = case.solve(progress=progress)  # whose warnings are those of `answer`
+        with silenced() as warnings:
+            found = case.thermal.temperature(result, progress=progress)
     except (ValueError, TypeError, ConvergenceError, RecursionError) as error:
         return {"error": error_answer(one_line(str(error)), error if isinstance(error, InvalidInput) else None)}
     except MemoryError:
@@ -56,5 +58,6 @@ def temperature_answer(request: object, *, progress: ProgressLike = None) -> dic
             "heat_unit": found.heat_unit,
             "rise": found.rise.to_numpy().tolist(),
             "axes": {str(name): found.rise[name].to_numpy().tolist() for name in found.rise.dims},
+            "warnings": warnings,
         }
     }

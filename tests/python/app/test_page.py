@@ -201,9 +201,19 @@ def test_an_opened_case_file_restores_the_case(seen):
 @pytest.mark.slow
 def test_the_numbers_of_a_kept_case_are_shown(seen):
     change = 100.0 * (seen["readme"]["penetration"] / seen["moved"]["penetration"] - 1.0)
-    kept, percent = re.fullmatch(r"kept: (\S+) mm \(−(\S+)\s%\)", seen["kept"]).groups()
+    kept, percent = re.fullmatch(r"kept: (\S+) mm \(.(\S+)\s%\)", seen["kept"]).groups()
     assert float(kept) == pytest.approx(1e3 * seen["moved"]["penetration"], rel=1e-3)
     assert -float(percent) == pytest.approx(change, abs=1.0)
+
+
+@pytest.mark.slow
+def test_temperatures_are_shown_if_the_solver_computes_them(seen):
+    assert seen["hasTemperature"] == (seen["page"] == "viscoroll app")
+    if seen["hasTemperature"]:
+        result = vr.solve(readme_ball(), load=100.0, angular_speed=2.5)
+        heated = result.temperature(convection=10.0, ambient=293.15, conductivity=0.2)
+        assert seen["hottest"] == f"{heated.ambient + heated.maximum - 273.15:.4g} °C"
+        assert seen["charts"] == 2
 
 
 @pytest.mark.slow

@@ -38,7 +38,14 @@ def test_numbers_and_section_are_those_of_the_package():
     assert list(found["axes"]) == ["radius", "z"]
     assert np.array_equal(found["axes"]["radius"], expected.rise.radius)
     assert np.array_equal(found["rise"], expected.rise)
+    assert found["warnings"] == []
     json.dumps(found, allow_nan=False)
+
+
+def test_warnings_about_the_temperature_are_returned():
+    slow = CASE | {"rolling": {"load": 5000.0, "angular_speed": 1e-4}}
+    (warning,) = temperature_answer({"case": slow, "thermal": THERMAL})["temperature"]["warnings"]
+    assert warning.startswith("between passes, the temperature of a point varies")
 
 
 @pytest.mark.parametrize(

@@ -51,7 +51,8 @@ function convert(before, state, changed) {
     const old = toSI(before[name], from.quantity);
     const value = line ? tidy(old / width) : Number((old * width).toPrecision(DIGITS));
     state[name] = fromSI(value, to.unit, to.quantity);
-    const isShown = name === "load" ? state.pressed === name : state.friction > 0 && state.drive === name && value !== 0;
+    const isDriven = state.friction > 0 && state.drive === name && value !== 0;
+    const isShown = name === "load" ? state.pressed === name : isDriven;
     if (isShown) changed.push(changeText(name, before[name], state[name], state.width));
   }
 }

@@ -43,9 +43,10 @@ export function openCase(text) {
   }
 }
 
-/** Check that all values of the file are tables, and that they have the keys for which the form has an initial number. */
+/** Check that all values of the file are tables, with the keys for which the form has an initial number. */
 function requireKeys(document, body) {
-  const other = Object.keys(document).find((name) => typeof document[name] !== "object" || Array.isArray(document[name]));
+  const isTable = (value) => typeof value === "object" && !Array.isArray(value);
+  const other = Object.keys(document).find((name) => !isTable(document[name]));
   if (other) throw new Error(`${other} must be a table`);
   for (const table of [body, "rolling"]) {
     for (const keys of REQUIRED[table]) {

@@ -1,4 +1,4 @@
-/** A case that the user keeps: its numbers appear on the cards of the current case, its pictures beside, and its curve. */
+/** A case that the user keeps: its numbers appear on the cards of the current case, and its pictures beside. */
 
 import { bodyOf, isLine, outerRadius } from "./case.js";
 import { drawContact } from "./contact_picture.js";

@@ -6,7 +6,7 @@ import { SI, fromSI, numberText, tidy, toSI, unitNamed } from "./units.js";
 
 const STEPS = 300; // number of steps of a slider: over three decades, a step changes the number by about 2 %
 
-/** Largest number of significant digits that a user types, and number of digits of longer numbers, which are converted. */
+/** Largest number of digits that a user types, and number of digits shown of longer numbers, which are converted. */
 const TYPED = 8;
 const SHOWN = 5;
 

@@ -162,13 +162,14 @@ export class Form {
   #motion() {
     const { pressed } = this.#state;
     const line = isLine(this.#state);
+    const { label, lineLabel, range, line: rangeOfLine } = PRESSED[pressed];
     const nouns = Object.fromEntries(Object.entries(BODIES).map(([name, { noun }]) => [name, noun]));
     return group(
       "Body, load and speed",
       this.#choice("body", "body", nouns, { change: (body) => this.#setBody(body) }),
       ...this.#changed.map((text) => el("p", { class: "changed", role: "status" }, text)),
       this.#choice("pressed", "pressed by", PRESSED_BY),
-      this.#number(pressed, PRESSED[pressed][line ? "lineLabel" : "label"], { range: PRESSED[pressed][line ? "line" : "range"] }),
+      this.#number(pressed, line ? lineLabel : label, { range: line ? rangeOfLine : range }),
       this.#number("speed", "speed", { parameter: "angular_speed", range: [1e-2, 1e3] }),
     );
   }

@@ -18,6 +18,9 @@ import { followTheme } from "./theme.js";
 /** Largest size of a case file [bytes]; the server of the page has the same limit. */
 const LARGEST_FILE = 1_000_000;
 
+const DOWNLOADED =
+  `${NAME} is in the downloads. Others open it by \`viscoroll app ${NAME}\`, or by dropping it on this page.`;
+
 const at = (id) => document.getElementById(id);
 
 class Page {
@@ -42,7 +45,7 @@ class Page {
     connectFiles({
       state: () => this.#state,
       open: (file) => this.#open(file),
-      downloaded: () => sayOfFile(`${NAME} is in the downloads. Others open it by \`viscoroll app ${NAME}\`, or by dropping it on this page.`),
+      downloaded: () => sayOfFile(DOWNLOADED),
     });
     globalThis.addEventListener("hashchange", () => this.#follow(stateOfFragment(location.hash)));
     at("brief").addEventListener("click", () => at("answer").scrollIntoView({ behavior: "smooth" }));
@@ -111,7 +114,9 @@ class Page {
   #stateOfFile(tables, skipped) {
     const { state, left } = stateOf(tables);
     const ignored = [...skipped.map((name) => `[${name}]`), ...left];
-    if (ignored.length) sayOfFile(`The page ignores parts of the case file that it does not support: ${ignored.join(", ")}.`, "warning");
+    if (ignored.length) {
+      sayOfFile(`The page ignores parts of the case file that it does not support: ${ignored.join(", ")}.`, "warning");
+    }
     return state;
   }
 

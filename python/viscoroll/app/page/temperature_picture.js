@@ -2,6 +2,7 @@
 
 import { chart } from "./chart.js";
 import { el } from "./dom.js";
+import { inPageUnits } from "./messages.js";
 import { SI, fromSI, numberText, quantityText } from "./units.js";
 
 /** Labels and factors of the coordinates. */
@@ -27,29 +28,24 @@ export class TemperaturePicture {
   }
 
   /** Show a temperature. */
-  show({ maximum, surface_maximum: surface, mean, heat, heat_to_core: inwards, heat_unit: unit, ambient, rise, axes }) {
-    const cards = [
-      ["highest temperature", degrees(ambient + maximum), `${kelvin(maximum)} above the surroundings`],
-      ["on the surface", degrees(ambient + surface), `${kelvin(surface)} above the surroundings`],
-      ["mean, weighted by the loss", degrees(ambient + mean), `${kelvin(mean)} above the surroundings`],
-      ["heat", quantityText(heat, unit), `${quantityText(inwards, unit)} of it to the core`],
-    ];
+  show({ rise, axes, warnings, ...numbers }) {
     const [row, column] = hottest(rise);
     const [through, across] = Object.keys(axes);
     const lines = [
-      [through, rise.map((values) => values[column]), `through the layers, at the hottest place`],
+      [through, rise.map((values) => values[column]), "through the layers, at the hottest place"],
       [across, rise[row], "across the path, at the hottest depth"],
     ];
-    this.#fill(cards, lines.filter(([name]) => axes[name].length > 1).map((line) => [...line, axes]), "");
+    const drawable = lines.filter(([name]) => axes[name].length > 1).map((line) => [...line, axes]);
+    this.#fill(cardsOf(numbers), drawable, warnings.map(inPageUnits).join(" "), "warning");
   }
 
   /** Show the text of an error. */
   fail(text) {
-    this.#fill([], [], text);
+    this.#fill([], [], text, "error");
   }
 
-  #fill(cards, lines, text) {
-    const [numbers, figures, said] = ["dl", ".profiles", ".note"].map((part) => this.#root.querySelector(part));
+  #fill(cards, lines, text, kind = "note") {
+    const [numbers, figures, said] = ["dl", ".profiles", ".said"].map((part) => this.#root.querySelector(part));
     numbers.replaceChildren(
       ...cards.map(([label, value, note]) =>
         el("div", { class: "card" }, el("dt", {}, label), el("dd", {}, value), el("dd", { class: "note" }, note)),
@@ -59,7 +55,19 @@ export class TemperaturePicture {
     figures.replaceChildren(...frames);
     for (const [i, frame] of frames.entries()) frame.append(drawn(lines[i], Math.max(frame.clientWidth, 240)));
     said.textContent = text;
+    said.dataset.kind = kind;
   }
+}
+
+/** Label, text and note of each number. */
+function cardsOf({ maximum, surface_maximum: surface, mean, heat, heat_to_core: inwards, heat_unit: unit, ambient }) {
+  const temperature = (label, rise) => [label, degrees(ambient + rise), `${kelvin(rise)} above the surroundings`];
+  return [
+    temperature("highest temperature", maximum),
+    temperature("on the surface", surface),
+    temperature("mean, weighted by the loss", mean),
+    ["heat", quantityText(heat, unit), `${quantityText(inwards, unit)} of it to the core`],
+  ];
 }
 
 /** Indices of the largest number of a table. */
