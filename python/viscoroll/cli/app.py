@@ -137,9 +137,9 @@ def solve(
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
     wanted = dict(map(parsed_change, changes or []))
-    for path in case:
-        report_skipped(path, "solve")
     if len(case) > 1:
+        for path in case:
+            report_skipped(path, "solve")
         results = solve_several(
             case,
             wanted,
@@ -152,6 +152,7 @@ def solve(
             print_several(results)
         return
     loaded = load_case(case[0], wanted)
+    report_skipped(case[0], "solve")
     heated, softened = None, None
     with progress_bar() as report, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", ResultWarning)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, cast
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save_picture
-from .._support.pictures import draw_picture
 from .._support.result_warnings import ResultWarning
 from .._support.tables import handy
 from ..case import load_case
@@ -66,6 +65,8 @@ def solve_several(
         for message in filter(None, [fast, *result_warnings(result)]):
             write_message(f"warning: {name}: {message}")
     if plot is not None:
+        from .._support.pictures import draw_picture
+
         picture = draw_picture(lambda axes: _draw(axes, results), None, figsize=(7.0, 4.5))
         save_picture(cast("Figure", picture), plot)
     return results

@@ -333,7 +333,7 @@ BAD = {
     "too large": (
         {"friction": 4.01},
         ValueError,
-        r"friction must be at most 4 \(no pair of materials has more\), or infinite for full stick, got 4.01",
+        r"friction must be <= 4 \(no pair of materials has more\), or infinite for full stick, got 4.01",
     ),
     "text": ({"friction": "much"}, TypeError, "friction must be a real number"),
     "drive": ({"friction": 0.3, "drive": 0.0}, TypeError, "drive must be a viscoroll.Drive"),
