@@ -160,7 +160,7 @@ class Page {
 
   #tellError(error) {
     at("error").textContent = this.#form.sayError(error);
-    at("brief").textContent = "No result ↓";
+    at("brief").textContent = "No result\u00a0↓";
     say("");
   }
 
@@ -172,7 +172,7 @@ class Page {
     const isOfForm = stage === "fine" && JSON.stringify(caseOf(this.#state)) === JSON.stringify(tables);
     this.#comparison.use(result, tables, isOfForm ? this.#state : null);
     this.#curve.mark(result);
-    at("brief").textContent = `${this.#results.brief(result)}${countText(warnings.length)} ↓`;
+    at("brief").textContent = `${this.#results.brief(result)}${countText(warnings.length)}\u00a0↓`;
     say(stage === "coarse" ? `Result on a coarse mesh (${meshText(result, seconds)}).` : refinedText(result, seconds));
   }
 
