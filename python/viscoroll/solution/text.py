@@ -39,6 +39,10 @@ _POINT_CONTACT = frozenset({"contact_area", "semi_axis_x", "semi_axis_z", "conta
 _PARTS = frozenset({"bulk_power", "rolling_bulk_power", "counterbody_bulk_power", "slip_power"})
 
 
+#: Further results of which 0 is a result: a contact reaches the faces.
+_KEPT = frozenset({"face_distance"})
+
+
 def result_summary(result: Solution) -> str:
     """Return a summary that fits on one screen: the answer, how certain it is, and further results."""
     sections = result_sections(result)
@@ -90,13 +94,13 @@ def scalar_texts(results: list[Solution], name: str) -> list[str]:
         return ["undetermined" if value is None else percent_text(value, digits) for value in values]
     if len({result.unit(name) for result in results}) > 1:  # rollers have values per length
         return [scalar_text(result, name) for result in results]
-    errors = [relative_error(result, name) for result in results]
+    errors = [_relative_error(result, name) for result in results]
     digits = 6 if name in {result.prescribed for result in results} else 3
     texts, unit = quantity_texts(values, results[0].unit(name), errors, digits=digits)
     return [text if value is None else f"{text} {unit}".rstrip() for value, text in zip(values, texts, strict=True)]
 
 
-def relative_error(result: Solution, name: str) -> float | None:
+def _relative_error(result: Solution, name: str) -> float | None:
     """Return the relative error estimate of a scalar result, the sum of those of mesh and theory; None if given."""
     if name == result.prescribed:
         return None
@@ -146,7 +150,7 @@ def _rows(result: Solution, group: str) -> list[tuple[str, str]]:
     return [
         (label, scalar_text(result, name))
         for name, label in _reported(result).items()
-        if _group(result, name) == group and (group != "other" or getattr(result, name) != 0)
+        if _group(result, name) == group and (group != "other" or name in _KEPT or getattr(result, name) != 0)
     ]
 
 

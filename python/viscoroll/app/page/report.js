@@ -11,6 +11,9 @@ const POINT_CONTACT = ["contact_area", "semi_axis_x", "semi_axis_z", "contact_wi
 /** Parts of the dissipated power, which are omitted if they equal it. */
 const PARTS = ["bulk_power", "rolling_bulk_power", "counterbody_bulk_power", "slip_power"];
 
+/** Further results of which 0 is a result: a contact reaches the faces. */
+const KEPT = ["face_distance"];
+
 export class Report {
   #scalars;
   #table;
@@ -32,7 +35,7 @@ export class Report {
     const rows = (group) =>
       this.#table
         .filter((scalar) => this.#group(scalar) === group && this.#isReported(scalar.name))
-        .filter(({ name }) => group !== "other" || this.#scalars[name] !== 0)
+        .filter(({ name }) => group !== "other" || KEPT.includes(name) || this.#scalars[name] !== 0)
         .map(({ name }) => ({ name, label: this.label(name), text: this.text(name) }));
     const lossless = this.#scalars.bulk_power === 0 ? [{ label: "dissipation in the layers", text: LOSSLESS }] : [];
     return { answer: [...lossless, ...rows("answer")], "how certain": rows("certainty"), "further results": rows("other") };
