@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { UNITS } from "../../python/viscoroll/app/page/unit_table.js";
 import {
   SI,
-  UNITS,
   fromSI,
   numberText,
   quantityText,

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
-from .._support.arguments import as_float
-from .._support.errors import InvalidInput
+from .._support.arguments import as_float, as_float_in
+from .._support.errors import InvalidInput, Range
 from .._support.toml import read_toml
 from ..bodies import Counterbody, Drive, RollingBody
 from ..transient.roll import roll
@@ -198,13 +198,10 @@ def _oscillation(motion: Motion, rolling_load: float | None) -> dict[str, Any]:
     load = rolling_load if motion.load is None else motion.load
     if motion.frequency is None or load is None:
         raise InvalidInput("motion", "must have frequency and load with amplitude")
-    if not 1e-100 <= motion.frequency <= 1e100:
-        raise InvalidInput("motion.frequency", "must be in [1e-100, 1e100] Hz", repr(motion.frequency))
-    if not 0.0 < motion.cycles <= 1e4:
-        raise InvalidInput("motion.cycles", "must be in (0, 1e4]", f"{motion.cycles!r}")
     assert motion.amplitude is not None
-    if not np.isfinite(motion.amplitude):
-        raise InvalidInput("motion.amplitude", "must be finite", repr(motion.amplitude))
+    as_float_in(Range(1e-100, 1e100, "Hz"), "motion.frequency", motion.frequency)
+    as_float_in(Range(0.0, 1e4, excludes_minimum=True), "motion.cycles", motion.cycles)
+    as_float_in(Range(), "motion.amplitude", motion.amplitude)
     time = np.linspace(0.0, motion.cycles / motion.frequency, max(int(_WAYPOINTS_PER_CYCLE * motion.cycles), 1) + 1)
     angle = motion.amplitude * np.sin(2.0 * np.pi * motion.frequency * time)
     return {"time": time, "angle": angle, "load": load}

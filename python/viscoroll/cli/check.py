@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
+import contextlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -90,5 +90,5 @@ def _accepted(case: Case) -> None:
     def stop(_stage: str, _fraction: float) -> None:
         raise _Valid
 
-    with suppress(_Valid):
+    with contextlib.suppress(_Valid):
         case.solve(progress=stop)

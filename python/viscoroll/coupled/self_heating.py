@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._support.arguments import as_float, as_int, as_kelvin, require_type
+from .._support.arguments import as_count, as_float, as_int, as_kelvin, require_type
 from .._support.errors import InvalidInput, InvalidType
 from .._support.extras import extra
 from .._support.progress import ProgressLike, counted, reporting
@@ -274,12 +274,8 @@ def self_heating(
 
     require_type("body", body, RollingBody)
     shifts = _shifts(body, shift)
-    parts = as_int("sublayers", sublayers)
-    count = as_int("points", points)
-    if not 1 <= parts <= 20:
-        raise InvalidInput("sublayers", "must be in [1, 20]", parts)
-    if not 4 <= count <= 1000:
-        raise InvalidInput("points", "must be in [4, 1000]", count)
+    parts = as_count("sublayers", sublayers, 1, 20)
+    count = as_count("points", points, 4, 1000)
     surroundings = as_kelvin("ambient", ambient)
     highest = surroundings + 150.0 if limit is None else as_float("limit", limit)
     if not highest > surroundings:

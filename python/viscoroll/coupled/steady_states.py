@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from .._core import ConvergenceError
-from .._support.errors import InvalidInput
+from .._support.errors import Range
 from .._support.progress import Report
 from .._support.quantities import quantity_text
 from .._support.result_warnings import silenced
@@ -241,7 +241,7 @@ class StateSearch:
     def _root(self, mean: float, first: float, at: Callable[[float], _Point], name: str, reach: int) -> float:
         """Return the load or speed at which the excess is 0, by steps of a factor of 2 from the first one."""
         if not mean > self.ambient:
-            raise InvalidInput("temperatures", f"must be > {self.ambient:g} K", f"{mean:g} K")
+            raise Range(self.ambient, unit="K", excludes_minimum=True).error("temperatures", f"{mean:g} K")
 
         def excess(logarithm: float) -> float:
             return at(float(np.exp(logarithm))).excess

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import ConvergenceError
-from .._support.arguments import as_float, as_floats, as_int, as_positive
+from .._support.arguments import as_count, as_float, as_floats, as_positive
 from .._support.errors import InvalidInput
 from .._support.progress import ProgressLike, Report, reporting
 from .._support.result_warnings import warn
@@ -190,11 +190,7 @@ def ladder(
 
 
 def _elements(across: int, through: int) -> tuple[int, int]:
-    size = as_int("elements_across", across), as_int("elements_through", through)
-    for name, count, low, high in (("elements_across", size[0], 8, 400), ("elements_through", size[1], 2, 40)):
-        if not low <= count <= high:
-            raise InvalidInput(name, f"must be in [{low}, {high}]", str(count))
-    return size
+    return as_count("elements_across", across, 8, 400), as_count("elements_through", through, 2, 40)
 
 
 def _checked(given: Problem, name: str, penetration: float) -> float:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_float, as_kelvin, as_member, as_not_negative, as_positive, require_type
-from .._support.errors import InvalidInput
+from .._support.errors import InvalidInput, Range
 from .._support.extras import extra
 from .._support.plotting import plots
 from .._support.progress import ProgressLike
@@ -307,7 +307,7 @@ def _history(
 
     times = finite_line("time", time)
     if not (times >= 0.0).all():
-        raise InvalidInput("time", "must be >= 0 s", f"{times.min():g} s")
+        raise Range(0.0, unit="s").error("time", f"{times.min():g} s")
     initial = np.zeros_like(steady)
     if start is not None:
         field = start.rise if start.history is None else start.history.rise[-1]

@@ -13,11 +13,15 @@ MESH = vr.Mesh(nodes_per_revolution=600)
 
 
 def ball(shear_modulus=RUBBER):
-    return vr.CoatedSphere(core_radius=20e-3, layers=[vr.Layer(thickness=1e-3, shear_modulus=shear_modulus, poisson_ratio=0.5)])
+    return vr.CoatedSphere(
+        core_radius=20e-3, layers=[vr.Layer(thickness=1e-3, shear_modulus=shear_modulus, poisson_ratio=0.5)]
+    )
 
 
 def roller(shear_modulus=RUBBER):
-    return vr.CoatedCylinder(core_radius=50e-3, layers=[vr.Layer(thickness=10e-3, shear_modulus=shear_modulus, poisson_ratio=0.5)])
+    return vr.CoatedCylinder(
+        core_radius=50e-3, layers=[vr.Layer(thickness=10e-3, shear_modulus=shear_modulus, poisson_ratio=0.5)]
+    )
 
 
 def test_every_scalar_has_a_group_and_known_error_estimates():
@@ -114,7 +118,9 @@ def test_a_material_without_loss_dissipates_exactly_nothing(name):
     assert dict(result_sections(r)[ANSWER])["push force"] == "0 N"
 
 
-@pytest.mark.parametrize("on", [None, roller(2e6), vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=3e6, poisson_ratio=0.5))])
+@pytest.mark.parametrize(
+    "on", [None, roller(2e6), vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=3e6, poisson_ratio=0.5))]
+)
 def test_pairs_without_loss_dissipate_exactly_nothing(on):
     r = vr.solve(roller(3e6), on=on, load=2e3, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=500))
     assert [getattr(r, name) for name in NONE] == [0.0] * len(NONE)

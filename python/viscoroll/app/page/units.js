@@ -2,8 +2,6 @@
 
 import { ALIASES, CENTER_SPEEDS, DISPLAY_UNITS, OFFSETS, PER_LENGTH, UNITS } from "./unit_table.js";
 
-export { UNITS };
-
 /** SI unit of each quantity, as in messages of the solver; empty if it has none. */
 export const SI = Object.fromEntries(
   Object.entries(UNITS).map(([quantity, units]) => [
