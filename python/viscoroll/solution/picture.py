@@ -67,7 +67,7 @@ def plot_contact(result: Solution, ax: Axes | None = None) -> Picture | Axes:
 
 
 def _headline(result: Solution) -> str:
-    """Return the input on one line and the main results on the next."""
+    """Return the input on one line and the main results on the next one, for a roller on the next two."""
     given = [f"$P$ = {scalar_text(result, 'load')}", f"$Ω$ = {result.angular_speed:g} rad/s"]
     names = ["rolling_resistance_force", "rolling_resistance_torque"]
     if result.friction > 0.0:
@@ -77,7 +77,8 @@ def _headline(result: Solution) -> str:
     if result.prescribed == "penetration":
         given.append(f"penetration {scalar_text(result, names.pop())}")
     found = [f"{label_of(name, result.body)} {scalar_text(result, name)}" for name in names]
-    return ",   ".join(given) + "\n" + ",   ".join(found)
+    half = 2 if result.semi_axis_z is None else len(found)  # the picture of a roller is narrow
+    return "\n".join(",   ".join(part) for part in (given, found[:half], found[half:]) if part)
 
 
 def _lengths(result: Solution) -> Scale:
