@@ -44,7 +44,7 @@ _KEPT = frozenset({"face_distance"})
 
 
 def result_summary(result: Solution) -> str:
-    """Return a summary that fits on one screen: the answer, how certain it is, and further results."""
+    """Return a summary: the answer, how certain it is, and further results."""
     sections = result_sections(result)
     width = max(len(label) for rows in sections.values() for label, _ in rows)
     lines = [f"Result of {result_title(result)}"]
@@ -64,7 +64,7 @@ def result_sections(result: Solution) -> dict[str, list[tuple[str, str]]]:
     lossless = [("dissipation in the layers", LOSSLESS)] if result.bulk_power == 0.0 else []
     certainty = _rows(result, "certainty")
     if (extrapolated := extrapolated_loss(result)) is not None:
-        certainty.append(("loss at frequencies outside the measured table", percent_text(extrapolated)))
+        certainty.append(("share of the loss outside the measured table", percent_text(extrapolated)))
     return {
         ANSWER: [
             *lossless,
