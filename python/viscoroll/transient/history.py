@@ -13,8 +13,8 @@ from .._core import Compliance, Curvature, Start
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
 from .._support.plotting import plots
-from .._support.scalars import with_scalars
 from .._support.quantities import quantity_text, quantity_texts
+from .._support.scalars import with_scalars
 from .._support.tables import html_table, number_text, unit_text
 from ..bodies import Counterbody, Drive, Mesh, RollingBody
 from .rolling_history import RollingState
