@@ -30,8 +30,17 @@ OTHER_TABLES = ("thermal", "motion", "sweep", "design")
 
 
 def scalars() -> list[dict[str, str]]:
-    """Return name, unit and description of every scalar result, from the table of the core."""
-    return [{"name": one.name, "unit": one.unit, "description": one.label} for one in _core.result_scalars()]
+    """Return name, unit, description, group and precision of every scalar result, from the table of the core."""
+    return [
+        {
+            "name": one.name,
+            "unit": one.unit,
+            "description": one.label,
+            "group": one.group,
+            "precision": one.precision,
+        }
+        for one in _core.result_scalars()
+    ]
 
 
 def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:

@@ -11,6 +11,7 @@ import numpy as np
 from .._core import ConvergenceError
 from .._support.errors import Range
 from .._support.progress import Report
+from .._support.quantities import quantity_text
 from .._support.result_warnings import silenced
 from ..bodies import RollingBody
 from ..materials.shift import Shift, scaled, shift_factor, shifted
@@ -68,11 +69,10 @@ class SteadyState:
     def __repr__(self) -> str:
         """Return a summary in one line."""
         kind = "stable" if self.stable else "unstable"
-        torque = self.result.resisting_torque
-        shown = f"{torque:.4g} N" if self.result.body.line_contact else f"{torque * 1e3:.4g} mN m"
+        torque = quantity_text(self.result.resisting_torque, self.result.unit("resisting_torque"))
         return (
             f"SteadyState({kind}, mean {self.mean_temperature:.2f} K, at most "
-            f"{self.temperature.ambient + self.temperature.maximum:.2f} K, T_r = {shown})"
+            f"{self.temperature.ambient + self.temperature.maximum:.2f} K, T_r = {torque})"
         )
 
 

@@ -40,7 +40,7 @@ needs_node = pytest.mark.skipif(NODE is None, reason="no node")
 @needs_node
 def test_modules():
     files = sorted(TESTS.glob("*.test.js"))
-    assert len(files) == 10
+    assert len(files) == 11
     done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
 

@@ -172,7 +172,7 @@ class Page {
     const isOfForm = stage === "fine" && JSON.stringify(caseOf(this.#state)) === JSON.stringify(tables);
     this.#comparison.use(result, tables, isOfForm ? this.#state : null);
     this.#curve.mark(result);
-    at("brief").textContent = `${this.#results.brief(result)}${countText(warnings.length)}\u00a0↓`;
+    at("brief").textContent = `${this.#results.brief()}${countText(warnings.length)}\u00a0↓`;
     say(stage === "coarse" ? `Result on a coarse mesh (${meshText(result, seconds)}).` : refinedText(result, seconds));
   }
 
