@@ -119,7 +119,7 @@ await other.click("#keep");
 await other.select("#examples", "paper");
 await answered(other, 100);
 await refined(other);
-seen.kept = await other.$eval('#numbers [data-scalar="penetration"] + .kept', (note) => note.textContent);
+seen.kept = await other.$eval('#numbers [data-scalar="strain"] + .kept', (note) => note.textContent);
 
 // The server of `viscoroll app` also computes temperatures.
 const heated = await open(`${address}#${Buffer.from(JSON.stringify({ temperature: "on" })).toString("base64url")}`);
