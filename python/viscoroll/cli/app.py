@@ -34,6 +34,7 @@ from .commands import design, export, material, schema
 from .example import example
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 from .page import serve_page
+from .report import write_report
 from .result_tables import (
     finite_strain_scalars,
     finite_strain_table,
@@ -444,3 +445,4 @@ def _print_rows(sections: dict[str, list[tuple[str, str]]]) -> None:
 for command in (check, example, material, export, design, schema):
     app.command()(command)
 app.command("app")(serve_page)
+app.command("report")(write_report)
