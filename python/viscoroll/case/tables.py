@@ -123,12 +123,12 @@ def _takes_numbers(schema: dict[str, Any]) -> bool:
 
 #: Tables that only some commands read, and these commands; messages name the first one.
 _COMMANDS = {
-    "rolling": ("solve", "sweep", "design", "compare", "export"),
-    "thermal": ("solve", "design"),
+    "rolling": ("solve", "sweep", "design", "compare", "export", "report"),
+    "thermal": ("solve", "design", "report"),
     "motion": ("roll",),
     "sweep": ("sweep", "export"),
     "draws": ("sweep",),
-    "design": ("design",),
+    "design": ("design", "report"),
 }
 
 

@@ -25,7 +25,7 @@ LAYERS = (
     {"coupled"},
     {"studies"},
     {"export", "case", "reproduce"},
-    {"app"},
+    {"app", "report"},
     {"cli"},
     {"__init__", "__main__"},
 )
