@@ -3,6 +3,7 @@
 import { bodyOf } from "./case.js";
 import { drawContact } from "./contact_picture.js";
 import { el } from "./dom.js";
+import { inPageUnits } from "./messages.js";
 import { Report, labelOf } from "./report.js";
 import { BODIES } from "./schema.js";
 import { resultUnit, suitableUnit } from "./units.js";
@@ -33,7 +34,7 @@ export class Results {
    * Show a result.
    * @param {object} result result of an answer
    * @param {object} tables tables of its case
-   * @param {string[]} warnings warnings that do not appear at a field
+   * @param {object[]} warnings warnings to show beside the numbers
    */
   show(result, tables, warnings) {
     const { line, words } = BODIES[bodyOf(tables)];
@@ -55,7 +56,7 @@ export class Results {
         ),
       ]),
     );
-    this.#warnings.replaceChildren(...warnings.map(({ message }) => el("p", {}, message)));
+    this.#warnings.replaceChildren(...warnings.map(({ message }) => el("p", {}, inPageUnits(message))));
     this.draw();
   }
 
