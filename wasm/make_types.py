@@ -16,6 +16,7 @@ from typing import Any
 
 import viscoroll
 from viscoroll._support.units import DISPLAY_UNITS, PER_LENGTH
+from viscoroll.app.answer import OTHER_TABLES
 from viscoroll.case.case import BODIES, COUNTERBODIES
 from viscoroll.case.quantities import CENTER_SPEED, DISPLAYED, SPELLINGS, offset_of, same_dimension, scale_of
 from viscoroll.case.schema import json_schema
@@ -88,11 +89,29 @@ def page_lists() -> str:
             "Keys of the table `numerics` that describe a mesh.",
             [field.name for field in fields(viscoroll.Mesh)],
         ),
+        "KEY_UNITS": ("SI units of keys of case files, in point contact.", key_units()),
+        "OTHER_TABLES": ("Tables of case files that the page does not support.", list(OTHER_TABLES)),
     }
     exports = [f"/** {text} */\nexport const {name} = {_literal(value)};\n" for name, (text, value) in lists.items()]
     return "\n".join(
         ["// Written by wasm/make_types.py from the package and the JSON Schema of case files.\n", *exports]
     )
+
+
+def key_units() -> dict[str, str]:
+    """Return the SI units of the keys of bodies, materials and motion that are in a unit of the page."""
+    displayed = {unit for unit, _ in DISPLAYED.values()} | {CENTER_SPEED}
+    names = [*INTERFACES.values(), *(kind.__name__ for kind in MODULI.values()), "of_data_sheet", "published"]
+    keys = [
+        (key, found["unit"])
+        for name in names
+        for key, found in SCHEMA["$defs"][name]["properties"].items()
+        if "unit" in found
+    ]
+    units = {key: unit for key, unit in keys if unit in displayed}
+    if any(units.get(key, unit) != unit for key, unit in keys):
+        raise ValueError("a key must have the same unit in all tables")
+    return units
 
 
 def page_units() -> str:

@@ -3,12 +3,10 @@
 import { bodyOf } from "./case.js";
 import { drawContact } from "./contact_picture.js";
 import { el } from "./dom.js";
+import { inPageUnits } from "./messages.js";
 import { Report, labelOf } from "./report.js";
 import { BODIES } from "./schema.js";
 import { resultUnit, suitableUnit } from "./units.js";
-
-/** Scalars in the text of one line. */
-const BRIEF = ["rolling_resistance_force", "rolling_resistance_torque"];
 
 export class Results {
   #numbers;
@@ -33,7 +31,7 @@ export class Results {
    * Show a result.
    * @param {object} result result of an answer
    * @param {object} tables tables of its case
-   * @param {string[]} warnings warnings that do not appear at a field
+   * @param {object[]} warnings warnings to show beside the numbers
    */
   show(result, tables, warnings) {
     const { line, words } = BODIES[bodyOf(tables)];
@@ -55,14 +53,14 @@ export class Results {
         ),
       ]),
     );
-    this.#warnings.replaceChildren(...warnings.map(({ message }) => el("p", {}, message)));
+    this.#warnings.replaceChildren(...warnings.map(({ message }) => el("p", {}, inPageUnits(message))));
     this.draw();
   }
 
-  /** Push force and drive torque on one line. */
+  /** The first two results of the answer, push force and drive torque, on one line. */
   brief() {
-    const { report } = this.#last;
-    return BRIEF.map((name) => `${report.label(name)} ${report.text(name)}`).join("  ·  ");
+    const results = this.#last.report.sections().answer.filter(({ name }) => name);
+    return results.slice(0, 2).map(({ label, text }) => `${label} ${text}`).join("  ·  ");
   }
 
   /** Suitable unit for a value of a scalar result, and the SI value of this unit. */
