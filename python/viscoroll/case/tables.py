@@ -126,6 +126,9 @@ _COMMANDS = {
     "rolling": ("solve", "sweep", "design", "compare", "export", "report"),
     "thermal": ("solve", "design", "report"),
     "motion": ("roll",),
+    "ground": ("roll",),
+    "tread": ("roll",),
+    "axle": ("roll",),
     "sweep": ("sweep", "export"),
     "draws": ("sweep",),
     "design": ("design", "report"),
@@ -419,7 +422,7 @@ def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iter
 _ALTERNATIVES = ("float", "list[float]")
 
 #: Tables with a key `type`. Pydantic adds its value to the location, after the name of the table.
-_TYPED = ("shear_modulus", "shift", "matrix", "network")
+_TYPED = ("shear_modulus", "shift", "matrix", "network", "ground", "tread")
 
 
 def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") -> InvalidInput:
