@@ -11,7 +11,7 @@ from typing import Any
 from .text import shown
 from .units import UNITS, suitable_unit
 
-__all__ = ["ParameterTable", "handy", "html_table", "number_text", "unit_text"]
+__all__ = ["ParameterTable", "few_texts", "handy", "html_table", "number_text", "unit_text"]
 
 #: Number of entries that are displayed at the beginning of a long sequence, in addition to the last entry.
 _SHOWN = 4
@@ -39,6 +39,13 @@ def html_table(title: str, rows: Iterable[Sequence[str]], *, head: Sequence[str]
 def number_text(value: object) -> str:
     """Return a number with six digits, or "undetermined" for None."""
     return "undetermined" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def few_texts(texts: Sequence[str]) -> str:
+    """Return texts in a row; of many, some of them and their number."""
+    if len(texts) <= _SHOWN + 1:
+        return ", ".join(texts) or "none"
+    return f"{', '.join(texts[:_SHOWN])}, …, {texts[-1]} ({len(texts)})"
 
 
 def unit_text(unit: str) -> str:
@@ -92,16 +99,9 @@ def _cells(name: str, value: Any) -> tuple[str, str]:
         case tuple() if value and all(isinstance(entry, ParameterTable) for entry in value):
             return "".join(entry._repr_html_() for entry in value), ""
         case tuple() if all(isinstance(entry, float) for entry in value):
-            return _few(value), unit
+            return few_texts([*map(number_text, value)]), unit
         case _:
             return escape(f"{value}" if is_dataclass(value) else shown(value)), ""
-
-
-def _few(values: tuple[float, ...]) -> str:
-    """Return the text of a sequence; for a long one, some of its numbers and its length."""
-    if len(values) <= _SHOWN + 1:
-        return ", ".join(map(number_text, values)) or "none"
-    return f"{', '.join(map(number_text, values[:_SHOWN]))}, …, {number_text(values[-1])} ({len(values)})"
 
 
 def _row(cells: Sequence[str]) -> str:

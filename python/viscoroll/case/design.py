@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["Design", "check_design", "design_case"]
+__all__ = ["Design", "check_design", "design_case", "limits_of"]
 
 #: What the number is chosen for.
 Goal: TypeAlias = Literal["least_power", "largest_value"]
@@ -204,6 +204,14 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
 def check_design(document: dict[str, Any]) -> None:
     """Raise the error of the table `design` of a file, if there is one."""
     _checked(document.pop("design", None), document)
+
+
+def limits_of(document: Mapping[str, Any]) -> dict[str, float]:
+    """Return the limits of the table `design` of a file in SI units, none without this table; raise its error."""
+    if "design" not in document:
+        return {}
+    others = {name: table for name, table in document.items() if name != "design"}
+    return _checked(document["design"], others).limits
 
 
 class Wanted(StrictTable):

@@ -123,12 +123,15 @@ def _takes_numbers(schema: dict[str, Any]) -> bool:
 
 #: Tables that only some commands read, and these commands; messages name the first one.
 _COMMANDS = {
-    "rolling": ("solve", "sweep", "design", "compare", "export"),
-    "thermal": ("solve", "design"),
+    "rolling": ("solve", "sweep", "design", "compare", "export", "report"),
+    "thermal": ("solve", "design", "report"),
     "motion": ("roll",),
+    "ground": ("roll",),
+    "tread": ("roll",),
+    "axle": ("roll",),
     "sweep": ("sweep", "export"),
     "draws": ("sweep",),
-    "design": ("design",),
+    "design": ("design", "report"),
 }
 
 
@@ -419,7 +422,7 @@ def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iter
 _ALTERNATIVES = ("float", "list[float]")
 
 #: Tables with a key `type`. Pydantic adds its value to the location, after the name of the table.
-_TYPED = ("shear_modulus", "shift", "matrix", "network")
+_TYPED = ("shear_modulus", "shift", "matrix", "network", "ground", "tread")
 
 
 def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") -> InvalidInput:

@@ -10,7 +10,6 @@ from .._support.extras import extra
 from .._support.tables import handy
 from ..solution.scalars import label_of
 from ..solution.text import with_unit
-from ..thermal.temperature import QUANTITIES
 
 with extra("cli"):
     from rich.markup import escape
@@ -21,16 +20,14 @@ if TYPE_CHECKING:
 
     from .._support.progress import Report
     from ..bodies import CoatedCylinder, RollingBody
-    from ..coupled import SelfHeating
+    from ..case.solved import SolvedCase
     from ..reproduce import Verdict
     from ..rolling import Result
-    from ..thermal import Temperature
 
 __all__ = [
     "finite_strain_scalars",
     "finite_strain_table",
     "table_2",
-    "thermal_scalars",
     "thermal_table",
     "verdict_table",
 ]
@@ -42,37 +39,13 @@ _COMPARED = ("resisting_torque", "load", "penetration", "contact_length", "max_p
 FiniteStrainRows = dict[str, tuple[str, float, float | None, float | None]]
 
 
-def thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
-    """Return the reported scalars of every steady state, in SI units."""
-    scalars: list[dict[str, float | str]] = []
-    for number, found in enumerate(temperatures):
-        row: dict[str, float | str] = {name: getattr(found, name) for name in QUANTITIES}
-        if heated is not None:
-            state = heated.states[number]
-            row |= {
-                "mean_temperature": state.mean_temperature,
-                "resisting_torque": state.result.resisting_torque,
-                "stability": "stable" if state.stable else "unstable",
-            }
-        scalars.append(row)
-    return scalars
-
-
-def thermal_table(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> Table:
-    """Return the table of the reported scalars, with a column for every steady state."""
-    scalars = thermal_scalars(temperatures, heated)
-    quantities = {name: (temperatures[0].unit(name), label) for name, (_, label) in QUANTITIES.items()}
-    if heated is not None:
-        result = heated.states[0].result
-        quantities["mean_temperature"] = ("K", "mean temperature of the layers")
-        quantities["resisting_torque"] = (result.unit("resisting_torque"), label_of("resisting_torque", result.body))
-    title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
+def thermal_table(solved: SolvedCase) -> Table:
+    """Return the table of the reported numbers of the temperature, with a column for every steady state."""
+    count = len(solved.temperatures)
+    title = "temperature" if count == 1 else f"{count} steady states; a cold start reaches the first"
     table = Table(title=title, title_justify="left", show_header=False)
-    for name, (unit, label) in quantities.items():
-        texts, readable = handy([float(row[name]) for row in scalars], unit)
-        table.add_row(escape(with_unit(label, readable)), *texts)
-    if "stability" in scalars[0]:
-        table.add_row("steady state", *(str(row["stability"]) for row in scalars))
+    for label, texts in solved.thermal_rows():
+        table.add_row(escape(label), *texts)
     return table
 
 

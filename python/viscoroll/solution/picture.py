@@ -98,9 +98,9 @@ def _offset(result: Solution) -> float:
 def _limits(result: Solution) -> tuple[float, float]:
     """Return half of the drawn range along x and z [m]: the contact with a margin; across a wheel, its width."""
     along, across = (float(np.abs(part[result.contact]).max()) for part in (result.x, result.z))
-    margin, ends = 2.0 * _spacing(result), float(result.x.max())
+    margin, ends = 2.0 * _spacing(result), float(max(result.x.max(), result.z.max()))
     if result.body.width is not None:
-        return min(1.35 * along + margin, ends), 0.54 * result.body.width
+        return min(1.35 * along + margin, float(result.x.max())), 0.54 * result.body.width
     limit = min(1.35 * max(along, across) + margin, ends)
     return limit, limit
 

@@ -14,6 +14,7 @@ __all__ = [
     "ANSWER",
     "LOSSLESS",
     "mesh_text",
+    "relative_error",
     "result_html",
     "result_sections",
     "result_summary",
@@ -94,13 +95,13 @@ def scalar_texts(results: list[Solution], name: str) -> list[str]:
         return ["undetermined" if value is None else percent_text(value, digits) for value in values]
     if len({result.unit(name) for result in results}) > 1:  # rollers have values per length
         return [scalar_text(result, name) for result in results]
-    errors = [_relative_error(result, name) for result in results]
+    errors = [relative_error(result, name) for result in results]
     digits = 6 if name in {result.prescribed for result in results} else 3
     texts, unit = quantity_texts(values, results[0].unit(name), errors, digits=digits)
     return [text if value is None else f"{text} {unit}".rstrip() for value, text in zip(values, texts, strict=True)]
 
 
-def _relative_error(result: Solution, name: str) -> float | None:
+def relative_error(result: Solution, name: str) -> float | None:
     """Return the relative error estimate of a scalar result, the sum of those of mesh and theory; None if given."""
     if name == result.prescribed:
         return None

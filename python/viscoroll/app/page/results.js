@@ -8,9 +8,6 @@ import { Report, labelOf } from "./report.js";
 import { BODIES } from "./schema.js";
 import { resultUnit, suitableUnit } from "./units.js";
 
-/** Scalars in the text of one line. */
-const BRIEF = ["rolling_resistance_force", "rolling_resistance_torque"];
-
 export class Results {
   #numbers;
   #pictures;
@@ -60,10 +57,10 @@ export class Results {
     this.draw();
   }
 
-  /** Push force and drive torque on one line. */
+  /** The first two results of the answer, push force and drive torque, on one line. */
   brief() {
-    const { report } = this.#last;
-    return BRIEF.map((name) => `${report.label(name)} ${report.text(name)}`).join("  ·  ");
+    const results = this.#last.report.sections().answer.filter(({ name }) => name);
+    return results.slice(0, 2).map(({ label, text }) => `${label} ${text}`).join("  ·  ");
   }
 
   /** Suitable unit for a value of a scalar result, and the SI value of this unit. */
