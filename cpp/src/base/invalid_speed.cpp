@@ -1,0 +1,26 @@
+#include "base/invalid_speed.hpp"
+
+#include "base/validate.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+InvalidInput error_about(const GivenSpeed& given, double angular_speed, const SpeedRule& rule) {
+  const auto with_unit = [&](double speed) { return text(speed).append(" ").append(given.unit); };
+  std::string stated = "must be " + rule.before;
+  if (rule.limit) stated += with_unit(*rule.limit * (given.value / angular_speed)) + rule.after;
+  return {std::string(given.parameter), stated, with_unit(given.value) + rule.remark};
+}
+
+}  // namespace
+
+InvalidSpeed::InvalidSpeed(double angular_speed, const SpeedRule& rule)
+    : InvalidInput(error_about({"angular_speed", angular_speed, "rad/s"}, angular_speed, rule)),
+      angular_speed_(angular_speed),
+      rule_(rule) {}
+
+InvalidInput InvalidSpeed::stated_for(const GivenSpeed& given) const {
+  return error_about(given, angular_speed_, rule_);
+}
+
+}  // namespace viscoroll::detail
