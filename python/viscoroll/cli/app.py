@@ -35,6 +35,7 @@ from .page import serve_page
 from .result_tables import (
     finite_strain_scalars,
     finite_strain_table,
+    require_finite_strain,
     table_2,
     thermal_scalars,
     thermal_table,
@@ -151,6 +152,8 @@ def solve(
             print_several(results)
         return
     loaded = load_case(case[0], wanted)
+    if finite_strain:
+        require_finite_strain(loaded)
     heated, softened = None, None
     with progress_bar() as report, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", ResultWarning)
