@@ -3,8 +3,8 @@
 The wheel is pressed on a rigid frictionless plane; the torque of slow rolling follows from the dissipation of a
 Kelvin-Voigt tread that moves through the static field, as in `finite_strain_torque`. Coordinates are the angle phi
 from the lowest point in the rolling direction, the undeformed radius R and the lateral distance y from the middle
-plane. A quarter of the tread around the contact is computed, phi >= 0 and y >= 0. Lengths have any unit, and stresses are in units of G.
-The energy is that of `finite_strain`, in three dimensions,
+plane. A quarter of the tread around the contact is computed, phi >= 0 and y >= 0. Lengths have any unit, and stresses
+are in units of G. The energy is that of `finite_strain`, in three dimensions,
 
     W = (tr F^T F - 3)/2 - ln J + p (J - 1) - p^2 / (2 lambda).
 
