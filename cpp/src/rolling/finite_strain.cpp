@@ -22,6 +22,9 @@ using Eigen::Index;
 /// 75 to 600 nodes.
 double nodes_along(const RollingPair& pair) { return pair.body->form().is_line() ? 600.0 : 75.0; }
 
+/// The correction is a ratio of torques. Its error is far above that of the inertia, and it needs no losses.
+constexpr TableNeeds kNeeds{.inertia_tolerance = 1e-4, .has_losses = false};
+
 /// Whether the torque is round-off.
 bool is_lossless(const Result& result) {
   constexpr double kRoundOff = 1e-9;
@@ -98,7 +101,8 @@ std::shared_ptr<const MeshModel> FasterModel::on(const Mesh& mesh, const Rolling
   const auto lock = lock_watched(mutex_, given.execution.watch, "waiting for another thread's tables");
   if (!model_ || model_->mesh != mesh) {
     const PairAtSpeed faster = at_speed(given.pair, kRatio * given.pair.angular_speed);
-    model_ = std::make_shared<const MeshModel>(make_model(faster, mesh, given.options.curvature, given.execution));
+    model_ =
+        std::make_shared<const MeshModel>(make_model(faster, mesh, given.options.curvature, given.execution, kNeeds));
   }
   return model_;
 }
@@ -120,7 +124,7 @@ void set_finite_strain(Result& result, std::optional<Result> rough, const Rollin
     if (!rough && result.overspeed) rough = result;
     if (!rough) {
       const Mesh mesh = coarsened(result, given.pair);
-      rough = solve_on(make_model(given.pair, mesh, given.options.curvature, given.execution), true);
+      rough = solve_on(make_model(given.pair, mesh, given.options.curvature, given.execution, kNeeds), true);
     }
     if (!rough->overspeed) return;
     const double speed_ratio = 1.0 + *rough->overspeed;

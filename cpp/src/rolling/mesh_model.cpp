@@ -72,9 +72,8 @@ PairAtSpeed at_speed(const RollingPair& pair, double angular_speed) {
 }
 
 MeshModel make_model(const PairAtSpeed& pair, const Mesh& mesh, Curvature curvature, const Execution& execution,
-                     double inertia_tolerance) {
-  const ContactKinematics kinematics =
-      kinematics_of(pair, pair.angular_speed, mesh, curvature, execution, inertia_tolerance);
+                     const TableNeeds& needs) {
+  const ContactKinematics kinematics = kinematics_of(pair, pair.angular_speed, mesh, curvature, execution, needs);
   BodySurface own = pair.body->surface(kinematics);
   BodySurface counterbody = pair.on->surface(kinematics);
   return {.pair = pair,
@@ -83,6 +82,7 @@ MeshModel make_model(const PairAtSpeed& pair, const Mesh& mesh, Curvature curvat
           .own = std::move(own.tables),
           .counterbody = std::move(counterbody.tables),
           .stiffest_modulus = std::max(own.stiffest_modulus, counterbody.stiffest_modulus),
+          .has_losses = needs.has_losses,
           .collocation = stable_collocation(own.normal + counterbody.normal, own.along + counterbody.along)};
 }
 

@@ -87,7 +87,7 @@ TableOperator::Tables TableStore::tables(const Formulation& formulation, TableKi
   }
   constexpr std::array kAll{TableKind::displacement, TableKind::dissipation, TableKind::forward};
   const std::span<const TableKind> all(kAll.begin(), has_forward_tables(formulation) ? 3 : 2);
-  const bool together = std::max(phi_reach, theta_reach) <= kShortReach;
+  const bool together = has_losses_ && std::max(phi_reach, theta_reach) <= kShortReach;
   add(formulation, together ? all : std::span(&kind, 1), phi_reach, theta_reach, execution);
   return find(formulation, kind)->tables;
 }
