@@ -509,6 +509,7 @@ class RollingModel:
         on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+        speed: typing.SupportsFloat | typing.SupportsIndex | None = None,
         mesh: Mesh,
         curvature: Curvature,
         threads: typing.SupportsInt | typing.SupportsIndex,
