@@ -164,6 +164,7 @@ class IterativePressedSurface : public PressedSurface {
           contact.passes, error);
     }
     equations.press(solution.unknowns, contact);
+    contact.gap_error = tolerance * right_side.norm() / stiffness();
   }
 
   [[nodiscard]] ArrayXd height(const PressedNodes& contact) override {
