@@ -205,12 +205,14 @@ def test_friction_converges_with_the_mesh(speed, mesh_error):
     assert abs(coarse.corrected_contact_share - fine.corrected_contact_share) < 0.55 * change
 
 
-def test_a_contact_in_which_a_node_has_neither_force_nor_gap_converges():
-    # At a tolerance of 1e-9, such nodes once left and joined the contact in every pass, without end.
-    r = slid(rough(511), pressure=6e4, speed=1e-3, max_iterations=40)
-    assert r.contact_share > 0.05
+@pytest.mark.parametrize("nodes", [256, 255, 511])
+def test_large_contacts_converge(nodes):
+    # On 511 x 511 nodes, a node with neither force nor gap once changed the contact without end; see the active set in
+    # tests/cpp/test_contact.cpp.
+    r = slid(rough(nodes), pressure=6e4, speed=1e-4, max_iterations=40)
+    assert 0.15 < r.contact_share < 0.25
     assert r.converged
-    assert r.iterations < 15
+    assert r.residual < 1e-7
 
 
 def test_persson_estimate():
