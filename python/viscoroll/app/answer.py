@@ -25,7 +25,7 @@ __all__ = ["OTHER_TABLES", "answer", "readable_case", "scalars", "tables_of_page
 _KEYS = {"case", "fields"}
 
 #: Tables of case files that the page does not support.
-OTHER_TABLES = ("thermal", "motion", "sweep", "design")
+OTHER_TABLES = ("thermal", "motion", "surface", "sliding", "sweep", "design")
 
 
 def scalars() -> list[dict[str, str]]:

@@ -126,6 +126,8 @@ _COMMANDS = {
     "rolling": ("solve", "sweep", "design", "compare", "export"),
     "thermal": ("solve", "design"),
     "motion": ("roll",),
+    "surface": ("slide",),
+    "sliding": ("slide",),
     "sweep": ("sweep", "export"),
     "draws": ("sweep",),
     "design": ("design",),

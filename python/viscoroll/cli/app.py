@@ -41,6 +41,7 @@ from .result_tables import (
     verdict_table,
 )
 from .several import print_several, solve_several
+from .slide import slide
 
 with extra("cli"):
     import typer
@@ -445,6 +446,6 @@ def _print_result(result: Result) -> None:
     OUTPUT.print(table)
 
 
-for command in (material, export, design, schema):
+for command in (slide, material, export, design, schema):
     app.command()(command)
 app.command("app")(serve_page)

@@ -86,6 +86,24 @@ class SlidingResult(SlidingScalars):
         touching: NDArray[np.bool_] = self.pressure > 0.0
         return touching
 
+    @property
+    def units(self) -> dict[str, str]:
+        """Unit of every entry of `scalars`; "1" for pure numbers."""
+        given = {"speed": "m/s", "mean_pressure": "Pa"}
+        estimates = {"persson_friction": "1", "persson_contact_share": "1"}
+        return given | {name: unit for name, (unit, _) in SLIDING_SCALARS.items()} | estimates
+
+    def scalars(self) -> dict[str, float | int]:
+        """Return speed, pressure, the scalar results and Persson's estimates by name, in SI units."""
+        own: dict[str, float | int] = {name: getattr(self, name) for name in SLIDING_SCALARS}
+        return {
+            "speed": self.speed,
+            "mean_pressure": self.mean_pressure,
+            **own,
+            "persson_friction": self.persson.friction_coefficient,
+            "persson_contact_share": self.persson.contact_share,
+        }
+
     def __repr__(self) -> str:
         """Return a summary that fits on one screen."""
         rows = self._rows()
