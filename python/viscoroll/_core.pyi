@@ -999,6 +999,87 @@ class RollingResistance:
     @property
     def radius(self) -> float: ...
 
+class SlidingScalars:
+    @property
+    def contact_share(self) -> float:
+        """
+        share of the nodes in contact [1]. Real contact area on this mesh per nominal area. The mesh overestimates it.
+        """
+    @property
+    def corrected_contact_share(self) -> float:
+        """
+        real contact area per nominal area [1]. contact_share minus (π - 1 + ln 2)/24 of the fraction of pairs of neighbors of which one is in contact, counted in both directions. This corrects the area of the patches at the edges of the contacts (Yastrebov, Anciaux and Molinari 2017). For a profile equal to contact_share.
+        """
+    @property
+    def friction_coefficient(self) -> float:
+        """
+        friction coefficient due to losses in the layers [1]. power_density / (speed * pressure), from the spectrum of the pressure. It is the share of the layers' losses in friction: without adhesion, and without friction at the interface. 0 at rest.
+        """
+    @property
+    def friction_error(self) -> float:
+        """
+        error of the power balance [1]. |traction_friction - friction_coefficient|, an estimate of the error of the mesh.
+        """
+    @property
+    def iterations(self) -> int:
+        """
+        linear systems on the finest mesh [1].
+        """
+    @property
+    def max_pressure(self) -> float:
+        """
+        largest pressure [Pa].
+        """
+    @property
+    def mean_gap(self) -> float:
+        """
+        mean distance of the two surfaces [m].
+        """
+    @property
+    def memory_length(self) -> float:
+        """
+        distance in which the layers recover [m]. Speed times the retardation time of the slowest layer, estimated at the frequency of the period along x. If it exceeds the period, the surface slides in its own track.
+        """
+    @property
+    def operator_applications(self) -> int:
+        """
+        operator applications on the finest mesh [1].
+        """
+    @property
+    def power_density(self) -> float:
+        """
+        power dissipated in the layers per area [W/m^2].
+        """
+    @property
+    def residual(self) -> float:
+        """
+        largest violation of the contact conditions, per penetration [1].
+        """
+    @property
+    def side_force_coefficient(self) -> float:
+        """
+        side force on the rough surface per load, along z [1]. 0 on average if the surface has no preferred direction.
+        """
+    @property
+    def traction_friction(self) -> float:
+        """
+        friction coefficient from the tractions [1]. Mean of the pressure times the slope of the surface against the sliding direction, per mean pressure. It equals friction_coefficient except for the error of the mesh.
+        """
+
+class SlidingResult(SlidingScalars):
+    @property
+    def converged(self) -> bool: ...
+    @property
+    def gap(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def pressure(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+class PerssonEstimate:
+    @property
+    def contact_share(self) -> float: ...
+    @property
+    def friction_coefficient(self) -> float: ...
+
 def centrifugal_displacement(
     sphere: CoatedSphere, *, angular_speed: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
@@ -1097,6 +1178,17 @@ def order_fields(
     radius: typing.SupportsFloat | typing.SupportsIndex,
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
+def persson_estimate(
+    heights: numpy.typing.NDArray[numpy.float64],
+    *,
+    spacing_x: typing.SupportsFloat | typing.SupportsIndex,
+    spacing_z: typing.SupportsFloat | typing.SupportsIndex,
+    on: CoatedPlane,
+    pressure: typing.SupportsFloat | typing.SupportsIndex,
+    speed: typing.SupportsFloat | typing.SupportsIndex,
+    gamma: typing.SupportsFloat | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+) -> PerssonEstimate: ...
 def places_at(
     shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel, position: numpy.typing.NDArray[numpy.float64]
 ) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
@@ -1104,6 +1196,24 @@ def rebound_to_loss_factor(rebound: typing.SupportsFloat | typing.SupportsIndex)
 def result_scalars() -> list[ScalarDescription]:
     """
     Descriptions of the scalar results, in SI units.
+    """
+
+def slide(
+    heights: numpy.typing.NDArray[numpy.float64],
+    *,
+    spacing_x: typing.SupportsFloat | typing.SupportsIndex,
+    spacing_z: typing.SupportsFloat | typing.SupportsIndex,
+    on: CoatedPlane,
+    pressure: typing.SupportsFloat | typing.SupportsIndex,
+    speed: typing.SupportsFloat | typing.SupportsIndex,
+    tolerance: typing.SupportsFloat | typing.SupportsIndex,
+    max_iterations: typing.SupportsInt | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
+) -> SlidingResult: ...
+def sliding_scalars() -> list[ScalarDescription]:
+    """
+    Descriptions of the scalar results of sliding, in SI units.
     """
 
 def solve(

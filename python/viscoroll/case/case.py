@@ -66,6 +66,9 @@ __all__ = [
 _Layers: TypeAlias = list[Annotated[Layer, Table(shear_modulus=Modulus)]]
 _Base: TypeAlias = Annotated[HalfSpace, Table(documented_by=Layer, shear_modulus=Modulus)]
 
+#: Table of a plane.
+PlaneTable: TypeAlias = Annotated[CoatedPlane, Table(layers=_Layers, base=_Base)]
+
 _Ball: TypeAlias = Annotated[CoatedSphere, SizedTable(CoatedSphere, layers=_Layers)]
 _Cylinder: TypeAlias = Annotated[CoatedCylinder, SizedTable(CoatedCylinder, layers=_Layers)]
 _Wheel: TypeAlias = Annotated[CoatedWheel, SizedTable(CoatedWheel, layers=_Layers)]
@@ -177,7 +180,7 @@ class PairTables(FileTables):
     ball: _Ball | None = None
     cylinder: _Cylinder | None = None
     wheel: _Wheel | None = None
-    plane: Annotated[CoatedPlane, Table(layers=_Layers, base=_Base)] | None = None
+    plane: PlaneTable | None = None
     groove: Annotated[Groove, Table(layers=_Layers, base=_Base)] | None = None
     other_ball: _Ball | None = None
     other_cylinder: _Cylinder | None = None
@@ -345,7 +348,7 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
     return Case(thermal=file.thermal, **pair, **rolling, **numerics)
 
 
-def example_text(name: Literal["case", "sweep", "design", "motion", "measured"] = "case") -> str:
-    """Return an example: a case file, a motion, measurements, or the table that makes a case a study or a design."""
+def example_text(name: Literal["case", "sweep", "design", "motion", "sliding", "measured"] = "case") -> str:
+    """Return an example: a case, motion or sliding file, measurements, or the table of a study or a design."""
     file = f"examples/{name}.{'csv' if name == 'measured' else 'toml'}"
     return resources.files("viscoroll").joinpath(file).read_text(encoding="utf-8")

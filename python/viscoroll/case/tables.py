@@ -129,6 +129,8 @@ _COMMANDS = {
     "ground": ("roll",),
     "tread": ("roll",),
     "axle": ("roll",),
+    "surface": ("slide",),
+    "sliding": ("slide",),
     "sweep": ("sweep", "export"),
     "draws": ("sweep",),
     "design": ("design", "report"),

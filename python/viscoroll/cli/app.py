@@ -44,6 +44,7 @@ from .result_tables import (
     verdict_table,
 )
 from .several import print_several, solve_several
+from .slide import slide
 
 with extra("cli"):
     import typer
@@ -445,7 +446,7 @@ def _print_rows(sections: dict[str, list[tuple[str, str]]]) -> None:
         OUTPUT.print(table)
 
 
-for command in (check, example, material, export, design, schema):
+for command in (check, example, slide, material, export, design, schema):
     app.command()(command)
 app.command("app")(serve_page)
 app.command("report")(write_report)

@@ -19,7 +19,7 @@ LAYERS = (
     {"_support"},
     {"materials"},
     {"bodies", "ground"},
-    {"solution", "analytic", "modal", "paper", "transient", "rheology", "finite_strain"},
+    {"solution", "analytic", "modal", "paper", "transient", "rheology", "finite_strain", "sliding"},
     {"thermal"},
     {"enums", "rolling"},
     {"coupled"},
