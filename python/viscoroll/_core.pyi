@@ -32,6 +32,25 @@ class ShearModulus:
     def __init__(self, type: str, **kwargs: typing.Any) -> None: ...
     def parameters(self) -> dict[str, typing.Any]: ...
 
+class HeightProfile:
+    def __init__(
+        self,
+        *,
+        distance: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        height: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        periodic: bool,
+    ) -> None: ...
+    def height_at(self, distance: numpy.typing.NDArray[numpy.float64]) -> numpy.typing.NDArray[numpy.float64]: ...
+
+class Axle:
+    def __init__(
+        self,
+        *,
+        mass: typing.SupportsFloat | typing.SupportsIndex,
+        stiffness: typing.SupportsFloat | typing.SupportsIndex,
+        damping: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+
 class Layer:
     def __init__(
         self,
@@ -554,9 +573,12 @@ class Start(enum.Enum):
     UNDEFORMED = ...
 
 class HistoryOptions:
+    axle: Axle | None
     compliance: Compliance
     curvature: Curvature
+    ground: HeightProfile | None
     mesh: Mesh | None
+    tread: HeightProfile | None
     def __init__(self) -> None: ...
     @property
     def averaged_meshes(self) -> int: ...
@@ -610,6 +632,26 @@ class RollingInstant:
         angle turned ψ, positive forward [rad]. The contact moves r_o ψ along the track if nothing slips.
         """
     @property
+    def axle_acceleration(self) -> float:
+        """
+        acceleration of the axle, upward [m/s^2]. Without an axle it is the change of the mean speed between two steps divided by the step.
+        """
+    @property
+    def axle_energy(self) -> float:
+        """
+        kinetic energy of the axle and energy of its spring [J]. 0 without an axle.
+        """
+    @property
+    def axle_force(self) -> float:
+        """
+        external force W on the axle, downward [N]. Equals the load without an axle.
+        """
+    @property
+    def axle_speed(self) -> float:
+        """
+        speed of the axle, upward [m/s]. Without an axle it is the mean over the previous step.
+        """
+    @property
     def center_displacement(self) -> float:
         """
         displacement of the center since the start [m]. 0 without friction, where it is undetermined.
@@ -657,7 +699,7 @@ class RollingInstant:
     @property
     def energy_balance_residual(self) -> float:
         """
-        work minus stored and dissipated energy [J].
+        work minus stored and dissipated energy [J]. The energy of an axle counts as stored.
         """
     @property
     def error_estimate(self) -> float:
@@ -667,7 +709,7 @@ class RollingInstant:
     @property
     def load(self) -> float:
         """
-        load P [N].
+        load P [N]. Force between the bodies; a result if the axle has a mass, a spring or a damper, or if its height is given.
         """
     @property
     def max_pressure(self) -> float:
@@ -717,7 +759,7 @@ class RollingInstant:
     @property
     def work(self) -> float:
         """
-        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy.
+        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy. With an axle, the external force does the work of the load.
         """
 
 class InstantSeries:
@@ -725,6 +767,26 @@ class InstantSeries:
     def angle(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         angle turned ψ, positive forward [rad]. The contact moves r_o ψ along the track if nothing slips.
+        """
+    @property
+    def axle_acceleration(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        acceleration of the axle, upward [m/s^2]. Without an axle it is the change of the mean speed between two steps divided by the step.
+        """
+    @property
+    def axle_energy(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        kinetic energy of the axle and energy of its spring [J]. 0 without an axle.
+        """
+    @property
+    def axle_force(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        external force W on the axle, downward [N]. Equals the load without an axle.
+        """
+    @property
+    def axle_speed(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        speed of the axle, upward [m/s]. Without an axle it is the mean over the previous step.
         """
     @property
     def center_displacement(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -774,7 +836,7 @@ class InstantSeries:
     @property
     def energy_balance_residual(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        work minus stored and dissipated energy [J].
+        work minus stored and dissipated energy [J]. The energy of an axle counts as stored.
         """
     @property
     def error_estimate(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -784,7 +846,7 @@ class InstantSeries:
     @property
     def load(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        load P [N].
+        load P [N]. Force between the bodies; a result if the axle has a mass, a spring or a damper, or if its height is given.
         """
     @property
     def max_pressure(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -834,7 +896,7 @@ class InstantSeries:
     @property
     def work(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy.
+        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy. With an axle, the external force does the work of the load.
         """
 
 class ContactField:
@@ -859,6 +921,7 @@ class RollingHistory:
         options: HistoryOptions,
         time: typing.SupportsFloat | typing.SupportsIndex,
         angle: typing.SupportsFloat | typing.SupportsIndex,
+        axle_height: typing.SupportsFloat | typing.SupportsIndex | None,
         progress: typing.Any,
     ) -> None: ...
     @typing.overload
@@ -870,6 +933,7 @@ class RollingHistory:
         load: typing.SupportsFloat | typing.SupportsIndex,
         state: numpy.typing.NDArray[numpy.float64],
         options: HistoryOptions,
+        axle_height: typing.SupportsFloat | typing.SupportsIndex | None,
         progress: typing.Any,
     ) -> None: ...
     def advance(
@@ -879,6 +943,7 @@ class RollingHistory:
         angle: typing.SupportsFloat | typing.SupportsIndex,
         load: typing.SupportsFloat | typing.SupportsIndex,
         center_displacement: typing.SupportsFloat | typing.SupportsIndex | None,
+        axle_height: typing.SupportsFloat | typing.SupportsIndex | None,
     ) -> None: ...
     def contact(self) -> ContactField: ...
     def copy(self) -> RollingHistory: ...
@@ -890,6 +955,7 @@ class RollingHistory:
         angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         center_displacement: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        axle_height: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         progress: typing.Any,
     ) -> InstantSeries: ...
     def state(self) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -941,6 +1007,7 @@ def check_motion(
     angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     center_displacement: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    axle_height: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
 ) -> None: ...
 def complex_modulus(
     modulus: ShearModulus, omega: numpy.typing.NDArray[numpy.float64]

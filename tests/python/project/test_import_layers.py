@@ -18,7 +18,7 @@ LAYERS = (
     {"_core"},
     {"_support"},
     {"materials"},
-    {"bodies"},
+    {"bodies", "ground"},
     {"solution", "analytic", "modal", "paper", "transient", "rheology", "finite_strain"},
     {"thermal"},
     {"enums", "rolling"},

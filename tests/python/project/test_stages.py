@@ -29,7 +29,7 @@ PUBLIC = {
     "modal": {"cylinder", "inner_boundaries", "plane", "rolling_body", "sphere", "wheel", "modal"},
     "influence": {"formulation", "influence", "mesh"},
     "rolling": {"drive", "load_case", "options", "result", "result_scalars", "rolling_resistance", "solve"},
-    "transient": {"history_scalars", "rolling_history"},
+    "transient": {"history_scalars", "profile", "rolling_history"},
     "interior": {"interior"},
 }
 

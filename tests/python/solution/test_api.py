@@ -77,7 +77,9 @@ def test_options_of_histories_are_the_same_everywhere():
         assert all(f"\n{name} : " in function.__doc__ for name in options)
         assert "options" not in function.__doc__
     numerics = motion.Numerics().arguments()
-    in_files = set(motion.Motion.model_fields) | {"drive", *numerics}
+    tables = {"ground", "tread", "axle"}
+    assert tables <= motion.MotionFile.model_fields.keys()
+    in_files = set(motion.Motion.model_fields) | {"drive", *numerics, *tables}
     assert options.keys() - in_files == {"threads"}
     assert numerics == {name: options[name] for name in numerics}
 
