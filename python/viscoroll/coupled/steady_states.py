@@ -167,7 +167,7 @@ class StateSearch:
         soft = strain_softening(body, load=load, **self._as_given(speed), loss=self.softening, **self.options)
         return soft.result, soft
 
-    def _as_given(self, angular_speed: float) -> dict[str, float]:
+    def _as_given(self, angular_speed: float) -> dict[str, Any]:
         """Return an angular speed as an argument of `solve`: as the speed of the ground if that was given."""
         if self.ground_speed is None:
             return {"angular_speed": angular_speed}
