@@ -26,15 +26,18 @@ void bind_modal(py::module_& m);
 void bind_result(py::module_& m);
 void bind_roll(py::module_& m);
 void bind_rolling_resistance(py::module_& m);
+void bind_sliding(py::module_& m);
 void bind_solve(py::module_& m);
 
-/// @brief One entry of result_scalars.def or history_scalars.def.
+/// @brief One entry of result_scalars.def, history_scalars.def or sliding_scalars.def.
 struct ScalarDescription {
   std::string name;
   std::string type;  ///< type in the Python documentation
   std::string unit;
   std::string label;
   std::string details;
+  std::string group = "other";  ///< part of reports; see result_scalars.def
+  std::string precision = {};   ///< error estimates that limit the printed digits; see result_scalars.def
 };
 
 /// C-contiguous input array. Arrays of other types and layouts are rejected, not copied.

@@ -190,9 +190,13 @@ class ScalarDescription:
     @property
     def details(self) -> str: ...
     @property
+    def group(self) -> str: ...
+    @property
     def label(self) -> str: ...
     @property
     def name(self) -> str: ...
+    @property
+    def precision(self) -> str: ...
     @property
     def type(self) -> str: ...
     @property
@@ -222,17 +226,17 @@ class ResultScalars:
     @property
     def contact_length(self) -> float:
         """
-        contact length along the path (nip length) [m]. Distance from the leading to the trailing edge, the largest over all rows along the path. The edges are found between the nodes, where the squared pressure, extrapolated from inside, vanishes.
+        contact length, along the path [m]. Distance from the leading to the trailing edge, the largest over all rows along the path. The edges are found between the nodes, where the squared pressure, extrapolated from inside, vanishes.
         """
     @property
     def contact_length_error(self) -> float:
         """
-        relative error estimate of the contact length [1]. Uncertainty of the extrapolated edges: half a spacing for each edge where the pressure rises within less than a spacing. Unless the mesh is given, it is at least half of the change from the previous mesh.
+        relative error of the mesh in the contact length [1]. Uncertainty of the extrapolated edges: half a spacing for each edge where the pressure rises within less than a spacing. Unless the mesh is given, it is at least half of the change from the previous mesh.
         """
     @property
     def contact_length_model_error(self) -> float | None:
         """
-        relative error of the contact length of linear theory [1]. The strain ε, which covers rollers at finite strain up to ε = 0.2, within the spacing of the finite elements.
+        relative error of linear theory in the contact length [1]. The strain ε, which covers rollers at finite strain up to ε = 0.2, within the spacing of the finite elements.
         """
     @property
     def contact_width(self) -> float | None:
@@ -247,12 +251,12 @@ class ResultScalars:
     @property
     def creepage(self) -> float | None:
         """
-        creepage V_s / (Ω r_o) - 1 [1]. None if the speed V_s is None.
+        creepage, V_s / (Ω r_o) - 1 [1]. None if the speed V_s is None.
         """
     @property
     def dissipated_power(self) -> float:
         """
-        total dissipated power [W]. bulk_power + slip_power.
+        dissipated power, in the layers and by slip [W]. bulk_power + slip_power.
         """
     @property
     def driving_force(self) -> float:
@@ -272,7 +276,7 @@ class ResultScalars:
     @property
     def error_estimate(self) -> float:
         """
-        relative error estimate [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of load, penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
+        relative error of the mesh, estimated [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of load, penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
         """
     @property
     def face_distance(self) -> float | None:
@@ -287,7 +291,7 @@ class ResultScalars:
     @property
     def finite_strain_torque(self) -> float | None:
         """
-        torque at finite strain [N m]. (1 + c) T_r(P, (1 + c) Ω): resisting torque of linear theory at the speed with which material passes the contact, where it is stretched by the overspeed c. Nearer to reality than resisting_torque: it includes most of the effect of finite strain. None with friction, with the vertical compliance, and on a deformable counterbody.
+        resisting torque at finite strain [N m]. (1 + c) T_r(P, (1 + c) Ω): resisting torque of linear theory at the speed with which material passes the contact, where it is stretched by the overspeed c. Nearer to reality than resisting_torque: it includes most of the effect of finite strain. None with friction, with the vertical compliance, and on a deformable counterbody.
         """
     @property
     def finite_strain_torque_error(self) -> float | None:
@@ -302,7 +306,7 @@ class ResultScalars:
     @property
     def lateral_force(self) -> float:
         """
-        lateral force on the body [N]. Σ t_z, exerted by the counterbody on the rolling body.
+        lateral force on the rolling body [N]. Σ t_z, exerted by the counterbody on the rolling body.
         """
     @property
     def linear_speed(self) -> float | None:
@@ -322,17 +326,17 @@ class ResultScalars:
     @property
     def max_pressure_error(self) -> float:
         """
-        relative error estimate of the largest pressure [1]. Pressures are extrapolated by one spacing ahead of each node, from this node and the one behind it. The estimate is the excess of the largest extrapolated pressure over max_pressure. Unless the mesh is given, it is at least the change from the previous mesh, and at least a quarter of the estimate on that mesh. If material enters the contact faster than it relaxes, the pressure may have a peak that the finest meshes do not resolve; torque and penetration do not depend on this peak.
+        relative error of the mesh in the largest pressure [1]. Pressures are extrapolated by one spacing ahead of each node, from this node and the one behind it. The estimate is the excess of the largest extrapolated pressure over max_pressure. Unless the mesh is given, it is at least the change from the previous mesh, and at least a quarter of the estimate on that mesh. If material enters the contact faster than it relaxes, the pressure may have a peak that the finest meshes do not resolve; torque and penetration do not depend on this peak.
         """
     @property
     def max_pressure_model_error(self) -> float | None:
         """
-        relative error of the largest pressure of linear theory [1]. 0.9 ε, which covers rollers at finite strain up to ε = 0.2.
+        relative error of linear theory in the largest pressure [1]. 0.9 ε, which covers rollers at finite strain up to ε = 0.2.
         """
     @property
     def model_error(self) -> float | None:
         """
-        relative error of the torque of linear theory [1]. Estimated from the strain ε. Balls: 0.75 ε, which covers slow rolling at finite strain up to ε = 0.24, for h/r_o from 1/84 to 1/5, ν = 0.3 and ½, and the viscosities of Newton and Jaumann; a Lagrangian viscosity with ν = 0.3 gives twice that error. Rollers and wheels: (0.9 + 4.5 ε) ε, which covers finite elements of rollers up to ε = 0.2; the torque of linear theory is too small. For wheels, the neglected effects of crown and sides are added, also to the following errors.
+        relative error of linear theory, for torque and force [1]. Estimated from the strain ε. Balls: 0.75 ε, which covers slow rolling at finite strain up to ε = 0.24, for h/r_o from 1/84 to 1/5, ν = 0.3 and ½, and the viscosities of Newton and Jaumann; a Lagrangian viscosity with ν = 0.3 gives twice that error. Rollers and wheels: (0.9 + 4.5 ε) ε, which covers finite elements of rollers up to ε = 0.2; the torque of linear theory is too small. For wheels, the neglected effects of crown and sides are added, also to the following errors.
         """
     @property
     def operator_applications(self) -> int:
@@ -347,12 +351,12 @@ class ResultScalars:
     @property
     def penetration(self) -> float | None:
         """
-        penetration r_o - H [m]. Radius of the rolling body at rest minus the height of its center. Pressure and centrifugal growth change it in opposite directions: a fast body touches while it is still negative. None in line contact if a body rests on a half-space: the penetration is then undetermined.
+        penetration, r_o - H [m]. Radius of the rolling body at rest minus the height of its center. Pressure and centrifugal growth change it in opposite directions: a fast body touches while it is still negative. None in line contact if a body rests on a half-space: the penetration is then undetermined.
         """
     @property
     def penetration_model_error(self) -> float | None:
         """
-        relative error of the penetration of linear theory [1]. The strain ε, which covers balls and rollers at finite strain up to ε = 0.2. At a given penetration, the load has about the same error.
+        relative error of linear theory in the penetration [1]. The strain ε, which covers balls and rollers at finite strain up to ε = 0.2. At a given penetration, the load has about the same error.
         """
     @property
     def residual(self) -> float:
@@ -375,6 +379,16 @@ class ResultScalars:
         rolling resistance coefficient, dissipated power / (P V) [1]. dissipated_power / (P |V|) for any drive. V is the speed of the center, or Ω r_o if that speed is undetermined. Infinite if the center stands still.
         """
     @property
+    def rolling_resistance_force(self) -> float:
+        """
+        push force, dissipated power / V [N]. Force that keeps the body rolling if nothing else drives it: dissipated_power / |V|, with V as in rolling_resistance_coefficient. Infinite if the center stands still.
+        """
+    @property
+    def rolling_resistance_torque(self) -> float:
+        """
+        drive torque, dissipated power / Ω [N m]. Torque that keeps the body rolling if nothing else drives it: dissipated_power / Ω.
+        """
+    @property
     def semi_axis_x(self) -> float:
         """
         contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of contact_length in line contact.
@@ -392,7 +406,7 @@ class ResultScalars:
     @property
     def spin_moment(self) -> float:
         """
-        spin moment on the body [N m]. Σ (z t_x - x t_z) about the downward axis through the contact, exerted by the counterbody on the rolling body.
+        spin moment on the rolling body [N m]. Σ (z t_x - x t_z) about the downward axis through the contact, exerted by the counterbody on the rolling body.
         """
     @property
     def strain(self) -> float | None:
@@ -495,6 +509,7 @@ class RollingModel:
         on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+        speed: typing.SupportsFloat | typing.SupportsIndex | None = None,
         mesh: Mesh,
         curvature: Curvature,
         threads: typing.SupportsInt | typing.SupportsIndex,
@@ -984,6 +999,87 @@ class RollingResistance:
     @property
     def radius(self) -> float: ...
 
+class SlidingScalars:
+    @property
+    def contact_share(self) -> float:
+        """
+        share of the nodes in contact [1]. Real contact area on this mesh per nominal area. The mesh overestimates it.
+        """
+    @property
+    def corrected_contact_share(self) -> float:
+        """
+        real contact area per nominal area [1]. contact_share minus (π - 1 + ln 2)/24 of the fraction of pairs of neighbors of which one is in contact, counted in both directions. This corrects the area of the patches at the edges of the contacts (Yastrebov, Anciaux and Molinari 2017). For a profile equal to contact_share.
+        """
+    @property
+    def friction_coefficient(self) -> float:
+        """
+        friction coefficient due to losses in the layers [1]. power_density / (speed * pressure), from the spectrum of the pressure. It is the share of the layers' losses in friction: without adhesion, and without friction at the interface. 0 at rest.
+        """
+    @property
+    def friction_error(self) -> float:
+        """
+        error of the power balance [1]. |traction_friction - friction_coefficient|, an estimate of the error of the mesh.
+        """
+    @property
+    def iterations(self) -> int:
+        """
+        linear systems on the finest mesh [1].
+        """
+    @property
+    def max_pressure(self) -> float:
+        """
+        largest pressure [Pa].
+        """
+    @property
+    def mean_gap(self) -> float:
+        """
+        mean distance of the two surfaces [m].
+        """
+    @property
+    def memory_length(self) -> float:
+        """
+        distance in which the layers recover [m]. Speed times the retardation time of the slowest layer, estimated at the frequency of the period along x. If it exceeds the period, the surface slides in its own track.
+        """
+    @property
+    def operator_applications(self) -> int:
+        """
+        operator applications on the finest mesh [1].
+        """
+    @property
+    def power_density(self) -> float:
+        """
+        power dissipated in the layers per area [W/m^2].
+        """
+    @property
+    def residual(self) -> float:
+        """
+        largest violation of the contact conditions, per penetration [1].
+        """
+    @property
+    def side_force_coefficient(self) -> float:
+        """
+        side force on the rough surface per load, along z [1]. 0 on average if the surface has no preferred direction.
+        """
+    @property
+    def traction_friction(self) -> float:
+        """
+        friction coefficient from the tractions [1]. Mean of the pressure times the slope of the surface against the sliding direction, per mean pressure. It equals friction_coefficient except for the error of the mesh.
+        """
+
+class SlidingResult(SlidingScalars):
+    @property
+    def converged(self) -> bool: ...
+    @property
+    def gap(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def pressure(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+class PerssonEstimate:
+    @property
+    def contact_share(self) -> float: ...
+    @property
+    def friction_coefficient(self) -> float: ...
+
 def centrifugal_displacement(
     sphere: CoatedSphere, *, angular_speed: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
@@ -1082,6 +1178,17 @@ def order_fields(
     radius: typing.SupportsFloat | typing.SupportsIndex,
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
+def persson_estimate(
+    heights: numpy.typing.NDArray[numpy.float64],
+    *,
+    spacing_x: typing.SupportsFloat | typing.SupportsIndex,
+    spacing_z: typing.SupportsFloat | typing.SupportsIndex,
+    on: CoatedPlane,
+    pressure: typing.SupportsFloat | typing.SupportsIndex,
+    speed: typing.SupportsFloat | typing.SupportsIndex,
+    gamma: typing.SupportsFloat | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+) -> PerssonEstimate: ...
 def places_at(
     shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel, position: numpy.typing.NDArray[numpy.float64]
 ) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
@@ -1089,6 +1196,24 @@ def rebound_to_loss_factor(rebound: typing.SupportsFloat | typing.SupportsIndex)
 def result_scalars() -> list[ScalarDescription]:
     """
     Descriptions of the scalar results, in SI units.
+    """
+
+def slide(
+    heights: numpy.typing.NDArray[numpy.float64],
+    *,
+    spacing_x: typing.SupportsFloat | typing.SupportsIndex,
+    spacing_z: typing.SupportsFloat | typing.SupportsIndex,
+    on: CoatedPlane,
+    pressure: typing.SupportsFloat | typing.SupportsIndex,
+    speed: typing.SupportsFloat | typing.SupportsIndex,
+    tolerance: typing.SupportsFloat | typing.SupportsIndex,
+    max_iterations: typing.SupportsInt | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
+) -> SlidingResult: ...
+def sliding_scalars() -> list[ScalarDescription]:
+    """
+    Descriptions of the scalar results of sliding, in SI units.
     """
 
 def solve(

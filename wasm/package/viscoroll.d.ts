@@ -419,6 +419,10 @@ export interface Scalar {
   name: string;
   unit: string;
   description: string;
+  /** Part of a report: "answer", "friction" (of the answer, with friction), "certainty" or "other". */
+  group: string;
+  /** Names of the relative error estimates whose sum limits the digits; "%" for a ratio displayed in percent. */
+  precision: string;
 }
 
 /** Solve a case on the calling thread; a page should call it in a worker. For invalid input, return an error. */

@@ -15,7 +15,7 @@ from .low_speed import loss_time
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from ..bodies import Layer
+    from ..bodies import HalfSpace, Layer
     from ..materials.modulus_like import ShearModulusLike
 
 __all__ = [
@@ -36,7 +36,7 @@ class ClosedForm:
     ----------
     torque : callable
         Function torque(load, angular_speed) that returns the resisting torque T [N m] for loads P [N] and angular
-        speeds Ω [rad/s], which may be arrays. For rollers, T [N] and P [N/m] are per unit length. Calling the
+        speeds Ω [rad/s], which may be arrays. For rollers, T [N m/m] and P [N/m] are per unit length. Calling the
         `ClosedForm` itself is equivalent.
     is_valid : callable
         Function is_valid(load, angular_speed) that returns an array of bool: whether the contact and the speed are
@@ -84,7 +84,7 @@ def shared_loss_time(layers: Sequence[Layer]) -> float | None:
     return times[0] if np.allclose(times, times[0], rtol=1e-9, atol=0.0) else None
 
 
-def relaxed_constants(layer: Layer) -> tuple[float, float]:
+def relaxed_constants(layer: Layer | HalfSpace) -> tuple[float, float]:
     """Return the relaxed shear modulus [Pa] and Poisson's ratio of a layer, at zero frequency."""
     modulus = float(complex_modulus(layer.shear_modulus, 0.0).real)
     if layer.poisson_ratio is not None:

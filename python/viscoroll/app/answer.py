@@ -20,18 +20,27 @@ if TYPE_CHECKING:
     from ..case import Case
     from ..rolling import Result
 
-__all__ = ["OTHER_TABLES", "answer", "readable_case", "scalars", "tables_of_page"]
+__all__ = ["OTHER_TABLES", "answer", "error_answer", "readable_case", "scalars", "tables_of_page"]
 
 #: Keys of a request.
 _KEYS = {"case", "fields"}
 
 #: Tables of case files that the page does not support.
-OTHER_TABLES = ("thermal", "motion", "sweep", "design")
+OTHER_TABLES = ("thermal", "motion", "surface", "sliding", "sweep", "design")
 
 
 def scalars() -> list[dict[str, str]]:
-    """Return name, unit and description of every scalar result, from the table of the core."""
-    return [{"name": one.name, "unit": one.unit, "description": one.label} for one in _core.result_scalars()]
+    """Return name, unit, description, group and precision of every scalar result, from the table of the core."""
+    return [
+        {
+            "name": one.name,
+            "unit": one.unit,
+            "description": one.label,
+            "group": one.group,
+            "precision": one.precision,
+        }
+        for one in _core.result_scalars()
+    ]
 
 
 def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
@@ -58,10 +67,10 @@ def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
         with silenced():
             result = case.solve(progress=progress)
     except (ValueError, TypeError, ConvergenceError, RecursionError) as error:
-        return {"error": _error(one_line(str(error)), error if isinstance(error, InvalidInput) else None)}
+        return {"error": error_answer(one_line(str(error)), error if isinstance(error, InvalidInput) else None)}
     except MemoryError:
         message = "not enough memory for this case: use a larger accuracy, that is, a coarser mesh"
-        return {"error": _error(message)}
+        return {"error": error_answer(message)}
     found = {
         "scalars": {name: _finite(value) for name, value in result.scalars().items()},
         "state": result.status.name.lower(),
@@ -106,7 +115,8 @@ def tables_of_page(document: dict[str, Any]) -> dict[str, Any]:
     return tables
 
 
-def _error(message: str, invalid: InvalidInput | None = None) -> dict[str, Any]:
+def error_answer(message: str, invalid: InvalidInput | None = None) -> dict[str, Any]:
+    """Return the error of an answer, with the attributes of `InvalidInput` if there is one."""
     if invalid is None:
         return {"message": message, "parameter": None, "rule": None, "value": None, "allowed": None}
     allowed = None if invalid.allowed is None else {name: _finite(one) for name, one in asdict(invalid.allowed).items()}

@@ -16,6 +16,7 @@ from .._support.extras import extra
 from .._support.plotting import plots
 from .._support.progress import ProgressLike, Report, reporting
 from .._support.result_warnings import silenced
+from .._support.scales import Scale
 from .._support.toml import read_toml
 from ..rolling import Result
 from .case import CaseFile, build_case
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["Design", "check_design", "design_case"]
+__all__ = ["Design", "check_design", "design_case", "limits_of"]
 
 #: What the number is chosen for.
 Goal: TypeAlias = Literal["least_power", "largest_value"]
@@ -101,13 +102,15 @@ class Design:
 
     def _draw_power(self, axes: Axes) -> None:
         solved = self._solved()
-        axes.plot(*_column(solved, "dissipated_power"), "k-", linewidth=1)
-        allowed = [pair for pair in solved if pair[1].violation(self.limits) <= 0.0]
-        axes.plot(*_column(allowed, "dissipated_power"), "go", label="allowed")
-        rejected = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
-        axes.plot(*_column(rejected, "dissipated_power"), "rx", label="not allowed")
-        axes.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
-        axes.set(xlabel=self.variable, ylabel=f"power dissipated [{self.result.unit('dissipated_power')}]")
+        powers = np.array([outcome.result.dissipated_power for _, outcome in solved])
+        is_allowed = np.array([outcome.violation(self.limits) <= 0.0 for _, outcome in solved], dtype=bool)
+        scale = Scale.of(powers, self.result.unit("dissipated_power"))
+        values, shown = np.array([value for value, _ in solved]), powers / scale.factor
+        axes.plot(values, shown, "k-", linewidth=1)
+        axes.plot(values[is_allowed], shown[is_allowed], "go", label="allowed")
+        axes.plot(values[~is_allowed], shown[~is_allowed], "rx", label="not allowed")
+        axes.plot(self.best, self.result.dissipated_power / scale.factor, "b*", markersize=14, label="best")
+        axes.set(xlabel=self.variable, ylabel=scale.text("power dissipated"))
         axes.legend()
 
 
@@ -201,6 +204,14 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
 def check_design(document: dict[str, Any]) -> None:
     """Raise the error of the table `design` of a file, if there is one."""
     _checked(document.pop("design", None), document)
+
+
+def limits_of(document: Mapping[str, Any]) -> dict[str, float]:
+    """Return the limits of the table `design` of a file in SI units, none without this table; raise its error."""
+    if "design" not in document:
+        return {}
+    others = {name: table for name, table in document.items() if name != "design"}
+    return _checked(document["design"], others).limits
 
 
 class Wanted(StrictTable):

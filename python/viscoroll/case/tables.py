@@ -123,15 +123,23 @@ def _takes_numbers(schema: dict[str, Any]) -> bool:
 
 #: Tables that only some commands read, and these commands; messages name the first one.
 _COMMANDS = {
-    "rolling": ("solve", "sweep", "design", "compare", "export"),
-    "thermal": ("solve", "design"),
+    "rolling": ("solve", "sweep", "design", "compare", "export", "report"),
+    "thermal": ("solve", "design", "report"),
     "motion": ("roll",),
     "ground": ("roll",),
     "tread": ("roll",),
     "axle": ("roll",),
+    "surface": ("slide",),
+    "sliding": ("slide",),
     "sweep": ("sweep", "export"),
     "draws": ("sweep",),
-    "design": ("design",),
+    "design": ("design", "report"),
+}
+
+
+#: Texts for tables of which a command reads a part.
+_PARTLY = {
+    ("roll", "rolling"): "[rolling] is for `viscoroll solve`, except the load if [motion] has none",
 }
 
 
@@ -173,7 +181,11 @@ def skipped_in(path: Path, *, command: str) -> str:
     with errors_in(path):
         document = read_toml(path)
     others = {name: readers[0] for name, readers in _COMMANDS.items() if command not in readers}
-    return "; ".join(f"[{name}] is for `viscoroll {others[name]}`" for name in document if name in others)
+    return "; ".join(
+        _PARTLY.get((command, name), f"[{name}] is for `viscoroll {others[name]}`")
+        for name in document
+        if name in others
+    )
 
 
 class Table:
@@ -187,8 +199,8 @@ class Table:
         Value of the key `type`, for tables that describe one of several classes.
     make : callable, optional
         Function that makes the object instead of the class; its parameters are the keys.
-    documented_by : class, optional
-        Another class whose docstring describes the same keys.
+    documented_by : class or function, optional
+        Another class, or a function, whose docstring describes the same keys.
     **types : type
         Types of keys. Other keys may have any type.
     """
@@ -198,7 +210,7 @@ class Table:
         kind: str | None = None,
         make: Callable[..., Any] | None = None,
         *,
-        documented_by: type | None = None,
+        documented_by: Callable[..., Any] | None = None,
         **types: Any,
     ) -> None:
         self._make = make

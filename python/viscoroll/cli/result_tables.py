@@ -8,9 +8,9 @@ from .. import paper
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.tables import handy
-from ..solution.scalars import SCALARS
+from ..bodies import CoatedCylinder
+from ..solution.scalars import label_of
 from ..solution.text import with_unit
-from ..thermal.temperature import QUANTITIES
 
 with extra("cli"):
     from rich.markup import escape
@@ -20,17 +20,17 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from .._support.progress import Report
-    from ..bodies import CoatedCylinder
-    from ..coupled import SelfHeating
+    from ..bodies import RollingBody
+    from ..case import Case
+    from ..case.solved import SolvedCase
     from ..reproduce import Verdict
     from ..rolling import Result
-    from ..thermal import Temperature
 
 __all__ = [
     "finite_strain_scalars",
     "finite_strain_table",
+    "require_finite_strain",
     "table_2",
-    "thermal_scalars",
     "thermal_table",
     "verdict_table",
 ]
@@ -42,36 +42,13 @@ _COMPARED = ("resisting_torque", "load", "penetration", "contact_length", "max_p
 FiniteStrainRows = dict[str, tuple[str, float, float | None, float | None]]
 
 
-def thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
-    """Return the reported scalars of every steady state, in SI units."""
-    scalars: list[dict[str, float | str]] = []
-    for number, found in enumerate(temperatures):
-        row: dict[str, float | str] = {name: getattr(found, name) for name in QUANTITIES}
-        if heated is not None:
-            state = heated.states[number]
-            row |= {
-                "mean_temperature": state.mean_temperature,
-                "resisting_torque": state.result.resisting_torque,
-                "stability": "stable" if state.stable else "unstable",
-            }
-        scalars.append(row)
-    return scalars
-
-
-def thermal_table(scalars: list[dict[str, float | str]]) -> Table:
-    """Return the table of the reported scalars, with a column for every steady state."""
-    quantities = QUANTITIES | {
-        "mean_temperature": ("K", "mean temperature of the layers"),
-        "resisting_torque": ("N m", "resisting torque T_r"),
-    }
-    title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
+def thermal_table(solved: SolvedCase) -> Table:
+    """Return the table of the reported numbers of the temperature, with a column for every steady state."""
+    count = len(solved.temperatures)
+    title = "temperature" if count == 1 else f"{count} steady states; a cold start reaches the first"
     table = Table(title=title, title_justify="left", show_header=False)
-    for name, (unit, label) in quantities.items():
-        if name in scalars[0]:
-            texts, handy_unit = handy([float(row[name]) for row in scalars], unit)
-            table.add_row(escape(with_unit(label, handy_unit)), *texts)
-    if "stability" in scalars[0]:
-        table.add_row("steady state", *(str(row["stability"]) for row in scalars))
+    for label, texts in solved.thermal_rows():
+        table.add_row(escape(label), *texts)
     return table
 
 
@@ -105,6 +82,25 @@ def table_2(torques: dict[tuple[int, int], float]) -> Table:
     return table
 
 
+def require_finite_strain(case: Case) -> None:
+    """Raise an error unless `--finite-strain` can solve the bodies and the motion of a case."""
+    if not isinstance(case.body, CoatedCylinder):
+        raise InvalidInput(
+            "--finite-strain",
+            "must be left out unless the case has a roller, the table [cylinder]: finite elements at finite strain "
+            "solve rollers only",
+            f"a {case.body.noun}",
+        )
+    if case.on is not None and case.on.is_deformable:
+        raise InvalidInput(
+            "--finite-strain",
+            "must be left out unless the counterbody is rigid: finite elements at finite strain deform the roller only",
+            f"a {case.on.noun} with layers or a base",
+        )
+    if case.friction > 0.0:
+        raise InvalidInput("rolling.friction", "must be 0 with --finite-strain", f"{case.friction:g}")
+
+
 def finite_strain_scalars(result: Result, *, progress: Report) -> FiniteStrainRows:
     """Return unit and value of finite elements, corrected linear theory and linear theory for every compared quantity.
 
@@ -113,15 +109,16 @@ def finite_strain_scalars(result: Result, *, progress: Report) -> FiniteStrainRo
     """
     from .. import finite_strain
 
-    if result.friction > 0.0:
-        raise InvalidInput("rolling.friction", "must be 0 with --finite-strain", f"{result.friction:g}")
-    found = finite_strain.solve(
-        cast("CoatedCylinder", result.body),  # finite_strain.solve rejects other bodies
-        on=result.on,
-        **{result.prescribed: getattr(result, result.prescribed)},
-        angular_speed=result.finite_strain_angular_speed or result.angular_speed,
-        progress=progress,
-    )
+    try:
+        found = finite_strain.solve(
+            cast("CoatedCylinder", result.body),  # require_finite_strain rejects other bodies
+            on=result.on,
+            **{result.prescribed: getattr(result, result.prescribed)},
+            angular_speed=result.finite_strain_angular_speed or result.angular_speed,
+            progress=progress,
+        )
+    except InvalidInput as error:
+        raise error.with_more("required by --finite-strain") from None
     linear = {name: getattr(result, name) for name in _COMPARED if name != "overspeed"}
     corrected = {"resisting_torque": result.finite_strain_torque, "overspeed": result.overspeed}
     return {
@@ -129,7 +126,7 @@ def finite_strain_scalars(result: Result, *, progress: Report) -> FiniteStrainRo
     }
 
 
-def finite_strain_table(rows: FiniteStrainRows) -> Table:
+def finite_strain_table(rows: FiniteStrainRows, body: RollingBody) -> Table:
     """Return the table of finite elements, corrected linear theory and linear theory side by side."""
     table = Table(title="rolling at finite strain; corrected: linear theory with overspeed", title_justify="left")
     for head in ("", "finite elements", "corrected", "linear theory"):
@@ -137,6 +134,6 @@ def finite_strain_table(rows: FiniteStrainRows) -> Table:
     for name, (unit, *values) in rows.items():
         texts, handy_unit = handy(values, unit)
         cells = ("" if value is None else text for value, text in zip(values, texts, strict=True))
-        label = SCALARS[name][1].partition(",")[0]
+        label = label_of(name, body)
         table.add_row(escape(with_unit(label, handy_unit)), *cells)
     return table

@@ -20,10 +20,11 @@ from .._support.errors import InvalidInput, InvalidType
 from .._support.extras import extra
 from .._support.progress import ProgressLike, counted, reporting
 from .._support.result_warnings import silenced, warn
-from .._support.tables import html_table, number_text
+from .._support.tables import handy, html_table, number_text
 from ..bodies import RollingBody
 from ..materials.shift import Shift
-from ..thermal.temperature import QUANTITIES, Core
+from ..rolling.steady import solved_speed
+from ..thermal.temperature import QUANTITIES, Core, temperature_warnings
 from .softening_result import NetworkLoss, as_network_loss
 from .steady_states import Fold, StateSearch, SteadyState
 
@@ -63,16 +64,22 @@ class SelfHeating:
 
     def _repr_html_(self) -> str:
         """Return the states with units, one per column, as a table for notebooks."""
+        torque_unit, coldest = self.states[0].result.unit("resisting_torque"), self.states[0].temperature
         rows = [
             ("steady state", *("stable" if state.stable else "unstable" for state in self.states), ""),
             ("mean temperature of the layers", *(number_text(state.mean_temperature) for state in self.states), "K"),
-            ("resisting torque T_r", *(number_text(state.result.resisting_torque) for state in self.states), "N m"),
+            self._row("resisting torque T_r", [state.result.resisting_torque for state in self.states], torque_unit),
             *(
-                (text, *(number_text(getattr(state.temperature, name)) for state in self.states), unit)
-                for name, (unit, text) in QUANTITIES.items()
+                self._row(text, [getattr(state.temperature, name) for state in self.states], coldest.unit(name))
+                for name, (_, text) in QUANTITIES.items()
             ),
         ]
         return html_table(f"Self-heating at Ω = {self.angular_speed:g} rad/s", rows)
+
+    @staticmethod
+    def _row(label: str, values: list[float], unit: str) -> tuple[str, ...]:
+        texts, readable = handy(values, unit)
+        return (label, *texts, readable)
 
     def speeds(self, temperatures: Sequence[float], *, progress: ProgressLike = None) -> NDArray[np.float64]:
         """Return the speeds at which given mean temperatures are steady states.
@@ -176,7 +183,8 @@ def self_heating(
     body: RollingBody,
     *,
     load: float,
-    angular_speed: float,
+    angular_speed: float | None = None,
+    speed: float | None = None,
     convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]],
     ambient: float,
     shift: Shift | Sequence[Shift],
@@ -200,8 +208,10 @@ def self_heating(
     ----------
     body : CoatedSphere or CoatedCylinder or CoatedWheel
         Rolling body, with moduli at the reference temperature of `shift`.
-    load, angular_speed : float
-        Load and angular speed, same as in `solve`.
+    load : float
+        Load, same as in `solve`.
+    angular_speed, speed : float, optional
+        Angular speed, or speed of the ground instead of it, same as in `solve`.
     convection, ambient, conductivity, core, core_temperature, width, side_convection, hub_conductance
         Same as in `Result.temperature`.
     shift : callable or sequence of callable
@@ -279,7 +289,8 @@ def self_heating(
         shifts=[each for each in shifts for _ in range(parts)],
         vertical=vertical_shift,
         load=as_float("load", load),
-        angular_speed=as_float("angular_speed", angular_speed),
+        angular_speed=solved_speed(body, angular_speed, speed),
+        ground_speed=speed,
         softening=as_network_loss("softening", softening),
         thermal={
             "conductivity": _repeated(conductivity, parts),
@@ -306,6 +317,7 @@ def self_heating(
     if len(states) > 1:
         temperatures = ", ".join(f"{s.mean_temperature:.1f} K ({'' if s.stable else 'un'}stable)" for s in states)
         warn([f"{len(states)} steady states: {temperatures}; a cold start reaches the coldest"])
+    warn(temperature_warnings(states[0].temperature))
     return found
 
 

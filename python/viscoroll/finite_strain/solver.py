@@ -118,8 +118,8 @@ def solve(
     >>> cover = vr.Layer(thickness=10e-3, shear_modulus=rubber, poisson_ratio=0.5)
     >>> roller = vr.CoatedCylinder(core_radius=40e-3, layers=[cover])
     >>> r = solve(roller, penetration=1e-3, angular_speed=9.0, elements_across=24, elements_through=4)
-    >>> f"{r.load / 1e3:.1f} kN/m, {r.driving_torque:.1f} N, overspeed {r.overspeed:.3f}"
-    '16.6 kN/m, 27.7 N, overspeed 0.073'
+    >>> f"{r.load / 1e3:.1f} kN/m, {r.driving_torque:.1f} N m/m, overspeed {r.overspeed:.3f}"
+    '16.6 kN/m, 27.7 N m/m, overspeed 0.073'
     """
     if (load is None) == (penetration is None):
         raise InvalidInput("load", "or penetration must be given, and not both", "both" if load is not None else "none")

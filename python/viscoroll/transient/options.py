@@ -108,8 +108,8 @@ class HistoryOptions:
         """Convert the types; the core checks the values."""
         require_type("mesh", self.mesh, Mesh, optional=True)
         require_type("drive", self.drive, Drive)
-        for name in ("ground", "tread"):
-            require_type(name, getattr(self, name), Profile, optional=True)
+        require_type("ground", self.ground, Profile, optional=True)
+        require_type("tread", self.tread, Profile, optional=True)
         require_type("axle", self.axle, Axle, optional=True)
         if self.drive.force is None and self.drive.torque is None:
             raise InvalidInput(

@@ -72,7 +72,7 @@ def test_units_have_their_usual_meaning(text, unit, value):
         (
             "5 furlong",
             "m",
-            r"^x must be a length \[m\], got '5 furlong'; the unit 'furlong' is not known; use for example mm, cm, m, in$",
+            r"^x must be a length \[m\], got '5 furlong'; the unit 'furlong' is not known; use for example mm",
         ),
         ("10", "m", r"^x must be a length \[m\], with its unit or without quotes, got '10'$"),
         ("4 km/h", "rad/s", "give the speed of the ground as speed$"),

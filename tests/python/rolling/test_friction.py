@@ -333,7 +333,7 @@ BAD = {
     "too large": (
         {"friction": 4.01},
         ValueError,
-        r"friction must be at most 4 \(no pair of materials has more\), or infinite for full stick, got 4.01",
+        r"friction must be <= 4 \(no pair of materials has more\), or infinite for full stick, got 4.01",
     ),
     "text": ({"friction": "much"}, TypeError, "friction must be a real number"),
     "drive": ({"friction": 0.3, "drive": 0.0}, TypeError, "drive must be a viscoroll.Drive"),
@@ -401,12 +401,6 @@ def test_plot_shows_stick_and_slip(paper_ball, tmp_path):
         text.get_text() for legend in legends for text in legend.get_texts()
     }
     figure.savefig(tmp_path / "friction.png")
-
-
-def test_the_summary_contains_the_speed_of_the_center(paper_ball):
-    r = roll(paper_ball, drive=DRIVES["skidding"])
-    line = next(line for line in repr(r).splitlines() if "creepage" in line)
-    assert line.split("V_s")[1].strip() == f"-0.5, {0.5 * SLOW * paper_ball.outer_radius:.6g} m/s"
 
 
 @pytest.mark.parametrize(("name", "mu"), [(name, mu) for name in DRIVES for mu in (0.2, 0.5, 2.0)])

@@ -11,6 +11,8 @@ import viscoroll as vr
 from viscoroll._support.errors import InvalidInput, InvalidType, Range, in_file
 from viscoroll.case import build_case
 
+RUBBER = {"thickness": 0.01, "shear_modulus": 1e6, "poisson_ratio": 0.5}
+
 
 def parts(error: InvalidInput) -> tuple[str, str, str]:
     return error.parameter, error.rule, error.value
@@ -49,7 +51,10 @@ def test_errors_have_parameter_rule_and_value(make, expected):
         ),
         (  # in a file
             lambda: build_case(
-                {"wheel": {"core_radius": 0.1, "width": -0.1, "layers": [{"thickness": 0.01, "shear_modulus": 1e6}]}},
+                {
+                    "wheel": {"core_radius": 0.1, "width": -0.1, "layers": [RUBBER]},
+                    "rolling": {"load": 1.0, "speed": 1.0},
+                },
                 None,
             ),
             Range(0.0, unit="m", excludes_minimum=True),
