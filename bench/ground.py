@@ -15,18 +15,17 @@ import time
 from typing import Any
 
 import viscoroll as vr
-from viscoroll.ground import Axle, Profile
 
 LOAD = 5e3
 DISTANCE = 80e-3
-BUMP = Profile.half_sine(1e-3, length=20e-3, at=40e-3)
+BUMP = vr.Profile.half_sine(1e-3, length=20e-3, at=40e-3)
 
 #: Options and speed [m/s] of each case, and the energy that it dissipates [J/m]: the mean of `tests.reference.ground`
 #: over four meshes of 1000 nodes.
 CASES: dict[str, tuple[dict[str, Any], float, float]] = {
     "flat": ({}, 60e-3, 3.4041),
     "bump": ({"ground": BUMP}, 60e-3, 3.4497),
-    "axle": ({"ground": BUMP, "axle": Axle(mass=500.0)}, 0.3, 1.0366),
+    "axle": ({"ground": BUMP, "axle": vr.Axle(mass=500.0)}, 0.3, 1.0366),
 }
 
 

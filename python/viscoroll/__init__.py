@@ -24,7 +24,6 @@ Bodies, materials and solvers are names of this package. Its modules contain the
 - `analytic`: closed forms for comparison
 - `enums`: enumerations of options and outcomes
 - `finite_strain`: rollers at finite strain, by finite elements
-- `ground`: profiles of uneven ground and treads, and axles
 - `paper`: the example of Zéhil and Gavin
 """
 
@@ -34,7 +33,6 @@ from . import (
     enums,
     export,
     finite_strain,
-    ground,
     materials,
     modal,
     paper,
@@ -49,6 +47,7 @@ from ._support.errors import InvalidInput
 from ._support.result_warnings import ResultWarning
 from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Drive, Groove, HalfSpace, Layer, Mesh
 from .coupled import self_heating, strain_softening
+from .ground import Axle, Profile
 from .materials import (
     CreepCompliance,
     Elastic,
@@ -66,6 +65,7 @@ from .studies import sweep
 from .transient import History, RollingHistory, RollingState, roll
 
 __all__ = [
+    "Axle",
     "CoatedCylinder",
     "CoatedPlane",
     "CoatedSphere",
@@ -85,6 +85,7 @@ __all__ = [
     "LossFactor",
     "MasterCurve",
     "Mesh",
+    "Profile",
     "Prony",
     "Result",
     "ResultWarning",
@@ -99,7 +100,6 @@ __all__ = [
     "enums",
     "export",
     "finite_strain",
-    "ground",
     "materials",
     "modal",
     "paper",

@@ -16,7 +16,6 @@ from typing import Any
 
 import numpy as np
 import viscoroll as vr
-from viscoroll.ground import Axle, Profile
 
 from .bodies import curvature
 from .command import main
@@ -44,24 +43,24 @@ def _uneven(rng: np.random.Generator, case: HistoryCase) -> dict[str, Any]:
     height = radius * 10.0 ** rng.uniform(-4.0, -2.0) * float(rng.choice([-1.0, 1.0]))
     length = spacing * rng.uniform(8.0, 30.0)
     shapes = {
-        "step": lambda: Profile.step(height, at=middle),
-        "bump": lambda: Profile.half_sine(height, length=length, at=middle),
-        "joint": lambda: Profile.joint(abs(height), width=length, at=middle),
-        "corrugation": lambda: Profile.corrugation(0.2 * height, period=length),
+        "step": lambda: vr.Profile.step(height, at=middle),
+        "bump": lambda: vr.Profile.half_sine(height, length=length, at=middle),
+        "joint": lambda: vr.Profile.joint(abs(height), width=length, at=middle),
+        "corrugation": lambda: vr.Profile.corrugation(0.2 * height, period=length),
     }
     options: dict[str, Any] = {}
     if rng.random() < 0.8:
         options["ground"] = shapes[str(rng.choice(list(shapes)))]()
     if not options or rng.random() < 0.3:
         circumference = 2.0 * np.pi * radius
-        options["tread"] = Profile.corrugation(
+        options["tread"] = vr.Profile.corrugation(
             0.2 * height, period=circumference / max(round(circumference / length), 1)
         )
     if not case.has_friction and rng.random() < 0.4:
         duration = given["time"][-1] - given["time"][0]
         stiffness = abs(given["load"][0]) / (0.01 * radius)  # about that of the contact
         mass = stiffness * (duration * 10.0 ** rng.uniform(-2.5, -0.5)) ** 2
-        options["axle"] = Axle(
+        options["axle"] = vr.Axle(
             mass=mass,
             stiffness=stiffness * rng.uniform(0.0, 0.5),
             damping=rng.uniform(0.0, 0.5) * math.sqrt(stiffness * mass),

@@ -33,7 +33,7 @@ def _points(*, distance: list[float], height: list[float], periodic: bool = Fals
 
 
 def _measured(*, file: Path, lateral: float = 0.0, periodic: bool = False) -> Profile:
-    """Return a profile from a file, see `viscoroll.ground.Profile.read`.
+    """Return a profile from a file, see `viscoroll.Profile.read`.
 
     Parameters
     ----------

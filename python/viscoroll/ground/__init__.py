@@ -1,7 +1,7 @@
 """Uneven ground, treads, and the axle of a body that rolls over them.
 
     >>> import viscoroll as vr
-    >>> bump = vr.ground.Profile.half_sine(0.2e-3, length=10e-3, at=20e-3)
+    >>> bump = vr.Profile.half_sine(0.2e-3, length=10e-3, at=20e-3)
     >>> mesh = vr.Mesh(nodes_per_revolution=200)
     >>> motion = {"time": [0.0, 0.4], "distance": [0.0, 40e-3], "load": 100.0}
     >>> h = vr.roll(vr.paper.ball(), **motion, ground=bump, mesh=mesh, averaged_meshes=1)

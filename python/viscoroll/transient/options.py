@@ -66,14 +66,14 @@ class HistoryOptions:
         force of the contact is mass times acceleration. If Q exceeds friction, the body slides, which is not an error.
     center_speed : float, default 0
         Initial speed of the center, forward [m/s]; used only with a mass.
-    ground : ground.Profile, optional
+    ground : Profile, optional
         Height of the ground along the track, over the distance r_o ψ; by default smooth. With friction, the ground
         keeps its position where the center moves farther than the body rolls.
-    tread : ground.Profile, optional
+    tread : Profile, optional
         Height of the tread around the rolling body; by default smooth. The distances are in [0, 2π r_o], or the
         profile repeats a whole number of times. A height describes flat spots, shallow texture and runout well. Deep
         lugs are softer than the model, because they also bulge and bend.
-    axle : ground.Axle, optional
+    axle : Axle, optional
         Mass, spring and damper between the body and a frame, without friction. The load is then the external force on
         the axle. By default the load acts on the contact itself.
     averaged_meshes : int, default 4

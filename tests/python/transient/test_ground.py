@@ -11,11 +11,10 @@ import pytest
 import viscoroll as vr
 from reference import ground as reference
 from shared_cases import one_layer
-from viscoroll.ground import Profile
 
 LOAD, RADIUS = 5e3, 60e-3
 ROLLER = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)])
-BUMP = Profile.half_sine(1e-3, length=20e-3, at=40e-3)
+BUMP = vr.Profile.half_sine(1e-3, length=20e-3, at=40e-3)
 FINE, COARSE = vr.Mesh(nodes_per_revolution=1000), vr.Mesh(nodes_per_revolution=500)
 
 
@@ -52,7 +51,7 @@ def test_half_sine_bump(speed, moments, extremes, deepest, dissipated):
 def test_the_window_reaches_an_obstacle_ahead():
     """With the window of flat ground, the largest moment would be 75.1 N at 21.2 mm."""
     with pytest.warns(vr.ResultWarning, match="heights of ground differ by 0.05 of the radius"):
-        h = over(Profile.half_sine(3e-3, length=20e-3, at=40e-3), 60e-3, end=60e-3)
+        h = over(vr.Profile.half_sine(3e-3, length=20e-3, at=40e-3), 60e-3, end=60e-3)
     highest = h.resisting_torque.argmax()
     assert h.resisting_torque[highest] == pytest.approx(79.77, abs=0.05)
     assert h.distance[highest] * 1e3 == pytest.approx(20.0, abs=0.1)
@@ -69,24 +68,24 @@ def test_a_thin_layer_climbs_a_bump_that_is_higher_than_its_thickness():
 
 def test_step_and_joint():
     """Largest moment and penetration converge at a step (2.1, 0.95, 0.43 N between meshes of 500, 1000, 2000 nodes)."""
-    h = over(Profile.step(0.5e-3, at=40e-3), 60e-3)
+    h = over(vr.Profile.step(0.5e-3, at=40e-3), 60e-3)
     assert h.resisting_torque.max() == pytest.approx(24.056, abs=0.02)
     assert h.penetration[-1] * 1e3 == pytest.approx(-0.3048, abs=2e-4)
-    h = over(Profile.joint(1e-3, width=6e-3, at=40e-3), 60e-3)
+    h = over(vr.Profile.joint(1e-3, width=6e-3, at=40e-3), 60e-3)
     assert h.resisting_torque.max() == pytest.approx(11.144, abs=0.05)
     assert h.dissipated_energy[-1] == pytest.approx(3.4894, abs=1e-3)
 
 
 def test_corrugation():
     r = reference.roll(reference.corrugation(1e-4, 12e-3), nodes=500, speed=60e-3, end=84e-3)
-    h = over(Profile.corrugation(1e-4, period=12e-3), 60e-3, mesh=COARSE, end=float(r.distance[-1]))
+    h = over(vr.Profile.corrugation(1e-4, period=12e-3), 60e-3, mesh=COARSE, end=float(r.distance[-1]))
     np.testing.assert_allclose(h.resisting_torque, r.moment, atol=5e-3)
     assert h.dissipated_energy[-1] == pytest.approx(r.dissipated[-1], rel=1e-3)
 
 
 def test_axle_at_a_fixed_height():
     flat = over(None, 60e-3, end=1e-3)
-    bump = Profile.half_sine(0.5e-3, length=20e-3, at=40e-3)
+    bump = vr.Profile.half_sine(0.5e-3, length=20e-3, at=40e-3)
     for speed, load, place, moment in ((6e-3, 19827, 39.4, 42.67), (60e-3, 28483, 38.5, 66.07)):
         h = over(bump, speed, load=None, axle_height=float(flat.axle_height[0]))
         highest = h.load.argmax()
@@ -99,8 +98,11 @@ def test_axle_at_a_fixed_height():
 
 
 def test_zero_profiles_are_smooth_to_the_last_digit():
-    zero = Profile([0.0, 1.0], [0.0, 0.0])
-    plain, flat = over(None, 60e-3, mesh=COARSE), over(zero, 60e-3, mesh=COARSE, tread=Profile([0.0, 0.1], [0.0, 0.0]))
+    zero = vr.Profile([0.0, 1.0], [0.0, 0.0])
+    plain, flat = (
+        over(None, 60e-3, mesh=COARSE),
+        over(zero, 60e-3, mesh=COARSE, tread=vr.Profile([0.0, 0.1], [0.0, 0.0])),
+    )
     for name, values in series(plain).items():
         np.testing.assert_array_equal(values, getattr(flat, name), err_msg=name)
 
@@ -109,7 +111,7 @@ def test_shift_by_whole_spacings():
     moved = 7 * RADIUS * COARSE.spacing
     one = over(BUMP, 60e-3, mesh=COARSE)
     other = over(
-        Profile.half_sine(1e-3, length=20e-3, at=40e-3 + moved), 60e-3, mesh=COARSE, start=moved, end=80e-3 + moved
+        vr.Profile.half_sine(1e-3, length=20e-3, at=40e-3 + moved), 60e-3, mesh=COARSE, start=moved, end=80e-3 + moved
     )
     np.testing.assert_allclose(other.resisting_torque, one.resisting_torque, atol=1e-9 * one.resisting_torque.max())
     np.testing.assert_allclose(other.penetration, one.penetration, atol=1e-12)
@@ -117,8 +119,8 @@ def test_shift_by_whole_spacings():
 
 def test_elastic_body_rolls_back_with_the_opposite_moment():
     elastic = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(vr.Elastic(modulus=3e6), thickness=10e-3)])
-    lopsided = Profile([30e-3, 45e-3, 50e-3], [0.0, 1e-3, 0.0])
-    mirrored = Profile([-50e-3, -45e-3, -30e-3], [0.0, 1e-3, 0.0])
+    lopsided = vr.Profile([30e-3, 45e-3, 50e-3], [0.0, 1e-3, 0.0])
+    mirrored = vr.Profile([-50e-3, -45e-3, -30e-3], [0.0, 1e-3, 0.0])
     forward = over(lopsided, 60e-3, body=elastic, mesh=COARSE)
     backward = over(mirrored, 60e-3, body=elastic, mesh=COARSE, end=-80e-3)
     assert forward.dissipated_energy[-1] == pytest.approx(0.0, abs=1e-12)
@@ -142,7 +144,7 @@ def test_slow_rolling_at_a_fixed_height():
     """D = (V τ̄ / R) ∫ P ds with the elastic load, which the load approaches; ratio of another program: 0.991."""
     speed = 0.1e-3
     flat = over(None, speed, end=1e-3)
-    bump = Profile.half_sine(0.5e-3, length=20e-3, at=40e-3)
+    bump = vr.Profile.half_sine(0.5e-3, length=20e-3, at=40e-3)
     h = over(bump, speed, load=None, axle_height=float(flat.axle_height[0]))
     work = 0.5 * np.sum((h.load[1:] + h.load[:-1]) * np.diff(h.distance))
     assert h.dissipated_energy[-1] / (speed * 0.125 / RADIUS * work) == pytest.approx(0.991, abs=4e-3)
@@ -151,7 +153,7 @@ def test_slow_rolling_at_a_fixed_height():
 def test_lugs():
     """24 lugs of 2 mm with 40 % void at 1 rad/s: another program has a mean of 2.806 N on 720 nodes."""
     pitch = 2.0 * np.pi * RADIUS / 24
-    lugs = Profile([0.0, 0.6 * pitch, 0.6 * pitch, pitch], [0.0, 0.0, -2e-3, -2e-3], periodic=True)
+    lugs = vr.Profile([0.0, 0.6 * pitch, 0.6 * pitch, pitch], [0.0, 0.0, -2e-3, -2e-3], periodic=True)
     h = over(None, RADIUS, tread=lugs, mesh=vr.Mesh(nodes_per_revolution=720), end=4.0 * RADIUS)
     pitches = h.angle > 4.0 - 9.0 * np.pi / 12.0
     assert h.resisting_torque[pitches].mean() == pytest.approx(2.806, abs=0.03)
@@ -161,7 +163,7 @@ def test_lugs():
 
 
 def test_tread_and_ground_against_the_reference():
-    texture = Profile.corrugation(0.2e-3, period=2.0 * np.pi * RADIUS / 20)
+    texture = vr.Profile.corrugation(0.2e-3, period=2.0 * np.pi * RADIUS / 20)
     r = reference.roll(
         reference.half_sine(0.6e-3, 20e-3, 40e-3),
         tread=reference.corrugation(0.2e-3, 2.0 * np.pi * RADIUS / 20),
@@ -169,7 +171,7 @@ def test_tread_and_ground_against_the_reference():
         speed=60e-3,
         end=60e-3,
     )
-    bump = Profile.half_sine(0.6e-3, length=20e-3, at=40e-3)
+    bump = vr.Profile.half_sine(0.6e-3, length=20e-3, at=40e-3)
     h = over(bump, 60e-3, tread=texture, mesh=COARSE, end=float(r.distance[-1]))
     np.testing.assert_allclose(h.distance, r.distance, atol=1e-12)  # the same steps
     np.testing.assert_allclose(h.resisting_torque, r.moment, atol=0.01)
@@ -177,7 +179,7 @@ def test_tread_and_ground_against_the_reference():
 
 
 def test_tread_returns_with_every_turn():
-    flat_spot = Profile([0.1, 0.11, 0.12], [0.0, -0.2e-3, 0.0])
+    flat_spot = vr.Profile([0.1, 0.11, 0.12], [0.0, -0.2e-3, 0.0])
     circumference = 2.0 * np.pi * RADIUS
     h = over(None, 0.5, tread=flat_spot, mesh=COARSE, end=3.0 * circumference, averaged_meshes=1)
     turns = [np.interp(0.11 + (k + 0.02) * circumference, h.distance, h.resisting_torque) for k in (1, 2)]
@@ -197,7 +199,7 @@ def test_force_on_the_center_follows_the_slope():
 def test_rigid_ball_over_a_bump_of_a_mat(friction):
     mat = vr.CoatedPlane(layers=[one_layer(thickness=2e-3)])
     ball = vr.CoatedSphere(core_radius=20e-3)
-    bump = Profile.half_sine(0.2e-3, length=6e-3, at=10e-3)
+    bump = vr.Profile.half_sine(0.2e-3, length=6e-3, at=10e-3)
     h = vr.roll(
         ball, on=mat, time=[0.0, 0.3], distance=[0.0, 18e-3], load=20.0, ground=bump, friction=friction,
         mesh=vr.Mesh(nodes_per_revolution=400), averaged_meshes=1,
@@ -216,7 +218,7 @@ def test_friction_over_a_bump():
 
 
 def test_lifted_body_touches_the_highest_point():
-    ground = Profile.half_sine(1e-3, length=20e-3, at=40e-3)
+    ground = vr.Profile.half_sine(1e-3, length=20e-3, at=40e-3)
     h = vr.roll(
         ROLLER, time=[0.0, 0.0, 4.0, 4.0], distance=[0.0, 0.0, 40e-3, 40e-3], load=[LOAD, 0.0, 0.0, 0.0],
         ground=ground, mesh=COARSE, averaged_meshes=1,
@@ -225,7 +227,7 @@ def test_lifted_body_touches_the_highest_point():
 
 
 @pytest.mark.parametrize(
-    "options", [{"ground": BUMP}, {"tread": Profile.corrugation(1e-4, period=RADIUS * np.pi / 20)}]
+    "options", [{"ground": BUMP}, {"tread": vr.Profile.corrugation(1e-4, period=RADIUS * np.pi / 20)}]
 )
 def test_saved_states_resume_to_the_last_bit(options, tmp_path):
     plan = {"time": [0.0, 1.0], "distance": [0.0, 60e-3], "load": LOAD, "mesh": COARSE, "averaged_meshes": 2}
@@ -245,24 +247,27 @@ def test_a_state_of_another_ground_is_rejected():
     with pytest.raises(vr.InvalidInput, match="start must be a state with the same tread"):
         vr.RollingHistory(
             ROLLER, load=LOAD, mesh=COARSE, averaged_meshes=1, start=stepper.state, ground=BUMP,
-            tread=Profile([0.0, 0.1], [0.0, 1e-4]),
+            tread=vr.Profile([0.0, 0.1], [0.0, 1e-4]),
         )  # fmt: skip
 
 
 def test_warnings():
     with pytest.warns(vr.ResultWarning, match=r"shortest feature of ground is 0\.001 m, 1\.3 node spacings"):
-        over(Profile.half_sine(1e-5, length=1e-3, at=5e-3), 60e-3, mesh=COARSE, end=8e-3, averaged_meshes=1)
+        over(vr.Profile.half_sine(1e-5, length=1e-3, at=5e-3), 60e-3, mesh=COARSE, end=8e-3, averaged_meshes=1)
     with pytest.warns(vr.ResultWarning, match="largest slope of ground is 1"):
-        over(Profile([0.0, 1e-2, 1.1e-2, 1.0], [0.0, 0.0, 1e-3, 1e-3]), 60e-3, end=1e-3, averaged_meshes=1)
+        over(vr.Profile([0.0, 1e-2, 1.1e-2, 1.0], [0.0, 0.0, 1e-3, 1e-3]), 60e-3, end=1e-3, averaged_meshes=1)
     with pytest.warns(vr.ResultWarning, match=r"rolls beyond the end of ground at 0\.01 m, where its height stays"):
-        over(Profile([-1.0, 0.0, 0.01], [0.0, 0.0, 1e-4]), 60e-3, mesh=COARSE, end=12e-3, averaged_meshes=1)
+        over(vr.Profile([-1.0, 0.0, 0.01], [0.0, 0.0, 1e-4]), 60e-3, mesh=COARSE, end=12e-3, averaged_meshes=1)
 
 
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"tread": Profile([0.0, 1.0], [0.0, 1e-4])}, r"tread\.distance must be in \[0, 0\.377\] m, the circumference"),
-        ({"tread": Profile.corrugation(1e-4, period=0.1)}, r"tread\.distance must be such that the circumference"),
+        (
+            {"tread": vr.Profile([0.0, 1.0], [0.0, 1e-4])},
+            r"tread\.distance must be in \[0, 0\.377\] m, the circumference",
+        ),
+        ({"tread": vr.Profile.corrugation(1e-4, period=0.1)}, r"tread\.distance must be such that the circumference"),
         ({"load": None, "axle_height": 61e-3}, r"axle_height must be < r_o = 0\.06"),
         ({"load": None, "axle_height": 59.8e-3, "friction": 0.3}, "axle_height must be left out with friction"),
         ({"axle_height": 59.8e-3}, "exactly one of load and axle_height must be given, got both"),
