@@ -86,6 +86,20 @@ void fine_rolling(benchmark::State& state, int nodes, Compliance compliance, dou
   count(result, state);
 }
 
+/// A rough surface on 1024 nodes per side slides on a half-space of rubber; the error is the difference of the friction
+/// coefficients from tractions and power, relative to the rms slope.
+void sliding(benchmark::State& state, double pressure, double speed) {
+  const HeightMap map = cases::rough_surface(1024);
+  const CoatedPlane block{.base =
+                              HalfSpace{.shear_modulus = standard_linear_solid(10e6, 1e6, 0.01), .poisson_ratio = 0.5}};
+  SlidingResult result;
+  for (auto _ : state) result = slide(map, block, pressure, speed);
+  state.counters["error"] = result.friction_error / 0.1;
+  state.counters["contact_nodes"] = result.contact_share * static_cast<double>(map.heights.size());
+  state.counters["iterations"] = result.iterations;
+  state.counters["operator_applications"] = result.operator_applications;
+}
+
 /// Friction of 0.3 on a window of 256 nodes per side, from a cold start; the error is that of the power balance.
 void fine_friction(benchmark::State& state, int nodes) {
   const CoatedSphere sphere = cases::paper_sphere();
@@ -441,6 +455,8 @@ BENCHMARK_CAPTURE(fine_rolling, 1024_vertical, 14684, Compliance::vertical, kVer
 BENCHMARK_CAPTURE(fine_rolling, 2048_vertical, 29460, Compliance::vertical, kVerticalTorque)
     ->Unit(kUnit)
     ->UseRealTime();
+BENCHMARK_CAPTURE(sliding, 1024_elastic, 8e3, 0.0)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(sliding, 1024_memory, 6e4, 1e-3)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(revolution, 300_one_lattice, 300, 1, 1)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(revolution, 500_one_lattice, 500, 1, 1)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(revolution, 1000_one_lattice, 1000, 1, 1)->Unit(kUnit)->UseRealTime()->Iterations(1);

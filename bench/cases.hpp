@@ -4,6 +4,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
 #include <viscoroll/viscoroll.hpp>
 
 namespace cases {
@@ -91,6 +94,35 @@ inline viscoroll::CoatedPlane mat(bool dissimilar) {
 
 /// A roller with a core radius of 50 mm and 10 mm of the same rubber.
 inline viscoroll::CoatedCylinder roller() { return {.core_radius = 50e-3, .layers = paper_sphere(0.0, 10e-3).layers}; }
+
+/// A rough surface of 1 mm by 1 mm with 256 waves, from a quarter to a 128th of its side, with eight nodes in the
+/// shortest wave at 1024 nodes per side. It is nearly self-affine with the Hurst exponent 0.8: each octave has as many
+/// waves, whose amplitudes fall as q^-0.8. The rms slope is 0.1.
+inline viscoroll::HeightMap rough_surface(int nodes) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr double kSide = 1e-3;
+  constexpr int kWaves = 256;
+  viscoroll::HeightMap map{.heights = std::vector<double>(static_cast<std::size_t>(nodes) * nodes),
+                           .rows = nodes,
+                           .columns = nodes,
+                           .spacing_x = kSide / nodes,
+                           .spacing_z = kSide / nodes};
+  for (int wave = 0; wave < kWaves; ++wave) {
+    const double q = 4.0 * std::pow(32.0, (wave + 0.5) / kWaves);
+    const double direction = kTurn * 0.618034 * wave;  // the golden ratio distributes the directions evenly
+    const double phase = kTurn * 0.414214 * wave * wave;
+    const int i = static_cast<int>(std::lround(q * std::cos(direction)));
+    const int j = static_cast<int>(std::lround(q * std::sin(direction)));
+    const double amplitude = 2.4e-7 * std::pow(4.0 / q, 0.8);
+    for (int row = 0; row < nodes; ++row) {
+      for (int column = 0; column < nodes; ++column) {
+        const double turns = (static_cast<double>(i) * row + static_cast<double>(j) * column) / nodes;
+        map.heights[static_cast<std::size_t>(row) * nodes + column] += amplitude * std::cos(kTurn * turns + phase);
+      }
+    }
+  }
+  return map;
+}
 
 inline const viscoroll::LoadCase kRolling{.load = 100.0, .angular_speed = 2.5};
 inline const viscoroll::LoadCase kWheelRolling{.load = 500.0, .angular_speed = 2.5};

@@ -50,7 +50,7 @@ TYPE_OF = {f"#/$defs/{definition}": name for name, definition in INTERFACES.item
 FILE_ONLY = {"allow_large", "file", "outer_diameter"}
 
 #: Tables of case files that the library in WebAssembly does not read.
-OTHERS = ("thermal", "motion", "sweep", "draws", "design")
+OTHERS = ("thermal", "motion", "ground", "tread", "axle", "surface", "sliding", "sweep", "draws", "design")
 
 
 def input_types() -> str:

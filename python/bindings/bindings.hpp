@@ -26,9 +26,10 @@ void bind_modal(py::module_& m);
 void bind_result(py::module_& m);
 void bind_roll(py::module_& m);
 void bind_rolling_resistance(py::module_& m);
+void bind_sliding(py::module_& m);
 void bind_solve(py::module_& m);
 
-/// @brief One entry of result_scalars.def or history_scalars.def.
+/// @brief One entry of result_scalars.def, history_scalars.def or sliding_scalars.def.
 struct ScalarDescription {
   std::string name;
   std::string type;  ///< type in the Python documentation

@@ -37,4 +37,5 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
   bind_interior(m);
   bind_roll(m);
   bind_rolling_resistance(m);
+  bind_sliding(m);
 }

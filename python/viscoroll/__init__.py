@@ -15,6 +15,7 @@ Bodies, materials and solvers are names of this package. Its modules contain the
 - `materials`: strain-dependent networks, shifts with temperature, moduli given by functions or by draws
 - `rheology`: measured moduli and material files; hardness and rebound
 - `rolling`: sensitivities, loss spectra and refinements of results
+- `sliding`: results of rough surfaces that slide, and Persson's estimate
 - `thermal`: temperature of the layers
 - `coupled`: results of solves in which strain or temperature changes the moduli
 - `studies`: fits to sweeps, and tables of the rolling resistance for other programs
@@ -23,6 +24,7 @@ Bodies, materials and solvers are names of this package. Its modules contain the
 - `analytic`: closed forms for comparison
 - `enums`: enumerations of options and outcomes
 - `finite_strain`: rollers at finite strain, by finite elements
+- `ground`: profiles of uneven ground and treads, and axles
 - `paper`: the example of Zéhil and Gavin
 """
 
@@ -32,11 +34,13 @@ from . import (
     enums,
     export,
     finite_strain,
+    ground,
     materials,
     modal,
     paper,
     rheology,
     rolling,
+    sliding,
     studies,
     thermal,
 )
@@ -57,6 +61,7 @@ from .materials import (
     StandardLinearSolid,
 )
 from .rolling import Result, RollingModel, solve
+from .sliding import RoughSurface, slide
 from .studies import sweep
 from .transient import History, RollingHistory, RollingState, roll
 
@@ -86,6 +91,7 @@ __all__ = [
     "RollingHistory",
     "RollingModel",
     "RollingState",
+    "RoughSurface",
     "StandardLinearSolid",
     "__version__",
     "analytic",
@@ -93,6 +99,7 @@ __all__ = [
     "enums",
     "export",
     "finite_strain",
+    "ground",
     "materials",
     "modal",
     "paper",
@@ -100,6 +107,8 @@ __all__ = [
     "roll",
     "rolling",
     "self_heating",
+    "slide",
+    "sliding",
     "solve",
     "strain_softening",
     "studies",

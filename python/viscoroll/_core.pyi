@@ -32,6 +32,25 @@ class ShearModulus:
     def __init__(self, type: str, **kwargs: typing.Any) -> None: ...
     def parameters(self) -> dict[str, typing.Any]: ...
 
+class HeightProfile:
+    def __init__(
+        self,
+        *,
+        distance: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        height: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        periodic: bool,
+    ) -> None: ...
+    def height_at(self, distance: numpy.typing.NDArray[numpy.float64]) -> numpy.typing.NDArray[numpy.float64]: ...
+
+class Axle:
+    def __init__(
+        self,
+        *,
+        mass: typing.SupportsFloat | typing.SupportsIndex,
+        stiffness: typing.SupportsFloat | typing.SupportsIndex,
+        damping: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+
 class Layer:
     def __init__(
         self,
@@ -490,6 +509,7 @@ class RollingModel:
         on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+        speed: typing.SupportsFloat | typing.SupportsIndex | None = None,
         mesh: Mesh,
         curvature: Curvature,
         threads: typing.SupportsInt | typing.SupportsIndex,
@@ -554,9 +574,12 @@ class Start(enum.Enum):
     UNDEFORMED = ...
 
 class HistoryOptions:
+    axle: Axle | None
     compliance: Compliance
     curvature: Curvature
+    ground: HeightProfile | None
     mesh: Mesh | None
+    tread: HeightProfile | None
     def __init__(self) -> None: ...
     @property
     def averaged_meshes(self) -> int: ...
@@ -610,6 +633,26 @@ class RollingInstant:
         angle turned ψ, positive forward [rad]. The contact moves r_o ψ along the track if nothing slips.
         """
     @property
+    def axle_acceleration(self) -> float:
+        """
+        acceleration of the axle, upward [m/s^2]. Without an axle it is the change of the mean speed between two steps divided by the step.
+        """
+    @property
+    def axle_energy(self) -> float:
+        """
+        kinetic energy of the axle and energy of its spring [J]. 0 without an axle.
+        """
+    @property
+    def axle_force(self) -> float:
+        """
+        external force W on the axle, downward [N]. Equals the load without an axle.
+        """
+    @property
+    def axle_speed(self) -> float:
+        """
+        speed of the axle, upward [m/s]. Without an axle it is the mean over the previous step.
+        """
+    @property
     def center_displacement(self) -> float:
         """
         displacement of the center since the start [m]. 0 without friction, where it is undetermined.
@@ -657,7 +700,7 @@ class RollingInstant:
     @property
     def energy_balance_residual(self) -> float:
         """
-        work minus stored and dissipated energy [J].
+        work minus stored and dissipated energy [J]. The energy of an axle counts as stored.
         """
     @property
     def error_estimate(self) -> float:
@@ -667,7 +710,7 @@ class RollingInstant:
     @property
     def load(self) -> float:
         """
-        load P [N].
+        load P [N]. Force between the bodies; a result if the axle has a mass, a spring or a damper, or if its height is given.
         """
     @property
     def max_pressure(self) -> float:
@@ -717,7 +760,7 @@ class RollingInstant:
     @property
     def work(self) -> float:
         """
-        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy.
+        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy. With an axle, the external force does the work of the load.
         """
 
 class InstantSeries:
@@ -725,6 +768,26 @@ class InstantSeries:
     def angle(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         angle turned ψ, positive forward [rad]. The contact moves r_o ψ along the track if nothing slips.
+        """
+    @property
+    def axle_acceleration(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        acceleration of the axle, upward [m/s^2]. Without an axle it is the change of the mean speed between two steps divided by the step.
+        """
+    @property
+    def axle_energy(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        kinetic energy of the axle and energy of its spring [J]. 0 without an axle.
+        """
+    @property
+    def axle_force(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        external force W on the axle, downward [N]. Equals the load without an axle.
+        """
+    @property
+    def axle_speed(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        speed of the axle, upward [m/s]. Without an axle it is the mean over the previous step.
         """
     @property
     def center_displacement(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -774,7 +837,7 @@ class InstantSeries:
     @property
     def energy_balance_residual(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        work minus stored and dissipated energy [J].
+        work minus stored and dissipated energy [J]. The energy of an axle counts as stored.
         """
     @property
     def error_estimate(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -784,7 +847,7 @@ class InstantSeries:
     @property
     def load(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        load P [N].
+        load P [N]. Force between the bodies; a result if the axle has a mass, a spring or a damper, or if its height is given.
         """
     @property
     def max_pressure(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -834,7 +897,7 @@ class InstantSeries:
     @property
     def work(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy.
+        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy. With an axle, the external force does the work of the load.
         """
 
 class ContactField:
@@ -859,6 +922,7 @@ class RollingHistory:
         options: HistoryOptions,
         time: typing.SupportsFloat | typing.SupportsIndex,
         angle: typing.SupportsFloat | typing.SupportsIndex,
+        axle_height: typing.SupportsFloat | typing.SupportsIndex | None,
         progress: typing.Any,
     ) -> None: ...
     @typing.overload
@@ -870,6 +934,7 @@ class RollingHistory:
         load: typing.SupportsFloat | typing.SupportsIndex,
         state: numpy.typing.NDArray[numpy.float64],
         options: HistoryOptions,
+        axle_height: typing.SupportsFloat | typing.SupportsIndex | None,
         progress: typing.Any,
     ) -> None: ...
     def advance(
@@ -879,6 +944,7 @@ class RollingHistory:
         angle: typing.SupportsFloat | typing.SupportsIndex,
         load: typing.SupportsFloat | typing.SupportsIndex,
         center_displacement: typing.SupportsFloat | typing.SupportsIndex | None,
+        axle_height: typing.SupportsFloat | typing.SupportsIndex | None,
     ) -> None: ...
     def contact(self) -> ContactField: ...
     def copy(self) -> RollingHistory: ...
@@ -890,6 +956,7 @@ class RollingHistory:
         angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         center_displacement: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        axle_height: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         progress: typing.Any,
     ) -> InstantSeries: ...
     def state(self) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -932,6 +999,87 @@ class RollingResistance:
     @property
     def radius(self) -> float: ...
 
+class SlidingScalars:
+    @property
+    def contact_share(self) -> float:
+        """
+        share of the nodes in contact [1]. Real contact area on this mesh per nominal area. The mesh overestimates it.
+        """
+    @property
+    def corrected_contact_share(self) -> float:
+        """
+        real contact area per nominal area [1]. contact_share minus (π - 1 + ln 2)/24 of the fraction of pairs of neighbors of which one is in contact, counted in both directions. This corrects the area of the patches at the edges of the contacts (Yastrebov, Anciaux and Molinari 2017). For a profile equal to contact_share.
+        """
+    @property
+    def friction_coefficient(self) -> float:
+        """
+        friction coefficient due to losses in the layers [1]. power_density / (speed * pressure), from the spectrum of the pressure. It is the share of the layers' losses in friction: without adhesion, and without friction at the interface. 0 at rest.
+        """
+    @property
+    def friction_error(self) -> float:
+        """
+        error of the power balance [1]. |traction_friction - friction_coefficient|, an estimate of the error of the mesh.
+        """
+    @property
+    def iterations(self) -> int:
+        """
+        linear systems on the finest mesh [1].
+        """
+    @property
+    def max_pressure(self) -> float:
+        """
+        largest pressure [Pa].
+        """
+    @property
+    def mean_gap(self) -> float:
+        """
+        mean distance of the two surfaces [m].
+        """
+    @property
+    def memory_length(self) -> float:
+        """
+        distance in which the layers recover [m]. Speed times the retardation time of the slowest layer, estimated at the frequency of the period along x. If it exceeds the period, the surface slides in its own track.
+        """
+    @property
+    def operator_applications(self) -> int:
+        """
+        operator applications on the finest mesh [1].
+        """
+    @property
+    def power_density(self) -> float:
+        """
+        power dissipated in the layers per area [W/m^2].
+        """
+    @property
+    def residual(self) -> float:
+        """
+        largest violation of the contact conditions, per penetration [1].
+        """
+    @property
+    def side_force_coefficient(self) -> float:
+        """
+        side force on the rough surface per load, along z [1]. 0 on average if the surface has no preferred direction.
+        """
+    @property
+    def traction_friction(self) -> float:
+        """
+        friction coefficient from the tractions [1]. Mean of the pressure times the slope of the surface against the sliding direction, per mean pressure. It equals friction_coefficient except for the error of the mesh.
+        """
+
+class SlidingResult(SlidingScalars):
+    @property
+    def converged(self) -> bool: ...
+    @property
+    def gap(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def pressure(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+class PerssonEstimate:
+    @property
+    def contact_share(self) -> float: ...
+    @property
+    def friction_coefficient(self) -> float: ...
+
 def centrifugal_displacement(
     sphere: CoatedSphere, *, angular_speed: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
@@ -941,6 +1089,7 @@ def check_motion(
     angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     center_displacement: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    axle_height: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
 ) -> None: ...
 def complex_modulus(
     modulus: ShearModulus, omega: numpy.typing.NDArray[numpy.float64]
@@ -1029,6 +1178,17 @@ def order_fields(
     radius: typing.SupportsFloat | typing.SupportsIndex,
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
+def persson_estimate(
+    heights: numpy.typing.NDArray[numpy.float64],
+    *,
+    spacing_x: typing.SupportsFloat | typing.SupportsIndex,
+    spacing_z: typing.SupportsFloat | typing.SupportsIndex,
+    on: CoatedPlane,
+    pressure: typing.SupportsFloat | typing.SupportsIndex,
+    speed: typing.SupportsFloat | typing.SupportsIndex,
+    gamma: typing.SupportsFloat | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+) -> PerssonEstimate: ...
 def places_at(
     shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel, position: numpy.typing.NDArray[numpy.float64]
 ) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
@@ -1036,6 +1196,24 @@ def rebound_to_loss_factor(rebound: typing.SupportsFloat | typing.SupportsIndex)
 def result_scalars() -> list[ScalarDescription]:
     """
     Descriptions of the scalar results, in SI units.
+    """
+
+def slide(
+    heights: numpy.typing.NDArray[numpy.float64],
+    *,
+    spacing_x: typing.SupportsFloat | typing.SupportsIndex,
+    spacing_z: typing.SupportsFloat | typing.SupportsIndex,
+    on: CoatedPlane,
+    pressure: typing.SupportsFloat | typing.SupportsIndex,
+    speed: typing.SupportsFloat | typing.SupportsIndex,
+    tolerance: typing.SupportsFloat | typing.SupportsIndex,
+    max_iterations: typing.SupportsInt | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
+) -> SlidingResult: ...
+def sliding_scalars() -> list[ScalarDescription]:
+    """
+    Descriptions of the scalar results of sliding, in SI units.
     """
 
 def solve(

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases.hpp"
+#include "contact/active_set.hpp"
 #include "contact/contact_extent.hpp"
 #include "contact/multilevel.hpp"
 #include "contact/normal_contact.hpp"
@@ -212,6 +213,40 @@ TEST(SurfaceOperator, ScalesDoNotDependOnTheWindow) {
   EXPECT_NEAR(model.surface->normal_stiffness() * matrix(nodes + lowest, nodes + lowest), 1.0, 1e-12);
   EXPECT_NEAR(model.surface->slip_stiffness() * (matrix(lowest, lowest) - matrix(lowest - 19, lowest)), 1.0,
               1e-2);  // the difference is u_r x/r
+}
+
+/// Three nodes, of which the last one has neither a force nor a gap, except for errors of the linear systems.
+class UndecidedSurface : public PressedSurface {
+ public:
+  void press(PressedNodes& contact, double /*tolerance*/) override {
+    contact.penetration = 1.0;
+    contact.pressing.setZero();
+    for (const Eigen::Index node : contact.nodes) contact.pressing[node] = node < kUndecided ? 1.0 : -kError;
+    contact.gap_error = 2.0 * kError;
+  }
+  [[nodiscard]] Eigen::ArrayXd height(const PressedNodes& contact) override {
+    Eigen::ArrayXd height = Eigen::ArrayXd::Ones(kUndecided + 1);
+    if (contact.pressing[kUndecided] == 0.0) height[kUndecided] -= kError;
+    return height;
+  }
+  [[nodiscard]] const Eigen::ArrayXd& weights() const override { return weights_; }
+  [[nodiscard]] double stiffness() const override { return 1.0; }
+
+  static constexpr Eigen::Index kUndecided = 2;
+  static constexpr double kError = 1e-9;
+
+ private:
+  Eigen::ArrayXd weights_ = Eigen::ArrayXd::Ones(kUndecided + 1);
+};
+
+TEST(ActiveSet, ANodeWithNeitherForceNorGapDoesNotChangeTheContactWithoutEnd) {
+  UndecidedSurface surface;
+  const PressedNodes guess{.pressing = Eigen::ArrayXd::Ones(3), .nodes = {0, 1, 2}, .penetration = 1.0};
+  const PressedNodes found = find_contact(
+      surface, guess, {.max_passes = 50, .first_tolerance = 1e-11, .tightening = 0.03, .tolerance = 1e-11});
+  EXPECT_TRUE(found.converged);
+  EXPECT_LT(found.passes, 12);
+  EXPECT_TRUE((found.pressing >= 0.0).all());
 }
 
 }  // namespace

@@ -22,10 +22,12 @@
 #include "viscoroll/observer.hpp"            // IWYU pragma: export
 #include "viscoroll/options.hpp"             // IWYU pragma: export
 #include "viscoroll/plane.hpp"               // IWYU pragma: export
+#include "viscoroll/profile.hpp"             // IWYU pragma: export
 #include "viscoroll/result.hpp"              // IWYU pragma: export
 #include "viscoroll/rolling_body.hpp"        // IWYU pragma: export
 #include "viscoroll/rolling_history.hpp"     // IWYU pragma: export
 #include "viscoroll/rolling_resistance.hpp"  // IWYU pragma: export
+#include "viscoroll/sliding.hpp"             // IWYU pragma: export
 #include "viscoroll/slow_terms.hpp"          // IWYU pragma: export
 #include "viscoroll/solve.hpp"               // IWYU pragma: export
 #include "viscoroll/sphere.hpp"              // IWYU pragma: export

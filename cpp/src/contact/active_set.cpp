@@ -39,19 +39,24 @@ void predict_nodes(PressedSurface& surface, PressedNodes& contact) {
   if (!nodes.empty()) contact.nodes = std::move(nodes);
 }
 
+/// @param[in] slack tension below which a node that leaves does not count [N]
 /// @return number of nodes that left
-std::size_t drop_tensile(PressedNodes& contact) {
+std::size_t drop_tensile(PressedNodes& contact, double slack) {
   const auto is_tensile = [&](Index node) { return !(contact.pressing[node] > 0.0); };
+  std::size_t counted = 0;
   for (const Index node : contact.nodes) {
-    if (is_tensile(node)) contact.pressing[node] = 0.0;
+    if (!is_tensile(node)) continue;
+    if (!(contact.pressing[node] > -slack)) ++counted;
+    contact.pressing[node] = 0.0;
   }
-  return std::erase_if(contact.nodes, is_tensile);
+  std::erase_if(contact.nodes, is_tensile);
+  return counted;
 }
 
 /// Add the overclosed nodes. Nodes that are in contact or have just left have no gap yet and are skipped.
+/// @param[in] slack overclosure below which a node does not join [m]
 /// @return number of nodes that joined
-std::size_t add_overclosed(PressedNodes& contact, double tolerance) {
-  const double slack = kOverclosureFactor * tolerance * std::abs(*contact.penetration);
+std::size_t add_overclosed(PressedNodes& contact, double slack) {
   std::vector<Index> added;
   for (Index node = 0; node < contact.gap.size(); ++node) {
     if (contact.gap[node] < -slack && contact.pressing[node] == 0.0) added.push_back(node);
@@ -74,11 +79,13 @@ PressedNodes find_contact(PressedSurface& surface, PressedNodes contact, const A
     const bool rough = tolerance > options.tolerance;
     const bool exchange = contact.passes <= kExchanges;
     if (exchange) find_gap(surface, contact);
-    std::size_t changes = drop_tensile(contact);
+    const double least = kOverclosureFactor * tolerance * std::abs(*contact.penetration);
+    const double slack = exchange ? least : std::max(least, contact.gap_error);
+    std::size_t changes = drop_tensile(contact, exchange ? 0.0 : slack * surface.stiffness());
     if (contact.nodes.empty()) throw ConvergenceError("no node is in contact", contact.passes, 1.0);
     if (!exchange && changes == 0) find_gap(surface, contact);
     if (exchange || changes == 0) {
-      changes += add_overclosed(contact, tolerance);
+      changes += add_overclosed(contact, slack);
       const auto count = static_cast<double>(contact.nodes.size());
       contact.converged = !rough && static_cast<double>(changes) <= options.unsettled * count;
     }

@@ -15,7 +15,9 @@ struct PressedNodes {
   /// Penetration [m]; if a guess has none, it follows from the gaps under the forces of the guess.
   std::optional<double> penetration;
   Eigen::ArrayXd gap = {};  ///< gap of every node [m]; may be the gap of the previous pass if no node has left
-  int passes = 0;           ///< linear systems solved
+  /// Largest gap [m] that the residual of the last linear system leaves at a node in contact; 0 if it is negligible.
+  double gap_error = 0.0;
+  int passes = 0;  ///< linear systems solved
   bool converged = false;
 };
 
@@ -51,7 +53,8 @@ struct ActiveSetOptions {
 
 /// @brief Find the contact with an active set, which ends when the set no longer changes.
 /// Each pass drops all tensile nodes and adds all overclosed ones. The first passes do both at once, which is fast but
-/// may cycle; later passes add nodes only if there are none to drop.
+/// may cycle; later passes add nodes only if there are none to drop. A node whose force and gap are both below the
+/// residual would leave and join in every pass; later passes do not count it as a change.
 /// @param[in,out] surface the surface, which may keep data between its linear systems
 /// @param[in] guess initial contact
 /// @param[in] options limits and tolerances

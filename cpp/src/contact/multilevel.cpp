@@ -88,7 +88,9 @@ LocatedContact press_multilevel(const ContactProblem& problem, double contact_ga
   const Window& window = problem.surface->window();
   if (!is_worth_coarsening(window)) return press(problem, guess_within(problem, contact_gap_limit), options);
   const LocatedContact coarse = press_multilevel(coarsened(problem), contact_gap_limit, rough(options));
-  if (window.shape().size() <= kSmallWindow) return press(problem, prolonged_guess(coarse, window), options);
+  // The contacts of a periodic surface are everywhere.
+  const bool is_whole = window.shape().size() <= kSmallWindow || problem.surface->period();
+  if (is_whole) return press(problem, prolonged_guess(coarse, window), options);
   Window box = box_around(coarse, 2, window);
   NormalContactGuess guess = prolonged_guess(coarse, box);
   for (;;) {

@@ -8,9 +8,10 @@
 namespace viscoroll::detail {
 
 /// @brief Solve a contact with or without friction.
-/// Small windows are solved as a whole. On a larger window the solver first solves the mesh of every other node,
-/// recursively, and then a box around that contact, so that the number of Krylov iterations does not grow with the
-/// mesh. If friction fails on the coarsest level, the next level starts from its own frictionless contact.
+/// Small windows and periodic surfaces are solved as a whole. On a larger window the solver first solves the mesh of
+/// every other node, recursively, and then a box around that contact, so that the number of Krylov iterations does not
+/// grow with the mesh. If friction fails on the coarsest level, the next level starts from its own frictionless
+/// contact.
 /// @param[in] problem problem on the window of all candidate nodes
 /// @param[in] contact_gap_limit undeformed gap below which nodes are assumed to be in contact at first [m]
 /// @param[in] options limits

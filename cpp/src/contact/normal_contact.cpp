@@ -164,6 +164,7 @@ class IterativePressedSurface : public PressedSurface {
           contact.passes, error);
     }
     equations.press(solution.unknowns, contact);
+    contact.gap_error = tolerance * right_side.norm() / stiffness();
   }
 
   [[nodiscard]] ArrayXd height(const PressedNodes& contact) override {
@@ -178,7 +179,8 @@ class IterativePressedSurface : public PressedSurface {
  private:
   [[nodiscard]] InverseConvolution make_inverse() const {
     const WindowShape shape = problem_.surface->shape();
-    const WindowShape period{RealFft::fast_length(shape.phi_nodes), RealFft::fast_length(shape.theta_nodes)};
+    const WindowShape period = problem_.surface->period().value_or(
+        WindowShape{RealFft::fast_length(shape.phi_nodes), RealFft::fast_length(shape.theta_nodes)});
     const Execution& execution = problem_.surface->execution();
     return {shape,
             period,

@@ -84,15 +84,30 @@ Convolution::Convolution(WindowShape shape, const LoadedNodes& loaded, const std
   const int farthest_downstream = shape.phi_nodes - 1 - loaded.first_row;
   const int farthest_upstream = loaded.first_row + loaded.rows - 1;
   const int farthest_aside = (shape.theta_nodes + loaded.columns) / 2 - 1;
+  const auto value = [&](const Table& table, int row, int column) {
+    const int j = row <= farthest_downstream ? row : row - period.phi_nodes;
+    return j >= -farthest_upstream && column <= farthest_aside ? table(j, column) : 0.0;
+  };
+  transform(tables, terms, value, threads, watch);
+}
+
+Convolution::Convolution(WindowShape shape, WindowShape period, const std::vector<Table>& tables,
+                         const std::vector<ConvolutionTerm>& terms, int threads, Watch& watch)
+    : product_(shape, period), spectra_(tables.size()) {
+  const auto value = [](const Table& table, int row, int column) { return table(row, column); };
+  transform(tables, terms, value, threads, watch);
+}
+
+template <class Value>
+void Convolution::transform(const std::vector<Table>& tables, const std::vector<ConvolutionTerm>& terms,
+                            const Value& value, int threads, Watch& watch) {
   for (const ConvolutionTerm& term : terms) {
     ComplexBuffer& spectrum = spectra_[term.table];
     const Table& table = tables[term.table];
     const bool odd = table.mirror() < 0.0;
-    const auto value = [&](int row, int column) {
-      const int j = row <= farthest_downstream ? row : row - period.phi_nodes;
-      return j >= -farthest_upstream && column <= farthest_aside ? table(j, column) : 0.0;
-    };
-    if (spectrum.empty()) spectrum = product_.spectrum(value, odd, threads, watch);
+    if (spectrum.empty()) {
+      spectrum = product_.spectrum([&](int row, int column) { return value(table, row, column); }, odd, threads, watch);
+    }
     terms_.push_back({term.result, &spectrum, term.operand, term.sign, odd});
     fields_ = std::max(fields_, term.operand + 1);
     results_ = std::max(results_, term.result + 1);

@@ -31,7 +31,7 @@ struct LoadedNodes {
 };
 
 /// @brief Sum of products of fields and translation-invariant tables over a window, by FFTs on the window doubled in
-/// both directions. Each field is transformed once, not once per table.
+/// both directions, or on the period of periodic tables. Each field is transformed once, not once per table.
 class Convolution {
  public:
   /// @param[in] shape window; the tables reach across it
@@ -46,6 +46,11 @@ class Convolution {
   /// @param[in] shape,tables,terms,threads,watch same as above
   /// @param[in] loaded nodes outside which all fields are 0; fewer nodes make the period shorter
   Convolution(WindowShape shape, const LoadedNodes& loaded, const std::vector<Table>& tables,
+              const std::vector<ConvolutionTerm>& terms, int threads, Watch& watch);
+  /// @param[in] shape,terms,threads,watch same as above
+  /// @param[in] period period of the tables, at least the window [nodes]
+  /// @param[in] tables periodic tables that reach over a period
+  Convolution(WindowShape shape, WindowShape period, const std::vector<Table>& tables,
               const std::vector<ConvolutionTerm>& terms, int threads, Watch& watch);
 
   /// @param[in] operands one column per field and one row per node
@@ -74,6 +79,12 @@ class Convolution {
   }
 
  private:
+  /// Transform the tables in the terms.
+  /// @param[in] value function of (table, row, column) that returns the table at a place of the period
+  template <class Value>
+  void transform(const std::vector<Table>& tables, const std::vector<ConvolutionTerm>& terms, const Value& value,
+                 int threads, Watch& watch);
+
   SpectralProduct product_;
   std::vector<ComplexBuffer> spectra_;  // spectra of the tables in the terms; others are empty
   std::vector<SpectralTerm> terms_;     // point to the spectra

@@ -1,6 +1,7 @@
 #include "modal/layered_body.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -46,6 +47,13 @@ std::vector<double> heights(const std::vector<Layer>& layers) {
 }
 
 }  // namespace
+
+double relaxed_modulus(const ShearModulus& modulus) { return complex_modulus(modulus, std::array{0.0}).front().real(); }
+
+void relax_layer(Layer& layer) {
+  layer.shear_modulus = Elastic{relaxed_modulus(layer.shear_modulus)};
+  layer.density = 0.0;
+}
 
 std::vector<Layer> layers_from_base(const CoatedPlane& plane) {
   std::vector<Layer> layers = plane.layers;

@@ -64,6 +64,12 @@ struct LayeredBody {
   }
 };
 
+/// @return modulus at zero frequency [Pa]
+[[nodiscard]] double relaxed_modulus(const ShearModulus& modulus);
+
+/// @brief Replace the modulus of a layer by its relaxed value, and remove its inertia.
+void relax_layer(Layer& layer);
+
 /// @return layers of a plane from the base outwards; the base is a layer of infinite thickness, unless it is rigid
 [[nodiscard]] std::vector<Layer> layers_from_base(const CoatedPlane& plane);
 

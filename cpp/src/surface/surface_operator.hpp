@@ -94,6 +94,9 @@ class SurfaceOperator {
   /// (docs/theory/normal-contact.md).
   [[nodiscard]] virtual double collocation() const { return 0.0; }
 
+  /// @brief Period of the surface [nodes]; empty if forces and displacements are not periodic.
+  [[nodiscard]] virtual std::optional<WindowShape> period() const { return std::nullopt; }
+
   /// @param[in] force force on every node [N]
   /// @return displacement of every node [m]
   [[nodiscard]] virtual VectorField displacement(const VectorField& force) const = 0;

@@ -137,6 +137,13 @@ bool is_mirrored(const VectorField& force, const Window& window) {
   return same;
 }
 
+/// Period of every other node; none if it contains an odd number of nodes, unless it is a single column.
+std::optional<WindowShape> halved(const WindowShape& period) {
+  const auto [rows, columns] = period;
+  if (rows % 2 != 0 || (columns != 1 && columns % 2 != 0)) return std::nullopt;
+  return WindowShape{rows / 2, columns == 1 ? 1 : columns / 2};
+}
+
 /// Copy the displacements of one side to the mirror images.
 void mirror(VectorField& displacement, const Window& window) {
   for_images(window, [&](Eigen::Index node, Eigen::Index image) {
@@ -223,7 +230,8 @@ std::vector<TableRequest> dissipation_tables(const Formulation& formulation) {
 }
 
 TableOperator::TableOperator(const Formulation& formulation, const SurfaceGrid& grid, const Window& window,
-                             Tables tables, DissipationSource dissipation_source, const Execution& execution)
+                             Tables tables, DissipationSource dissipation_source, const Execution& execution,
+                             std::optional<WindowShape> period)
     : formulation_(formulation),
       grid_(grid),
       window_(window),
@@ -234,7 +242,8 @@ TableOperator::TableOperator(const Formulation& formulation, const SurfaceGrid& 
              .displaced_directions = load_directions(formulation, {grid, window, formulation.collocation})},
       weights_(patch_weights(formulation, {grid, window})),
       by_nodes_(window.shape(), tables_, Terms(formulation).displacement()),
-      execution_(execution) {
+      execution_(execution),
+      period_(period) {
   const auto requests = displacement_tables(formulation);
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (requests[i].source_shape != 0) continue;
@@ -251,16 +260,16 @@ double TableOperator::load(const VectorField& force, Eigen::Index row, Eigen::In
 }
 
 const Convolution& TableOperator::spectral_displacements() const {
-  if (!displacements_) {
-    displacements_.emplace(window_.shape(), *tables_, Terms(formulation_).displacement(), execution_.threads,
-                           execution_.watch);
-  }
-  return *displacements_;
+  if (displacements_) return *displacements_;
+  const std::vector<ConvolutionTerm> terms = Terms(formulation_).displacement();
+  const auto& [threads, watch] = execution_;
+  if (period_) return displacements_.emplace(window_.shape(), *period_, *tables_, terms, threads, watch);
+  return displacements_.emplace(window_.shape(), *tables_, terms, threads, watch);
 }
 
 double TableOperator::operations() const {
-  return SpectralProduct::operations(doubled(window_.shape()), fields(), Terms(formulation_).displacement().size(),
-                                     local_.directions.size());
+  return SpectralProduct::operations(period_.value_or(doubled(window_.shape())), fields(),
+                                     Terms(formulation_).displacement().size(), local_.directions.size());
 }
 
 bool TableOperator::takes_mirrored() const {
@@ -275,7 +284,7 @@ std::vector<bool> TableOperator::odd_components() const {
 
 VectorField TableOperator::displacement(const VectorField& force) const {
   if (std::optional<VectorField> found = displacement_by_nodes(force)) return *std::move(found);
-  if (displacements_) return displacement(force, *displacements_);
+  if (displacements_ || period_) return displacement(force, spectral_displacements());
   const LoadedNodes loaded = loaded_nodes(force, window_);
   const WindowShape shape = window_.shape();
   const WindowShape period = doubled(shape, {.phi_nodes = loaded.rows, .theta_nodes = loaded.columns});
@@ -404,11 +413,12 @@ std::shared_ptr<const SurfaceOperator> TableOperator::coarsened() const {
         return flat_tables(*source(2 * phi_reach + 2, 2 * theta_reach + 2), dissipation_tables,
                            [](const Table& table) { return widened(widened(table, 1), 2); });
       },
-      execution_);
+      execution_, period_ == window_.shape() ? halved(*period_) : std::nullopt);
 }
 
 std::shared_ptr<const SurfaceOperator> TableOperator::within(const Window& window) const {
-  return std::make_shared<TableOperator>(formulation_, grid_, window, tables_, dissipation_source_, execution_);
+  return std::make_shared<TableOperator>(formulation_, grid_, window, tables_, dissipation_source_, execution_,
+                                         period_);
 }
 
 Losses TableOperator::dissipation(const VectorField& force) const {
@@ -429,7 +439,9 @@ Losses TableOperator::dissipation(const VectorField& force) const {
     return losses(lost.sum());
   }
   const auto& [threads, watch] = execution_;
-  const Convolution product({rows, columns}, loaded_nodes(force, window_), *tables, terms, threads, watch);
+  const Convolution product =
+      period_ ? Convolution({rows, columns}, *period_, *tables, terms, threads, watch)
+              : Convolution({rows, columns}, loaded_nodes(force, window_), *tables, terms, threads, watch);
   if (takes_mirrored() && is_mirrored(force, window_)) {
     product.apply_mirrored(odd_components(), loads(force, columns / 2), accumulate(true), threads, watch);
   } else {

@@ -60,11 +60,15 @@ class TableOperator : public SurfaceOperator {
   /// @param[in] tables tables of `displacement_tables`, which reach across the window
   /// @param[in] dissipation_source tables of the dissipated work
   /// @param[in] execution threads and progress of this and of all products
+  /// @param[in] period period of periodic tables, which reach over it, at least the window [nodes]; empty if the tables
+  /// are not periodic
   TableOperator(const Formulation& formulation, const SurfaceGrid& grid, const Window& window, Tables tables,
-                DissipationSource dissipation_source, const Execution& execution);
+                DissipationSource dissipation_source, const Execution& execution,
+                std::optional<WindowShape> period = std::nullopt);
 
   [[nodiscard]] const Window& window() const override { return window_; }
   [[nodiscard]] const Execution& execution() const override { return execution_; }
+  [[nodiscard]] std::optional<WindowShape> period() const override { return period_; }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override;
   [[nodiscard]] Deforming deforming() const override {
     return formulation_.is_counterbody ? Deforming::counterbody : Deforming::rolling;
@@ -76,7 +80,8 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] std::optional<Eigen::MatrixXd> normal_compliance(
       const std::vector<Eigen::Index>& displaced, const std::vector<Eigen::Index>& loaded) const override;
   /// Coarser mesh: a patch of twice the width covers a whole patch and half of each neighbor, so its tables are
-  /// averages of tables. Its patches are flat.
+  /// averages of tables. Its patches are flat. It is periodic if the period contains an even number of nodes and the
+  /// window is the whole period.
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override;
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override;
   [[nodiscard]] const LocalCompliance& local() const override { return local_; }
@@ -112,6 +117,7 @@ class TableOperator : public SurfaceOperator {
   TableProduct by_nodes_;                // product for windows with few loaded nodes
   mutable std::optional<Convolution> displacements_;
   Execution execution_;
+  std::optional<WindowShape> period_;
 };
 
 }  // namespace viscoroll::detail

@@ -1,7 +1,6 @@
 #include "transient/viscoelastic_body.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -11,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "modal/layered_body.hpp"
 #include "rolling/contact_surface.hpp"
 #include "rolling/free_side_tables.hpp"
 #include "transient/free_sides.hpp"
@@ -68,8 +68,6 @@ std::vector<Layer> layers_of(const std::vector<NamedLayer>& named) {
   return layers;
 }
 
-double relaxed_modulus(const ShearModulus& modulus) { return complex_modulus(modulus, std::array{0.0}).front().real(); }
-
 /// Largest relative difference of two moduli, each divided by its relaxed value.
 double relative_difference(const ShearModulus& a, const ShearModulus& b, std::span<const double> frequencies) {
   const auto values_a = complex_modulus(a, frequencies);
@@ -82,14 +80,8 @@ double relative_difference(const ShearModulus& a, const ShearModulus& b, std::sp
   return largest;
 }
 
-/// Replace a modulus by its relaxed value, and remove inertia.
-void relax(Layer& layer) {
-  layer.shear_modulus = Elastic{relaxed_modulus(layer.shear_modulus)};
-  layer.density = 0.0;
-}
-
 void relax(CoatedPlane& plane) {
-  for (Layer& layer : plane.layers) relax(layer);
+  for (Layer& layer : plane.layers) relax_layer(layer);
   if (!plane.base) return;
   plane.base->shear_modulus = Elastic{relaxed_modulus(plane.base->shear_modulus)};
   plane.base->density = 0.0;
@@ -100,7 +92,7 @@ void relax(Groove& groove) { relax(groove.surface); }
 /// Relax the layers of a ball, a roller or a wheel.
 template <class Body>
 void relax(Body& body) {
-  for (Layer& layer : body.layers) relax(layer);
+  for (Layer& layer : body.layers) relax_layer(layer);
 }
 
 template <class BodyVariant>

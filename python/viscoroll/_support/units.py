@@ -5,7 +5,16 @@ from __future__ import annotations
 __all__ = ["DISPLAY_UNITS", "PER_LENGTH", "UNITS", "suitable_unit", "unit_in_contact"]
 
 #: Units in line contact of quantities that are per length there.
-PER_LENGTH = {"N m": "N m/m", "N": "N/m", "W": "W/m", "J": "J/m", "kg": "kg/m", "m^2": "m"}
+PER_LENGTH = {
+    "N m": "N m/m",
+    "N": "N/m",
+    "N/m": "N/m^2",
+    "N s/m": "N s/m^2",
+    "W": "W/m",
+    "J": "J/m",
+    "kg": "kg/m",
+    "m^2": "m",
+}
 
 #: Prefixes of usual units: their SI values, and the smallest values displayed with them.
 _PREFIXES = {"k": (1e3, 1e3), "": (1.0, 1.0), "m": (1e-3, 1e-4), "µ": (1e-6, 1e-7), "n": (1e-9, 0.0)}

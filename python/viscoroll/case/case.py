@@ -66,6 +66,9 @@ __all__ = [
 _Layers: TypeAlias = list[Annotated[Layer, Table(shear_modulus=Modulus)]]
 _Base: TypeAlias = Annotated[HalfSpace, Table(documented_by=Layer, shear_modulus=Modulus)]
 
+#: Table of a plane.
+PlaneTable: TypeAlias = Annotated[CoatedPlane, Table(layers=_Layers, base=_Base)]
+
 _Ball: TypeAlias = Annotated[CoatedSphere, SizedTable(CoatedSphere, layers=_Layers)]
 _Cylinder: TypeAlias = Annotated[CoatedCylinder, SizedTable(CoatedCylinder, layers=_Layers)]
 _Wheel: TypeAlias = Annotated[CoatedWheel, SizedTable(CoatedWheel, layers=_Layers)]
@@ -177,7 +180,7 @@ class PairTables(FileTables):
     ball: _Ball | None = None
     cylinder: _Cylinder | None = None
     wheel: _Wheel | None = None
-    plane: Annotated[CoatedPlane, Table(layers=_Layers, base=_Base)] | None = None
+    plane: PlaneTable | None = None
     groove: Annotated[Groove, Table(layers=_Layers, base=_Base)] | None = None
     other_ball: _Ball | None = None
     other_cylinder: _Cylinder | None = None
@@ -262,12 +265,7 @@ class Case:
 
     def strain_softening(self, **options: Any) -> StrainSoftening:
         """Solve the case with the strain at which the layers soften. `options` go to `viscoroll.strain_softening`."""
-        return strain_softening(**self._at_angular_speed(), **options)
-
-    def _at_angular_speed(self) -> dict[str, Any]:
-        """Return the arguments of functions that take no `speed`."""
-        given = {name: value for name, value in self.arguments().items() if name != "speed"}
-        return given | {"angular_speed": self.angular_speed}
+        return strain_softening(**self.arguments(), **options)
 
     def self_heating(self, **options: Any) -> SelfHeating:
         """Compute the steady states of temperature and torque of a case whose table [thermal] has a shift.
@@ -284,7 +282,7 @@ class Case:
                 )
         self.given_load()
         cooling = {name: value for name, value in self.thermal if name not in ("of", "base_convection", "period")}
-        return self_heating(**self._at_angular_speed(), **cooling, **options)
+        return self_heating(**self.arguments(), **cooling, **options)
 
 
 def load_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case:
@@ -350,7 +348,7 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
     return Case(thermal=file.thermal, **pair, **rolling, **numerics)
 
 
-def example_text(name: Literal["case", "sweep", "design", "motion", "measured"] = "case") -> str:
-    """Return an example: a case file, a motion, measurements, or the table that makes a case a study or a design."""
+def example_text(name: Literal["case", "sweep", "design", "motion", "sliding", "measured"] = "case") -> str:
+    """Return an example: a case, motion or sliding file, measurements, or the table of a study or a design."""
     file = f"examples/{name}.{'csv' if name == 'measured' else 'toml'}"
     return resources.files("viscoroll").joinpath(file).read_text(encoding="utf-8")

@@ -18,7 +18,16 @@ if TYPE_CHECKING:
     from ..thermal import Temperature
     from .case import Case
 
-__all__ = ["LIMITS", "Outcome", "limit_label", "limit_units", "outcome_at", "outcome_of", "require_thermal"]
+__all__ = [
+    "LIMITS",
+    "Outcome",
+    "deformable_bodies",
+    "limit_label",
+    "limit_units",
+    "outcome_at",
+    "outcome_of",
+    "require_thermal",
+]
 
 #: Quantities inside the layers: name, unit, description.
 _INSIDE = {
@@ -161,14 +170,14 @@ def _at_bonds(result: Result, names: Collection[str]) -> dict[str, float]:
     wanted = {name: field for name, field in fields.items() if name in names}
     if not wanted:
         return {}
-    bonded = [body.of for body in _layered(result) if body.bonded().size]
+    bonded = [body.of for body in deformable_bodies(result) if body.bonded().size]
     if not bonded:
         raise InvalidInput(f"design.limits.{min(wanted)}", "must be left out: this case has no bonded interfaces")
     tractions = [result.bonds(of=of) for of in bonded]
     return {name: max(float(bonds[field].max()) for bonds in tractions) for name, field in wanted.items()}
 
 
-def _layered(result: Result) -> list[Inside]:
+def deformable_bodies(result: Result) -> list[Inside]:
     """Return the deformable bodies of a result."""
     on = result.on
     deforms = on is not None and bool(on.layers or getattr(on, "base", None) is not None)

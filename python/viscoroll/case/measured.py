@@ -9,6 +9,7 @@ import numpy as np
 
 from .._core import Status
 from .._support.arguments import Floats
+from .._support.columns import read_columns, read_header
 from .._support.errors import InvalidInput
 from .._support.files import write_csv
 from .._support.pictures import draw_picture
@@ -19,7 +20,6 @@ from .._support.text import shown
 from .._support.units import UNITS, unit_in_contact
 from ..solution.scalars import SCALARS, label_of
 from ..studies.runner import run_all
-from .columns import read_columns, read_header
 
 if TYPE_CHECKING:
     from pathlib import Path

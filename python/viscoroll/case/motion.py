@@ -10,12 +10,13 @@ import numpy as np
 
 from .._core import Compliance, Curvature, Start
 from .._support.arguments import as_float, as_float_in
+from .._support.columns import read_columns
 from .._support.errors import InvalidInput, Range
 from .._support.toml import read_toml
 from ..bodies import Counterbody, Drive, RollingBody
 from ..transient.roll import roll
 from .case import CaseFile, MeshTable, PairTables
-from .columns import read_columns
+from .ground import AxleTable, ProfileTable
 from .tables import ByName, FileName, StrictTable, checked, errors_in
 
 if TYPE_CHECKING:
@@ -54,6 +55,7 @@ class Motion(StrictTable):
     angle: list[float] | None = None
     distance: list[float] | None = None
     load: float | list[float] | None = None
+    axle_height: float | list[float] | None = None
     file: FileName | None = None
     amplitude: float | None = None
     frequency: float | None = None
@@ -84,6 +86,9 @@ class MotionFile(PairTables):
 
     motion: Motion
     numerics: Numerics = Numerics()
+    ground: ProfileTable | None = None
+    tread: ProfileTable | None = None
+    axle: AxleTable | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,7 +100,8 @@ class MotionCase:
     time: NDArray[np.float64]
     angle: NDArray[np.float64] | None
     distance: NDArray[np.float64] | None
-    load: NDArray[np.float64] | float
+    load: NDArray[np.float64] | float | None
+    axle_height: NDArray[np.float64] | float | None
     center_displacement: NDArray[np.float64] | None
     start: Start
     options: dict[str, Any]
@@ -139,13 +145,19 @@ def _build(file: MotionFile, rolling_load: float | None) -> MotionCase:
     motion = file.motion
     return MotionCase(
         **file.pair(),
-        **({"angle": None, "distance": None, "center_displacement": None} | _waypoints(motion, rolling_load)),
+        **(
+            {"angle": None, "distance": None, "center_displacement": None, "axle_height": None}
+            | _waypoints(motion, rolling_load)
+        ),
         start=motion.start,
         options={
             "friction": motion.friction,
             "drive": _drive(motion),
             "mass": motion.mass,
             "center_speed": motion.center_speed,
+            "ground": file.ground,
+            "tread": file.tread,
+            "axle": file.axle,
             **file.numerics.arguments(),
         },
     )
@@ -171,11 +183,11 @@ def _waypoints(motion: Motion, rolling_load: float | None) -> dict[str, Any]:
             return _table(motion, rolling_load)
         case "amplitude":
             return _oscillation(motion, rolling_load)
-    load = rolling_load if motion.load is None else motion.load
-    if (motion.angle is None and motion.distance is None) or load is None:
-        raise InvalidInput("motion", "must have load, and angle or distance, with time")
-    given = {name: getattr(motion, name) for name in ("time", "angle", "distance", "center_displacement")}
-    return given | {"load": load}
+    load = rolling_load if motion.load is None and motion.axle_height is None else motion.load
+    if (motion.angle is None and motion.distance is None) or (load is None and motion.axle_height is None):
+        raise InvalidInput("motion", "must have load or axle_height, and angle or distance, with time")
+    names = ("time", "angle", "distance", "axle_height", "center_displacement")
+    return {name: getattr(motion, name) for name in names} | {"load": load}
 
 
 def _table(motion: Motion, rolling_load: float | None) -> dict[str, Any]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from .._support.extras import extra
-from . import case, design, motion, study
+from . import case, design, motion, sliding, study
 from .case import BODIES, COUNTERBODIES
+from .ground import AxleTable, ProfileTable
 from .quantities import QUANTITY
 
 with extra("cli"):
@@ -50,12 +51,17 @@ def json_schema() -> dict[str, Any]:
         numerics=(case.Numerics | motion.Numerics, case.Numerics()),
         thermal=(case.Thermal | None, None),
         motion=(motion.Motion | None, None),
+        ground=(ProfileTable | None, None),
+        tread=(ProfileTable | None, None),
+        axle=(AxleTable | None, None),
+        surface=(sliding.Surface | None, None),
+        sliding=(sliding.Sliding | None, None),
         sweep=(dict[str, numbers] | None, None),
         draws=(study.Draws | None, None),
         design=(design.Wanted | None, None),
     )
     schema = _with_texts(model.model_json_schema(schema_generator=_WithoutTitles))
-    one_body = [{"required": [name]} for name in BODIES]
+    one_body = [{"required": [name]} for name in (*BODIES, "surface")]
     pairs = [{"required": [first, second]} for i, first in enumerate(COUNTERBODIES) for second in COUNTERBODIES[:i]]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",

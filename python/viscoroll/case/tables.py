@@ -126,6 +126,11 @@ _COMMANDS = {
     "rolling": ("solve", "sweep", "design", "compare", "export", "report"),
     "thermal": ("solve", "design", "report"),
     "motion": ("roll",),
+    "ground": ("roll",),
+    "tread": ("roll",),
+    "axle": ("roll",),
+    "surface": ("slide",),
+    "sliding": ("slide",),
     "sweep": ("sweep", "export"),
     "draws": ("sweep",),
     "design": ("design", "report"),
@@ -194,8 +199,8 @@ class Table:
         Value of the key `type`, for tables that describe one of several classes.
     make : callable, optional
         Function that makes the object instead of the class; its parameters are the keys.
-    documented_by : class, optional
-        Another class whose docstring describes the same keys.
+    documented_by : class or function, optional
+        Another class, or a function, whose docstring describes the same keys.
     **types : type
         Types of keys. Other keys may have any type.
     """
@@ -205,7 +210,7 @@ class Table:
         kind: str | None = None,
         make: Callable[..., Any] | None = None,
         *,
-        documented_by: type | None = None,
+        documented_by: Callable[..., Any] | None = None,
         **types: Any,
     ) -> None:
         self._make = make
@@ -419,7 +424,7 @@ def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iter
 _ALTERNATIVES = ("float", "list[float]")
 
 #: Tables with a key `type`. Pydantic adds its value to the location, after the name of the table.
-_TYPED = ("shear_modulus", "shift", "matrix", "network")
+_TYPED = ("shear_modulus", "shift", "matrix", "network", "ground", "tread")
 
 
 def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") -> InvalidInput:

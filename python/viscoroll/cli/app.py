@@ -38,11 +38,13 @@ from .report import write_report
 from .result_tables import (
     finite_strain_scalars,
     finite_strain_table,
+    require_finite_strain,
     table_2,
     thermal_table,
     verdict_table,
 )
 from .several import print_several, solve_several
+from .slide import slide
 
 with extra("cli"):
     import typer
@@ -153,6 +155,8 @@ def solve(
             print_several(results)
         return
     loaded = load_case(case[0], wanted)
+    if finite_strain:
+        require_finite_strain(loaded)
     report_skipped(case[0], "solve")
     with progress_bar() as report:
         solved = solve_case(loaded, progress=report)
@@ -442,7 +446,7 @@ def _print_rows(sections: dict[str, list[tuple[str, str]]]) -> None:
         OUTPUT.print(table)
 
 
-for command in (check, example, material, export, design, schema):
+for command in (check, example, slide, material, export, design, schema):
     app.command()(command)
 app.command("app")(serve_page)
 app.command("report")(write_report)

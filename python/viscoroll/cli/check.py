@@ -56,20 +56,22 @@ def check(
 
 def _commands(document: dict[str, Any]) -> list[str]:
     """Return the commands that read a file."""
-    commands = {"rolling": "solve", "motion": "roll", "sweep": "sweep", "design": "design"}
+    commands = {"rolling": "solve", "motion": "roll", "sliding": "slide", "sweep": "sweep", "design": "design"}
     found = [command for table, command in commands.items() if table in document]
-    return found if {"rolling", "motion"} & document.keys() else ["solve", *found]
+    return found if {"rolling", "motion", "sliding"} & document.keys() else ["solve", *found]
 
 
 def _errors(document: dict[str, Any], path: Path) -> Iterator[Exception]:
     """Yield the errors of the content of a file."""
     from ..case.design import check_design
     from ..case.motion import MotionFile, build_motion
+    from ..case.sliding import SlidingFile, build_sliding
     from ..case.study import plan_study
 
     checks: dict[str, Any] = {
         "solve": (CaseFile, lambda: _accepted(build_case(document, path.parent))),
         "roll": (MotionFile, lambda: build_motion(document, path.parent)),
+        "slide": (SlidingFile, lambda: build_sliding(document, path.parent)),
         "sweep": (None, lambda: plan_study(dict(document), path.parent)),
         "design": (None, lambda: check_design(dict(document))),
     }

@@ -21,6 +21,7 @@ def example(
     with_sweep: Annotated[bool, typer.Option("--sweep", help="Append the table of a study.")] = False,
     with_design: Annotated[bool, typer.Option("--design", help="Append the table of `viscoroll design`.")] = False,
     motion: Annotated[bool, typer.Option("--motion", help="Print a file for `viscoroll roll` instead.")] = False,
+    sliding: Annotated[bool, typer.Option("--sliding", help="Print a file for `viscoroll slide` instead.")] = False,
     measured: Annotated[
         bool, typer.Option("--measured", help="Print invented measurements for `viscoroll compare` instead.")
     ] = False,
@@ -30,7 +31,11 @@ def example(
 
     tables = [name for name, wanted in (("sweep", with_sweep), ("design", with_design)) if wanted]
     generated = {"wheel": wheel, "rollers": rollers, "half-space": half_space, "thermal": thermal}
-    others = [name for name, wanted in (generated | {"motion": motion, "measured": measured}).items() if wanted]
+    others = [
+        name
+        for name, wanted in (generated | {"motion": motion, "sliding": sliding, "measured": measured}).items()
+        if wanted
+    ]
     if len(others) + bool(tables) > 1:
         options = " and ".join(f"--{name}" for name in [*tables, *others])
         raise ValueError(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from base64 import b64encode
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from io import BytesIO
 from typing import TYPE_CHECKING, Any, cast
 
@@ -14,6 +15,7 @@ from .._core import ConvergenceError
 from .._support.extras import extra
 from .._support.pictures import draw_picture
 from .._support.result_warnings import silenced
+from ..case.limits import deformable_bodies
 
 with extra("plot"):
     import matplotlib as mpl
@@ -84,12 +86,11 @@ def pictures_of(case: Case, solved: SolvedCase, report: Report) -> list[ReportPi
         Called as report(stage, fraction).
     """
     result = solved.result
-    found = [
-        _picture("Contact pressure", "", lambda: _without_title(result.plot())),
-        _picture(
-            "Section through the contact", "Von Mises stress below the middle of the contact.", result.plot_section
-        ),
-    ]
+    found = [_picture("Contact pressure", "", lambda: _without_title(result.plot()))]
+    for body in deformable_bodies(result):
+        title = "Section through the " + ("rolling body" if body.of == "body" else "counterbody")
+        draw = partial(result.plot_section, of=body.of)
+        found.append(_picture(title, "Von Mises stress below the middle of the contact.", draw))
     if solved.temperatures:
         note = "Temperature rise above the surroundings, averaged over a revolution."
         found.append(_picture("Temperature", note, solved.temperatures[0].plot))

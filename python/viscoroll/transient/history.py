@@ -17,6 +17,7 @@ from .._support.quantities import quantity_text, quantity_texts
 from .._support.scalars import with_scalars
 from .._support.tables import html_table, number_text, unit_text
 from ..bodies import Counterbody, Drive, Mesh, RollingBody
+from ..ground import Axle, Profile
 from .rolling_history import RollingState
 from .series import HISTORY_SCALARS, SeriesFields, series_units
 
@@ -60,7 +61,7 @@ class History(SeriesFields):
 
     Attributes
     ----------
-    body, on, mesh, compliance, curvature, friction, drive, mass, averaged_meshes
+    body, on, mesh, compliance, curvature, friction, drive, mass, ground, tread, axle, averaged_meshes
         Input, with the mesh that was used. For a roller, forces, torques and energies are per length.
     start : Start or None
         Initial state; None if the history continued from a saved state.
@@ -82,6 +83,9 @@ class History(SeriesFields):
     friction: float
     drive: Drive
     mass: float
+    ground: Profile | None
+    tread: Profile | None
+    axle: Axle | None
     averaged_meshes: int
     spectrum_error: float
     contacts: tuple[ContactInstant, ...]
@@ -100,6 +104,16 @@ class History(SeriesFields):
     def distance(self) -> NDArray[np.float64]:
         """Distance rolled along the track, r_o ψ [m]: the displacement of the contact without slip."""
         return self.body.outer_radius * self.angle
+
+    @property
+    def axle_height(self) -> NDArray[np.float64]:
+        """Height of the axle, r_o minus the penetration [m]; r_o if the undeformed body touches flat ground."""
+        return self.body.outer_radius - self.penetration
+
+    @property
+    def ground_height(self) -> NDArray[np.float64]:
+        """Height of the ground below the axle [m]; 0 if the ground is smooth."""
+        return np.zeros_like(self.angle) if self.ground is None else self.ground.height_at(self.distance)
 
     @property
     def units(self) -> dict[str, str]:
@@ -175,7 +189,11 @@ class History(SeriesFields):
             "largest_resisting_torque": float(self.resisting_torque[highest]),
             "time_of_largest_resisting_torque": float(self.time[highest]),
             "smallest_resisting_torque": float(self.resisting_torque.min()),
+            "largest_load": float(self.load.max()),
+            "smallest_load": float(self.load.min()),
+            "largest_pressure": float(self.max_pressure.max()),
             "largest_penetration": float(self.penetration.max()),
+            "smallest_penetration": float(self.penetration.min()),
             "dissipated_energy": float(self.dissipated_energy[-1] - self.dissipated_energy[0]),
             "energy_balance_error": float(self.energy_balance_error[-1]),
             "slip_energy": float(self.slip_energy[-1] - self.slip_energy[0]),
@@ -222,6 +240,13 @@ class History(SeriesFields):
             If the extra `viscoroll[files]` is missing, for ``.nc``.
         """
         save(self, path, FORMATS)
+
+    @plots("only ground and path of the axle")
+    def plot_ground(self, ax: Axes | None = None) -> Figure | Axes:
+        """Draw ground and path of the axle, load, torque and contact length over the distance."""
+        from .picture import plot_ground
+
+        return plot_ground(self._series(), self.units, self.distance, self.ground_height, ax)
 
     @plots("only the torque over time")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:

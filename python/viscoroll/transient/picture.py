@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Series = Mapping[str, NDArray[np.float64]]
     Units = Mapping[str, str]
 
-__all__ = ["plot_history"]
+__all__ = ["plot_ground", "plot_history"]
 
 
 def plot_history(series: Series, units: Units, ax: Axes | None = None) -> Picture | Axes:
@@ -89,3 +89,46 @@ def _draw_loop(axes: Axes, series: Series, units: Units) -> None:
         ylabel=scale.text("resisting torque $T_r$"),
         title=f"∫$T_r$ d$ψ$ = {quantity_text(work, units['work'])}",
     )
+
+
+def plot_ground(
+    series: Series, units: Units, distance: NDArray[np.float64], ground: NDArray[np.float64], ax: Axes | None = None
+) -> Picture | Axes:
+    """Draw ground and path of the axle, load, torque and contact length over the distance.
+
+    Parameters
+    ----------
+    series, units
+        Same as in `plot_history`.
+    distance, ground : ndarray
+        Distance rolled, and height of the ground there [m].
+    ax : matplotlib.axes.Axes, optional
+        Axes for ground and path of the axle only.
+
+    Returns
+    -------
+    matplotlib.figure.Figure or matplotlib.axes.Axes
+        Four axes over the distance in a figure without a window; or `ax`.
+    """
+    along = Scale.of(distance, "m")
+
+    def draw_path(axes: Axes) -> None:
+        scale = Scale.of(np.concatenate([ground, series["penetration"]]), "m")
+        axes.plot(distance / along.factor, ground / scale.factor, color="0.3", label="ground")
+        axes.plot(distance / along.factor, -series["penetration"] / scale.factor, label="axle, above $r_o$")
+        axes.set(xlabel=along.text("distance"), ylabel=scale.text("height"))
+        axes.legend(fontsize="small")
+
+    def compose(picture: Picture) -> None:
+        axes = picture.subplots(4, 1, sharex=True)
+        draw_path(axes[0])
+        for one, name, label in zip(
+            axes[1:], ("load", "resisting_torque", "contact_length"), ("load", "$T_r$", "contact length"), strict=True
+        ):
+            scale = _scale(series, units, name)
+            one.plot(distance / along.factor, series[name] / scale.factor)
+            one.set(xlabel=along.text("distance"), ylabel=scale.text(label))
+        for one in axes:
+            one.label_outer()
+
+    return draw_picture(draw_path, ax, figsize=(9.0, 8.0), compose=compose)

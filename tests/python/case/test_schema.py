@@ -22,7 +22,7 @@ from viscoroll.materials.moduli import MODULI
 
 ROOT = Path(__file__).parents[3]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
-BODIES = {"ball", "cylinder", "wheel"}
+BODIES = {"ball", "cylinder", "wheel", "surface"}
 SCHEMA = json_schema()
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 
@@ -40,6 +40,7 @@ EXAMPLES = dict(documented()) | {
     "study": example_text() + example_text("sweep"),
     "design": example_text() + example_text("design"),
     "motion": example_text("motion"),
+    "sliding": example_text("sliding"),
 }
 
 

@@ -18,7 +18,7 @@ STAGES = (
     {"influence"},
     {"surface"},
     {"contact"},
-    {"rolling"},
+    {"rolling", "sliding"},
     {"transient", "interior"},
 )
 
@@ -29,7 +29,8 @@ PUBLIC = {
     "modal": {"cylinder", "inner_boundaries", "plane", "rolling_body", "sphere", "wheel", "modal"},
     "influence": {"formulation", "influence", "mesh"},
     "rolling": {"drive", "load_case", "options", "result", "result_scalars", "rolling_resistance", "solve"},
-    "transient": {"history_scalars", "rolling_history"},
+    "sliding": {"sliding", "sliding_scalars"},
+    "transient": {"history_scalars", "profile", "rolling_history"},
     "interior": {"interior"},
 }
 

@@ -91,7 +91,28 @@ speed = "4 km/h"
 [numerics]
 nodes_per_revolution = 100
 """
-CASES = {"ball": BALL, "roller": ROLLER, "wheel": WHEEL}
+PAIR = f"""
+[cylinder]
+outer_diameter = "120 mm"
+[[cylinder.layers]]
+thickness = "10 mm"
+poisson_ratio = 0.49
+[cylinder.layers.shear_modulus]
+{RUBBER}
+[other_cylinder]
+outer_diameter = "200 mm"
+[[other_cylinder.layers]]
+thickness = "5 mm"
+bulk_modulus = "1 GPa"
+shear_modulus = "2 MPa"
+[rolling]
+penetration = "0.3 mm"
+angular_speed = "90 rpm"
+[numerics]
+nodes_per_revolution = 600
+"""
+CASES = {"ball": BALL, "roller": ROLLER, "wheel": WHEEL, "pair": PAIR}
+PICTURES = ["Contact pressure", "Section through the rolling body", "Curves over speed and load", "Moduli"]
 
 
 class Page(HTMLParser):
@@ -146,7 +167,9 @@ def test_a_report_is_a_page_with_all_numbers_that_needs_no_other_file(written, k
     path, text, _ = written(kind)
     page = Page(text)
     assert text.startswith("<!DOCTYPE html>")
-    assert len(page.pictures) == (5 if kind == "roller" else 4)
+    more = {"roller": ["Temperature"], "pair": ["Section through the counterbody"]}
+    named = [value for tag, name, value in page.attributes if (tag, name) == ("img", "alt")]
+    assert sorted(named) == sorted(PICTURES + more.get(kind, []))
     assert {value.partition(",")[0] for value in page.pictures} == {"data:image/svg+xml;base64"}
     for tag, name, value in page.attributes:
         assert tag not in ("script", "link", "iframe", "object", "a", "base")
