@@ -15,10 +15,12 @@ from pathlib import Path
 from typing import Any
 
 import viscoroll
+from viscoroll._support.units import DISPLAY_UNITS, PER_LENGTH
 from viscoroll.case.case import BODIES, COUNTERBODIES
 from viscoroll.case.quantities import CENTER_SPEED, DISPLAYED, SPELLINGS, offset_of, same_dimension, scale_of
 from viscoroll.case.schema import json_schema
 from viscoroll.materials.moduli import MODULI
+from viscoroll.solution.scalars import words_for
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "python" / "viscoroll" / "app" / "page" / "schema.js"
@@ -70,11 +72,16 @@ def input_types() -> str:
 def page_lists() -> str:
     """Return the module of the page with the tables of bodies and the keys of whole numbers."""
     kinds = {name: getattr(viscoroll, CLASSES[name]) for name in BODIES}
-    bodies = {name: {"noun": kind.noun, "line": kind.line_contact} for name, kind in kinds.items()}
+    bodies = {
+        name: {"noun": kind.noun, "line": kind.line_contact, "words": words_for(kind)} for name, kind in kinds.items()
+    }
     tables = [SCHEMA["$defs"][definition]["properties"] for definition in INTERFACES.values()]
     integers = [key for table in tables for key, found in table.items() if found.get("type") == "integer"]
     lists = {
-        "BODIES": ("Rolling bodies by their tables in case files: noun, and whether values are per length.", bodies),
+        "BODIES": (
+            "Rolling bodies by their tables in case files: noun, whether values are per length, and words of labels.",
+            bodies,
+        ),
         "CLASSES": ("Classes of bodies in Python, by their tables in case files.", CLASSES),
         "INTEGERS": ("Keys of case files whose values are whole numbers.", integers),
         "MESH": (
@@ -109,9 +116,16 @@ def page_units() -> str:
             "SI values [m/s] of units for the speed of the center: the angular speed times the outer radius.",
             {name: float(scale_of(name, CENTER_SPEED)) for name, scale in units["speed"].items() if scale is None},
         ),
+        "DISPLAY_UNITS": (
+            "Units in which results are displayed, by SI unit: SI value, and smallest value displayed in the unit.",
+            {unit: {name: list(pair) for name, pair in names.items()} for unit, names in DISPLAY_UNITS.items()},
+        ),
+        "PER_LENGTH": ("Units in line contact of results that are per length there.", PER_LENGTH),
     }
     exports = [f"/** {text} */\nexport const {name} = {_literal(value)};\n" for name, (text, value) in lists.items()]
-    return "\n".join(["// Written by wasm/make_types.py from python/viscoroll/case/units.txt.\n", *exports])
+    return "\n".join(
+        ["// Written by wasm/make_types.py from case/units.txt and _support/units.py in python/viscoroll.\n", *exports]
+    )
 
 
 def _literal(value: Any) -> str:
@@ -123,6 +137,8 @@ def _literal(value: Any) -> str:
 
 def _inline(value: Any) -> str:
     """Return an object or a text in one line, with keys as JavaScript usually spells them."""
+    if isinstance(value, list):
+        return f"[{', '.join(map(_inline, value))}]"
     if not isinstance(value, dict):
         whole = isinstance(value, float) and value.is_integer()
         return json.dumps(int(value) if whole else value, ensure_ascii=False).replace("e-0", "e-")

@@ -171,9 +171,13 @@ class ScalarDescription:
     @property
     def details(self) -> str: ...
     @property
+    def group(self) -> str: ...
+    @property
     def label(self) -> str: ...
     @property
     def name(self) -> str: ...
+    @property
+    def precision(self) -> str: ...
     @property
     def type(self) -> str: ...
     @property
@@ -203,17 +207,17 @@ class ResultScalars:
     @property
     def contact_length(self) -> float:
         """
-        contact length along the path (nip length) [m]. Distance from the leading to the trailing edge, the largest over all rows along the path. The edges are found between the nodes, where the squared pressure, extrapolated from inside, vanishes.
+        contact length, along the path [m]. Distance from the leading to the trailing edge, the largest over all rows along the path. The edges are found between the nodes, where the squared pressure, extrapolated from inside, vanishes.
         """
     @property
     def contact_length_error(self) -> float:
         """
-        relative error estimate of the contact length [1]. Uncertainty of the extrapolated edges: half a spacing for each edge where the pressure rises within less than a spacing. Unless the mesh is given, it is at least half of the change from the previous mesh.
+        relative error of the mesh in the contact length [1]. Uncertainty of the extrapolated edges: half a spacing for each edge where the pressure rises within less than a spacing. Unless the mesh is given, it is at least half of the change from the previous mesh.
         """
     @property
     def contact_length_model_error(self) -> float | None:
         """
-        relative error of the contact length of linear theory [1]. The strain ε, which covers rollers at finite strain up to ε = 0.2, within the spacing of the finite elements.
+        relative error of linear theory in the contact length [1]. The strain ε, which covers rollers at finite strain up to ε = 0.2, within the spacing of the finite elements.
         """
     @property
     def contact_width(self) -> float | None:
@@ -228,12 +232,12 @@ class ResultScalars:
     @property
     def creepage(self) -> float | None:
         """
-        creepage V_s / (Ω r_o) - 1 [1]. None if the speed V_s is None.
+        creepage, V_s / (Ω r_o) - 1 [1]. None if the speed V_s is None.
         """
     @property
     def dissipated_power(self) -> float:
         """
-        total dissipated power [W]. bulk_power + slip_power.
+        dissipated power, in the layers and by slip [W]. bulk_power + slip_power.
         """
     @property
     def driving_force(self) -> float:
@@ -253,7 +257,7 @@ class ResultScalars:
     @property
     def error_estimate(self) -> float:
         """
-        relative error estimate [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of load, penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
+        relative error of the mesh, estimated [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of load, penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
         """
     @property
     def face_distance(self) -> float | None:
@@ -268,7 +272,7 @@ class ResultScalars:
     @property
     def finite_strain_torque(self) -> float | None:
         """
-        torque at finite strain [N m]. (1 + c) T_r(P, (1 + c) Ω): resisting torque of linear theory at the speed with which material passes the contact, where it is stretched by the overspeed c. Nearer to reality than resisting_torque: it includes most of the effect of finite strain. None with friction, with the vertical compliance, and on a deformable counterbody.
+        resisting torque at finite strain [N m]. (1 + c) T_r(P, (1 + c) Ω): resisting torque of linear theory at the speed with which material passes the contact, where it is stretched by the overspeed c. Nearer to reality than resisting_torque: it includes most of the effect of finite strain. None with friction, with the vertical compliance, and on a deformable counterbody.
         """
     @property
     def finite_strain_torque_error(self) -> float | None:
@@ -283,7 +287,7 @@ class ResultScalars:
     @property
     def lateral_force(self) -> float:
         """
-        lateral force on the body [N]. Σ t_z, exerted by the counterbody on the rolling body.
+        lateral force on the rolling body [N]. Σ t_z, exerted by the counterbody on the rolling body.
         """
     @property
     def linear_speed(self) -> float | None:
@@ -303,17 +307,17 @@ class ResultScalars:
     @property
     def max_pressure_error(self) -> float:
         """
-        relative error estimate of the largest pressure [1]. Pressures are extrapolated by one spacing ahead of each node, from this node and the one behind it. The estimate is the excess of the largest extrapolated pressure over max_pressure. Unless the mesh is given, it is at least the change from the previous mesh, and at least a quarter of the estimate on that mesh. If material enters the contact faster than it relaxes, the pressure may have a peak that the finest meshes do not resolve; torque and penetration do not depend on this peak.
+        relative error of the mesh in the largest pressure [1]. Pressures are extrapolated by one spacing ahead of each node, from this node and the one behind it. The estimate is the excess of the largest extrapolated pressure over max_pressure. Unless the mesh is given, it is at least the change from the previous mesh, and at least a quarter of the estimate on that mesh. If material enters the contact faster than it relaxes, the pressure may have a peak that the finest meshes do not resolve; torque and penetration do not depend on this peak.
         """
     @property
     def max_pressure_model_error(self) -> float | None:
         """
-        relative error of the largest pressure of linear theory [1]. 0.9 ε, which covers rollers at finite strain up to ε = 0.2.
+        relative error of linear theory in the largest pressure [1]. 0.9 ε, which covers rollers at finite strain up to ε = 0.2.
         """
     @property
     def model_error(self) -> float | None:
         """
-        relative error of the torque of linear theory [1]. Estimated from the strain ε. Balls: 0.75 ε, which covers slow rolling at finite strain up to ε = 0.24, for h/r_o from 1/84 to 1/5, ν = 0.3 and ½, and the viscosities of Newton and Jaumann; a Lagrangian viscosity with ν = 0.3 gives twice that error. Rollers and wheels: (0.9 + 4.5 ε) ε, which covers finite elements of rollers up to ε = 0.2; the torque of linear theory is too small. For wheels, the neglected effects of crown and sides are added, also to the following errors.
+        relative error of linear theory, for torque and force [1]. Estimated from the strain ε. Balls: 0.75 ε, which covers slow rolling at finite strain up to ε = 0.24, for h/r_o from 1/84 to 1/5, ν = 0.3 and ½, and the viscosities of Newton and Jaumann; a Lagrangian viscosity with ν = 0.3 gives twice that error. Rollers and wheels: (0.9 + 4.5 ε) ε, which covers finite elements of rollers up to ε = 0.2; the torque of linear theory is too small. For wheels, the neglected effects of crown and sides are added, also to the following errors.
         """
     @property
     def operator_applications(self) -> int:
@@ -328,12 +332,12 @@ class ResultScalars:
     @property
     def penetration(self) -> float | None:
         """
-        penetration r_o - H [m]. Radius of the rolling body at rest minus the height of its center. Pressure and centrifugal growth change it in opposite directions: a fast body touches while it is still negative. None in line contact if a body rests on a half-space: the penetration is then undetermined.
+        penetration, r_o - H [m]. Radius of the rolling body at rest minus the height of its center. Pressure and centrifugal growth change it in opposite directions: a fast body touches while it is still negative. None in line contact if a body rests on a half-space: the penetration is then undetermined.
         """
     @property
     def penetration_model_error(self) -> float | None:
         """
-        relative error of the penetration of linear theory [1]. The strain ε, which covers balls and rollers at finite strain up to ε = 0.2. At a given penetration, the load has about the same error.
+        relative error of linear theory in the penetration [1]. The strain ε, which covers balls and rollers at finite strain up to ε = 0.2. At a given penetration, the load has about the same error.
         """
     @property
     def residual(self) -> float:
@@ -356,6 +360,16 @@ class ResultScalars:
         rolling resistance coefficient, dissipated power / (P V) [1]. dissipated_power / (P |V|) for any drive. V is the speed of the center, or Ω r_o if that speed is undetermined. Infinite if the center stands still.
         """
     @property
+    def rolling_resistance_force(self) -> float:
+        """
+        push force, dissipated power / V [N]. Force that keeps the body rolling if nothing else drives it: dissipated_power / |V|, with V as in rolling_resistance_coefficient. Infinite if the center stands still.
+        """
+    @property
+    def rolling_resistance_torque(self) -> float:
+        """
+        drive torque, dissipated power / Ω [N m]. Torque that keeps the body rolling if nothing else drives it: dissipated_power / Ω.
+        """
+    @property
     def semi_axis_x(self) -> float:
         """
         contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of contact_length in line contact.
@@ -373,7 +387,7 @@ class ResultScalars:
     @property
     def spin_moment(self) -> float:
         """
-        spin moment on the body [N m]. Σ (z t_x - x t_z) about the downward axis through the contact, exerted by the counterbody on the rolling body.
+        spin moment on the rolling body [N m]. Σ (z t_x - x t_z) about the downward axis through the contact, exerted by the counterbody on the rolling body.
         """
     @property
     def strain(self) -> float | None:

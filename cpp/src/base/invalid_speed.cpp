@@ -8,8 +8,16 @@ namespace {
 InvalidInput error_about(const GivenSpeed& given, double angular_speed, const SpeedRule& rule) {
   const auto with_unit = [&](double speed) { return text(speed).append(" ").append(given.unit); };
   std::string stated = "must be " + rule.before;
-  if (rule.limit) stated += with_unit(*rule.limit * (given.value / angular_speed)) + rule.after;
-  return {std::string(given.parameter), stated, with_unit(given.value) + rule.remark};
+  std::optional<Range> allowed;
+  if (rule.limit) {
+    const double limit = *rule.limit * (given.value / angular_speed);
+    stated += with_unit(limit) + rule.after;
+    if (rule.bound == SpeedRule::Bound::minimum) allowed = {.unit = std::string(given.unit), .minimum = limit};
+    if (rule.bound == SpeedRule::Bound::excluded_maximum) {
+      allowed = {.unit = std::string(given.unit), .maximum = limit, .excludes_maximum = true};
+    }
+  }
+  return {std::string(given.parameter), stated, with_unit(given.value) + rule.remark, "", allowed};
 }
 
 }  // namespace

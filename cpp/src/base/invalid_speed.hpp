@@ -19,7 +19,11 @@ struct GivenSpeed {
 
 /// @brief Rule that a speed violates: "<before><limit> <unit><after>", or only "<before>" without a limit.
 struct SpeedRule {
+  /// Whether the limit ends the range of the allowed speeds.
+  enum class Bound { none, minimum, excluded_maximum };
+
   std::string before;
+  Bound bound = Bound::none;
   std::optional<double> limit = {};  ///< angular speed [rad/s]
   std::string after = {};
   std::string remark = {};  ///< consequence of the given value; may be empty

@@ -25,6 +25,7 @@ void require_modulus_at_rest(const Prony& series, double angular_speed) {
   const double longest = std::ranges::max(series.relaxation_times);
   throw detail::InvalidSpeed(
       angular_speed, {.before = ">= ",
+                      .bound = detail::SpeedRule::Bound::minimum,
                       .limit = kSlowTerm / longest,
                       .after = " for a Prony series whose weights add up to 1, so that its slowest term, of " +
                                rounded(longest) + " s, does not relax; or the weights must add up to less than 1"});

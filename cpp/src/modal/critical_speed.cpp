@@ -155,6 +155,7 @@ void require_subcritical(const LayeredBody& body, double angular_speed, double h
   const std::string radiating =
       body.metric.is_curved() ? "coating of radius " + rounded(body.metric.radius) + " m" : "plane";
   throw InvalidSpeed(angular_speed, {.before = "below the critical speed ",
+                                     .bound = SpeedRule::Bound::excluded_maximum,
                                      .limit = critical,
                                      .after = ", above which the " + radiating + " radiates waves"});
 }

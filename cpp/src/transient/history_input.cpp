@@ -30,14 +30,9 @@ Mesh chosen_mesh(double outer_radius, double contact_radius, bool is_line) {
 void validate(const HistoryOptions& options) {
   if (options.mesh) viscoroll::validate(*options.mesh);
   require_orders(options.curvature);
-  if (options.averaged_meshes < 1 || options.averaged_meshes > kMaxAveragedMeshes) {
-    reject("averaged_meshes", "in [1, " + std::to_string(kMaxAveragedMeshes) + "]",
-           std::to_string(options.averaged_meshes));
-  }
-  if (options.steps_per_spacing &&
-      (*options.steps_per_spacing < 1 || *options.steps_per_spacing > kMaxStepsPerSpacing)) {
-    reject("steps_per_spacing", "in [1, " + std::to_string(kMaxStepsPerSpacing) + "]",
-           std::to_string(*options.steps_per_spacing));
+  require_count("averaged_meshes", options.averaged_meshes, 1, kMaxAveragedMeshes);
+  if (options.steps_per_spacing) {
+    require_count("steps_per_spacing", *options.steps_per_spacing, 1, kMaxStepsPerSpacing);
   }
   require_friction(options.friction);
   if (std::isinf(options.friction)) {
@@ -67,11 +62,11 @@ void validate(const HistoryOptions& options) {
   }
   require_positive("shortest_time", options.shortest_time, "s");
   if (!(std::isfinite(options.longest_time) && options.longest_time > options.shortest_time)) {
-    reject("longest_time", "> shortest_time = " + text(options.shortest_time) + " s", options.longest_time);
+    reject("longest_time", "> shortest_time = " + text(options.shortest_time) + " s", options.longest_time,
+           Range{.unit = "s", .minimum = options.shortest_time, .excludes_minimum = true});
   }
-  if (!(options.spectrum_tolerance > 0.0 && options.spectrum_tolerance < 1.0)) {
-    reject("spectrum_tolerance", "in (0, 1)", options.spectrum_tolerance);
-  }
+  require_in({.minimum = 0.0, .maximum = 1.0, .excludes_minimum = true, .excludes_maximum = true}, "spectrum_tolerance",
+             options.spectrum_tolerance);
   require_thread_count(options.threads);
 }
 

@@ -210,9 +210,12 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   detail::require_finite("time", to.time);
   detail::require_finite("angle", to.angle);
   const double farthest = detail::kMaxRows * pair->nodes.grid.phi_spacing;
-  if (std::abs(to.angle) > farthest) reject("angle", "in +-" + detail::rounded(farthest) + " rad", to.angle);
+  if (std::abs(to.angle) > farthest)
+    reject("angle", "in +-" + detail::rounded(farthest) + " rad", to.angle,
+           Range{.unit = "rad", .minimum = -farthest, .maximum = farthest});
   if (!(to.time >= current.time)) {
-    reject("time", ">= the current time, " + text(current.time) + " s", text(to.time) + " s");
+    reject("time", ">= the current time, " + text(current.time) + " s", text(to.time) + " s",
+           Range{.unit = "s", .minimum = current.time});
   }
   detail::require_nonnegative("load", to.load, pair->pair.body->form().load_unit);
   require_forces(to);

@@ -134,7 +134,12 @@ void ShiftedMesh::require_reachable_drive(const Attempt& attempt) {
     reject(name,
            "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + " at angle " +
                rounded(attempt.end.angle) + " rad, otherwise the " + std::string(body.name()) + " slides permanently",
-           in_units(text(given)));
+           in_units(text(given)),
+           Range{.unit = std::string(unit),
+                 .minimum = least,
+                 .maximum = most,
+                 .excludes_minimum = true,
+                 .excludes_maximum = true});
   };
   if (center.torque != 0.0) {
     const double given = *pair_->driving_torque;

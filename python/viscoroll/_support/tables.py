@@ -9,16 +9,12 @@ from html import escape
 from typing import Any
 
 from .text import shown
-from .units import UNITS
+from .units import UNITS, suitable_unit
 
 __all__ = ["ParameterTable", "handy", "html_table", "number_text", "unit_text"]
 
 #: Number of entries that are displayed at the beginning of a long sequence, in addition to the last entry.
 _SHOWN = 4
-
-#: Factors of the prefixes that `handy` uses, and units that take a prefix.
-_PREFIXES = {"M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3}
-_PREFIXED = frozenset({"m", "m^2", "m/s", "N", "N m", "N/m", "Pa", "W", "W/m"})
 
 #: HTML attribute for text cells: by default, notebooks align them to the right.
 _LEFT = ' style="text-align: left"'
@@ -58,20 +54,10 @@ def handy(values: Sequence[float | None], unit: str) -> tuple[list[str], str]:
     >>> handy([8.461538e6], "Pa")
     (['8.4615'], 'MPa')
     >>> handy([2.27419e-5, None], "m^2")
-    (['22.742', 'undetermined'], 'mm^2')
+    (['22.742', 'undetermined'], 'mm²')
     """
-    largest = max((abs(value) for value in values if value is not None), default=0.0)
-    prefix = _prefix(largest, unit) if unit in _PREFIXED and largest > 0.0 else ""
-    factor = _factor(prefix, unit)
-    return ["undetermined" if value is None else f"{value / factor:.5g}" for value in values], prefix + unit
-
-
-def _prefix(largest: float, unit: str) -> str:
-    return next((prefix for prefix in _PREFIXES if largest >= _factor(prefix, unit)), "m")
-
-
-def _factor(prefix: str, unit: str) -> float:
-    return float(_PREFIXES[prefix] ** (2 if unit == "m^2" else 1))
+    name, scale = suitable_unit(max((abs(value) for value in values if value is not None), default=0.0), unit)
+    return ["undetermined" if value is None else f"{value / scale:.5g}" for value in values], name
 
 
 class ParameterTable:

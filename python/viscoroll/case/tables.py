@@ -132,6 +132,12 @@ _COMMANDS = {
 }
 
 
+#: Texts for tables of which a command reads a part.
+_PARTLY = {
+    ("roll", "rolling"): "[rolling] is for `viscoroll solve`, except the load if [motion] has none",
+}
+
+
 class FileTables(StrictTable):
     """Base of a whole file. Tables for other commands are skipped, because several commands can read the same file."""
 
@@ -170,7 +176,11 @@ def skipped_in(path: Path, *, command: str) -> str:
     with errors_in(path):
         document = read_toml(path)
     others = {name: readers[0] for name, readers in _COMMANDS.items() if command not in readers}
-    return "; ".join(f"[{name}] is for `viscoroll {others[name]}`" for name in document if name in others)
+    return "; ".join(
+        _PARTLY.get((command, name), f"[{name}] is for `viscoroll {others[name]}`")
+        for name in document
+        if name in others
+    )
 
 
 class Table:

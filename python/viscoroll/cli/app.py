@@ -26,10 +26,11 @@ from ..case.plausible import speed_text, speed_warning
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
-from ..solution.text import result_lines, result_title, result_warnings
-from .check import CHANGES
+from ..solution.text import ANSWER, mesh_text, result_sections, result_title, result_warnings
+from .check import CHANGES, check
 from .cite import print_citation
 from .commands import design, export, material, schema
+from .example import example
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 from .page import serve_page
 from .result_tables import (
@@ -137,9 +138,9 @@ def solve(
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
     wanted = dict(map(parsed_change, changes or []))
-    for path in case:
-        report_skipped(path, "solve")
     if len(case) > 1:
+        for path in case:
+            report_skipped(path, "solve")
         results = solve_several(
             case,
             wanted,
@@ -154,6 +155,7 @@ def solve(
     loaded = load_case(case[0], wanted)
     if finite_strain:
         require_finite_strain(loaded)
+    report_skipped(case[0], "solve")
     heated, softened = None, None
     with progress_bar() as report, warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", ResultWarning)
@@ -179,12 +181,9 @@ def solve(
             scalars["finite_strain"] = {name: found for name, (_, found, *_) in rows.items()}  # type: ignore[assignment]
         typer.echo(_json(scalars))
     else:
-        _print_result(result)
-        write_line(speed_text(result.angular_speed, result.body.outer_radius))
-        if temperatures:
-            OUTPUT.print(thermal_table(thermal_scalars(temperatures, heated)))
+        _print_result(result, thermal_table(temperatures, heated) if temperatures else None)
         if rows:
-            OUTPUT.print(finite_strain_table(rows))
+            OUTPUT.print(finite_strain_table(rows, result.body))
         if softened is not None:
             for line in repr(softened).splitlines():
                 write_line(line)
@@ -438,16 +437,26 @@ def _json(scalars: dict[str, float | int | str | None]) -> str:
     return json.dumps(finite, indent=2, allow_nan=False)
 
 
-def _print_result(result: Result) -> None:
-    """Print a title with the inputs, and a table of results narrower than 80 columns."""
+def _print_result(result: Result, temperatures: Table | None = None) -> None:
+    """Print a title with the inputs, the answer, temperatures and further results in tables of at most 80 columns."""
+    sections = result_sections(result)
     write_line(result_title(result))
-    write_line(f"{result.mesh}, {result.status.name}")
-    table = Table(show_header=False)
-    for line in result_lines(result):
-        table.add_row(*map(escape, line))
-    OUTPUT.print(table)
+    write_line(speed_text(result.angular_speed, result.body.outer_radius))
+    _print_rows({ANSWER: sections.pop(ANSWER)})
+    if temperatures is not None:
+        OUTPUT.print(temperatures)
+    _print_rows(sections)
+    write_line(mesh_text(result))
 
 
-for command in (material, export, design, schema):
+def _print_rows(sections: dict[str, list[tuple[str, str]]]) -> None:
+    for title, rows in sections.items():
+        table = Table(title=title, title_justify="left", show_header=False)
+        for row in rows:
+            table.add_row(*map(escape, row))
+        OUTPUT.print(table)
+
+
+for command in (check, example, material, export, design, schema):
     app.command()(command)
 app.command("app")(serve_page)

@@ -9,7 +9,7 @@ from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.tables import handy
 from ..bodies import CoatedCylinder
-from ..solution.scalars import SCALARS
+from ..solution.scalars import label_of
 from ..solution.text import with_unit
 from ..thermal.temperature import QUANTITIES
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from .._support.progress import Report
+    from ..bodies import RollingBody
     from ..case import Case
     from ..coupled import SelfHeating
     from ..reproduce import Verdict
@@ -60,18 +61,19 @@ def thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | N
     return scalars
 
 
-def thermal_table(scalars: list[dict[str, float | str]]) -> Table:
+def thermal_table(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> Table:
     """Return the table of the reported scalars, with a column for every steady state."""
-    quantities = QUANTITIES | {
-        "mean_temperature": ("K", "mean temperature of the layers"),
-        "resisting_torque": ("N m", "resisting torque T_r"),
-    }
+    scalars = thermal_scalars(temperatures, heated)
+    quantities = {name: (temperatures[0].unit(name), label) for name, (_, label) in QUANTITIES.items()}
+    if heated is not None:
+        result = heated.states[0].result
+        quantities["mean_temperature"] = ("K", "mean temperature of the layers")
+        quantities["resisting_torque"] = (result.unit("resisting_torque"), label_of("resisting_torque", result.body))
     title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
     table = Table(title=title, title_justify="left", show_header=False)
     for name, (unit, label) in quantities.items():
-        if name in scalars[0]:
-            texts, handy_unit = handy([float(row[name]) for row in scalars], unit)
-            table.add_row(escape(with_unit(label, handy_unit)), *texts)
+        texts, readable = handy([float(row[name]) for row in scalars], unit)
+        table.add_row(escape(with_unit(label, readable)), *texts)
     if "stability" in scalars[0]:
         table.add_row("steady state", *(str(row["stability"]) for row in scalars))
     return table
@@ -151,7 +153,7 @@ def finite_strain_scalars(result: Result, *, progress: Report) -> FiniteStrainRo
     }
 
 
-def finite_strain_table(rows: FiniteStrainRows) -> Table:
+def finite_strain_table(rows: FiniteStrainRows, body: RollingBody) -> Table:
     """Return the table of finite elements, corrected linear theory and linear theory side by side."""
     table = Table(title="rolling at finite strain; corrected: linear theory with overspeed", title_justify="left")
     for head in ("", "finite elements", "corrected", "linear theory"):
@@ -159,6 +161,6 @@ def finite_strain_table(rows: FiniteStrainRows) -> Table:
     for name, (unit, *values) in rows.items():
         texts, handy_unit = handy(values, unit)
         cells = ("" if value is None else text for value, text in zip(values, texts, strict=True))
-        label = SCALARS[name][1].partition(",")[0]
+        label = label_of(name, body)
         table.add_row(escape(with_unit(label, handy_unit)), *cells)
     return table

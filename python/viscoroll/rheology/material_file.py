@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from .._core import Extrapolation
-from .._support.arguments import as_float, as_floats, as_int, as_kelvin
+from .._support.arguments import as_count, as_float, as_floats, as_int, as_kelvin
 from .._support.errors import InvalidInput, in_file
 from .._support.files import ending_in, write_text
 from .._support.text import one_line, shown
@@ -162,8 +162,7 @@ def _draw(document: dict[str, Any], temperature: float | None, form: Form, draw:
     moduli = _moduli_of_draws(draws)
     if form != "prony":
         raise InvalidInput("form", "must be 'prony' if a draw is given", shown(form))
-    if not 0 <= draw < len(moduli):
-        raise InvalidInput("draw", f"must be in [0, {len(moduli) - 1}]", draw)
+    as_count("draw", draw, 0, len(moduli) - 1)
 
     def row(name: str) -> tuple[float, ...]:
         rows = draws[name]

@@ -13,6 +13,7 @@ from .._core import Compliance, Curvature, Start
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
 from .._support.plotting import plots
+from .._support.quantities import quantity_text, quantity_texts
 from .._support.scalars import with_scalars
 from .._support.tables import html_table, number_text, unit_text
 from ..bodies import Counterbody, Drive, Mesh, RollingBody
@@ -125,17 +126,18 @@ class History(SeriesFields):
         torque = self.resisting_torque
         highest, lowest = int(np.argmax(torque)), int(np.argmin(torque))
         unit = self.units
+        torques, torque_unit = quantity_texts([torque[highest], torque[lowest]], unit["resisting_torque"], [None, None])
         dissipated = self.dissipated_energy[-1] - self.dissipated_energy[0]
         rows = [
             ("time", f"{self.time[0]:g} to {self.time[-1]:g} s in {len(self.time) - 1} steps"),
             ("angle", f"{self.angle.min():.4g} to {self.angle.max():.4g} rad, last {self.angle[-1]:.4g}"),
-            ("load", f"{self.load.min():g} to {self.load.max():g} {unit['load']}"),
-            ("largest torque T_r", f"{torque[highest]:.5g} {unit['resisting_torque']} at {self.time[highest]:.4g} s"),
-            ("smallest torque T_r", f"{torque[lowest]:.5g} {unit['resisting_torque']} at {self.time[lowest]:.4g} s"),
-            ("penetration", f"{self.penetration.min():.4g} to {self.penetration.max():.4g} m"),
+            ("load", self._range_text("load")),
+            ("largest torque T_r", f"{torques[0]} {torque_unit} at {self.time[highest]:.4g} s"),
+            ("smallest torque T_r", f"{torques[1]} {torque_unit} at {self.time[lowest]:.4g} s"),
+            ("penetration", self._range_text("penetration")),
             (
                 "energy dissipated, part of slip",
-                f"{dissipated:.5g} {unit['work']}, {self.slip_energy[-1]:.3g} {unit['work']}",
+                f"{quantity_text(dissipated, unit['work'])}, {quantity_text(self.slip_energy[-1], unit['work'])}",
             ),
             ("error of the energy balance", f"{self.energy_balance_error[-1]:.1e}"),
             ("mesh", str(self.mesh)),
@@ -144,6 +146,14 @@ class History(SeriesFields):
         width = max(len(label) for label, _ in rows)
         start = "a saved state" if self.start is None else f"{self.start.name} start"
         return "\n".join([f"History from {start}", *(f"  {label:<{width}}  {value}" for label, value in rows)])
+
+    def _range_text(self, name: str) -> str:
+        """Return the smallest and the largest value of a time series; "undetermined" if it is."""
+        values = getattr(self, name)
+        if np.isnan(values).any():
+            return "undetermined"
+        texts, unit = quantity_texts([float(values.min()), float(values.max())], self.units[name], [None, None])
+        return f"{' to '.join(texts)} {unit}"
 
     def _repr_html_(self) -> str:
         """Return the range of every time series with units, as a table for notebooks."""

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.pictures import Picture, draw_picture
+from .._support.quantities import quantity_text
+from .._support.scales import Scale
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -18,8 +20,6 @@ if TYPE_CHECKING:
     Units = Mapping[str, str]
 
 __all__ = ["plot_history"]
-
-_MILLI = 1e3
 
 
 def plot_history(series: Series, units: Units, ax: Axes | None = None) -> Picture | Axes:
@@ -49,21 +49,29 @@ def plot_history(series: Series, units: Units, ax: Axes | None = None) -> Pictur
     return draw_picture(lambda axes: _draw_torque(axes, series, units), ax, figsize=(12.0, 6.4), compose=compose)
 
 
+def _scale(series: Series, units: Units, *names: str) -> Scale:
+    """Return the common scale of time series."""
+    return Scale.of(np.concatenate([series[name] for name in names]), units[names[0]])
+
+
 def _draw_torque(axes: Axes, series: Series, units: Units) -> None:
-    time, torque, error = (series[name] for name in ("time", "resisting_torque", "error_estimate"))
-    axes.plot(time, torque * _MILLI)
+    scale = _scale(series, units, "resisting_torque")
+    torque, error = (series[name] / scale.factor for name in ("resisting_torque", "error_estimate"))
+    axes.plot(series["time"], torque)
     if np.isfinite(error).all():
-        axes.fill_between(time, (torque - error) * _MILLI, (torque + error) * _MILLI, alpha=0.3)
-    axes.set(xlabel="time [s]", ylabel=f"$T_r$ [m{units['resisting_torque']}]")
+        axes.fill_between(series["time"], torque - error, torque + error, alpha=0.3)
+    axes.set(xlabel="time [s]", ylabel=scale.text("$T_r$"))
 
 
 def _draw_others(axes: dict[str, Axes], series: Series, units: Units) -> None:
-    time = series["time"]
-    axes["penetration"].plot(time, series["penetration"] * _MILLI)
-    axes["penetration"].set_ylabel("penetration [mm]")
-    for name, label in (("stored_energy", "stored"), ("dissipated_energy", "dissipated"), ("work", "work")):
-        axes["energy"].plot(time, series[name] * _MILLI, label=label)
-    axes["energy"].set(xlabel="time [s]", ylabel=f"energy [m{units['work']}]")
+    time, scale = series["time"], _scale(series, units, "penetration")
+    axes["penetration"].plot(time, series["penetration"] / scale.factor)
+    axes["penetration"].set_ylabel(scale.text("penetration"))
+    energies = {"work": "work", "stored_energy": "stored", "dissipated_energy": "dissipated"}
+    scale = _scale(series, units, *energies)
+    for name, label in energies.items():
+        axes["energy"].plot(time, series[name] / scale.factor, label=label)
+    axes["energy"].set(xlabel="time [s]", ylabel=scale.text("energy"))
     axes["energy"].legend(fontsize="small")
     for name in ("torque", "penetration"):
         axes[name].sharex(axes["energy"])
@@ -71,12 +79,13 @@ def _draw_others(axes: dict[str, Axes], series: Series, units: Units) -> None:
 
 
 def _draw_loop(axes: Axes, series: Series, units: Units) -> None:
-    axes.plot(np.degrees(series["angle"]), series["resisting_torque"] * _MILLI)
-    axes.axhline(0.0, color="0.5", linewidth=0.8)
     torque, angle = series["resisting_torque"], series["angle"]
-    work = 0.5 * float(np.sum((torque[1:] + torque[:-1]) * np.diff(angle))) * _MILLI  # NumPy 1 has no trapezoid
+    scale = _scale(series, units, "resisting_torque")
+    axes.plot(np.degrees(angle), torque / scale.factor)
+    axes.axhline(0.0, color="0.5", linewidth=0.8)
+    work = 0.5 * float(np.sum((torque[1:] + torque[:-1]) * np.diff(angle)))  # NumPy 1 has no trapezoid
     axes.set(
         xlabel="angle turned [°]",
-        ylabel=f"resisting torque $T_r$ [m{units['resisting_torque']}]",
-        title=f"∫$T_r$ d$ψ$ = {work:.4g} m{units['work']}",
+        ylabel=scale.text("resisting torque $T_r$"),
+        title=f"∫$T_r$ d$ψ$ = {quantity_text(work, units['work'])}",
     )

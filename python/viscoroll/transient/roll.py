@@ -9,7 +9,7 @@ import numpy as np
 from .. import _core
 from .._core import Start
 from .._support.arguments import as_float_array, as_member, require_type
-from .._support.errors import InvalidInput
+from .._support.errors import InvalidInput, Range
 from .._support.files import ending_in
 from .._support.progress import ProgressLike, Report, reporting
 from .._support.result_warnings import warn
@@ -256,9 +256,10 @@ def _time_range(time: NDArray[np.float64], angle: NDArray[np.float64], step: flo
 def _stops(time: NDArray[np.float64], contact_times: ArrayLike) -> list[float]:
     """Return the instants at which the computation stops: the contact times and the end of the motion."""
     instants = as_float_array("contact_times", contact_times).ravel()
+    motion = Range(float(time[0]), float(time[-1]), "s")
     for instant in instants:
-        if not time[0] <= instant <= time[-1]:
-            raise InvalidInput("contact_times", f"must be in [{time[0]:g}, {time[-1]:g}] s", f"{instant:g}")
+        if instant not in motion:
+            raise motion.error("contact_times", f"{instant:g}")
     return sorted({*instants.tolist(), float(time[-1])})
 
 

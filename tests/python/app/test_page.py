@@ -39,7 +39,7 @@ needs_node = pytest.mark.skipif(NODE is None, reason="no node")
 @needs_node
 def test_modules():
     files = sorted(TESTS.glob("*.test.js"))
-    assert len(files) == 6
+    assert len(files) == 7
     done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
 

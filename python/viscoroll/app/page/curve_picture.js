@@ -6,12 +6,14 @@ import { el } from "./dom.js";
 
 /** Results that can be drawn, and those that exist only with friction. */
 const DRAWN = [
-  "resisting_torque",
+  "rolling_resistance_torque",
+  "rolling_resistance_force",
   "rolling_resistance_coefficient",
   "dissipated_power",
   "penetration",
   "strain",
   "max_pressure",
+  "contact_length",
   "driving_torque",
   "driving_force",
   "creepage",

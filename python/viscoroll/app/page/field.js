@@ -1,7 +1,8 @@
 /** One row of the form: label, input, unit, SI value, slider, and error message. */
 
 import { el } from "./dom.js";
-import { SI, UNITS, fromSI, numberText, tidy, toSI, unitNamed } from "./units.js";
+import { UNITS } from "./unit_table.js";
+import { SI, fromSI, numberText, tidy, toSI, unitNamed } from "./units.js";
 
 const STEPS = 300; // number of steps of a slider: over three decades, a step changes the number by about 2 %
 

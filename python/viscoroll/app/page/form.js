@@ -182,8 +182,8 @@ export class Form {
       const { given, body, inner_boundary: inside } = this.#state;
       const byCore = given === "core_radius" || (body === "ball" && inside === "solid");
       text.textContent = byCore
-        ? `outer diameter ${quantityText(2 * outerRadius(this.#state), "m", 6)}`
-        : `core radius ${quantityText(coreRadius(this.#state), "m", 6)}`;
+        ? `outer diameter ${quantityText(2 * outerRadius(this.#state), "m", null, 6)}`
+        : `core radius ${quantityText(coreRadius(this.#state), "m", null, 6)}`;
     };
     refresh();
     return this.#add({ root: text, parameter: "outer_radius", say: () => {}, refresh });

@@ -110,7 +110,7 @@ class Page {
     at("error").textContent = "";
     this.#results.show(result, tables, this.#form.sayWarnings(warnings));
     this.#curve.mark(result);
-    at("brief").textContent = `${this.#results.brief(result)} ↓`;
+    at("brief").textContent = `${this.#results.brief()} ↓`;
     say(stage === "coarse" ? `Result on a coarse mesh (${meshText(result, seconds)}).` : refinedText(result, seconds));
   }
 

@@ -1,10 +1,10 @@
 // Written by wasm/make_types.py from the package and the JSON Schema of case files.
 
-/** Rolling bodies by their tables in case files: noun, and whether values are per length. */
+/** Rolling bodies by their tables in case files: noun, whether values are per length, and words of labels. */
 export const BODIES = {
-  ball: { noun: "ball", line: false },
-  cylinder: { noun: "roller", line: true },
-  wheel: { noun: "wheel", line: false },
+  ball: { noun: "ball", line: false, words: { "rolling body": "ball" } },
+  cylinder: { noun: "roller", line: true, words: { "rolling body": "roller", "contact length": "nip length" } },
+  wheel: { noun: "wheel", line: false, words: { "rolling body": "wheel" } },
 };
 
 /** Classes of bodies in Python, by their tables in case files. */
