@@ -33,6 +33,7 @@ def by_roll(stepper: vr.RollingHistory, turn: float) -> list[float]:
         "angle": [0.0, turn],
         "load": [LOAD, LOAD],
         "center_displacement": [],
+        "axle_height": [],
     }
     instants = stepper._history.roll(**waypoints, progress=None)
     return instants.resisting_torque[-STEPS_PER_SPACING:].tolist()

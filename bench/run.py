@@ -29,7 +29,8 @@ COLUMNS = ["date", "commit", "cpu", "threads", "case", "runs", "clock", "median_
 COLUMNS += ["contact_nodes", "peak_mb", "details"]
 
 HERTZ = [(solver, nodes) for nodes in (256, 512, 1024) for solver in ("viscoroll", "tamaas", "aspher", "aspher_nested")]
-MODULES = {"aspher_nested": "aspher", "roll": "viscoroll", "advance": "viscoroll"}
+GROUNDS = ("flat", "bump", "axle")
+MODULES = {"aspher_nested": "aspher"} | dict.fromkeys(("roll", "advance", *GROUNDS), "viscoroll")
 
 
 def git(*arguments: str) -> str:
@@ -124,6 +125,7 @@ def script_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]
     cases = [(f"hertz/{nodes}/{solver}", folder / "hertz.py", solver, nodes) for solver, nodes in HERTZ]
     cases += [(f"paper_resolution/{solver}", folder / "plain_numpy.py", solver) for solver in ("viscoroll", "plain")]
     cases += [(f"revolution_python/500_{call}", folder / "revolution.py", call, 500) for call in ("roll", "advance")]
+    cases += [(f"ground/1000_{case}", folder / "ground.py", case, 1000) for case in GROUNDS]
     for case, script, solver, *rest in cases:
         if not only.search(case):
             continue

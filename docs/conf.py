@@ -10,6 +10,7 @@ from numpydoc.xref import DEFAULT_LINKS
 
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent
+SITE = ROOT / "build" / "site"
 
 sys.path.insert(0, str(DOCS))
 from try_page import write_page  # noqa: E402  (in this folder)
@@ -80,7 +81,7 @@ html_theme = "pydata_sphinx_theme"
 html_title = f"viscoroll {version}"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
-html_extra_path = [str(ROOT / "build" / "site")]  # files that are copied: the page shown by `try.md`
+html_extra_path = [str(SITE)]  # files that are copied: the page "Try it"
 html_copy_source = False
 html_show_sourcelink = False
 html_sidebars = {"index": [], "try": [], "jobs/*": []}  # pages that use the full width
@@ -92,8 +93,12 @@ html_theme_options = {
     "footer_end": [],
 }
 
-if not write_page(ROOT / "build" / "site" / "try", ROOT / "build" / "wasm" / "package" / "viscoroll.single.js"):
-    print("the page 'Try it' is built without a solver; build one with `make wasm`")
+# Pages show the link to the page "Try it" only if it exists.
+SITE.mkdir(parents=True, exist_ok=True)
+if write_page(SITE / "try", ROOT / "build" / "wasm" / "package" / "viscoroll.single.js"):
+    tags.add("solver")  # noqa: F821  (Sphinx defines `tags`)
+else:
+    print("the site is built without the page 'Try it', which needs the library of `make wasm`")
 
 # Take MathJax with its font from a package; by default, readers would download it.
 _mathjax = find_spec("sphinx-mathjax-offline")

@@ -1,7 +1,7 @@
 """Write the page "Try it" as plain files without modules and requests, which browsers can also open from a folder.
 
-One script contains all JavaScript modules. If `make wasm` has built the library for WebAssembly, a second one contains
-the library and the tables of published materials.
+One script contains all JavaScript modules, a second one the library for WebAssembly, which `make wasm` builds, and the
+tables of published materials. Without the library there is no page.
 """
 
 from __future__ import annotations
@@ -20,8 +20,15 @@ PAGE = Path(viscoroll.__file__).parent / "app" / "page"
 _IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+)\.js";\n', re.MULTILINE)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const|class) (\w+))", re.MULTILINE)
 _COMMENT = re.compile(r"^ *(?:/\*\*.*?\*/|//[^\n]*)\n", re.MULTILINE | re.DOTALL)
-_START = '<script type="application/json" id="start">{"solver": "none"}</script>'
-_MODULE = '<script type="module" src="main.js"></script>'
+#: Parts of the page, and what replaces them on the site.
+_CHANGES = {
+    '{"solver": "none"}': '{"solver": "wasm"}',
+    '<script type="module" src="main.js"></script>': (
+        '<script src="solver.js" defer></script>\n    <script src="page.js" defer></script>'
+    ),
+    "<h1>viscoroll</h1>": '<h1><a href="../index.html">viscoroll</a></h1>',
+    '<p id="where"></p>': '<p id="where"></p>\n      <p><a href="../try.html">How the page works</a></p>',
+}
 
 
 def bundle(folder: Path, main: str = "main") -> str:
@@ -43,23 +50,21 @@ def bundle(folder: Path, main: str = "main") -> str:
 
 
 def write_page(folder: Path, library: Path) -> bool:
-    """Write the page into a folder; return whether it can solve, that is, whether the script of the library exists."""
+    """Write the page into a folder; return False, without a page, if the script of the library does not exist."""
     shutil.rmtree(folder, ignore_errors=True)
+    if not library.exists():
+        return False
     folder.mkdir(parents=True)
-    solves = library.exists()
-    scripts = '<script src="page.js" defer></script>'
-    if solves:
-        scripts = f'<script src="solver.js" defer></script>\n    {scripts}'
-        worker = library.read_text(encoding="utf-8") + "\nviscoroll.serve();\n"
-        materials = json.dumps(published_materials(), separators=(",", ":"))
-        solver = f"var viscorollWorker = {json.dumps(worker)};\nvar viscorollMaterials = {materials};\n"
-        (folder / "solver.js").write_text(solver, encoding="utf-8")
+    worker = library.read_text(encoding="utf-8") + "\nviscoroll.serve();\n"
+    materials = json.dumps(published_materials(), separators=(",", ":"))
+    solver = f"var viscorollWorker = {json.dumps(worker)};\nvar viscorollMaterials = {materials};\n"
+    (folder / "solver.js").write_text(solver, encoding="utf-8")
     text = (PAGE / "index.html").read_text(encoding="utf-8")
-    for before, after in ((_START, _START.replace("none", "wasm" if solves else "none")), (_MODULE, scripts)):
+    for before, after in _CHANGES.items():
         if before not in text:
             raise ValueError(f"index.html must contain {before}")
         text = text.replace(before, after)
     (folder / "index.html").write_text(text, encoding="utf-8")
     (folder / "page.js").write_text(bundle(PAGE), encoding="utf-8")
     shutil.copyfile(PAGE / "page.css", folder / "page.css")
-    return solves
+    return True

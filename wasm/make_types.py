@@ -15,10 +15,13 @@ from pathlib import Path
 from typing import Any
 
 import viscoroll
+from viscoroll._support.units import DISPLAY_UNITS, PER_LENGTH
+from viscoroll.app.answer import OTHER_TABLES
 from viscoroll.case.case import BODIES, COUNTERBODIES
 from viscoroll.case.quantities import CENTER_SPEED, DISPLAYED, SPELLINGS, offset_of, same_dimension, scale_of
 from viscoroll.case.schema import json_schema
 from viscoroll.materials.moduli import MODULI
+from viscoroll.solution.scalars import words_for
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "python" / "viscoroll" / "app" / "page" / "schema.js"
@@ -47,7 +50,7 @@ TYPE_OF = {f"#/$defs/{definition}": name for name, definition in INTERFACES.item
 FILE_ONLY = {"allow_large", "file", "outer_diameter"}
 
 #: Tables of case files that the library in WebAssembly does not read.
-OTHERS = ("thermal", "motion", "surface", "sliding", "sweep", "draws", "design")
+OTHERS = ("thermal", "motion", "ground", "tread", "axle", "surface", "sliding", "sweep", "draws", "design")
 
 
 def input_types() -> str:
@@ -70,22 +73,45 @@ def input_types() -> str:
 def page_lists() -> str:
     """Return the module of the page with the tables of bodies and the keys of whole numbers."""
     kinds = {name: getattr(viscoroll, CLASSES[name]) for name in BODIES}
-    bodies = {name: {"noun": kind.noun, "line": kind.line_contact} for name, kind in kinds.items()}
+    bodies = {
+        name: {"noun": kind.noun, "line": kind.line_contact, "words": words_for(kind)} for name, kind in kinds.items()
+    }
     tables = [SCHEMA["$defs"][definition]["properties"] for definition in INTERFACES.values()]
     integers = [key for table in tables for key, found in table.items() if found.get("type") == "integer"]
     lists = {
-        "BODIES": ("Rolling bodies by their tables in case files: noun, and whether values are per length.", bodies),
+        "BODIES": (
+            "Rolling bodies by their tables in case files: noun, whether values are per length, and words of labels.",
+            bodies,
+        ),
         "CLASSES": ("Classes of bodies in Python, by their tables in case files.", CLASSES),
         "INTEGERS": ("Keys of case files whose values are whole numbers.", integers),
         "MESH": (
             "Keys of the table `numerics` that describe a mesh.",
             [field.name for field in fields(viscoroll.Mesh)],
         ),
+        "KEY_UNITS": ("SI units of keys of case files, in point contact.", key_units()),
+        "OTHER_TABLES": ("Tables of case files that the page does not support.", list(OTHER_TABLES)),
     }
     exports = [f"/** {text} */\nexport const {name} = {_literal(value)};\n" for name, (text, value) in lists.items()]
     return "\n".join(
         ["// Written by wasm/make_types.py from the package and the JSON Schema of case files.\n", *exports]
     )
+
+
+def key_units() -> dict[str, str]:
+    """Return the SI units of the keys of bodies, materials and motion that are in a unit of the page."""
+    displayed = {unit for unit, _ in DISPLAYED.values()} | {CENTER_SPEED}
+    names = [*INTERFACES.values(), *(kind.__name__ for kind in MODULI.values()), "of_data_sheet", "published"]
+    keys = [
+        (key, found["unit"])
+        for name in names
+        for key, found in SCHEMA["$defs"][name]["properties"].items()
+        if "unit" in found
+    ]
+    units = {key: unit for key, unit in keys if unit in displayed}
+    if any(units.get(key, unit) != unit for key, unit in keys):
+        raise ValueError("a key must have the same unit in all tables")
+    return units
 
 
 def page_units() -> str:
@@ -109,9 +135,16 @@ def page_units() -> str:
             "SI values [m/s] of units for the speed of the center: the angular speed times the outer radius.",
             {name: float(scale_of(name, CENTER_SPEED)) for name, scale in units["speed"].items() if scale is None},
         ),
+        "DISPLAY_UNITS": (
+            "Units in which results are displayed, by SI unit: SI value, and smallest value displayed in the unit.",
+            {unit: {name: list(pair) for name, pair in names.items()} for unit, names in DISPLAY_UNITS.items()},
+        ),
+        "PER_LENGTH": ("Units in line contact of results that are per length there.", PER_LENGTH),
     }
     exports = [f"/** {text} */\nexport const {name} = {_literal(value)};\n" for name, (text, value) in lists.items()]
-    return "\n".join(["// Written by wasm/make_types.py from python/viscoroll/case/units.txt.\n", *exports])
+    return "\n".join(
+        ["// Written by wasm/make_types.py from case/units.txt and _support/units.py in python/viscoroll.\n", *exports]
+    )
 
 
 def _literal(value: Any) -> str:
@@ -123,6 +156,8 @@ def _literal(value: Any) -> str:
 
 def _inline(value: Any) -> str:
     """Return an object or a text in one line, with keys as JavaScript usually spells them."""
+    if isinstance(value, list):
+        return f"[{', '.join(map(_inline, value))}]"
     if not isinstance(value, dict):
         whole = isinstance(value, float) and value.is_integer()
         return json.dumps(int(value) if whole else value, ensure_ascii=False).replace("e-0", "e-")

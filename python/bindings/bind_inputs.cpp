@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/typing.h>
 
+#include <algorithm>
 #include <memory>
 #include <tuple>
 
@@ -14,6 +15,8 @@
 #include "viscoroll/modulus_functions.hpp"
 #include "viscoroll/modulus_types.hpp"
 #include "viscoroll/plane.hpp"
+#include "viscoroll/profile.hpp"
+#include "viscoroll/rolling_history.hpp"
 #include "viscoroll/slow_terms.hpp"
 #include "viscoroll/sphere.hpp"
 #include "viscoroll/wheel.hpp"
@@ -125,6 +128,18 @@ void bind_inputs(py::module_& m) {
         return py::array_t<cplx>(static_cast<py::ssize_t>(values.size()), values.data());
       },
       py::arg("modulus"), py::arg("angular_speed"), py::arg("omega").noconvert());
+
+  bind_struct<HeightProfile>(m, "HeightProfile", check)
+      .def(
+          "height_at",
+          [](const HeightProfile& profile, const InputArray<double>& distance) {
+            py::array_t<double> heights(distance.size());
+            std::ranges::transform(view(distance), heights.mutable_data(),
+                                   [&](double at) { return height_at(profile, at); });
+            return heights;
+          },
+          py::arg("distance").noconvert());
+  bind_struct<Axle>(m, "Axle", check);
 
   bind_struct<Layer>(m, "Layer", [](const Layer& layer) { validate(layer, ""); });
   py::native_enum<InnerBoundary>(m, "InnerBoundary", "enum.Enum",

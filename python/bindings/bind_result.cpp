@@ -56,10 +56,13 @@ void bind_scalars(py::module_& m) {
       .def_readonly("type", &ScalarDescription::type)
       .def_readonly("unit", &ScalarDescription::unit)
       .def_readonly("label", &ScalarDescription::label)
-      .def_readonly("details", &ScalarDescription::details);
+      .def_readonly("details", &ScalarDescription::details)
+      .def_readonly("group", &ScalarDescription::group)
+      .def_readonly("precision", &ScalarDescription::precision);
   const auto descriptions = [] {
     return std::vector<ScalarDescription>{
-#define VISCOROLL_SCALAR(type, name, unit, label, details) {#name, kTypeName<type>, unit, label, details},
+#define VISCOROLL_SCALAR(type, name, group, precision, unit, label, details) \
+  {#name, kTypeName<type>, unit, label, details, #group, precision},
 #include "viscoroll/result_scalars.def"
 #undef VISCOROLL_SCALAR
     };
@@ -67,7 +70,7 @@ void bind_scalars(py::module_& m) {
   m.def("result_scalars", descriptions, "Descriptions of the scalar results, in SI units.");
 
   py::classh<ResultScalars> scalars(m, "ResultScalars");
-#define VISCOROLL_SCALAR(type, name, unit, label, details) \
+#define VISCOROLL_SCALAR(type, name, group, precision, unit, label, details) \
   bind_scalar(scalars, #name, &ResultScalars::name, label " [" unit "]. " details);
 #include "viscoroll/result_scalars.def"
 #undef VISCOROLL_SCALAR

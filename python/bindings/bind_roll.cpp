@@ -56,39 +56,41 @@ void bind_scalars(py::module_& m) {
 }
 
 RollingHistory make_history(const RollingBody& body, const Counterbody& on, double load, Start start,
-                            const HistoryOptions& options, double time, double angle, const py::object& progress) {
+                            const HistoryOptions& options, double time, double angle, std::optional<double> axle_height,
+                            const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
-  return {body, on, load, start, options, time, angle, observer};
+  return {body, on, load, start, options, time, angle, observer, axle_height};
 }
 
 RollingHistory restored_history(const RollingBody& body, const Counterbody& on, double load,
                                 const InputArray<double>& state, const HistoryOptions& options,
-                                const py::object& progress) {
+                                std::optional<double> axle_height, const py::object& progress) {
   const auto values = view(state);
   const RollingState numbers{.numbers = {values.begin(), values.end()}};
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
-  return {body, on, load, numbers, options, observer};
+  return {body, on, load, numbers, options, observer, axle_height};
 }
 
 InstantSeries roll_released(RollingHistory& history, std::vector<double> time, std::vector<double> angle,
                             std::vector<double> load, std::vector<double> center_displacement,
-                            const py::object& progress) {
+                            std::vector<double> axle_height, const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
   const Motion motion{.time = std::move(time),
                       .angle = std::move(angle),
                       .load = std::move(load),
-                      .center_displacement = std::move(center_displacement)};
+                      .center_displacement = std::move(center_displacement),
+                      .axle_height = std::move(axle_height)};
   return {roll(history, motion, observer)};
 }
 
 void advance_released(RollingHistory& history, double time, double angle, double load,
-                      std::optional<double> center_displacement) {
+                      std::optional<double> center_displacement, std::optional<double> axle_height) {
   const Observer observer = python_observer(py::none());
   const py::gil_scoped_release release;
-  history.advance(time, angle, load, center_displacement, observer);
+  history.advance(time, angle, load, center_displacement, observer, axle_height);
 }
 
 template <class T>
@@ -117,6 +119,9 @@ void bind_roll(py::module_& m) {
       .def_readwrite("driving_torque", &HistoryOptions::driving_torque)
       .def_readwrite("mass", &HistoryOptions::mass)
       .def_readwrite("center_speed", &HistoryOptions::center_speed)
+      .def_readwrite("ground", &HistoryOptions::ground)
+      .def_readwrite("tread", &HistoryOptions::tread)
+      .def_readwrite("axle", &HistoryOptions::axle)
       .def_readwrite("averaged_meshes", &HistoryOptions::averaged_meshes)
       .def_readwrite("steps_per_spacing", &HistoryOptions::steps_per_spacing)
       .def_readwrite("shortest_time", &HistoryOptions::shortest_time)
@@ -134,14 +139,16 @@ void bind_roll(py::module_& m) {
 
   py::classh<RollingHistory>(m, "RollingHistory")
       .def(py::init(&make_history), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"), py::arg("start"),
-           py::arg("options"), py::arg("time"), py::arg("angle"), py::arg("progress").none(true))
+           py::arg("options"), py::arg("time"), py::arg("angle"), py::arg("axle_height").none(true),
+           py::arg("progress").none(true))
       .def(py::init(&restored_history), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"),
-           py::arg("state").noconvert(), py::arg("options"), py::arg("progress").none(true))
+           py::arg("state").noconvert(), py::arg("options"), py::arg("axle_height").none(true),
+           py::arg("progress").none(true))
       .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
       .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
-           py::arg("center_displacement").none(true))
+           py::arg("center_displacement").none(true), py::arg("axle_height").none(true))
       .def("roll", &roll_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
-           py::arg("center_displacement"), py::arg("progress").none(true))
+           py::arg("center_displacement"), py::arg("axle_height"), py::arg("progress").none(true))
       .def("state",
            [](const RollingHistory& self) {
              const RollingState state = self.state();
@@ -156,11 +163,13 @@ void bind_roll(py::module_& m) {
   m.def(
       "check_motion",
       [](std::vector<double> time, std::vector<double> angle, std::vector<double> load,
-         std::vector<double> center_displacement) {
+         std::vector<double> center_displacement, std::vector<double> axle_height) {
         validate({.time = std::move(time),
                   .angle = std::move(angle),
                   .load = std::move(load),
-                  .center_displacement = std::move(center_displacement)});
+                  .center_displacement = std::move(center_displacement),
+                  .axle_height = std::move(axle_height)});
       },
-      py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"), py::arg("center_displacement"));
+      py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"), py::arg("center_displacement"),
+      py::arg("axle_height"));
 }

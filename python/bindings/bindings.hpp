@@ -36,6 +36,8 @@ struct ScalarDescription {
   std::string unit;
   std::string label;
   std::string details;
+  std::string group = "other";  ///< part of reports; see result_scalars.def
+  std::string precision = {};   ///< error estimates that limit the printed digits; see result_scalars.def
 };
 
 /// C-contiguous input array. Arrays of other types and layouts are rejected, not copied.

@@ -20,8 +20,13 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
     try {
       if (raised) std::rethrow_exception(std::move(raised));
     } catch (const viscoroll::InvalidInput& error) {
-      const py::object kind = py::module_::import("viscoroll._support.errors").attr("InvalidInput");
-      py::set_error(kind, kind(error.parameter(), error.rule(), error.value()));
+      const py::module_ errors = py::module_::import("viscoroll._support.errors");
+      const py::object kind = errors.attr("InvalidInput");
+      py::object allowed = py::none();
+      if (const auto& of = error.allowed()) {
+        allowed = errors.attr("Range")(of->minimum, of->maximum, of->unit, of->excludes_minimum, of->excludes_maximum);
+      }
+      py::set_error(kind, kind(error.parameter(), error.rule(), error.value(), py::arg("allowed") = allowed));
     }
   });
   m.def("core_count", &viscoroll::core_count, "Cores that this process may use.");

@@ -24,6 +24,7 @@ Bodies, materials and solvers are names of this package. Its modules contain the
 - `analytic`: closed forms for comparison
 - `enums`: enumerations of options and outcomes
 - `finite_strain`: rollers at finite strain, by finite elements
+- `ground`: profiles of uneven ground and treads, and axles
 - `paper`: the example of Zéhil and Gavin
 """
 
@@ -33,6 +34,7 @@ from . import (
     enums,
     export,
     finite_strain,
+    ground,
     materials,
     modal,
     paper,
@@ -97,6 +99,7 @@ __all__ = [
     "enums",
     "export",
     "finite_strain",
+    "ground",
     "materials",
     "modal",
     "paper",

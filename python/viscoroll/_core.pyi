@@ -32,6 +32,25 @@ class ShearModulus:
     def __init__(self, type: str, **kwargs: typing.Any) -> None: ...
     def parameters(self) -> dict[str, typing.Any]: ...
 
+class HeightProfile:
+    def __init__(
+        self,
+        *,
+        distance: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        height: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        periodic: bool,
+    ) -> None: ...
+    def height_at(self, distance: numpy.typing.NDArray[numpy.float64]) -> numpy.typing.NDArray[numpy.float64]: ...
+
+class Axle:
+    def __init__(
+        self,
+        *,
+        mass: typing.SupportsFloat | typing.SupportsIndex,
+        stiffness: typing.SupportsFloat | typing.SupportsIndex,
+        damping: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+
 class Layer:
     def __init__(
         self,
@@ -171,9 +190,13 @@ class ScalarDescription:
     @property
     def details(self) -> str: ...
     @property
+    def group(self) -> str: ...
+    @property
     def label(self) -> str: ...
     @property
     def name(self) -> str: ...
+    @property
+    def precision(self) -> str: ...
     @property
     def type(self) -> str: ...
     @property
@@ -203,17 +226,17 @@ class ResultScalars:
     @property
     def contact_length(self) -> float:
         """
-        contact length along the path (nip length) [m]. Distance from the leading to the trailing edge, the largest over all rows along the path. The edges are found between the nodes, where the squared pressure, extrapolated from inside, vanishes.
+        contact length, along the path [m]. Distance from the leading to the trailing edge, the largest over all rows along the path. The edges are found between the nodes, where the squared pressure, extrapolated from inside, vanishes.
         """
     @property
     def contact_length_error(self) -> float:
         """
-        relative error estimate of the contact length [1]. Uncertainty of the extrapolated edges: half a spacing for each edge where the pressure rises within less than a spacing. Unless the mesh is given, it is at least half of the change from the previous mesh.
+        relative error of the mesh in the contact length [1]. Uncertainty of the extrapolated edges: half a spacing for each edge where the pressure rises within less than a spacing. Unless the mesh is given, it is at least half of the change from the previous mesh.
         """
     @property
     def contact_length_model_error(self) -> float | None:
         """
-        relative error of the contact length of linear theory [1]. The strain ε, which covers rollers at finite strain up to ε = 0.2, within the spacing of the finite elements.
+        relative error of linear theory in the contact length [1]. The strain ε, which covers rollers at finite strain up to ε = 0.2, within the spacing of the finite elements.
         """
     @property
     def contact_width(self) -> float | None:
@@ -228,12 +251,12 @@ class ResultScalars:
     @property
     def creepage(self) -> float | None:
         """
-        creepage V_s / (Ω r_o) - 1 [1]. None if the speed V_s is None.
+        creepage, V_s / (Ω r_o) - 1 [1]. None if the speed V_s is None.
         """
     @property
     def dissipated_power(self) -> float:
         """
-        total dissipated power [W]. bulk_power + slip_power.
+        dissipated power, in the layers and by slip [W]. bulk_power + slip_power.
         """
     @property
     def driving_force(self) -> float:
@@ -253,7 +276,7 @@ class ResultScalars:
     @property
     def error_estimate(self) -> float:
         """
-        relative error estimate [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of load, penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
+        relative error of the mesh, estimated [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of load, penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
         """
     @property
     def face_distance(self) -> float | None:
@@ -268,7 +291,7 @@ class ResultScalars:
     @property
     def finite_strain_torque(self) -> float | None:
         """
-        torque at finite strain [N m]. (1 + c) T_r(P, (1 + c) Ω): resisting torque of linear theory at the speed with which material passes the contact, where it is stretched by the overspeed c. Nearer to reality than resisting_torque: it includes most of the effect of finite strain. None with friction, with the vertical compliance, and on a deformable counterbody.
+        resisting torque at finite strain [N m]. (1 + c) T_r(P, (1 + c) Ω): resisting torque of linear theory at the speed with which material passes the contact, where it is stretched by the overspeed c. Nearer to reality than resisting_torque: it includes most of the effect of finite strain. None with friction, with the vertical compliance, and on a deformable counterbody.
         """
     @property
     def finite_strain_torque_error(self) -> float | None:
@@ -283,7 +306,7 @@ class ResultScalars:
     @property
     def lateral_force(self) -> float:
         """
-        lateral force on the body [N]. Σ t_z, exerted by the counterbody on the rolling body.
+        lateral force on the rolling body [N]. Σ t_z, exerted by the counterbody on the rolling body.
         """
     @property
     def linear_speed(self) -> float | None:
@@ -303,17 +326,17 @@ class ResultScalars:
     @property
     def max_pressure_error(self) -> float:
         """
-        relative error estimate of the largest pressure [1]. Pressures are extrapolated by one spacing ahead of each node, from this node and the one behind it. The estimate is the excess of the largest extrapolated pressure over max_pressure. Unless the mesh is given, it is at least the change from the previous mesh, and at least a quarter of the estimate on that mesh. If material enters the contact faster than it relaxes, the pressure may have a peak that the finest meshes do not resolve; torque and penetration do not depend on this peak.
+        relative error of the mesh in the largest pressure [1]. Pressures are extrapolated by one spacing ahead of each node, from this node and the one behind it. The estimate is the excess of the largest extrapolated pressure over max_pressure. Unless the mesh is given, it is at least the change from the previous mesh, and at least a quarter of the estimate on that mesh. If material enters the contact faster than it relaxes, the pressure may have a peak that the finest meshes do not resolve; torque and penetration do not depend on this peak.
         """
     @property
     def max_pressure_model_error(self) -> float | None:
         """
-        relative error of the largest pressure of linear theory [1]. 0.9 ε, which covers rollers at finite strain up to ε = 0.2.
+        relative error of linear theory in the largest pressure [1]. 0.9 ε, which covers rollers at finite strain up to ε = 0.2.
         """
     @property
     def model_error(self) -> float | None:
         """
-        relative error of the torque of linear theory [1]. Estimated from the strain ε. Balls: 0.75 ε, which covers slow rolling at finite strain up to ε = 0.24, for h/r_o from 1/84 to 1/5, ν = 0.3 and ½, and the viscosities of Newton and Jaumann; a Lagrangian viscosity with ν = 0.3 gives twice that error. Rollers and wheels: (0.9 + 4.5 ε) ε, which covers finite elements of rollers up to ε = 0.2; the torque of linear theory is too small. For wheels, the neglected effects of crown and sides are added, also to the following errors.
+        relative error of linear theory, for torque and force [1]. Estimated from the strain ε. Balls: 0.75 ε, which covers slow rolling at finite strain up to ε = 0.24, for h/r_o from 1/84 to 1/5, ν = 0.3 and ½, and the viscosities of Newton and Jaumann; a Lagrangian viscosity with ν = 0.3 gives twice that error. Rollers and wheels: (0.9 + 4.5 ε) ε, which covers finite elements of rollers up to ε = 0.2; the torque of linear theory is too small. For wheels, the neglected effects of crown and sides are added, also to the following errors.
         """
     @property
     def operator_applications(self) -> int:
@@ -328,12 +351,12 @@ class ResultScalars:
     @property
     def penetration(self) -> float | None:
         """
-        penetration r_o - H [m]. Radius of the rolling body at rest minus the height of its center. Pressure and centrifugal growth change it in opposite directions: a fast body touches while it is still negative. None in line contact if a body rests on a half-space: the penetration is then undetermined.
+        penetration, r_o - H [m]. Radius of the rolling body at rest minus the height of its center. Pressure and centrifugal growth change it in opposite directions: a fast body touches while it is still negative. None in line contact if a body rests on a half-space: the penetration is then undetermined.
         """
     @property
     def penetration_model_error(self) -> float | None:
         """
-        relative error of the penetration of linear theory [1]. The strain ε, which covers balls and rollers at finite strain up to ε = 0.2. At a given penetration, the load has about the same error.
+        relative error of linear theory in the penetration [1]. The strain ε, which covers balls and rollers at finite strain up to ε = 0.2. At a given penetration, the load has about the same error.
         """
     @property
     def residual(self) -> float:
@@ -356,6 +379,16 @@ class ResultScalars:
         rolling resistance coefficient, dissipated power / (P V) [1]. dissipated_power / (P |V|) for any drive. V is the speed of the center, or Ω r_o if that speed is undetermined. Infinite if the center stands still.
         """
     @property
+    def rolling_resistance_force(self) -> float:
+        """
+        push force, dissipated power / V [N]. Force that keeps the body rolling if nothing else drives it: dissipated_power / |V|, with V as in rolling_resistance_coefficient. Infinite if the center stands still.
+        """
+    @property
+    def rolling_resistance_torque(self) -> float:
+        """
+        drive torque, dissipated power / Ω [N m]. Torque that keeps the body rolling if nothing else drives it: dissipated_power / Ω.
+        """
+    @property
     def semi_axis_x(self) -> float:
         """
         contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of contact_length in line contact.
@@ -373,7 +406,7 @@ class ResultScalars:
     @property
     def spin_moment(self) -> float:
         """
-        spin moment on the body [N m]. Σ (z t_x - x t_z) about the downward axis through the contact, exerted by the counterbody on the rolling body.
+        spin moment on the rolling body [N m]. Σ (z t_x - x t_z) about the downward axis through the contact, exerted by the counterbody on the rolling body.
         """
     @property
     def strain(self) -> float | None:
@@ -540,9 +573,12 @@ class Start(enum.Enum):
     UNDEFORMED = ...
 
 class HistoryOptions:
+    axle: Axle | None
     compliance: Compliance
     curvature: Curvature
+    ground: HeightProfile | None
     mesh: Mesh | None
+    tread: HeightProfile | None
     def __init__(self) -> None: ...
     @property
     def averaged_meshes(self) -> int: ...
@@ -596,6 +632,26 @@ class RollingInstant:
         angle turned ψ, positive forward [rad]. The contact moves r_o ψ along the track if nothing slips.
         """
     @property
+    def axle_acceleration(self) -> float:
+        """
+        acceleration of the axle, upward [m/s^2]. Without an axle it is the change of the mean speed between two steps divided by the step.
+        """
+    @property
+    def axle_energy(self) -> float:
+        """
+        kinetic energy of the axle and energy of its spring [J]. 0 without an axle.
+        """
+    @property
+    def axle_force(self) -> float:
+        """
+        external force W on the axle, downward [N]. Equals the load without an axle.
+        """
+    @property
+    def axle_speed(self) -> float:
+        """
+        speed of the axle, upward [m/s]. Without an axle it is the mean over the previous step.
+        """
+    @property
     def center_displacement(self) -> float:
         """
         displacement of the center since the start [m]. 0 without friction, where it is undetermined.
@@ -643,7 +699,7 @@ class RollingInstant:
     @property
     def energy_balance_residual(self) -> float:
         """
-        work minus stored and dissipated energy [J].
+        work minus stored and dissipated energy [J]. The energy of an axle counts as stored.
         """
     @property
     def error_estimate(self) -> float:
@@ -653,7 +709,7 @@ class RollingInstant:
     @property
     def load(self) -> float:
         """
-        load P [N].
+        load P [N]. Force between the bodies; a result if the axle has a mass, a spring or a damper, or if its height is given.
         """
     @property
     def max_pressure(self) -> float:
@@ -703,7 +759,7 @@ class RollingInstant:
     @property
     def work(self) -> float:
         """
-        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy.
+        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy. With an axle, the external force does the work of the load.
         """
 
 class InstantSeries:
@@ -711,6 +767,26 @@ class InstantSeries:
     def angle(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         angle turned ψ, positive forward [rad]. The contact moves r_o ψ along the track if nothing slips.
+        """
+    @property
+    def axle_acceleration(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        acceleration of the axle, upward [m/s^2]. Without an axle it is the change of the mean speed between two steps divided by the step.
+        """
+    @property
+    def axle_energy(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        kinetic energy of the axle and energy of its spring [J]. 0 without an axle.
+        """
+    @property
+    def axle_force(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        external force W on the axle, downward [N]. Equals the load without an axle.
+        """
+    @property
+    def axle_speed(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        speed of the axle, upward [m/s]. Without an axle it is the mean over the previous step.
         """
     @property
     def center_displacement(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -760,7 +836,7 @@ class InstantSeries:
     @property
     def energy_balance_residual(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        work minus stored and dissipated energy [J].
+        work minus stored and dissipated energy [J]. The energy of an axle counts as stored.
         """
     @property
     def error_estimate(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -770,7 +846,7 @@ class InstantSeries:
     @property
     def load(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        load P [N].
+        load P [N]. Force between the bodies; a result if the axle has a mass, a spring or a damper, or if its height is given.
         """
     @property
     def max_pressure(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -820,7 +896,7 @@ class InstantSeries:
     @property
     def work(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy.
+        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; in a jump, the work equals the change of the stored energy. With an axle, the external force does the work of the load.
         """
 
 class ContactField:
@@ -845,6 +921,7 @@ class RollingHistory:
         options: HistoryOptions,
         time: typing.SupportsFloat | typing.SupportsIndex,
         angle: typing.SupportsFloat | typing.SupportsIndex,
+        axle_height: typing.SupportsFloat | typing.SupportsIndex | None,
         progress: typing.Any,
     ) -> None: ...
     @typing.overload
@@ -856,6 +933,7 @@ class RollingHistory:
         load: typing.SupportsFloat | typing.SupportsIndex,
         state: numpy.typing.NDArray[numpy.float64],
         options: HistoryOptions,
+        axle_height: typing.SupportsFloat | typing.SupportsIndex | None,
         progress: typing.Any,
     ) -> None: ...
     def advance(
@@ -865,6 +943,7 @@ class RollingHistory:
         angle: typing.SupportsFloat | typing.SupportsIndex,
         load: typing.SupportsFloat | typing.SupportsIndex,
         center_displacement: typing.SupportsFloat | typing.SupportsIndex | None,
+        axle_height: typing.SupportsFloat | typing.SupportsIndex | None,
     ) -> None: ...
     def contact(self) -> ContactField: ...
     def copy(self) -> RollingHistory: ...
@@ -876,6 +955,7 @@ class RollingHistory:
         angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         center_displacement: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        axle_height: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         progress: typing.Any,
     ) -> InstantSeries: ...
     def state(self) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -1008,6 +1088,7 @@ def check_motion(
     angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     center_displacement: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    axle_height: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
 ) -> None: ...
 def complex_modulus(
     modulus: ShearModulus, omega: numpy.typing.NDArray[numpy.float64]

@@ -59,6 +59,7 @@ TEST(InvalidInput, NamesTheParameterByItsPathInATable) {
     EXPECT_STREQ(error.inside("ball.shear_modulus").what(),
                  "ball.shear_modulus.weights[0] must be in [0, 1], got -0.1");
     EXPECT_EQ(error.inside("ball.weights").parameter(), "ball.weights[0]");
+    EXPECT_EQ(error.inside("ball.weights").allowed()->maximum, 1.0);
   }
 }
 

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { caseOf, initialState, outerRadius, stateOf, withBody } from "../../python/viscoroll/app/page/case.js";
+import { caseOf, fileOf, initialState, outerRadius, stateOf } from "../../python/viscoroll/app/page/case.js";
 import { pointsOf, spread } from "../../python/viscoroll/app/page/curve.js";
 import { EXAMPLES, exampleState } from "../../python/viscoroll/app/page/examples.js";
 import { fragmentOf, stateOfFragment } from "../../python/viscoroll/app/page/link.js";
@@ -83,15 +83,7 @@ test("numerics without fields in the form are kept, except those of a mesh", () 
 
 test("unsupported keys are reported by name", () => {
   const tables = { ...README, numerics: { nodes_per_revolution: 500 }, other_ball: { core_radius: 1, layers: [] } };
-  assert.deepEqual(stateOf(tables).left, ["other_ball", "numerics.nodes_per_revolution"]);
-});
-
-test("changing between total load and load per length resets the load", () => {
-  const roller = withBody(initialState(), "cylinder");
-  assert.deepEqual(roller.load, [2, "N/mm"]);
-  assert.equal(caseOf(roller).rolling.load, 2000);
-  assert.deepEqual(withBody(roller, "wheel").load, [100, "N"]);
-  assert.deepEqual(withBody({ ...initialState(), on: "groove" }, "cylinder").on, "rigid");
+  assert.deepEqual(stateOf(tables).left, ["numerics.nodes_per_revolution", "other_ball"]);
 });
 
 test("a body is pressed by a load or by a penetration", () => {
@@ -102,6 +94,27 @@ test("a body is pressed by a load or by a penetration", () => {
   assert.deepEqual(left, []);
   assert.deepEqual(stateOfFragment(fragmentOf(pressed)), pressed);
   assert.ok(pointsOf(pressed, "load").every(({ unit, tables }) => unit === "mm" && !("load" in tables.rolling)));
+});
+
+test("keys with default values need no support", () => {
+  const plain = { sides: "free", hub: "straight", width: 0.03, core_radius: 0.02, layers: README.ball.layers };
+  const tables = { wheel: plain, rolling: { ...README.rolling, drive: { force: 0 } }, numerics: { curvature: "sphere" } };
+  assert.deepEqual(stateOf(tables).left, []);
+  const heated = { ...README.ball, layers: [{ ...README.ball.layers[0], conductivity: 0.2 }] };
+  assert.deepEqual(stateOf({ ...README, ball: heated }).left, ["ball.layers[0].conductivity"]);
+});
+
+test("the table of the temperature is that of the form, outside of the case", () => {
+  const heated = { ...initialState(), temperature: "on", ambient: [23, "°C"], core: "isothermal" };
+  const thermal = { convection: 10, ambient: 296.15, conductivity: 0.2, core: "isothermal" };
+  assert.deepEqual(fileOf(heated), { ...README, thermal });
+  assert.deepEqual(caseOf(heated), README);
+  assert.deepEqual(fileOf(stateOf(fileOf(heated)).state), fileOf(heated));
+  assert.deepEqual(stateOf(fileOf(heated)).left, []);
+  assert.deepEqual(stateOfFragment(fragmentOf(heated)), heated);
+  const solid = stateOf({ ...README, thermal: { ...thermal, core: 0.3, conductivity: [0.25], shift: {} } });
+  assert.deepEqual(fileOf(solid.state).thermal, { ...thermal, core: 0.3, conductivity: 0.25 });
+  assert.deepEqual(solid.left, ["thermal.conductivity"]);
 });
 
 test("a case without friction has no drive", () => {

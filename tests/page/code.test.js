@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { caseOf, initialState } from "../../python/viscoroll/app/page/case.js";
+import { caseOf, fileOf, initialState } from "../../python/viscoroll/app/page/case.js";
 import { caseFileOf, pythonOf } from "../../python/viscoroll/app/page/code.js";
 import { exampleState } from "../../python/viscoroll/app/page/examples.js";
 
@@ -14,6 +14,13 @@ test("Python code for the case of the README", () => {
   assert.match(text, /ball = vr\.CoatedSphere\(core_radius=0\.02, inner_boundary="rigid", layers=\[layer\]\)/);
   assert.match(text, /r = vr\.solve\(/);
   assert.ok(text.split("\n").every((line) => line.length <= 120));
+});
+
+test("Python code with a temperature", () => {
+  const text = pythonOf(fileOf({ ...initialState(), temperature: "on" }));
+  const call = 't = r.temperature(convection=10.0, ambient=293.15, conductivity=0.2, core="insulated")\nprint(t)\n';
+  assert.ok(text.endsWith(`print(r)\n${call}`), text);
+  assert.match(caseFileOf(fileOf({ ...initialState(), temperature: "on" })), /^\[thermal\]\nconvection = 10\.0\n/m);
 });
 
 test("Python code for data sheets calls the conversion functions", () => {

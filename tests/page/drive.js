@@ -36,6 +36,14 @@ async function refined(page) {
   );
 }
 
+/** Wait for the answer for a load [N]. */
+const answered = (page, load) =>
+  page.waitForFunction(
+    (newton) => JSON.parse(document.getElementById("answer").dataset.of ?? "{}").rolling?.load === newton,
+    {},
+    load,
+  );
+
 /** Slider next to the field of a label. */
 const slider = (page, label) => page.$(`input[aria-label="${label}, slider"]`);
 
@@ -55,9 +63,13 @@ seen.readme = await refined(page);
 seen.start = (performance.now() - begun) / 1e3;
 await page.waitForSelector('#curve[data-filling="done"]', { timeout: 60_000 });
 seen.points = await page.$$eval("#curve circle.dot", (dots) => dots.length);
-await page.setViewport({ width: 1280, height: 1350 });
 await page.screenshot({ path: join(folder, "try-1280.png") });
-await page.setViewport({ width: 1280, height: 900 });
+seen.inView = await page.evaluate(() =>
+  ["load", "speed"].every((label) => {
+    const slider = document.querySelector(`input[aria-label="${label}, slider"]`);
+    return slider.getBoundingClientRect().bottom < innerHeight;
+  }),
+);
 
 // Thirty moves of a slider; the last value is solved.
 const load = await slider(page, "load");
@@ -75,19 +87,47 @@ seen.load = await page.$eval(
   "#form",
   () => JSON.parse(atob(location.hash.slice(1).replaceAll("-", "+").replaceAll("_", "/"))).load,
 );
-await page.waitForFunction(
-  (newton) => JSON.parse(document.getElementById("answer").dataset.of).rolling.load === newton,
-  {},
-  seen.load[0],
-);
+await answered(page, seen.load[0]);
 seen.answered = (performance.now() - moved) / 1e3;
 seen.moved = await refined(page);
 
 // The copied text is this case, and a link restores it.
 seen.python = await text(page, "#copy-python");
 seen.caseFile = await text(page, "#copy-case");
-seen.link = await text(page, "#copy-link");
+seen.hasLink = await page.$eval("#copy-link", (button) => !button.hidden);
+seen.link = seen.hasLink ? await text(page, "#copy-link") : page.url();
 seen.restored = await refined(await open(seen.link));
+
+// So does the copied case file, if it is opened or dropped on the page.
+const file = join(folder, "case.toml");
+writeFileSync(file, seen.caseFile);
+const other = await open(address);
+await (await other.$("#case-file")).uploadFile(file);
+await answered(other, seen.load[0]);
+seen.opened = await refined(other);
+await other.evaluate((content) => {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File([content], "dropped.toml"));
+  document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+}, "wheel = 5");
+await other.waitForSelector('#file-said[data-kind="error"]');
+seen.dropped = await other.$eval("#file-said", (said) => said.textContent);
+
+// The numbers of a kept case appear beside those of the next one.
+await other.waitForSelector("#keep:not([disabled])");
+await other.click("#keep");
+await other.select("#examples", "paper");
+await answered(other, 100);
+await refined(other);
+seen.kept = await other.$eval('#numbers [data-scalar="strain"] + .kept', (note) => note.textContent);
+
+// The server of `viscoroll app` also computes temperatures.
+const heated = await open(`${address}#${Buffer.from(JSON.stringify({ temperature: "on" })).toString("base64url")}`);
+const legends = await heated.$$eval("#form legend", (all) => all.map(({ textContent }) => textContent));
+seen.hasTemperature = legends.includes("Temperature");
+if (seen.hasTemperature) await heated.waitForSelector("#temperature .card", { timeout: 60_000 });
+seen.hottest = await heated.$$eval("#temperature .card dd", (cards) => cards[0]?.textContent);
+seen.charts = await heated.$$eval("#temperature svg", (charts) => charts.length);
 
 // The field of a wrong number displays the error; a new number removes it.
 await page.bringToFront();

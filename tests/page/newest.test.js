@@ -26,6 +26,7 @@ function noted(solver) {
   const newest = new Newest(solver, {
     solving: () => {},
     solved: (_, { stage }) => told.push(stage),
+    temperature: (answer) => told.push(answer),
     point: (place) => {
       told.push(place);
       if (place === 1) done();
@@ -56,6 +57,15 @@ test("a change aborts the refinement", async () => {
   newest.ask(tables(2), 0.02, curve);
   await end;
   assert.deepEqual(told, ["coarse", "coarse", "fine", 0, 1]);
+});
+
+test("a temperature follows the refined result", async () => {
+  const solver = slowSolver(1);
+  solver.temperature = async ({ case: { rolling }, thermal }) => `${rolling.load} ${thermal.convection}`;
+  const { newest, told, end } = noted(solver);
+  newest.ask(tables(1), 0.02, curve, { convection: 10 });
+  await end;
+  assert.deepEqual(told, ["coarse", "fine", "1 10", 0, 1]);
 });
 
 test("a failure is reported, and the next case is solved", async () => {

@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { UNITS } from "../../python/viscoroll/app/page/unit_table.js";
 import {
   SI,
-  UNITS,
   fromSI,
   numberText,
   quantityText,
@@ -55,7 +55,10 @@ test("results are displayed in the usual units", () => {
   assert.equal(quantityText(2.2e-5, "m^2"), "22 mm²");
   assert.equal(quantityText(-0.25, "N"), "−250 mN");
   assert.equal(quantityText(0.0054, "1"), "0.0054");
-  assert.equal(quantityText(null, "m"), "–");
+  assert.equal(quantityText(null, "m"), "undetermined");
+  assert.equal(quantityText(0.0359721, "N", 0.009), "36.0 ± 0.3 mN");
+  assert.equal(quantityText(-466.43, "N", 0.16), "−470 ± 70 N");
+  assert.equal(quantityText(11.391712, "N m", 1e-9), "11.3917 N m");
   assert.equal(numberText(6e6), "6·10⁶");
   assert.equal(numberText(2.5e-7), "2.5·10⁻⁷");
 });

@@ -391,7 +391,17 @@ export interface Result {
   fields?: Fields;
 }
 
-/** An error. `parameter`, `rule` and `value` are null if the error does not concern the value of a parameter. */
+/** Interval of the allowed values of a number, in an SI unit, which is empty for a pure number. */
+export interface Range {
+  unit: string;
+  /** An end that does not exist is null. */
+  minimum: number | null;
+  maximum: number | null;
+  excludes_minimum: boolean;
+  excludes_maximum: boolean;
+}
+
+/** An error. `parameter`, `rule`, `value` and `allowed` are null if the error does not concern the value of a parameter. */
 export interface Failure {
   message: string;
   /** Path in the case, such as "ball.layers[0].thickness". */
@@ -399,6 +409,8 @@ export interface Failure {
   /** Rule that the value violates, with range and unit, such as "must be > 0 m". */
   rule: string | null;
   value: string | null;
+  /** Range that the value leaves; null if the rule is not a range. */
+  allowed: Range | null;
 }
 
 export type Answer = { result: Result; error?: undefined } | { error: Failure; result?: undefined };
@@ -407,6 +419,10 @@ export interface Scalar {
   name: string;
   unit: string;
   description: string;
+  /** Part of a report: "answer", "friction" (of the answer, with friction), "certainty" or "other". */
+  group: string;
+  /** Names of the relative error estimates whose sum limits the digits; "%" for a ratio displayed in percent. */
+  precision: string;
 }
 
 /** Solve a case on the calling thread; a page should call it in a worker. For invalid input, return an error. */

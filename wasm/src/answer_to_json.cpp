@@ -100,7 +100,7 @@ class Nodes {
 
 Json result_to_json(const Result& result) {
   Json scalars;
-#define VISCOROLL_SCALAR(type, name, unit, label, details) scalars[#name] = or_null(result.name);
+#define VISCOROLL_SCALAR(type, name, group, precision, unit, label, details) scalars[#name] = or_null(result.name);
 #include "viscoroll/result_scalars.def"
 #undef VISCOROLL_SCALAR
   scalars["contact_nodes"] = result.refinements.back().contact_nodes;
@@ -128,7 +128,8 @@ Json fields_to_json(const Result& result, bool with_friction) {
 
 Json scalars_to_json() {
   return {
-#define VISCOROLL_SCALAR(type, name, unit, label, details) {{"name", #name}, {"unit", unit}, {"description", label}},
+#define VISCOROLL_SCALAR(type, name, group, precision, unit, label, details) \
+  {{"name", #name}, {"unit", unit}, {"description", label}, {"group", #group}, {"precision", precision}},
 #include "viscoroll/result_scalars.def"
 #undef VISCOROLL_SCALAR
   };

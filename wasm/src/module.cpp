@@ -1,8 +1,10 @@
 /// @file
 /// @brief Functions exported by the WebAssembly module. Arguments and results are JSON texts.
 
+#include <cmath>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 
 #include "answer_to_json.hpp"
@@ -42,7 +44,20 @@ Json solved(const Json& request) {
 }
 
 Json other_error(const char* message) {
-  return {{"error", {{"message", message}, {"parameter", nullptr}, {"rule", nullptr}, {"value", nullptr}}}};
+  return {
+      {"error",
+       {{"message", message}, {"parameter", nullptr}, {"rule", nullptr}, {"value", nullptr}, {"allowed", nullptr}}}};
+}
+
+/// Return unit and ends of a range; an end that does not exist is null.
+Json range_to_json(const std::optional<Range>& range) {
+  if (!range) return nullptr;
+  const auto end = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  return {{"unit", range->unit},
+          {"minimum", end(range->minimum)},
+          {"maximum", end(range->maximum)},
+          {"excludes_minimum", range->excludes_minimum},
+          {"excludes_maximum", range->excludes_maximum}};
 }
 
 Json answer_to(const char* request) {
@@ -53,7 +68,8 @@ Json answer_to(const char* request) {
              {{"message", error.what()},
               {"parameter", error.parameter()},
               {"rule", error.rule()},
-              {"value", error.value()}}}};
+              {"value", error.value()},
+              {"allowed", range_to_json(error.allowed())}}}};
   } catch (const std::bad_alloc&) {
     return other_error("out of memory: use a coarser mesh or a larger accuracy");
   } catch (const std::exception& error) {

@@ -56,7 +56,7 @@ struct Refinement {
 
 /// @brief Scalar results in SI units. The members have the names in `result_scalars.def`.
 struct ResultScalars {
-#define VISCOROLL_SCALAR(type, name, unit, label, details) type name{};
+#define VISCOROLL_SCALAR(type, name, group, precision, unit, label, details) type name{};
 #include "viscoroll/result_scalars.def"
 #undef VISCOROLL_SCALAR
 };

@@ -10,11 +10,13 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "viscoroll/formulation.hpp"
 #include "viscoroll/mesh.hpp"
 #include "viscoroll/observer.hpp"
+#include "viscoroll/profile.hpp"
 #include "viscoroll/rolling_body.hpp"
 
 namespace viscoroll {
@@ -24,6 +26,26 @@ enum class Start {
   relaxed,     ///< the load has acted for an infinite time
   undeformed,  ///< the load is applied instantaneously at the first instant
 };
+
+/// @brief Mass, spring and damper between the rolling body and a frame, which moves at a constant height. Spring and
+/// damper exert no force at the start, where the external force is the load. At least one member is positive. In line
+/// contact, all are per unit length.
+struct Axle {
+  double mass = 0.0;       ///< mass that moves up and down with the axle [kg]
+  double stiffness = 0.0;  ///< of the spring [N/m]
+  double damping = 0.0;    ///< force of the damper per speed [N s/m]
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"mass", &Axle::mass, true}, Field{"stiffness", &Axle::stiffness, true},
+                      Field{"damping", &Axle::damping, true}};
+  }
+
+  friend bool operator==(const Axle&, const Axle&) = default;
+};
+
+/// @brief Check an axle.
+/// @throws InvalidInput naming parameter, value, unit and range
+void validate(const Axle& axle);
 
 /// @brief Options of a transient computation.
 struct HistoryOptions {
@@ -38,7 +60,13 @@ struct HistoryOptions {
   std::optional<double> driving_torque = std::nullopt;
   double mass = 0.0;          ///< mass that moves with the center [kg], >= 0; a mass > 0 requires friction
   double center_speed = 0.0;  ///< initial speed of the center, positive forward [m/s]; requires a mass
-  int averaged_meshes = 4;    ///< number of phase-shifted meshes over which results are averaged, 1 to 16
+  /// Height of the ground over the distance r_o psi along the track, the same across the track; none: smooth.
+  std::optional<HeightProfile> ground = std::nullopt;
+  /// Height of the tread over the circumference: the point that meets the track at the distance r_o psi in the first
+  /// revolution; none: smooth.
+  std::optional<HeightProfile> tread = std::nullopt;
+  std::optional<Axle> axle = std::nullopt;  ///< none: the load acts on the contact itself
+  int averaged_meshes = 4;                  ///< number of phase-shifted meshes over which results are averaged, 1 to 16
   /// Number of time steps while the body turns by one mesh spacing, 1 to 64; none: one step from each waypoint to the
   /// next.
   std::optional<int> steps_per_spacing = 4;
@@ -72,10 +100,14 @@ struct ContactField {
 struct Motion {
   std::vector<double> time;   ///< times of the waypoints [s], at least one, not decreasing
   std::vector<double> angle;  ///< angle psi at each waypoint [rad]
-  std::vector<double> load;   ///< load P at each waypoint [N], >= 0; at 0 the body has lifted off
+  /// Load P at each waypoint [N], >= 0; at 0 the body has lifted off. With an axle, the external force on the axle.
+  std::vector<double> load;
   /// Distance traveled by the center from the first waypoint to each waypoint [m]; requires friction. Empty: the forces
   /// on the center determine it.
   std::vector<double> center_displacement = {};
+  /// Height of the axle at each waypoint, in place of the load [m]: r_o minus the penetration. Empty: the load is
+  /// given.
+  std::vector<double> axle_height = {};
 };
 
 /// @brief Check a motion.
@@ -105,17 +137,20 @@ class RollingHistory {
   /// @param[in] options options of the computation
   /// @param[in] time,angle time [s] and angle [rad] of the first instant
   /// @param[in] observer progress and cancellation
+  /// @param[in] axle_height height of the axle at the first instant, r_o minus the penetration [m]; `load` then only
+  /// determines the mesh; none: the load is given
   /// @throws InvalidInput for invalid input, and for layers to which the transient method does not apply
   RollingHistory(const RollingBody& body, const Counterbody& on, double load, Start start = Start::relaxed,
                  const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
-                 const Observer& observer = {});
+                 const Observer& observer = {}, std::optional<double> axle_height = std::nullopt);
   /// @brief Continue from a stored state.
   /// @param[in] load first load of the motion, > 0, which determines the mesh if `options` has none [N] or [N/m]
   /// @param[in] state state of a history of the same bodies and options
-  /// @param[in] body,on,options,observer same as in the constructor above
+  /// @param[in] body,on,options,observer,axle_height same as in the constructor above
   /// @throws InvalidInput for invalid input, and for a state of other bodies or of other options
   RollingHistory(const RollingBody& body, const Counterbody& on, double load, const RollingState& state,
-                 const HistoryOptions& options = {}, const Observer& observer = {});
+                 const HistoryOptions& options = {}, const Observer& observer = {},
+                 std::optional<double> axle_height = std::nullopt);
   RollingHistory(const RollingHistory& other);
   RollingHistory(RollingHistory&& other) noexcept;
   RollingHistory& operator=(const RollingHistory& other);
@@ -127,16 +162,18 @@ class RollingHistory {
   /// After an exception the history is unchanged.
   /// @param[in] time time at the end [s], not before `current()`; equal to it for a jump
   /// @param[in] angle angle at the end [rad]
-  /// @param[in] load load at the end [N], >= 0; at 0 the body has lifted off
+  /// @param[in] load load at the end [N], >= 0; at 0 the body has lifted off. With an axle, the external force on it
   /// @param[in] center_displacement distance traveled by the center since the first instant [m]; requires friction;
   /// none: the forces on the center determine it
   /// @param[in] observer progress and cancellation
+  /// @param[in] axle_height height of the axle at the end [m], which replaces the load; none: the load is given
   /// @return scalars at the end
   /// @throws InvalidInput for invalid input, and for a drive that friction cannot balance
   /// @throws ConvergenceError if the contact iteration does not converge
   /// @throws Canceled if the observer canceled the computation
   RollingInstant advance(double time, double angle, double load,
-                         std::optional<double> center_displacement = std::nullopt, const Observer& observer = {});
+                         std::optional<double> center_displacement = std::nullopt, const Observer& observer = {},
+                         std::optional<double> axle_height = std::nullopt);
 
   /// @return scalars at the current instant
   [[nodiscard]] const RollingInstant& current() const;

@@ -22,6 +22,7 @@
 #include "viscoroll/observer.hpp"            // IWYU pragma: export
 #include "viscoroll/options.hpp"             // IWYU pragma: export
 #include "viscoroll/plane.hpp"               // IWYU pragma: export
+#include "viscoroll/profile.hpp"             // IWYU pragma: export
 #include "viscoroll/result.hpp"              // IWYU pragma: export
 #include "viscoroll/rolling_body.hpp"        // IWYU pragma: export
 #include "viscoroll/rolling_history.hpp"     // IWYU pragma: export

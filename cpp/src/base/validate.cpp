@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "viscoroll/errors.hpp"
 
@@ -21,13 +22,28 @@ std::string message(const std::string& parameter, const std::string& rule, const
 
 }  // namespace
 
+bool Range::contains(double value) const noexcept {
+  return std::isfinite(value) && (excludes_minimum ? value > minimum : value >= minimum) &&
+         (excludes_maximum ? value < maximum : value <= maximum);
+}
+
+std::string Range::text() const {
+  const std::string after = unit.empty() ? "" : " " + unit;
+  if (std::isinf(minimum) && std::isinf(maximum)) return "finite";
+  if (std::isinf(maximum)) return (excludes_minimum ? "> " : ">= ") + detail::text(minimum) + after;
+  if (std::isinf(minimum)) return (excludes_maximum ? "< " : "<= ") + detail::text(maximum) + after;
+  return std::string("in ") + (excludes_minimum ? "(" : "[") + detail::text(minimum) + ", " + detail::text(maximum) +
+         (excludes_maximum ? ")" : "]") + after;
+}
+
 InvalidInput::InvalidInput(const std::string& parameter, const std::string& rule, const std::string& value,
-                           const std::string& more)
+                           const std::string& more, std::optional<Range> allowed)
     : std::invalid_argument(message(parameter, rule, value, more)),
       parameter_(parameter),
       rule_(rule),
       value_(value),
-      more_(more) {}
+      more_(more),
+      allowed_(std::move(allowed)) {}
 
 InvalidInput InvalidInput::inside(std::string_view table) const {
   const std::size_t dot = table.rfind('.');
@@ -35,7 +51,7 @@ InvalidInput InvalidInput::inside(std::string_view table) const {
   const std::string_view rest = std::string_view(parameter_).substr(std::min(last.size(), parameter_.size()));
   const bool repeated = parameter_.starts_with(last) && (rest.empty() || rest.front() == '.' || rest.front() == '[');
   const std::string above(table.substr(0, repeated ? table.size() - last.size() : table.size()));
-  return {above + (repeated ? "" : ".") + parameter_, rule_, value_, more_};
+  return {above + (repeated ? "" : ".") + parameter_, rule_, value_, more_, allowed_};
 }
 
 }  // namespace viscoroll
@@ -91,36 +107,43 @@ std::string rounded(double value) { return printed("%.*g", 3, value); }
 
 #endif
 
-void reject(std::string_view name, std::string_view requirement, std::string_view value) {
-  throw InvalidInput(std::string(name), "must be " + std::string(requirement), std::string(value));
+void reject(std::string_view name, std::string_view requirement, std::string_view value, std::optional<Range> range) {
+  throw InvalidInput(std::string(name), "must be " + std::string(requirement), std::string(value), "",
+                     std::move(range));
 }
 
-void reject(std::string_view name, std::string_view requirement, double value) {
-  reject(name, requirement, text(value));
+void reject(std::string_view name, std::string_view requirement, double value, std::optional<Range> range) {
+  reject(name, requirement, text(value), std::move(range));
 }
 
-namespace {
-
-/// Value with its unit, such as "0 Pa", or the value alone if the unit is empty.
-std::string with_unit(double value, std::string_view unit) {
-  return unit.empty() ? text(value) : text(value) + " " + std::string(unit);
+void reject(std::string_view name, const Range& range, std::string_view value, std::string_view reason) {
+  reject(name, range.text() + std::string(reason), value, range);
 }
 
-void require_at_most_largest(std::string_view name, double value, std::string_view unit) {
-  if (value > kLargestNumber) reject(name, "at most " + with_unit(kLargestNumber, unit), value);
+void reject(std::string_view name, const Range& range, double value, std::string_view reason) {
+  reject(name, range, text(value), reason);
 }
 
-}  // namespace
+void require_in(const Range& range, std::string_view name, double value, std::string_view reason) {
+  if (!range.contains(value)) reject(name, range, value, reason);
+}
+
+void require_count(std::string_view name, int value, int least, int most, std::string_view reason) {
+  if (value >= least && value <= most) return;
+  const Range range{.minimum = static_cast<double>(least), .maximum = static_cast<double>(most)};
+  reject(name, "in [" + std::to_string(least) + ", " + std::to_string(most) + "]" + std::string(reason),
+         std::to_string(value), range);
+}
 
 void require_positive(std::string_view name, double value, std::string_view unit) {
-  if (!(std::isfinite(value) && value > 0.0)) reject(name, "> " + with_unit(0.0, unit), value);
-  if (value < kSmallestNumber) reject(name, "at least " + with_unit(kSmallestNumber, unit), value);
-  require_at_most_largest(name, value, unit);
+  require_in({.unit = std::string(unit), .minimum = 0.0, .excludes_minimum = true}, name, value);
+  require_in({.unit = std::string(unit), .minimum = kSmallestNumber}, name, value);
+  require_in({.unit = std::string(unit), .maximum = kLargestNumber}, name, value);
 }
 
 void require_nonnegative(std::string_view name, double value, std::string_view unit) {
-  if (!(std::isfinite(value) && value >= 0.0)) reject(name, ">= " + with_unit(0.0, unit), value);
-  require_at_most_largest(name, value, unit);
+  require_in({.unit = std::string(unit), .minimum = 0.0}, name, value);
+  require_in({.unit = std::string(unit), .maximum = kLargestNumber}, name, value);
 }
 
 void require_length(std::string_view name, double value, double radius, std::string_view body) {
@@ -129,19 +152,16 @@ void require_length(std::string_view name, double value, double radius, std::str
   reject(name,
          "at least " + rounded(1.0 / kLargestLengthRatio) + " of the radius of " + std::string(body) + ", " +
              rounded(least) + " m",
-         text(value) + " m");
+         text(value) + " m", Range{.unit = "m", .minimum = least});
 }
 
 void require_friction(double value) {
   if (value == std::numeric_limits<double>::infinity()) return;
   require_nonnegative("friction", value, "");
-  if (value <= kLargestFriction) return;
-  reject("friction",
-         "at most " + text(kLargestFriction) + " (no pair of materials has more), or infinite for full stick", value);
+  require_in({.maximum = kLargestFriction}, "friction", value,
+             " (no pair of materials has more), or infinite for full stick");
 }
 
-void require_finite(std::string_view name, double value) {
-  if (!std::isfinite(value)) reject(name, "finite", value);
-}
+void require_finite(std::string_view name, double value) { require_in({}, name, value); }
 
 }  // namespace viscoroll::detail

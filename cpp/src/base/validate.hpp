@@ -2,8 +2,11 @@
 /// @brief Checks of values. A message names parameter, requirement with unit, and the given value.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 
@@ -14,9 +17,33 @@ namespace viscoroll::detail {
 [[nodiscard]] std::string rounded(double value);
 
 /// @brief Reject a value with the message "<name> must be <requirement>, got <value>".
+/// @param[in] name name of the parameter
+/// @param[in] requirement end of the rule
+/// @param[in] value value, or its text
+/// @param[in] range range of which the requirement is the text, if it is one
 /// @throws InvalidInput always
-[[noreturn]] void reject(std::string_view name, std::string_view requirement, std::string_view value);
-[[noreturn]] void reject(std::string_view name, std::string_view requirement, double value);
+[[noreturn]] void reject(std::string_view name, std::string_view requirement, std::string_view value,
+                         std::optional<Range> range = {});
+[[noreturn]] void reject(std::string_view name, std::string_view requirement, double value,
+                         std::optional<Range> range = {});
+
+/// @brief Reject a value outside of a range with the message "<name> must be <range><reason>, got <value>".
+/// @param[in] name name of the parameter
+/// @param[in] range allowed values
+/// @param[in] value value, or its text
+/// @param[in] reason continues the text of the range; may be empty
+/// @throws InvalidInput always
+[[noreturn]] void reject(std::string_view name, const Range& range, std::string_view value,
+                         std::string_view reason = "");
+[[noreturn]] void reject(std::string_view name, const Range& range, double value, std::string_view reason = "");
+
+/// @brief Check a number.
+/// @throws InvalidInput unless `range` contains `value`
+void require_in(const Range& range, std::string_view name, double value, std::string_view reason = "");
+
+/// @brief Check a whole number.
+/// @throws InvalidInput unless it is at least `least` and at most `most`
+void require_count(std::string_view name, int value, int least, int most, std::string_view reason = "");
 
 /// Range of positive numbers in SI units. The seventh power of such a number is finite, and so are the products of
 /// several numbers. Lengths, times, moduli and loads in practice are far within this range.

@@ -14,10 +14,7 @@ InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_spee
                                  int theta_reach, int threads, Curvature curvature, const Observer& observer) {
   validate(mesh);
   const auto require_reach = [](const char* name, int reach, int nodes) {
-    if (reach < 0 || reach > nodes / 2) {
-      detail::reject(name, "in [0, " + std::to_string(nodes / 2) + "] (at most half of the nodes per revolution)",
-                     std::to_string(reach));
-    }
+    detail::require_count(name, reach, 0, nodes / 2, " (at most half of the nodes per revolution)");
   };
   require_reach("phi_reach", phi_reach, mesh.nodes_per_revolution);
   require_reach("theta_reach", theta_reach, theta_nodes_per_revolution(mesh));

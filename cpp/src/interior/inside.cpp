@@ -51,7 +51,8 @@ std::vector<Place> places_at(const LayeredShape& shape, std::span<const double> 
       detail::reject(is_plane ? "height" : "radius",
                      "in [" + detail::text(ends.front()) + ", " + detail::text(ends.back()) + "] m" +
                          (is_plane ? "" : " and > 0 m"),
-                     detail::text(position) + " m");
+                     detail::text(position) + " m",
+                     Range{.unit = "m", .minimum = ends.front(), .maximum = ends.back()});
     }
   }
   return places;

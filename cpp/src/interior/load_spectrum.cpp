@@ -113,7 +113,8 @@ void validate(const Tractions& tractions) {
   require_orders(tractions.curvature);
   const auto require_odd = [](const char* name, int nodes, int most, const char* which) {
     if (nodes < 1 || nodes % 2 == 0 || nodes > most) {
-      reject(name, "odd and in [1, " + std::to_string(most) + "] (" + which + ")", std::to_string(nodes));
+      reject(name, "odd and in [1, " + std::to_string(most) + "] (" + which + ")", std::to_string(nodes),
+             Range{.minimum = 1.0, .maximum = static_cast<double>(most)});
     }
   };
   constexpr auto kHalf = "at most half of the nodes per revolution";
@@ -127,7 +128,8 @@ void validate(const Tractions& tractions) {
     require_odd("tractions.theta_nodes", tractions.theta_nodes, theta_nodes_per_revolution(tractions.mesh) / 2, kHalf);
   }
   if (tractions.crown_radius && !(*tractions.crown_radius > 0.0)) {
-    reject("tractions.crown_radius", "> 0 m", *tractions.crown_radius);
+    reject("tractions.crown_radius", Range{.unit = "m", .minimum = 0.0, .excludes_minimum = true},
+           *tractions.crown_radius);
   }
   if (tractions.line && tractions.theta_nodes != 1) {
     reject("tractions.theta_nodes", "1 in line contact", std::to_string(tractions.theta_nodes));

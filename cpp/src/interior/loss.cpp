@@ -337,9 +337,7 @@ LossDensity loss_density(const LayeredShape& shape, double angular_speed, const 
   const detail::Inside inside = detail::inside_of(shape, angular_speed, tractions);
   detail::require_layers_and_speed(inside.body, inside.angular_speed);
   detail::require_thread_count(threads);
-  if (max_order < 1 || max_order > kHighestOrder) {
-    detail::reject("max_order", "in [1, " + std::to_string(kHighestOrder) + "]", std::to_string(max_order));
-  }
+  detail::require_count("max_order", max_order, 1, kHighestOrder);
   detail::OrdersAlong m(inside.body.metric, max_order);
   auto nodes = detail::volume_nodes(inside.body, m.orders.front(), max_order);
   const std::size_t integrated = nodes.places.size();

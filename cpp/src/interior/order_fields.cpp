@@ -33,7 +33,7 @@ std::vector<cplx> order_fields(const LayeredShape& shape, double angular_speed, 
   }
   std::vector<double> magnitudes;
   for (const int order : m) {
-    if (order < -kHighestOrder || order > kHighestOrder) detail::reject("m", "in [-1e6, 1e6]", std::to_string(order));
+    detail::require_count("m", order, -kHighestOrder, kHighestOrder);
     magnitudes.push_back(std::abs(order));
   }
   const bool across = !std::holds_alternative<CoatedCylinder>(shape);

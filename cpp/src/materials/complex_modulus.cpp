@@ -16,6 +16,7 @@ namespace {
 
 using detail::reject;
 using detail::require_nonnegative;
+using detail::require_in;
 using detail::require_positive;
 using detail::text;
 using cplx = std::complex<double>;
@@ -41,7 +42,7 @@ struct Validator {
     for (std::size_t k = 0; k < m.weights.size(); ++k) {
       const std::string index = "[" + std::to_string(k) + "]";
       if (!(m.weights[k] >= 0.0 && m.weights[k] <= kLargestSum)) {
-        reject(joined(prefix, "weights") + index, "in [0, 1]", m.weights[k]);
+        reject(joined(prefix, "weights") + index, Range{.minimum = 0.0, .maximum = 1.0}, m.weights[k]);
       }
       require_positive(joined(prefix, "relaxation_times") + index, m.relaxation_times[k], "s");
     }
@@ -60,7 +61,7 @@ struct Validator {
 
   void operator()(const HavriliakNegami& m) const {
     check_dispersion(m);
-    if (!(m.asymmetry > 0.0 && m.asymmetry <= 1.0)) reject(joined(prefix, "asymmetry"), "in (0, 1]", m.asymmetry);
+    require_in(kFraction, joined(prefix, "asymmetry"), m.asymmetry);
   }
 
   void operator()(const MasterCurve& m) const { detail::validate_table(m, prefix); }
@@ -70,15 +71,17 @@ struct Validator {
   }
 
  private:
+  inline static const Range kFraction{.minimum = 0.0, .maximum = 1.0, .excludes_minimum = true};
+
   template <class Solid>
   void check_dispersion(const Solid& m) const {
     require_positive(joined(prefix, "relaxed_modulus"), m.relaxed_modulus, "Pa");
     if (!(std::isfinite(m.instantaneous_modulus) && m.instantaneous_modulus >= m.relaxed_modulus)) {
       reject(joined(prefix, "instantaneous_modulus"), ">= relaxed_modulus = " + text(m.relaxed_modulus) + " Pa",
-             m.instantaneous_modulus);
+             m.instantaneous_modulus, Range{.unit = "Pa", .minimum = m.relaxed_modulus});
     }
     require_positive(joined(prefix, "relaxation_time"), m.relaxation_time, "s");
-    if (!(m.order > 0.0 && m.order <= 1.0)) reject(joined(prefix, "order"), "in (0, 1]", m.order);
+    require_in(kFraction, joined(prefix, "order"), m.order);
   }
 };
 
@@ -152,7 +155,9 @@ void require_passive(double omega, cplx mu) {
   if (!(std::isfinite(mu.real()) && std::isfinite(mu.imag()))) {
     reject(where, "finite", text(mu.real()) + (mu.imag() < 0 ? " - " : " + ") + text(std::abs(mu.imag())) + "i Pa");
   }
-  if (!(mu.real() > 0.0)) reject(where, "such that the storage modulus is > 0 Pa", mu.real());
+  if (!(mu.real() > 0.0))
+    reject(where, "such that the storage modulus is > 0 Pa", mu.real(),
+           Range{.unit = "Pa", .minimum = 0.0, .excludes_minimum = true});
   // A negative loss modulus of the size of round-off belongs to a material without loss.
   if (mu.imag() < -1e-12 * mu.real()) reject(where, "passive, such that the loss modulus is >= 0 Pa", mu.imag());
 }
@@ -164,7 +169,8 @@ Prony standard_linear_solid(double instantaneous_modulus, double relaxed_modulus
   require_positive("relaxed_modulus", relaxed_modulus, "Pa");
   require_positive("relaxation_time", relaxation_time, "s");
   if (relaxed_modulus > instantaneous_modulus) {
-    reject("relaxed_modulus", "<= instantaneous_modulus = " + text(instantaneous_modulus) + " Pa", relaxed_modulus);
+    reject("relaxed_modulus", "<= instantaneous_modulus = " + text(instantaneous_modulus) + " Pa", relaxed_modulus,
+           Range{.unit = "Pa", .maximum = instantaneous_modulus});
   }
   // At lower ratios, round-off of the stored weight, 1 - ratio, leaves fewer than four digits of the modulus.
   constexpr double kSmallestRatio = 1e-12;
@@ -172,7 +178,7 @@ Prony standard_linear_solid(double instantaneous_modulus, double relaxed_modulus
     reject("relaxed_modulus",
            ">= " + text(kSmallestRatio) + " instantaneous_modulus = " + text(kSmallestRatio * instantaneous_modulus) +
                " Pa",
-           relaxed_modulus);
+           relaxed_modulus, Range{.unit = "Pa", .minimum = kSmallestRatio * instantaneous_modulus});
   }
   if (relaxed_modulus == instantaneous_modulus) return {.instantaneous_modulus = instantaneous_modulus};
   return {.instantaneous_modulus = instantaneous_modulus,
@@ -185,7 +191,7 @@ void validate(const ShearModulus& modulus, std::string_view prefix) { std::visit
 std::vector<cplx> complex_modulus(const ShearModulus& modulus, std::span<const double> omega) {
   validate(modulus);
   for (const double w : omega) {
-    if (!(std::isfinite(w) && w >= 0.0)) detail::reject("omega", ">= 0 rad/s", w);
+    detail::require_in({.unit = "rad/s", .minimum = 0.0}, "omega", w);
   }
   // An entry that a custom function does not write stays NaN, which `require_passive` rejects.
   std::vector<cplx> mu(omega.size(), cplx(std::numeric_limits<double>::quiet_NaN()));

@@ -53,16 +53,15 @@ double until_force_vanishes(double fraction) {
 
 Estimate hardness_to_modulus(double hardness, ShoreScale scale) {
   const bool is_a = scale == ShoreScale::a;
-  const double low = is_a ? 20.0 : 30.0;
-  const double high = is_a ? 90.0 : 85.0;
-  if (!(hardness >= low && hardness <= high)) {
+  const Range range = is_a ? Range{.unit = "Shore A", .minimum = 20.0, .maximum = 90.0}
+                           : Range{.unit = "Shore D", .minimum = 30.0, .maximum = 85.0};
+  if (!range.contains(hardness)) {
     std::string given = detail::text(hardness);
-    if (is_a && hardness > high && hardness <= 100.0) {
+    if (is_a && hardness > range.maximum && hardness <= 100.0) {
       given += "; use scale='D' for harder materials: " + given + " Shore A is about " +
                detail::text(hardness - kShoreAOfD) + " Shore D";
     }
-    detail::reject("hardness", "in [" + detail::text(low) + ", " + detail::text(high) + "] Shore " + (is_a ? "A" : "D"),
-                   given);
+    detail::reject("hardness", range, given);
   }
   if (!is_a) {
     const double value = qi(hardness + kShoreAOfD);
@@ -75,10 +74,11 @@ Estimate hardness_to_modulus(double hardness, ShoreScale scale) {
 }
 
 Estimate rebound_to_loss_factor(double rebound) {
-  if (!(rebound >= 0.02 && rebound < 1.0)) {
+  const Range range{.minimum = 0.02, .maximum = 1.0, .excludes_maximum = true};
+  if (!range.contains(rebound)) {
     std::string given = detail::text(rebound);
     if (rebound > 1.0 && rebound <= 100.0) given += "; " + given + " % is " + detail::text(rebound / 100.0);
-    detail::reject("rebound", "in [0.02, 1), as a fraction of the energy", given);
+    detail::reject("rebound", range, given, ", as a fraction of the energy");
   }
   return {.value = half_cycle(rebound),
           .lower = half_cycle(std::min(rebound + kRounding, 1.0)),

@@ -121,12 +121,13 @@ std::optional<LongTimes> long_times(const LossFactor& law) {
     require_absent("creep_start", law.creep_start, "without creep_ratio");
     return std::nullopt;
   }
-  if (!(*law.creep_ratio > 1.0 && std::isfinite(*law.creep_ratio))) {
-    detail::reject("creep_ratio", "> 1 and finite", *law.creep_ratio);
-  }
+  detail::require_in({.minimum = 1.0, .excludes_minimum = true}, "creep_ratio", *law.creep_ratio);
   const double start = given_with("creep_start", law.creep_start, "creep_ratio");
   const double time = given_with("creep_time", law.creep_time, "creep_ratio");
-  if (!(time > start)) detail::reject("creep_time", "> creep_start = " + detail::text(start) + " s", time);
+  if (!(time > start)) {
+    detail::reject("creep_time", "> creep_start = " + detail::text(start) + " s", time,
+                   Range{.unit = "s", .minimum = start, .excludes_minimum = true});
+  }
   return LongTimes{"creep_ratio", *law.creep_ratio,
                    start,         time,
                    "creep_time",  [=](const LongTest& test) { return test.creep(time) / test.creep(start); }};
@@ -135,12 +136,8 @@ std::optional<LongTimes> long_times(const LossFactor& law) {
 /// Series with the slow relaxation for which a test over long times gives the measured value.
 RelaxingTerms with_long_times(const RelaxingTerms& series, const LongTimes& measured, double first, double unit) {
   const double last = measured.longest / unit;
-  if (!(last > first)) {
-    detail::reject(measured.limit,
-                   "> " + detail::text(first * unit) +
-                       " s = 10^(decades + 1) / reference_frequency, where the loss factor ends; reduce decades",
-                   measured.longest);
-  }
+  detail::require_in({.unit = "s", .minimum = first * unit, .excludes_minimum = true}, measured.limit, measured.longest,
+                     " = 10^(decades + 1) / reference_frequency, where the loss factor ends; reduce decades");
   const auto value = [&](double beta) {
     RelaxingTerms terms = continued(series, beta, first, last);
     for (double& time : terms.times) time *= unit;
@@ -149,11 +146,8 @@ RelaxingTerms with_long_times(const RelaxingTerms& series, const LongTimes& meas
   double low = 0.0;
   double high = 1.0;  // a faster relaxation is that of a liquid
   const auto [least, most] = std::pair{value(low), value(high)};
-  if (!(measured.value >= least && measured.value <= most)) {
-    detail::reject(measured.name,
-                   "in [" + detail::text(least) + ", " + detail::text(most) + "] for this loss factor and these times",
-                   measured.value);
-  }
+  detail::require_in({.minimum = least, .maximum = most}, measured.name, measured.value,
+                     " for this loss factor and these times");
   for (int bisection = 0; bisection < 50; ++bisection) {  // to double precision
     const double middle = 0.5 * (low + high);
     (value(middle) < measured.value ? low : high) = middle;
@@ -165,11 +159,9 @@ RelaxingTerms with_long_times(const RelaxingTerms& series, const LongTimes& meas
 
 Prony loss_factor(const LossFactor& law) {
   detail::require_positive("modulus", law.modulus, "Pa");
-  if (!(law.loss_factor >= 1e-6 && law.loss_factor <= 2.0)) {
-    detail::reject("loss_factor", "in [1e-6, 2]", law.loss_factor);
-  }
+  detail::require_in({.minimum = 1e-6, .maximum = 2.0}, "loss_factor", law.loss_factor);
   detail::require_positive("reference_frequency", law.reference_frequency, "rad/s");
-  if (!(law.decades >= 0.5 && law.decades <= 8.0)) detail::reject("decades", "in [0.5, 8]", law.decades);
+  detail::require_in({.minimum = 0.5, .maximum = 8.0}, "decades", law.decades);
 
   const std::optional<LongTimes> measured = long_times(law);
   const double reach = law.decades + kMargin;

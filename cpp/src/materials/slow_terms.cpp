@@ -29,7 +29,7 @@ void require_modulus_at_rest(const Prony& series, double angular_speed) {
              " rad/s for a Prony series whose weights add up to 1, so that its slowest "
              "term, of " +
              rounded(longest) + " s, does not relax; or the weights must add up to less than 1",
-         text(angular_speed) + " rad/s");
+         text(angular_speed) + " rad/s", Range{.unit = "rad/s", .minimum = kSlowTerm / longest});
 }
 
 }  // namespace

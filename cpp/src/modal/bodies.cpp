@@ -62,8 +62,9 @@ void validate(const Layer& layer, std::string_view prefix) {
     detail::reject(base + "poisson_ratio or " + base + "bulk_modulus", "given, and not both",
                    layer.poisson_ratio ? "both" : "none");
   }
-  if (layer.poisson_ratio && !(*layer.poisson_ratio > -1.0 && *layer.poisson_ratio <= 0.5)) {
-    detail::reject(base + "poisson_ratio", "in (-1, 0.5]", *layer.poisson_ratio);
+  if (layer.poisson_ratio) {
+    detail::require_in({.minimum = -1.0, .maximum = 0.5, .excludes_minimum = true}, base + "poisson_ratio",
+                       *layer.poisson_ratio);
   }
   if (layer.bulk_modulus) detail::require_positive(base + "bulk_modulus", *layer.bulk_modulus, "Pa");
 }
@@ -96,8 +97,8 @@ double outer_radius(const CoatedCylinder& cylinder) { return cylinder.core_radiu
 
 void validate(const CoatedCylinder& cylinder) {
   if (cylinder.core_radius == 0.0) {
-    detail::reject("core_radius", "> 0 m (without a core a roller under a line load has no finite compliance)",
-                   cylinder.core_radius);
+    detail::reject("core_radius", Range{.unit = "m", .minimum = 0.0, .excludes_minimum = true}, cylinder.core_radius,
+                   " (without a core a roller under a line load has no finite compliance)");
   }
   detail::require_positive("core_radius", cylinder.core_radius, "m");
   require_layers(cylinder.layers);
@@ -112,8 +113,8 @@ double crown_drop(const CoatedWheel& wheel, double z) { return detail::drop_of_c
 
 void validate(const CoatedWheel& wheel) {
   if (wheel.core_radius == 0.0) {
-    detail::reject("core_radius", "> 0 m (without a hub a wheel bends as a beam and has no finite compliance)",
-                   wheel.core_radius);
+    detail::reject("core_radius", Range{.unit = "m", .minimum = 0.0, .excludes_minimum = true}, wheel.core_radius,
+                   " (without a hub a wheel bends as a beam and has no finite compliance)");
   }
   detail::require_positive("core_radius", wheel.core_radius, "m");
   detail::require_positive("width", wheel.width, "m");
@@ -126,7 +127,7 @@ void validate(const CoatedWheel& wheel) {
     detail::reject("width",
                    "at most " + detail::text(kWidest) + " times the outer radius, " + detail::text(kWidest * radius) +
                        " m (use CoatedCylinder for a body without faces)",
-                   detail::text(wheel.width) + " m");
+                   detail::text(wheel.width) + " m", Range{.unit = "m", .maximum = kWidest * radius});
   }
   // The narrower side of the section determines the size of all elements in the layers.
   constexpr double kThickest = 1000.0;
@@ -135,11 +136,11 @@ void validate(const CoatedWheel& wheel) {
     detail::reject("width",
                    "at least " + detail::text(1.0 / kThickest) + " of the thickness of the layers, " +
                        detail::text(thickness / kThickest) + " m, if the sides are free",
-                   detail::text(wheel.width) + " m");
+                   detail::text(wheel.width) + " m", Range{.unit = "m", .minimum = thickness / kThickest});
   }
   if (!(wheel.crown_radius >= 0.5 * wheel.width)) {
     detail::reject("crown_radius", "at least half of the width, " + detail::text(0.5 * wheel.width) + " m",
-                   detail::text(wheel.crown_radius) + " m");
+                   detail::text(wheel.crown_radius) + " m", Range{.unit = "m", .minimum = 0.5 * wheel.width});
   }
   // The effect of the crown on the layers is a difference of compliances. Beyond this radius it is round-off, which no
   // series resolves.
@@ -148,7 +149,7 @@ void validate(const CoatedWheel& wheel) {
     detail::reject("crown_radius",
                    "at most " + detail::text(kFlattest) + " times the outer radius, " +
                        detail::text(kFlattest * radius) + " m, or infinite (straight)",
-                   detail::text(wheel.crown_radius) + " m");
+                   detail::text(wheel.crown_radius) + " m", Range{.unit = "m", .maximum = kFlattest * radius});
   }
   const double drop = crown_drop(wheel, 0.5 * wheel.width);
   const bool has_straight_hub = wheel.hub == Hub::straight && !wheel.layers.empty();

@@ -28,6 +28,22 @@ bool is_measured(const ShearModulus& modulus) {
   return std::holds_alternative<MasterCurve>(modulus) || std::holds_alternative<CustomModulus>(modulus);
 }
 
+bool is_lossless(const ShearModulus& modulus) {
+  struct Visitor {
+    static bool are_zero(const std::vector<double>& values) {
+      return std::ranges::all_of(values, [](double value) { return value == 0.0; });
+    }
+    bool operator()(const Elastic& /*spring*/) const { return true; }
+    bool operator()(const Prony& series) const { return are_zero(series.weights); }
+    bool operator()(const KelvinVoigt& solid) const { return solid.viscosity == 0.0; }
+    bool operator()(const FractionalZener& solid) const { return solid.instantaneous_modulus == solid.relaxed_modulus; }
+    bool operator()(const HavriliakNegami& solid) const { return solid.instantaneous_modulus == solid.relaxed_modulus; }
+    bool operator()(const MasterCurve& table) const { return are_zero(table.loss); }
+    bool operator()(const CustomModulus& /*function*/) const { return false; }
+  };
+  return std::visit(Visitor{}, modulus);
+}
+
 std::vector<std::size_t> measured_layers(const std::vector<Layer>& layers) {
   std::vector<std::size_t> measured;
   for (std::size_t j = 0; j < layers.size(); ++j) {

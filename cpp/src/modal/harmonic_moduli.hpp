@@ -41,6 +41,10 @@ namespace viscoroll::detail {
 /// @return whether a modulus is measured (a table or a user's function), so that it may have kinks
 [[nodiscard]] bool is_measured(const ShearModulus& modulus);
 
+/// @return whether a modulus has no loss at any frequency, by its parameters. The values of a user's function are not
+/// known, so that it counts as lossy.
+[[nodiscard]] bool is_lossless(const ShearModulus& modulus);
+
 /// @return indices of the layers with measured moduli
 [[nodiscard]] std::vector<std::size_t> measured_layers(const std::vector<Layer>& layers);
 

@@ -29,7 +29,7 @@ std::vector<double> magnitudes_of(std::span<const int> m) {
   constexpr int kHighestOrder = 1000000;
   std::vector<double> magnitudes;
   for (const int order : m) {
-    if (order < -kHighestOrder || order > kHighestOrder) detail::reject("m", "in [-1e6, 1e6]", std::to_string(order));
+    detail::require_count("m", order, -kHighestOrder, kHighestOrder);
     magnitudes.push_back(std::abs(order));
   }
   return magnitudes;
@@ -72,12 +72,10 @@ std::vector<ComplexMatrix3> degree_compliance(const CoatedSphere& sphere, double
   }
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < degree.size(); ++i) {
-    if (degree[i] < 0 || degree[i] > kHighestDegree) {
-      detail::reject("degree", "in [0, 1e6]", std::to_string(degree[i]));
-    }
+    detail::require_count("degree", degree[i], 0, kHighestDegree);
     if (order[i] < -degree[i] || order[i] > degree[i]) {
       detail::reject("order", "at most the degree " + std::to_string(degree[i]) + " in magnitude",
-                     std::to_string(order[i]));
+                     std::to_string(order[i]), Range{.minimum = -1.0 * degree[i], .maximum = 1.0 * degree[i]});
     }
     magnitudes.push_back(std::abs(order[i]));
   }

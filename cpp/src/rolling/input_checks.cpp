@@ -65,7 +65,12 @@ void require_between(const DriveReport& report, double given, double least, doub
   reject(report.parameter,
          "between " + in_units(rounded(report.factor * least)) + " and " + in_units(rounded(report.factor * most)) +
              ", otherwise the " + std::string(body.name()) + " slides permanently",
-         in_units(text(report.factor * given)));
+         in_units(text(report.factor * given)),
+         Range{.unit = std::string(report.unit),
+               .minimum = report.factor * least,
+               .maximum = report.factor * most,
+               .excludes_minimum = true,
+               .excludes_maximum = true});
 }
 
 }  // namespace
@@ -110,10 +115,13 @@ void require_penetration(const PairAtSpeed& pair, double penetration) {
   const double least = -pair.centrifugal;
   if (!(penetration > least)) {
     reject("penetration", "> " + (least == 0.0 ? "0 m" : rounded(least) + " m (minus the centrifugal displacement)"),
-           value);
+           value, Range{.unit = "m", .minimum = least, .excludes_minimum = true});
   }
   const double most = thickness(pair);
-  if (!(penetration < most)) reject("penetration", "< " + text(most) + " m, the thickness of the coating", value);
+  if (!(penetration < most)) {
+    reject("penetration", Range{.unit = "m", .maximum = most, .excludes_maximum = true}, value,
+           ", the thickness of the coating");
+  }
 }
 
 void require_supported(const MeshModel& model, const RollingCase& given) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/contact_extent.hpp"
+#include "modal/harmonic_moduli.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/initial_gap.hpp"
 #include "rolling/pressure_peak.hpp"
@@ -99,6 +100,12 @@ void set_model_errors(Result& r, bool is_ball, double further) {
   r.contact_length_model_error = strain + further;
 }
 
+/// Whether a body returns all work: it is rigid, or its layers have no loss.
+bool returns_all_work(const Body& body) {
+  return std::ranges::all_of(body.layers(),
+                             [](const NamedLayer& named) { return is_lossless(named.layer.shear_modulus); });
+}
+
 /// Computes the results of a solved contact, one group of members after the other.
 class Summary {
  public:
@@ -138,9 +145,10 @@ class Summary {
   void add_forces(Result& r) const {
     const auto forward = force_.col(kForward);
     const std::vector<Index>& contact = contact_.contact;
-    r.resisting_torque = -(pressure_moment_arm(window_, given_.pair, contact) * force_.col(kDown)).sum();
     const double load = given_.load_case.load.value_or(-force_.col(kDown).sum());
     r.load = load;
+    if (is_reversible()) return;
+    r.resisting_torque = -(pressure_moment_arm(window_, given_.pair, contact) * force_.col(kDown)).sum();
     const GivenMotion motion = given_motion(given_.load_case);
     r.driving_force = settled(-forward.sum() + counterbody_force(r), load, motion.force);
     const auto sideways = force_.col(kSideways);
@@ -158,13 +166,17 @@ class Summary {
     r.creepage = motion.creepage ? motion.creepage : contact_.creepage;
     if (r.creepage) r.linear_speed = (1.0 + *r.creepage) * load_case.angular_speed * radius();
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
-    r.rolling_bulk_power = load_case.angular_speed * losses_.rolling;
-    r.counterbody_bulk_power = std::abs(speed) / radius() * losses_.counterbody;
+    // The sum over the spectrum of a lossless body is round-off.
+    const auto& [body, on] = static_cast<const RollingPair&>(given_.pair);
+    r.rolling_bulk_power = returns_all_work(*body) ? 0.0 : load_case.angular_speed * losses_.rolling;
+    r.counterbody_bulk_power = returns_all_work(*on) ? 0.0 : std::abs(speed) / radius() * losses_.counterbody;
     r.bulk_power = r.rolling_bulk_power + r.counterbody_bulk_power;
     if (contact_.slip.rows() > 0) {
       r.slip_power = slip_power();
     }
     r.dissipated_power = r.bulk_power + r.slip_power;
+    r.rolling_resistance_force = r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / std::abs(speed);
+    r.rolling_resistance_torque = r.dissipated_power / load_case.angular_speed;
     r.rolling_resistance_coefficient =
         r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (r.load * std::abs(speed));
     double work =
@@ -218,6 +230,13 @@ class Summary {
 
  private:
   [[nodiscard]] double radius() const { return window_.grid().radius; }
+
+  /// Whether the contact has no loss at all. Its pressure is then even in x, because the response to a load is even in
+  /// the distance if all compliances are real, so that torques and forces along the path vanish except for round-off.
+  [[nodiscard]] bool is_reversible() const {
+    const auto& [body, on] = static_cast<const RollingPair&>(given_.pair);
+    return given_.load_case.friction == 0.0 && returns_all_work(*body) && returns_all_work(*on);
+  }
 
   /// Set the values of the nodes in contact in a field of all nodes.
   template <class Values, class Field>

@@ -36,13 +36,14 @@ double chebyshev_sum(std::size_t count, const Coefficient& coefficient, double x
 
 void require_fitted_range(std::string_view name, double value, double from, double to, std::string_view unit) {
   if (value >= from - kRangeTolerance * std::abs(from) && value <= to + kRangeTolerance * std::abs(to)) return;
-  reject(name, "in [" + text(from) + ", " + text(to) + "] " + std::string(unit) + ", the fitted range", value);
+  reject(name, Range{.unit = std::string(unit), .minimum = from, .maximum = to}, value, ", the fitted range");
 }
 
 void require_range(const std::string& name, const std::array<double, 2>& range, std::string_view unit) {
   detail::require_positive(name + "[0]", range[0], unit);
   if (!(std::isfinite(range[1]) && range[1] > range[0])) {
-    reject(name + "[1]", "> " + name + "[0] = " + text(range[0]) + " " + std::string(unit), range[1]);
+    reject(name + "[1]", "> " + name + "[0] = " + text(range[0]) + " " + std::string(unit), range[1],
+           Range{.unit = std::string(unit), .minimum = range[0], .excludes_minimum = true});
   }
 }
 

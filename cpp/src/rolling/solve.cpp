@@ -48,10 +48,8 @@ void validate(const LoadCase& load_case, const detail::RoundBody& body) {
 
 void validate(const Options& options) {
   if (options.mesh) viscoroll::validate(*options.mesh);
-  if (!(options.accuracy >= 1e-4 && options.accuracy <= 0.5)) {
-    detail::reject("accuracy", "in [1e-4, 0.5]", options.accuracy);
-  }
-  if (options.max_iterations < 1) detail::reject("max_iterations", ">= 1", std::to_string(options.max_iterations));
+  detail::require_in({.minimum = 1e-4, .maximum = 0.5}, "accuracy", options.accuracy);
+  detail::require_in({.minimum = 1.0}, "max_iterations", options.max_iterations);
   detail::require_thread_count(options.threads);
 }
 

@@ -19,7 +19,8 @@ Window window_of(const FrozenContact& state, const Window& widest) {
   const auto range = [](const std::string& name, int nodes, const NodeRange& most) {
     const int to_edge = nodes / 2;
     if (nodes % 2 == 1 && nodes > 0 && to_edge <= most.last) return NodeRange{-to_edge, to_edge};
-    reject("state." + name, "odd and in [1, " + std::to_string(2 * most.last + 1) + "]", std::to_string(nodes));
+    reject("state." + name, "odd and in [1, " + std::to_string(2 * most.last + 1) + "]", std::to_string(nodes),
+           Range{.minimum = 1.0, .maximum = 2.0 * most.last + 1.0});
   };
   return {range("phi_nodes", state.phi_nodes, widest.phi), range("theta_nodes", state.theta_nodes, widest.theta)};
 }

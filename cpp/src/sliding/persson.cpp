@@ -13,7 +13,7 @@ namespace viscoroll {
 PerssonEstimate persson_estimate(const HeightMap& map, const CoatedPlane& on, double pressure, double speed,
                                  double gamma, const SlidingOptions& options) {
   detail::validate_sliding(map, on, pressure, speed, options);
-  if (!(gamma >= 0.0 && gamma <= 1.0)) detail::reject("gamma", "in [0, 1]", gamma);
+  detail::require_in({.minimum = 0.0, .maximum = 1.0}, "gamma", gamma);
   detail::Watch watch(options.observer);
   const detail::SlidingPeriod period = detail::period_of(map);
   const detail::SlidingSymbol symbol(on, period, speed, options.threads, watch);

@@ -23,13 +23,20 @@ ArrayXd slope(const ActingPlaces& at, const ArrayXd& values) {
   return patch_slope(values, at.pair.half_nodes(), grid.radius * grid.phi_spacing);
 }
 
-/// Slope of the counterbody's deformed surface, along which the pressure pushes back. Under a rigid body it is the
-/// slope of that body's surface.
+/// Slope of a height of every row, downwards like the slope of a displacement.
+ArrayXd slope_of_rows(const ActingPlaces& at, const ArrayXd& rows) {
+  if (rows.size() == 0) return ArrayXd::Zero(at.place.moment_arm.size());
+  return slope(at, -at_nodes_of_rows(rows, at.pair.half_nodes()));
+}
+
+/// Slope of the counterbody's surface, with its height and its displacement, along which the pressure pushes back.
+/// Under a rigid body it is the slope of that body's surface.
 ArrayXd pushing_slope(const ActingPlaces& at) {
   const auto& bodies = at.pair.bodies;
-  if (bodies.size() > 1) return slope(at, displaced(at, 1, kDown));
-  if (bodies.front().rolls) return ArrayXd::Zero(at.place.moment_arm.size());
-  return at.place.moment_arm / relative_radius(at.pair.pair);
+  const RowHeights& heights = at.place.heights;
+  if (bodies.size() > 1) return slope(at, displaced(at, 1, kDown)) + slope_of_rows(at, heights.ground);
+  if (bodies.front().rolls) return slope_of_rows(at, heights.ground);
+  return at.place.moment_arm / relative_radius(at.pair.pair) - slope_of_rows(at, heights.tread);
 }
 
 /// Depth below the center at which tangential forces act.
@@ -110,6 +117,48 @@ CenterCondition center_condition(const ViscoelasticPair& pair, const RollingInst
           .displacement = -2.0 * mass / (duration * duration),
           .value = -pair.driving_force,
           .coasted = now.center_speed * duration};
+}
+
+ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, const AxleState& state, double duration,
+                                 double force) {
+  const bool is_inert = axle.mass > 0.0 || axle.damping > 0.0;
+  if (is_inert && duration == 0.0) return {.force = 0.0, .penetration = 1.0, .value = now.penetration};
+  // Downward speed and acceleration, like the penetration.
+  const double speed = -now.axle_speed;
+  const double acceleration = -state.acceleration;
+  const double coasted = now.penetration + speed * duration;
+  double stiffness = axle.stiffness;
+  double damped = 0.0;
+  if (is_inert) {
+    stiffness += 2.0 * axle.mass / (duration * duration) + 1.5 * axle.damping / duration;
+    damped = axle.damping * (speed + 0.25 * duration * acceleration);
+  }
+  return {.force = 1.0,
+          .penetration = stiffness,
+          .value = force - damped - axle.stiffness * (coasted - state.rest),
+          .coasted = coasted};
+}
+
+ApproachCondition scaled(const ApproachCondition& condition, double factor) {
+  ApproachCondition result = condition;
+  if (condition.force == 0.0) return result;
+  result.penetration *= factor;
+  result.value *= factor;
+  return result;
+}
+
+void move_axle(bool is_free, double duration, double risen, AxleState& state, RollingInstant& now) {
+  const double mean_speed = risen / duration;
+  const double change = (mean_speed - now.axle_speed) / duration;
+  if (!is_free) {
+    now.axle_acceleration = change;
+    now.axle_speed = mean_speed;
+    return;
+  }
+  const double before = state.acceleration;
+  state.acceleration = change + 0.5 * before;
+  now.axle_speed += duration * (1.5 * state.acceleration - 0.5 * before);
+  now.axle_acceleration = 2.0 * state.acceleration - before;  // mass times this is the sum of the forces
 }
 
 void move_center(double mass, double duration, double displacement, double& acceleration, RollingInstant& now) {

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 
 #include "surface/surface_operator.hpp"
 #include "transient/contact_place.hpp"
+#include "transient/elastic_contact.hpp"
 #include "transient/time_step.hpp"
 #include "transient/viscoelastic_pair.hpp"
 
@@ -75,6 +77,35 @@ struct ActingPlaces {
 /// @param[in] end end of the step
 [[nodiscard]] CenterCondition center_condition(const ViscoelasticPair& pair, const RollingInstant& now, double duration,
                                                const StepEnd& end);
+
+/// @brief State of an axle between steps, besides its speed.
+struct AxleState {
+  /// Upward acceleration in the time integration [m/s^2]. In a step it changes by half of its difference from the
+  /// acceleration by the forces.
+  double acceleration = 0.0;
+  double rest = 0.0;  ///< penetration at which the spring exerts no force [m]
+};
+
+/// @brief Condition for load and penetration at the end of a step of an axle with mass, spring and damper. Its motion
+/// follows the same method as that of a center with mass.
+/// @param[in] axle mass, spring and damper
+/// @param[in] now penetration and speed at the start of the step
+/// @param[in] state acceleration in the time integration, and rest of the spring
+/// @param[in] duration of the step [s], 0 for a jump, in which a mass or a damper does not move
+/// @param[in] force external force at the end of the step [N]
+[[nodiscard]] ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, const AxleState& state,
+                                               double duration, double force);
+
+/// @return the same condition for forces multiplied by a factor
+[[nodiscard]] ApproachCondition scaled(const ApproachCondition& condition, double factor);
+
+/// @brief Take speed and acceleration of the axle at the end of a step.
+/// @param[in] is_free whether it moves by forces; else the speed is the mean over the step
+/// @param[in] duration of the step [s], positive
+/// @param[in] risen distance by which the axle has risen in the step [m]
+/// @param[in,out] state acceleration in the time integration
+/// @param[in,out] now speed and acceleration of the axle
+void move_axle(bool is_free, double duration, double risen, AxleState& state, RollingInstant& now);
 
 /// @brief Move the center by a step.
 /// @param[in] mass mass that moves with the center [kg]

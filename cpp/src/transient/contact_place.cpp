@@ -1,5 +1,6 @@
 #include "transient/contact_place.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -42,7 +43,16 @@ Axes axes_of_counterbody(const ViscoelasticPair& pair, const SurfaceWindow& node
   return level_axes(-curvatures.along * nodes.x(), -curvatures.across * nodes.z(), 1.0, pair.half_nodes());
 }
 
+/// Row below the center, not an integer.
+double lowest_row(const ViscoelasticPair& pair, double shift, double angle) {
+  return -angle / pair.nodes.grid.phi_spacing - shift;
+}
+
 }  // namespace
+
+Eigen::ArrayXd at_nodes_of_rows(const Eigen::ArrayXd& rows, Index half_nodes) {
+  return rows.matrix().transpose().replicate(half_nodes, 1).reshaped().array();
+}
 
 std::vector<Axes> axes_at(const ViscoelasticPair& pair, const SurfaceWindow& nodes) {
   std::vector<Axes> axes(pair.bodies.size());
@@ -53,25 +63,60 @@ std::vector<Axes> axes_at(const ViscoelasticPair& pair, const SurfaceWindow& nod
   return axes;
 }
 
-ContactPlace place_at(const ViscoelasticPair& pair, double shift, Index half_rows, double angle) {
-  const double lowest = -angle / pair.nodes.grid.phi_spacing - shift;  // row below the center, not an integer
+ContactPlace place_at(const ViscoelasticPair& pair, double shift, Index half_rows, double angle, double ahead) {
+  const double lowest = lowest_row(pair, shift, angle);
   const double middle = std::round(lowest);
   const auto aside = static_cast<int>(half_rows);
   SurfaceWindow nodes(pair.nodes.grid, {{-aside, aside}, {0, static_cast<int>(pair.half_nodes()) - 1}},
                       middle - lowest);
-  return place_of(pair, static_cast<Index>(middle) - half_rows, std::move(nodes));
+  const Index first = static_cast<Index>(middle) - half_rows;
+  RowHeights heights = pair.heights.at({.first = first, .count = 2 * half_rows + 1, .shift = shift, .ahead = ahead});
+  return place_of(pair, first, std::move(nodes), std::move(heights));
 }
 
-ContactPlace place_of(const ViscoelasticPair& pair, Index first, SurfaceWindow nodes) {
+Index half_rows_in_reach(const ViscoelasticPair& pair, double shift, double angle, double ahead, double penetration) {
+  if (pair.heights.are_smooth()) return 0;
+  // The displacement of the surface next to a contact is a small fraction of the indentation.
+  constexpr double kMargin = 0.1;
+  const double indentation = std::max(penetration + pair.heights.largest(), 0.0);
+  const double limit = penetration + kMargin * indentation;
+  const double lowest = lowest_row(pair, shift, angle);
+  const double middle = std::round(lowest);
+  const auto most = static_cast<int>(pair.nodes.widest.phi.last);
+  // Beyond this distance, no height closes the gap. Undeformed bodies are closest in the middle of a row.
+  const double distance = std::sqrt(2.0 * relative_radius(pair.pair) * std::max(limit + pair.heights.largest(), 0.0));
+  const double spacing = pair.nodes.grid.radius * pair.nodes.grid.phi_spacing;
+  const int aside = std::min(most, static_cast<int>(std::min(1.1 * distance / spacing, 1e9)) + 2);
+  const SurfaceWindow nodes(pair.nodes.grid, {{-aside, aside}, {0, 0}}, middle - lowest);
+  const Eigen::ArrayXd drop = initial_gap(nodes, {}, pair.pair);
+  const RowHeights heights = pair.heights.at(
+      {.first = static_cast<Index>(middle) - aside, .count = drop.size(), .shift = shift, .ahead = ahead});
+  const Eigen::ArrayXd gap = drop - heights.ground - heights.tread;
+  Index farthest = 0;
+  for (Index row = 0; row < gap.size(); ++row) {
+    if (gap[row] < limit) farthest = std::max(farthest, std::abs(row - aside));
+  }
+  return farthest;
+}
+
+ContactPlace place_of(const ViscoelasticPair& pair, Index first, SurfaceWindow nodes, RowHeights heights) {
   const Index count = nodes.shape().phi_nodes;
   Eigen::ArrayXd weights = half_weights(pair.half_nodes()).replicate(count, 1);
   Eigen::ArrayXd gap = initial_gap(nodes, {}, pair.pair);
+  double top = 0.0;
+  if (heights.ground.size() > 0) {
+    const Eigen::ArrayXd height = heights.ground + heights.tread;
+    gap -= at_nodes_of_rows(height, pair.half_nodes());
+    top = height.maxCoeff();
+  }
   Eigen::ArrayXd moment_arm = pressure_moment_arm(nodes, pair.pair);
   std::vector<Axes> axes = axes_at(pair, nodes);
   return {.first = first,
           .count = count,
           .nodes = std::move(nodes),
           .weights = std::move(weights),
+          .heights = std::move(heights),
+          .top = top,
           .gap = std::move(gap),
           .moment_arm = std::move(moment_arm),
           .axes = std::move(axes)};

@@ -34,7 +34,8 @@ class CoatingSurface : public PressedSurface {
       : problem_(problem), inverse_(inverse), weights_(problem.weights.reshaped()) {}
 
   /// Solve the equations of the nodes in contact. The iteration starts from the estimate of the preconditioner, and its
-  /// steps keep the sum of the forces.
+  /// steps keep the condition. If the condition contains forces and penetration, the matrix is that of the surface and
+  /// of a spring of that stiffness behind it (docs/theory/ground.md, "Axle").
   void press(PressedNodes& contact, double tolerance) override {
     const auto& nodes = contact.nodes;
     is_kept_ = nodes.size() <= kMaxKept;
@@ -45,7 +46,16 @@ class CoatingSurface : public PressedSurface {
     const VectorXd gap = problem_.gap.reshaped()(nodes);
     const VectorXd by_weight = about_forces(weight);  // forces that displace all nodes equally
     VectorXd forces = is_kept_ ? about_forces(-gap) : VectorXd(contact.pressing(nodes));
-    double penetration = (problem_.load - weight.dot(forces)) / weight.dot(by_weight);
+    const ApproachCondition& condition = problem_.condition;
+    const bool is_spring = condition.force != 0.0 && condition.penetration != 0.0;
+    const double behind = is_spring ? 1.0 / condition.penetration : 0.0;
+    const double stiffness = weight.dot(by_weight);
+    // Penetration at which some forces, and those that it adds, fulfill the condition.
+    const auto penetration_for = [&](double sum, double missing) {
+      const double excess = missing - condition.force * (sum + condition.coasted * stiffness);
+      return condition.coasted + excess / (condition.force * stiffness + condition.penetration);
+    };
+    double penetration = penetration_for(weight.dot(forces), condition.value);
     forces += penetration * by_weight;
     VectorXd residual = -(displacements(nodes, forces) + gap);
     const auto is_solved = [&] {
@@ -57,14 +67,16 @@ class CoatingSurface : public PressedSurface {
     int products = 0;
     for (; products < kMaxProducts && !is_solved(); ++products) {
       VectorXd step = about_forces(residual);
-      penetration = -weight.dot(step) / weight.dot(by_weight);
+      const double missing =
+          condition.penetration == 0.0 ? 0.0 : condition.value - condition.force * weight.dot(forces);
+      penetration = penetration_for(weight.dot(step), missing);
       if (is_solved()) break;
       step += penetration * by_weight;
-      const double next = step.dot(residual + penetration * weight);
+      const double next = step.dot(residual + penetration * weight) + behind * std::pow(weight.dot(step), 2);
       direction = products == 0 ? step : VectorXd(step + next / product * direction);
       product = next;
       const VectorXd change = displacements(nodes, direction);
-      const double length = product / direction.dot(change);
+      const double length = product / (direction.dot(change) + behind * std::pow(weight.dot(direction), 2));
       forces += length * direction;
       residual -= length * change;
     }

@@ -30,14 +30,9 @@ Mesh chosen_mesh(double outer_radius, double contact_radius, bool is_line) {
 void validate(const HistoryOptions& options) {
   if (options.mesh) viscoroll::validate(*options.mesh);
   require_orders(options.curvature);
-  if (options.averaged_meshes < 1 || options.averaged_meshes > kMaxAveragedMeshes) {
-    reject("averaged_meshes", "in [1, " + std::to_string(kMaxAveragedMeshes) + "]",
-           std::to_string(options.averaged_meshes));
-  }
-  if (options.steps_per_spacing &&
-      (*options.steps_per_spacing < 1 || *options.steps_per_spacing > kMaxStepsPerSpacing)) {
-    reject("steps_per_spacing", "in [1, " + std::to_string(kMaxStepsPerSpacing) + "]",
-           std::to_string(*options.steps_per_spacing));
+  require_count("averaged_meshes", options.averaged_meshes, 1, kMaxAveragedMeshes);
+  if (options.steps_per_spacing) {
+    require_count("steps_per_spacing", *options.steps_per_spacing, 1, kMaxStepsPerSpacing);
   }
   require_friction(options.friction);
   if (std::isinf(options.friction)) {
@@ -65,17 +60,30 @@ void validate(const HistoryOptions& options) {
   if (options.center_speed != 0.0 && options.mass == 0.0) {
     reject("center_speed", "0 m/s without a mass", text(options.center_speed) + " m/s");
   }
+  if (options.ground) viscoroll::validate(*options.ground, "ground.");
+  if (options.tread) viscoroll::validate(*options.tread, "tread.");
+  if (options.axle) {
+    viscoroll::validate(*options.axle);
+    if (options.friction > 0.0) reject("axle", "left out with friction", "an axle");
+  }
   require_positive("shortest_time", options.shortest_time, "s");
   if (!(std::isfinite(options.longest_time) && options.longest_time > options.shortest_time)) {
-    reject("longest_time", "> shortest_time = " + text(options.shortest_time) + " s", options.longest_time);
+    reject("longest_time", "> shortest_time = " + text(options.shortest_time) + " s", options.longest_time,
+           Range{.unit = "s", .minimum = options.shortest_time, .excludes_minimum = true});
   }
-  if (!(options.spectrum_tolerance > 0.0 && options.spectrum_tolerance < 1.0)) {
-    reject("spectrum_tolerance", "in (0, 1)", options.spectrum_tolerance);
-  }
+  require_in({.minimum = 0.0, .maximum = 1.0, .excludes_minimum = true, .excludes_maximum = true}, "spectrum_tolerance",
+             options.spectrum_tolerance);
   require_thread_count(options.threads);
 }
 
 }  // namespace detail
+
+void validate(const Axle& axle) {
+  detail::require_nonnegative("axle.mass", axle.mass, "kg");
+  detail::require_nonnegative("axle.stiffness", axle.stiffness, "N/m");
+  detail::require_nonnegative("axle.damping", axle.damping, "N s/m");
+  if (axle == Axle{}) detail::reject("axle", "an axle with a mass, a spring or a damper", "an axle without them");
+}
 
 void validate(const Motion& motion) {
   const auto require_length = [&](const char* name, std::size_t length) {
@@ -85,13 +93,22 @@ void validate(const Motion& motion) {
   };
   if (motion.time.empty()) detail::reject("time", "a list of at least one waypoint", "none");
   require_length("angle", motion.angle.size());
-  require_length("load", motion.load.size());
+  if (!motion.axle_height.empty() && !motion.load.empty()) {
+    detail::reject("axle_height", "left out if the load is given",
+                   std::to_string(motion.axle_height.size()) + " heights");
+  }
+  if (motion.axle_height.empty()) {
+    require_length("load", motion.load.size());
+  } else {
+    require_length("axle_height", motion.axle_height.size());
+  }
   if (!motion.center_displacement.empty()) require_length("center_displacement", motion.center_displacement.size());
   for (std::size_t k = 0; k < motion.time.size(); ++k) {
     const std::string index = "[" + std::to_string(k) + "]";
     detail::require_finite("time" + index, motion.time[k]);
     detail::require_finite("angle" + index, motion.angle[k]);
-    detail::require_nonnegative("load" + index, motion.load[k], "N");
+    if (motion.axle_height.empty()) detail::require_nonnegative("load" + index, motion.load[k], "N");
+    if (!motion.axle_height.empty()) detail::require_finite("axle_height" + index, motion.axle_height[k]);
     if (!motion.center_displacement.empty())
       detail::require_finite("center_displacement" + index, motion.center_displacement[k]);
     if (k > 0 && motion.time[k] < motion.time[k - 1]) {

@@ -60,14 +60,41 @@ VectorField carried(Index half_nodes, const ContactPlace& place, const LastForce
 }
 
 /// Forces to start from: the last forces, scaled to a new load. For a first contact, the pressures in a window that is
-/// a little wider than the contact are guessed.
+/// a little wider than the contact are guessed; over uneven ground, they begin at the highest point.
 VectorField carried_forces(const ViscoelasticPair& pair, const ContactPlace& place, const LastForces& last,
                            double load) {
   VectorField guess = carried(pair.half_nodes(), place, last);
   if (!(guess.col(kDown) < 0.0).any()) {
-    guess.col(kDown) = -(kContactShare * kContactShare * place.gap[0] - place.gap).max(0.0);
+    const bool is_smooth = place.heights.ground.size() == 0;
+    const double closest = is_smooth ? 0.0 : place.gap.minCoeff();
+    const double edge = is_smooth ? place.gap[0] : place.gap.maxCoeff() - closest;
+    guess.col(kDown) = -(kContactShare * kContactShare * edge - (place.gap - closest)).max(0.0);
   }
   return load / -(place.weights * guess.col(kDown)).sum() * guess;
+}
+
+/// Opening of the gap between surfaces that support no load [m].
+ArrayXd free_gap(const ViscoelasticPair& pair, const InstantContact& instant) {
+  return instant.place.gap + known_gap(pair, instant).reshaped().array() / instant.place.weights;
+}
+
+/// Pressing forces to start from, if the load is a result: the last forces or, after a flight, those of the nodes that
+/// overlap.
+ArrayXd overlapping_forces(const ViscoelasticPair& pair, const InstantContact& instant, const LastForces& last,
+                           const ArrayXd& overlap, double compliance) {
+  constexpr double kShare = 0.1;  // of the stiffness of single nodes, because neighbors share the load
+  const ArrayXd carried_over = -instant.instantaneous.sum * carried(pair.half_nodes(), instant.place, last).col(kDown);
+  if ((carried_over > 0.0).any()) return carried_over;
+  return kShare / compliance * overlap.max(0.0);
+}
+
+/// Contact of bodies that do not touch at a penetration.
+StickSlip without_contact(Index nodes, double penetration) {
+  StickSlip result;
+  result.force = VectorField::Zero(nodes, 3);
+  result.penetration = penetration;
+  result.slip = Eigen::ArrayX2d::Zero(nodes, 2);
+  return result;
 }
 
 /// Compliance of all bodies for the forces of the contact.
@@ -130,20 +157,37 @@ StepSlip step_slip(const ViscoelasticPair& pair, const ContactPlace& before, con
 }  // namespace
 
 StickSlip solve_frictionless(const ViscoelasticPair& pair, const InstantContact& instant, const LastForces& last,
-                             double load, ContactInverse& inverse) {
+                             const ApproachCondition& condition, ContactInverse& inverse) {
   const Index half_nodes = pair.half_nodes();
-  const StepOperator surface = surface_of(instant, instant.place.axes);
+  const ContactPlace& place = instant.place;
+  const StepOperator surface = surface_of(instant, place.axes);
+  // Tolerances are relative to the penetration, which is therefore measured from the highest point of the window.
+  ApproachCondition from_top = condition;
+  from_top.coasted += place.top;
+  if (condition.force == 0.0) {
+    from_top.value += condition.penetration * place.top;
+    from_top.coasted = 0.0;
+  }
+  if (condition.penetration == 0.0) from_top.coasted = 0.0;
   ElasticContactProblem problem{.surface = surface,
-                                .gap = as_field(instant.place.weights * instant.place.gap, half_nodes),
-                                .weights = as_field(instant.place.weights, half_nodes),
-                                .load = load};
+                                .gap = as_field(place.weights * (place.gap + place.top), half_nodes),
+                                .weights = as_field(place.weights, half_nodes),
+                                .condition = from_top};
   problem.gap += known_gap(pair, instant);
-  PressedNodes contact =
-      solve_elastic_contact(problem, -carried_forces(pair, instant.place, last, load).col(kDown), inverse);
+  ArrayXd guess;
+  if (condition.penetration == 0.0) {
+    guess = -carried_forces(pair, place, last, condition.value).col(kDown);
+  } else {
+    const double free = condition.coasted + condition.value / condition.penetration;
+    const ArrayXd overlap = free - free_gap(pair, instant);
+    if (!(overlap > 0.0).any()) return without_contact(overlap.size(), free);
+    guess = overlapping_forces(pair, instant, last, overlap, surface.diagonal_compliance());
+  }
+  PressedNodes contact = solve_elastic_contact(problem, guess, inverse);
   StickSlip result;
   result.force = VectorField::Zero(contact.pressing.size(), 3);
   result.force.col(kDown) = -contact.pressing;
-  result.penetration = *contact.penetration;
+  result.penetration = *contact.penetration - place.top;
   result.nodes = std::move(contact.nodes);
   return result;
 }
@@ -156,7 +200,8 @@ StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& i
   const double compliance = instant.instantaneous.sum;
   const ContactPlace before =
       place_of(pair, place.first,
-               SurfaceWindow(grid, place.nodes.window(), place.nodes.shift() - departure.turned / grid.phi_spacing));
+               SurfaceWindow(grid, place.nodes.window(), place.nodes.shift() - departure.turned / grid.phi_spacing),
+               place.heights);
   StepSlip slip = step_slip(pair, before, instant, departure);
   slip.known += center.coasted * slip.slip_per_center_displacement;
   const std::vector<Axes> level_axes = axes_at(pair, SurfaceWindow(grid, place.nodes.window()));
@@ -173,29 +218,25 @@ StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& i
     }
     return center_row({pair, place, deformed}, scaled);
   };
-  const StickSlipProblem problem{.surface = surface,
-                                 .gap = place.weights * place.gap + known_gap(pair, instant).reshaped().array(),
-                                 .known_slip = std::move(slip.known),
-                                 .slip_per_center_displacement = std::move(slip.slip_per_center_displacement),
-                                 .weights = place.weights,
-                                 .load = compliance * load,
-                                 .friction = pair.friction,
-                                 .center_row = row,
-                                 .center_row_needs_displacements = depends_on_displacements(pair, center)};
+  const StickSlipProblem problem{
+      .surface = surface,
+      .gap = place.weights * (place.gap + place.top) + known_gap(pair, instant).reshaped().array(),
+      .known_slip = std::move(slip.known),
+      .slip_per_center_displacement = std::move(slip.slip_per_center_displacement),
+      .weights = place.weights,
+      .load = compliance * load,
+      .friction = pair.friction,
+      .center_row = row,
+      .center_row_needs_displacements = depends_on_displacements(pair, center)};
   StickSlip result = solve_stick_slip(problem, carried_forces(pair, place, last, problem.load), stiffness);
   result.center_displacement += center.coasted;
+  result.penetration -= place.top;
   return result;
 }
 
 StickSlip solve_lifted(const ViscoelasticPair& pair, const InstantContact& instant, const CenterCondition& center) {
-  const Index half_nodes = pair.half_nodes();
-  const HalfField weights = as_field(instant.place.weights, half_nodes);
-  StickSlip result;
-  result.force = VectorField::Zero(weights.size(), 3);
-  result.penetration =
-      (as_field(instant.place.gap, half_nodes) + known_gap(pair, instant).cwiseQuotient(weights)).minCoeff();
+  StickSlip result = without_contact(instant.place.gap.size(), free_gap(pair, instant).minCoeff());
   result.center_displacement = center.coasted + (center.displacement != 0.0 ? center.value / center.displacement : 0.0);
-  result.slip = Eigen::ArrayX2d::Zero(weights.size(), 2);
   return result;
 }
 
@@ -247,8 +288,13 @@ void set_extent(const ViscoelasticPair& pair, const InstantContact& instant, Rol
   const ArrayXd& weights = instant.place.weights;
   const ArrayXd forces = -instant.contact.force.col(kDown) / instant.instantaneous.sum;
   now.penetration = instant.contact.penetration;
-  if (!std::isnan(now.penetration)) require_depth(pair.pair, now.load, now.penetration);
   const std::vector<Eigen::Index>& contact = instant.contact.nodes;
+  if (!std::isnan(now.penetration)) {
+    // Over uneven ground, the deepest point is where the undeformed bodies overlap most.
+    const bool is_even = contact.empty() || pair.heights.are_smooth();
+    const double highest = is_even ? 0.0 : -instant.place.gap(contact).minCoeff();
+    require_depth(pair.pair, now.load, now.penetration + highest);
+  }
   const ArrayXd touching = weights(contact).square() * nodes.patch_area(contact);
   const ArrayXd pressure = forces(contact) / weights(contact) / flat_patch(nodes.grid());
   contact_extent(nodes, contact, touching, pressure, 0.0).copy_to(now);

@@ -45,10 +45,11 @@ struct LastForces {
 /// @param[in] pair both bodies
 /// @param[in] instant place and known displacements
 /// @param[in] last forces of the previous contact, from which the search starts
-/// @param[in] load load times the compliance factor `instant.instantaneous.sum`
+/// @param[in] condition condition for load and penetration
 /// @param[in,out] inverse of an earlier contact
 [[nodiscard]] StickSlip solve_frictionless(const ViscoelasticPair& pair, const InstantContact& instant,
-                                           const LastForces& last, double load, ContactInverse& inverse);
+                                           const LastForces& last, const ApproachCondition& condition,
+                                           ContactInverse& inverse);
 
 /// @brief State from which a step with friction begins.
 struct Departure {

@@ -57,17 +57,18 @@ InstantaneousCompliance ShiftedMesh::instantaneous(const Parts& parts_in, const 
   return instantaneous;
 }
 
-InstantContact ShiftedMesh::instant(const PairStep* step, const InstantaneousCompliance& instantaneous,
-                                    const StepEnd& end, const CenterCondition& center, const Checkpoint& checkpoint) {
+InstantContact ShiftedMesh::instant(const Attempt& attempt) {
+  const StepEnd& end = attempt.end;
   for (;;) {
-    InstantContact instant = before_contact(step, instantaneous, end, checkpoint);
-    if (end.load == 0.0) {
-      instant.contact = solve_lifted(*pair_, instant, center);
+    InstantContact instant = before_contact(attempt.step, attempt.instantaneous, end, attempt.checkpoint);
+    if (approach(attempt).force != 0.0 && approach(attempt).penetration == 0.0 && end.load == 0.0) {
+      instant.contact = solve_lifted(*pair_, instant, attempt.center);
     } else {
       require_open_track(instant.place);
-      instant.contact = search(instant, end, center);
+      instant.contact = search(attempt, instant);
       if (!fits(instant, end.load)) continue;
     }
+    if (!reaches_all(instant, end)) continue;
     find_displacements(*pair_, instant);
     return instant;
   }
@@ -75,7 +76,7 @@ InstantContact ShiftedMesh::instant(const PairStep* step, const InstantaneousCom
 
 InstantContact ShiftedMesh::before_contact(const PairStep* step, const InstantaneousCompliance& instantaneous,
                                            const StepEnd& end, const Checkpoint& checkpoint) const {
-  InstantContact instant{.place = place_at(*pair_, shift_, half_rows_, end.angle),
+  InstantContact instant{.place = place_at(*pair_, shift_, half_rows_, end.angle, ahead_),
                          .instantaneous = instantaneous,
                          .known = {},
                          .contact = {},
@@ -108,7 +109,7 @@ void ShiftedMesh::require_supported_load(const Attempt& attempt) {
   const double load = attempt.end.load;
   for (bool is_within = false; !is_within;) {
     InstantContact instant = before_contact(attempt.step, attempt.instantaneous, attempt.end, attempt.checkpoint);
-    instant.contact = solve_frictionless(*pair_, instant, last_forces(), attempt.instantaneous.sum * load, inverse_);
+    instant.contact = solve_frictionless(*pair_, instant, last_forces(), approach(attempt), inverse_);
     is_within = fits(instant, load);
     if (is_within) require_depth(pair_->pair, load, instant.contact.penetration);
   }
@@ -134,7 +135,12 @@ void ShiftedMesh::require_reachable_drive(const Attempt& attempt) {
     reject(name,
            "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + " at angle " +
                rounded(attempt.end.angle) + " rad, otherwise the " + std::string(body.name()) + " slides permanently",
-           in_units(text(given)));
+           in_units(text(given)),
+           Range{.unit = std::string(unit),
+                 .minimum = least,
+                 .maximum = most,
+                 .excludes_minimum = true,
+                 .excludes_maximum = true});
   };
   if (center.torque != 0.0) {
     const double given = *pair_->driving_torque;
@@ -152,7 +158,7 @@ RollingInstant ShiftedMesh::slid(const Attempt& attempt, Sense sense) {
       .force = 0.0, .torque = 0.0, .displacement = 1.0, .value = sense == Sense::forward ? radius : -radius};
   for (;;) {
     InstantContact instant = before_contact(attempt.step, attempt.instantaneous, attempt.end, attempt.checkpoint);
-    instant.contact = search(instant, attempt.end, led);
+    instant.contact = search({attempt.step, attempt.instantaneous, attempt.end, led, attempt.checkpoint}, instant);
     if (!fits(instant, attempt.end.load)) continue;
     find_displacements(*pair_, instant);
     RollingInstant now;
@@ -161,11 +167,20 @@ RollingInstant ShiftedMesh::slid(const Attempt& attempt, Sense sense) {
   }
 }
 
-StickSlip ShiftedMesh::search(const InstantContact& instant, const StepEnd& end, const CenterCondition& center) {
-  if (!pair_->has_friction())
-    return solve_frictionless(*pair_, instant, last_forces(), instant.instantaneous.sum * end.load, inverse_);
+StickSlip ShiftedMesh::search(const Attempt& attempt, const InstantContact& instant) {
+  if (!pair_->has_friction()) return solve_frictionless(*pair_, instant, last_forces(), approach(attempt), inverse_);
+  const StepEnd& end = attempt.end;
   const Departure departure{.turned = end.angle - now_.angle, .loaded_displacements = displacements(instant.place)};
-  return solve_frictional(*pair_, instant, last_forces(), departure, end.load, center, stiffness_);
+  return solve_frictional(*pair_, instant, last_forces(), departure, end.load, attempt.center, stiffness_);
+}
+
+/// The motion of an axle follows the same method as that of the center (`center_condition`).
+ApproachCondition ShiftedMesh::approach(const Attempt& attempt) const {
+  const double compliance = attempt.instantaneous.sum;
+  const StepEnd& end = attempt.end;
+  if (end.axle_height) return {.force = 0.0, .penetration = 1.0, .value = pair_->nodes.grid.radius - *end.axle_height};
+  if (!pair_->axle || attempt.step == nullptr) return {.value = compliance * end.load};
+  return scaled(axle_condition(*pair_->axle, now_, axle_, attempt.step->duration, end.load), compliance);
 }
 
 std::vector<HalfField> ShiftedMesh::displacements(const ContactPlace& place) const {
@@ -208,6 +223,7 @@ void ShiftedMesh::require_open_track(const ContactPlace& place) const {
 
 /// Whether the contact ends within the window; if not, widen the window.
 bool ShiftedMesh::fits(const InstantContact& instant, double load) {
+  if (instant.contact.nodes.empty()) return true;
   const Index half_nodes = pair_->half_nodes();
   const Index most = pair_->nodes.widest.phi.last;
   bool at_side = false;
@@ -219,9 +235,20 @@ bool ShiftedMesh::fits(const InstantContact& instant, double load) {
   if (at_side && !pair_->ends_at_sides()) throw ContactTooWide();
   if (!at_end) return true;
   if (half_rows_ >= most) reject_contact_over_60_degrees(pair_->pair, load);
-  half_rows_ = std::min(half_rows_ + half_rows_ / 2 + 1, most);
-  forget_contact();
+  widen_window(std::min(half_rows_ + half_rows_ / 2 + 1, most));
   return false;
+}
+
+bool ShiftedMesh::reaches_all(const InstantContact& instant, const StepEnd& end) {
+  const Index needed = half_rows_in_reach(*pair_, shift_, end.angle, ahead_, instant.contact.penetration);
+  if (needed <= half_rows_) return true;
+  widen_window(needed);
+  return false;
+}
+
+void ShiftedMesh::widen_window(Index half_rows) {
+  half_rows_ = half_rows;
+  forget_contact();
 }
 
 void ShiftedMesh::forget_contact() {
@@ -231,7 +258,10 @@ void ShiftedMesh::forget_contact() {
 
 void ShiftedMesh::take(const InstantContact& instant, const StepEnd& end) {
   now_.angle = end.angle;
-  now_.load = end.load;
+  const bool is_load_given = !end.axle_height && !pair_->axle;
+  const ArrayXd pressing = -instant.contact.force.col(kDown) * instant.place.weights;
+  now_.load = is_load_given ? end.load : pressing.sum() / instant.instantaneous.sum;
+  now_.axle_force = end.axle_height ? now_.load : end.load;
   set_extent(*pair_, instant, now_);
   power_ = set_moments(*pair_, instant, now_);
   if (pair_->has_friction()) take_friction(instant);
@@ -271,13 +301,17 @@ void ShiftedMesh::start(Start start, const StepEnd& at, double center_speed, con
   const InstantaneousCompliance instantaneous = this->instantaneous(parts_in, checkpoint);
   now_.angle = at.angle;
   const CenterCondition unpushed;
-  explaining_failure({nullptr, instantaneous, at, unpushed, checkpoint}, [&] {
+  const auto attempt_at = [&](const StepEnd& end) {
+    return Attempt{
+        .step = nullptr, .instantaneous = instantaneous, .end = end, .center = unpushed, .checkpoint = checkpoint};
+  };
+  explaining_failure(attempt_at(at), [&] {
     // With friction, pressing depends on its path: the load rises in steps, without a force on the center.
     const int count = pair_->has_friction() ? kPressingSteps : 1;
     for (int i = 1; i <= count; ++i) {
       StepEnd end = at;
       end.load *= static_cast<double>(i) / count;
-      const InstantContact contact = instant(nullptr, instantaneous, end, unpushed, checkpoint);
+      const InstantContact contact = instant(attempt_at(end));
       take(contact, end);
       for (std::size_t b = 0; b < memories_.size(); ++b) {
         if (relaxed) {
@@ -291,6 +325,7 @@ void ShiftedMesh::start(Start start, const StepEnd& at, double center_speed, con
   take_stored_energy();
   now_.dissipated_energy = now_.counterbody_dissipated_energy = now_.slip_energy = 0.0;
   now_.center_speed = center_speed;
+  axle_.rest = now_.penetration;
 }
 
 void ShiftedMesh::advance(const PairStep& step, const StepEnd& end, const Checkpoint& checkpoint) {
@@ -300,10 +335,11 @@ void ShiftedMesh::advance(const PairStep& step, const StepEnd& end, const Checkp
   const auto parts_in = [&](std::size_t b) { return pair_->bodies[b].step_factors(step.parts[b]); };
   const InstantaneousCompliance instantaneous = this->instantaneous(parts_in, checkpoint);
   const CenterCondition center = center_condition(*pair_, now_, duration, end);
-  const InstantContact contact = explaining_failure({&step, instantaneous, end, center, checkpoint}, [&] {
-    return instant(&step, instantaneous, end, center, checkpoint);
-  });
+  const Attempt attempt{
+      .step = &step, .instantaneous = instantaneous, .end = end, .center = center, .checkpoint = checkpoint};
+  const InstantContact contact = explaining_failure(attempt, [&] { return instant(attempt); });
   take(contact, end);
+  take_axle(before, duration);
   for (std::size_t b = 0; b < memories_.size(); ++b) {
     lose(memories_[b].advance(step.parts[b], duration, load_of(*pair_, contact, b)), pair_->bodies[b].rolls);
   }
@@ -312,17 +348,31 @@ void ShiftedMesh::advance(const PairStep& step, const StepEnd& end, const Checkp
   if (pair_->has_friction()) {
     move_center(pair_->mass, duration, contact.contact.center_displacement, center_acceleration_, now_);
     lose(0.5 * (power.creeping + power_.creeping) * (contact.contact.center_displacement - displacement), false);
+    ahead_ += contact.contact.center_displacement - displacement;
     displacement = contact.contact.center_displacement;
   }
   take_stored_energy();
-  const double used = now_.stored_energy - before.stored_energy + now_.dissipated_energy - before.dissipated_energy;
+  const double used = now_.stored_energy - before.stored_energy + now_.dissipated_energy - before.dissipated_energy +
+                      now_.axle_energy - before.axle_energy;
   // A jump is elastic over any distance: its work is the energy that it stores.
-  const double work = duration == 0.0 ? used
-                                      : 0.5 * ((before.driving_torque + now_.driving_torque) * turn +
-                                               (before.load + end.load) * (now_.penetration - before.penetration) +
-                                               (power.along_track + power_.along_track) * displacement);
+  const double work = duration == 0.0
+                          ? used
+                          : 0.5 * ((before.driving_torque + now_.driving_torque) * turn +
+                                   (before.axle_force + now_.axle_force) * (now_.penetration - before.penetration) +
+                                   (power.along_track + power_.along_track) * displacement);
   now_.work += work;
   now_.energy_balance_residual += work - used;
+}
+
+void ShiftedMesh::take_axle(const RollingInstant& before, double duration) {
+  const double risen = before.penetration - now_.penetration;
+  if (duration > 0.0) move_axle(pair_->axle.has_value(), duration, risen, axle_, now_);
+  if (!pair_->axle) return;
+  const auto& [mass, stiffness, damping] = *pair_->axle;
+  const double old = before.axle_speed;
+  const double speed = now_.axle_speed;
+  now_.axle_energy = 0.5 * mass * speed * speed + 0.5 * stiffness * std::pow(now_.penetration - axle_.rest, 2);
+  now_.dissipated_energy += damping * duration * (old * old + old * speed + speed * speed) / 3.0;
 }
 
 void ShiftedMesh::lose(double energy, bool in_rolling_body) {
@@ -356,7 +406,7 @@ void ShiftedMesh::widen(std::shared_ptr<const ViscoelasticPair> pair, const Chec
 
 void ShiftedMesh::write(NumberWriter& numbers) const {
   for (const auto member : kShiftedMeshScalars) numbers.put(now_.*member);
-  numbers.put(center_acceleration_);
+  for (const double number : {center_acceleration_, ahead_, axle_.acceleration, axle_.rest}) numbers.put(number);
   numbers.put(power_.along_track);
   numbers.put(power_.creeping);
   numbers.put(static_cast<double>(half_rows_));
@@ -379,13 +429,13 @@ void ShiftedMesh::read(NumberReader& numbers, const Checkpoint& checkpoint) {
   }
   const double spacing = pair_->nodes.grid.phi_spacing;
   NumberReader::require(std::abs(now_.angle) <= kMaxRows * spacing && now_.load >= 0.0);
-  center_acceleration_ = numbers.get();
+  for (double* number : {&center_acceleration_, &ahead_, &axle_.acceleration, &axle_.rest}) *number = numbers.get();
   power_ = {.along_track = numbers.get(), .creeping = numbers.get()};
   half_rows_ = numbers.count(static_cast<double>(pair_->nodes.widest.phi.last));
   lowest_ = numbers.get();
   first_ = numbers.row();
   count_ = numbers.count();
-  const ContactPlace place = place_at(*pair_, shift_, half_rows_, now_.angle);
+  const ContactPlace place = place_at(*pair_, shift_, half_rows_, now_.angle, ahead_);
   NumberReader::require(first_ == place.first && count_ == place.count);
   force_ = VectorField::Zero(pair_->half_nodes() * count_, 3);
   for (const auto& [axis, sign] : kSaved) {
@@ -412,7 +462,7 @@ void ShiftedMesh::read(NumberReader& numbers, const Checkpoint& checkpoint) {
 }
 
 ContactField ShiftedMesh::field() const {
-  const ContactPlace place = place_at(*pair_, shift_, half_rows_, now_.angle);
+  const ContactPlace place = place_at(*pair_, shift_, half_rows_, now_.angle, ahead_);
   const Index half_nodes = pair_->half_nodes();
   const Index sides = 2 * half_nodes - 1;
   const double patch = flat_patch(pair_->nodes.grid);

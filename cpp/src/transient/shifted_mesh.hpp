@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "transient/center_motion.hpp"
 #include "transient/instant_contact.hpp"
 #include "transient/row_memory.hpp"
 #include "transient/time_step.hpp"
@@ -86,12 +87,13 @@ class ShiftedMesh {
   template <class Parts>
   [[nodiscard]] InstantaneousCompliance instantaneous(const Parts& parts_in, const Checkpoint& checkpoint);
   /// @param[in] step null for a first contact of unloaded bodies
-  [[nodiscard]] InstantContact instant(const PairStep* step, const InstantaneousCompliance& instantaneous,
-                                       const StepEnd& end, const CenterCondition& center, const Checkpoint& checkpoint);
+  [[nodiscard]] InstantContact instant(const Attempt& attempt);
   /// @brief Position of a contact, and displacements there that do not depend on the new forces.
   [[nodiscard]] InstantContact before_contact(const PairStep* step, const InstantaneousCompliance& instantaneous,
                                               const StepEnd& end, const Checkpoint& checkpoint) const;
-  [[nodiscard]] StickSlip search(const InstantContact& instant, const StepEnd& end, const CenterCondition& center);
+  [[nodiscard]] StickSlip search(const Attempt& attempt, const InstantContact& instant);
+  /// Condition for load and penetration at the end of a step, in scaled forces.
+  [[nodiscard]] ApproachCondition approach(const Attempt& attempt) const;
   /// @param[in] attempt data of the search, used to explain a failure
   /// @param[in] search called without arguments
   template <class Search>
@@ -102,10 +104,15 @@ class ShiftedMesh {
   void require_reach(const ContactPlace& place) const;
   void require_open_track(const ContactPlace& place) const;
   [[nodiscard]] bool fits(const InstantContact& instant, double load);
+  /// Whether the window contains every point that the bodies could touch; if not, widen the window.
+  [[nodiscard]] bool reaches_all(const InstantContact& instant, const StepEnd& end);
+  void widen_window(Eigen::Index half_rows);
   [[nodiscard]] LastForces last_forces() const { return {.force = force_, .count = count_, .lowest = lowest_}; }
   void take(const InstantContact& instant, const StepEnd& end);
   void take_friction(const InstantContact& instant);
   void take_stored_energy();
+  /// Take speed, acceleration and energy of the axle at the end of a step.
+  void take_axle(const RollingInstant& before, double duration);
   [[nodiscard]] double slip_work(const InstantContact& instant) const;
   void lose(double energy, bool in_rolling_body);
   /// Displacements of every body on the rows of a window.
@@ -125,6 +132,8 @@ class ShiftedMesh {
   double lowest_ = 0.0;                    // position of its middle row relative to the lowest point [spacings]
   CenterPower power_;                      // at the last instant
   double center_acceleration_ = 0.0;       // of a center with mass, in the time integration [m/s^2]
+  double ahead_ = 0.0;  // distance by which the center has moved farther than the body has rolled [m]
+  AxleState axle_;
   RollingInstant now_;
 };
 

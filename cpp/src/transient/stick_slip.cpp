@@ -41,7 +41,7 @@ VectorField without_friction(const StickSlipProblem& problem, const VectorField&
   const ElasticContactProblem smooth{.surface = problem.surface,
                                      .gap = as_field(problem.gap, half_nodes),
                                      .weights = as_field(problem.weights, half_nodes),
-                                     .load = problem.load};
+                                     .condition = {.value = problem.load}};
   ContactInverse inverse;
   VectorField force = VectorField::Zero(guess.rows(), 3);
   force.col(kDown) = -solve_elastic_contact(smooth, (-guess.col(kDown)).max(0.0), inverse).pressing;

@@ -36,16 +36,20 @@ constexpr double kFirstFraction = 1e-3;      // of a segment, if the material ha
 constexpr double kFirstTime = 0.05;          // of the shortest retardation time
 
 void write_end(const StepEnd& end, NumberWriter& numbers) {
-  std::vector<double> values{end.time, end.angle, end.load};
-  if (end.center_displacement) values.push_back(*end.center_displacement);
-  numbers.put(values);
+  numbers.put(std::vector<double>{end.time, end.angle, end.load});
+  for (const std::optional<double>& given : {end.center_displacement, end.axle_height})
+    numbers.put(given ? std::vector{*given} : std::vector<double>{});
 }
 
 StepEnd read_end(NumberReader& numbers) {
   const std::vector<double> values = numbers.values();
-  NumberReader::require(values.size() == 3 || values.size() == 4);
+  NumberReader::require(values.size() == 3);
   StepEnd end{.time = values[0], .angle = values[1], .load = values[2], .center_displacement = {}};
-  if (values.size() == 4) end.center_displacement = values[3];
+  for (std::optional<double>* given : {&end.center_displacement, &end.axle_height}) {
+    const std::vector<double> value = numbers.values();
+    NumberReader::require(value.size() <= 1);
+    if (!value.empty()) *given = value.front();
+  }
   return end;
 }
 
@@ -73,7 +77,8 @@ std::vector<double> StepChoice::fractions(const Segment& segment, double last) c
   constexpr double kRoundOff = 1e-9;
   const double by_turn = std::ceil(std::abs(segment.turn) * *steps_per_spacing_ / spacing_ - kRoundOff);
   const double by_load = std::ceil(std::abs(segment.relative_load) / kLargestLoadChange - kRoundOff);
-  const double longest = segment.duration / std::max({by_turn, by_load, 1.0});
+  const double by_vibration = std::ceil(segment.duration / segment.longest_step - kRoundOff);
+  const double longest = segment.duration / std::max({by_turn, by_load, by_vibration, 1.0});
   const double first = std::max(kFirstTime * shortest_time_, kFirstFraction * segment.duration);
 
   std::vector<double> ends;
@@ -98,6 +103,7 @@ StepEnd StartedSegment::at(double share) const {
     at.center_displacement =
         *begin.center_displacement + share * (*end.center_displacement - *begin.center_displacement);
   }
+  if (end.axle_height) at.axle_height = *begin.axle_height + share * (*end.axle_height - *begin.axle_height);
   return at;
 }
 
@@ -113,7 +119,7 @@ void write(const std::optional<StartedSegment>& started, NumberWriter& numbers) 
 std::optional<StartedSegment> read_started_segment(NumberReader& numbers) {
   if (numbers.count(1.0) == 0) return std::nullopt;
   StartedSegment started{.begin = read_end(numbers), .end = read_end(numbers), .last_step = numbers.get(), .taken = 0};
-  NumberReader::require(started.begin.center_displacement.has_value());
+  NumberReader::require(started.begin.center_displacement.has_value() && started.begin.axle_height.has_value());
   started.taken = static_cast<std::size_t>(numbers.count());
   return started;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct StepEnd {
   double angle;                               ///< [rad]
   double load;                                ///< [N]
   std::optional<double> center_displacement;  ///< displacement since the first instant [m]; none if forces decide
+  std::optional<double> axle_height = {};     ///< height of the axle [m], which replaces the load
 
   bool operator==(const StepEnd&) const = default;
 };
@@ -57,6 +59,8 @@ struct Segment {
   double duration;       ///< [s], >= 0
   double turn;           ///< [rad]
   double relative_load;  ///< change of the load relative to the larger load [-]
+  /// Longest step that resolves the vibration of the axle [s]
+  double longest_step = std::numeric_limits<double>::infinity();
 };
 
 /// @param[in] spacing,steps_per_spacing same as in `StepChoice`

@@ -137,6 +137,14 @@ void require_supported_options(const RollingPair& pair, const HistoryOptions& op
            "0 kg on a counterbody that is curved along the path, where center and contact move different distances",
            text(options.mass) + " kg");
   }
+  if (!approach_exists(pair)) {
+    const auto require_none = [](const auto& option, const char* name) {
+      if (option) reject(name, "left out in line contact on a half-space, where the penetration is undetermined", name);
+    };
+    require_none(options.ground, "ground");
+    require_none(options.tread, "tread");
+    require_none(options.axle, "axle");
+  }
   if (options.compliance != Compliance::radial && !(is_ball && is_on_rigid_plane)) {
     reject("compliance", "RADIAL in transient rolling, except for a ball on the rigid plane", "VERTICAL");
   }
@@ -153,13 +161,16 @@ TableSize first_size(const RollingPair& at_rest, const Mesh& mesh, const Contact
 
 ViscoelasticPair viscoelastic_pair(const RollingPair& at_rest, const std::vector<BodySpectrum>& spectra,
                                    const HistoryOptions& options, const TableSize& size, Watch& watch) {
+  const Nodes nodes = nodes_of(at_rest, *options.mesh);
   ViscoelasticPair creeping{.pair = at_rest,
-                            .nodes = nodes_of(at_rest, *options.mesh),
+                            .nodes = nodes,
                             .compliance = options.compliance,
                             .friction = options.friction,
                             .driving_force = options.driving_force,
                             .driving_torque = options.driving_torque,
                             .mass = options.mass,
+                            .axle = options.axle,
+                            .heights = SurfaceHeights(options, nodes.grid),
                             .track_reach = size.track_reach,
                             .bodies = {}};
   const bool along_plane = options.compliance == Compliance::vertical || options.friction > 0.0;

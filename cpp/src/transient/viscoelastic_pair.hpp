@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "rolling/rolling_pair.hpp"
 #include "transient/layer_spectrum.hpp"
+#include "transient/row_heights.hpp"
 #include "transient/viscoelastic_body.hpp"
 #include "viscoroll/rolling_history.hpp"
 
@@ -36,6 +37,8 @@ struct ViscoelasticPair {
   double driving_force;                  ///< on the center, forward [N]
   std::optional<double> driving_torque;  ///< about the center; replaces the force [N m]
   double mass;                           ///< of the parts that move with the center [kg]
+  std::optional<Axle> axle;
+  SurfaceHeights heights;                ///< of ground and tread
   Eigen::Index track_reach;              ///< reach of the tables along a track
   std::vector<ViscoelasticBody> bodies;  ///< deformable bodies, the rolling body first
 

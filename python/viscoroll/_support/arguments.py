@@ -6,6 +6,7 @@ import operator
 import sys
 from collections.abc import Callable, Sequence
 from enum import Enum
+from math import inf
 from numbers import Real
 from types import UnionType
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, get_args
@@ -13,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from .errors import InvalidInput, InvalidType
+from .errors import InvalidInput, InvalidType, Range
 from .text import shown
 
 if TYPE_CHECKING:
@@ -26,14 +27,17 @@ Floats: TypeAlias = NDArray[np.float64]
 
 __all__ = [
     "Floats",
+    "as_count",
     "as_float",
     "as_float_array",
+    "as_float_in",
     "as_floats",
     "as_int",
     "as_kelvin",
     "as_member",
     "as_not_negative",
     "as_orders",
+    "as_poisson_ratio",
     "as_positive",
     "kind_names",
     "require_callable",
@@ -111,27 +115,34 @@ def as_float(name: str, value: object) -> float:
         raise InvalidInput(name, f"must be <= {sys.float_info.max:.2g} in magnitude", shown(value)) from None
 
 
+def as_float_in(allowed: Range, name: str, value: object, reason: str = "") -> float:
+    """Return a number of a range, or raise a TypeError or ValueError; `reason` continues the text of the range."""
+    number = as_float(name, value)
+    if number not in allowed:
+        raise allowed.error(name, f"{number:g}", reason)
+    return number
+
+
 def as_positive(name: str, value: object, unit: str = "") -> float:
     """Return a finite number > 0, or raise a TypeError or ValueError."""
-    number = as_float(name, value)
-    if not 0.0 < number < float("inf"):
-        raise InvalidInput(name, f"must be > {f'0 {unit}'.strip()}", f"{number:g}")
-    return number
+    return as_float_in(Range(0.0, unit=unit, excludes_minimum=True), name, value)
 
 
 def as_not_negative(name: str, value: object, unit: str = "") -> float:
     """Return a finite number >= 0, or raise a TypeError or ValueError."""
-    number = as_float(name, value)
-    if not 0.0 <= number < float("inf"):
-        raise InvalidInput(name, f"must be >= {f'0 {unit}'.strip()}", f"{number:g}")
-    return number
+    return as_float_in(Range(0.0, unit=unit), name, value)
+
+
+def as_poisson_ratio(name: str, value: object, *, compressible: bool = False) -> float:
+    """Return Poisson's ratio in (-1, 0.5], or in (-1, 0.5) if the material must be `compressible`."""
+    return as_float_in(Range(-1.0, 0.5, excludes_minimum=True, excludes_maximum=compressible), name, value)
 
 
 def as_kelvin(name: str, value: object) -> float:
     """Return a temperature [K]; reject values below 100 K, where no rubber is rubbery: they are probably in °C."""
-    temperature = as_float(name, value)
-    if not 100.0 <= temperature < float("inf"):
-        raise InvalidInput(name, "must be >= 100 K (20 °C are 293.15 K)", f"{temperature:g} K")
+    temperature, allowed = as_float(name, value), Range(100.0, unit="K")
+    if temperature not in allowed:
+        raise allowed.error(name, f"{temperature:g} K", " (20 °C are 293.15 K)")
     return temperature
 
 
@@ -153,6 +164,15 @@ def as_int(name: str, value: object) -> int:
         raise InvalidType(name, "must be a whole number", _described(value)) from None
     if abs(number) > 2**31 - 1:
         raise InvalidInput(name, "must fit into 32 bits", shown(number))
+    return number
+
+
+def as_count(name: str, value: object, least: int, most: float = inf) -> int:
+    """Return a whole number from `least` to `most`, or raise a TypeError or ValueError."""
+    number = as_int(name, value)
+    allowed = Range(least, most)
+    if number not in allowed:
+        raise allowed.error(name, number)
     return number
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from .arguments import Floats, as_float
-from .errors import InvalidInput
+from .arguments import Floats, as_float_in
+from .errors import Range
 from .extras import extra
 
 __all__ = ["as_confidence", "interval_half_width", "student_quantile"]
@@ -13,10 +13,7 @@ __all__ = ["as_confidence", "interval_half_width", "student_quantile"]
 
 def as_confidence(confidence: object) -> float:
     """Return a confidence level in (0, 1) as a float, or raise a TypeError or ValueError."""
-    number = as_float("confidence", confidence)
-    if not 0.0 < number < 1.0:
-        raise InvalidInput("confidence", "must be in (0, 1)", repr(number))
-    return number
+    return as_float_in(Range(0.0, 1.0, excludes_minimum=True, excludes_maximum=True), "confidence", confidence)
 
 
 def interval_half_width(draws: Floats, confidence: float) -> Floats:

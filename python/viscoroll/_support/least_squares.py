@@ -13,7 +13,7 @@ from .._core import ConvergenceError
 from .arguments import Floats
 from .errors import InvalidInput
 from .extras import extra
-from .intervals import student_quantile
+from .intervals import as_confidence, student_quantile
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -142,8 +142,7 @@ def fit_law(
     with extra("studies"):
         from scipy.optimize import least_squares
 
-    if not 0.0 < confidence < 1.0:
-        raise InvalidInput("confidence", "must be in (0, 1)", repr(confidence))
+    confidence = as_confidence(confidence)
     scale = np.where(start == 0.0, 1.0, np.abs(start))
     size = float(np.abs(y).max())
 

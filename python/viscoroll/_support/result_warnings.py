@@ -13,8 +13,9 @@ if TYPE_CHECKING:
 
 __all__ = ["ResultWarning", "silenced", "warn"]
 
-#: Whether `warn` is silent in this context. Python's warning filters apply to all threads, and studies use many.
-_SILENT: ContextVar[bool] = ContextVar("silent", default=False)
+#: List that collects the messages of `warn` in this context, or None where `warn` warns. Python's warning filters apply
+#: to all threads, and studies use many.
+_SILENCED: ContextVar[list[str] | None] = ContextVar("silenced", default=None)
 
 
 class ResultWarning(UserWarning):
@@ -27,7 +28,8 @@ class ResultWarning(UserWarning):
 
 def warn(messages: Iterable[str]) -> None:
     """Issue a `ResultWarning` for every message, attributed to the call into this package."""
-    if _SILENT.get():
+    if (silenced_messages := _SILENCED.get()) is not None:
+        silenced_messages.extend(messages)
         return
     for message in messages:
         warnings.warn(message, ResultWarning, stacklevel=1 + _calls_within())
@@ -43,10 +45,11 @@ def _calls_within() -> int:
 
 
 @contextmanager
-def silenced() -> Iterator[None]:
-    """Suppress `warn` in a block; its caller evaluates the warnings in the results instead."""
-    token = _SILENT.set(True)
+def silenced() -> Iterator[list[str]]:
+    """Suppress `warn` in a block, and yield the list that collects its messages."""
+    messages: list[str] = []
+    token = _SILENCED.set(messages)
     try:
-        yield
+        yield messages
     finally:
-        _SILENT.reset(token)
+        _SILENCED.reset(token)

@@ -9,16 +9,12 @@ from html import escape
 from typing import Any
 
 from .text import shown
-from .units import UNITS
+from .units import UNITS, suitable_unit
 
-__all__ = ["ParameterTable", "handy", "html_table", "number_text", "unit_text"]
+__all__ = ["ParameterTable", "few_texts", "handy", "html_table", "number_text", "unit_text"]
 
 #: Number of entries that are displayed at the beginning of a long sequence, in addition to the last entry.
 _SHOWN = 4
-
-#: Factors of the prefixes that `handy` uses, and units that take a prefix.
-_PREFIXES = {"M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3}
-_PREFIXED = frozenset({"m", "m^2", "m/s", "N", "N m", "N/m", "Pa", "W", "W/m"})
 
 #: HTML attribute for text cells: by default, notebooks align them to the right.
 _LEFT = ' style="text-align: left"'
@@ -45,6 +41,13 @@ def number_text(value: object) -> str:
     return "undetermined" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
+def few_texts(texts: Sequence[str]) -> str:
+    """Return texts in a row; of many, some of them and their number."""
+    if len(texts) <= _SHOWN + 1:
+        return ", ".join(texts) or "none"
+    return f"{', '.join(texts[:_SHOWN])}, …, {texts[-1]} ({len(texts)})"
+
+
 def unit_text(unit: str) -> str:
     """Return a unit as text; empty for a dimensionless quantity."""
     return "" if unit == "1" else unit
@@ -58,20 +61,10 @@ def handy(values: Sequence[float | None], unit: str) -> tuple[list[str], str]:
     >>> handy([8.461538e6], "Pa")
     (['8.4615'], 'MPa')
     >>> handy([2.27419e-5, None], "m^2")
-    (['22.742', 'undetermined'], 'mm^2')
+    (['22.742', 'undetermined'], 'mm²')
     """
-    largest = max((abs(value) for value in values if value is not None), default=0.0)
-    prefix = _prefix(largest, unit) if unit in _PREFIXED and largest > 0.0 else ""
-    factor = _factor(prefix, unit)
-    return ["undetermined" if value is None else f"{value / factor:.5g}" for value in values], prefix + unit
-
-
-def _prefix(largest: float, unit: str) -> str:
-    return next((prefix for prefix in _PREFIXES if largest >= _factor(prefix, unit)), "m")
-
-
-def _factor(prefix: str, unit: str) -> float:
-    return float(_PREFIXES[prefix] ** (2 if unit == "m^2" else 1))
+    name, scale = suitable_unit(max((abs(value) for value in values if value is not None), default=0.0), unit)
+    return ["undetermined" if value is None else f"{value / scale:.5g}" for value in values], name
 
 
 class ParameterTable:
@@ -106,16 +99,9 @@ def _cells(name: str, value: Any) -> tuple[str, str]:
         case tuple() if value and all(isinstance(entry, ParameterTable) for entry in value):
             return "".join(entry._repr_html_() for entry in value), ""
         case tuple() if all(isinstance(entry, float) for entry in value):
-            return _few(value), unit
+            return few_texts([*map(number_text, value)]), unit
         case _:
             return escape(f"{value}" if is_dataclass(value) else shown(value)), ""
-
-
-def _few(values: tuple[float, ...]) -> str:
-    """Return the text of a sequence; for a long one, some of its numbers and its length."""
-    if len(values) <= _SHOWN + 1:
-        return ", ".join(map(number_text, values)) or "none"
-    return f"{', '.join(map(number_text, values[:_SHOWN]))}, …, {number_text(values[-1])} ({len(values)})"
 
 
 def _row(cells: Sequence[str]) -> str:

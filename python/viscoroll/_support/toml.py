@@ -6,7 +6,17 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-__all__ = ["read_toml"]
+__all__ = ["parse_toml", "read_toml"]
+
+
+def parse_toml(text: str) -> dict[str, Any]:
+    """Return the content of a text in TOML; raise a ValueError if it is not TOML."""
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise ValueError("not a TOML file: nested too deeply") from None
+    except ValueError as error:  # TOMLDecodeError, or too many digits of an integer
+        raise ValueError(f"not a TOML file: {error}") from None
 
 
 def read_toml(path: Path) -> dict[str, Any]:
@@ -20,8 +30,7 @@ def read_toml(path: Path) -> dict[str, Any]:
         If the file cannot be read.
     """
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except RecursionError:
-        raise ValueError("not a TOML file: nested too deeply") from None
-    except ValueError as error:  # TOMLDecodeError, UnicodeDecodeError, or too many digits of an integer
+        text = path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
         raise ValueError(f"not a TOML file: {error}") from None
+    return parse_toml(text)

@@ -36,7 +36,7 @@ class ClosedForm:
     ----------
     torque : callable
         Function torque(load, angular_speed) that returns the resisting torque T [N m] for loads P [N] and angular
-        speeds Ω [rad/s], which may be arrays. For rollers, T [N] and P [N/m] are per unit length. Calling the
+        speeds Ω [rad/s], which may be arrays. For rollers, T [N m/m] and P [N/m] are per unit length. Calling the
         `ClosedForm` itself is equivalent.
     is_valid : callable
         Function is_valid(load, angular_speed) that returns an array of bool: whether the contact and the speed are

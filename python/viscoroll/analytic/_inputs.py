@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from .. import _core
-from .._support.arguments import as_float, as_float_array
-from .._support.errors import InvalidInput
+from .._support.arguments import as_float_array, as_float_in, as_poisson_ratio
+from .._support.errors import Range
 from ..materials.modulus_like import ShearModulusLike, to_core
 
 if TYPE_CHECKING:
@@ -33,24 +33,18 @@ def positives(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
     array = as_float_array(name, values)
     bad = array[~(np.isfinite(array) & (array > 0.0))]
     if bad.size:
-        raise InvalidInput(name, f"must be > 0 {unit}", f"{bad[0]:g}")
+        raise Range(0.0, unit=unit, excludes_minimum=True).error(name, f"{bad[0]:g}")
     return array
 
 
 def fraction(name: str, value: object) -> float:
     """Convert a number to a float; raise a ValueError unless it is in [0, 1]."""
-    number = as_float(name, value)
-    if not 0.0 <= number <= 1.0:
-        raise InvalidInput(name, "must be in [0, 1]", f"{number:g}")
-    return number
+    return as_float_in(Range(0.0, 1.0), name, value)
 
 
 def poisson(value: object, *, compressible: bool = False) -> float:
     """Convert Poisson's ratio to a float in (-1, 0.5]; if the material must be `compressible`, in (-1, 0.5)."""
-    number = as_float("poisson_ratio", value)
-    if not (-1.0 < number < 0.5 or (number == 0.5 and not compressible)):
-        raise InvalidInput("poisson_ratio", f"must be in (-1, 0.5{')' if compressible else ']'}", f"{number:g}")
-    return number
+    return as_poisson_ratio("poisson_ratio", value, compressible=compressible)
 
 
 def require_one_volumetric_constant(poisson_ratio: float | None, bulk_modulus: float | None) -> None:

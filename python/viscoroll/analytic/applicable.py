@@ -1,18 +1,19 @@
-"""Closed forms that are valid for a body on a rigid plane, or for a ball on another ball."""
+"""Closed forms that are valid for two bodies of which one is rigid, or for two identical ones."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 import numpy as np
 
 from .._core import InnerBoundary
 from .._support.arguments import as_float_array, require_type
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Counterbody, Layer, RollingBody
+from ..bodies.layered import LayeredBody, materials_of
 from ..materials.modulus_like import standard_linear_solid_of
 from ._at_rest import Coating, reach_at_rest
 from ._closed_form import (
@@ -43,18 +44,27 @@ __all__ = ["ClosedForm", "applicable"]
 _WIDE = 10.0
 
 
+#: Ratio of the moduli at rest above which the stiffer body counts as rigid.
+_STIFF = 1e3
+
+#: Thickness of the layer that replaces a half-space, divided by the radius.
+_DEEP = 1e6
+
+_Body = TypeVar("_Body", bound=LayeredBody)
+_Round = TypeVar("_Round", CoatedSphere, CoatedCylinder)
+
 #: Closed forms by name, or None for a form that does not apply to the materials.
 _Forms: TypeAlias = "dict[str, ClosedForm | None]"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _BallCoating:
-    """Layers between a ball and a plane or between two balls, with the radius of the equivalent ball on a plane."""
+@dataclass(frozen=True, slots=True)
+class _Cover:
+    """Layers between two bodies, from the core or base outwards, with the radius of the equivalent body on a plane."""
 
     layers: Sequence[Layer]
     thickness: float
     outer_radius: float
-    inner_boundary: InnerBoundary
+    inner_boundary: InnerBoundary = InnerBoundary.RIGID
 
 
 def applicable(body: RollingBody, *, on: Counterbody | None = None) -> dict[str, ClosedForm]:
@@ -70,8 +80,7 @@ def applicable(body: RollingBody, *, on: Counterbody | None = None) -> dict[str,
     Returns
     -------
     dict of str to ClosedForm
-        Valid closed forms by name; empty for counterbodies without one. The `is_valid` of each form checks loads and
-        speeds.
+        Valid closed forms by name; empty for pairs without one. The `is_valid` of each form checks loads and speeds.
 
     Raises
     ------
@@ -93,8 +102,14 @@ def applicable(body: RollingBody, *, on: Counterbody | None = None) -> dict[str,
     same forms, per unit length times the width. Crowned wheels: ``"low_speed"``, ``"greenwood_tabor"`` and
     ``"persson"``.
 
-    Two balls: if one is rigid, the forms of the coated one with 1/R = 1/R₁ + 1/R₂; if both are identical, the forms of
-    one on the plane between them.
+    Rigid balls and rollers on layers on a rigid plane have the forms of coated ones on a rigid plane; on a half-space,
+    the same forms except that of springs.
+
+    Two balls or two rollers: if one is rigid, the forms of the coated one with 1/R = 1/R₁ + 1/R₂; if both are
+    identical, the forms of one on the plane between them.
+
+    A body counts as rigid if its modulus at rest is at least 1000 times that of the other body, such as steel on
+    rubber, because its share of the deformation is then below 0.1 %.
 
     Examples
     --------
@@ -110,33 +125,69 @@ def applicable(body: RollingBody, *, on: Counterbody | None = None) -> dict[str,
     require_type("on", on, Counterbody, optional=True)
     counterbody = CoatedPlane() if on is None else on
     find = _FORMS.get((type(body), type(counterbody)))
-    forms = {} if find is None else find(body, counterbody)
+    forms = {} if find is None else find(*_with_rigid(body, counterbody))
     return {name: form for name, form in forms.items() if form is not None}
 
 
-def _on_rigid_plane(of_body: Callable[[Any], _Forms], body: RollingBody, plane: CoatedPlane) -> _Forms:
-    return of_body(body) if body.layers and not plane.is_deformable else {}
+def _with_rigid(body: RollingBody, on: Counterbody) -> tuple[RollingBody, Counterbody]:
+    """Return both bodies, one of them rigid if it is much stiffer than the other."""
+    softest, softest_on = (_lowest_modulus(one) for one in (body, on))
+    if math.isfinite(softest) and softest >= _STIFF * softest_on:
+        return _rigid(body), on
+    if math.isfinite(softest_on) and softest_on >= _STIFF * softest:
+        return body, _rigid(on)
+    return body, on
 
 
-def _of_lone_ball(ball: CoatedSphere) -> _Forms:
-    return _of_ball(_coating(ball, ball.outer_radius))
+def _lowest_modulus(body: RollingBody | Counterbody) -> float:
+    """Return the lowest shear modulus at rest of the layers of a body [Pa]; infinite for a rigid body."""
+    return min((relaxed_constants(material)[0] for material in materials_of(body)), default=math.inf)
 
 
-def _of_two_balls(ball: CoatedSphere, on: CoatedSphere) -> _Forms:
-    coated = [sphere for sphere in (ball, on) if sphere.layers]
-    if coated and on == ball:
-        return _of_lone_ball(ball)
+def _rigid(body: _Body) -> _Body:
+    """Return a rigid body with the same surface."""
+    values = {
+        "core_radius": getattr(body, "outer_radius", None),
+        "inner_boundary": InnerBoundary.RIGID,
+        "layers": (),
+        "base": None,
+    }
+    return replace(body, **{field.name: values[field.name] for field in fields(body) if field.name in values})
+
+
+def _on_plane(of_cover: Callable[[_Cover], _Forms], body: RollingBody, plane: CoatedPlane) -> _Forms:
+    """Return the forms of a ball or roller on a plane, if exactly one of them is rigid."""
+    if not plane.is_deformable:
+        return of_cover(_cover_of(body, body.outer_radius)) if body.layers else {}
+    if body.layers or (plane.layers and plane.base is not None):
+        return {}
+    radius = body.outer_radius
+    if plane.base is None:
+        return of_cover(_Cover(plane.layers, plane.thickness, radius))
+    deep = Layer(
+        thickness=_DEEP * radius,
+        shear_modulus=plane.base.shear_modulus,
+        poisson_ratio=plane.base.poisson_ratio,
+        bulk_modulus=plane.base.bulk_modulus,
+    )
+    forms = of_cover(_Cover([deep], deep.thickness, radius))
+    return {name: form for name, form in forms.items() if not name.startswith("winkler")}
+
+
+def _of_two(of_cover: Callable[[_Cover], _Forms], body: _Round, on: _Round) -> _Forms:
+    """Return the forms of two balls or two rollers, if exactly one of them is rigid or both are identical."""
+    coated = [one for one in (body, on) if one.layers]
+    if coated and on == body:
+        return of_cover(_cover_of(body, body.outer_radius))
     if len(coated) != 1:
         return {}
-    radius = ball.outer_radius * on.outer_radius / (ball.outer_radius + on.outer_radius)
-    forms = _of_ball(_coating(coated[0], radius))
-    return {name: form and _faster(form, ball.outer_radius / radius) for name, form in forms.items()}
+    radius = body.outer_radius * on.outer_radius / (body.outer_radius + on.outer_radius)
+    forms = of_cover(_cover_of(coated[0], radius))
+    return {name: form and _faster(form, body.outer_radius / radius) for name, form in forms.items()}
 
 
-def _coating(ball: CoatedSphere, radius: float) -> _BallCoating:
-    return _BallCoating(
-        layers=ball.layers, thickness=ball.thickness, outer_radius=radius, inner_boundary=ball.inner_boundary
-    )
+def _cover_of(body: _Round, radius: float) -> _Cover:
+    return _Cover(body.layers, body.thickness, radius, getattr(body, "inner_boundary", InnerBoundary.RIGID))
 
 
 def _faster(form: ClosedForm, ratio: float) -> ClosedForm:
@@ -151,7 +202,7 @@ def _faster(form: ClosedForm, ratio: float) -> ClosedForm:
     return ClosedForm(torque=torque, is_valid=is_valid, validity=form.validity)
 
 
-def _of_ball(ball: _BallCoating) -> _Forms:
+def _of_ball(ball: _Cover) -> _Forms:
     contact_radius = partial(
         reach_at_rest, ball, thick=hertz, squeezed=thin_incompressible_layer, springs=thin_compressible_layer
     )
@@ -209,7 +260,7 @@ def _half_space(
     }
 
 
-def _loss_time(ball: _BallCoating) -> float | None:
+def _loss_time(ball: _Cover) -> float | None:
     """Return t [s] of the surface compliance C(0) (1 - iωt) of the ball, or None if it does not have this form."""
     time = shared_loss_time(ball.layers)
     if time is None or have_real_poisson_ratios(ball.layers):
@@ -220,7 +271,7 @@ def _loss_time(ball: _BallCoating) -> float | None:
     return sphere_loss_time(shear_modulus=modulus, poisson_ratio=nu, shear_viscosity=time * modulus)
 
 
-def _of_roller(roller: CoatedCylinder) -> _Forms:
+def _of_roller(roller: Coating) -> _Forms:
     half_width = partial(_half_width, roller)
     time = shared_loss_time(roller.layers) if have_real_poisson_ratios(roller.layers) else None
     one_material = is_homogeneous(roller.layers)
@@ -233,7 +284,7 @@ def _of_roller(roller: CoatedCylinder) -> _Forms:
     }
 
 
-def _half_width(roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:
+def _half_width(roller: Coating, load: ArrayLike) -> NDArray[np.float64]:
     return reach_at_rest(
         roller,
         load,
@@ -243,7 +294,7 @@ def _half_width(roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:
     )
 
 
-def _hunter(roller: CoatedCylinder, half_width: ContactSize) -> ClosedForm | None:
+def _hunter(roller: Coating, half_width: ContactSize) -> ClosedForm | None:
     layer, radius = roller.layers[0], roller.outer_radius
     material, nu = standard_linear_solid_of(layer.shear_modulus), layer.poisson_ratio
     if material is None or nu is None:
@@ -268,8 +319,10 @@ def _hunter(roller: CoatedCylinder, half_width: ContactSize) -> ClosedForm | Non
     return ClosedForm(torque=torque, is_valid=is_valid, validity=small)
 
 
-def _of_wheel(wheel: CoatedWheel) -> _Forms:
-    roller = CoatedCylinder(core_radius=wheel.core_radius, layers=wheel.layers)
+def _of_wheel(wheel: CoatedWheel, plane: CoatedPlane) -> _Forms:
+    if not wheel.layers or plane.is_deformable:
+        return {}
+    roller = _Cover(wheel.layers, wheel.thickness, wheel.outer_radius)
     time = shared_loss_time(wheel.layers) if have_real_poisson_ratios(wheel.layers) else None
     half_length = partial(_along_path, wheel, roller)
     slow = None if time is None else low_speed_form(wheel, time, half_length, "contact half-length")
@@ -301,7 +354,7 @@ def _over_width(form: ClosedForm, wheel: CoatedWheel) -> ClosedForm:
     )
 
 
-def _along_path(wheel: CoatedWheel, roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:
+def _along_path(wheel: CoatedWheel, roller: Coating, load: ArrayLike) -> NDArray[np.float64]:
     """Estimate half of the contact length at rest [m], the larger one of an ellipse and of a line over the width."""
     line = _half_width(roller, np.asarray(load) / wheel.width)
     if math.isinf(wheel.crown_radius):
@@ -331,8 +384,9 @@ def _longer_axis(wheel: CoatedWheel, load: ArrayLike) -> NDArray[np.float64]:
 
 #: Functions that return the closed forms of a pair, by the types of body and counterbody.
 _FORMS: dict[tuple[type, type], Callable[[Any, Any], _Forms]] = {
-    (CoatedSphere, CoatedPlane): partial(_on_rigid_plane, _of_lone_ball),
-    (CoatedCylinder, CoatedPlane): partial(_on_rigid_plane, _of_roller),
-    (CoatedWheel, CoatedPlane): partial(_on_rigid_plane, _of_wheel),
-    (CoatedSphere, CoatedSphere): _of_two_balls,
+    (CoatedSphere, CoatedPlane): partial(_on_plane, _of_ball),
+    (CoatedCylinder, CoatedPlane): partial(_on_plane, _of_roller),
+    (CoatedWheel, CoatedPlane): _of_wheel,
+    (CoatedSphere, CoatedSphere): partial(_of_two, _of_ball),
+    (CoatedCylinder, CoatedCylinder): partial(_of_two, _of_roller),
 }

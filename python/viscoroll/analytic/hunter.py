@@ -29,7 +29,7 @@ class HunterContact:
     center : float or ndarray
         Distance of the middle of the contact ahead of the lowest point [m].
     moment : float or ndarray
-        Moment M = Σ x p per unit length [N], the rolling resistance times R.
+        Moment M = Σ x p per unit length [N m/m], the rolling resistance times R.
     load : float or ndarray
         Load P per unit length [N/m].
     relaxation_length : float or ndarray
@@ -143,8 +143,8 @@ def hunter(
     >>> from viscoroll import StandardLinearSolid
     >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
     >>> contact = hunter(load=5e3, speed=0.05, radius=50e-3, shear_modulus=rubber, poisson_ratio=0.5)
-    >>> f"{contact.moment:.3f} N, {contact.half_width * 1e3:.3f} mm"
-    '4.267 N, 3.791 mm'
+    >>> f"{contact.moment:.3f} N m/m, {contact.half_width * 1e3:.3f} mm"
+    '4.267 N m/m, 3.791 mm'
     >>> f"{contact.pressure(0.0) / 1e6:.4f} MPa"
     '0.7982 MPa'
     """

@@ -129,7 +129,7 @@ def winkler_torque_line(
     Returns
     -------
     float or ndarray
-        Torque T per unit length [N].
+        Torque T per unit length [N m/m].
 
     Raises
     ------
@@ -147,8 +147,8 @@ def winkler_torque_line(
     >>> torque = winkler_torque_line(
     ...     load=1e3, angular_speed=2.0, radius=50e-3, thickness=0.5e-3, shear_modulus=foam, poisson_ratio=0.2
     ... )
-    >>> f"{torque:.3f} N"
-    '0.466 N'
+    >>> f"{torque:.3f} N m/m"
+    '0.466 N m/m'
     """
     size, h = as_positive("radius", radius, "m"), as_positive("thickness", thickness, "m")
     springs = _springs(shear_modulus, poisson_ratio, bulk_modulus)

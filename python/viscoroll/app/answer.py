@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from .. import _core
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from ..case import Case
     from ..rolling import Result
 
-__all__ = ["OTHER_TABLES", "answer", "readable_case", "scalars", "tables_of_page"]
+__all__ = ["OTHER_TABLES", "answer", "error_answer", "readable_case", "scalars", "tables_of_page"]
 
 #: Keys of a request.
 _KEYS = {"case", "fields"}
@@ -29,8 +30,17 @@ OTHER_TABLES = ("thermal", "motion", "surface", "sliding", "sweep", "design")
 
 
 def scalars() -> list[dict[str, str]]:
-    """Return name, unit and description of every scalar result, from the table of the core."""
-    return [{"name": one.name, "unit": one.unit, "description": one.label} for one in _core.result_scalars()]
+    """Return name, unit, description, group and precision of every scalar result, from the table of the core."""
+    return [
+        {
+            "name": one.name,
+            "unit": one.unit,
+            "description": one.label,
+            "group": one.group,
+            "precision": one.precision,
+        }
+        for one in _core.result_scalars()
+    ]
 
 
 def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
@@ -47,8 +57,8 @@ def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
     -------
     dict
         ``{"result": {"scalars", "state", "warnings", "fields"}}``, in SI units, or ``{"error": {"message",
-        "parameter", "rule", "value"}}``: the message as for a case file, and the attributes of `InvalidInput`, or None
-        for other errors.
+        "parameter", "rule", "value", "allowed"}}``: the message as for a case file, and the attributes of
+        `InvalidInput`, or None for other errors. Ends of a range that do not exist are None.
     """
     try:
         if not isinstance(request, dict) or "case" not in request or set(request) - _KEYS:
@@ -57,11 +67,10 @@ def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
         with silenced():
             result = case.solve(progress=progress)
     except (ValueError, TypeError, ConvergenceError, RecursionError) as error:
-        parts = {name: getattr(error, name, None) for name in ("parameter", "rule", "value")}
-        return {"error": {"message": one_line(str(error)), **parts}}
+        return {"error": error_answer(one_line(str(error)), error if isinstance(error, InvalidInput) else None)}
     except MemoryError:
         message = "not enough memory for this case: use a larger accuracy, that is, a coarser mesh"
-        return {"error": {"message": message, "parameter": None, "rule": None, "value": None}}
+        return {"error": error_answer(message)}
     found = {
         "scalars": {name: _finite(value) for name, value in result.scalars().items()},
         "state": result.status.name.lower(),
@@ -104,6 +113,20 @@ def tables_of_page(document: dict[str, Any]) -> dict[str, Any]:
                 "core_radius": core_radius
             }
     return tables
+
+
+def error_answer(message: str, invalid: InvalidInput | None = None) -> dict[str, Any]:
+    """Return the error of an answer, with the attributes of `InvalidInput` if there is one."""
+    if invalid is None:
+        return {"message": message, "parameter": None, "rule": None, "value": None, "allowed": None}
+    allowed = None if invalid.allowed is None else {name: _finite(one) for name, one in asdict(invalid.allowed).items()}
+    return {
+        "message": message,
+        "parameter": invalid.parameter,
+        "rule": invalid.rule,
+        "value": invalid.value,
+        "allowed": allowed,
+    }
 
 
 def _finite(value: float | int | str | None) -> float | int | str | None:

@@ -28,6 +28,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .answer import answer, scalars
+from .case_text import opened
+from .temperature import temperature_answer
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -239,11 +241,11 @@ class _Handler(BaseHTTPRequestHandler):
             self.server.remove_redirect_file()
 
     def do_POST(self) -> None:
-        """Send the answer to a request, or the table of scalar results."""
+        """Send the answer to a request, the case of a case file, or the table of scalar results."""
         name = self._name()
         if name is None:
             return
-        if name not in ("solve", "scalars"):
+        if name not in ("solve", "temperature", "open", "scalars"):
             self._refuse(HTTPStatus.NOT_FOUND)
             return
         body = self._body()
@@ -257,8 +259,12 @@ class _Handler(BaseHTTPRequestHandler):
         except (ValueError, RecursionError):
             self._refuse(HTTPStatus.BAD_REQUEST)
             return
+        if name == "open":
+            self._send_json(opened(request))
+            return
         try:
-            self._send_json(answer(request, progress=self._stop_if_closed))
+            found = temperature_answer if name == "temperature" else answer
+            self._send_json(found(request, progress=self._stop_if_closed))
         except _Disconnected:
             return
 

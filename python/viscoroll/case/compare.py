@@ -15,6 +15,8 @@ from .._support.files import write_csv
 from .._support.pictures import draw_picture
 from .._support.plotting import plots
 from .._support.progress import ProgressLike
+from .._support.quantities import quantity_text
+from .._support.scales import Scale
 from .._support.text import parsed_range
 from .._support.units import unit_in_contact
 from ..analytic import applicable
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
+    from ..bodies import RollingBody
     from ..rolling import Result
     from .case import Case
 
@@ -48,7 +51,7 @@ _LABELS = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Comparison:
-    """Torques [N m], for rollers per length [N], against the angular speed Ω [rad/s].
+    """Torques [N m], for rollers per length [N m/m], against the angular speed Ω [rad/s].
 
     Attributes
     ----------
@@ -85,17 +88,19 @@ class Comparison:
         return draw_picture(self._draw, ax, figsize=(8.4, 5.2))
 
     def _draw(self, axes: Axes) -> None:
+        scale = Scale.of(self.torques, self._unit())
+        torques = self.torques / scale.factor
         axes.errorbar(
             self.speeds,
-            self.torques,
-            yerr=np.abs(self.errors * self.torques),
+            torques,
+            yerr=np.abs(self.errors * torques),
             fmt="ko-",
             markersize=3.5,
             linewidth=1.0,
             label="solver, radial compliance",
         )
-        for number, (name, (torque, valid)) in enumerate(self.forms.items()):
-            color, label = f"C{number}", _LABELS.get(name, name)
+        for number, (name, (of_form, valid)) in enumerate(self.forms.items()):
+            color, label, torque = f"C{number}", _LABELS.get(name, name), of_form / scale.factor
             axes.plot(
                 self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, outside its range of validity"
             )
@@ -105,12 +110,13 @@ class Comparison:
             xscale="log",
             yscale="log",
             xlabel="rolling speed $Ω$ [rad/s]",
-            ylabel=f"resisting torque $T_r$ [{self._unit()}]",
+            ylabel=scale.text("resisting torque $T_r$"),
         )
-        resisting = self.torques[self.torques > 0.0]  # on too coarse a mesh a torque can be negative
+        resisting = torques[torques > 0.0]  # on too coarse a mesh a torque can be negative
         if resisting.size:
             axes.set_ylim(0.3 * resisting.min(), 5.0 * resisting.max())
-        axes.set_title(f"$P$ = {self.case.load:g} {unit_in_contact('N', line_contact=self.case.body.line_contact)}")
+        load_unit = unit_in_contact("N", line_contact=self.case.body.line_contact)
+        axes.set_title(f"$P$ = {quantity_text(self.case.load, load_unit)}")
         axes.legend(fontsize="small")
 
     def write_csv(self, path: Path) -> None:
@@ -135,6 +141,11 @@ def parse_speeds(text: str) -> tuple[float, float]:
     return low, high
 
 
+def _critical_speed(body: RollingBody) -> float:
+    """Return the critical speed of a rolling body [rad/s]; infinite for a rigid one."""
+    return critical_speed(body) if body.layers else np.inf
+
+
 def compare_torques(
     case: Case,
     *,
@@ -153,7 +164,7 @@ def compare_torques(
         Case to solve; its friction, drive and compliance are ignored.
     speeds : (float, float), optional
         First and last angular speed [rad/s]. By default, 1/30 and 10 times the speed of the case. The last speed is
-        limited to 90 % of the critical speed, but is at least the speed of the case.
+        limited to 90 % of the critical speed of the rolling body, but is at least the speed of the case.
     points : int, default 25
         Number of speeds, from 2 to the largest number of points of a study, 1 000 000.
     progress : bool or callable, optional
@@ -168,7 +179,7 @@ def compare_torques(
     load = case.given_load()
     low, high = speeds or (
         case.angular_speed / 30.0,
-        min(10.0 * case.angular_speed, max(0.9 * critical_speed(case.body), case.angular_speed)),
+        min(10.0 * case.angular_speed, max(0.9 * _critical_speed(case.body), case.angular_speed)),
     )
     omega = np.geomspace(low, high, points)
     radial = replace(case, friction=0.0, drive=Drive(force=0.0), compliance=Compliance.RADIAL)

@@ -1,11 +1,11 @@
-"""Minimization of the power loss over one number of a case, under limits on results."""
+"""Choice of one number of a case under limits on results: for the least power loss, or as large as possible."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from .._support.extras import extra
 from .._support.plotting import plots
 from .._support.progress import ProgressLike, Report, reporting
 from .._support.result_warnings import silenced
+from .._support.scales import Scale
 from .._support.toml import read_toml
 from ..rolling import Result
 from .case import CaseFile, build_case
@@ -31,7 +32,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["Design", "check_design", "design_case"]
+__all__ = ["Design", "check_design", "design_case", "limits_of"]
+
+#: What the number is chosen for.
+Goal: TypeAlias = Literal["least_power", "largest_value"]
 
 #: Number of values of the first, geometric search.
 _POINTS = 15
@@ -39,12 +43,14 @@ _POINTS = 15
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Design:
-    """Result of the minimization of the power loss over one number of a case.
+    """Number of a case that is best under limits on results.
 
     Attributes
     ----------
     variable : str
         Path of the number in the case file, such as "ball.layers[0].thickness".
+    goal : {"least_power", "largest_value"}
+        What the number was chosen for.
     best : float
         Best value of the number, in the unit of the file.
     outcome : Outcome
@@ -60,6 +66,7 @@ class Design:
     """
 
     variable: str
+    goal: Goal
     best: float
     outcome: Outcome
     limits: Mapping[str, float]
@@ -95,13 +102,15 @@ class Design:
 
     def _draw_power(self, axes: Axes) -> None:
         solved = self._solved()
-        axes.plot(*_column(solved, "dissipated_power"), "k-", linewidth=1)
-        allowed = [pair for pair in solved if pair[1].violation(self.limits) <= 0.0]
-        axes.plot(*_column(allowed, "dissipated_power"), "go", label="allowed")
-        rejected = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
-        axes.plot(*_column(rejected, "dissipated_power"), "rx", label="not allowed")
-        axes.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
-        axes.set(xlabel=self.variable, ylabel=f"power dissipated [{self.result.unit('dissipated_power')}]")
+        powers = np.array([outcome.result.dissipated_power for _, outcome in solved])
+        is_allowed = np.array([outcome.violation(self.limits) <= 0.0 for _, outcome in solved], dtype=bool)
+        scale = Scale.of(powers, self.result.unit("dissipated_power"))
+        values, shown = np.array([value for value, _ in solved]), powers / scale.factor
+        axes.plot(values, shown, "k-", linewidth=1)
+        axes.plot(values[is_allowed], shown[is_allowed], "go", label="allowed")
+        axes.plot(values[~is_allowed], shown[~is_allowed], "rx", label="not allowed")
+        axes.plot(self.best, self.result.dissipated_power / scale.factor, "b*", markersize=14, label="best")
+        axes.set(xlabel=self.variable, ylabel=scale.text("power dissipated"))
         axes.legend()
 
 
@@ -134,7 +143,7 @@ class _Search:
 
 
 def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
-    """Find the value of one number of a case file that minimizes the power loss.
+    """Find the value of one number of a case file with the least power loss, or the largest value, within limits.
 
     The file is a case file with one more table::
 
@@ -143,6 +152,9 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
         from = 0.5e-3
         to = 5e-3
         limits = { max_pressure = 2e6, strain = 0.2 }
+
+    With ``goal = "largest_value"`` it finds the largest value that satisfies the limits, for example the largest load
+    (``vary = "rolling.load"``) or speed (``vary = "rolling.angular_speed"``).
 
     Limits are upper bounds of scalar results, by their names, and of quantities inside the layers of the rolling body
     and of the counterbody:
@@ -154,7 +166,7 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
 
     With a shift and a thermal limit, the results are those of the coldest steady state. The search first solves values
     that are spaced geometrically, to find the ranges that satisfy the limits; then SciPy finds the ends of these ranges
-    and the smallest power within them.
+    and, for the least power, the minimum within them.
 
     Parameters
     ----------
@@ -177,21 +189,29 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
     path = Path(path)
     with errors_in(path):
         document = read_toml(path)
-        variable, low, high, limits = _checked(document.pop("design", None), document)
-        key_path = key_path_of(variable)
+        wanted = _checked(document.pop("design", None), document)
+        key_path = key_path_of(wanted.vary)
 
         def solve(value: float, report: Report | None = None) -> Outcome:
-            return outcome_of(build_case(substituted(document, {key_path: value}), path.parent), limits, report)
+            return outcome_of(build_case(substituted(document, {key_path: value}), path.parent), wanted.limits, report)
 
         with silenced(), reporting(progress) as report:
             search = _Search(solve, report)
-            solve(float(np.sqrt(low * high)))  # raises the errors of the file, if there are any
-            return _best(variable, low, high, limits, search)
+            solve(float(np.sqrt(wanted.low * wanted.high)))  # raises the errors of the file, if there are any
+            return _best(wanted, search)
 
 
 def check_design(document: dict[str, Any]) -> None:
     """Raise the error of the table `design` of a file, if there is one."""
     _checked(document.pop("design", None), document)
+
+
+def limits_of(document: Mapping[str, Any]) -> dict[str, float]:
+    """Return the limits of the table `design` of a file in SI units, none without this table; raise its error."""
+    if "design" not in document:
+        return {}
+    others = {name: table for name, table in document.items() if name != "design"}
+    return _checked(document["design"], others).limits
 
 
 class Wanted(StrictTable):
@@ -205,12 +225,15 @@ class Wanted(StrictTable):
         Smallest and largest value of the number, in the unit of the file.
     limits : table
         Largest allowed values, by names of scalar results and of quantities inside the layers.
+    goal : {"least_power", "largest_value"}, optional
+        Whether to find the value with the least power loss, or the largest value that satisfies the limits.
     """
 
     vary: str
     low: float = Field(alias="from", gt=0.0)
     high: float = Field(alias="to")
     limits: dict[str, Annotated[float, Field(gt=0.0)]] = Field(default_factory=dict)
+    goal: Goal = "least_power"
 
 
 class _File(StrictTable):
@@ -240,7 +263,7 @@ def _in_si(table: dict[str, Any], document: dict[str, Any]) -> dict[str, Any]:
     return table | ends | {"limits": in_si}
 
 
-def _checked(table: object, document: dict[str, Any]) -> tuple[str, float, float, dict[str, float]]:
+def _checked(table: object, document: dict[str, Any]) -> Wanted:
     if not isinstance(table, dict):
         raise InvalidInput("design", 'must be a table, such as vary = "ball.layers[0].thickness", from = ..., to = ...')
     if has_quantities(table):
@@ -252,11 +275,12 @@ def _checked(table: object, document: dict[str, Any]) -> tuple[str, float, float
         raise InvalidInput("design.limits", f"must be named {', '.join(LIMITS)}", f"{unknown[0]!r}")
     if "temperature" in wanted.limits:
         as_kelvin("design.limits.temperature", wanted.limits["temperature"])
-    return wanted.vary, wanted.low, wanted.high, wanted.limits
+    return wanted
 
 
-def _best(variable: str, low: float, high: float, limits: dict[str, float], search: _Search) -> Design:
-    grid = [float(value) for value in np.geomspace(low, high, _POINTS)]
+def _best(wanted: Wanted, search: _Search) -> Design:
+    limits = wanted.limits
+    grid = [float(value) for value in np.geomspace(wanted.low, wanted.high, _POINTS)]
     excess = [_excess(search, value, limits) for value in grid]
     if min(excess) > 0.0:
         nearest = int(np.argmin(excess))
@@ -265,23 +289,29 @@ def _best(variable: str, low: float, high: float, limits: dict[str, float], sear
             if np.isfinite(min(excess))
             else (search.reasons[-1] if search.reasons else "no value could be solved")
         )
-        raise InvalidInput("design.limits", f"must allow a value of {variable} in [{low:g}, {high:g}]: {why}")
-    candidates = []
-    for first, last in _ranges(grid, excess):
-        start = _edge(search, limits, grid, first, -1)
-        stop = _edge(search, limits, grid, last, +1)
-        candidates += _candidates(search, limits, start, stop)
-    best = min(candidates, key=lambda pair: pair[1].value("dissipated_power"))
+        allowed = f"must allow a value of {wanted.vary} in [{wanted.low:g}, {wanted.high:g}]: {why}"
+        raise InvalidInput("design.limits", allowed)
+    ranges = _ranges(grid, excess)
+    if wanted.goal == "largest_value":
+        best = _edge(search, limits, grid, ranges[-1][1], +1)
+    else:
+        ends = (
+            (_edge(search, limits, grid, first, -1), _edge(search, limits, grid, last, +1)) for first, last in ranges
+        )
+        candidates = [pair for start, stop in ends for pair in _candidates(search, limits, start, stop)]
+        best = min(candidates, key=lambda pair: pair[1].value("dissipated_power"))[0]
+    outcome = search(best)
+    assert outcome is not None
     values = sorted(search.found)
-    active = tuple(name for name, limit in limits.items() if best[1].value(name) > 0.99 * limit)
     return Design(
-        variable=variable,
-        best=best[0],
-        outcome=best[1],
+        variable=wanted.vary,
+        goal=wanted.goal,
+        best=best,
+        outcome=outcome,
         limits=limits,
         values=tuple(values),
         outcomes=tuple(search.found[value] for value in values),
-        active=active,
+        active=tuple(name for name, limit in limits.items() if outcome.value(name) > 0.99 * limit),
     )
 
 

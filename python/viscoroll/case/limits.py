@@ -8,15 +8,26 @@ from typing import TYPE_CHECKING
 
 from .._support.errors import InvalidInput
 from .._support.progress import Report
+from ..bodies import RollingBody
 from ..rolling import Result
 from ..solution.inside import Inside, inside_of
-from ..solution.scalars import SCALARS, scalar_units
+from ..solution.scalars import SCALARS, label_of, scalar_units
 
 if TYPE_CHECKING:
+    from ..coupled import SelfHeating
     from ..thermal import Temperature
     from .case import Case
 
-__all__ = ["LIMITS", "Outcome", "limit_units", "outcome_of"]
+__all__ = [
+    "LIMITS",
+    "Outcome",
+    "deformable_bodies",
+    "limit_label",
+    "limit_units",
+    "outcome_at",
+    "outcome_of",
+    "require_thermal",
+]
 
 #: Quantities inside the layers: name, unit, description.
 _INSIDE = {
@@ -26,6 +37,9 @@ _INSIDE = {
     "load_to_fold": ("1", "ratio of the load to the load at which the cold state ends"),
 }
 
+#: Limited quantities that depend on the cooling.
+_THERMAL = frozenset({"temperature", "load_to_fold"})
+
 #: Names that limits may have.
 LIMITS = (*SCALARS, *_INSIDE)
 
@@ -33,6 +47,11 @@ LIMITS = (*SCALARS, *_INSIDE)
 def limit_units(*, line_contact: bool) -> dict[str, str]:
     """Return the unit of every quantity that a design can limit."""
     return scalar_units(line_contact=line_contact) | {name: unit for name, (unit, _) in _INSIDE.items()}
+
+
+def limit_label(name: str, body: RollingBody) -> str:
+    """Return the label of a quantity that a design can limit, in the words for the rolling body."""
+    return _INSIDE[name][1] if name in _INSIDE else label_of(name, body)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -89,8 +108,19 @@ def outcome_of(case: Case, names: Collection[str], report: Report | None) -> Out
     ValueError
         If the case lacks a limited quantity, or cannot be solved.
     """
-    heat = {"temperature", "load_to_fold"}.intersection(names)
-    if heat and case.thermal is None:
+    require_thermal(case, names)
+    is_thermal = not _THERMAL.isdisjoint(names)
+    if is_thermal and case.thermal is not None and case.thermal.shift is not None:
+        hot = case.self_heating(progress=report)
+        return outcome_at(case, names, hot.states[0].result, hot.states[0].temperature, hot)
+    result = case.solve(progress=report)
+    heated = case.thermal.temperature(result) if "temperature" in names and case.thermal is not None else None
+    return outcome_at(case, names, result, heated, None)
+
+
+def require_thermal(case: Case, names: Collection[str]) -> None:
+    """Raise an InvalidInput if thermal quantities are limited and the case does not describe its cooling."""
+    if (heat := _THERMAL.intersection(names)) and case.thermal is None:
         raise InvalidInput(
             f"design.limits.{min(heat)}",
             "must be used with a table [thermal], which describes the cooling of the layers",
@@ -100,18 +130,35 @@ def outcome_of(case: Case, names: Collection[str], report: Report | None) -> Out
             "design.limits.load_to_fold",
             "must be used with thermal.shift: otherwise the cold state has no largest load",
         )
+
+
+def outcome_at(
+    case: Case, names: Collection[str], result: Result, heated: Temperature | None, hot: SelfHeating | None
+) -> Outcome:
+    """Return the results of a solved case with the limited quantities inside its layers.
+
+    Parameters
+    ----------
+    case : Case
+        The case.
+    names : collection of str
+        Names of the limited quantities, from `LIMITS`.
+    result : Result
+        Its result.
+    heated : Temperature or None
+        Temperature of its layers, if that is limited.
+    hot : SelfHeating or None
+        Its steady states, if "load_to_fold" is limited.
+
+    Raises
+    ------
+    ValueError
+        If the case has no bonded interfaces, although tractions at them are limited.
+    """
     inside: dict[str, float] = {}
-    heated: Temperature | None = None
-    if heat and case.thermal is not None and case.thermal.shift is not None:
-        hot = case.self_heating(progress=report)
-        result, heated = hot.states[0].result, hot.states[0].temperature
-        if "load_to_fold" in names:
-            fold = hot.largest_load()
-            inside["load_to_fold"] = 0.0 if fold is None else case.given_load() / fold.load
-    else:
-        result = case.solve(progress=report)
-        if "temperature" in names and case.thermal is not None:
-            heated = case.thermal.temperature(result)
+    if "load_to_fold" in names and hot is not None:
+        fold = hot.largest_load()
+        inside["load_to_fold"] = 0.0 if fold is None else case.given_load() / fold.load
     if "temperature" in names and heated is not None:
         inside["temperature"] = heated.ambient + heated.maximum
     return Outcome(result=result, inside=inside | _at_bonds(result, names))
@@ -123,14 +170,14 @@ def _at_bonds(result: Result, names: Collection[str]) -> dict[str, float]:
     wanted = {name: field for name, field in fields.items() if name in names}
     if not wanted:
         return {}
-    bonded = [body.of for body in _layered(result) if body.bonded().size]
+    bonded = [body.of for body in deformable_bodies(result) if body.bonded().size]
     if not bonded:
         raise InvalidInput(f"design.limits.{min(wanted)}", "must be left out: this case has no bonded interfaces")
     tractions = [result.bonds(of=of) for of in bonded]
     return {name: max(float(bonds[field].max()) for bonds in tractions) for name, field in wanted.items()}
 
 
-def _layered(result: Result) -> list[Inside]:
+def deformable_bodies(result: Result) -> list[Inside]:
     """Return the deformable bodies of a result."""
     on = result.on
     deforms = on is not None and bool(on.layers or getattr(on, "base", None) is not None)

@@ -9,16 +9,17 @@ import numpy as np
 
 from .._core import Status
 from .._support.arguments import Floats
+from .._support.columns import read_columns, read_header
 from .._support.errors import InvalidInput
 from .._support.files import write_csv
 from .._support.pictures import draw_picture
 from .._support.plotting import plots
 from .._support.progress import ProgressLike
+from .._support.scales import Scale
 from .._support.text import shown
 from .._support.units import UNITS, unit_in_contact
-from ..solution.scalars import SCALARS
+from ..solution.scalars import SCALARS, label_of
 from ..studies.runner import run_all
-from .columns import read_columns, read_header
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -142,25 +143,32 @@ class Trial:
 
     def _draw(self, axes: Axes) -> None:
         order = np.argsort(self.measured.places, kind="stable")
-        places, computed, bands = (values[order] for values in (self.measured.places, self.computed, self.bands))
+        (varied, unit), name = self._units(), self.measured.quantity
+        along, up = Scale.of(self.measured.places, varied), Scale.of([*self.measured.values, *self.computed], unit)
+        places = self.measured.places / along.factor
+        computed, bands = (values[order] / up.factor for values in (self.computed, self.bands))
         axes.fill_between(
-            places, computed - bands, computed + bands, alpha=0.3, linewidth=0.0, label="errors of model and mesh"
+            places[order],
+            computed - bands,
+            computed + bands,
+            alpha=0.3,
+            linewidth=0.0,
+            label="errors of model and mesh",
         )
-        axes.plot(places, computed, ".-", label="solver")
+        axes.plot(places[order], computed, ".-", label="solver")
         axes.errorbar(
-            self.measured.places,
-            self.measured.values,
-            yerr=self.measured.errors,
+            places,
+            self.measured.values / up.factor,
+            yerr=self.measured.errors / up.factor,
             fmt="ko",
             markersize=4,
             capsize=3,
             label="measured",
         )
-        (varied, unit), name = self._units(), self.measured.quantity
         axes.set(
             xscale="log",
-            xlabel=f"{self.measured.varied.replace('_', ' ')} [{varied}]",
-            ylabel=f"{SCALARS[name][1]} [{unit}]",
+            xlabel=along.text(self.measured.varied.replace("_", " ")),
+            ylabel=up.text(label_of(name, self.case.body)),
             title=self._count(),
         )
         axes.legend()

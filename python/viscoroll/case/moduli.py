@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 from .. import _core, materials
 from .._core import Extrapolation
 from .._support.arguments import as_float, as_member
+from .._support.columns import read_columns
 from .._support.errors import InvalidInput, in_file
 from .._support.extras import extra
 from .._support.text import shown
@@ -19,7 +20,6 @@ from ..materials.moduli import MODULI
 from ..materials.networks import Network
 from ..materials.strain_sweep import StrainKind
 from ..rheology import example_material, hardness_to_modulus, load_material, rebound_to_loss_factor
-from .columns import read_columns
 from .tables import (
     AlsoAs,
     ByName,

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
-from .._support.errors import InvalidInput
+from .._support.arguments import as_float, as_float_in
+from .._support.columns import read_columns
+from .._support.errors import InvalidInput, Range
 from .._support.toml import read_toml
 from ..bodies import Counterbody, Drive, RollingBody
 from ..transient.roll import roll
-from .case import MeshTable, PairTables
-from .columns import read_columns
+from .case import CaseFile, MeshTable, PairTables
+from .ground import AxleTable, ProfileTable
 from .tables import ByName, FileName, StrictTable, checked, errors_in
 
 if TYPE_CHECKING:
@@ -53,6 +55,7 @@ class Motion(StrictTable):
     angle: list[float] | None = None
     distance: list[float] | None = None
     load: float | list[float] | None = None
+    axle_height: float | list[float] | None = None
     file: FileName | None = None
     amplitude: float | None = None
     frequency: float | None = None
@@ -83,6 +86,9 @@ class MotionFile(PairTables):
 
     motion: Motion
     numerics: Numerics = Numerics()
+    ground: ProfileTable | None = None
+    tread: ProfileTable | None = None
+    axle: AxleTable | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,7 +100,8 @@ class MotionCase:
     time: NDArray[np.float64]
     angle: NDArray[np.float64] | None
     distance: NDArray[np.float64] | None
-    load: NDArray[np.float64] | float
+    load: NDArray[np.float64] | float | None
+    axle_height: NDArray[np.float64] | float | None
     center_displacement: NDArray[np.float64] | None
     start: Start
     options: dict[str, Any]
@@ -122,20 +129,35 @@ def load_motion(path: str | Path) -> MotionCase:
 
 def build_motion(document: dict[str, Any], folder: Path | None) -> MotionCase:
     """Return the motion that the content of a file describes; parameters as in `viscoroll.case.build_case`."""
-    return _build(checked(MotionFile, document, folder))
+    return _build(checked(MotionFile, document, folder), _rolling_load(document))
 
 
-def _build(file: MotionFile) -> MotionCase:
+def _rolling_load(document: dict[str, Any]) -> float | None:
+    """Return the load of the table `rolling`, which holds if the table `motion` has none."""
+    rolling = document.get("rolling")
+    if not isinstance(rolling, dict) or "load" not in rolling:
+        return None
+    load = CaseFile.keys_of(document).in_si({"rolling": {"load": rolling["load"]}})["rolling"]["load"]
+    return as_float("rolling.load", load)
+
+
+def _build(file: MotionFile, rolling_load: float | None) -> MotionCase:
     motion = file.motion
     return MotionCase(
         **file.pair(),
-        **({"angle": None, "distance": None, "center_displacement": None} | _waypoints(motion)),
+        **(
+            {"angle": None, "distance": None, "center_displacement": None, "axle_height": None}
+            | _waypoints(motion, rolling_load)
+        ),
         start=motion.start,
         options={
             "friction": motion.friction,
             "drive": _drive(motion),
             "mass": motion.mass,
             "center_speed": motion.center_speed,
+            "ground": file.ground,
+            "tread": file.tread,
+            "axle": file.axle,
             **file.numerics.arguments(),
         },
     )
@@ -149,7 +171,7 @@ def _drive(motion: Motion) -> Drive:
     return Drive(torque=motion.driving_torque)
 
 
-def _waypoints(motion: Motion) -> dict[str, Any]:
+def _waypoints(motion: Motion, rolling_load: float | None) -> dict[str, Any]:
     """Return the waypoints by name, from lists, from a file or from an oscillation."""
     given = [name for name in ("time", "file", "amplitude") if getattr(motion, name) is not None]
     if len(given) != 1:
@@ -158,39 +180,40 @@ def _waypoints(motion: Motion) -> dict[str, Any]:
         )
     match given[0]:
         case "file":
-            return _table(motion)
+            return _table(motion, rolling_load)
         case "amplitude":
-            return _oscillation(motion)
-    if (motion.angle is None and motion.distance is None) or motion.load is None:
-        raise InvalidInput("motion", "must have load, and angle or distance, with time")
-    return {name: getattr(motion, name) for name in ("time", "angle", "distance", "load", "center_displacement")}
+            return _oscillation(motion, rolling_load)
+    load = rolling_load if motion.load is None and motion.axle_height is None else motion.load
+    if (motion.angle is None and motion.distance is None) or (load is None and motion.axle_height is None):
+        raise InvalidInput("motion", "must have load or axle_height, and angle or distance, with time")
+    names = ("time", "angle", "distance", "axle_height", "center_displacement")
+    return {name: getattr(motion, name) for name in names} | {"load": load}
 
 
-def _table(motion: Motion) -> dict[str, Any]:
+def _table(motion: Motion, rolling_load: float | None) -> dict[str, Any]:
     assert motion.file is not None
     columns = read_columns("motion", motion.file, ("time",), ("angle", "distance", "load", "center_displacement"))
     if ("angle" in columns) == ("distance" in columns):
         raise ValueError(f"motion {motion.file}: must have exactly one of the columns angle and distance")
-    if "load" not in columns and motion.load is None:
+    load = rolling_load if motion.load is None else motion.load
+    if "load" not in columns and load is None:
         raise InvalidInput("motion.load", f"must be given if {motion.file} has no column load")
     for name in ("load", "center_displacement"):
         if name in columns and getattr(motion, name) is not None:
             raise InvalidInput(f"motion.{name}", f"must be left out if {motion.file} has a column {name}")
-    return {"load": motion.load, "center_displacement": motion.center_displacement} | columns
+    return {"load": load, "center_displacement": motion.center_displacement} | columns
 
 
-def _oscillation(motion: Motion) -> dict[str, Any]:
+def _oscillation(motion: Motion, rolling_load: float | None) -> dict[str, Any]:
     if motion.center_displacement is not None:
         raise InvalidInput("motion.center_displacement", "must be left out with amplitude")
-    if motion.frequency is None or motion.load is None:
+    load = rolling_load if motion.load is None else motion.load
+    if motion.frequency is None or load is None:
         raise InvalidInput("motion", "must have frequency and load with amplitude")
-    if not 1e-100 <= motion.frequency <= 1e100:
-        raise InvalidInput("motion.frequency", "must be in [1e-100, 1e100] Hz", repr(motion.frequency))
-    if not 0.0 < motion.cycles <= 1e4:
-        raise InvalidInput("motion.cycles", "must be in (0, 1e4]", f"{motion.cycles!r}")
     assert motion.amplitude is not None
-    if not np.isfinite(motion.amplitude):
-        raise InvalidInput("motion.amplitude", "must be finite", repr(motion.amplitude))
+    as_float_in(Range(1e-100, 1e100, "Hz"), "motion.frequency", motion.frequency)
+    as_float_in(Range(0.0, 1e4, excludes_minimum=True), "motion.cycles", motion.cycles)
+    as_float_in(Range(), "motion.amplitude", motion.amplitude)
     time = np.linspace(0.0, motion.cycles / motion.frequency, max(int(_WAYPOINTS_PER_CYCLE * motion.cycles), 1) + 1)
     angle = motion.amplitude * np.sin(2.0 * np.pi * motion.frequency * time)
-    return {"time": time, "angle": angle, "load": motion.load}
+    return {"time": time, "angle": angle, "load": load}

@@ -74,6 +74,7 @@ _NAMES = {
     "N": "a force",
     "N/m": "a force per length",
     "N m": "a torque",
+    "N m/m": "a torque per length",
     "W": "a power",
     "W/m": "a power per length",
     "rad/s": "an angular speed or angular frequency",
@@ -261,7 +262,7 @@ def _advice(given: str, unit: str) -> str:
         return "give the speed of the ground as speed"
     if unit == CENTER_SPEED and dimension == _parsed("rad/s").dimensionality:
         return "give the angular speed as angular_speed"
-    if unit in ("N/m", "W/m", "N") and dimension == (_parsed(unit) * _parsed("m")).dimensionality:
+    if unit in ("N/m", "W/m", "N m/m") and dimension == (_parsed(unit) * _parsed("m")).dimensionality:
         return "values of rollers are per length: divide by the width"
     if unit in ("N", "W", "N m") and dimension == (_parsed(unit) / _parsed("m")).dimensionality:
         return "only values of rollers are per length: multiply by the width"

@@ -7,6 +7,7 @@ from typing import Any
 from .._support.extras import extra
 from . import case, design, motion, sliding, study
 from .case import BODIES, COUNTERBODIES
+from .ground import AxleTable, ProfileTable
 from .quantities import QUANTITY
 
 with extra("cli"):
@@ -50,6 +51,9 @@ def json_schema() -> dict[str, Any]:
         numerics=(case.Numerics | motion.Numerics, case.Numerics()),
         thermal=(case.Thermal | None, None),
         motion=(motion.Motion | None, None),
+        ground=(ProfileTable | None, None),
+        tread=(ProfileTable | None, None),
+        axle=(AxleTable | None, None),
         surface=(sliding.Surface | None, None),
         sliding=(sliding.Sliding | None, None),
         sweep=(dict[str, numbers] | None, None),

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import inspect
-import math
 from collections.abc import Callable
 from decimal import Decimal
 from typing import Any, TypeVar
 
-from .._support.arguments import as_float
-from .._support.errors import InvalidInput
+from .._support.arguments import as_positive
+from .._support.errors import InvalidInput, Range
 from ..bodies import Layer
 from ..enums import InnerBoundary
 from .tables import StrictTable, Table
@@ -73,17 +72,12 @@ def _core_radius(outer_diameter: object, given: dict[str, Any]) -> float:
         raise InvalidInput("outer_diameter", "must be left out if core_radius is given")
     if given.get("inner_boundary") in (InnerBoundary.SOLID, "solid"):
         raise InvalidInput("outer_diameter", "must be left out for a solid ball, whose layers give its size")
-    diameter = as_float("outer_diameter", outer_diameter)
-    if not 0.0 < diameter < math.inf:
-        raise InvalidInput("outer_diameter", "must be > 0 m and finite", f"{diameter:g}")
+    diameter = as_positive("outer_diameter", outer_diameter, "m")
     layers: list[Layer] = given.get("layers") or []
     # Decimals, so that a diameter of 0.042 m and a layer of 0.001 m leave a core of 0.02 m without round-off.
     thickness = sum((Decimal(repr(layer.thickness)) for layer in layers), Decimal(0))
     radius = Decimal(repr(diameter)) / 2 - thickness
     if radius <= 0:
-        raise InvalidInput(
-            "outer_diameter",
-            f"must be > {2 * float(thickness):g} m, twice the thickness of the layers",
-            f"{diameter:g}",
-        )
+        allowed = Range(2 * float(thickness), unit="m", excludes_minimum=True)
+        raise allowed.error("outer_diameter", f"{diameter:g}", ", twice the thickness of the layers")
     return float(radius)

@@ -123,14 +123,23 @@ def _takes_numbers(schema: dict[str, Any]) -> bool:
 
 #: Tables that only some commands read, and these commands; messages name the first one.
 _COMMANDS = {
-    "rolling": ("solve", "sweep", "design", "compare", "export"),
-    "thermal": ("solve", "design"),
+    "rolling": ("solve", "sweep", "design", "compare", "export", "report"),
+    "thermal": ("solve", "design", "report"),
     "motion": ("roll",),
+    "ground": ("roll",),
+    "tread": ("roll",),
+    "axle": ("roll",),
     "surface": ("slide",),
     "sliding": ("slide",),
     "sweep": ("sweep", "export"),
     "draws": ("sweep",),
-    "design": ("design",),
+    "design": ("design", "report"),
+}
+
+
+#: Texts for tables of which a command reads a part.
+_PARTLY = {
+    ("roll", "rolling"): "[rolling] is for `viscoroll solve`, except the load if [motion] has none",
 }
 
 
@@ -172,7 +181,11 @@ def skipped_in(path: Path, *, command: str) -> str:
     with errors_in(path):
         document = read_toml(path)
     others = {name: readers[0] for name, readers in _COMMANDS.items() if command not in readers}
-    return "; ".join(f"[{name}] is for `viscoroll {others[name]}`" for name in document if name in others)
+    return "; ".join(
+        _PARTLY.get((command, name), f"[{name}] is for `viscoroll {others[name]}`")
+        for name in document
+        if name in others
+    )
 
 
 class Table:
@@ -411,7 +424,7 @@ def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iter
 _ALTERNATIVES = ("float", "list[float]")
 
 #: Tables with a key `type`. Pydantic adds its value to the location, after the name of the table.
-_TYPED = ("shear_modulus", "shift", "matrix", "network")
+_TYPED = ("shear_modulus", "shift", "matrix", "network", "ground", "tread")
 
 
 def _invalid(error: ErrorDetails, *, with_value: bool = True, more: str = "") -> InvalidInput:

@@ -22,21 +22,23 @@ from .._support.sealed import load_sealed
 from ..bodies.si_hints import unit_doubt
 from ..case import Case, load_case
 from ..case.key_paths import parsed_change
-from ..case.plausible import speed_text, speed_warning
+from ..case.plausible import speed_text
+from ..case.solved import recorded_warnings, solve_case
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
-from ..solution.text import result_lines, result_title, result_warnings
-from .check import CHANGES
+from ..solution.text import ANSWER, mesh_text, result_sections, result_title
+from .check import CHANGES, check
 from .cite import print_citation
 from .commands import design, export, material, schema
+from .example import example
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 from .page import serve_page
+from .report import write_report
 from .result_tables import (
     finite_strain_scalars,
     finite_strain_table,
     table_2,
-    thermal_scalars,
     thermal_table,
     verdict_table,
 )
@@ -137,9 +139,9 @@ def solve(
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
     wanted = dict(map(parsed_change, changes or []))
-    for path in case:
-        report_skipped(path, "solve")
     if len(case) > 1:
+        for path in case:
+            report_skipped(path, "solve")
         results = solve_several(
             case,
             wanted,
@@ -152,44 +154,29 @@ def solve(
             print_several(results)
         return
     loaded = load_case(case[0], wanted)
-    heated, softened = None, None
-    with progress_bar() as report, warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always", ResultWarning)
-        if loaded.thermal is not None and loaded.thermal.shift is not None:
-            heated = loaded.self_heating(progress=report)
-            result, softened = heated.states[0].result, heated.states[0].softening  # reached from a cold start
-        elif loaded.softens:
-            softened = loaded.strain_softening(progress=report)
-            result = softened.result
-        else:
-            result = loaded.solve(progress=report)
-        temperatures = [] if heated is None else [state.temperature for state in heated.states]
-        if loaded.thermal is not None and heated is None:
-            temperatures = [loaded.thermal.temperature(result, progress=report)]
-        rows = finite_strain_scalars(result, progress=report) if finite_strain else {}
+    report_skipped(case[0], "solve")
+    with progress_bar() as report:
+        solved = solve_case(loaded, progress=report)
+        with recorded_warnings() as issued:
+            rows = finite_strain_scalars(solved.result, progress=report) if finite_strain else {}
+    result, softened = solved.result, solved.softened
     if as_json:
         scalars = result.scalars()
-        if temperatures:
-            scalars["thermal"] = thermal_scalars(temperatures, heated)  # type: ignore[assignment]
+        if solved.temperatures:
+            scalars["thermal"] = solved.thermal_scalars()  # type: ignore[assignment]
         if softened is not None:
             scalars["softening"] = {name: value for name, value, _ in softened.rows()}  # type: ignore[assignment]
         if rows:
             scalars["finite_strain"] = {name: found for name, (_, found, *_) in rows.items()}  # type: ignore[assignment]
         typer.echo(_json(scalars))
     else:
-        _print_result(result)
-        write_line(speed_text(result.angular_speed, result.body.outer_radius))
-        if temperatures:
-            OUTPUT.print(thermal_table(thermal_scalars(temperatures, heated)))
+        _print_result(result, thermal_table(solved) if solved.temperatures else None)
         if rows:
-            OUTPUT.print(finite_strain_table(rows))
+            OUTPUT.print(finite_strain_table(rows, result.body))
         if softened is not None:
             for line in repr(softened).splitlines():
                 write_line(line)
-    if fast := speed_warning(result.angular_speed, result.body.outer_radius):
-        write_message(f"warning: {fast}")
-    issued = [str(warning.message) for warning in caught if issubclass(warning.category, ResultWarning)]
-    for message in dict.fromkeys([*result_warnings(result), *issued]):
+    for message in dict.fromkeys([*solved.warnings, *issued]):
         write_message(f"warning: {message}")
     if plot is not None:
         save_picture(result.plot(), plot)
@@ -436,16 +423,27 @@ def _json(scalars: dict[str, float | int | str | None]) -> str:
     return json.dumps(finite, indent=2, allow_nan=False)
 
 
-def _print_result(result: Result) -> None:
-    """Print a title with the inputs, and a table of results narrower than 80 columns."""
+def _print_result(result: Result, temperatures: Table | None = None) -> None:
+    """Print a title with the inputs, the answer, temperatures and further results in tables of at most 80 columns."""
+    sections = result_sections(result)
     write_line(result_title(result))
-    write_line(f"{result.mesh}, {result.status.name}")
-    table = Table(show_header=False)
-    for line in result_lines(result):
-        table.add_row(*map(escape, line))
-    OUTPUT.print(table)
+    write_line(speed_text(result.angular_speed, result.body.outer_radius))
+    _print_rows({ANSWER: sections.pop(ANSWER)})
+    if temperatures is not None:
+        OUTPUT.print(temperatures)
+    _print_rows(sections)
+    write_line(mesh_text(result))
 
 
-for command in (slide, material, export, design, schema):
+def _print_rows(sections: dict[str, list[tuple[str, str]]]) -> None:
+    for title, rows in sections.items():
+        table = Table(title=title, title_justify="left", show_header=False)
+        for row in rows:
+            table.add_row(*map(escape, row))
+        OUTPUT.print(table)
+
+
+for command in (check, example, slide, material, export, design, schema):
     app.command()(command)
 app.command("app")(serve_page)
+app.command("report")(write_report)

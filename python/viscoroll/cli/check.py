@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -91,7 +92,5 @@ def _accepted(case: Case) -> None:
     def stop(_stage: str, _fraction: float) -> None:
         raise _Valid
 
-    try:
+    with contextlib.suppress(_Valid):
         case.solve(progress=stop)
-    except _Valid:
-        pass

@@ -319,7 +319,7 @@ def design(
     case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; see `viscoroll example --design`.")],
     plot: Annotated[Path | None, typer.Option(help="Draw power and limits (.png, .svg, .pdf).")] = None,
 ) -> None:
-    """Find the thickness, or another number of a case, with the least power loss within limits."""
+    """Find the number of a case, such as a thickness, with the least power loss or the largest value within limits."""
     from ..case.design import design_case
 
     check_target("--plot", plot, PICTURES)

@@ -22,14 +22,12 @@ def serve_page(
 ) -> None:
     """Edit and solve cases on a page in the browser; this machine solves them, and Ctrl-C stops the server."""
     from ..app import serve
-    from ..app.answer import OTHER_TABLES, tables_of_page
+    from ..app.case_text import page_case
 
-    document = None
+    tables = None
     if case is not None:
         with errors_in(case):
-            document = read_toml(case)
-            for name in [name for name in OTHER_TABLES if name in document]:
-                write_message(f"skipped in {case.name}: the page does not support the table [{name}]")
-                del document[name]
-            document = tables_of_page(document)
-    serve(document, browser=browser, tell=write_line)
+            tables, skipped = page_case(read_toml(case))
+        for name in skipped:
+            write_message(f"skipped in {case.name}: the page does not support the table [{name}]")
+    serve(tables, browser=browser, tell=write_line)

@@ -8,9 +8,8 @@ from .. import paper
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.tables import handy
-from ..solution.scalars import SCALARS
+from ..solution.scalars import label_of
 from ..solution.text import with_unit
-from ..thermal.temperature import QUANTITIES
 
 with extra("cli"):
     from rich.markup import escape
@@ -20,17 +19,15 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from .._support.progress import Report
-    from ..bodies import CoatedCylinder
-    from ..coupled import SelfHeating
+    from ..bodies import CoatedCylinder, RollingBody
+    from ..case.solved import SolvedCase
     from ..reproduce import Verdict
     from ..rolling import Result
-    from ..thermal import Temperature
 
 __all__ = [
     "finite_strain_scalars",
     "finite_strain_table",
     "table_2",
-    "thermal_scalars",
     "thermal_table",
     "verdict_table",
 ]
@@ -42,36 +39,13 @@ _COMPARED = ("resisting_torque", "load", "penetration", "contact_length", "max_p
 FiniteStrainRows = dict[str, tuple[str, float, float | None, float | None]]
 
 
-def thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
-    """Return the reported scalars of every steady state, in SI units."""
-    scalars: list[dict[str, float | str]] = []
-    for number, found in enumerate(temperatures):
-        row: dict[str, float | str] = {name: getattr(found, name) for name in QUANTITIES}
-        if heated is not None:
-            state = heated.states[number]
-            row |= {
-                "mean_temperature": state.mean_temperature,
-                "resisting_torque": state.result.resisting_torque,
-                "stability": "stable" if state.stable else "unstable",
-            }
-        scalars.append(row)
-    return scalars
-
-
-def thermal_table(scalars: list[dict[str, float | str]]) -> Table:
-    """Return the table of the reported scalars, with a column for every steady state."""
-    quantities = QUANTITIES | {
-        "mean_temperature": ("K", "mean temperature of the layers"),
-        "resisting_torque": ("N m", "resisting torque T_r"),
-    }
-    title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
+def thermal_table(solved: SolvedCase) -> Table:
+    """Return the table of the reported numbers of the temperature, with a column for every steady state."""
+    count = len(solved.temperatures)
+    title = "temperature" if count == 1 else f"{count} steady states; a cold start reaches the first"
     table = Table(title=title, title_justify="left", show_header=False)
-    for name, (unit, label) in quantities.items():
-        if name in scalars[0]:
-            texts, handy_unit = handy([float(row[name]) for row in scalars], unit)
-            table.add_row(escape(with_unit(label, handy_unit)), *texts)
-    if "stability" in scalars[0]:
-        table.add_row("steady state", *(str(row["stability"]) for row in scalars))
+    for label, texts in solved.thermal_rows():
+        table.add_row(escape(label), *texts)
     return table
 
 
@@ -129,7 +103,7 @@ def finite_strain_scalars(result: Result, *, progress: Report) -> FiniteStrainRo
     }
 
 
-def finite_strain_table(rows: FiniteStrainRows) -> Table:
+def finite_strain_table(rows: FiniteStrainRows, body: RollingBody) -> Table:
     """Return the table of finite elements, corrected linear theory and linear theory side by side."""
     table = Table(title="rolling at finite strain; corrected: linear theory with overspeed", title_justify="left")
     for head in ("", "finite elements", "corrected", "linear theory"):
@@ -137,6 +111,6 @@ def finite_strain_table(rows: FiniteStrainRows) -> Table:
     for name, (unit, *values) in rows.items():
         texts, handy_unit = handy(values, unit)
         cells = ("" if value is None else text for value, text in zip(values, texts, strict=True))
-        label = SCALARS[name][1].partition(",")[0]
+        label = label_of(name, body)
         table.add_row(escape(with_unit(label, handy_unit)), *cells)
     return table

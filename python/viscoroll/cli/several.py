@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import warnings
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save_picture
-from .._support.pictures import draw_picture
 from .._support.result_warnings import ResultWarning
-from .._support.tables import handy
 from ..case import load_case
 from ..case.plausible import speed_warning
-from ..solution.scalars import SCALARS
-from ..solution.text import result_warnings, with_unit
+from ..solution.scalars import SCALAR_GROUPS, SCALARS, label_of
+from ..solution.text import result_warnings, scalar_texts
 from .output import OUTPUT, progress_bar, write_message
 
 with extra("cli"):
@@ -66,6 +65,8 @@ def solve_several(
         for message in filter(None, [fast, *result_warnings(result)]):
             write_message(f"warning: {name}: {message}")
     if plot is not None:
+        from .._support.pictures import draw_picture
+
         picture = draw_picture(lambda axes: _draw(axes, results), None, figsize=(7.0, 4.5))
         save_picture(cast("Figure", picture), plot)
     return results
@@ -77,18 +78,15 @@ def print_several(results: Mapping[str, Result]) -> None:
     table.add_column("")
     for name in results:
         table.add_column(escape(name), justify="right")
-    for name, (_, label) in SCALARS.items():
-        values = [getattr(result, name) for result in results.values()]
-        units = {result.unit(name) for result in results.values()}
-        if all(value is None for value in values):
-            continue
-        short = label.partition(",")[0]
-        if len(units) == 1:
-            texts, unit = handy(values, units.pop())
-            table.add_row(escape(with_unit(short, unit)), *texts)
-        else:  # rollers have values per length
-            cells = [handy([value], result.unit(name)) for value, result in zip(values, results.values(), strict=True)]
-            table.add_row(escape(short), *(f"{text} {unit}" for (text,), unit in cells))
+    solved = list(results.values())
+    kinds = {type(result.body) for result in solved}
+    for group, names in groupby(SCALARS, SCALAR_GROUPS.__getitem__):
+        omitted = (None, 0) if group in ("friction", "other") else (None,)
+        for name in names:
+            if any(getattr(result, name) not in omitted for result in solved):
+                label = label_of(name, solved[0].body) if len(kinds) == 1 else SCALARS[name][1].partition(",")[0]
+                table.add_row(escape(label), *scalar_texts(solved, name))
+        table.add_section()
     OUTPUT.print(table)
 
 

@@ -15,15 +15,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._support.arguments import as_float, as_int, as_kelvin, require_type
+from .._support.arguments import as_count, as_float, as_int, as_kelvin, require_type
 from .._support.errors import InvalidInput, InvalidType
 from .._support.extras import extra
 from .._support.progress import ProgressLike, counted, reporting
 from .._support.result_warnings import silenced, warn
-from .._support.tables import html_table, number_text
+from .._support.tables import handy, html_table, number_text
 from ..bodies import RollingBody
 from ..materials.shift import Shift
-from ..thermal.temperature import QUANTITIES, Core
+from ..thermal.temperature import QUANTITIES, Core, temperature_warnings
 from .softening_result import NetworkLoss, as_network_loss
 from .steady_states import Fold, StateSearch, SteadyState
 
@@ -63,16 +63,22 @@ class SelfHeating:
 
     def _repr_html_(self) -> str:
         """Return the states with units, one per column, as a table for notebooks."""
+        torque_unit, coldest = self.states[0].result.unit("resisting_torque"), self.states[0].temperature
         rows = [
             ("steady state", *("stable" if state.stable else "unstable" for state in self.states), ""),
             ("mean temperature of the layers", *(number_text(state.mean_temperature) for state in self.states), "K"),
-            ("resisting torque T_r", *(number_text(state.result.resisting_torque) for state in self.states), "N m"),
+            self._row("resisting torque T_r", [state.result.resisting_torque for state in self.states], torque_unit),
             *(
-                (text, *(number_text(getattr(state.temperature, name)) for state in self.states), unit)
-                for name, (unit, text) in QUANTITIES.items()
+                self._row(text, [getattr(state.temperature, name) for state in self.states], coldest.unit(name))
+                for name, (_, text) in QUANTITIES.items()
             ),
         ]
         return html_table(f"Self-heating at Ω = {self.angular_speed:g} rad/s", rows)
+
+    @staticmethod
+    def _row(label: str, values: list[float], unit: str) -> tuple[str, ...]:
+        texts, readable = handy(values, unit)
+        return (label, *texts, readable)
 
     def speeds(self, temperatures: Sequence[float], *, progress: ProgressLike = None) -> NDArray[np.float64]:
         """Return the speeds at which given mean temperatures are steady states.
@@ -268,12 +274,8 @@ def self_heating(
 
     require_type("body", body, RollingBody)
     shifts = _shifts(body, shift)
-    parts = as_int("sublayers", sublayers)
-    count = as_int("points", points)
-    if not 1 <= parts <= 20:
-        raise InvalidInput("sublayers", "must be in [1, 20]", parts)
-    if not 4 <= count <= 1000:
-        raise InvalidInput("points", "must be in [4, 1000]", count)
+    parts = as_count("sublayers", sublayers, 1, 20)
+    count = as_count("points", points, 4, 1000)
     surroundings = as_kelvin("ambient", ambient)
     highest = surroundings + 150.0 if limit is None else as_float("limit", limit)
     if not highest > surroundings:
@@ -310,6 +312,7 @@ def self_heating(
     if len(states) > 1:
         temperatures = ", ".join(f"{s.mean_temperature:.1f} K ({'' if s.stable else 'un'}stable)" for s in states)
         warn([f"{len(states)} steady states: {temperatures}; a cold start reaches the coldest"])
+    warn(temperature_warnings(states[0].temperature))
     return found
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from .._support.arguments import as_float, as_int, require_type
-from .._support.errors import InvalidInput
+from .._support.arguments import as_count, as_float, as_float_in, require_type
+from .._support.errors import Range
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from .._support.result_warnings import warn
@@ -110,14 +110,8 @@ def strain_softening(
     require_type("body", body, RollingBody)
     require_type("on", on, Counterbody, optional=True)
     as_network_loss("loss", loss)
-    parts, columns = as_int("sublayers", sublayers), as_int("depths", depths)
-    if not 1 <= parts <= 20:
-        raise InvalidInput("sublayers", "must be in [1, 20]", parts)
-    if not 2 <= columns <= 20:
-        raise InvalidInput("depths", "must be in [2, 20]", columns)
-    largest_change = as_float("tolerance", tolerance)
-    if not 1e-9 <= largest_change <= 0.1:
-        raise InvalidInput("tolerance", "must be in [1e-9, 0.1]", repr(largest_change))
+    parts, columns = as_count("sublayers", sublayers, 1, 20), as_count("depths", depths, 2, 20)
+    largest_change = as_float_in(Range(1e-9, 0.1), "tolerance", tolerance)
     layers = softening_layers(body, on)
     if not layers:
         return _linear_result(

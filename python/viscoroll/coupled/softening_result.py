@@ -12,9 +12,10 @@ from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
 from .._support.plotting import plots
-from .._support.tables import html_table, number_text, unit_text
+from .._support.tables import handy, html_table, number_text, unit_text
 from .._support.text import shown
 from ..solution.inside import Of, inside_of
+from ..solution.text import scalar_text
 from .softened_state import SofteningLayer, State
 
 if TYPE_CHECKING:
@@ -73,7 +74,7 @@ class StrainSoftening:
     network_share : float
         Fraction of the loss of these layers by shear that is due to the network [-].
     torque_bounds : (float, float)
-        Resisting torques [N m], for rollers [N]: with the loss of the network summed over harmonics, as in the tire
+        Resisting torques [N m], for rollers [N m/m]: with the loss of the network summed over harmonics, as in the tire
         industry, and with that of a rate-independent network. The true torque may lie outside: the effect of rotating
         strain axes is unknown.
     iterations : int
@@ -203,13 +204,14 @@ class StrainSoftening:
 
     def __repr__(self) -> str:
         """Return a summary that fits on one screen."""
-        unit = self.result.unit("resisting_torque")
-        harmonic, matched = self.torque_bounds
+        (torque, harmonic, matched), unit = handy(
+            [self.result.resisting_torque, *self.torque_bounds], self.result.unit("resisting_torque")
+        )
         lines = [
-            f"StrainSoftening at P = {self.result.load:g} {self.result.unit('load')}, "
+            f"StrainSoftening at P = {scalar_text(self.result, 'load')}, "
             f"Ω = {self.result.angular_speed:g} rad/s ({self.iterations} contacts solved):",
-            f"  resisting torque T_r   {self.result.resisting_torque:.6g} {unit} (loss: {self.loss})",
-            f"  its estimates          {harmonic:.6g} (harmonic sum), {matched:.6g} {unit} (network)",
+            f"  resisting torque T_r   {torque} {unit} (loss: {self.loss})",
+            f"  its estimates          {harmonic} (harmonic sum), {matched} {unit} (network)",
             f"  network                {self.network_share:.1%} of the shear loss of these layers",
         ]
         for j, (storage, loss) in enumerate(self.layer_moduli):

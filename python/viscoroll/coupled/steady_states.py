@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from .._core import ConvergenceError
-from .._support.errors import InvalidInput
+from .._support.errors import Range
 from .._support.progress import Report
+from .._support.quantities import quantity_text
 from .._support.result_warnings import silenced
 from ..bodies import RollingBody
 from ..materials.shift import Shift, scaled, shift_factor, shifted
@@ -68,11 +69,10 @@ class SteadyState:
     def __repr__(self) -> str:
         """Return a summary in one line."""
         kind = "stable" if self.stable else "unstable"
-        torque = self.result.resisting_torque
-        shown = f"{torque:.4g} N" if self.result.body.line_contact else f"{torque * 1e3:.4g} mN m"
+        torque = quantity_text(self.result.resisting_torque, self.result.unit("resisting_torque"))
         return (
             f"SteadyState({kind}, mean {self.mean_temperature:.2f} K, at most "
-            f"{self.temperature.ambient + self.temperature.maximum:.2f} K, T_r = {shown})"
+            f"{self.temperature.ambient + self.temperature.maximum:.2f} K, T_r = {torque})"
         )
 
 
@@ -241,7 +241,7 @@ class StateSearch:
     def _root(self, mean: float, first: float, at: Callable[[float], _Point], name: str, reach: int) -> float:
         """Return the load or speed at which the excess is 0, by steps of a factor of 2 from the first one."""
         if not mean > self.ambient:
-            raise InvalidInput("temperatures", f"must be > {self.ambient:g} K", f"{mean:g} K")
+            raise Range(self.ambient, unit="K", excludes_minimum=True).error("temperatures", f"{mean:g} K")
 
         def excess(logarithm: float) -> float:
             return at(float(np.exp(logarithm))).excess

@@ -5,8 +5,8 @@
     >>> cover = vr.Layer(thickness=10e-3, shear_modulus=rubber, poisson_ratio=0.5)
     >>> roller = vr.CoatedCylinder(core_radius=40e-3, layers=[cover])
     >>> r = vr.finite_strain.solve(roller, load=20e3, angular_speed=9.0, elements_across=24, elements_through=4)
-    >>> f"strain {r.strain:.2f}, torque {r.driving_torque:.0f} N, overspeed {r.overspeed:.2f}"
-    'strain 0.11, torque 36 N, overspeed 0.09'
+    >>> f"strain {r.strain:.2f}, torque {r.driving_torque:.0f} N m/m, overspeed {r.overspeed:.2f}"
+    'strain 0.11, torque 36 N m/m, overspeed 0.09'
 
 `solve` computes one load or penetration, `ladder` several penetrations. Both need SciPy, which
 ``pip install 'viscoroll[studies]'`` installs.

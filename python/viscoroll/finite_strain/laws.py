@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import as_float
-from .._support.errors import InvalidInput
+from .._support.arguments import as_float_in
+from .._support.errors import Range
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -109,10 +109,7 @@ class MooneyRivlin(Elasticity):
 
     def __post_init__(self) -> None:
         """Check the fraction."""
-        value = as_float("fraction", self.fraction)
-        if not 0.0 <= value <= 1.0:
-            raise InvalidInput("fraction", "must be in [0, 1]", f"{value:g}")
-        object.__setattr__(self, "fraction", value)
+        object.__setattr__(self, "fraction", as_float_in(Range(0.0, 1.0), "fraction", self.fraction))
 
     @property
     def second_fraction(self) -> float:
@@ -134,10 +131,7 @@ class Yeoh(Elasticity):
 
     def __post_init__(self) -> None:
         """Check the coefficient."""
-        value = as_float("coefficient", self.coefficient)
-        if not 0.0 <= value <= 1.0:
-            raise InvalidInput("coefficient", "must be in [0, 1]", f"{value:g}")
-        object.__setattr__(self, "coefficient", value)
+        object.__setattr__(self, "coefficient", as_float_in(Range(0.0, 1.0), "coefficient", self.coefficient))
 
     @property
     def stiffening(self) -> float:

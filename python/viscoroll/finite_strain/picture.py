@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from .._support.pictures import Picture, draw_picture
+from .._support.quantities import quantity_text
 
 if TYPE_CHECKING:
     import xarray
@@ -30,7 +31,7 @@ class _Drawn(Protocol):
 
     @property
     def driving_torque(self) -> float:
-        """Torque [N]."""
+        """Torque [N m/m]."""
 
     @property
     def strain(self) -> float:
@@ -72,7 +73,7 @@ def plot_rolling(result: _Drawn, ax: Axes | None = None) -> Picture | Axes:
         _draw_cover(cover, picture, result)
         _draw_pressure(pressure, result)
         picture.suptitle(
-            f"P = {result.load:.4g} N/m,  T = {result.driving_torque:.4g} N,  "
+            f"P = {quantity_text(result.load, 'N/m')},  T = {quantity_text(result.driving_torque, 'N m/m')},  "
             f"strain {result.strain:.3g},  overspeed {result.overspeed:.3g},  law {result.law.value}",
             fontsize="medium",
         )

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.extras import extra
-from .._support.tables import html_table, number_text, unit_text
+from .._support.quantities import quantity_text
+from .._support.tables import html_table
 
 if TYPE_CHECKING:
     import xarray
@@ -56,13 +57,13 @@ class FiniteStrainResult:
     strain : float
         Penetration per thickness of the cover [-].
     driving_torque : float
-        Torque T that keeps the roller turning [N]: mean of `contact_torque` and `dissipated_power` / Ω, which both have
-        mesh errors.
+        Torque T that keeps the roller turning [N m/m]: mean of `contact_torque` and `dissipated_power` / Ω, which both
+        have mesh errors.
     resisting_torque : float
-        T on a plane; on a roller of radius R or in a drum of radius -R, T / (1 + r_o/R) [N]. It is the quantity that
-        `Result.resisting_torque` is in linear theory.
+        T on a plane; on a roller of radius R or in a drum of radius -R, T / (1 + r_o/R) [N m/m]. It is the quantity
+        that `Result.resisting_torque` is in linear theory.
     contact_torque, core_torque : float
-        Moments about the axis of the contact pressure and of the stress on the core [N].
+        Moments about the axis of the contact pressure and of the stress on the core [N m/m].
     dissipated_power : float
         Power of the viscous stress in the whole cover [W/m].
     power_balance_error : float
@@ -179,7 +180,7 @@ class FiniteStrainResult:
 
     def __str__(self) -> str:
         """Return a summary."""
-        rows = [(label, f"{number_text(value)} {unit_text(unit)}".rstrip()) for label, value, unit in self._rows()]
+        rows = [(label, quantity_text(value, unit)) for label, value, unit in self._rows()]
         rows += [("elements", f"{self.elements[0]} along the angle, {self.elements[1]} along the radius")]
         rows += [("effort", f"{self.newton_steps} Newton steps, {self.linear_iterations} linear iterations")]
         rows += [("warning", message) for message in self.warnings]
@@ -189,13 +190,13 @@ class FiniteStrainResult:
 
     def _repr_html_(self) -> str:
         """Return the table for a notebook."""
-        rows = [(label, number_text(value), unit_text(unit)) for label, value, unit in self._rows()]
-        rows += [("warning", message, "") for message in self.warnings]
+        rows = [(label, quantity_text(value, unit)) for label, value, unit in self._rows()]
+        rows += [("warning", message) for message in self.warnings]
         return html_table(f"Rolling at finite strain, law {self.law.value}", rows)
 
     def _rows(self) -> list[tuple[str, float, str]]:
         return [
-            ("driving torque T", self.driving_torque, "N"),
+            ("driving torque T", self.driving_torque, "N m/m"),
             ("load", self.load, "N/m"),
             ("penetration", self.penetration, "m"),
             ("strain, penetration per thickness", self.strain, "1"),
@@ -203,7 +204,7 @@ class FiniteStrainResult:
             ("resisting force", self.resisting_force, "N/m"),
             ("rolling resistance coefficient", self.rolling_resistance_coefficient, "1"),
             ("largest pressure", self.max_pressure, "Pa"),
-            ("contact length", self.contact_length, "m"),
+            ("nip length", self.contact_length, "m"),
             ("dissipated power", self.dissipated_power, "W/m"),
             ("power balance error", self.power_balance_error, "1"),
         ]

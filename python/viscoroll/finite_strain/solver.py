@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import ConvergenceError
-from .._support.arguments import as_float, as_floats, as_int, as_positive
+from .._support.arguments import as_count, as_float, as_floats, as_positive
 from .._support.errors import InvalidInput
 from .._support.progress import ProgressLike, Report, reporting
 from .._support.result_warnings import warn
@@ -118,8 +118,8 @@ def solve(
     >>> cover = vr.Layer(thickness=10e-3, shear_modulus=rubber, poisson_ratio=0.5)
     >>> roller = vr.CoatedCylinder(core_radius=40e-3, layers=[cover])
     >>> r = solve(roller, penetration=1e-3, angular_speed=9.0, elements_across=24, elements_through=4)
-    >>> f"{r.load / 1e3:.1f} kN/m, {r.driving_torque:.1f} N, overspeed {r.overspeed:.3f}"
-    '16.6 kN/m, 27.7 N, overspeed 0.073'
+    >>> f"{r.load / 1e3:.1f} kN/m, {r.driving_torque:.1f} N m/m, overspeed {r.overspeed:.3f}"
+    '16.6 kN/m, 27.7 N m/m, overspeed 0.073'
     """
     if (load is None) == (penetration is None):
         raise InvalidInput("load", "or penetration must be given, and not both", "both" if load is not None else "none")
@@ -190,11 +190,7 @@ def ladder(
 
 
 def _elements(across: int, through: int) -> tuple[int, int]:
-    size = as_int("elements_across", across), as_int("elements_through", through)
-    for name, count, low, high in (("elements_across", size[0], 8, 400), ("elements_through", size[1], 2, 40)):
-        if not low <= count <= high:
-            raise InvalidInput(name, f"must be in [{low}, {high}]", str(count))
-    return size
+    return as_count("elements_across", across, 8, 400), as_count("elements_through", through, 2, 40)
 
 
 def _checked(given: Problem, name: str, penetration: float) -> float:

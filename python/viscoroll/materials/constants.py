@@ -10,7 +10,7 @@ from typing import Literal
 
 import numpy as np
 
-from .._support.arguments import as_int, as_kelvin, as_positive, store_floats, store_positive
+from .._support.arguments import as_int, as_kelvin, as_poisson_ratio, as_positive, store_floats, store_positive
 from .._support.celsius import ZERO_CELSIUS
 from .._support.encodings import binary_format, decoded_utf16
 from .._support.errors import InvalidInput, InvalidType, in_file
@@ -110,8 +110,8 @@ class MaterialConstants:
         units = {"bulk_modulus": "Pa", "density": "kg/m³"}
         store_positive(self, {name: unit for name, unit in units.items() if getattr(self, name) is not None})
         store_floats(self, (), optional=("poisson_ratio",))
-        if self.poisson_ratio is not None and not -1.0 < self.poisson_ratio <= 0.5:
-            raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{self.poisson_ratio:g}")
+        if self.poisson_ratio is not None:
+            as_poisson_ratio("poisson_ratio", self.poisson_ratio)
         smallest = _SMALLEST_BULK * _largest_known(self.shear_modulus)
         if self.bulk_modulus is not None and self.bulk_modulus < smallest:
             rule = f"must be >= {smallest:.3g} Pa, 0.001 of the shear modulus: check its unit"

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import as_float_array, as_not_negative, store_floats, store_positive
-from .._support.errors import InvalidInput
+from .._support.arguments import as_float_array, as_float_in, as_not_negative, store_floats, store_positive
+from .._support.errors import InvalidInput, Range
 from .._support.tables import ParameterTable
 
 if TYPE_CHECKING:
@@ -109,8 +109,7 @@ class KrausNetwork(Network):
         store_floats(self, [field.name for field in fields(self)])
         store_positive(self, {"storage": "Pa", "critical_strain": ""})
         as_not_negative("loss", self.loss, "Pa")
-        if not 0.0 < self.exponent <= 1.0:
-            raise InvalidInput("exponent", "must be in (0, 1]", f"{self.exponent!r}")
+        as_float_in(Range(0.0, 1.0, excludes_minimum=True), "exponent", self.exponent)
 
     @property
     def yield_strain(self) -> float:

@@ -12,7 +12,7 @@ from typing import TypeAlias
 import numpy as np
 
 from .._support.arguments import as_float, as_kelvin, store_positive
-from .._support.errors import InvalidInput, InvalidType
+from .._support.errors import InvalidInput, InvalidType, Range
 from .._support.text import shown
 from .moduli import ShearModulus
 from .modulus_like import ShearModulusLike, as_modulus
@@ -61,7 +61,8 @@ class WilliamsLandelFerry:
         above = as_kelvin("temperature", temperature) - self.reference_temperature
         if not above > -self.c2:
             lowest = self.reference_temperature - self.c2
-            raise InvalidInput("temperature", f"must be > {lowest:g} K for this shift", f"{temperature:g} K")
+            allowed = Range(lowest, unit="K", excludes_minimum=True)
+            raise allowed.error("temperature", f"{temperature:g} K", " for this shift")
         return float(10.0 ** (-self.c1 * above / (self.c2 + above)))
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import _core
 from .._support.arguments import as_floats, as_member, as_positive
-from .._support.errors import InvalidInput
+from .._support.errors import InvalidInput, Range
 from .modulus_like import ShearModulusLike, as_modulus, to_core
 from .networks import Network
 
@@ -103,7 +103,7 @@ class StrainSweep(Network):
         for name in ("storage", "loss"):
             values = np.asarray(getattr(self, name))
             if not (np.isfinite(values).all() and (values > 0.0).all()):
-                raise InvalidInput(name, "must be > 0 Pa", f"{values.min():g}")
+                raise Range(0.0, unit="Pa", excludes_minimum=True).error(name, f"{values.min():g}")
 
     @property
     def amplitudes(self) -> Floats:

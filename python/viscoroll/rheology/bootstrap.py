@@ -16,8 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float_array, as_int
-from .._support.errors import InvalidInput
+from .._support.arguments import Floats, as_count, as_float_array
 from .._support.intervals import as_confidence, interval_half_width
 from ..materials import Prony
 
@@ -58,10 +57,8 @@ def wild_copies(data: Floats, expected: Floats, columns: Floats, *, count: int, 
     ValueError
         If `seed` is negative or `count` is out of range.
     """
-    if not 2 <= as_int("count", count) <= _MAX_COPIES:
-        raise InvalidInput("count", f"must be in [2, {_MAX_COPIES}]", count)
-    if as_int("seed", seed) < 0:
-        raise InvalidInput("seed", "must be >= 0", seed)
+    as_count("count", count, 2, _MAX_COPIES)
+    as_count("seed", seed, 0)
     q, _ = np.linalg.qr(columns)
     left = np.maximum(1.0 - (q**2).sum(axis=1), _LEAST)
     error = (data / expected - 1.0) / left

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from .._core import Extrapolation
-from .._support.arguments import as_float, as_floats, as_int, as_kelvin
+from .._support.arguments import as_count, as_float, as_floats, as_int, as_kelvin
+from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput, in_file
 from .._support.files import ending_in, write_text
 from .._support.text import one_line, shown
@@ -26,9 +27,12 @@ if TYPE_CHECKING:
 
     from .reading import Isotherm
 
-__all__ = ["count_draws", "load_material", "save_material"]
+__all__ = ["count_draws", "load_material", "material_summary", "save_material"]
 
 Form = Literal["table", "prony"]
+
+#: Meaning of a file without a table [table].
+_NO_MATERIAL = "the file is not a material file of viscoroll"
 
 
 def save_material(
@@ -122,6 +126,27 @@ def load_material(
         return _material(document, kelvin, form) if number is None else _draw(document, kelvin, form, number)
 
 
+def material_summary(path: Path) -> dict[str, str]:
+    """Return what a material file states about its measurement, as texts by name; errors same as in `load_material`."""
+    with _errors_in(path):
+        document = read_toml(path)
+        frequency = [
+            w for w in _numbers("table.frequency", _part(document, "table", _NO_MATERIAL)["frequency"]) if w > 0
+        ]
+        found = {"measured data": str(document.get("source", "not stated in the file"))}
+        found["frequencies of the table"] = (
+            f"{min(frequency):.3g} to {max(frequency):.3g} rad/s" if frequency else "none"
+        )
+        if "reference_temperature" in document:
+            found["reference temperature"] = kelvin_text(
+                as_float("reference_temperature", document["reference_temperature"])
+            )
+        if "shift" in document:
+            kelvin = _numbers("shift.temperature", _part(document, "shift", "")["temperature"])
+            found["temperatures"] = kelvin_range(min(kelvin), max(kelvin)) if kelvin else "none"
+        return found
+
+
 def count_draws(path: Path) -> int:
     """Return the number of draws in a material file; errors are the same as in `load_material`."""
     with _errors_in(path):
@@ -152,7 +177,7 @@ def _material(document: dict[str, Any], temperature: float | None, form: Form) -
         )
     if form != "table":
         raise InvalidInput("form", "must be 'table' or 'prony'", shown(form))
-    table = _part(document, "table", "the file is not a material file of viscoroll")
+    table = _part(document, "table", _NO_MATERIAL)
     frequency, storage, loss = (_numbers(f"table.{name}", table[name]) for name in ("frequency", "storage", "loss"))
     return MasterCurve(_moved(frequency, -decades), storage, loss, extrapolation=Extrapolation.HOLD)
 
@@ -162,8 +187,7 @@ def _draw(document: dict[str, Any], temperature: float | None, form: Form, draw:
     moduli = _moduli_of_draws(draws)
     if form != "prony":
         raise InvalidInput("form", "must be 'prony' if a draw is given", shown(form))
-    if not 0 <= draw < len(moduli):
-        raise InvalidInput("draw", f"must be in [0, {len(moduli) - 1}]", draw)
+    as_count("draw", draw, 0, len(moduli) - 1)
 
     def row(name: str) -> tuple[float, ...]:
         rows = draws[name]

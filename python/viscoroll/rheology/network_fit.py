@@ -12,6 +12,7 @@ from .._core import ConvergenceError
 from .._support.arguments import Floats, require_type
 from .._support.errors import InvalidInput
 from .._support.extras import extra
+from .._support.intervals import as_confidence
 from .._support.least_squares import Parameter, with_intervals
 from .._support.plotting import plots
 from .._support.text import shown
@@ -125,8 +126,7 @@ def fit_network(
     require_type("sweep", sweep, StrainSweep)
     if law not in _UNITS:
         raise InvalidInput("law", "must be 'kraus' or 'masing'", shown(law))
-    if not 0.0 < confidence < 1.0:
-        raise InvalidInput("confidence", "must be in (0, 1)", repr(confidence))
+    confidence = as_confidence(confidence)
     strain, data = sweep.amplitudes, np.array([sweep.storage, sweep.loss])
     start = np.log(_start(law, strain, data))
     freedom = data.size - len(start)

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float, as_int
-from .._support.errors import InvalidInput
+from .._support.arguments import Floats, as_count, as_float_in, as_positive
+from .._support.errors import Range
 from .._support.plotting import plots
 from ..materials import Draws, Prony
 from ..materials.series import FLOOR, MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
@@ -154,8 +154,7 @@ class PronyFit:
         ValueError
             If `terms` is less than 1.
         """
-        if as_int("terms", terms) < 1:
-            raise InvalidInput("terms", "must be >= 1", terms)
+        as_count("terms", terms, 1)
         fit = fit_sparse(self._fit, self.frequency, self.storage, self.loss, terms=terms, floor=self._floor)
         return _result(fit, self.frequency, self.storage, self.loss, self._floor, self._per_decade, terms)
 
@@ -216,12 +215,9 @@ def fit_prony(curve: MeasuredModulus, *, terms_per_decade: float = 2.0, relaxed_
     True
     """
     frequency, storage, loss = measured(curve)
-    per_decade = as_float("terms_per_decade", terms_per_decade)
-    if not 0.5 <= per_decade <= 10.0:
-        raise InvalidInput("terms_per_decade", "must be in [0.5, 10]", repr(per_decade))
-    floor = FLOOR * float(storage.min()) if relaxed_floor is None else as_float("relaxed_floor", relaxed_floor)
-    if not 0.0 < floor < np.inf:
-        raise InvalidInput("relaxed_floor", "must be > 0 Pa", repr(floor))
+    per_decade = as_float_in(Range(0.5, 10.0), "terms_per_decade", terms_per_decade)
+    given = FLOOR * float(storage.min()) if relaxed_floor is None else relaxed_floor
+    floor = as_positive("relaxed_floor", given, "Pa")
     fit = _fit_on_best_grid(frequency, storage, loss, per_decade, floor)
     return _result(fit, frequency, storage, loss, floor, per_decade, None)
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TypeAlias
 
-from .._support.arguments import as_float, as_int
+from .._support.arguments import as_count, as_poisson_ratio
 from .._support.errors import InvalidInput, InvalidType, in_file
 from .._support.text import shown
 from .formats import read_text
@@ -51,9 +51,7 @@ def checked_conversion(tensile: bool | None, poisson_ratio: float) -> float:
     ValueError, TypeError
         If Poisson's ratio is not in (-1, 0.5], or `tensile` is not True, False or None.
     """
-    nu = as_float("poisson_ratio", poisson_ratio)
-    if not -1.0 < nu <= 0.5:
-        raise InvalidInput("poisson_ratio", "must be in (-1, 0.5]", f"{nu!r}")
+    nu = as_poisson_ratio("poisson_ratio", poisson_ratio)
     if tensile is not None and not isinstance(tensile, bool):
         raise InvalidType("tensile", "must be True, False or None", shown(tensile))
     return nu
@@ -76,9 +74,7 @@ def numbered(found: Sequence[Table], step: int) -> Table:
     ValueError, TypeError
         If there is no such data set.
     """
-    if not 1 <= as_int("step", step) <= len(found):
-        raise InvalidInput("step", f"must be in [1, {len(found)}]", shown(step))
-    return found[step - 1]
+    return found[as_count("step", step, 1, len(found)) - 1]
 
 
 def unread_tables(found: Sequence[Table], read: Sequence[Table]) -> list[str]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float, as_kelvin
+from .._support.arguments import Floats, as_kelvin, as_positive
 from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput
 from .._support.text import one_line, shown
@@ -230,9 +230,7 @@ def read_rheology(
     path = files
     names = named_columns(columns, SWEEP_ROLES)
     nu = checked_conversion(tensile, poisson_ratio)
-    held = None if frequency is None else as_float("frequency", frequency)
-    if held is not None and not 0.0 < held < math.inf:
-        raise InvalidInput("frequency", "must be > 0 rad/s and finite", repr(held))
+    held = None if frequency is None else as_positive("frequency", frequency, "rad/s")
     found = tables_of(path, names)
     tables = _chosen(found, step, path)
     if not tables:

@@ -13,7 +13,7 @@ import numpy as np
 
 from .._support.arguments import Floats, as_floats, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
-from .._support.errors import InvalidInput, in_file
+from .._support.errors import InvalidInput, Range, in_file
 from .._support.extras import extra
 from .._support.files import write_text
 from .._support.least_squares import Parameter, with_intervals
@@ -61,9 +61,10 @@ class ShiftFactors:
                 "temperature and log10_factor must have the same length >= 2, "
                 f"got {len(self.temperature)} and {len(self.log10_factor)}"
             )
+        hottest = Range(maximum=_HOTTEST, unit="K")
         for index, value in enumerate(self.temperature):
-            if not as_kelvin(f"temperature[{index}]", value) <= _HOTTEST:
-                raise InvalidInput(f"temperature[{index}]", f"must be <= {_HOTTEST:g} K", f"{value:g} K")
+            if as_kelvin(f"temperature[{index}]", value) not in hottest:
+                raise hottest.error(f"temperature[{index}]", f"{value:g} K")
         for index, value in enumerate(self.log10_factor):
             if not abs(value) <= _MAX_DECADES:
                 allowed = f"[-{_MAX_DECADES:g}, {_MAX_DECADES:g}]"

@@ -6,9 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from .._support.arguments import as_int, as_member
+from .._support.arguments import as_count, as_member
 from .._support.errors import InvalidInput, in_file
-from .._support.text import shown
 from ..materials import StrainSweep
 from ..materials.modulus_like import ShearModulusLike
 from ..materials.strain_sweep import StrainKind
@@ -103,9 +102,7 @@ def _chosen(sweeps: list[dict[str, np.ndarray]], number: int | None, path: Path)
         return sweeps[0]
     if number is None:
         raise InvalidInput("sweep", f"must be given for {path}, which has several: 1 to {len(sweeps)}")
-    if not 1 <= as_int("sweep", number) <= len(sweeps):
-        raise InvalidInput("sweep", f"must be in [1, {len(sweeps)}]", shown(number))
-    return sweeps[number - 1]
+    return sweeps[as_count("sweep", number, 1, len(sweeps)) - 1]
 
 
 def _sweeps(table: Table, path: Path) -> list[dict[str, np.ndarray]]:

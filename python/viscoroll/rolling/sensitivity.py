@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._support.arguments import Floats, as_floats, as_int
+from .._support.arguments import Floats, as_count, as_floats
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
@@ -213,9 +213,7 @@ def sensitivity(
     -0.85
     """
     answers = _answers(self, answers)
-    per_decade = as_int("bands_per_decade", bands_per_decade)
-    if per_decade < 1:
-        raise InvalidInput("bands_per_decade", "must be >= 1", per_decade)
+    per_decade = as_count("bands_per_decade", bands_per_decade, 1)
     given = Given.of(self)
     quotients = _Quotients(self, given, answers, threads)
     numbers = list(numbers_of(given))

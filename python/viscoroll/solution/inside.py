@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import _core
 from .._support.arguments import as_float_array
-from .._support.errors import InvalidInput
+from .._support.errors import InvalidInput, Range
 from .._support.result_warnings import warn
 from .._support.text import shown
 from ..bodies import (
@@ -216,7 +216,7 @@ def places_of(
     below = finite_line("depth", depth)
     thickness = body.depth
     if below.size and not (below.min() >= 0.0 and below.max() <= thickness * (1.0 + 1e-12)):
-        raise InvalidInput("depth", f"must be in [0, {thickness:g}] m", f"{below.min():g} to {below.max():g}")
+        raise Range(0.0, thickness, "m").error("depth", f"{below.min():g} to {below.max():g}")
     # The innermost position must equal that of the core to the last bit.
     innermost = body.boundaries[0]
     positions = np.where(below >= thickness * (1.0 - 1e-12), innermost, body.surface - below)

@@ -7,11 +7,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.pictures import Picture, draw_picture
+from .._support.quantities import quantity_text
 from .._support.result_warnings import silenced
+from .._support.scales import Scale
 from .inside import Inside, Of, inside_of
 from .interior_fields import interior
 from .loss import contact_size, loss
 from .solution import Solution
+from .text import scalar_text
 
 if TYPE_CHECKING:
     import xarray
@@ -19,8 +22,6 @@ if TYPE_CHECKING:
 
 __all__ = ["plot_loss", "plot_section"]
 
-_MM = 1e3
-_MPA = 1e-6
 
 #: Number of depths at which fields are evaluated.
 _DEPTHS = 41
@@ -41,21 +42,25 @@ def plot_section(result: Solution, of: Of | None = None) -> Picture:
 
     figure = Picture(figsize=(10.0, 6.0), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[1.0, 2.0])
-    along = fields.x * _MM
     middle = result.pressure.shape[1] // 2
-    above.fill_between(along, result.pressure[:, middle] * _MPA, color="tab:red", alpha=0.3)
-    above.plot(along, result.pressure[:, middle] * _MPA, color="tab:red")
-    above.set(ylabel="pressure [MPa]")
+    pressures = result.pressure[:, middle]
+    length, pressure, stress = Scale.of(deepest, "m"), Scale.of(pressures, "Pa"), Scale.of(fields.von_mises, "Pa")
+    along = fields.x / length.factor
+    above.fill_between(along, pressures / pressure.factor, color="tab:red", alpha=0.3)
+    above.plot(along, pressures / pressure.factor, color="tab:red")
+    above.set(ylabel=pressure.text("pressure"))
     above.set_title(
-        f"$P$ = {result.load:g} {result.unit('load')},  $Ω$ = {result.angular_speed:g} rad/s,  "
+        f"$P$ = {scalar_text(result, 'load')},  $Ω$ = {result.angular_speed:g} rad/s,  "
         f"{result.compliance.name} compliance",
         fontsize="medium",
     )
-    image = below.contourf(along, fields.depth * _MM, fields.von_mises * _MPA, levels=24, cmap="viridis")
-    _draw_layers(below, body)
-    below.set(xlabel="along the surface, rolling to the right [mm]", ylabel="depth [mm]")
-    below.set_ylim(deepest * _MM, 0.0)
-    figure.colorbar(image, ax=below, label="von Mises stress [MPa]")
+    image = below.contourf(
+        along, fields.depth / length.factor, fields.von_mises / stress.factor, levels=24, cmap="viridis"
+    )
+    _draw_layers(below, body, length)
+    below.set(xlabel=length.text("along the surface, rolling to the right"), ylabel=length.text("depth"))
+    below.set_ylim(deepest / length.factor, 0.0)
+    figure.colorbar(image, ax=below, label=stress.text("von Mises stress"))
     return figure
 
 
@@ -70,23 +75,26 @@ def plot_loss(result: Solution, ax: Axes | None = None, of: Of | None = None) ->
 def _draw_loss(axes: Axes, inside: Inside, losses: xarray.Dataset) -> None:
     result = inside.result
     deepest = float(losses.depth.max())
-    label = "energy dissipated per passage [kJ/m³]"
+    length, density = Scale.of(deepest, "m"), Scale.of(losses.loss_density, "J/m^3")
+    depth, label = losses.depth / length.factor, density.text("energy dissipated per passage")
+    lost = losses.loss_density / density.factor
     if inside.line_contact:
-        axes.plot(losses.loss_density.isel(theta=0) * 1e-3, losses.depth * _MM, color="tab:red")
+        axes.plot(lost.isel(theta=0), depth, color="tab:red")
         axes.set(xlabel=label)
     else:
-        image = axes.contourf(losses.z * _MM, losses.depth * _MM, losses.loss_density * 1e-3, levels=24, cmap="inferno")
-        reach = (2.0 * (result.semi_axis_z or 0.0) + 2.0 * deepest) * _MM
-        axes.set(xlim=(-reach, reach), xlabel="across the track [mm]")
+        image = axes.contourf(losses.z / length.factor, depth, lost, levels=24, cmap="inferno")
+        reach = (2.0 * (result.semi_axis_z or 0.0) + 2.0 * deepest) / length.factor
+        axes.set(xlim=(-reach, reach), xlabel=length.text("across the track"))
         axes.figure.colorbar(image, ax=axes, label=label)
-    _draw_layers(axes, inside)
-    axes.set(ylabel="depth [mm]")
-    axes.set_ylim(deepest * _MM, 0.0)
-    axes.set_title(f"{inside.bulk_power:.3g} {result.unit('bulk_power')} dissipated in the layers", fontsize="medium")
+    _draw_layers(axes, inside, length)
+    axes.set(ylabel=length.text("depth"))
+    axes.set_ylim(deepest / length.factor, 0.0)
+    power = quantity_text(inside.bulk_power, result.unit("bulk_power"))
+    axes.set_title(f"{power} dissipated in the layers", fontsize="medium")
 
 
-def _draw_layers(axes: Axes, inside: Inside) -> None:
+def _draw_layers(axes: Axes, inside: Inside, length: Scale) -> None:
     """Draw the boundaries of the layers."""
     depths = inside.depth(inside.body.boundaries)
     for depth in depths[np.isfinite(depths)]:
-        axes.axhline(depth * _MM, color="k", linewidth=2.0 if depth == depths[0] else 1.0)
+        axes.axhline(depth / length.factor, color="k", linewidth=2.0 if depth == depths[0] else 1.0)

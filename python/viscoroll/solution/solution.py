@@ -80,8 +80,8 @@ VECTOR_FIELDS = {
 class Solution(ScalarFields):
     """Solution of one load case on the candidate window.
 
-    In line contact (`CoatedCylinder`), fields have one column, and forces are per length [N/m], as are torques [N],
-    powers [W/m] and the contact area [m]; `unit` returns the unit of a result.
+    In line contact (`CoatedCylinder`), fields have one column, and forces are per length [N/m], as are torques
+    [N m/m], powers [W/m] and the contact area [m]; `unit` returns the unit of a result.
 
     Fields are read-only arrays of shape (nodes in φ, nodes in θ). Material crosses the contact towards growing φ, from
     the leading edge (x > 0) to the trailing edge.

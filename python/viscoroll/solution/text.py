@@ -2,59 +2,117 @@
 
 from __future__ import annotations
 
-from .._support.tables import handy, html_table, number_text, unit_text
+from .._support.quantities import percent_text, quantity_texts
+from .._support.tables import html_table, unit_text
+from .._support.units import suitable_unit
 from ..bodies.si_hints import unit_doubt
 from .loss_spectrum import extrapolated_loss
-from .scalars import SCALARS
+from .scalars import PRECISION, SCALAR_GROUPS, SCALARS, label_of
 from .solution import Solution
 
-__all__ = ["result_html", "result_lines", "result_summary", "result_title", "result_warnings", "with_unit"]
+__all__ = [
+    "ANSWER",
+    "LOSSLESS",
+    "mesh_text",
+    "relative_error",
+    "result_html",
+    "result_sections",
+    "result_summary",
+    "result_title",
+    "result_warnings",
+    "scalar_text",
+    "scalar_texts",
+    "with_unit",
+]
+
+#: Title of the section of a report that comes first: the results for which a body is used.
+ANSWER = "answer"
+
+_CERTAINTY, _FURTHER = "how certain", "further results"
+
+#: Text for bodies whose layers have no loss.
+LOSSLESS = "this material dissipates nothing"
+
+#: Results of a contact with an area that in line contact repeat the contact length, or do not exist.
+_POINT_CONTACT = frozenset({"contact_area", "semi_axis_x", "semi_axis_z", "contact_width"})
+
+#: Parts of the dissipated power, which are omitted if they equal it.
+_PARTS = frozenset({"bulk_power", "rolling_bulk_power", "counterbody_bulk_power", "slip_power"})
+
+
+#: Further results of which 0 is a result: a contact reaches the faces.
+_KEPT = frozenset({"face_distance"})
 
 
 def result_summary(result: Solution) -> str:
-    """Return a summary that fits on one screen."""
-    rows = [
-        *_torque_rows(result),
-        ("rolling resistance coefficient", f"{result.rolling_resistance_coefficient:.6g}"),
-        ("driving torque T", _quantity(result, "driving_torque")),
-        (
-            "driving force Q, lateral force",
-            f"{_quantity(result, 'driving_force')}, {_quantity(result, 'lateral_force')}",
-        ),
-        *_shape_rows(result),
-        (
-            "largest pressure",
-            f"{result.max_pressure:.5g} Pa, relative error {result.max_pressure_error:.2g} (estimate)",
-        ),
-        *_friction_rows(result),
-        ("power dissipated in the layers", _quantity(result, "bulk_power")),
-        *_pair_rows(result),
-        *_extrapolation_rows(result),
-        *_error_rows(result),
-        ("mesh", str(result.mesh)),
-        ("nodes in contact", f"{int(result.contact.sum())} of {result.contact.size}"),
-        ("effort", f"{result.iterations} iterations with {result.operator_applications} operator applications"),
-        ("status", f"{result.status.name}, residual {result.residual:.1e}"),
-        *(("warning", message) for message in result_warnings(result)),
-    ]
-    width = max(len(label) for label, _ in rows)
-    model = f"{result.compliance.name} compliance, {result.curvature.name} curvature"
-    head = f"Result of {_prescribed_text(result)} at Ω = {result.angular_speed:g} rad/s ({model})"
-    return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
+    """Return a summary: the answer, how certain it is, and further results."""
+    sections = result_sections(result)
+    width = max(len(label) for rows in sections.values() for label, _ in rows)
+    lines = [f"Result of {result_title(result)}"]
+    for title, rows in sections.items():
+        lines += [] if title == ANSWER else [f"{title}:"]
+        lines += [f"  {label:<{width}}  {text}" for label, text in rows]
+    return "\n".join([*lines, mesh_text(result), *(f"warning: {message}" for message in result_warnings(result))])
+
+
+def result_sections(result: Solution) -> dict[str, list[tuple[str, str]]]:
+    """Return the rows of a report, label and text, by the title of their section.
+
+    The order of sections and rows is that of the table of scalar results. Given values and results without meaning for
+    the case are omitted, and of the further results also those that vanish.
+    """
+    answer = {name: label for name, label in _reported(result).items() if _group(result, name) == "answer"}
+    lossless = [("dissipation in the layers", LOSSLESS)] if result.bulk_power == 0.0 else []
+    certainty = _rows(result, "certainty")
+    if (extrapolated := extrapolated_loss(result)) is not None:
+        certainty.append(("share of the loss outside the measured table", percent_text(extrapolated)))
+    return {
+        ANSWER: [
+            *lossless,
+            *((label, scalar_text(result, name)) for name, label in answer.items()),
+            *_sticking(result),
+        ],
+        _CERTAINTY: certainty,
+        _FURTHER: _rows(result, "other"),
+    }
+
+
+def mesh_text(result: Solution) -> str:
+    """Return the mesh, its number of nodes in contact, and the status, on one line."""
+    return f"{result.mesh}, {int(result.contact.sum())} nodes in contact, {result.status.name}"
+
+
+def scalar_text(result: Solution, name: str) -> str:
+    """Return a scalar result with a readable unit, its digits and its error."""
+    return scalar_texts([result], name)[0]
+
+
+def scalar_texts(results: list[Solution], name: str) -> list[str]:
+    """Return a scalar of several results in a common unit; `scalar_text` describes the texts."""
+    values = [getattr(result, name) for result in results]
+    if PRECISION[name] == ("%",):
+        digits = 2 if SCALAR_GROUPS[name] == "certainty" else 3
+        return ["undetermined" if value is None else percent_text(value, digits) for value in values]
+    if len({result.unit(name) for result in results}) > 1:  # rollers have values per length
+        return [scalar_text(result, name) for result in results]
+    errors = [relative_error(result, name) for result in results]
+    digits = 6 if name in {result.prescribed for result in results} else 3
+    texts, unit = quantity_texts(values, results[0].unit(name), errors, digits=digits)
+    return [text if value is None else f"{text} {unit}".rstrip() for value, text in zip(values, texts, strict=True)]
+
+
+def relative_error(result: Solution, name: str) -> float | None:
+    """Return the relative error estimate of a scalar result, the sum of those of mesh and theory; None if given."""
+    if name == result.prescribed:
+        return None
+    errors = [getattr(result, error) for error in PRECISION[name] if error != "%"]
+    known = [error for error in errors if error is not None]
+    return sum(known) if known else None
 
 
 def result_warnings(result: Solution) -> list[str]:
     """Return the warnings of a result, with a hint if lengths or moduli are implausible in SI units."""
     return [*result.warnings.values(), *filter(None, [unit_doubt(result.body, result.on)])]
-
-
-def result_lines(result: Solution) -> list[tuple[str, str]]:
-    """Return the label of each scalar result with a convenient unit, and its value as text."""
-    lines = []
-    for label, value, unit in _scalar_rows(result):
-        (text,), handy_unit = handy([value], unit)
-        lines.append((with_unit(label.partition(",")[0], handy_unit), text))
-    return lines
 
 
 def with_unit(label: str, unit: str) -> str:
@@ -72,100 +130,51 @@ def result_title(result: Solution) -> str:
 
 def _prescribed_text(result: Solution) -> str:
     """Return the given load or penetration with its unit."""
-    symbol = "P" if result.prescribed == "load" else "penetration"
-    return f"{symbol} = {getattr(result, result.prescribed):g} {result.unit(result.prescribed)}"
+    symbol, value = "P" if result.prescribed == "load" else "penetration", getattr(result, result.prescribed)
+    unit, scale = suitable_unit(value, result.unit(result.prescribed))
+    return f"{symbol} = {value / scale:g} {unit}"
 
 
 def result_html(result: Solution) -> str:
     """Return the table of the result for a notebook."""
-    rows = [(label, number_text(value), unit_text(unit)) for label, value, unit in _scalar_rows(result)]
-    rows += [("mesh", str(result.mesh), ""), ("status", result.status.name, "")]
-    rows += [("warning", message, "") for message in result_warnings(result)]
+    rows = [
+        ("" if index else title, label, text)
+        for title, section in result_sections(result).items()
+        for index, (label, text) in enumerate(section)
+    ]
+    rows.append(("mesh", "", mesh_text(result)))
+    rows += [("warning", "", message) for message in result_warnings(result)]
     return html_table(f"Result of {result_title(result)}", rows)
 
 
-def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
-    """Return label, value [SI] and unit of all scalar results."""
-    absent = set() if result.face_distance is not None else {"face_distance"}  # only wheels have faces
-    if _is_line_contact(result):
-        absent |= {"contact_area", "semi_axis_x", "semi_axis_z", "contact_width"}  # its one dimension is the length
-    if result.finite_strain_torque is None:
-        absent |= {"overspeed", *(name for name in SCALARS if name.startswith("finite_strain_"))}
-    rows = [
-        (label, getattr(result, name), result.unit(name)) for name, (_, label) in SCALARS.items() if name not in absent
-    ]
-    if (extrapolated := extrapolated_loss(result)) is not None:
-        rows.append(("share of the dissipated power at frequencies outside the measured table", extrapolated, "1"))
-    return rows
-
-
-def _is_line_contact(result: Solution) -> bool:
-    return result.semi_axis_z is None
-
-
-def _quantity(result: Solution, name: str) -> str:
-    return f"{getattr(result, name):.6g} {result.unit(name)}"
-
-
-def _torque_rows(result: Solution) -> list[tuple[str, str]]:
-    """Return the torque nearest to reality, and that of linear theory."""
-    linear = _quantity(result, "resisting_torque")
-    if result.finite_strain_torque is None:
-        return [("resisting torque T_r", linear)]
-    error = f"relative error {result.finite_strain_torque_error:.2g} (estimate)"
+def _rows(result: Solution, group: str) -> list[tuple[str, str]]:
     return [
-        ("torque at finite strain", f"{_quantity(result, 'finite_strain_torque')}, {error}"),
-        ("resisting torque T_r of linear theory", linear),
-        ("overspeed of the surface in the contact", f"{result.overspeed:.3g}"),
-        *(
-            [("angular speed of the body", _quantity(result, "finite_strain_angular_speed"))]
-            if result.finite_strain_angular_speed != result.angular_speed
-            else []
-        ),
+        (label, scalar_text(result, name))
+        for name, label in _reported(result).items()
+        if _group(result, name) == group and (group != "other" or name in _KEPT or getattr(result, name) != 0)
     ]
 
 
-def _shape_rows(result: Solution) -> list[tuple[str, str]]:
-    penetration = "undetermined"
-    if result.penetration is not None:
-        penetration = f"{result.penetration:.6g} m, {result.strain:.1%} of the thickness"
-    length = f"{result.contact_length:.5g} m, relative error {result.contact_length_error:.2g} (estimate)"
-    rows = [("penetration", penetration), ("contact length along the path (nip length)", length)]
-    if not _is_line_contact(result):
-        rows.append(("contact semi-axes x, z", f"{result.semi_axis_x:.4g}, {result.semi_axis_z:.4g} m"))
-    if result.prescribed == "penetration":
-        rows.insert(0, ("normal load P", _quantity(result, "load")))
-    if result.face_distance is not None:
-        reached = "0 m (the contact reaches a face)" if result.face_distance == 0.0 else f"{result.face_distance:.4g} m"
-        rows.append(("contact width, distance from the faces", f"{result.contact_width:.4g} m, {reached}"))
-    return rows
+def _group(result: Solution, name: str) -> str:
+    """Return the section of a scalar: a prescribed drive is part of the answer with friction only."""
+    group = SCALAR_GROUPS[name]
+    return group if group != "friction" else "answer" if result.friction > 0.0 else "other"
 
 
-def _error_rows(result: Solution) -> list[tuple[str, str]]:
-    if result.model_error is None:
-        return [("relative error of the mesh", f"{result.error_estimate:.2g} (estimate)")]
-    errors = f"{result.error_estimate:.2g}, {result.model_error:.2g} (estimates)"
-    return [("relative error of the mesh, of linear theory", errors)]
+def _reported(result: Solution) -> dict[str, str]:
+    """Return name and label of the scalars of a report."""
+    omitted = {result.prescribed}
+    if result.semi_axis_z is None:
+        omitted |= _POINT_CONTACT
+    if result.finite_strain_angular_speed == result.angular_speed:
+        omitted.add("finite_strain_angular_speed")
+    omitted |= {name for name in _PARTS if getattr(result, name) == result.dissipated_power}
+    omitted |= {name for name in SCALARS if getattr(result, name) is None and name != result.unprescribed}
+    return {name: label_of(name, result.body) for name in SCALARS if name not in omitted}
 
 
-def _extrapolation_rows(result: Solution) -> list[tuple[str, str]]:
-    extrapolated = extrapolated_loss(result)
-    return [] if extrapolated is None else [("share outside the measured table", f"{extrapolated:.2%}")]
-
-
-def _pair_rows(result: Solution) -> list[tuple[str, str]]:
-    if result.on is None:
-        return []
-    powers = f"{_quantity(result, 'rolling_bulk_power')}, {_quantity(result, 'counterbody_bulk_power')}"
-    return [("in the rolling body, in the counterbody", powers)]
-
-
-def _friction_rows(result: Solution) -> list[tuple[str, str]]:
+def _sticking(result: Solution) -> list[tuple[str, str]]:
     if result.friction == 0.0:
         return []
     sticking = int(result.stick.sum()) / int(result.contact.sum())
-    return [
-        ("friction", f"{result.friction:g}, {sticking:.0%} of the nodes in contact stick"),
-        ("creepage, speed of the center V_s", f"{result.creepage:.6g}, {_quantity(result, 'linear_speed')}"),
-        ("power dissipated by slip", _quantity(result, "slip_power")),
-    ]
+    return [("nodes in contact that stick", percent_text(sticking))]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .._support.arguments import Floats
 from .._support.extras import extra
+from .._support.scales import Scale
 from .._support.units import UNITS
 
 with extra("plot"):
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
 
-__all__ = ["Abscissa", "Colors", "Scale", "choose_scale", "quantity_name", "value_text"]
+__all__ = ["Abscissa", "Colors", "choose_scale", "quantity_name", "scale_of", "value_text"]
 
 #: Symbols of parameters.
 _SYMBOLS = {
@@ -38,10 +38,6 @@ _SYMBOLS = {
     "density": r"\rho",
     "relaxation_time": r"\tau",
 }
-
-#: Units that may have a prefix, and the prefix for each factor.
-_PREFIXED = {"m", "N", "N m", "Pa", "Pa s", "W", "s"}
-_PREFIXES = {1e-9: "n", 1e-6: "μ", 1e-3: "m", 1.0: "", 1e3: "k", 1e6: "M", 1e9: "G"}
 
 #: Largest number of numeric values in a legend (more values get a color bar), and largest number of texts, each of
 #: which needs a distinct color.
@@ -60,27 +56,9 @@ _MIN_LOGARITHMIC_RATIO = 20.0
 _FEW_DECADES = 200.0
 
 
-@dataclass(frozen=True, slots=True)
-class Scale:
-    """Unit with a prefix, and the divisor that converts values to it."""
-
-    factor: float
-    unit: str
-
-    @classmethod
-    def of(cls, values: xarray.DataArray) -> Scale:
-        """Return the scale that suits the largest absolute value."""
-        unit = str(values.attrs.get("units", "1"))
-        numbers = np.abs(values.to_numpy())
-        largest = float(np.nanmax(numbers, initial=0.0, where=np.isfinite(numbers)))
-        if unit not in _PREFIXED or largest == 0.0:
-            return cls(1.0, "" if unit == "1" else unit)
-        factor = max((f for f in _PREFIXES if f <= 1.001 * largest), default=min(_PREFIXES))
-        return cls(factor, _PREFIXES[factor] + unit)
-
-    def text(self, name: str) -> str:
-        """Return the label of an axis: a name with the unit."""
-        return f"{name} [{self.unit}]" if self.unit else name
+def scale_of(values: xarray.DataArray) -> Scale:
+    """Return the scale that suits the largest absolute value."""
+    return Scale.of(values.to_numpy(), str(values.attrs.get("units", "1")))
 
 
 class Abscissa:
@@ -89,7 +67,7 @@ class Abscissa:
     def __init__(self, coordinate: xarray.DataArray) -> None:
         self._name = quantity_name(coordinate)
         self._texts = _texts_of(coordinate)
-        self._scale = Scale(1.0, "") if self._texts else Scale.of(coordinate)
+        self._scale = Scale(1.0, "") if self._texts else scale_of(coordinate)
         self.positions = (
             np.arange(float(coordinate.size)) if self._texts else coordinate.to_numpy() / self._scale.factor
         )
@@ -137,7 +115,7 @@ class Colors:
             raise ValueError(f"{message}; select some of them")
         self._colors: list[Any] = [f"C{i}" for i in range(len(self._texts))]
         if not self._texts:
-            self._scale = Scale.of(coordinate)
+            self._scale = scale_of(coordinate)
             numbers = coordinate.to_numpy() / self._scale.factor
             self._norm = (LogNorm if _spans_decades(numbers) else Normalize)(numbers.min(), numbers.max())
             self._colors = list(_COLORMAP(self._norm(numbers)))
@@ -199,7 +177,7 @@ def value_text(coordinate: xarray.DataArray) -> str:
     """Return name and value of a coordinate with a single value."""
     if coordinate.dtype.kind not in "fiu":
         return f"{quantity_name(coordinate)}: {_texts_of(coordinate.expand_dims('one'))[0]}".replace("\n", ", ")
-    scale = Scale.of(coordinate)
+    scale = scale_of(coordinate)
     return f"{_symbol(quantity_name(coordinate))} = {coordinate.item() / scale.factor:.4g} {scale.unit}".rstrip()
 
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats
-from .._support.errors import InvalidInput
+from .._support.arguments import Floats, as_positive
+from .._support.errors import InvalidInput, Range
 from .._support.least_squares import Fit, Parameter, fit_law
 
 if TYPE_CHECKING:
@@ -160,15 +160,13 @@ def fit_friction_law(
     >>> round(fit.parameters["c_i"].value, 6)
     0.3
     """
-    if not boundary_layer_width > 0.0:
-        raise InvalidInput("boundary_layer_width", "must be > 0", repr(boundary_layer_width))
+    boundary_layer_width = as_positive("boundary_layer_width", boundary_layer_width)
     x, y = _checked_points("friction", "", friction, torque, parameters=0, zero=True)
     if frictionless_torque is None:
         if not (x == 0.0).any():
             raise InvalidInput("frictionless_torque", "must be given if friction contains no 0", "None")
         frictionless_torque = float(y[x == 0.0].mean())
-    if not frictionless_torque > 0.0:
-        raise InvalidInput("frictionless_torque", "must be > 0 N m", repr(frictionless_torque))
+    frictionless_torque = as_positive("frictionless_torque", frictionless_torque, "N m")
     # At μ = 0 the law equals a_i whatever the parameters are, so points at μ = 0 do not help to determine them.
     x, y = _checked_points("friction", "", x[x > 0.0], y[x > 0.0], parameters=4)
     law = f"matched exponentials (60)-(63), a_i = {frictionless_torque:.6g} N m, ε = {boundary_layer_width:g}"
@@ -246,10 +244,10 @@ def _checked_points(
     first, second = first[kept], second[kept]
     good = np.isfinite(first) & ((first >= 0.0) if zero else (first > 0.0))
     if not good.all():
-        bound = ">= 0" if zero else "> 0"
-        raise InvalidInput(name, f"must be {bound}{f' {unit}' if unit else ''}", f"{first[~good][0]:g}")
+        raise Range(0.0, unit=unit, excludes_minimum=not zero).error(name, f"{first[~good][0]:g}")
     if not (np.isfinite(second) & (second > 0.0)).all():
-        raise InvalidInput("torque", "must be > 0 N m", f"{second[~(second > 0.0) | np.isinf(second)][0]:g}")
+        wrong = second[~(second > 0.0) | np.isinf(second)][0]
+        raise Range(0.0, unit="N m", excludes_minimum=True).error("torque", f"{wrong:g}")
     if (count := len(np.unique(first))) <= parameters:
         raise InvalidInput(
             name, f"must have more than {parameters} different values to determine the parameters", f"{count}"

@@ -12,7 +12,7 @@ from .._support.arguments import Floats
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.pictures import draw_picture
-from .axes import Abscissa, Colors, Scale, choose_scale, quantity_name, value_text
+from .axes import Abscissa, Colors, choose_scale, quantity_name, scale_of, value_text
 
 with extra("plot"):
     from matplotlib.lines import Line2D
@@ -80,7 +80,7 @@ def _draw_study(axes: Axes, study: xarray.Dataset, values: xarray.DataArray) -> 
     if (combinations := math.prod(values.sizes[name] for name in styled)) > len(_LINE_STYLES):
         message = f"study must have at most {len(_LINE_STYLES)} combinations of {', '.join(styled)}, got {combinations}"
         raise ValueError(f"{message}; select some of them")
-    abscissa, scale = Abscissa(values[first]), Scale.of(values)
+    abscissa, scale = Abscissa(values[first]), scale_of(values)
     handles, colors_in_use = [], set()
     ends = zip(*(_parts(end, styled) for end in band), strict=True) if band else iter(())
     for style, (label, part) in zip(_LINE_STYLES, _parts(values, styled), strict=False):

@@ -16,6 +16,9 @@ __all__ = ["plot_temperature"]
 
 _MM = 1e3
 
+#: Ratio of width to height of a section above which its axes are scaled independently.
+_SLENDER = 3.0
+
 
 def plot_temperature(rise: xarray.DataArray, title: str, ax: Axes | None = None) -> Picture | Axes:
     """Draw the temperature rise over the cross-section of the layers."""
@@ -39,7 +42,7 @@ def _draw(axes: Axes, rise: xarray.DataArray, title: str) -> None:
         vertical, horizontal = radius * np.sin(theta), radius * np.cos(theta)
     image = axes.contourf(horizontal * _MM, vertical * _MM, rise.to_numpy(), levels=24, cmap="inferno")
     axes.set(xlabel="along the axis [mm]", ylabel=normal_label)
-    if normal_name == "radius":
+    if normal_name == "radius" and np.ptp(horizontal) < _SLENDER * np.ptp(vertical):
         axes.set(aspect="equal")
     axes.set_title(title, fontsize="medium")
     axes.figure.colorbar(image, ax=axes, label="temperature rise [K]")

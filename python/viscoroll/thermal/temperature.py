@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_float, as_kelvin, as_member, as_not_negative, as_positive, require_type
-from .._support.errors import InvalidInput
+from .._support.errors import InvalidInput, Range
 from .._support.extras import extra
 from .._support.plotting import plots
 from .._support.progress import ProgressLike
+from .._support.quantities import quantity_text
 from .._support.result_warnings import warn
-from .._support.tables import html_table, number_text
+from .._support.tables import html_table
 from ..solution import Solution
 from ..solution.inside import Of, finite_line, inside_of
 from ..solution.loss import loss as loss_in_the_volume
@@ -27,10 +28,14 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["QUANTITIES", "Core", "Temperature", "plane_cooling", "temperature"]
+__all__ = ["QUANTITIES", "Core", "Temperature", "plane_cooling", "temperature", "temperature_warnings"]
 
 #: Variation over a revolution, divided by the largest rise, above which the mean over a revolution is not valid.
 _RIPPLE = 0.2
+
+#: Temperature rise above which the layers would not last [K]: from room temperature, it leads above 220 °C, where only
+#: silicone and fluorocarbon rubbers endure some time.
+_HIGHEST_RISE = 200.0
 
 
 #: Unit and label of each reported number of a temperature, by name.
@@ -92,13 +97,20 @@ class Temperature:
     times: tuple[float, ...] = ()
     history: xarray.Dataset | None = None
 
-    def _unit(self, name: str) -> str:
+    def unit(self, name: str) -> str:
+        """Return the unit of a number; those of the heat flows depend on the body.
+
+        Raises
+        ------
+        KeyError
+            If the name is not that of a reported number.
+        """
         unit = QUANTITIES[name][0]
         return self.heat_unit if unit == "W" else unit
 
     def _repr_html_(self) -> str:
         """Return the numbers with units, as a table for notebooks."""
-        rows = [(text, number_text(getattr(self, name)), self._unit(name)) for name, (_, text) in QUANTITIES.items()]
+        rows = [(text, quantity_text(getattr(self, name), self.unit(name))) for name, (_, text) in QUANTITIES.items()]
         return html_table(f"Temperature above {self.ambient:g} K", rows)
 
     @plots("the section")
@@ -111,12 +123,12 @@ class Temperature:
 
     def __repr__(self) -> str:
         """Return a summary."""
+        heat, to_core = (quantity_text(getattr(self, name), self.heat_unit) for name in ("heat", "heat_to_core"))
         times = f"; time constants {', '.join(f'{time:.3g}' for time in self.times)} s" if self.times else ""
         return (
             f"Temperature(at most {self.ambient + self.maximum:.2f} K: rise {self.maximum:.3g} K, on the surface "
             f"{self.surface_maximum:.3g} K, loss-weighted mean {self.mean:.3g} K;\n"
-            f"  {self.heat:.3g} {self.heat_unit}, {self.heat_to_core:.3g} {self.heat_unit} of it to the core; "
-            f"variation {self.ripple:.2g} K{times})"
+            f"  {heat}, {to_core} of it to the core; variation {self.ripple:.2g} K{times})"
         )
 
 
@@ -199,7 +211,8 @@ def temperature(
     Warns
     -----
     ResultWarning
-        If the temperature of a point varies over a revolution by more than a fifth of the largest rise.
+        If the temperature of a point varies over a revolution by more than a fifth of the largest rise, or if it rises
+        by more than 200 K.
 
     Notes
     -----
@@ -261,14 +274,24 @@ def temperature(
         times=tuple(body.conduction.time_constants(capacity, 3).tolist()) if body.conduction.has_uniform_film else (),
         history=None if time is None else _history(body, places, source, rises, start, time, capacity),
     )
-    if ripple > _RIPPLE * abs(found.maximum):
-        warn(
-            [
-                f"between passes, the temperature of a point varies by up to {ripple:.2g} K, while its mean rises by "
-                f"up to {found.maximum:.2g} K: at this low speed, peaks are hotter than the computed mean"
-            ]
-        )
+    warn(temperature_warnings(found))
     return found
+
+
+def temperature_warnings(found: Temperature) -> list[str]:
+    """Return warnings if the mean over a revolution is not valid, and if the layers would not last."""
+    warnings = []
+    if found.ripple > _RIPPLE * abs(found.maximum):
+        warnings.append(
+            f"between passes, the temperature of a point varies by up to {found.ripple:.2g} K, while its mean rises by "
+            f"up to {found.maximum:.2g} K: at this low speed, peaks are hotter than the computed mean"
+        )
+    if found.maximum > _HIGHEST_RISE:
+        warnings.append(
+            f"the temperature rises by {found.maximum:.3g} K (recommended: at most {_HIGHEST_RISE:g} K): this "
+            "destroys almost any polymer; reduce load or speed, or improve the cooling"
+        )
+    return warnings
 
 
 def _history(
@@ -284,7 +307,7 @@ def _history(
 
     times = finite_line("time", time)
     if not (times >= 0.0).all():
-        raise InvalidInput("time", "must be >= 0 s", f"{times.min():g} s")
+        raise Range(0.0, unit="s").error("time", f"{times.min():g} s")
     initial = np.zeros_like(steady)
     if start is not None:
         field = start.rise if start.history is None else start.history.rise[-1]

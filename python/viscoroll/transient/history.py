@@ -13,9 +13,11 @@ from .._core import Compliance, Curvature, Start
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
 from .._support.plotting import plots
+from .._support.quantities import quantity_text, quantity_texts
 from .._support.scalars import with_scalars
 from .._support.tables import html_table, number_text, unit_text
 from ..bodies import Counterbody, Drive, Mesh, RollingBody
+from ..ground import Axle, Profile
 from .rolling_history import RollingState
 from .series import HISTORY_SCALARS, SeriesFields, series_units
 
@@ -59,7 +61,7 @@ class History(SeriesFields):
 
     Attributes
     ----------
-    body, on, mesh, compliance, curvature, friction, drive, mass, averaged_meshes
+    body, on, mesh, compliance, curvature, friction, drive, mass, ground, tread, axle, averaged_meshes
         Input, with the mesh that was used. For a roller, forces, torques and energies are per length.
     start : Start or None
         Initial state; None if the history continued from a saved state.
@@ -81,6 +83,9 @@ class History(SeriesFields):
     friction: float
     drive: Drive
     mass: float
+    ground: Profile | None
+    tread: Profile | None
+    axle: Axle | None
     averaged_meshes: int
     spectrum_error: float
     contacts: tuple[ContactInstant, ...]
@@ -99,6 +104,16 @@ class History(SeriesFields):
     def distance(self) -> NDArray[np.float64]:
         """Distance rolled along the track, r_o ψ [m]: the displacement of the contact without slip."""
         return self.body.outer_radius * self.angle
+
+    @property
+    def axle_height(self) -> NDArray[np.float64]:
+        """Height of the axle, r_o minus the penetration [m]; r_o if the undeformed body touches flat ground."""
+        return self.body.outer_radius - self.penetration
+
+    @property
+    def ground_height(self) -> NDArray[np.float64]:
+        """Height of the ground below the axle [m]; 0 if the ground is smooth."""
+        return np.zeros_like(self.angle) if self.ground is None else self.ground.height_at(self.distance)
 
     @property
     def units(self) -> dict[str, str]:
@@ -125,17 +140,18 @@ class History(SeriesFields):
         torque = self.resisting_torque
         highest, lowest = int(np.argmax(torque)), int(np.argmin(torque))
         unit = self.units
+        torques, torque_unit = quantity_texts([torque[highest], torque[lowest]], unit["resisting_torque"], [None, None])
         dissipated = self.dissipated_energy[-1] - self.dissipated_energy[0]
         rows = [
             ("time", f"{self.time[0]:g} to {self.time[-1]:g} s in {len(self.time) - 1} steps"),
             ("angle", f"{self.angle.min():.4g} to {self.angle.max():.4g} rad, last {self.angle[-1]:.4g}"),
-            ("load", f"{self.load.min():g} to {self.load.max():g} {unit['load']}"),
-            ("largest torque T_r", f"{torque[highest]:.5g} {unit['resisting_torque']} at {self.time[highest]:.4g} s"),
-            ("smallest torque T_r", f"{torque[lowest]:.5g} {unit['resisting_torque']} at {self.time[lowest]:.4g} s"),
-            ("penetration", f"{self.penetration.min():.4g} to {self.penetration.max():.4g} m"),
+            ("load", self._range_text("load")),
+            ("largest torque T_r", f"{torques[0]} {torque_unit} at {self.time[highest]:.4g} s"),
+            ("smallest torque T_r", f"{torques[1]} {torque_unit} at {self.time[lowest]:.4g} s"),
+            ("penetration", self._range_text("penetration")),
             (
                 "energy dissipated, part of slip",
-                f"{dissipated:.5g} {unit['work']}, {self.slip_energy[-1]:.3g} {unit['work']}",
+                f"{quantity_text(dissipated, unit['work'])}, {quantity_text(self.slip_energy[-1], unit['work'])}",
             ),
             ("error of the energy balance", f"{self.energy_balance_error[-1]:.1e}"),
             ("mesh", str(self.mesh)),
@@ -144,6 +160,14 @@ class History(SeriesFields):
         width = max(len(label) for label, _ in rows)
         start = "a saved state" if self.start is None else f"{self.start.name} start"
         return "\n".join([f"History from {start}", *(f"  {label:<{width}}  {value}" for label, value in rows)])
+
+    def _range_text(self, name: str) -> str:
+        """Return the smallest and the largest value of a time series; "undetermined" if it is."""
+        values = getattr(self, name)
+        if np.isnan(values).any():
+            return "undetermined"
+        texts, unit = quantity_texts([float(values.min()), float(values.max())], self.units[name], [None, None])
+        return f"{' to '.join(texts)} {unit}"
 
     def _repr_html_(self) -> str:
         """Return the range of every time series with units, as a table for notebooks."""
@@ -165,7 +189,11 @@ class History(SeriesFields):
             "largest_resisting_torque": float(self.resisting_torque[highest]),
             "time_of_largest_resisting_torque": float(self.time[highest]),
             "smallest_resisting_torque": float(self.resisting_torque.min()),
+            "largest_load": float(self.load.max()),
+            "smallest_load": float(self.load.min()),
+            "largest_pressure": float(self.max_pressure.max()),
             "largest_penetration": float(self.penetration.max()),
+            "smallest_penetration": float(self.penetration.min()),
             "dissipated_energy": float(self.dissipated_energy[-1] - self.dissipated_energy[0]),
             "energy_balance_error": float(self.energy_balance_error[-1]),
             "slip_energy": float(self.slip_energy[-1] - self.slip_energy[0]),
@@ -212,6 +240,13 @@ class History(SeriesFields):
             If the extra `viscoroll[files]` is missing, for ``.nc``.
         """
         save(self, path, FORMATS)
+
+    @plots("only ground and path of the axle")
+    def plot_ground(self, ax: Axes | None = None) -> Figure | Axes:
+        """Draw ground and path of the axle, load, torque and contact length over the distance."""
+        from .picture import plot_ground
+
+        return plot_ground(self._series(), self.units, self.distance, self.ground_height, ax)
 
     @plots("only the torque over time")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:

@@ -11,6 +11,7 @@ from .._core import Compliance, Curvature
 from .._support.arguments import as_int, as_member, require_type, store_floats
 from .._support.errors import InvalidInput
 from ..bodies import Drive, Mesh
+from ..ground import Axle, Profile
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,6 +34,9 @@ class HistoryKeywords(TypedDict, total=False):
     drive: Drive
     mass: float
     center_speed: float
+    ground: Profile | None
+    tread: Profile | None
+    axle: Axle | None
     averaged_meshes: int
     steps_per_spacing: int | None
     spectrum_tolerance: float
@@ -62,6 +66,16 @@ class HistoryOptions:
         force of the contact is mass times acceleration. If Q exceeds friction, the body slides, which is not an error.
     center_speed : float, default 0
         Initial speed of the center, forward [m/s]; used only with a mass.
+    ground : ground.Profile, optional
+        Height of the ground along the track, over the distance r_o ψ; by default smooth. With friction, the ground
+        keeps its position where the center moves farther than the body rolls.
+    tread : ground.Profile, optional
+        Height of the tread around the rolling body; by default smooth. The distances are in [0, 2π r_o], or the
+        profile repeats a whole number of times. A height describes flat spots, shallow texture and runout well. Deep
+        lugs are softer than the model, because they also bulge and bend.
+    axle : ground.Axle, optional
+        Mass, spring and damper between the body and a frame, without friction. The load is then the external force on
+        the axle. By default the load acts on the contact itself.
     averaged_meshes : int, default 4
         Number of meshes, each shifted by an equal fraction of the node spacing, over which results are averaged, in
         [1, 16]. A single mesh is four times as fast, but its torque varies with the position of its nodes.
@@ -82,6 +96,9 @@ class HistoryOptions:
     drive: Drive = Drive(force=0.0)  # noqa: RUF009  (immutable)
     mass: float = 0.0
     center_speed: float = 0.0
+    ground: Profile | None = None
+    tread: Profile | None = None
+    axle: Axle | None = None
     averaged_meshes: int = 4
     steps_per_spacing: int | None = 4
     spectrum_tolerance: float = 0.01
@@ -91,6 +108,8 @@ class HistoryOptions:
         """Convert the types; the core checks the values."""
         require_type("mesh", self.mesh, Mesh, optional=True)
         require_type("drive", self.drive, Drive)
+        for name, kind in (("ground", Profile), ("tread", Profile), ("axle", Axle)):
+            require_type(name, getattr(self, name), kind, optional=True)
         if self.drive.force is None and self.drive.torque is None:
             raise InvalidInput(
                 "drive", "must be a force or a torque in transient rolling; prescribe center_displacement instead"
@@ -110,6 +129,8 @@ class HistoryOptions:
             "driving_force": self.drive.force or 0.0,
         }
         values["driving_torque"] = self.drive.torque
+        for name in ("ground", "tread", "axle"):
+            values[name] = values[name] and values[name]._to_core()
         values |= {"shortest_time": shortest_time, "longest_time": longest_time}
         del values["drive"]
         options = _core.HistoryOptions()

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.pictures import Picture, draw_picture
+from .._support.quantities import quantity_text
+from .._support.scales import Scale
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -17,9 +19,7 @@ if TYPE_CHECKING:
     Series = Mapping[str, NDArray[np.float64]]
     Units = Mapping[str, str]
 
-__all__ = ["plot_history"]
-
-_MILLI = 1e3
+__all__ = ["plot_ground", "plot_history"]
 
 
 def plot_history(series: Series, units: Units, ax: Axes | None = None) -> Picture | Axes:
@@ -49,21 +49,29 @@ def plot_history(series: Series, units: Units, ax: Axes | None = None) -> Pictur
     return draw_picture(lambda axes: _draw_torque(axes, series, units), ax, figsize=(12.0, 6.4), compose=compose)
 
 
+def _scale(series: Series, units: Units, *names: str) -> Scale:
+    """Return the common scale of time series."""
+    return Scale.of(np.concatenate([series[name] for name in names]), units[names[0]])
+
+
 def _draw_torque(axes: Axes, series: Series, units: Units) -> None:
-    time, torque, error = (series[name] for name in ("time", "resisting_torque", "error_estimate"))
-    axes.plot(time, torque * _MILLI)
+    scale = _scale(series, units, "resisting_torque")
+    torque, error = (series[name] / scale.factor for name in ("resisting_torque", "error_estimate"))
+    axes.plot(series["time"], torque)
     if np.isfinite(error).all():
-        axes.fill_between(time, (torque - error) * _MILLI, (torque + error) * _MILLI, alpha=0.3)
-    axes.set(xlabel="time [s]", ylabel=f"$T_r$ [m{units['resisting_torque']}]")
+        axes.fill_between(series["time"], torque - error, torque + error, alpha=0.3)
+    axes.set(xlabel="time [s]", ylabel=scale.text("$T_r$"))
 
 
 def _draw_others(axes: dict[str, Axes], series: Series, units: Units) -> None:
-    time = series["time"]
-    axes["penetration"].plot(time, series["penetration"] * _MILLI)
-    axes["penetration"].set_ylabel("penetration [mm]")
-    for name, label in (("stored_energy", "stored"), ("dissipated_energy", "dissipated"), ("work", "work")):
-        axes["energy"].plot(time, series[name] * _MILLI, label=label)
-    axes["energy"].set(xlabel="time [s]", ylabel=f"energy [m{units['work']}]")
+    time, scale = series["time"], _scale(series, units, "penetration")
+    axes["penetration"].plot(time, series["penetration"] / scale.factor)
+    axes["penetration"].set_ylabel(scale.text("penetration"))
+    energies = {"work": "work", "stored_energy": "stored", "dissipated_energy": "dissipated"}
+    scale = _scale(series, units, *energies)
+    for name, label in energies.items():
+        axes["energy"].plot(time, series[name] / scale.factor, label=label)
+    axes["energy"].set(xlabel="time [s]", ylabel=scale.text("energy"))
     axes["energy"].legend(fontsize="small")
     for name in ("torque", "penetration"):
         axes[name].sharex(axes["energy"])
@@ -71,12 +79,56 @@ def _draw_others(axes: dict[str, Axes], series: Series, units: Units) -> None:
 
 
 def _draw_loop(axes: Axes, series: Series, units: Units) -> None:
-    axes.plot(np.degrees(series["angle"]), series["resisting_torque"] * _MILLI)
-    axes.axhline(0.0, color="0.5", linewidth=0.8)
     torque, angle = series["resisting_torque"], series["angle"]
-    work = 0.5 * float(np.sum((torque[1:] + torque[:-1]) * np.diff(angle))) * _MILLI  # NumPy 1 has no trapezoid
+    scale = _scale(series, units, "resisting_torque")
+    axes.plot(np.degrees(angle), torque / scale.factor)
+    axes.axhline(0.0, color="0.5", linewidth=0.8)
+    work = 0.5 * float(np.sum((torque[1:] + torque[:-1]) * np.diff(angle)))  # NumPy 1 has no trapezoid
     axes.set(
         xlabel="angle turned [°]",
-        ylabel=f"resisting torque $T_r$ [m{units['resisting_torque']}]",
-        title=f"∫$T_r$ d$ψ$ = {work:.4g} m{units['work']}",
+        ylabel=scale.text("resisting torque $T_r$"),
+        title=f"∫$T_r$ d$ψ$ = {quantity_text(work, units['work'])}",
     )
+
+
+def plot_ground(
+    series: Series, units: Units, distance: NDArray[np.float64], ground: NDArray[np.float64], ax: Axes | None = None
+) -> Picture | Axes:
+    """Draw ground and path of the axle, load, torque and contact length over the distance.
+
+    Parameters
+    ----------
+    series, units
+        Same as in `plot_history`.
+    distance, ground : ndarray
+        Distance rolled, and height of the ground there [m].
+    ax : matplotlib.axes.Axes, optional
+        Axes for ground and path of the axle only.
+
+    Returns
+    -------
+    matplotlib.figure.Figure or matplotlib.axes.Axes
+        Four axes over the distance in a figure without a window; or `ax`.
+    """
+    along = Scale.of(distance, "m")
+
+    def draw_path(axes: Axes) -> None:
+        scale = Scale.of(np.concatenate([ground, series["penetration"]]), "m")
+        axes.plot(distance / along.factor, ground / scale.factor, color="0.3", label="ground")
+        axes.plot(distance / along.factor, -series["penetration"] / scale.factor, label="axle, above $r_o$")
+        axes.set(xlabel=along.text("distance"), ylabel=scale.text("height"))
+        axes.legend(fontsize="small")
+
+    def compose(picture: Picture) -> None:
+        axes = picture.subplots(4, 1, sharex=True)
+        draw_path(axes[0])
+        for one, name, label in zip(
+            axes[1:], ("load", "resisting_torque", "contact_length"), ("load", "$T_r$", "contact length"), strict=True
+        ):
+            scale = _scale(series, units, name)
+            one.plot(distance / along.factor, series[name] / scale.factor)
+            one.set(xlabel=along.text("distance"), ylabel=scale.text(label))
+        for one in axes:
+            one.label_outer()
+
+    return draw_picture(draw_path, ax, figsize=(9.0, 8.0), compose=compose)

@@ -9,7 +9,7 @@ import numpy as np
 from .. import _core
 from .._core import Start
 from .._support.arguments import as_float_array, as_member, require_type
-from .._support.errors import InvalidInput
+from .._support.errors import InvalidInput, Range
 from .._support.files import ending_in
 from .._support.progress import ProgressLike, Report, reporting
 from .._support.result_warnings import warn
@@ -17,7 +17,7 @@ from ..bodies import Counterbody, RollingBody
 from ..bodies.si_hints import si_hints
 from .distance import as_angles
 from .history import ContactInstant, History
-from .history_warnings import strain_warnings, time_warnings
+from .history_warnings import ground_warnings, local_height, strain_warnings, time_warnings
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .rolling_history import RollingHistory, RollingState
 from .series import HISTORY_SCALARS
@@ -42,7 +42,8 @@ def roll(
     time: ArrayLike,
     angle: ArrayLike | None = None,
     distance: ArrayLike | None = None,
-    load: ArrayLike,
+    load: ArrayLike | None = None,
+    axle_height: ArrayLike | None = None,
     center_displacement: ArrayLike | None = None,
     start: Start | str | RollingState = Start.RELAXED,
     shortest_time: float | None = None,
@@ -74,9 +75,13 @@ def roll(
     distance : array_like, optional
         Distance rolled along the track at the waypoints [m], in place of the angle: r_o ψ, the displacement of the
         contact without slip.
-    load : array_like or float
+    load : array_like or float, optional
         Normal load P at the waypoints [N], for rollers per length [N/m], ≥ 0, and > 0 at the first one; a number for
-        all waypoints. At 0 the body has lifted off.
+        all waypoints. At 0 the body has lifted off. With an axle, the external force on it. Exactly one of load and
+        `axle_height` is given.
+    axle_height : array_like or float, optional
+        Height of the axle at the waypoints [m], r_o minus the penetration; the load is then a result. At the first
+        waypoint, the height is smaller than r_o. Not with friction or an axle.
     center_displacement : array_like, optional
         Displacement of the center at the waypoints [m], starting from 0; requires friction. By default the forces
         determine it.
@@ -144,7 +149,11 @@ def roll(
             raise InvalidInput("checkpoint", "must be in a folder that exists", repr(str(checkpoint)))
     _require_length("distance", distance, time)
     motion = _motion(
-        time=time, angle=as_angles(body, angle, distance), load=load, center_displacement=center_displacement
+        time=time,
+        angle=as_angles(body, angle, distance),
+        load=load,
+        axle_height=axle_height,
+        center_displacement=center_displacement,
     )
     waypoints, angles = motion["time"], motion["angle"]
     spacing = 2.0 * np.pi / (_TYPICAL_NODES if chosen.mesh is None else chosen.mesh.nodes_per_revolution)
@@ -153,7 +162,7 @@ def roll(
         stepper = RollingHistory(
             body,
             on=on,
-            load=float(motion["load"][0]),
+            **{name: float(motion[name][0]) for name in ("load", "axle_height") if name in motion},
             start=start,
             shortest_time=shortest if shortest_time is None else shortest_time,
             longest_time=longest if longest_time is None else longest_time,
@@ -165,7 +174,13 @@ def roll(
         pieces, contacts = _follow(stepper, motion, contact_times, checkpoint, report)
     rows = {name: _joined([getattr(piece, name) for piece in pieces]) for name in HISTORY_SCALARS}
     duration = float(waypoints[-1] - waypoints[0])
-    warn([*time_warnings(body, on, duration=duration), *strain_warnings(body, on, np.asarray(rows["penetration"]))])
+    messages = [*time_warnings(body, on, duration=duration)]
+    passed, penetration = body.outer_radius * np.asarray(rows["angle"]), np.asarray(rows["penetration"])
+    messages += ground_warnings(body, stepper.mesh, chosen, passed)
+    if chosen.ground is not None or chosen.tread is not None:
+        penetration = penetration + local_height(body, chosen, passed, np.asarray(rows["contact_length"]))
+    messages += strain_warnings(body, on, penetration)
+    warn(messages)
     return History(
         body=body,
         on=on,
@@ -176,6 +191,9 @@ def roll(
         friction=chosen.friction,
         drive=chosen.drive,
         mass=chosen.mass,
+        ground=chosen.ground,
+        tread=chosen.tread,
+        axle=chosen.axle,
         averaged_meshes=chosen.averaged_meshes,
         spectrum_error=stepper.spectrum_error,
         contacts=tuple(contacts),
@@ -219,8 +237,12 @@ def _joined(pieces: list[NDArray[np.float64]]) -> NDArray[np.float64]:
 def _motion(**waypoints: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
     """Return the given quantities at the waypoints as arrays of equal length; the core checks their values."""
     arrays = {name: as_float_array(name, values) for name, values in waypoints.items() if values is not None}
-    if arrays["load"].ndim == 0:
-        arrays["load"] = np.full_like(arrays["time"], arrays["load"])
+    supports = [name for name in ("load", "axle_height") if name in arrays]
+    if len(supports) != 1:
+        raise ValueError(f"exactly one of load and axle_height must be given, got {'both' if supports else 'none'}")
+    for name in supports:
+        if arrays[name].ndim == 0:
+            arrays[name] = np.full_like(arrays["time"], arrays[name])
     for name, values in arrays.items():
         if values.ndim != 1:
             raise InvalidInput(name, "must be one-dimensional", f"shape {values.shape}")
@@ -237,7 +259,8 @@ def _require_length(name: str, values: ArrayLike | None, time: ArrayLike) -> Non
 
 
 def _lists(motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
-    return {"center_displacement": []} | {name: values.tolist() for name, values in motion.items()}
+    left_out: dict[str, list[float]] = {"load": [], "axle_height": [], "center_displacement": []}
+    return left_out | {name: values.tolist() for name, values in motion.items()}
 
 
 def _time_range(time: NDArray[np.float64], angle: NDArray[np.float64], step: float) -> tuple[float, float]:
@@ -256,9 +279,10 @@ def _time_range(time: NDArray[np.float64], angle: NDArray[np.float64], step: flo
 def _stops(time: NDArray[np.float64], contact_times: ArrayLike) -> list[float]:
     """Return the instants at which the computation stops: the contact times and the end of the motion."""
     instants = as_float_array("contact_times", contact_times).ravel()
+    motion = Range(float(time[0]), float(time[-1]), "s")
     for instant in instants:
-        if not time[0] <= instant <= time[-1]:
-            raise InvalidInput("contact_times", f"must be in [{time[0]:g}, {time[-1]:g}] s", f"{instant:g}")
+        if instant not in motion:
+            raise motion.error("contact_times", f"{instant:g}")
     return sorted({*instants.tolist(), float(time[-1])})
 
 

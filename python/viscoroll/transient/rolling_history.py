@@ -121,8 +121,11 @@ class RollingHistory:
         Rolling body, with layers or rigid.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         Counterbody, with layers or rigid, same as in `viscoroll.solve`; by default the rigid plane.
-    load : float
-        Normal load P at the first instant [N], for rollers per length [N/m], > 0.
+    load : float, optional
+        Normal load P at the first instant [N], for rollers per length [N/m], > 0. With an axle, the external force on
+        it. Exactly one of load and `axle_height` is given.
+    axle_height : float, optional
+        Height of the axle at the first instant [m], r_o minus the penetration; the load is then a result.
     start : Start or str or RollingState, default Start.RELAXED
         State before the first instant: the load has rested on the body until the material has fully relaxed (RELAXED),
         the load is applied instantaneously (UNDEFORMED), or the state of another history.
@@ -160,7 +163,8 @@ class RollingHistory:
         body: RollingBody,
         *,
         on: Counterbody | None = None,
-        load: float,
+        load: float | None = None,
+        axle_height: float | None = None,
         start: Start | str | RollingState = Start.RELAXED,
         shortest_time: float = 1e-4,
         longest_time: float = 1e4,
@@ -186,13 +190,14 @@ class RollingHistory:
             "shortest_time": as_float("shortest_time", shortest_time),
             "longest_time": as_float("longest_time", longest_time),
         }
-        self._given = {"load": as_float("load", load), **times}
+        self._given = {**_support(load, axle_height), **times}
         self._options = chosen
         with reporting(progress) as report, si_hints(body, on):
             self._history = _core.RollingHistory(
                 body._to_core(),
                 core_counterbody(on),
-                load=self._given["load"],
+                load=0.0 if load is None else self._given["load"],
+                axle_height=self._given.get("axle_height"),
                 options=chosen._to_core(**times),
                 progress=report,
                 **initial,
@@ -207,7 +212,8 @@ class RollingHistory:
         time: float,
         angle: float | None = None,
         distance: float | None = None,
-        load: float,
+        load: float | None = None,
+        axle_height: float | None = None,
         center_displacement: float | None = None,
     ) -> Instant:
         """Continue to a new instant, with angle and load linear in time, and return the state there.
@@ -220,8 +226,11 @@ class RollingHistory:
             New angle ψ [rad].
         distance : float, optional
             New distance rolled along the track [m], in place of the angle; r_o ψ.
-        load : float
-            New normal load P [N], for rollers per length [N/m], ≥ 0; at 0 the body has lifted off.
+        load : float, optional
+            New normal load P [N], for rollers per length [N/m], ≥ 0; at 0 the body has lifted off. With an axle, the
+            external force on it. Exactly one of load and `axle_height` is given.
+        axle_height : float, optional
+            New height of the axle [m], r_o minus the penetration; the load is then a result.
         center_displacement : float, optional
             New displacement of the center since the first instant [m]; requires friction. By default the forces
             determine it.
@@ -242,7 +251,10 @@ class RollingHistory:
         moved = None if center_displacement is None else as_float("center_displacement", center_displacement)
         with self._lock, si_hints(self.body, self.on):
             self._history.advance(
-                time=as_float("time", time), angle=turned, load=as_float("load", load), center_displacement=moved
+                time=as_float("time", time),
+                angle=turned,
+                center_displacement=moved,
+                **({"load": 0.0, "axle_height": None} | _support(load, axle_height)),
             )
             return _instant(self._history.current())
 
@@ -306,6 +318,15 @@ class RollingHistory:
         instant = self.current
         values = f"time={instant.time:g}, angle={instant.angle:g}, load={instant.load:g}"
         return f"RollingHistory({pair}, {values}, {self.mesh})"
+
+
+def _support(load: float | None, axle_height: float | None) -> dict[str, float]:
+    """Return the load or the height of the axle, by name."""
+    given = {"load": load, "axle_height": axle_height}
+    values = {name: as_float(name, value) for name, value in given.items() if value is not None}
+    if len(values) != 1:
+        raise ValueError(f"exactly one of load and axle_height must be given, got {'both' if values else 'none'}")
+    return values
 
 
 def _bodies_text(body: RollingBody, on: Counterbody | None) -> str:

@@ -13,7 +13,7 @@ from viscoroll import enums
 from ..bodies import curvature, deforms
 from .cases import HistoryCase
 
-__all__ = ["nodes_of", "scales", "turnover", "violations"]
+__all__ = ["is_finite", "nodes_of", "scales", "step_error", "turnover", "violations"]
 
 #: Tolerance relative to the size of a series. Instants are solved to residuals of 1e-12, or 1e-10 if the solver stalls;
 #: sums of forces and moments, and sums over hundreds of instants, are allowed more.
@@ -30,14 +30,15 @@ UNTOLD = ("penetration", "semi_axis_z", "error_estimate")
 
 def violations(case: HistoryCase, history: vr.History) -> dict[str, float]:
     """Return the conditions that a history violates, each with its error relative to the tolerance."""
-    if not _is_finite(history):
+    if not is_finite(history):
         return {"not finite": math.inf}
     checks = (_motion, _lifted, _energies, _balance, _forces, *((_friction,) if case.has_friction else ()))
     errors = {name: error for check in checks for name, error in check(case, history)}
     return {name: error for name, error in errors.items() if not error <= 1.0}
 
 
-def _is_finite(history: vr.History) -> bool:
+def is_finite(history: vr.History) -> bool:
+    """Return whether all series are finite, except those that are undefined for its pair."""
     series = {name: values for name, values in history._series().items() if name not in UNTOLD}
     told = {
         "penetration": not _is_without_datum(history),
@@ -155,7 +156,16 @@ def _turned_back(case: HistoryCase, history: vr.History) -> NDArray[np.float64]:
 
 
 def _balance(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
-    """Check that work equals stored plus dissipated energy, except for the error of the steps.
+    """Check that work equals stored plus dissipated energy, except for the error of the steps."""
+    # the approach is undefined
+    if _is_without_datum(history):
+        return
+    allowed = step_error(case, history) + TOLERANCE * (turnover(history) + float(np.abs(history.stored_energy).max()))
+    yield "energy balance", float(np.abs(history.energy_balance_residual).max()) / allowed
+
+
+def step_error(case: HistoryCase, history: vr.History) -> float:
+    """Return a bound of the imbalance of energy that the steps leave [J].
 
     Over a step, the forces F of the nodes are linear in time, but their displacements u are not: the error of the
     trapezoidal rule is at most ½ Σ|ΔF| |Δu|. A turn by Δψ moves a node of the contact by x/R_x r_o Δψ and transfers the
@@ -164,9 +174,6 @@ def _balance(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, floa
     times the transferred force, P r_o Δψ/a and ½ ΔP. Jumps leave nothing. Half of 40 histories with friction leave less
     than a hundredth of this bound; those whose load passes from node to node, up to 0.9 of it.
     """
-    # the approach is undefined
-    if _is_without_datum(history):
-        return
     steps = np.diff(history.time) > 0.0
     radius = case.body.outer_radius
     load = np.maximum(history.load[1:], history.load[:-1])
@@ -182,8 +189,7 @@ def _balance(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, floa
         handed_on = load * np.minimum(passed, 1.0) + 0.5 * np.abs(np.diff(history.load))
         slid = np.abs(np.diff(history.center_displacement) - radius * turn)
         left = left + min(history.friction, 1.0) * handed_on * slid
-    allowed = float(left[steps].sum()) + TOLERANCE * (turnover(history) + float(np.abs(history.stored_energy).max()))
-    yield "energy balance", float(np.abs(history.energy_balance_residual).max()) / allowed
+    return float(left[steps].sum())
 
 
 def _forces(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:

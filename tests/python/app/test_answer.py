@@ -36,6 +36,8 @@ def test_the_table_of_scalars_agrees_with_that_of_results():
         "name": "resisting_torque",
         "unit": "N m",
         "description": "resisting torque T_r, offset of the pressure times P",
+        "group": "other",
+        "precision": "error_estimate model_error",
     }
 
 

@@ -12,6 +12,7 @@ import http.server
 import io
 import json
 import os
+import re
 import runpy
 import shutil
 import subprocess
@@ -39,7 +40,7 @@ needs_node = pytest.mark.skipif(NODE is None, reason="no node")
 @needs_node
 def test_modules():
     files = sorted(TESTS.glob("*.test.js"))
-    assert len(files) == 6
+    assert len(files) == 11
     done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
 
@@ -114,7 +115,10 @@ def seen(request, tmp_path_factory):
         address = server.address
         server = served(server)
     with server:
-        yield driven(address, tmp_path_factory.mktemp("seen")) | {"address": address.removesuffix("index.html")}
+        yield driven(address, tmp_path_factory.mktemp("seen")) | {
+            "address": address.removesuffix("index.html"),
+            "page": request.param,
+        }
 
 
 #: Scalars that depend on the round-off of each compiler.
@@ -156,6 +160,11 @@ def test_the_case_of_the_readme_gives_its_numbers(seen):
 
 
 @pytest.mark.slow
+def test_load_and_speed_are_visible_without_scrolling(seen):
+    assert seen["inView"] is True
+
+
+@pytest.mark.slow
 def test_the_last_position_of_a_slider_is_solved(seen):
     """Print the response times; newest.test.js tests that at most two of many positions of a slider are solved."""
     print(f"{seen['address']}: {seen['first']:.2f} s to the first answer, {seen['start']:.2f} s to the refined one")
@@ -180,11 +189,36 @@ def test_a_copied_case_file_gives_the_numbers_of_the_page(seen, tmp_path):
 @pytest.mark.slow
 def test_a_link_restores_the_case(seen):
     assert seen["restored"] == seen["moved"]
+    assert seen["hasLink"] == ("site over http" in seen["page"])
+
+
+@pytest.mark.slow
+def test_an_opened_case_file_restores_the_case(seen):
+    assert seen["opened"] == seen["moved"]
+    assert seen["dropped"].startswith("dropped.toml is not opened: ")
+
+
+@pytest.mark.slow
+def test_the_numbers_of_a_kept_case_are_shown(seen):
+    before, now = (seen[case]["strain"] for case in ("moved", "readme"))
+    kept, percent = re.fullmatch(r"kept: (\S+) % \(.(\S+)\s%\)", seen["kept"]).groups()
+    assert float(kept) == pytest.approx(100.0 * before, abs=0.051)  # three digits
+    assert -float(percent) == pytest.approx(100.0 * (now / before - 1.0), abs=0.51)  # whole percent
+
+
+@pytest.mark.slow
+def test_temperatures_are_shown_if_the_solver_computes_them(seen):
+    assert seen["hasTemperature"] == (seen["page"] == "viscoroll app")
+    if seen["hasTemperature"]:
+        result = vr.solve(readme_ball(), load=100.0, angular_speed=2.5)
+        heated = result.temperature(convection=10.0, ambient=293.15, conductivity=0.2)
+        assert seen["hottest"] == f"{heated.ambient + heated.maximum - 273.15:.4g} °C"
+        assert seen["charts"] == 2
 
 
 @pytest.mark.slow
 def test_errors_are_shown_at_their_field(seen):
-    assert "thickness must be > 0 m" in seen["problem"]
+    assert seen["problem"] == "thickness of layer 1 must be greater than 0 mm, got 0 mm"
 
 
 @pytest.mark.slow
@@ -220,13 +254,26 @@ def test_size_of_the_download(site):
 @needs_node
 def test_the_page_of_the_site_is_one_script(tmp_path):
     page = runpy.run_path(str(ROOT / "docs" / "try_page.py"))
-    assert page["write_page"](tmp_path / "try", tmp_path / "none.js") is False
-    assert sorted(path.name for path in (tmp_path / "try").iterdir()) == ["index.html", "page.css", "page.js"]
+    (tmp_path / "library.js").touch()
+    assert page["write_page"](tmp_path / "try", tmp_path / "library.js") is True
+    assert sorted(path.name for path in (tmp_path / "try").iterdir()) == [
+        "index.html",
+        "page.css",
+        "page.js",
+        "solver.js",
+    ]
     done = subprocess.run([NODE, "--check", tmp_path / "try" / "page.js"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     text = (tmp_path / "try" / "index.html").read_text(encoding="utf-8")
     assert 'type="module"' not in text
-    assert '{"solver": "none"}' in text
+    assert '{"solver": "wasm"}' in text
+
+
+def test_a_site_without_library_has_no_page(tmp_path):
+    page = runpy.run_path(str(ROOT / "docs" / "try_page.py"))
+    (tmp_path / "try").mkdir()
+    assert page["write_page"](tmp_path / "try", tmp_path / "none.js") is False
+    assert not (tmp_path / "try").exists()
 
 
 @needs_node

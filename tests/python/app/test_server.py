@@ -17,6 +17,7 @@ from contextlib import closing
 import pytest
 from shared_cases import command
 from viscoroll.app import answer, scalars
+from viscoroll.app.temperature import temperature_answer
 from viscoroll.case import example_text
 
 CASE = tomllib.loads(example_text())
@@ -74,6 +75,13 @@ def test_answers_agree_with_the_package(server):
     assert (status, headers["Content-Type"]) == (200, "application/json; charset=utf-8")
     assert json.loads(content) == answer(request)
     assert json.loads(response(server, "POST", f"/{server.token}/scalars")[2]) == scalars()
+
+
+def test_case_files_and_temperatures_are_answered(server):
+    content = response(server, "POST", f"/{server.token}/open", json.dumps(example_text()))[2]
+    assert json.loads(content) == {"tables": CASE, "skipped": []}
+    content = response(server, "POST", f"/{server.token}/temperature", json.dumps({"case": CASE, "thermal": {}}))[2]
+    assert json.loads(content) == temperature_answer({"case": CASE, "thermal": {}})
 
 
 def test_errors_are_answers(server):
@@ -149,14 +157,16 @@ def test_the_command_reports_skipped_tables_and_errors(tmp_path, monkeypatch):
     begun = []
     monkeypatch.setattr("viscoroll.app.serve", lambda case, **_: begun.append(case))
     path = tmp_path / "case.toml"
-    path.write_text(example_text() + "\n[thermal]\nconvection = 10.0\nambient = 293.15\n", encoding="utf-8")
+    others = '\n[thermal]\nconvection = 10.0\nambient = "20 degC"\n[sweep]\n"rolling.load" = [1.0, 2.0]\n'
+    path.write_text(example_text() + others, encoding="utf-8")
     done = command("app", path)
-    assert "skipped in case.toml: the page does not support the table [thermal]" in done.stderr
-    assert begun == [CASE]
+    assert "skipped in case.toml: the page does not support the table [sweep]" in done.stderr
+    started = CASE | {"thermal": {"convection": 10.0, "ambient": 293.15}}
+    assert begun == [started]
     path.write_text(example_text().replace("load = 100.0", "laod = 100.0"), encoding="utf-8")
     done = command("app", path)
     assert done.returncode == 2
     assert "did you mean load?" in done.stderr
     assert command("app", tmp_path / "none.toml").returncode == 2
     command("app", "--no-browser")
-    assert begun == [CASE, None]
+    assert begun == [started, None]

@@ -138,13 +138,13 @@ def test_units_are_per_length():
     r = vr.solve(ROLLER, load=5e3, angular_speed=1.0, accuracy=0.05)
     assert [r.unit(name) for name in ("load", "resisting_torque", "bulk_power", "contact_area", "max_pressure")] == [
         "N/m",
-        "N",
+        "N m/m",
         "W/m",
         "m",
         "Pa",
     ]
     text = repr(r)
-    assert "P = 5000 N/m" in text
+    assert "P = 5 kN/m" in text
     assert "W/m" in text
     assert r.semi_axis_z is None
     assert r.pressure.shape[1] == 1
@@ -454,7 +454,7 @@ def test_fast_rollers_with_mass_are_refused():
 def test_studies_of_rollers_have_units_per_length():
     study = vr.sweep(ROLLER, load=[4e3, 5e3], angular_speed=1.0, accuracy=0.05)
     assert study["load"].attrs["units"] == "N/m"
-    assert study["resisting_torque"].attrs["units"] == "N"
+    assert study["resisting_torque"].attrs["units"] == "N m/m"
     assert study["bulk_power"].attrs["units"] == "W/m"
 
 

@@ -217,7 +217,7 @@ def test_contact_width_and_distance_from_the_faces(rolled):
     assert rolled.contact_width == pytest.approx(np.ptp(columns) + patch, rel=1e-12)
     assert rolled.face_distance == pytest.approx(15e-3 - 0.5 * rolled.contact_width, rel=1e-9)
     assert 1.8 < rolled.contact_width / rolled.semi_axis_z < 2.3
-    assert "distance from the faces" in repr(rolled)
+    assert "distance from the contact to the faces" in repr(rolled)
     ball = vr.solve(vr.CoatedSphere(core_radius=40e-3, layers=[TREAD]), load=20.0, angular_speed=1.0, accuracy=0.1)
     assert ball.face_distance is None
     assert ball.contact_width == pytest.approx(2.0 * ball.semi_axis_z, rel=0.1)  # coarsely meshed disk

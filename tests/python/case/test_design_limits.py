@@ -128,3 +128,25 @@ def test_limits_that_do_not_apply_are_rejected(file, body, more, limits, message
     table = f'[design]\nvary = "rolling.load"\nfrom = 20.0\nto = 60.0\nlimits = {{ {limits} }}\n'
     with pytest.raises(ValueError, match=message):
         design_case(file(body, more + table))
+
+
+@pytest.mark.parametrize(
+    ("vary", "low", "high", "name", "part"),
+    [("load", 5.0, 5000.0, "strain", 1.2), ("angular_speed", 0.01, 1e3, "dissipated_power", 0.7)],
+)
+def test_largest_value_within_limits(file, vary, low, high, name, part):
+    """The largest value reaches a limit, which a slightly larger value exceeds."""
+    limit = part * getattr(load_case(file("ball")).solve(), name)
+    table = f'[design]\nvary = "rolling.{vary}"\nfrom = {low}\nto = {high}\ngoal = "largest_value"\n'
+    path = file("ball", f"{table}limits = {{ {name} = {limit} }}\n")
+    found = design_case(path)
+    assert found.outcome.value(name) <= limit
+    beyond = load_case(path, {f"rolling.{vary}": 1.001 * found.best}).solve()
+    assert getattr(beyond, name) > limit
+    assert found.active == (name,)
+    assert found.goal == "largest_value"
+
+
+def test_the_largest_value_is_the_end_of_the_range_if_no_limit_is_reached(file):
+    table = '[design]\nvary = "rolling.load"\nfrom = 10\nto = 20\ngoal = "largest_value"\nlimits = { strain = 0.5 }\n'
+    assert design_case(file("ball", table)).best == pytest.approx(20.0, rel=1e-12)

@@ -71,7 +71,7 @@ def test_a_study_on_the_command_line_uses_the_draws(folder):
     assert (head[0], len(rows)) == ("load [N/m]", 2)
     with pytest.raises(ValueError, match=r"path must end in \.csv, got 'study\.txt'"):
         save_table(found, "study.txt")
-    lower = [float(row[head.index("resisting_torque_lower [N]")]) for row in rows]
+    lower = [float(row[head.index("resisting_torque_lower [N m/m]")]) for row in rows]
     assert lower == pytest.approx(found.resisting_torque_lower.to_numpy(), rel=1e-12)
 
 

@@ -305,7 +305,7 @@ def test_design_stops_at_the_limit(tmp_path):
         if result.max_pressure <= middle.max_pressure:
             assert found.result.dissipated_power <= watts * 1.01
     assert found.active == ("max_pressure",)
-    assert found.plot().axes[0].get_ylabel() == "power dissipated [W]"
+    assert found.plot().axes[0].get_ylabel() == "power dissipated [mW]"
 
 
 def test_design_with_a_limit_of_temperature(tmp_path):
@@ -337,7 +337,7 @@ def test_design_of_the_load(tmp_path):
         ("", 'case.toml: design must be a table, such as vary = "ball.layers'),
         (
             DESIGN.replace("{limits}", "{ pressure = 1.0 }"),
-            "design.limits must be named rolling_resistance_coefficient, .*, got 'pressure'",
+            "design.limits must be named rolling_resistance_force, .*, got 'pressure'",
         ),
         (
             DESIGN.replace("{limits}", "{ max_pressure = -1.0 }"),

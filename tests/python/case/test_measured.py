@@ -90,8 +90,8 @@ def test_a_roller_has_units_per_length(case_file, measurement_file):
     case_file.write_text(text, encoding="utf-8")
     path = measurement_file("load,driving_torque,error\n1e3,1e-2,1e-3\n")
     axes = compare_measured(load_case(case_file), read_measurements(path)).plot().axes[0]
-    assert axes.get_xlabel() == "load [N/m]"
-    assert axes.get_ylabel() == "driving torque T [N]"
+    assert axes.get_xlabel() == "load [kN/m]"
+    assert axes.get_ylabel() == "driving torque T [mN m/m]"
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,6 @@ from viscoroll._support.units import UNITS
 from viscoroll.case import build_case, example_text, motion
 from viscoroll.case.descriptions import parameter_schemas
 from viscoroll.case.schema import json_schema
-from viscoroll.case.tables import checked
 from viscoroll.materials.moduli import MODULI
 
 ROOT = Path(__file__).parents[3]
@@ -174,6 +173,6 @@ def test_wrong_files_are_rejected_at_the_same_place(path, value):
     else:
         case = changed(place, value)
     with pytest.raises(vr.InvalidInput) as raised:
-        checked(motion._File, case) if path.startswith("motion") else build_case(case, None)
+        motion.build_motion(case, None) if path.startswith("motion") else build_case(case, None)
     assert raised.value.parameter == path
     assert path in {place for error in VALIDATOR.iter_errors(case) for place in places(error)}

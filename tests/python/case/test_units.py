@@ -69,17 +69,21 @@ def test_units_have_their_usual_meaning(text, unit, value):
     ("text", "unit", "message"),
     [
         ("10 MPa", "m", r"^x must be a length \[m\], got '10 MPa'$"),
-        ("5 furlong", "m", r"^x must be a length \[m\], got '5 furlong'; the unit 'furlong' is not known$"),
+        (
+            "5 furlong",
+            "m",
+            r"^x must be a length \[m\], got '5 furlong'; the unit 'furlong' is not known; use for example mm",
+        ),
         ("10", "m", r"^x must be a length \[m\], with its unit or without quotes, got '10'$"),
         ("4 km/h", "rad/s", "give the speed of the ground as speed$"),
         ("90 rpm", "m/s", "give the angular speed as angular_speed$"),
         ("300 N", "N/m", "values of rollers are per length: divide by the width$"),
         ("3 N/mm", "N", "only values of rollers are per length: multiply by the width$"),
         ("1 /s", "rad/s", "must be an angular speed or angular frequency"),
-        ("1 m^99999", "m", "is not known$"),
-        ("1 mm)", "m", "is not known$"),
+        ("1 m^99999", "m", "is not known; use for example mm, cm, m, in$"),
+        ("1 mm)", "m", "is not known; use for example mm, cm, m, in$"),
         ("1e999 m", "m", "must be a finite number, got '1e999 m'$"),
-        ("60 Shore", "Pa", r"must be a stress or modulus \[Pa\], got '60 Shore'; the unit 'Shore' is not known$"),
+        ("60 Shore", "Pa", r"got '60 Shore'; a hardness is a table: \{ type = \"hardness\", hardness = 60 \}$"),
     ],
 )
 def test_wrong_units_are_rejected(text, unit, message):

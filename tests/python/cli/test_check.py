@@ -7,6 +7,7 @@ import json
 import pytest
 from shared_cases import command
 from viscoroll.case import example_text, load_case
+from viscoroll.solution.text import scalar_text
 
 COARSE = example_text().replace("accuracy = 0.01", "accuracy = 0.3")
 
@@ -104,9 +105,12 @@ def test_several_cases_are_printed_side_by_side(file, tmp_path):
         [cell.strip() for cell in line.strip("│┃").replace("┃", "│").split("│")] for line in done.stdout.splitlines()
     ]
     assert ["", "one", "two"] in rows
-    row = next(row for row in rows if row[0] == "resisting torque T_r [mN m]")
+    assert rows[3][0] == "push force"  # the answer comes first
+    row = next(row for row in rows if row[0] == "resisting torque T_r")
+    result = load_case(paths[0]).solve()
+    assert row[1] == row[2] == scalar_text(result, "resisting_torque")
     alone = json.loads(command("solve", paths[0], "--json").stdout)["resisting_torque"]
-    assert row[1] == row[2] == f"{1e3 * alone:.5g}"
+    assert alone == result.resisting_torque
     assert picture.stat().st_size > 1000
     both = json.loads(command("solve", *paths, "--json").stdout)
     assert both["one"]["resisting_torque"] == both["two"]["resisting_torque"] == alone

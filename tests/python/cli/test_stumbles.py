@@ -183,7 +183,8 @@ def test_a_ball_of_21_meters_in_a_study_and_on_the_command_line(tmp_path):
     assert str(said[-1].message) == study.attrs["unit_hint"] == MILLIMETERS
     text = example_text().replace("20e-3 ", "20.0 ").replace("thickness = 1e-3", "thickness = 1.0")
     text = text.replace("load = 100.0", "load = 1e6").replace("accuracy = 0.01", "nodes_per_revolution = 2000")
-    (tmp_path / "case.toml").write_text(text.replace("density = 1000.0", ""), encoding="utf-8")
+    text = "allow_large = true\n" + text.replace("density = 1000.0", "")
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
     (tmp_path / "study.toml").write_text(
         (tmp_path / "case.toml").read_text(encoding="utf-8") + '[sweep]\n"rolling.load" = [1e6, 2e6]\n',
         encoding="utf-8",

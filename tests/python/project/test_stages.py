@@ -30,7 +30,7 @@ PUBLIC = {
     "influence": {"formulation", "influence", "mesh"},
     "rolling": {"drive", "load_case", "options", "result", "result_scalars", "rolling_resistance", "solve"},
     "sliding": {"sliding", "sliding_scalars"},
-    "transient": {"history_scalars", "rolling_history"},
+    "transient": {"history_scalars", "profile", "rolling_history"},
     "interior": {"interior"},
 }
 

@@ -108,7 +108,7 @@ def test_a_ramp_without_a_frequency_column(tmp_path):
     ):
         vr.rheology.read_rheology(path, tensile=True)
     assert vr.rheology.read_rheology(path, tensile=True, frequency=FREQUENCY).ramp.frequency == pytest.approx(FREQUENCY)
-    with pytest.raises(ValueError, match="frequency must be > 0 rad/s and finite, got -1"):
+    with pytest.raises(ValueError, match="frequency must be > 0 rad/s, got -1"):
         vr.rheology.read_rheology(path, tensile=True, frequency=-1)
     with pytest.raises(ValueError, match="frequency must be left out if the file contains the frequency, got 5 rad/s"):
         vr.rheology.read_rheology(written(tmp_path / "with.csv", 2.0), tensile=True, frequency=5.0)

@@ -188,7 +188,7 @@ def test_large_penetration_warns():
 
 def test_text_names_what_was_given():
     r = vr.solve(BALL, penetration=1e-4, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=300))
-    assert repr(r).startswith("Result of penetration = 0.0001 m at ")
+    assert repr(r).startswith("Result of penetration = 0.1 mm, ")
     assert "normal load P  " in repr(r)
     assert r.unit("load") == "N"
     assert r.scalars()["load"] == r.load

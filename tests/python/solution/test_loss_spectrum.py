@@ -69,7 +69,7 @@ def test_share_outside_a_table(rubber):
         np.arange(1, power.size + 1) * 2.5 > omega[kept][-1]
     )
     assert shares[1] == pytest.approx(power[outside].sum() / power.sum(), rel=5e-3)
-    assert "share outside the measured table" in repr(result)
+    assert "share of the loss outside the measured table" in repr(result)
 
 
 def test_no_share_without_a_table(paper_ball):

@@ -135,7 +135,7 @@ def test_draws_of_a_mat(material):
 def test_a_cache_keeps_draws(tmp_path, material, monkeypatch):
     given = CASE | {"load": [500.0, 1e3], "cache": tmp_path / "study.nc"}
     first = vr.sweep(roller, modulus=material, **given)
-    assert first.resisting_torque_lower.attrs["units"] == "N"
+    assert first.resisting_torque_lower.attrs["units"] == "N m/m"
     assert first.resisting_torque_lower.attrs["long_name"].endswith("lower end of the 0.95 interval")
     assert (first.attrs["draws"], first.attrs["confidence"]) == ("20, linear", "0.95")
     monkeypatch.setattr("viscoroll.studies.run.drawn_scalars", None)  # no further solves

@@ -8,8 +8,10 @@ from pathlib import Path
 
 import pytest
 import viscoroll as vr
-from viscoroll._support.errors import InvalidInput, InvalidType, in_file
+from viscoroll._support.errors import InvalidInput, InvalidType, Range, in_file
 from viscoroll.case import build_case
+
+RUBBER = {"thickness": 0.01, "shear_modulus": 1e6, "poisson_ratio": 0.5}
 
 
 def parts(error: InvalidInput) -> tuple[str, str, str]:
@@ -34,6 +36,55 @@ def test_errors_have_parameter_rule_and_value(make, expected):
     assert parts(raised.value) == expected
     assert str(raised.value) == f"{expected[0]} {expected[1]}, got {expected[2]}"
     assert isinstance(raised.value, ValueError)
+
+
+@pytest.mark.parametrize(
+    ("make", "allowed"),
+    [
+        (  # by the core
+            lambda: vr.Layer(thickness=-1.0, shear_modulus=1e6),
+            Range(0.0, unit="m", excludes_minimum=True),
+        ),
+        (  # in Python
+            lambda: vr.materials.WilliamsLandelFerry(c1=17.4, c2=-51.6, reference_temperature=293.15),
+            Range(0.0, unit="K", excludes_minimum=True),
+        ),
+        (  # in a file
+            lambda: build_case(
+                {
+                    "wheel": {"core_radius": 0.1, "width": -0.1, "layers": [RUBBER]},
+                    "rolling": {"load": 1.0, "speed": 1.0},
+                },
+                None,
+            ),
+            Range(0.0, unit="m", excludes_minimum=True),
+        ),
+        (lambda: vr.Drive(), None),  # the rule is not a range
+    ],
+    ids=["core", "Python", "file", "other rule"],
+)
+def test_errors_about_ranges_have_unit_and_ends(make, allowed):
+    with pytest.raises(vr.InvalidInput) as raised:
+        make()
+    assert raised.value.allowed == allowed
+    assert pickle.loads(pickle.dumps(raised.value)).allowed == allowed
+    if allowed is not None:
+        assert raised.value.rule == f"must be {allowed}"
+
+
+@pytest.mark.parametrize(
+    ("interval", "text", "inside", "outside"),
+    [
+        (Range(0.0, unit="m", excludes_minimum=True), "> 0 m", [1e-9, 1e9], [0.0, -1.0]),
+        (Range(maximum=4.0), "<= 4", [4.0, -1.0], [4.1]),
+        (Range(0.0, 1.0, excludes_maximum=True), "in [0, 1)", [0.0, 0.9], [1.0, -0.1]),
+        (Range(), "finite", [0.0, -1e300], []),
+    ],
+)
+def test_ranges_contain_finite_numbers_between_their_ends(interval, text, inside, outside):
+    assert str(interval) == text
+    assert all(value in interval for value in inside)
+    assert not any(value in interval for value in [*outside, float("nan"), float("inf"), -float("inf")])
 
 
 def test_errors_of_wrong_types_are_type_errors():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 
 import numpy as np
 import pytest
@@ -202,3 +203,14 @@ def test_conductivity_may_be_given_in_the_layers(base_case):
 def test_bad_input_is_named(base_case, arguments, message):
     with pytest.raises(ValueError, match=message):
         base_case.temperature(**{"conductivity": 0.2, "convection": 10.0, "ambient": 293.15} | arguments)
+
+
+def test_a_rise_that_destroys_the_layers_is_a_warning(base_case):
+    """The mean rise of the surface is the power per area and coefficient of convection; within, it is 1 K higher."""
+    options = {"conductivity": 0.2, "ambient": 293.15}
+    flux = base_case.bulk_power / (4 * math.pi * base_case.body.outer_radius**2)
+    with pytest.warns(vr.ResultWarning, match=r"rises by 21\d K \(recommended: at most 200 K\): this destroys"):
+        base_case.temperature(convection=flux / 214.0, **options)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        base_case.temperature(convection=flux / 195.0, **options)

@@ -149,6 +149,8 @@ def test_a_roller_agrees_with_an_independent_program(rolling_roller):
         assert t.heat_to_core + t.heat_to_surroundings == pytest.approx(t.heat, rel=1e-9)
         assert t.heat_unit == ("W" if "width" in options else "W/m")
         t.plot()
+    slender = rolling_roller.temperature(width=0.3, **AIR).plot().axes[0]  # 30 times as wide as the cover is thick
+    assert slender.get_aspect() == "auto"
 
 
 def test_a_polyurethane_roller_of_finite_width():

@@ -25,7 +25,7 @@ BAD = [
     ({"steps_per_spacing": 0}, r"steps_per_spacing must be in \[1, 64\], got 0"),
     ({"curvature": enums.Curvature.EXACT}, "curvature must be SPHERE or PAPER"),
     ({"friction": -0.3}, "friction must be >= 0, got -0.3"),
-    ({"friction": 5.0}, "friction must be at most 4 .*, got 5"),
+    ({"friction": 5.0}, "friction must be <= 4 .*, got 5"),
     ({"friction": np.inf}, "friction must be finite in transient rolling, .*, got inf"),
     ({"spectrum_tolerance": 0.0}, r"spectrum_tolerance must be in \(0, 1\), got 0"),
     (

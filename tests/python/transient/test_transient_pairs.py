@@ -236,7 +236,7 @@ def test_an_interrupted_motion_continues_bit_for_bit(pair):
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        stepper._history.roll(**motion, center_displacement=[], progress=stop)
+        stepper._history.roll(**motion, center_displacement=[], axle_height=[], progress=stop)
     rest = vr.roll(body, **motion, **options, start=stepper.state)
     whole = vr.roll(body, **motion, **options)
     assert 0.0 < rest.time[0] < 2.4  # not a waypoint

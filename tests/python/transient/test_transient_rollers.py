@@ -99,10 +99,10 @@ def test_two_identical_rollers_are_mirror_images():
 
 def test_series_are_per_length(tmp_path):
     h = turned(1.0, 0.05, averaged_meshes=1)
-    assert h.units["resisting_torque"] == "N"
+    assert h.units["resisting_torque"] == "N m/m"
     assert h.units["stored_energy"] == "J/m"
     assert h.to_xarray()["load"].attrs["units"] == "N/m"
     h.save(tmp_path / "h.csv")
-    assert (tmp_path / "h.csv").read_text().startswith("time [s],angle [rad],load [N/m],resisting_torque [N]")
-    assert " N at 0.05 s" in repr(h)
+    assert (tmp_path / "h.csv").read_text().startswith("time [s],angle [rad],load [N/m],resisting_torque [N m/m]")
+    assert "N m/m at 0.05 s" in repr(h)
     h.plot().savefig(tmp_path / "h.png")

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from viscoroll import ConvergenceError, _core, paper, solve
+from viscoroll.app import scalars
 from viscoroll.case import build_case
 
 ROOT = Path(__file__).parents[3]
@@ -289,8 +290,7 @@ def test_pages_and_workers_get_the_same(entry, of_wasm):
     names = ["towed ball", "a load that is none"]
     found = answers([{"case": (CASES | BAD)[name], "fields": name in CASES} for name in names], entry)
     assert found["answers"] == [of_wasm[name] for name in names]
-    described = [{"name": one.name, "unit": one.unit, "description": one.label} for one in _core.result_scalars()]
-    assert found["scalars"] == described
+    assert found["scalars"] == scalars()
 
 
 def test_what_json_cannot_say():

@@ -35,6 +35,11 @@ export function initialState() {
     compliance: "radial",
     curvature: "sphere",
     accuracy: 0.01,
+    temperature: "off", // or "on"
+    convection: 10, // [W/(m² K)]
+    ambient: [20, "°C"],
+    conductivity: 0.2, // [W/(m K)]
+    core: "insulated",
     numerics: {}, // other keys of this table in a case file
   };
 }
@@ -59,6 +64,7 @@ export function quantity(name, state) {
     load: line ? "line_force" : "force",
     penetration: "length",
     speed: "speed",
+    ambient: "temperature",
   }[name];
 }
 
@@ -97,24 +103,24 @@ export function groundsOf(body) {
   };
 }
 
-/**
- * The same state with another body. The outer diameter gives the size of wheels and rollers, as in catalogs. Load and
- * drive are reset if the body changes from total values to values per length, or back.
- */
-export function withBody(state, body) {
-  const on = state.on in groundsOf(body) ? state.on : "rigid";
-  const next = { ...sizedBy({ ...state, body }, body === "ball" ? state.given : "outer_diameter"), on };
-  if (isLine(next) === isLine(state)) return next;
-  return { ...next, load: isLine(next) ? [2, "N/mm"] : [100, "N"], ...driveZeros(isLine(next)) };
-}
-
 /** The same state with the size given by core radius or outer diameter. */
 export function sizedBy(state, given) {
   const meters = given === "core_radius" ? coreRadius(state) : 2 * outerRadius(state);
   return given === state.given ? state : { ...state, given, size: fromSI(meters, "mm", "length") };
 }
 
-/** Tables of the case file for a state, in SI units. */
+/** Tables of the case file for a state, in SI units: those of its case, and of the temperature if it is computed. */
+export function fileOf(state) {
+  return { ...caseOf(state), ...(state.temperature === "on" ? { thermal: thermalOf(state) } : {}) };
+}
+
+/** Table of the temperature. */
+export function thermalOf({ convection, ambient, conductivity, core }) {
+  const isNumber = Number.isFinite(Number(core)); // the conductivity of a solid core, in a case file
+  return { convection, ambient: toSI(ambient, "temperature"), conductivity, core: isNumber ? Number(core) : core };
+}
+
+/** Tables of the case for a state, in SI units, without its temperature. */
 export function caseOf(state) {
   return {
     [state.body]: bodyTable(state),
@@ -188,12 +194,11 @@ function numericsTable(state) {
 }
 
 /**
- * The state of the form for a case, and the names of the keys that the form does not support (`left`).
+ * The state of the form for a case, and the paths of the keys that the form does not support (`left`).
  * @returns {{state: object, left: string[]}}
  */
 export function stateOf(tables) {
   const state = initialState();
-  const left = [];
   state.body = bodyOf(tables) ?? "ball";
   const body = tables[state.body] ?? {};
   const mm = (value) => fromSI(value, "mm", "length");
@@ -204,7 +209,7 @@ export function stateOf(tables) {
   state.hub = body.hub ?? "straight";
   state.sides = body.sides ?? "free";
   state.layers = layersOf(body);
-  readGround(state, tables, left);
+  readGround(state, tables);
   const rolling = tables.rolling ?? {};
   const line = isLine(state);
   state.load = fromSI(rolling.load ?? 100, line ? "N/mm" : "N", quantity("load", state));
@@ -214,13 +219,42 @@ export function stateOf(tables) {
   state.speed = rolling.speed === undefined ? [rolling.angular_speed ?? 2.5, "rad/s"] : [rolling.speed, "m/s"];
   state.friction = rolling.friction ?? 0;
   Object.assign(state, driveZeros(line));
-  if (state.friction > 0) readDrive(state, rolling.drive, left);
-  else if (Object.values(rolling.drive ?? {}).some((value) => value !== 0)) left.push("rolling.drive");
-  readNumerics(state, tables.numerics ?? {}, left);
-  return { state, left };
+  if (state.friction > 0) readDrive(state, rolling.drive);
+  readNumerics(state, tables.numerics ?? {});
+  if (tables.thermal) readThermal(state, tables.thermal, body.layers?.at(-1));
+  const { speed, ...others } = rolling; // the case has the angular speed
+  return { state, left: missingIn(fileOf(state), { ...tables, rolling: others }) };
 }
 
-function readGround(state, tables, left) {
+/** Without a conductivity of all layers, use that of the outer layer. */
+function readThermal(state, { convection, ambient = 293.15, conductivity, core }, layer) {
+  state.temperature = "on";
+  if (Number.isFinite(convection)) state.convection = convection;
+  state.ambient = fromSI(ambient, "°C", "temperature");
+  state.conductivity = [conductivity, layer?.conductivity].flat().find(Number.isFinite) ?? state.conductivity;
+  state.core = core ?? state.core;
+}
+
+/** Values of keys that a case omits because they are the default. */
+const DEFAULTS = { hub: "straight", sides: "free", curvature: "sphere" };
+
+/** Paths of the keys that tables of a file have and tables of a case do not, unless their values are defaults. */
+function missingIn(tables, file, path = "") {
+  return Object.entries(file).flatMap(([name, value]) => {
+    const inside = Array.isArray(file) ? `${path}[${name}]` : path ? `${path}.${name}` : name;
+    if (!(name in tables)) return isDefault(name, value) ? [] : [inside];
+    if (Array.isArray(value) && typeof tables[name] === "number") return [inside]; // a number for each layer
+    const areTables = [value, tables[name]].every((one) => one !== null && typeof one === "object");
+    return areTables ? missingIn(tables[name], value, inside) : [];
+  });
+}
+
+function isDefault(name, value) {
+  if (value === null || value === 0 || DEFAULTS[name] === value) return true;
+  return typeof value === "object" && Object.entries(value).every(([key, one]) => isDefault(key, one));
+}
+
+function readGround(state, tables) {
   const { plane, groove, other_cylinder: drum } = tables;
   if (plane?.base && !plane.layers?.length) {
     state.on = "half_space";
@@ -228,42 +262,25 @@ function readGround(state, tables, left) {
   } else if (plane?.layers?.length) {
     state.on = "plane";
     state.ground = layersOf(plane);
-    if (plane.base) left.push("plane.base");
   } else if (groove) {
     state.on = "groove";
     state.radius = fromSI(groove.radius ?? 0, "mm", "length");
-    left.push(
-      ...Object.keys(groove)
-        .filter((name) => name !== "radius")
-        .map((name) => `groove.${name}`),
-    );
   } else if (drum) {
     state.on = "drum";
     state.radius = fromSI(drum.core_radius, "mm", "length");
-    if (drum.layers?.length) left.push("other_cylinder.layers");
   }
-  left.push(...["other_ball", "other_wheel"].filter((name) => name in tables));
 }
 
-function readDrive(state, drive, left) {
+function readDrive(state, drive) {
   if (!drive) return;
   state.drive = Object.keys(DRIVES).find((name) => name in drive) ?? "force";
   const [, unit] = state[state.drive];
   state[state.drive] = fromSI(drive[state.drive] ?? 0, unit, quantity(state.drive, state));
-  const others = Object.keys(drive).filter((name) => name !== state.drive && drive[name]);
-  left.push(...others.map((name) => `drive.${name}`));
 }
 
-function readNumerics(state, { accuracy = 0.01, compliance = "radial", curvature = "sphere", ...others }, left) {
-  const isOfMesh = ([name]) => MESH.includes(name);
-  const entries = Object.entries(others);
-  Object.assign(state, {
-    accuracy,
-    compliance,
-    curvature,
-    numerics: Object.fromEntries(entries.filter((one) => !isOfMesh(one))),
-  });
-  left.push(...entries.filter(isOfMesh).map(([name]) => `numerics.${name}`)); // the page chooses the meshes
+function readNumerics(state, { accuracy = 0.01, compliance = "radial", curvature = "sphere", ...others }) {
+  const kept = Object.entries(others).filter(([name]) => !MESH.includes(name)); // the page chooses the meshes
+  Object.assign(state, { accuracy, compliance, curvature, numerics: Object.fromEntries(kept) });
 }
 
 function layersOf({ layers = [] }) {

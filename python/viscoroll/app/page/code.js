@@ -17,7 +17,7 @@ export const classOf = (type) => MODULI[type] ?? type.replace(/(?:^|_)(.)/g, (_,
 
 /** Python code that solves a case and prints its results. */
 export function pythonOf(tables) {
-  const { rolling, numerics = {}, ...bodies } = tables;
+  const { rolling, numerics = {}, thermal, ...bodies } = tables;
   const rolls = bodyOf(bodies);
   const on = Object.keys(bodies).find((name) => name !== rolls);
   const lines = ["import viscoroll as vr", ""];
@@ -43,6 +43,7 @@ export function pythonOf(tables) {
     ...numerics,
   };
   lines.push("", `r = vr.solve(${[rolls, ...keywords(options)].join(", ")})`, "print(r)");
+  if (thermal) lines.push(`t = r.temperature(${keywords(thermal).join(", ")})`, "print(t)");
   return `${lines.map(wrapped).join("\n")}\n`;
 }
 

@@ -1,19 +1,24 @@
 /** Buttons that copy the case as Python code, as a case file and as a link. */
 
-import { caseOf } from "./case.js";
+import { fileOf } from "./case.js";
 import { caseFileOf, pythonOf } from "./code.js";
 import { fragmentOf } from "./link.js";
 
-/** Connect the buttons; the function `state` returns the current state. */
-export function connectCopies(state) {
+/**
+ * Connect the buttons.
+ * @param {() => object} state returns the current state
+ * @param {boolean} hasLink whether others can open the address of the page
+ */
+export function connectCopies(state, hasLink) {
   const texts = {
-    "copy-python": ["Python", () => pythonOf(caseOf(state()))],
-    "copy-case": ["Case file", () => caseFileOf(caseOf(state()))],
+    "copy-python": ["Python", () => pythonOf(fileOf(state()))],
+    "copy-case": ["Case file", () => caseFileOf(fileOf(state()))],
     "copy-link": ["Link", () => location.href.split("#")[0] + fragmentOf(state())],
   };
   for (const [id, [name, text]] of Object.entries(texts)) {
     document.getElementById(id).addEventListener("click", () => copy(name, text()));
   }
+  document.getElementById("copy-link").hidden = !hasLink;
   document.getElementById("code-close").addEventListener("click", () => {
     document.getElementById("code").hidden = true;
   });

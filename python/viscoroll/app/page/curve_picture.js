@@ -6,12 +6,14 @@ import { el } from "./dom.js";
 
 /** Results that can be drawn, and those that exist only with friction. */
 const DRAWN = [
-  "resisting_torque",
+  "rolling_resistance_torque",
+  "rolling_resistance_force",
   "rolling_resistance_coefficient",
   "dissipated_power",
   "penetration",
   "strain",
   "max_pressure",
+  "contact_length",
   "driving_torque",
   "driving_force",
   "creepage",
@@ -57,10 +59,16 @@ export class CurvePicture {
     root.querySelector("#curve-along").replaceChildren(...buttons);
   }
 
-  /** Remove the curve, and return the cases of the next one. */
-  begin(state) {
+  /**
+   * Remove the curve, and return the cases of the next one.
+   * @param {object} state
+   * @param {object|null} kept state of a case whose curve follows, if its numbers have the same units
+   */
+  begin(state, kept) {
     this.#state = state;
-    this.#points = pointsOf(state, this.#along);
+    const points = pointsOf(state, this.#along);
+    const others = kept ? pointsOf(kept, this.#along).filter(({ unit }) => unit === points[0]?.unit) : [];
+    this.#points = [...points, ...others.map((point) => ({ ...point, isKept: true }))];
     this.#found = [];
     this.#marked = null;
     this.#root.dataset.filling = "begun";
@@ -96,6 +104,7 @@ export class CurvePicture {
     const solved = this.#found
       .filter(({ scalars }) => Number.isFinite(scalars?.[this.#name]))
       .sort((a, b) => a.at - b.at);
+    const hasKept = this.#points.some(({ isKept }) => isKept);
     const sizes = solved.map(({ scalars }) => Math.abs(scalars[this.#name]));
     const [unit, one] = this.#results.unit(this.#name, Math.max(0, ...sizes) || this.#marked?.[this.#name]);
     const ends = this.#points.map(({ at }) => at);
@@ -106,15 +115,16 @@ export class CurvePicture {
     this.#root.querySelector("figure").replaceChildren(
       chart({
         width: Math.max(this.#root.clientWidth, 280),
-        lines: [
-          {
-            x: solved.map(({ at }) => at),
-            y: solved.map(({ scalars }) => scalars[this.#name] / one),
-            name: this.#results.label(this.#name),
-            kind: "one",
-            points: true,
-          },
-        ],
+        lines: (hasKept ? [false, true] : [false]).map((kept) => {
+          const points = solved.filter(({ isKept = false }) => isKept === kept);
+          return {
+            x: points.map(({ at }) => at),
+            y: points.map(({ scalars }) => scalars[this.#name] / one),
+            name: kept ? "kept case" : hasKept ? "this case" : this.#results.label(this.#name),
+            kind: kept ? "two" : "one",
+            points: !kept,
+          };
+        }),
         xLabel: `${ALONG[this.#along].label} [${typed[1]}]`,
         yLabel: `${this.#results.label(this.#name)}${unit ? ` [${unit}]` : ""}`,
         logX: true,
@@ -129,7 +139,12 @@ export class CurvePicture {
         ? `Coarse mesh; ${open} of ${this.#points.length} points are not solved yet.`
         : "Coarse mesh; the ring marks the case above.",
       OF_FRICTION.includes(this.#name) && this.#state.friction === 0 ? "This result exists only with friction." : "",
-      failed ? `${failed} of the points have no result: the load or the speed is too large.` : "",
+      failed ? failedText(failed, this.#found.length, this.#along) : "",
     ].join(" ");
   }
+}
+
+function failedText(failed, found, along) {
+  if (failed === found) return "No point of the curve has a result.";
+  return `${failed} of the points have no result: this case has none at that ${ALONG[along].label}.`;
 }

@@ -1,9 +1,14 @@
 /** One row of the form: label, input, unit, SI value, slider, and error message. */
 
 import { el } from "./dom.js";
-import { SI, UNITS, fromSI, numberText, tidy, toSI, unitNamed } from "./units.js";
+import { UNITS } from "./unit_table.js";
+import { SI, fromSI, numberText, tidy, toSI, unitNamed } from "./units.js";
 
 const STEPS = 300; // number of steps of a slider: over three decades, a step changes the number by about 2 %
+
+/** Largest number of digits that a user types, and number of digits shown of longer numbers, which are converted. */
+const TYPED = 8;
+const SHOWN = 5;
 
 /** Pause in typing after which a number is read [ms], so that the first digit of 78 is not solved as 7. */
 const PAUSE = 300;
@@ -13,11 +18,17 @@ const THOUSANDS = /^[-+]?[1-9]\d{0,2},\d{3}(?!\d)/;
 
 let count = 0;
 
+/** Text of a number in its field: as typed, or shorter if a conversion gave the number. */
+function fieldText(number) {
+  return String(Number(number.toPrecision(TYPED)) === number ? number : Number(number.toPrecision(SHOWN)));
+}
+
 /**
  * A field for a number with its unit.
  * @param {object} of
  * @param {string} of.label
  * @param {string} of.parameter name of the parameter in messages
+ * @param {boolean} [of.derived] whether the parameter follows from the number of the field, and is not this number
  * @param {[number, string]|number|null} of.value number as the user types it; null: empty
  * @param {string} [of.quantity] without it, the value is a number without unit, not a pair
  * @param {[number, number]} of.range range of the slider, in SI units; typed numbers may be outside of it
@@ -31,6 +42,7 @@ let count = 0;
 export function numberField({
   label,
   parameter,
+  derived = false,
   value,
   quantity,
   range,
@@ -73,7 +85,7 @@ export function numberField({
   const problem = el("p", { class: "problem", role: "alert" });
 
   function show({ text = true } = {}) {
-    if (text) input.value = number === null ? "" : String(number);
+    if (text) input.value = number === null ? "" : fieldText(number);
     if (units.length > 1) select.value = unit;
     slider.disabled = number === null;
     const shownSI = number === null ? null : si([number, unit]);
@@ -155,7 +167,18 @@ export function numberField({
   );
   show();
   const sayOfRead = (text, kind) => misread || say(text, kind); // messages of the solver concern an earlier number
-  return { root, parameter, say: sayOfRead, refresh: () => show({ text: false }) };
+  const written = (value, name) => `${numberText(value, 6)} ${name}`.trim();
+  return {
+    root,
+    label,
+    parameter,
+    derived,
+    siUnit: SI[quantity],
+    say: sayOfRead,
+    refresh: () => show({ text: false }),
+    typed: () => (number === null ? (empty ?? "") : written(number, unit)),
+    inUnit: (value) => written(Number(back(value, unit)), unit),
+  };
 }
 
 /**
@@ -182,5 +205,5 @@ export function choiceField({ label, parameter, value, options, note = () => "",
     below.textContent = note();
   };
   refresh();
-  return { root, parameter, say, refresh };
+  return { root, label, parameter, derived: true, say, refresh };
 }

@@ -1,14 +1,16 @@
 /** The form: rolling body, counterbody, motion, and messages of the solver at the fields. */
 
-import { coreRadius, groundsOf, isLine, outerRadius, quantity, sizedBy, withBody } from "./case.js";
+import { withBody } from "./body_change.js";
+import { coreRadius, groundsOf, isLine, outerRadius, quantity, sizedBy } from "./case.js";
 import { el } from "./dom.js";
 import { DRIVES, scaleOf } from "./drives.js";
 import { choiceField, numberField } from "./field.js";
 import { layerRow, layerRows } from "./layer_rows.js";
+import { errorText } from "./messages.js";
 import { BODIES, CLASSES } from "./schema.js";
 import { numberText, quantityText } from "./units.js";
 
-/** Fields at which warnings appear, by the kind of the warning; other warnings appear with the results. */
+/** Fields that are marked by warnings, by the kind of the warning. */
 const WARNED = { contact_at_side: "width", edge_pressure: "sides", tight_crown: "crown_radius" };
 
 const INSIDES = { rigid: "rigid core", hollow: "hollow", solid: "solid, no core" };
@@ -22,48 +24,63 @@ const PRESSED_BY = { load: "a load", penetration: "a fixed gap: given penetratio
 
 export class Form {
   #root;
+  #hasTemperature;
   #change;
   #fields = [];
   #state;
   #modelIsOpen = false;
+  #changed = []; // numbers that changed with the body, in words
 
   /**
    * @param {HTMLElement} root element to fill
+   * @param {boolean} hasTemperature whether the solver computes temperatures
    * @param {(state) => void} change called with each new state
    */
-  constructor(root, change) {
+  constructor(root, hasTemperature, change) {
     this.#root = root;
+    this.#hasTemperature = hasTemperature;
     this.#change = change;
     root.addEventListener("submit", (event) => event.preventDefault());
   }
 
-  /** Show the fields of a state; the focus stays at its position. */
+  /** Show the fields of a state that does not come from the form. */
   show(state) {
+    this.#changed = [];
+    this.#draw(state);
+  }
+
+  /** Draw the fields of a state; the focus stays at its position. */
+  #draw(state) {
     const position = this.#controls().indexOf(document.activeElement);
     this.#state = state;
     this.#fields = [];
-    this.#root.replaceChildren(this.#body(), this.#layers(), this.#ground(), this.#rolling(), this.#model());
+    this.#root.replaceChildren(
+      this.#motion(),
+      this.#size(),
+      this.#layers(),
+      this.#ground(),
+      this.#friction(),
+      this.#hasTemperature ? this.#temperature() : "",
+      this.#model(),
+    );
     if (position >= 0) this.#controls()[position]?.focus();
   }
 
   /** Show an error at the field that caused it, if there is one; return the text to show with the results. */
-  sayError({ message, parameter }) {
-    const field = parameter && this.#field(parameter);
-    if (!field) return message;
-    const text = message.replace(/^[\w.[\]]+: /, ""); // the position of the message shows which key it concerns
-    field.say(text, "error");
-    field.root.closest("details")?.setAttribute("open", "");
+  sayError(error) {
+    const field = error.parameter && this.#field(error.parameter);
+    const text = errorText(error, field);
+    field?.say(text, "error");
+    field?.root.closest("details")?.setAttribute("open", "");
     return `No result: ${text}`;
   }
 
-  /** Show warnings at their fields; return the warnings without a field. */
-  sayWarnings(warnings) {
-    return warnings.filter(({ kind, message }) => {
+  /** Mark the fields of warnings; their texts appear beside the answer. */
+  markWarnings(warnings) {
+    for (const { kind } of warnings) {
       const name = kind === "large_strain" ? this.#state.pressed : WARNED[kind];
-      const field = name && this.#field(name);
-      field?.say(message, "warning");
-      return !field;
-    });
+      (name && this.#field(name))?.say("", "warning");
+    }
   }
 
   /** Remove all messages. */
@@ -96,7 +113,7 @@ export class Form {
   /** Change the state; `redraw` if the new state has other fields. */
   #set(part, redraw = false) {
     this.#state = { ...this.#state, ...part };
-    if (redraw) this.show(this.#state);
+    if (redraw) this.#draw(this.#state);
     else for (const field of this.#fields) field.refresh();
     this.#change(this.#state);
   }
@@ -141,11 +158,31 @@ export class Form {
     return root;
   }
 
-  #body() {
+  /** The numbers that change most often come first, so that they are visible without scrolling. */
+  #motion() {
+    const { pressed } = this.#state;
+    const line = isLine(this.#state);
+    const { label, lineLabel, range, line: rangeOfLine } = PRESSED[pressed];
+    const nouns = Object.fromEntries(Object.entries(BODIES).map(([name, { noun }]) => [name, noun]));
+    return group(
+      "Body, load and speed",
+      this.#choice("body", "body", nouns, { change: (body) => this.#setBody(body) }),
+      ...this.#changed.map((text) => el("p", { class: "changed", role: "status" }, text)),
+      this.#choice("pressed", "pressed by", PRESSED_BY),
+      this.#number(pressed, line ? lineLabel : label, { range: line ? rangeOfLine : range }),
+      this.#number("speed", "speed", { parameter: "angular_speed", range: [1e-2, 1e3] }),
+    );
+  }
+
+  #setBody(body) {
+    const { state, changed } = withBody(this.#state, body);
+    this.#changed = changed;
+    this.#set(state, true);
+  }
+
+  #size() {
     const { body, given, inner_boundary: inside } = this.#state;
     const solid = body === "ball" && inside === "solid";
-    const nouns = Object.fromEntries(Object.entries(BODIES).map(([name, { noun }]) => [name, noun]));
-    const choose = (chosen) => this.#set(withBody(this.#state, chosen), true);
     const size = [
       this.#choice(
         "given",
@@ -155,12 +192,12 @@ export class Form {
       ),
       this.#number("size", given === "core_radius" ? "core radius" : "outer diameter", {
         parameter: "core_radius",
+        derived: given !== "core_radius",
         range: [2e-3, 0.5],
       }),
     ];
     return group(
-      "Rolling body",
-      this.#choice("body", "body", nouns, { change: choose }),
+      `Size of the ${BODIES[body].noun}`,
       body === "ball"
         ? this.#choice("inner_boundary", "inside", INSIDES, { change: (chosen) => this.#setInside(chosen) })
         : null,
@@ -182,8 +219,8 @@ export class Form {
       const { given, body, inner_boundary: inside } = this.#state;
       const byCore = given === "core_radius" || (body === "ball" && inside === "solid");
       text.textContent = byCore
-        ? `outer diameter ${quantityText(2 * outerRadius(this.#state), "m", 6)}`
-        : `core radius ${quantityText(coreRadius(this.#state), "m", 6)}`;
+        ? `outer diameter ${quantityText(2 * outerRadius(this.#state), "m", null, 6)}`
+        : `core radius ${quantityText(coreRadius(this.#state), "m", null, 6)}`;
     };
     refresh();
     return this.#add({ root: text, parameter: "outer_radius", say: () => {}, refresh });
@@ -230,19 +267,36 @@ export class Form {
     return group("Counterbody", this.#choice("on", "counterbody", groundsOf(this.#state.body)), ...fields[this.#state.on]());
   }
 
-  #rolling() {
-    const { drive, pressed } = this.#state;
-    const line = isLine(this.#state);
+  #friction() {
+    const { drive } = this.#state;
     const rubs = () => this.#state.friction > 0;
     const offers = Object.fromEntries(Object.entries(DRIVES).map(([name, { offer }]) => [name, offer]));
     return group(
-      "Motion and friction",
-      this.#choice("pressed", "pressed by", PRESSED_BY),
-      this.#number(pressed, PRESSED[pressed][line ? "lineLabel" : "label"], { range: PRESSED[pressed][line ? "line" : "range"] }),
-      this.#number("speed", "speed", { parameter: "angular_speed", range: [1e-2, 1e3] }),
+      "Friction and drive",
       this.#number("friction", "friction coefficient", { range: [0, 1], linear: true, step: 0.01 }),
       this.#shownWhile(rubs, this.#choice("drive", "driven by", offers)),
-      this.#shownWhile(rubs, this.#number(drive, DRIVES[drive].label, { range: scaleOf(drive, line).range, linear: true })),
+      this.#shownWhile(
+        rubs,
+        this.#number(drive, DRIVES[drive].label, { range: scaleOf(drive, isLine(this.#state)).range, linear: true }),
+      ),
+    );
+  }
+
+  #temperature() {
+    const { core } = this.#state;
+    const isComputed = () => this.#state.temperature === "on";
+    const cores = { insulated: "insulated", isothermal: "as warm as the surroundings" };
+    if (!(core in cores)) cores[core] = `solid, ${core} W/(m K)`; // from a case file
+    const fields = [
+      this.#number("convection", "convection [W/(m² K)]", { range: [1, 200] }),
+      this.#number("ambient", "surroundings", { range: [253.15, 333.15], linear: true, step: 1 }),
+      this.#number("conductivity", "conductivity [W/(m K)]", { range: [0.05, 1] }),
+      this.#choice("core", "core or hub", cores),
+    ];
+    return group(
+      "Temperature",
+      this.#choice("temperature", "temperature", { off: "not computed", on: "computed" }),
+      ...fields.map((field) => this.#shownWhile(isComputed, field)),
     );
   }
 

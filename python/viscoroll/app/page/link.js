@@ -1,6 +1,6 @@
 /** Conversion between a state and the fragment of an address, so that a link restores the state. */
 
-import { caseOf, initialState } from "./case.js";
+import { fileOf, initialState } from "./case.js";
 
 /** The fragment for a state: its differences from the initial state, as JSON in base64. */
 export function fragmentOf(state) {
@@ -30,6 +30,6 @@ export function stateOfFragment(fragment) {
 }
 
 /** Whether a state describes a case: missing numbers and unknown units become null in its JSON. */
-function hasCase(state) {
-  return !JSON.stringify(caseOf(state)).includes(":null");
+export function hasCase(state) {
+  return !JSON.stringify(fileOf(state)).includes(":null");
 }

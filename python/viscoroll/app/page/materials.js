@@ -16,7 +16,7 @@ export const KINDS = {
     label: "standard linear solid",
     fields: [
       { name: "instantaneous_modulus", label: "shear modulus, instantaneous", quantity: "modulus", range: [1e4, 1e9] },
-      { name: "share", label: "relaxed / instantaneous modulus", range: [0.02, 1], linear: true, parameter: "relaxed_modulus" },
+      { name: "share", label: "relaxed / instantaneous modulus", range: [0.02, 1], linear: true, parameter: "relaxed_modulus", derived: true },
       { name: "relaxation_time", label: "relaxation time", quantity: "time", range: [1e-6, 10] },
     ],
     initial: { instantaneous_modulus: [6, "MPa"], share: 0.5, relaxation_time: [0.125, "s"] },

@@ -28,7 +28,7 @@ export class Newest {
   /**
    * @param {object} solver a solver of solver.js
    * @param {object} tell functions to call: `solving(stage)`, `solved(answer, {tables, stage, seconds})`,
-   *   `point(index, answer)` for the points of the curve, and `failed(error)`
+   *   `temperature(answer)`, `point(index, answer)` for the points of the curve, and `failed(error)`
    */
   constructor(solver, tell) {
     this.#solver = solver;
@@ -40,9 +40,10 @@ export class Newest {
    * @param {object} tables tables of the case
    * @param {number} radius outer radius [m]
    * @param {object[]} curve cases of a curve, in the order of solving, to be solved on coarse meshes
+   * @param {object|null} [thermal] table of the temperature, if it is to be computed
    */
-  ask(tables, radius, curve) {
-    this.#wanted = { tables, radius, curve };
+  ask(tables, radius, curve, thermal = null) {
+    this.#wanted = { tables, radius, curve, thermal };
     this.#changed();
     this.#abort.abort(); // does not abort a coarse solve, which soon ends and gives a picture
     this.#abort = new AbortController();
@@ -52,13 +53,16 @@ export class Newest {
   async #run() {
     this.#running = true;
     while (this.#wanted) {
-      const { tables, radius, curve } = this.#wanted;
+      const { tables, radius, curve, thermal } = this.#wanted;
       this.#wanted = null;
       const { signal } = this.#abort;
       try {
         await this.#solve(tables, "coarse", radius);
         if (this.#wanted || (await this.#isDisturbed())) continue;
-        await this.#solve(tables, "fine", radius, signal);
+        const { result } = await this.#solve(tables, "fine", radius, signal);
+        if (thermal && result) {
+          this.#tell.temperature(await this.#solver.temperature({ case: tables, thermal }, signal));
+        }
         await this.#follow(curve, signal);
       } catch (error) {
         this.#failed(error);
@@ -75,6 +79,7 @@ export class Newest {
     const length = answer.result?.scalars.semi_axis_x;
     if (length > 0) this.#across = { body: bodyOf(tables), nodes: (ACROSS * Math.PI * radius) / length };
     this.#tell.solved(answer, { tables, stage, seconds: (performance.now() - begun) / 1e3 });
+    return answer;
   }
 
   async #follow(curve, signal) {

@@ -3,24 +3,10 @@
 import { bodyOf } from "./case.js";
 import { drawContact } from "./contact_picture.js";
 import { el } from "./dom.js";
+import { inPageUnits } from "./messages.js";
+import { Report, labelOf } from "./report.js";
 import { BODIES } from "./schema.js";
-import { numberText, quantityText, resultUnit, suitableUnit } from "./units.js";
-
-/** Main numbers, unless they are undetermined, and further ones with friction; the table contains all numbers. */
-const FIRST = [
-  "finite_strain_torque",
-  "resisting_torque",
-  "rolling_resistance_coefficient",
-  "dissipated_power",
-  "penetration",
-  "strain",
-  "model_error",
-];
-const WITH_FRICTION = ["driving_torque", "driving_force", "creepage", "slip_power"];
-
-/** Ratios that are displayed in percent. */
-const PERCENTS = ["strain", "overspeed", "creepage"];
-const isPercent = (name) => PERCENTS.includes(name) || name.includes("error");
+import { resultUnit, suitableUnit } from "./units.js";
 
 export class Results {
   #numbers;
@@ -32,7 +18,8 @@ export class Results {
 
   /**
    * @param {{numbers, pictures, table, warnings}} elements elements to fill
-   * @param {{name: string, unit: string, description: string}[]} scalars scalars of the solver
+   * @param {{name: string, unit: string, description: string, group: string, precision: string}[]} scalars scalars of
+   *   the solver
    */
   constructor({ numbers, pictures, table, warnings }, scalars) {
     [this.#numbers, this.#pictures, this.#table, this.#warnings] = [numbers, pictures, table, warnings];
@@ -44,81 +31,67 @@ export class Results {
    * Show a result.
    * @param {object} result result of an answer
    * @param {object} tables tables of its case
-   * @param {string[]} warnings warnings that do not appear at a field
+   * @param {object[]} warnings warnings to show beside the numbers
    */
   show(result, tables, warnings) {
-    this.#last = { result, line: BODIES[bodyOf(tables)].line };
-    const { scalars } = result;
-    const names = [...this.#first(scalars), ...("penetration" in tables.rolling ? ["load"] : []), ...(tables.rolling.friction > 0 ? WITH_FRICTION : [])];
-    this.#numbers.replaceChildren(...names.map((name) => this.#card(name, scalars)));
+    const { line, words } = BODIES[bodyOf(tables)];
+    const report = new Report(result.scalars, this.#scalars, {
+      prescribed: "penetration" in tables.rolling ? "penetration" : "load",
+      friction: tables.rolling.friction ?? 0,
+      angularSpeed: tables.rolling.angular_speed,
+      line,
+      words,
+    });
+    this.#last = { result, line, words, report };
+    const sections = report.sections();
+    this.#numbers.replaceChildren(...sections.answer.map((row) => this.#card(row, report)));
     this.#table.replaceChildren(
-      ...this.#scalars.map(({ name, description }) =>
-        el(
-          "tr",
-          {},
-          el("th", { scope: "row" }, sentence(description)),
-          el("td", { "data-scalar": name, "data-value": scalars[name] }, this.text(name, scalars[name])),
+      ...Object.entries(sections).flatMap(([title, rows]) => [
+        el("tr", {}, el("th", { scope: "colgroup", colspan: 2, class: "section" }, sentence(title))),
+        ...rows.map(({ name, label, text }) =>
+          el("tr", {}, el("th", { scope: "row" }, sentence(label)), this.#cell("td", name, text)),
         ),
-      ),
+      ]),
     );
-    this.#warnings.replaceChildren(...warnings.map(({ message }) => el("p", {}, message)));
+    this.#warnings.replaceChildren(...warnings.map(({ message }) => el("p", {}, inPageUnits(message))));
     this.draw();
   }
 
-  /** Text of torque and coefficient, on one line. */
-  brief({ scalars }) {
-    const torque = this.#first(scalars)[0];
-    const [first, coefficient] = [torque, "rolling_resistance_coefficient"].map((name) => this.text(name, scalars[name]));
-    return `torque ${first}  ·  coefficient ${coefficient}`;
-  }
-
-  /** Names of the main numbers that a result has. */
-  #first(scalars) {
-    return FIRST.filter((name) => name !== "finite_strain_torque" || scalars[name] !== null);
-  }
-
-  /** Text of a scalar result in a suitable unit. */
-  text(name, value) {
-    if (value === null || value === undefined) return numberText(value);
-    const [unit, one] = this.unit(name, value);
-    return `${numberText(value / one, isPercent(name) ? 4 : 5)} ${unit}`.trim();
+  /** The first two results of the answer, push force and drive torque, on one line. */
+  brief() {
+    const results = this.#last.report.sections().answer.filter(({ name }) => name);
+    return results.slice(0, 2).map(({ label, text }) => `${label} ${text}`).join("  ·  ");
   }
 
   /** Suitable unit for a value of a scalar result, and the SI value of this unit. */
   unit(name, value) {
-    if (isPercent(name)) return ["%", 1e-2];
-    return suitableUnit(value, resultUnit(this.#scalar(name).unit, this.#last?.line));
+    const { unit, precision } = this.#scalar(name);
+    if (precision === "%") return ["%", 1e-2];
+    return suitableUnit(value, resultUnit(unit, this.#last?.line));
   }
 
   /** The name of a scalar result in words. */
   label(name) {
-    return name.replaceAll("_", " ");
+    return labelOf(this.#scalar(name), this.#last?.words);
   }
 
   #scalar(name) {
     return this.#scalars.find((scalar) => scalar.name === name);
   }
 
-  #card(name, scalars) {
-    const note = this.#note(name, scalars);
+  #card({ name, label, text }, report) {
+    const note = name && report.explanation(name);
     return el(
       "div",
       { class: "card" },
-      el("dt", { title: sentence(this.#scalar(name).description) }, this.label(name)),
-      el("dd", { "data-scalar": name, "data-value": scalars[name] }, this.text(name, scalars[name])),
+      el("dt", {}, label),
+      this.#cell("dd", name, text),
       note ? el("dd", { class: "note" }, note) : null,
     );
   }
 
-  /** Note below a number, for example the force that corresponds to the coefficient. */
-  #note(name, scalars) {
-    if (name === "rolling_resistance_coefficient" && scalars[name] !== null) {
-      return `resisting force ${quantityText(scalars[name] * scalars.load, this.#last.line ? "N/m" : "N")}`;
-    }
-    if (name === "strain") return "penetration divided by thickness";
-    if (name === "resisting_torque" && scalars.finite_strain_torque !== null) return "linear theory";
-    if (name === "model_error") return "estimated error of the torque of linear theory";
-    return null;
+  #cell(tag, name, text) {
+    return el(tag, { "data-scalar": name, "data-value": name && this.#last.result.scalars[name] }, text);
   }
 
   /** Draw the pictures in the available width and the colors of the page. */

@@ -2,25 +2,36 @@
  * The solvers: the program that serves the page, or WebAssembly in a worker. Both have the methods
  *
  *     async solve(request, signal) -> {result} or {error}    async scalars() -> [{name, unit, description}]
+ *     async open(text) -> {tables, skipped} or {error}       the case of a case file
+ *     async temperature(request, signal) -> {temperature} or {error}    only if `hasTemperature`
  *
  * for the same requests. An aborted signal ends a solve, and its promise is rejected with an AbortError.
  */
 
+import { openCase } from "./case_file.js";
 import { withMaterials } from "./tabulated.js";
 
-/** The solver that the page specifies, or null if it has none. */
+/** The solver that the page specifies. */
 export function connect(start) {
   if (start.solver === "native") return new NativeSolver();
-  if (start.solver === "wasm") return new WorkerSolver(globalThis.viscorollWorker, globalThis.viscorollMaterials);
-  return null;
+  return new WorkerSolver(globalThis.viscorollWorker, globalThis.viscorollMaterials);
 }
 
 /** Solver in the program that serves the page. */
 class NativeSolver {
   where = "on this machine, by the installed library";
+  hasTemperature = true;
 
   async solve(request, signal) {
     return post("solve", request, signal);
+  }
+
+  async open(text) {
+    return post("open", text);
+  }
+
+  async temperature(request, signal) {
+    return post("temperature", request, signal);
   }
 
   async scalars() {
@@ -44,6 +55,7 @@ async function post(name, content, signal) {
 /** Solver in a worker, which answers one request after the other. To abort one, the worker is replaced by a new one. */
 class WorkerSolver {
   where = "in this browser, by WebAssembly; no data leave it";
+  hasTemperature = false;
   #script;
   #materials;
   #worker = null;
@@ -62,6 +74,10 @@ class WorkerSolver {
   async solve(request, signal) {
     const { known, error } = withMaterials(request, this.#materials);
     return error ? { error } : this.#ask("solve", known, signal);
+  }
+
+  async open(text) {
+    return openCase(text);
   }
 
   async scalars() {

@@ -5,7 +5,7 @@
 
 /**
  * The request with materials that the library has.
- * @returns {{known: object}|{error: {message: string, parameter: string, rule: string, value: string}}} an error for a
+ * @returns {{known: object}|{error: {message: string, parameter: string, rule: string, value: string, allowed: null}}} an error for a
  * temperature that is not tabulated
  */
 export function withMaterials(request, tables) {
@@ -14,7 +14,7 @@ export function withMaterials(request, tables) {
   } catch (error) {
     if (error instanceof NotTabulated) {
       const { message, parameter, rule, value } = error;
-      return { error: { message, parameter, rule, value } };
+      return { error: { message, parameter, rule, value, allowed: null } };
     }
     throw error;
   }

@@ -1,11 +1,17 @@
-/** Light or dark theme: that of the system, or of the page that embeds this one. */
+/** Light or dark theme: the one that the reader chose on the site of the page, or else that of the system. */
 
-/** Follow changes of either theme; `redraw` redraws the pictures whose colors the script sets. */
+/** Use the theme; `redraw` redraws the pictures whose colors the script sets, after a change of the system's theme. */
 export function followTheme(redraw) {
+  const chosen = chosenTheme();
+  if (chosen) document.documentElement.dataset.theme = chosen;
   globalThis.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
-  globalThis.addEventListener("message", ({ source, data }) => {
-    if (source !== globalThis.parent || !["light", "dark"].includes(data?.theme)) return;
-    document.documentElement.dataset.theme = data.theme;
-    redraw();
-  });
+}
+
+/** The theme that the site (pydata-sphinx-theme) has stored, if there is one. */
+function chosenTheme() {
+  try {
+    return ["light", "dark"].find((theme) => theme === localStorage.getItem("mode"));
+  } catch {
+    return undefined; // the browser does not let pages store anything
+  }
 }

@@ -1,4 +1,4 @@
-// Written by wasm/make_types.py from python/viscoroll/case/units.txt.
+// Written by wasm/make_types.py from case/units.txt and _support/units.py in python/viscoroll.
 
 /** SI values of the units, by quantity; the first unit is the default. `CENTER_SPEEDS` has those of null. */
 export const UNITS = {
@@ -44,4 +44,33 @@ export const CENTER_SPEEDS = {
   "km/h": 0.2777777777777778,
   "m/s": 1,
   mph: 0.44704,
+};
+
+/** Units in which results are displayed, by SI unit: SI value, and smallest value displayed in the unit. */
+export const DISPLAY_UNITS = {
+  N: { kN: [1000, 1000], N: [1, 1], mN: [0.001, 0.0001], µN: [1e-6, 1e-7], nN: [1e-9, 0] },
+  "N m": { "kN m": [1000, 1000], "N m": [1, 1], "mN m": [0.001, 0.0001], "µN m": [1e-6, 1e-7], "nN m": [1e-9, 0] },
+  "N m/m": { "kN m/m": [1000, 1000], "N m/m": [1, 1], "mN m/m": [0.001, 0.0001], "µN m/m": [1e-6, 1e-7], "nN m/m": [1e-9, 0] },
+  W: { kW: [1000, 1000], W: [1, 1], mW: [0.001, 0.0001], µW: [1e-6, 1e-7], nW: [1e-9, 0] },
+  "W/m": { "kW/m": [1000, 1000], "W/m": [1, 1], "mW/m": [0.001, 0.0001], "µW/m": [1e-6, 1e-7], "nW/m": [1e-9, 0] },
+  J: { kJ: [1000, 1000], J: [1, 1], mJ: [0.001, 0.0001], µJ: [1e-6, 1e-7], nJ: [1e-9, 0] },
+  "J/m": { "kJ/m": [1000, 1000], "J/m": [1, 1], "mJ/m": [0.001, 0.0001], "µJ/m": [1e-6, 1e-7], "nJ/m": [1e-9, 0] },
+  "N/m": { "kN/m": [1000, 1000], "N/m": [1, 1], "mN/m": [0.001, 0] },
+  m: { m: [1, 1], mm: [0.001, 1e-5], µm: [1e-6, 1e-8], nm: [1e-9, 0] },
+  "m^2": { "m²": [1, 1], "mm²": [1e-6, 1e-9], "µm²": [1e-12, 0] },
+  "m/s": { "m/s": [1, 0.1], "mm/s": [0.001, 0.0001], "µm/s": [1e-6, 0] },
+  Pa: { GPa: [1000000000, 1000000000], MPa: [1000000, 100000], kPa: [1000, 1000], Pa: [1, 0] },
+  "J/m^3": { "MJ/m³": [1000000, 1000000], "kJ/m³": [1000, 1000], "J/m³": [1, 1], "mJ/m³": [0.001, 0] },
+  "Pa s": { "MPa s": [1000000, 1000000], "kPa s": [1000, 1000], "Pa s": [1, 1], "mPa s": [0.001, 0] },
+  s: { s: [1, 1], ms: [0.001, 0.001], µs: [1e-6, 1e-6], ns: [1e-9, 0] },
+};
+
+/** Units in line contact of results that are per length there. */
+export const PER_LENGTH = {
+  "N m": "N m/m",
+  N: "N/m",
+  W: "W/m",
+  J: "J/m",
+  kg: "kg/m",
+  "m^2": "m",
 };

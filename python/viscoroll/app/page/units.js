@@ -1,8 +1,6 @@
 /** Units for input and display, and conversion to SI units. */
 
-import { ALIASES, CENTER_SPEEDS, OFFSETS, UNITS } from "./unit_table.js";
-
-export { UNITS };
+import { ALIASES, CENTER_SPEEDS, DISPLAY_UNITS, OFFSETS, PER_LENGTH, UNITS } from "./unit_table.js";
 
 /** SI unit of each quantity, as in messages of the solver; empty if it has none. */
 export const SI = Object.fromEntries(
@@ -57,45 +55,50 @@ export function numberText(value, digits = 4) {
 
 const SUPERSCRIPTS = Object.fromEntries([..."-0123456789"].map((c, i) => [c, [..."⁻⁰¹²³⁴⁵⁶⁷⁸⁹"][i]]));
 
-const PREFIXES = [
-  ["G", 1e9],
-  ["M", 1e6],
-  ["k", 1e3],
-  ["", 1],
-  ["m", 1e-3],
-  ["µ", 1e-6],
-  ["n", 1e-9],
-];
-
-/** Units that take prefixes, and their usual prefixes (no km). */
-const PREFIXED = { m: "mµn", N: "kmµ", "N m": "kmµ", "N m/m": "kmµ", W: "kmµ", Pa: "GMk", "N/m": "kM", "W/m": "kmµ", "m/s": "mµ" };
-
 /**
- * Suitable unit for a result, and the SI value of this unit.
+ * Suitable unit for a result, and the SI value of this unit, as `suitable_unit` in Python.
  * @returns {[string, number]}
  */
 export function suitableUnit(value, unit) {
   if (unit === "1") return ["", 1];
-  if (unit === "m^2") return ["mm²", 1e-6];
-  const allowed = PREFIXED[unit];
+  const displayed = Object.entries(DISPLAY_UNITS[unit] ?? {});
   const size = Math.abs(value ?? 0);
-  if (!allowed || size === 0) return [unit, 1];
-  if (unit === "Pa" && size >= 1e5 && size < 1e9) return ["MPa", 1e6]; // 0.3 MPa, not 300 kPa, as in the input of moduli
-  if (unit === "m" && size >= 1e-5) return size < 1 ? ["mm", 1e-3] : ["m", 1]; // as in the input of lengths
-  const fitting = PREFIXES.filter(([prefix]) => prefix === "" || allowed.includes(prefix));
-  const [prefix, scale] = fitting.find(([, scale]) => size >= scale) ?? fitting.at(-1);
-  return [prefix + unit, scale];
+  if (size === 0 || !displayed.length) return [displayed.find(([, [scale]]) => scale === 1)?.[0] ?? unit, 1];
+  const [name, [scale]] = displayed.find(([, [, least]]) => size >= least) ?? displayed.at(-1);
+  return [name, scale];
 }
 
-/** Text of a result with a suitable unit. */
-export function quantityText(value, unit, digits = 4) {
-  if (value === null || value === undefined) return "–";
+/** Most digits of a value with an error, and leading digits of an error below which a second digit is displayed. */
+const MOST_DIGITS = 6;
+const TWO_DIGITS = 3;
+
+/** A number with as many digits as its error supports, and the error, as `with_error` in Python. */
+export function withError(value, error, digits = 4) {
+  if (error === null || value === 0 || !Number.isFinite(value) || !Number.isFinite(error))
+    return numberText(value, digits);
+  const size = Math.abs(error);
+  const finest = Math.floor(Math.log10(Math.abs(value))) - MOST_DIGITS + 1;
+  if (size < 0.5 * 10 ** finest) return numberText(value, MOST_DIGITS);
+  const leading = Math.floor(Math.log10(size));
+  const place = Math.max(leading - (size < TWO_DIGITS * 10 ** leading ? 1 : 0), finest);
+  const one = 10 ** Math.max(place, 0);
+  const text = (number) => (Math.round(number / one) * one).toFixed(0);
+  const texts = [value, size].map((number) => (place > 0 ? text(number) : number.toFixed(-place)));
+  return texts.join(" ± ").replace("-", "−");
+}
+
+/** Text of a result with a suitable unit, and its error if its relative error is given. */
+export function quantityText(value, unit, relativeError = null, digits = 4) {
+  if (value === null || value === undefined) return "undetermined";
   const [name, scale] = suitableUnit(value, unit);
-  return `${numberText(value / scale, digits)} ${name}`.trim();
+  const error = relativeError === null ? null : (relativeError * value) / scale;
+  return `${withError(value / scale, error, digits)} ${name}`.trim();
 }
 
-/** Units of results in line contact, by their units in point contact: in line contact these results are per length. */
-const PER_LENGTH = { "N m": "N m/m", N: "N/m", W: "W/m", "m^2": "m" };
+/** Text of a ratio in percent. */
+export function percentText(ratio, digits = 3) {
+  return `${numberText(100 * ratio, digits)} %`;
+}
 
 /** The unit of a scalar result; `unit` is its unit in point contact. */
 export function resultUnit(unit, lineContact) {

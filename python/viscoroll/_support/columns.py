@@ -1,4 +1,4 @@
-"""Columns of numbers from CSV files to which case files refer."""
+"""Columns of numbers from CSV files."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import csv
 from collections.abc import Sequence
 from pathlib import Path
 
-from .._support.errors import in_file
-from .._support.text import finite_number, shown
+from .errors import in_file
+from .text import finite_number, shown
 
 __all__ = ["read_columns", "read_header"]
 
