@@ -199,7 +199,7 @@ class Tread:
         return float(stretch), float(angle.max())
 
 
-def tread(core_radius, outer_radius, width, edge, *, finest=0.03, coarsest=0.25, across=6, plane_strain=False):
+def tread(core_radius, outer_radius, width, edge, *, finest=0.05, coarsest=0.25, across=5, plane_strain=False):
     """Return a tread with small elements at the angle `edge`, where contact ends in the middle, and at its surface.
 
     Sizes of elements are relative to the thickness. In plane strain, tread far from the contact moves along the path.
@@ -236,8 +236,8 @@ def main():
     parser.add_argument("--thickness", type=float, default=10.0)
     parser.add_argument("--width", type=float, default=30.0)
     parser.add_argument("--strains", type=float, nargs="+", default=[0.1, 0.2])
-    parser.add_argument("--finest", type=float, default=0.03, help="smallest element, in thicknesses")
-    parser.add_argument("--across", type=int, default=6, help="elements from the middle to the side face")
+    parser.add_argument("--finest", type=float, default=0.05, help="smallest element, in thicknesses")
+    parser.add_argument("--across", type=int, default=5, help="elements from the middle to the side face")
     parser.add_argument("--plane-strain", action="store_true", help="hold the side faces, as in a roller")
     given = parser.parse_args()
     sizes = {"finest": given.finest, "across": given.across, "plane_strain": given.plane_strain}

@@ -57,7 +57,7 @@ void validate_sliding(const HeightMap& map, const CoatedPlane& on, double pressu
   constexpr double kStrictest = 1e-13;
   constexpr double kLoosest = 1e-3;
   require_in({.minimum = kStrictest, .maximum = kLoosest}, "tolerance", options.tolerance);
-  if (options.max_iterations < 1) reject("max_iterations", ">= 1", std::to_string(options.max_iterations));
+  require_in({.minimum = 1.0}, "max_iterations", options.max_iterations);
   require_thread_count(options.threads);
 }
 

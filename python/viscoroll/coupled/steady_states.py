@@ -307,10 +307,11 @@ class StateSearch:
         rises = (self.limit - self.ambient) * np.geomspace(0.03, 1.0, 8)
         speeds = [self.speed_at(self.ambient + rise) for rise in rises]
         best = int(np.argmax(speeds))
-        (name, largest), given = *self._as_given(speeds[best]).items(), self._as_given(self.angular_speed)
+        name = "angular_speed" if self.ground_speed is None else "speed"
+        largest, given = (self._as_given(speed)[name] for speed in (speeds[best], self.angular_speed))
         unit = UNITS[name]
         return (
             f"{name} must be at most about {largest:.3g} {unit} for a steady temperature below "
-            f"{self.limit:g} K ({self.ambient + rises[best]:.4g} K at that speed), got {given[name]:g} {unit}: "
+            f"{self.limit:g} K ({self.ambient + rises[best]:.4g} K at that speed), got {given:g} {unit}: "
             "rolling dissipates more heat than the surfaces remove"
         )

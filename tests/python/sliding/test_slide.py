@@ -49,7 +49,7 @@ def test_the_result_is_consistent():
 
 
 def test_the_memory_length_is_the_speed_times_the_retardation_time():
-    # Of a standard linear solid, the retardation time is tau G_0 / G_inf.
+    # The retardation time of a standard linear solid is tau G_0 / G_inf.
     assert slid().memory_length == pytest.approx(0.1 * 1e-4 * 10.0)
     assert slid(speed=0.0).memory_length == 0.0
     assert slid(on=vr.HalfSpace(shear_modulus=vr.Elastic(modulus=1e6), poisson_ratio=0.5)).memory_length == 0.0

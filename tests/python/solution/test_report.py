@@ -39,7 +39,7 @@ def test_the_answer_comes_first():
     labels = [label for label, _ in sections[ANSWER]]
     assert labels == [
         "push force",
-        "drive torque at finite strain",  # nearer to reality than that of linear theory
+        "resisting torque at finite strain",  # nearer to reality than that of linear theory
         "drive torque of linear theory",
         "dissipated power",
         "rolling resistance coefficient",
