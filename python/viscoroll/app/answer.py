@@ -26,7 +26,7 @@ __all__ = ["OTHER_TABLES", "answer", "error_answer", "readable_case", "scalars",
 _KEYS = {"case", "fields"}
 
 #: Tables of case files that the page does not support.
-OTHER_TABLES = ("thermal", "motion", "surface", "sliding", "sweep", "design")
+OTHER_TABLES = ("thermal", "motion", "ground", "tread", "axle", "surface", "sliding", "sweep", "design")
 
 
 def scalars() -> list[dict[str, str]]:
