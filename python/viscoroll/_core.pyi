@@ -291,7 +291,7 @@ class ResultScalars:
     @property
     def finite_strain_torque(self) -> float | None:
         """
-        resisting torque at finite strain [N m]. (1 + c) T_r(P, (1 + c) Ω): resisting torque of linear theory at the speed with which material passes the contact, where it is stretched by the overspeed c. Nearer to reality than resisting_torque: it includes most of the effect of finite strain. None with friction, with the vertical compliance, and on a deformable counterbody.
+        drive torque at finite strain [N m]. (1 + c) T_r(P, (1 + c) Ω): resisting torque of linear theory at the speed with which material passes the contact, where it is stretched by the overspeed c. Nearer to reality than resisting_torque: it includes most of the effect of finite strain. None with friction, with the vertical compliance, and on a deformable counterbody.
         """
     @property
     def finite_strain_torque_error(self) -> float | None:
@@ -386,7 +386,7 @@ class ResultScalars:
     @property
     def rolling_resistance_torque(self) -> float:
         """
-        drive torque, dissipated power / Ω [N m]. Torque that keeps the body rolling if nothing else drives it: dissipated_power / Ω.
+        drive torque of linear theory, dissipated power / Ω [N m]. Torque that keeps the body rolling if nothing else drives it: dissipated_power / Ω.
         """
     @property
     def semi_axis_x(self) -> float:

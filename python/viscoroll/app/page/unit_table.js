@@ -69,6 +69,8 @@ export const DISPLAY_UNITS = {
 export const PER_LENGTH = {
   "N m": "N m/m",
   N: "N/m",
+  "N/m": "N/m^2",
+  "N s/m": "N s/m^2",
   W: "W/m",
   J: "J/m",
   kg: "kg/m",
