@@ -66,10 +66,12 @@ Result solve_frozen_released(const RollingBody& body, const Counterbody& on, con
   return solve_frozen(body, on, load_case, frozen, options);
 }
 
-RollingModel rolling_model(const RollingBody& body, const Counterbody& on, double angular_speed, const Mesh& mesh,
-                           Curvature curvature, int threads, const py::object& progress) {
+RollingModel rolling_model(const RollingBody& body, const Counterbody& on, double angular_speed,
+                           std::optional<double> speed, const Mesh& mesh, Curvature curvature, int threads,
+                           const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
+  if (speed) return {body, on, GroundSpeed{*speed}, mesh, threads, curvature, observer};
   return {body, on, angular_speed, mesh, threads, curvature, observer};
 }
 
@@ -136,7 +138,8 @@ void bind_solve(py::module_& m) {
 
   py::classh<RollingModel>(m, "RollingModel")
       .def(py::init(&rolling_model), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("angular_speed"),
-           py::arg("mesh"), py::arg("curvature"), py::arg("threads"), py::arg("progress").none(true))
+           py::arg("speed") = py::none(), py::arg("mesh"), py::arg("curvature"), py::arg("threads"),
+           py::arg("progress").none(true))
       .def("solve", &solve_on_model, py::arg("load_case"), py::kw_only(), py::arg("compliance"), py::arg("patch_load"),
            py::arg("slip_kinematics"), py::arg("finite_strain"), py::arg("max_iterations"), py::arg("threads"),
            py::arg("progress").none(true));

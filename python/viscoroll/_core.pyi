@@ -291,7 +291,7 @@ class ResultScalars:
     @property
     def finite_strain_torque(self) -> float | None:
         """
-        drive torque at finite strain [N m]. (1 + c) T_r(P, (1 + c) Ω): resisting torque of linear theory at the speed with which material passes the contact, where it is stretched by the overspeed c. Nearer to reality than resisting_torque: it includes most of the effect of finite strain. None with friction, with the vertical compliance, and on a deformable counterbody.
+        resisting torque at finite strain, drive torque on a plane [N m]. (1 + c) T_r(P, (1 + c) Ω): resisting torque of linear theory at the speed with which material passes the contact, where it is stretched by the overspeed c. Nearer to reality than resisting_torque: it includes most of the effect of finite strain. None with friction, with the vertical compliance, and on a deformable counterbody.
         """
     @property
     def finite_strain_torque_error(self) -> float | None:
@@ -509,6 +509,7 @@ class RollingModel:
         on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+        speed: typing.SupportsFloat | typing.SupportsIndex | None = None,
         mesh: Mesh,
         curvature: Curvature,
         threads: typing.SupportsInt | typing.SupportsIndex,

@@ -124,8 +124,35 @@ TEST(RollingModel, CanBeSharedByThreads) {
 }
 
 TEST(RollingModel, RejectsAnotherSpeed) {
-  const RollingModel model(cases::paper_sphere(), 2.5, *kCoarse.mesh);
-  EXPECT_THROW(std::ignore = model.solve({.load = 1.0, .angular_speed = 2.0}), std::invalid_argument);
+  const CoatedSphere sphere = cases::paper_sphere();
+  const RollingModel model(sphere, CoatedPlane{}, GroundSpeed{0.1}, *kCoarse.mesh);
+  EXPECT_GT(model.solve({.load = 1.0, .speed = 0.1}).resisting_torque, 0.0);
+  const auto message = [&](const LoadCase& load_case) -> std::string {
+    try {
+      std::ignore = model.solve(load_case);
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+    return "nothing thrown";
+  };
+  EXPECT_TRUE(message({.load = 1.0, .speed = 0.2}).starts_with("speed must be the speed of the model, 0.1"));
+  EXPECT_TRUE(message({.load = 1.0, .speed = 0.2}).ends_with(" m/s, got 0.2 m/s"));
+  EXPECT_TRUE(message({.load = 1.0, .angular_speed = 2.0}).starts_with("angular_speed must be the speed of the model"));
+  EXPECT_TRUE(message({.load = 1.0, .angular_speed = 2.0}).ends_with(" rad/s, got 2 rad/s"));
+}
+
+TEST(Solve, NamesTheGivenSpeed) {
+  CoatedSphere melt = cases::paper_sphere();
+  melt.layers[0].shear_modulus = Prony{6e6, {0.5, 0.5}, {0.1, 1e5}};
+  const double slowest = kSlowTerm / 1e5 * outer_radius(melt);  // [m/s]
+  try {
+    std::ignore = solve(melt, {.load = 1.0, .speed = 0.5 * slowest}, kCoarse);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.parameter(), "speed");
+    EXPECT_NEAR(std::stod(error.value()), 0.5 * slowest, 1e-15);
+    EXPECT_NEAR(std::stod(error.rule().substr(std::string("must be >= ").size())), slowest, 1e-15);
+  }
 }
 
 TEST(Solve, StopsOnRequest) {

@@ -167,6 +167,12 @@ class Coating:
         height = state[dofs] + radius * np.cos(theta)
         return theta, height[0] - height, -self.equations(state)[0][dofs]
 
+    def stretch(self, state):
+        """Return the stretch of the contact: its radius relative to that of its material at rest, minus 1."""
+        edge = self.basis.get_dofs(lambda x: x[1] == self.grid[1][-1]).all(["u^1^1"])
+        edge = edge[np.argmin(np.abs(self.basis.doflocs[0, edge] - self.edge))]
+        return float(state[edge] / (self.outer_radius * np.sin(self.edge)))
+
     def guess_from(self, other, state):
         """Return a guess from the state of another edge, stretched along theta and scaled to the depth of this edge."""
         values, stretch = np.zeros(self.basis.N), self.edge / other.edge

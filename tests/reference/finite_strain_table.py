@@ -2,8 +2,8 @@
 
 The program prints a table for every geometry, which takes about twenty minutes on one core. With `--first-order`, it
 prints within half a minute the first geometry with coarse first-order elements and the contact of
-`finite_strain_obstacle`. Only this file of tests/reference imports the package. Lengths are in mm, moduli in units of
-G. Results are compared at equal load.
+`finite_strain_obstacle`. Only this file of tests/reference and `finite_strain_slow` import the package. Lengths are
+in mm, moduli in units of G. Results are compared at equal load.
 """
 
 from __future__ import annotations
@@ -29,6 +29,8 @@ GEOMETRIES = (  # core radius, outer radius, Poisson's ratio
 STRAINS = (0.02, 0.06, 0.10, 0.15, 0.20)
 FIRST_ORDER_SIZES = (1 / 12, 1 / 12, 1 / 8, 1 / 8, 1 / 8)  # element size / thickness
 THIN_STRAINS = (0.04, 0.08, 0.16, 0.24)
+#: Standard linear solid with tau = eta/G = 1 s.
+RUBBER = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1.0)
 # Omega tau r_o / a at the lowest of three speeds, each twice the previous one
 LOWEST_SPEED = 0.015
 
@@ -63,21 +65,27 @@ def penetration(geometry, load, edge, compliance, nodes=100):
     return 1e3 * result.penetration / (geometry[1] - geometry[0])
 
 
-def low_speed_torques(geometry, load, edge, compliance, nodes=100):
-    """Return sum x p and the driving torque in units of P Omega r_o eta/G as the speed goes to zero.
+def low_speed_results(solid, load, edge, names, nodes=100, **options):
+    """Return results of a body of RUBBER as the speed goes to zero; torques are in units of P Omega r_o eta/G.
 
-    The material is a standard linear solid with tau = eta/G = 1 s. Meshes must resolve r_o Omega tau, so a parabola
-    through three speeds is extrapolated. With C_RR, the limit is known: it is the mean of y/r_o weighted by the
-    pressure, since u_r = y - H in contact and the power is that of -p d^2u_r/dphi^2. The error is 3e-4.
+    Meshes have `nodes` from the center of the contact to its edge [rad]. They must resolve r_o Omega tau, so a parabola
+    through three speeds is extrapolated. With C_RR, the limit of the resisting torque of a ball is known: it is the
+    mean of y/r_o weighted by the pressure, since u_r = y - H in contact and the power is that of -p d^2u_r/dphi^2. The
+    error is 3e-4 with 100 nodes.
     """
-    solid = ball(geometry, vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1.0))
     mesh = vr.Mesh(nodes_per_revolution=round(2.0 * np.pi * nodes / edge))
-    torques = []
-    for speed in LOWEST_SPEED * edge * np.array([1.0, 2.0, 4.0]):
-        result = vr.solve(solid, load=load, angular_speed=speed, mesh=mesh, compliance=compliance)
+    rows = []
+    for speed in LOWEST_SPEED * 100 / nodes * edge * np.array([1.0, 2.0, 4.0]):
+        result = vr.solve(solid, load=load, angular_speed=speed, mesh=mesh, **options)
         unit = load * speed * solid.outer_radius
-        torques.append((result.resisting_torque / unit, result.driving_torque / unit))
-    return np.array([8.0, -6.0, 1.0]) / 3.0 @ np.array(torques)
+        rows.append([getattr(result, name) / (unit if name.endswith("_torque") else 1.0) for name in names])
+    return np.array([8.0, -6.0, 1.0]) / 3.0 @ np.array(rows)
+
+
+def low_speed_torques(geometry, load, edge, compliance):
+    """Return sum x p and the driving torque of a ball, as `low_speed_results` does."""
+    names = ("resisting_torque", "driving_torque")
+    return low_speed_results(ball(geometry, RUBBER), load, edge, names, compliance=compliance)
 
 
 def compare(geometry, strains, **sizes):

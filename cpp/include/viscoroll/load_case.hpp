@@ -8,6 +8,11 @@
 
 namespace viscoroll {
 
+/// @brief Speed of the ground or belt, in place of the angular speed of a model.
+struct GroundSpeed {
+  double speed = 0.0;  ///< V [m/s], > 0
+};
+
 /// @brief Load or penetration, speed, friction and drive of a rolling body. Exactly one of load and penetration is
 /// given, and one of angular_speed and speed; the others are results.
 struct LoadCase {

@@ -77,6 +77,10 @@ class RollingModel {
   /// @brief Prepare a body on a counterbody that deforms or is curved. The other parameters are those above.
   RollingModel(const RollingBody& body, const Counterbody& on, double angular_speed, const Mesh& mesh, int threads = 0,
                Curvature curvature = Curvature::sphere, const Observer& observer = {});
+
+  /// @brief Prepare a body for load cases that give the speed of the ground. The other parameters are those above.
+  RollingModel(const RollingBody& body, const Counterbody& on, const GroundSpeed& speed, const Mesh& mesh,
+               int threads = 0, Curvature curvature = Curvature::sphere, const Observer& observer = {});
   ~RollingModel();
   RollingModel(RollingModel&&) noexcept;
   RollingModel& operator=(RollingModel&&) noexcept;
@@ -90,6 +94,9 @@ class RollingModel {
   [[nodiscard]] Result solve(const LoadCase& load_case, const Options& options = {}) const;
 
  private:
+  RollingModel(const RollingBody& body, const Counterbody& on, const LoadCase& speed, const Mesh& mesh, int threads,
+               Curvature curvature, const Observer& observer);
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -17,7 +17,7 @@ struct PressedNodes {
   Eigen::ArrayXd gap = {};  ///< gap of every node [m]; may be the gap of the previous pass if no node has left
   /// Largest gap [m] that the residual of the last linear system leaves at a node in contact; 0 if it is negligible.
   double gap_error = 0.0;
-  int passes = 0;           ///< linear systems solved
+  int passes = 0;  ///< linear systems solved
   bool converged = false;
 };
 

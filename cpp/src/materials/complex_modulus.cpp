@@ -15,8 +15,8 @@ namespace viscoroll {
 namespace {
 
 using detail::reject;
-using detail::require_nonnegative;
 using detail::require_in;
+using detail::require_nonnegative;
 using detail::require_positive;
 using detail::text;
 using cplx = std::complex<double>;

@@ -4,14 +4,13 @@
 #include <limits>
 #include <numeric>
 
+#include "base/invalid_speed.hpp"
 #include "base/validate.hpp"
 
 namespace viscoroll {
 namespace {
 
-using detail::reject;
 using detail::rounded;
-using detail::text;
 
 /// Smallest relaxed fraction of a modulus. The sum of weights that are meant to add up to 1 has a larger round-off.
 constexpr double kLeastFraction = 1e-12;
@@ -24,12 +23,12 @@ double relaxed_fraction_of(const Prony& series) {
 void require_modulus_at_rest(const Prony& series, double angular_speed) {
   if (series.weights.empty() || relaxed_fraction_of(series) > kLeastFraction) return;
   const double longest = std::ranges::max(series.relaxation_times);
-  reject("angular_speed",
-         ">= " + rounded(kSlowTerm / longest) +
-             " rad/s for a Prony series whose weights add up to 1, so that its slowest "
-             "term, of " +
-             rounded(longest) + " s, does not relax; or the weights must add up to less than 1",
-         text(angular_speed) + " rad/s", Range{.unit = "rad/s", .minimum = kSlowTerm / longest});
+  throw detail::InvalidSpeed(
+      angular_speed, {.before = ">= ",
+                      .bound = detail::SpeedRule::Bound::minimum,
+                      .limit = kSlowTerm / longest,
+                      .after = " for a Prony series whose weights add up to 1, so that its slowest term, of " +
+                               rounded(longest) + " s, does not relax; or the weights must add up to less than 1"});
 }
 
 }  // namespace

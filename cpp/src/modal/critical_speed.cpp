@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/invalid_speed.hpp"
 #include "base/validate.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
@@ -151,17 +152,12 @@ void require_subcritical(const LayeredBody& body, double angular_speed, double h
   if (stack.media.empty() || angular_speed < 0.1 * slowest_shear_wave(stack)) return;
   if (all_subcritical(stack, angular_speed)) return;
   const double critical = critical_speed(stack);
-  const double radius = body.metric.radius;
-  if (body.metric.is_curved()) {
-    reject("angular_speed",
-           "below the critical speed " + text(critical) + " rad/s, above which the coating of radius " +
-               rounded(radius) + " m radiates waves",
-           text(angular_speed) + " rad/s");
-  }
-  reject("angular_speed",
-         "such that the material of the plane moves slower than the critical speed " + text(critical * radius) +
-             " m/s, above which the plane radiates waves",
-         text(angular_speed * radius) + " m/s");
+  const std::string radiating =
+      body.metric.is_curved() ? "coating of radius " + rounded(body.metric.radius) + " m" : "plane";
+  throw InvalidSpeed(angular_speed, {.before = "below the critical speed ",
+                                     .bound = SpeedRule::Bound::excluded_maximum,
+                                     .limit = critical,
+                                     .after = ", above which the " + radiating + " radiates waves"});
 }
 
 void require_damped_waves(const HarmonicBody& body) {
@@ -181,10 +177,9 @@ void require_damped_waves(const HarmonicBody& body) {
     const LayerStack<double> stack = body.body().stack(moduli, body.angular_speed());
     const double slowest = slowest_shear_wave(stack);  // relative to the rolling speed, which the inertia contains
     if (damping > 1.0 || slowest > 10.0 || are_stiff(stack, {m})) continue;
-    reject(
-        "angular_speed",
-        "below the speed at which the coating radiates waves of order " + text(m) + ", which its material hardly damps",
-        text(body.angular_speed()) + " rad/s");
+    throw InvalidSpeed(body.angular_speed(),
+                       {.before = "below the speed at which the coating radiates waves of order " + text(m) +
+                                  ", which its material hardly damps"});
   }
 }
 

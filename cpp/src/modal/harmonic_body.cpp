@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/invalid_speed.hpp"
 #include "base/validate.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_moduli.hpp"
@@ -29,11 +30,10 @@ void require_resolved_waves(const HarmonicBody& body) {
       const double mach = std::sqrt(std::abs(stack.mach2(medium)));
       const double step = std::min(longest, body.metric().depth(medium.outer, medium.inner));
       if (mach * std::min(m * step, kStepExponent) <= kWaveExponent) continue;
-      reject(
-          "angular_speed",
-          "so low that no layer moves faster than about 5 times its shear-wave speed (shorter waves are not resolved)",
-          text(body.angular_speed()) + " rad/s, at which a layer moves at " + rounded(mach) +
-              " times its shear-wave speed");
+      throw InvalidSpeed(body.angular_speed(),
+                         {.before = "so low that no layer moves faster than about 5 times its shear-wave speed "
+                                    "(shorter waves are not resolved)",
+                          .remark = ", at which a layer moves at " + rounded(mach) + " times its shear-wave speed"});
     }
   }
 }

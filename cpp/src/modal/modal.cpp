@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/invalid_speed.hpp"
 #include "base/parallel.hpp"
 #include "base/validate.hpp"
 #include "modal/compliance_recursion.hpp"
@@ -108,7 +109,8 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedPlane& plane, double 
   }
   detail::LayeredBody layers = detail::checked_layered_body(plane, 1.0);
   detail::require_positive("speed", speed, "m/s");
-  const detail::HarmonicBody body(std::move(layers), speed, magnitudes);
+  const detail::HarmonicBody body = detail::with_given_speed(
+      {"speed", speed, "m/s"}, [&] { return detail::HarmonicBody(std::move(layers), speed, magnitudes); });
   std::vector<ComplexMatrix3> compliances(k_xi.size());
   for (std::size_t i = 0; i < k_xi.size(); ++i) {
     compliances[i] = physical_compliance(body, i, k_xi[i] < 0.0, k_zeta[i]);

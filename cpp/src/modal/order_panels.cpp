@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "base/recent_cache.hpp"
 #include "modal/harmonic_moduli.hpp"
 
 namespace viscoroll::detail {
@@ -205,6 +206,45 @@ void append_cells(const HarmonicBody& body, const SmoothRun& run, Cell cell, con
   cells.push_back(std::move(cell));
 }
 
+/// Cells of each part of the ranges.
+using PartsOfCells = std::vector<std::vector<Cell>>;
+using CellCache = RecentCache<PartsOfCells>;
+
+/// Cells of the treads that were solved last, for further speeds, loads and meshes.
+CellCache& recent_cells() {
+  constexpr std::size_t kMaxTreads = 8;
+  constexpr std::size_t kMaxNumbers = 16777216;  // complex: 256 MB
+  static CellCache cache(kMaxTreads, kMaxNumbers);
+  return cache;
+}
+
+std::size_t numbers_in(const PartsOfCells& parts) {
+  Eigen::Index sum = 0;
+  for (const auto& cells : parts) {
+    for (const Cell& cell : cells) sum += cell.series.size();
+  }
+  return static_cast<std::size_t>(sum);
+}
+
+/// Properties of a body that determine its cells at any speed, or none. The layers of a tread without inertia that
+/// share one relaxation function have the compliance F(m, n) / g(m Omega), and the cells contain F. Spheres and planes
+/// with one relaxation function have a `SelfSimilarSpectrum`.
+CellCache::Key shared_properties(const HarmonicBody& body) {
+  const LayeredBody& layered = body.body();
+  if (!body.metric().is_wheel()) return {};
+  for (const Layer& layer : layered.layers) {
+    if (layer.density != 0.0) return {};
+  }
+  const auto layers = layers_per_modulus(body, 0, 0.0);
+  if (!layers) return {};
+  CellCache::Key key{body.metric().radius, static_cast<double>(layers->inner_boundary), layered.crown.radius,
+                     layered.crown.proportion};
+  for (const Medium<double>& medium : layers->media) {
+    key.insert(key.end(), {medium.inner, medium.outer, medium.mu, medium.b});
+  }
+  return key;
+}
+
 /// Values of T_0, T_1, ... at the coordinate of m in a cell.
 Eigen::RowVectorXd chebyshev_polynomials(const Cell& cell, double m) {
   const double x = 2.0 * std::log(m / cell.lowest_m) / std::log(cell.highest_m / cell.lowest_m) - 1.0;
@@ -345,7 +385,6 @@ OrderPanels::OrderPanels(std::shared_ptr<const HarmonicBody> body, double highes
   struct Part {
     std::size_t range;
     Cell cell;
-    std::vector<Cell> cells;
   };
   std::vector<Part> parts;
   for (std::size_t r = 0; r < ranges_.size(); ++r) {
@@ -357,15 +396,29 @@ OrderPanels::OrderPanels(std::shared_ptr<const HarmonicBody> body, double highes
                        .cell = {.lowest_m = ranges_[r].run.lowest_m,
                                 .highest_m = ranges_[r].run.highest_m,
                                 .lowest_ratio = bound(i),
-                                .highest_ratio = bound(i + 1)}});
+                                .highest_ratio = bound(i + 1),
+                                .series = {}}});
     }
   }
-  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
-    append_cells(*body_, ranges_[parts[p].range].run, parts[p].cell, worker, parts[p].cells);
-  });
-  for (Part& part : parts) {
-    auto& cells = ranges_[part.range].cells;
-    std::ranges::move(part.cells, std::back_inserter(cells));
+  CellCache::Key key = shared_properties(*body_);
+  const bool is_shared = !key.empty();
+  for (const Part& part : parts) {
+    const Cell& cell = part.cell;
+    key.insert(key.end(), {cell.lowest_m, cell.highest_m, cell.lowest_ratio, cell.highest_ratio,
+                           static_cast<double>(ranges_[part.range].run.nodes)});
+  }
+  std::shared_ptr<const PartsOfCells> solved = is_shared ? recent_cells().find(key) : nullptr;
+  if (!solved) {
+    PartsOfCells cells(parts.size());
+    parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
+      append_cells(*body_, ranges_[parts[p].range].run, parts[p].cell, worker, cells[p]);
+    });
+    solved = std::make_shared<const PartsOfCells>(std::move(cells));
+    if (is_shared) recent_cells().add(std::move(key), solved, numbers_in(*solved));
+  }
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    auto& cells = ranges_[parts[p].range].cells;
+    std::ranges::copy((*solved)[p], std::back_inserter(cells));
   }
 }
 

@@ -14,6 +14,7 @@
 
 #include "influence/mesh_on_body.hpp"
 #include "modal/layered_body.hpp"
+#include "modal/spectrum.hpp"
 #include "rolling/contact_form.hpp"
 #include "rolling/surface_tables.hpp"
 #include "surface/surface_window.hpp"
@@ -58,12 +59,19 @@ struct SurfaceMotion {
   [[nodiscard]] double angular_speed_at(double other) const { return angular_speed * (radius / other); }
 };
 
+/// @brief Results that influence tables must provide.
+struct TableNeeds {
+  /// Largest relative error of the compliance due to the truncated expansion in inertia.
+  double inertia_tolerance = kInertiaTolerance;
+  bool has_losses = true;  ///< whether the dissipation is evaluated; otherwise forces and displacements only
+};
+
 /// @brief Motion of the material of both surfaces from node to node.
 struct ContactKinematics : SurfaceMotion {
-  Mesh mesh;                 ///< of the rolling body
-  double theta_spacing;      ///< spacing of its nodes across; on a wheel it differs from that of the mesh [rad]
-  double widest;             ///< largest offset across [rad]
-  double inertia_tolerance;  ///< largest relative error of the compliance due to the truncated expansion in inertia
+  Mesh mesh;             ///< of the rolling body
+  double theta_spacing;  ///< spacing of its nodes across; on a wheel it differs from that of the mesh [rad]
+  double widest;         ///< largest offset across [rad]
+  TableNeeds needs;
   Execution execution;
 
   /// @return the mesh in the angles of a body of another radius

@@ -16,7 +16,7 @@ std::unique_ptr<const TableSum> sum_of_orders(const LayeredBody& layers, const C
   const MeshOnBody mesh = kinematics.mesh_at(layers.metric.radius);
   if (!kinematics.form.is_line()) {
     return std::make_unique<const CoatingSum>(layers, angular_speed, mesh, threads, watch,
-                                              kinematics.inertia_tolerance);
+                                              kinematics.needs.inertia_tolerance);
   }
   std::vector<OrderBand> bands = phi_bands(layers, angular_speed, mesh.rounded());
   const HarmonicBody harmonics(layers, angular_speed, all_orders(bands), measured_order(mesh.rounded()));
@@ -25,8 +25,9 @@ std::unique_ptr<const TableSum> sum_of_orders(const LayeredBody& layers, const C
 
 BodySurface surface_of_layers(const LayeredBody& layers, const ContactKinematics& kinematics) {
   const Mesh around = kinematics.mesh_at(layers.metric.radius).rounded();
-  return surface_of_layers(layers, kinematics,
-                           std::make_unique<const TableStore>(sum_of_orders(layers, kinematics), around));
+  return surface_of_layers(
+      layers, kinematics,
+      std::make_unique<const TableStore>(sum_of_orders(layers, kinematics), around, kinematics.needs.has_losses));
 }
 
 BodySurface surface_of_layers(const LayeredBody& layers, const ContactKinematics& kinematics,

@@ -22,6 +22,9 @@ using Eigen::Index;
 /// 75 to 600 nodes.
 double nodes_along(const RollingPair& pair) { return pair.body->form().is_line() ? 600.0 : 75.0; }
 
+/// Error of the compliance due to the inertia that the correction, a ratio of torques, tolerates.
+constexpr double kInertiaError = 1e-4;
+
 /// Whether the torque is round-off.
 bool is_lossless(const Result& result) {
   constexpr double kRoundOff = 1e-9;
@@ -98,7 +101,8 @@ std::shared_ptr<const MeshModel> FasterModel::on(const Mesh& mesh, const Rolling
   const auto lock = lock_watched(mutex_, given.execution.watch, "waiting for another thread's tables");
   if (!model_ || model_->mesh != mesh) {
     const PairAtSpeed faster = at_speed(given.pair, kRatio * given.pair.angular_speed);
-    model_ = std::make_shared<const MeshModel>(make_model(faster, mesh, given.options.curvature, given.execution));
+    model_ = std::make_shared<const MeshModel>(make_model(faster, mesh, given.options.curvature, given.execution,
+                                                          {.inertia_tolerance = kInertiaError, .has_losses = false}));
   }
   return model_;
 }
@@ -120,7 +124,9 @@ void set_finite_strain(Result& result, std::optional<Result> rough, const Rollin
     if (!rough && result.overspeed) rough = result;
     if (!rough) {
       const Mesh mesh = coarsened(result, given.pair);
-      rough = solve_on(make_model(given.pair, mesh, given.options.curvature, given.execution), true);
+      rough = solve_on(
+          make_model(given.pair, mesh, given.options.curvature, given.execution, {.inertia_tolerance = kInertiaError}),
+          true);
     }
     if (!rough->overspeed) return;
     const double speed_ratio = 1.0 + *rough->overspeed;

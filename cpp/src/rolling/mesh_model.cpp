@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/invalid_speed.hpp"
 #include "base/validate.hpp"
 #include "modal/centrifugal.hpp"
 
@@ -48,10 +49,10 @@ void require_room_for_growth(const PairAtSpeed& pair) {
   const double along = growth.own * own.along + growth.met() * on.along;
   const double across = is_tread ? 1.0 : growth.own * own.across + growth.met() * on.across;
   if (along > 0.0 && (pair.body->form().is_line() || across > 0.0)) return;
-  reject("angular_speed",
-         "so low that the " + std::string(pair.body->name()) + " does not grow to fill the counterbody",
-         text(pair.angular_speed) + " rad/s (centrifugal growth of the radius by a fraction of " +
-             rounded(growth.own - 1.0) + ")");
+  throw InvalidSpeed(
+      pair.angular_speed,
+      {.before = "so low that the " + std::string(pair.body->name()) + " does not grow to fill the counterbody",
+       .remark = " (centrifugal growth of the radius by a fraction of " + rounded(growth.own - 1.0) + ")"});
 }
 
 }  // namespace
@@ -71,9 +72,8 @@ PairAtSpeed at_speed(const RollingPair& pair, double angular_speed) {
 }
 
 MeshModel make_model(const PairAtSpeed& pair, const Mesh& mesh, Curvature curvature, const Execution& execution,
-                     double inertia_tolerance) {
-  const ContactKinematics kinematics =
-      kinematics_of(pair, pair.angular_speed, mesh, curvature, execution, inertia_tolerance);
+                     const TableNeeds& needs) {
+  const ContactKinematics kinematics = kinematics_of(pair, pair.angular_speed, mesh, curvature, execution, needs);
   BodySurface own = pair.body->surface(kinematics);
   BodySurface counterbody = pair.on->surface(kinematics);
   return {.pair = pair,
@@ -82,6 +82,7 @@ MeshModel make_model(const PairAtSpeed& pair, const Mesh& mesh, Curvature curvat
           .own = std::move(own.tables),
           .counterbody = std::move(counterbody.tables),
           .stiffest_modulus = std::max(own.stiffest_modulus, counterbody.stiffest_modulus),
+          .has_losses = needs.has_losses,
           .collocation = stable_collocation(own.normal + counterbody.normal, own.along + counterbody.along)};
 }
 

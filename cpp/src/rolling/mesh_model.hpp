@@ -43,6 +43,7 @@ struct MeshModel {
   std::unique_ptr<const SurfaceTables> own;          ///< of the rolling body; null if it is rigid
   std::unique_ptr<const SurfaceTables> counterbody;  ///< of the counterbody; null if it is rigid
   double stiffest_modulus;                           ///< largest shear modulus of a layer at the highest harmonic [Pa]
+  bool has_losses;                                   ///< whether the dissipation is evaluated
   double collocation;  ///< where displacements are evaluated, see `SurfaceOperator::collocation` [spacings]
   std::shared_ptr<SharedStarts> starts = std::make_shared<SharedStarts>();  ///< of load cases with friction
 };
@@ -52,9 +53,9 @@ struct MeshModel {
 /// @param[in] mesh spacing and truncation
 /// @param[in] curvature curvature terms retained in the layer equations
 /// @param[in] execution threads, progress and cancellation
-/// @param[in] inertia_tolerance largest relative error of the compliance due to the truncated expansion in inertia
+/// @param[in] needs results for which tables are computed
 /// @throws InvalidInput for bad input and critical speeds
 [[nodiscard]] MeshModel make_model(const PairAtSpeed& pair, const Mesh& mesh, Curvature curvature,
-                                   const Execution& execution, double inertia_tolerance = kInertiaTolerance);
+                                   const Execution& execution, const TableNeeds& needs = {});
 
 }  // namespace viscoroll::detail

@@ -150,8 +150,8 @@ class Refiner {
   /// Solve on the next mesh. @return whether another mesh is to follow
   [[nodiscard]] bool advance() {
     try {
-      const MeshModel model =
-          make_model(given_.pair, mesh_, options_.curvature, given_.execution, kInertiaShare * options_.accuracy);
+      const MeshModel model = make_model(given_.pair, mesh_, options_.curvature, given_.execution,
+                                         {.inertia_tolerance = kInertiaShare * options_.accuracy});
       const auto seen = best_ ? std::optional(contact_reach(*best_)) : std::nullopt;
       Options options = options_;
       options.finite_strain = options_.finite_strain && (!rough_ || given_.pair.body->form().is_line());

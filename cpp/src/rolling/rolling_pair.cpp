@@ -108,15 +108,11 @@ SurfaceMotion motion_of(const RollingPair& pair, double angular_speed, Curvature
 }
 
 ContactKinematics kinematics_of(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
-                                const Execution& execution, double inertia_tolerance) {
+                                const Execution& execution, const TableNeeds& needs) {
   const Nodes nodes = pair.body->nodes(mesh, *pair.on);
   const double theta_spacing = nodes.grid.theta_spacing;
-  return {motion_of(pair, angular_speed, curvature),
-          mesh,
-          theta_spacing,
-          (nodes.widest.theta.count() - 1) * theta_spacing,
-          inertia_tolerance,
-          execution};
+  return {motion_of(pair, angular_speed, curvature),        mesh,  theta_spacing,
+          (nodes.widest.theta.count() - 1) * theta_spacing, needs, execution};
 }
 
 double relative_radius(const RollingPair& pair) {

@@ -32,10 +32,9 @@ struct RollingPair {
 /// @param[in] mesh spacing and truncation
 /// @param[in] curvature curvature terms retained in the layer equations
 /// @param[in] execution threads, progress and cancellation
-/// @param[in] inertia_tolerance largest relative error of the compliance due to the truncated expansion in inertia
+/// @param[in] needs results for which tables are computed
 [[nodiscard]] ContactKinematics kinematics_of(const RollingPair& pair, double angular_speed, const Mesh& mesh,
-                                              Curvature curvature, const Execution& execution,
-                                              double inertia_tolerance);
+                                              Curvature curvature, const Execution& execution, const TableNeeds& needs);
 
 /// @return relative radius R along the path, 1/R = 1/R_1 + 1/R_2 [m]
 [[nodiscard]] double relative_radius(const RollingPair& pair);

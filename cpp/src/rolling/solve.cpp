@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/invalid_speed.hpp"
 #include "base/parallel.hpp"
 #include "base/validate.hpp"
 #include "rolling/contact_setup.hpp"
@@ -20,6 +21,21 @@
 namespace viscoroll {
 namespace {
 
+detail::GivenSpeed given_speed(const LoadCase& load_case) {
+  if (load_case.speed) return {.parameter = "speed", .value = *load_case.speed, .unit = "m/s"};
+  return {.parameter = "angular_speed", .value = load_case.angular_speed, .unit = "rad/s"};
+}
+
+void require_speed(const LoadCase& load_case) {
+  const detail::GivenSpeed given = given_speed(load_case);
+  detail::require_positive(given.parameter, given.value, given.unit);
+}
+
+/// Angular speed at which linear theory is solved [rad/s].
+double angular_speed_of(const LoadCase& load_case, const detail::RoundBody& body) {
+  return load_case.speed ? *load_case.speed / body.radius() : load_case.angular_speed;
+}
+
 void validate(const LoadCase& load_case, const detail::RoundBody& body) {
   if (load_case.load && load_case.penetration) {
     detail::reject("penetration", "left out if the load is given", detail::text(*load_case.penetration) + " m");
@@ -31,16 +47,14 @@ void validate(const LoadCase& load_case, const detail::RoundBody& body) {
   } else {
     detail::reject("load", "given, or penetration instead of it", "neither");
   }
+  require_speed(load_case);
   if (load_case.speed) {
-    detail::require_positive("speed", *load_case.speed, "m/s");
     if (load_case.angular_speed != 0.0) {
       detail::reject("speed", "left out if the angular speed is given", detail::text(*load_case.speed) + " m/s");
     }
     if (load_case.friction != 0.0) {
       detail::reject("speed", "left out with friction, which determines it", detail::text(*load_case.speed) + " m/s");
     }
-  } else {
-    detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
   }
   detail::require_friction(load_case.friction);
   detail::validate_drive(load_case, body);
@@ -56,7 +70,7 @@ void validate(const Options& options) {
 /// A checked load case whose speed is expressed as the angular speed of linear theory.
 LoadCase checked(LoadCase load_case, const detail::RoundBody& body) {
   validate(load_case, body);
-  if (load_case.speed) load_case.angular_speed = *load_case.speed / body.radius();
+  load_case.angular_speed = angular_speed_of(load_case, body);
   return load_case;
 }
 
@@ -96,21 +110,25 @@ Result solve(const RollingBody& body, const LoadCase& load_case, const Options& 
 }
 
 Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& load_case, const Options& options) {
-  const auto [pair, at_speed] = checked(body, on, load_case, options);
-  detail::Watch watch(options.observer);
-  const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
-  if (!options.mesh) return with_warnings(detail::solve_to_accuracy(given), given, false);
-  detail::FasterModel faster;
-  return with_warnings(solve_on(model_on_given_mesh(given), given, faster), given, true);
+  return detail::with_given_speed(given_speed(load_case), [&] {
+    const auto [pair, at_speed] = checked(body, on, load_case, options);
+    detail::Watch watch(options.observer);
+    const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
+    if (!options.mesh) return with_warnings(detail::solve_to_accuracy(given), given, false);
+    detail::FasterModel faster;
+    return with_warnings(solve_on(model_on_given_mesh(given), given, faster), given, true);
+  });
 }
 
 Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
                     const FrozenContact& state, const Options& options) {
-  const auto [pair, at_speed] = checked(body, on, load_case, options);
-  if (!options.mesh) detail::reject("mesh", "the mesh of the state", "none");
-  detail::Watch watch(options.observer);
-  const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
-  return with_warnings(detail::solve_frozen_case(model_on_given_mesh(given), given, state), given, true);
+  return detail::with_given_speed(given_speed(load_case), [&] {
+    const auto [pair, at_speed] = checked(body, on, load_case, options);
+    if (!options.mesh) detail::reject("mesh", "the mesh of the state", "none");
+    detail::Watch watch(options.observer);
+    const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
+    return with_warnings(detail::solve_frozen_case(model_on_given_mesh(given), given, state), given, true);
+  });
 }
 
 struct RollingModel::Impl {
@@ -123,14 +141,24 @@ RollingModel::RollingModel(const RollingBody& body, double angular_speed, const 
     : RollingModel(body, CoatedPlane{}, angular_speed, mesh, threads, curvature, observer) {}
 
 RollingModel::RollingModel(const RollingBody& body, const Counterbody& on, double angular_speed, const Mesh& mesh,
+                           int threads, Curvature curvature, const Observer& observer)
+    : RollingModel(body, on, LoadCase{.angular_speed = angular_speed}, mesh, threads, curvature, observer) {}
+
+RollingModel::RollingModel(const RollingBody& body, const Counterbody& on, const GroundSpeed& speed, const Mesh& mesh,
+                           int threads, Curvature curvature, const Observer& observer)
+    : RollingModel(body, on, LoadCase{.speed = speed.speed}, mesh, threads, curvature, observer) {}
+
+RollingModel::RollingModel(const RollingBody& body, const Counterbody& on, const LoadCase& speed, const Mesh& mesh,
                            int threads, Curvature curvature, const Observer& observer) {
   const detail::RollingPair pair = detail::rolling_pair(body, on);
   viscoroll::validate(mesh);
-  detail::require_positive("angular_speed", angular_speed, "rad/s");
+  require_speed(speed);
   detail::require_thread_count(threads);
   detail::Watch watch(observer);
-  impl_ = std::make_unique<Impl>(
-      detail::make_model(detail::at_speed(pair, angular_speed), mesh, curvature, {threads, watch}));
+  impl_ = detail::with_given_speed(given_speed(speed), [&] {
+    const detail::PairAtSpeed at = detail::at_speed(pair, angular_speed_of(speed, *pair.body));
+    return std::make_unique<Impl>(detail::make_model(at, mesh, curvature, {threads, watch}));
+  });
 }
 
 RollingModel::~RollingModel() = default;
@@ -144,8 +172,8 @@ Result RollingModel::solve(const LoadCase& load_case, const Options& options) co
   constexpr double kRoundOff = 1e-12;  // of V / r_o
   if (at_speed.speed && std::abs(at_speed.angular_speed - speed) < kRoundOff * speed) at_speed.angular_speed = speed;
   if (at_speed.angular_speed != speed) {
-    detail::reject("angular_speed", "the speed of the model, " + detail::text(speed) + " rad/s",
-                   detail::text(at_speed.angular_speed) + " rad/s");
+    throw detail::InvalidSpeed(at_speed.angular_speed, {.before = "the speed of the model, ", .limit = speed})
+        .stated_for(given_speed(load_case));
   }
   if (options.mesh && *options.mesh != impl_->model.mesh) {
     detail::reject("mesh", "left out or equal to the mesh of the model", "another mesh");
@@ -153,8 +181,10 @@ Result RollingModel::solve(const LoadCase& load_case, const Options& options) co
   detail::Watch watch(options.observer);
   Options own = options;
   own.curvature = impl_->model.curvature;
-  const detail::RollingCase given = detail::rolling_case(impl_->model.pair, at_speed, own, watch);
-  return with_warnings(solve_on(impl_->model, given, impl_->faster), given, true);
+  return detail::with_given_speed(given_speed(load_case), [&] {
+    const detail::RollingCase given = detail::rolling_case(impl_->model.pair, at_speed, own, watch);
+    return with_warnings(solve_on(impl_->model, given, impl_->faster), given, true);
+  });
 }
 
 }  // namespace viscoroll

@@ -26,6 +26,45 @@ std::vector<TableRequest> requests(const Formulation& formulation, TableKind kin
   return {};
 }
 
+/// Smallest part of a window that contains two lists of nodes.
+class Box {
+ public:
+  Box(const WindowShape& window, const std::vector<Eigen::Index>& first, const std::vector<Eigen::Index>& second)
+      : columns_(window.theta_nodes) {
+    Eigen::Index last_row = -1;
+    Eigen::Index last_column = -1;
+    first_row_ = window.phi_nodes;
+    first_column_ = columns_;
+    for (const auto* nodes : {&first, &second}) {
+      for (const Eigen::Index node : *nodes) {
+        first_row_ = std::min(first_row_, node / columns_);
+        last_row = std::max(last_row, node / columns_);
+        first_column_ = std::min(first_column_, node % columns_);
+        last_column = std::max(last_column, node % columns_);
+      }
+    }
+    shape_.phi_nodes = static_cast<int>(last_row - first_row_ + 1);
+    shape_.theta_nodes = static_cast<int>(last_column - first_column_ + 1);
+  }
+
+  [[nodiscard]] const WindowShape& shape() const { return shape_; }
+
+  /// @return numbers in this part of nodes of the window
+  [[nodiscard]] std::vector<Eigen::Index> numbers(const std::vector<Eigen::Index>& nodes) const {
+    std::vector<Eigen::Index> own(nodes.size());
+    std::ranges::transform(nodes, own.begin(), [&](Eigen::Index node) {
+      return (node / columns_ - first_row_) * shape_.theta_nodes + node % columns_ - first_column_;
+    });
+    return own;
+  }
+
+ private:
+  Eigen::Index columns_;  // of the window
+  Eigen::Index first_row_ = 0;
+  Eigen::Index first_column_ = 0;
+  WindowShape shape_{};
+};
+
 /// Whether the tables of forward displacements are not among those of the contact.
 bool has_forward_tables(const Formulation& formulation) {
   return formulation.compliance == Compliance::radial && formulation.patch_load == PatchLoad::flat &&
@@ -53,25 +92,29 @@ Eigen::ArrayXd TableStore::forward_displacement(const SurfaceWindow& nodes, cons
   if (!has_forward_tables(formulation)) {
     return SurfaceTables::forward_displacement(nodes, formulation, displaced, force, execution);
   }
-  const auto [phi_nodes, theta_nodes] = nodes.shape();
   std::vector<Eigen::Index> loaded;
   for (Eigen::Index node = 0; node < force.rows(); ++node) {
     if (force(node, kDown) != 0.0) loaded.push_back(node);
   }
+  // The window is larger than the contact, and tables of its size take longer.
+  const Box box(nodes.shape(), loaded, displaced);
   const auto product = [&](TableKind kind) {
-    return TableProduct(nodes.shape(), tables(formulation, kind, phi_nodes - 1, theta_nodes - 1, execution), {});
+    return TableProduct(
+        box.shape(), tables(formulation, kind, box.shape().phi_nodes - 1, box.shape().theta_nodes - 1, execution), {});
   };
   const TableProduct normal = product(TableKind::displacement);
   const TableProduct mixed = product(TableKind::forward);
   const Eigen::VectorXd load = force.col(kDown)(loaded);
+  const std::vector<Eigen::Index> sources = box.numbers(loaded);
+  const std::vector<Eigen::Index> targets = box.numbers(displaced);
   const double sign = entry_of(1, 0).sign;
   Eigen::ArrayXd forward(static_cast<Eigen::Index>(displaced.size()));
-  for (Eigen::Index i = 0; i < forward.size(); ++i) {
-    const std::vector<Eigen::Index> node{displaced[static_cast<std::size_t>(i)]};
-    const double radial = (normal.between(0, node, loaded) * load).value();
-    const double along = sign * (mixed.between(0, node, loaded) * load).value();
+  for (std::size_t i = 0; i < displaced.size(); ++i) {
+    const std::vector<Eigen::Index> node{targets[i]};
+    const double radial = (normal.between(0, node, sources) * load).value();
+    const double along = sign * (mixed.between(0, node, sources) * load).value();
     // A radial displacement moves the surface forward, since x is -phi; see `load_directions`.
-    forward[i] = nodes.x()[node.front()] / nodes.grid().radius * radial - along;
+    forward[static_cast<Eigen::Index>(i)] = nodes.x()[displaced[i]] / nodes.grid().radius * radial - along;
   }
   return forward;
 }
@@ -87,7 +130,7 @@ TableOperator::Tables TableStore::tables(const Formulation& formulation, TableKi
   }
   constexpr std::array kAll{TableKind::displacement, TableKind::dissipation, TableKind::forward};
   const std::span<const TableKind> all(kAll.begin(), has_forward_tables(formulation) ? 3 : 2);
-  const bool together = std::max(phi_reach, theta_reach) <= kShortReach;
+  const bool together = has_losses_ && std::max(phi_reach, theta_reach) <= kShortReach;
   add(formulation, together ? all : std::span(&kind, 1), phi_reach, theta_reach, execution);
   return find(formulation, kind)->tables;
 }

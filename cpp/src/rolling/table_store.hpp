@@ -26,7 +26,9 @@ class TableStore final : public SurfaceTables {
  public:
   /// @param[in] sum computes the tables
   /// @param[in] mesh mesh whose revolution limits the reach of the tables
-  TableStore(std::unique_ptr<const TableSum> sum, const Mesh& mesh) : sum_(std::move(sum)), mesh_(mesh) {}
+  /// @param[in] has_losses whether tables of the dissipation will probably be needed
+  TableStore(std::unique_ptr<const TableSum> sum, const Mesh& mesh, bool has_losses)
+      : sum_(std::move(sum)), mesh_(mesh), has_losses_(has_losses) {}
 
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_on(const SurfaceWindow& nodes,
                                                                    const Formulation& formulation,
@@ -58,6 +60,7 @@ class TableStore final : public SurfaceTables {
 
   std::unique_ptr<const TableSum> sum_;
   Mesh mesh_;
+  bool has_losses_;
   mutable std::timed_mutex mutex_;
   mutable std::vector<TableSet> sets_;  // the widest one for each formulation and kind
 };

@@ -122,7 +122,8 @@ std::optional<WindowContact> solve_in_window(const ContactSetup& setup, const Wi
     ContactSolution whole = extended(located, problem);
     const bool overclosed = least_gap_outside(located.window(), whole.gap, window) < -kOverclosure * whole.penetration;
     if (!boxed || !(at_edge || overclosed)) {
-      const Losses losses = located.problem.surface->dissipation(located.contact.force);
+      const Losses losses =
+          setup.model.has_losses ? located.problem.surface->dissipation(located.contact.force) : Losses{};
       require_contact(setup, setup.load_case.friction, whole.penetration);
       return WindowContact{
           .nodes = nodes, .problem = std::move(problem), .contact = std::move(whole), .losses = losses};
@@ -147,7 +148,7 @@ bool holds_contact_roughly(const ContactSetup& setup, const HalfWidths& half, bo
     options.patch_load = PatchLoad::flat;
     if (curvature == Curvature::exact) curvature = Curvature::sphere;
   }
-  const MeshModel rough = make_model(setup.pair, mesh, curvature, setup.execution);
+  const MeshModel rough = make_model(setup.pair, mesh, curvature, setup.execution, {.has_losses = false});
   LoadCase pressed = setup.load_case;
   pressed.friction = 0.0;
   pressed.drive = {};

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <deque>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/recent_cache.hpp"
 #include "modal/layer_stack.hpp"
 
 namespace viscoroll::detail {
@@ -83,10 +82,10 @@ std::optional<std::vector<SectionMedium<double>>> real_media(const std::vector<S
 /// Largest number of cached treads. A study that alternates among a few treads then finds all of them in the cache. A
 /// tread takes a few megabytes, or about ten times as much if its layers have different relaxation functions.
 constexpr std::size_t kMaxTreads = 8;
-constexpr Eigen::Index kMaxCacheSize = 16777216;  // largest number of complex numbers in the cache, 256 MB
+constexpr std::size_t kMaxCacheSize = 16777216;  // largest number of complex numbers in the cache, 256 MB
 
-/// All numbers that determine the difference between a tread with faces and an unbounded one.
-using Key = std::vector<double>;
+using Treads = RecentCache<std::vector<SampledDifference>>;
+using Key = Treads::Key;
 
 Key key_of(const CoatedWheel& wheel, bool tangential, const std::vector<double>& key_numbers) {
   Key key{tangential ? 1.0 : 0.0, wheel.core_radius, wheel.width, wheel.crown_radius,
@@ -96,52 +95,17 @@ Key key_of(const CoatedWheel& wheel, bool tangential, const std::vector<double>&
   return key;
 }
 
-/// Whether two keys are equal to within the round-off of ratios of moduli. An infinite number, such as the crown radius
-/// of a flat tread, only equals another infinite number of the same sign.
-bool are_equal(const Key& first, const Key& second) {
-  constexpr double kRoundOff = 1e-12;
-  return std::ranges::equal(first, second, [](double a, double b) {
-    return a == b || std::abs(a - b) <= kRoundOff * std::max(std::min(std::abs(a), std::abs(b)), 1.0);
-  });
+/// Number of complex numbers in differences.
+std::size_t size_of(const std::vector<SampledDifference>& differences) {
+  Eigen::Index sum = 0;
+  for (const SampledDifference& one : differences) {
+    for (const Eigen::MatrixXcd& part : one.parts) sum += part.size();
+  }
+  return static_cast<std::size_t>(sum);
 }
 
-using Differences = std::shared_ptr<const std::vector<SampledDifference>>;
-
-/// Differences of the treads that were computed last. Thread-safe.
-class TreadCache {
- public:
-  [[nodiscard]] Differences find(const Key& key) {
-    const std::scoped_lock lock(mutex_);
-    const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) { return are_equal(entry.first, key); });
-    return found == entries_.end() ? nullptr : found->second;
-  }
-
-  void add(Key key, Differences differences) {
-    const std::scoped_lock lock(mutex_);
-    entries_.emplace_front(std::move(key), std::move(differences));
-    while (entries_.size() > 1 && (entries_.size() > kMaxTreads || size() > kMaxCacheSize)) entries_.pop_back();
-  }
-
- private:
-  using Entry = std::pair<Key, Differences>;
-
-  /// Number of complex numbers in the cache.
-  [[nodiscard]] Eigen::Index size() const {
-    Eigen::Index sum = 0;
-    for (const auto& [key, differences] : entries_) {
-      for (const SampledDifference& one : *differences) {
-        for (const Eigen::MatrixXcd& part : one.parts) sum += part.size();
-      }
-    }
-    return sum;
-  }
-
-  std::mutex mutex_;
-  std::deque<Entry> entries_;  // the most recently added first
-};
-
-TreadCache& treads() {
-  static TreadCache store;
+Treads& treads() {
+  static Treads store(kMaxTreads, kMaxCacheSize);
   return store;
 }
 
@@ -257,13 +221,14 @@ SampledDifference SideDifference::sampled(const HarmonicBody& body, int threads,
   return result;
 }
 
-Differences cached_differences(const CoatedWheel& wheel, bool tangential, const std::vector<double>& key_numbers,
-                               const std::function<std::vector<SampledDifference>()>& compute) {
+std::shared_ptr<const std::vector<SampledDifference>> cached_differences(
+    const CoatedWheel& wheel, bool tangential, const std::vector<double>& key_numbers,
+    const std::function<std::vector<SampledDifference>()>& compute) {
   Key key = key_of(wheel, tangential, key_numbers);
   if (auto cached = treads().find(key)) return cached;
   // The computation does not hold the lock, so that other threads can use the cache meanwhile.
   auto differences = std::make_shared<const std::vector<SampledDifference>>(compute());
-  treads().add(std::move(key), differences);
+  treads().add(std::move(key), differences, size_of(*differences));
   return differences;
 }
 

@@ -58,7 +58,7 @@ BodySpectrum checked_spectrum(const Body& body, std::string_view prefix, const C
 /// Elastic layers without inertia have the same tables at any speed.
 ContactKinematics kinematics_at_rest(const RollingPair& pair, const HistoryOptions& options, Watch& watch) {
   constexpr double kAnySpeed = 1.0;
-  return kinematics_of(pair, kAnySpeed, *options.mesh, options.curvature, {options.threads, watch}, kInertiaTolerance);
+  return kinematics_of(pair, kAnySpeed, *options.mesh, options.curvature, {options.threads, watch}, {});
 }
 
 /// Number of rows around one of the two bodies. A body that turns beside another one need not have a whole number of

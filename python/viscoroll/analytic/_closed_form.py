@@ -15,7 +15,7 @@ from .low_speed import loss_time
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from ..bodies import Layer
+    from ..bodies import HalfSpace, Layer
     from ..materials.modulus_like import ShearModulusLike
 
 __all__ = [
@@ -84,7 +84,7 @@ def shared_loss_time(layers: Sequence[Layer]) -> float | None:
     return times[0] if np.allclose(times, times[0], rtol=1e-9, atol=0.0) else None
 
 
-def relaxed_constants(layer: Layer) -> tuple[float, float]:
+def relaxed_constants(layer: Layer | HalfSpace) -> tuple[float, float]:
     """Return the relaxed shear modulus [Pa] and Poisson's ratio of a layer, at zero frequency."""
     modulus = float(complex_modulus(layer.shear_modulus, 0.0).real)
     if layer.poisson_ratio is not None:

@@ -13,7 +13,7 @@ import numpy as np
 from .._core import InnerBoundary
 from .._support.arguments import as_float_array, require_type
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Counterbody, Layer, RollingBody
-from ..bodies.layered import LayeredBody, materials_of
+from ..bodies.layered import materials_of
 from ..materials.modulus_like import standard_linear_solid_of
 from ._at_rest import Coating, reach_at_rest
 from ._closed_form import (
@@ -50,7 +50,6 @@ _STIFF = 1e3
 #: Thickness of the layer that replaces a half-space, divided by the radius.
 _DEEP = 1e6
 
-_Body = TypeVar("_Body", bound=LayeredBody)
 _Round = TypeVar("_Round", CoatedSphere, CoatedCylinder)
 
 #: Closed forms by name, or None for a form that does not apply to the materials.
@@ -144,7 +143,7 @@ def _lowest_modulus(body: RollingBody | Counterbody) -> float:
     return min((relaxed_constants(material)[0] for material in materials_of(body)), default=math.inf)
 
 
-def _rigid(body: _Body) -> _Body:
+def _rigid(body: Any) -> Any:
     """Return a rigid body with the same surface."""
     values = {
         "core_radius": getattr(body, "outer_radius", None),
@@ -155,7 +154,7 @@ def _rigid(body: _Body) -> _Body:
     return replace(body, **{field.name: values[field.name] for field in fields(body) if field.name in values})
 
 
-def _on_plane(of_cover: Callable[[_Cover], _Forms], body: RollingBody, plane: CoatedPlane) -> _Forms:
+def _on_plane(of_cover: Callable[[_Cover], _Forms], body: CoatedSphere | CoatedCylinder, plane: CoatedPlane) -> _Forms:
     """Return the forms of a ball or roller on a plane, if exactly one of them is rigid."""
     if not plane.is_deformable:
         return of_cover(_cover_of(body, body.outer_radius)) if body.layers else {}
@@ -186,7 +185,7 @@ def _of_two(of_cover: Callable[[_Cover], _Forms], body: _Round, on: _Round) -> _
     return {name: form and _faster(form, body.outer_radius / radius) for name, form in forms.items()}
 
 
-def _cover_of(body: _Round, radius: float) -> _Cover:
+def _cover_of(body: CoatedSphere | CoatedCylinder, radius: float) -> _Cover:
     return _Cover(body.layers, body.thickness, radius, getattr(body, "inner_boundary", InnerBoundary.RIGID))
 
 

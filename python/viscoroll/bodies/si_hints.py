@@ -37,7 +37,7 @@ _LARGEST_SPEED = 100.0  # [rad/s]
 _SHORE = re.compile(r"= \d\d(?:\.\d+)? Pa at rest")
 
 #: Parameters that are rejected if other lengths or moduli have wrong units.
-_AFFECTED = ("load", "angular_speed")
+_AFFECTED = ("load", "angular_speed", "speed")
 
 
 def si_hint(body: _Layered, on: _Layered | None = None) -> str:

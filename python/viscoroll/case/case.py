@@ -265,12 +265,7 @@ class Case:
 
     def strain_softening(self, **options: Any) -> StrainSoftening:
         """Solve the case with the strain at which the layers soften. `options` go to `viscoroll.strain_softening`."""
-        return strain_softening(**self._at_angular_speed(), **options)
-
-    def _at_angular_speed(self) -> dict[str, Any]:
-        """Return the arguments of functions that take no `speed`."""
-        given = {name: value for name, value in self.arguments().items() if name != "speed"}
-        return given | {"angular_speed": self.angular_speed}
+        return strain_softening(**self.arguments(), **options)
 
     def self_heating(self, **options: Any) -> SelfHeating:
         """Compute the steady states of temperature and torque of a case whose table [thermal] has a shift.
@@ -287,7 +282,7 @@ class Case:
                 )
         self.given_load()
         cooling = {name: value for name, value in self.thermal if name not in ("of", "base_convection", "period")}
-        return self_heating(**self._at_angular_speed(), **cooling, **options)
+        return self_heating(**self.arguments(), **cooling, **options)
 
 
 def load_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case:

@@ -7,6 +7,8 @@ from operator import or_
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeAlias
 
+import numpy as np
+
 from .._support.extras import extra
 from ..ground import Axle, Profile
 from .tables import FileName, Table
@@ -29,7 +31,7 @@ def _points(*, distance: list[float], height: list[float], periodic: bool = Fals
     periodic : bool, optional
         Whether the profile repeats.
     """
-    return Profile(distance, height, periodic)
+    return Profile(np.array(distance), np.array(height), periodic)
 
 
 def _measured(*, file: Path, lateral: float = 0.0, periodic: bool = False) -> Profile:

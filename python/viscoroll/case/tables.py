@@ -199,8 +199,8 @@ class Table:
         Value of the key `type`, for tables that describe one of several classes.
     make : callable, optional
         Function that makes the object instead of the class; its parameters are the keys.
-    documented_by : class, optional
-        Another class whose docstring describes the same keys.
+    documented_by : class or function, optional
+        Another class, or a function, whose docstring describes the same keys.
     **types : type
         Types of keys. Other keys may have any type.
     """
@@ -210,7 +210,7 @@ class Table:
         kind: str | None = None,
         make: Callable[..., Any] | None = None,
         *,
-        documented_by: type | None = None,
+        documented_by: Callable[..., Any] | None = None,
         **types: Any,
     ) -> None:
         self._make = make

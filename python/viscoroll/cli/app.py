@@ -38,6 +38,7 @@ from .report import write_report
 from .result_tables import (
     finite_strain_scalars,
     finite_strain_table,
+    require_finite_strain,
     table_2,
     thermal_table,
     verdict_table,
@@ -154,6 +155,8 @@ def solve(
             print_several(results)
         return
     loaded = load_case(case[0], wanted)
+    if finite_strain:
+        require_finite_strain(loaded)
     report_skipped(case[0], "solve")
     with progress_bar() as report:
         solved = solve_case(loaded, progress=report)

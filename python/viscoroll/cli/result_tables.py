@@ -8,6 +8,7 @@ from .. import paper
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.tables import handy
+from ..bodies import CoatedCylinder
 from ..solution.scalars import label_of
 from ..solution.text import with_unit
 
@@ -19,7 +20,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from .._support.progress import Report
-    from ..bodies import CoatedCylinder, RollingBody
+    from ..bodies import RollingBody
+    from ..case import Case
     from ..case.solved import SolvedCase
     from ..reproduce import Verdict
     from ..rolling import Result
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
 __all__ = [
     "finite_strain_scalars",
     "finite_strain_table",
+    "require_finite_strain",
     "table_2",
     "thermal_table",
     "verdict_table",
@@ -79,6 +82,25 @@ def table_2(torques: dict[tuple[int, int], float]) -> Table:
     return table
 
 
+def require_finite_strain(case: Case) -> None:
+    """Raise an error unless `--finite-strain` can solve the bodies and the motion of a case."""
+    if not isinstance(case.body, CoatedCylinder):
+        raise InvalidInput(
+            "--finite-strain",
+            "must be left out unless the case has a roller, the table [cylinder]: finite elements at finite strain "
+            "solve rollers only",
+            f"a {case.body.noun}",
+        )
+    if case.on is not None and case.on.is_deformable:
+        raise InvalidInput(
+            "--finite-strain",
+            "must be left out unless the counterbody is rigid: finite elements at finite strain deform the roller only",
+            f"a {case.on.noun} with layers or a base",
+        )
+    if case.friction > 0.0:
+        raise InvalidInput("rolling.friction", "must be 0 with --finite-strain", f"{case.friction:g}")
+
+
 def finite_strain_scalars(result: Result, *, progress: Report) -> FiniteStrainRows:
     """Return unit and value of finite elements, corrected linear theory and linear theory for every compared quantity.
 
@@ -87,15 +109,16 @@ def finite_strain_scalars(result: Result, *, progress: Report) -> FiniteStrainRo
     """
     from .. import finite_strain
 
-    if result.friction > 0.0:
-        raise InvalidInput("rolling.friction", "must be 0 with --finite-strain", f"{result.friction:g}")
-    found = finite_strain.solve(
-        cast("CoatedCylinder", result.body),  # finite_strain.solve rejects other bodies
-        on=result.on,
-        **{result.prescribed: getattr(result, result.prescribed)},
-        angular_speed=result.finite_strain_angular_speed or result.angular_speed,
-        progress=progress,
-    )
+    try:
+        found = finite_strain.solve(
+            cast("CoatedCylinder", result.body),  # require_finite_strain rejects other bodies
+            on=result.on,
+            **{result.prescribed: getattr(result, result.prescribed)},
+            angular_speed=result.finite_strain_angular_speed or result.angular_speed,
+            progress=progress,
+        )
+    except InvalidInput as error:
+        raise error.with_more("required by --finite-strain") from None
     linear = {name: getattr(result, name) for name in _COMPARED if name != "overspeed"}
     corrected = {"resisting_torque": result.finite_strain_torque, "overspeed": result.overspeed}
     return {

@@ -23,6 +23,7 @@ from .._support.result_warnings import silenced, warn
 from .._support.tables import handy, html_table, number_text
 from ..bodies import RollingBody
 from ..materials.shift import Shift
+from ..rolling.steady import solved_speed
 from ..thermal.temperature import QUANTITIES, Core, temperature_warnings
 from .softening_result import NetworkLoss, as_network_loss
 from .steady_states import Fold, StateSearch, SteadyState
@@ -182,7 +183,8 @@ def self_heating(
     body: RollingBody,
     *,
     load: float,
-    angular_speed: float,
+    angular_speed: float | None = None,
+    speed: float | None = None,
     convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]],
     ambient: float,
     shift: Shift | Sequence[Shift],
@@ -206,8 +208,10 @@ def self_heating(
     ----------
     body : CoatedSphere or CoatedCylinder or CoatedWheel
         Rolling body, with moduli at the reference temperature of `shift`.
-    load, angular_speed : float
-        Load and angular speed, same as in `solve`.
+    load : float
+        Load, same as in `solve`.
+    angular_speed, speed : float, optional
+        Angular speed, or speed of the ground instead of it, same as in `solve`.
     convection, ambient, conductivity, core, core_temperature, width, side_convection, hub_conductance
         Same as in `Result.temperature`.
     shift : callable or sequence of callable
@@ -285,7 +289,8 @@ def self_heating(
         shifts=[each for each in shifts for _ in range(parts)],
         vertical=vertical_shift,
         load=as_float("load", load),
-        angular_speed=as_float("angular_speed", angular_speed),
+        angular_speed=solved_speed(body, angular_speed, speed),
+        ground_speed=speed,
         softening=as_network_loss("softening", softening),
         thermal={
             "conductivity": _repeated(conductivity, parts),

@@ -14,6 +14,7 @@ from ..bodies import Counterbody, HalfSpace, Layer, RollingBody
 from ..bodies.layered import materials_of, with_materials
 from ..materials.softening import depends_on_strain
 from ..rolling import solve
+from ..rolling.steady import solved_speed
 from ..solution.text import result_warnings
 from .softened_state import SofteningLayer, State
 from .softening_result import NetworkLoss, StrainSoftening, as_network_loss
@@ -34,7 +35,8 @@ def strain_softening(
     *,
     on: Counterbody | None = None,
     load: float | None = None,
-    angular_speed: float,
+    angular_speed: float | None = None,
+    speed: float | None = None,
     loss: NetworkLoss = "network",
     sublayers: int = 1,
     depths: int = 4,
@@ -49,7 +51,7 @@ def strain_softening(
 
     Parameters
     ----------
-    body, on, load, angular_speed
+    body, on, load, angular_speed, speed
         Same as in `solve`. Layers of either body, and the base of a plane, may soften.
     loss : {"network", "harmonic"}, default "network"
         Loss of the network. "network": that of a rate-independent network, which depends only on the turning points of
@@ -115,7 +117,7 @@ def strain_softening(
     layers = softening_layers(body, on)
     if not layers:
         return _linear_result(
-            solve(body, on=on, load=load, angular_speed=angular_speed, progress=progress, **options), loss
+            solve(body, on=on, load=load, angular_speed=angular_speed, speed=speed, progress=progress, **options), loss
         )
     body, on = _with_sublayers(body, parts), None if on is None else _with_sublayers(on, parts)
     layers = softening_layers(body, on)
@@ -125,8 +127,8 @@ def strain_softening(
             on=on,
             layers=layers,
             load=None if load is None else as_float("load", load),
-            angular_speed=as_float("angular_speed", angular_speed),
-            options=dict(options),
+            angular_speed=solved_speed(body, angular_speed, speed),
+            options=options | ({"angular_speed": angular_speed} if speed is None else {"speed": speed}),
             depths=columns,
             report=report,
         )

@@ -187,7 +187,6 @@ class SofteningSearch:
                 body,
                 on=None if on is None else _with_moduli(on, "counterbody", moduli),
                 load=self.load,
-                angular_speed=self.angular_speed,
                 **(self.options | options),
             )
 

@@ -13,6 +13,7 @@ from .._support.errors import Range
 from .._support.progress import Report
 from .._support.quantities import quantity_text
 from .._support.result_warnings import silenced
+from .._support.units import UNITS
 from ..bodies import RollingBody
 from ..materials.shift import Shift, scaled, shift_factor, shifted
 from ..rolling import solve
@@ -124,6 +125,7 @@ class StateSearch:
     vertical: Shift | None
     load: float
     angular_speed: float
+    ground_speed: float | None
     softening: NetworkLoss
     thermal: dict[str, Any]
     options: dict[str, Any]
@@ -161,9 +163,15 @@ class StateSearch:
     def _solved(self, body: RollingBody, load: float, speed: float) -> tuple[Result, StrainSoftening | None]:
         """Return the contact of a body; layers that soften have the moduli at the strain of the solution."""
         if not softens(body, self.options.get("on")):
-            return solve(body, load=load, angular_speed=speed, **self.options), None
-        soft = strain_softening(body, load=load, angular_speed=speed, loss=self.softening, **self.options)
+            return solve(body, load=load, **self._as_given(speed), **self.options), None
+        soft = strain_softening(body, load=load, **self._as_given(speed), loss=self.softening, **self.options)
         return soft.result, soft
+
+    def _as_given(self, angular_speed: float) -> dict[str, Any]:
+        """Return an angular speed as an argument of `solve`: as the speed of the ground if that was given."""
+        if self.ground_speed is None:
+            return {"angular_speed": angular_speed}
+        return {"speed": self.ground_speed * (angular_speed / self.angular_speed)}
 
     def _heated(self, temperatures: NDArray[np.float64]) -> RollingBody:
         """Return the body with the moduli at given layer temperatures."""
@@ -299,8 +307,11 @@ class StateSearch:
         rises = (self.limit - self.ambient) * np.geomspace(0.03, 1.0, 8)
         speeds = [self.speed_at(self.ambient + rise) for rise in rises]
         best = int(np.argmax(speeds))
+        name = "angular_speed" if self.ground_speed is None else "speed"
+        largest, given = (self._as_given(speed)[name] for speed in (speeds[best], self.angular_speed))
+        unit = UNITS[name]
         return (
-            f"angular_speed must be at most about {speeds[best]:.3g} rad/s for a steady temperature below "
-            f"{self.limit:g} K ({self.ambient + rises[best]:.4g} K at that speed), got {self.angular_speed:g} rad/s: "
+            f"{name} must be at most about {largest:.3g} {unit} for a steady temperature below "
+            f"{self.limit:g} K ({self.ambient + rises[best]:.4g} K at that speed), got {given:g} {unit}: "
             "rolling dissipates more heat than the surfaces remove"
         )

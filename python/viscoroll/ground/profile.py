@@ -90,7 +90,7 @@ class Profile:
             Distance of the step [m].
         """
         at, height = as_float("at", at), as_float("height", height)
-        return cls([at - _BESIDE, at, at, at + _BESIDE], [0.0, 0.0, height, height])
+        return cls(np.array([at - _BESIDE, at, at, at + _BESIDE]), np.array([0.0, 0.0, height, height]))
 
     @classmethod
     def half_sine(cls, height: float, *, length: float, at: float) -> Profile:
@@ -126,7 +126,7 @@ class Profile:
         """
         at, depth, width = as_float("at", at), as_positive("depth", depth, "m"), as_positive("width", width, "m")
         first, last = at - 0.5 * width, at + 0.5 * width
-        return cls([first, first, last, last], [0.0, -depth, -depth, 0.0])
+        return cls(np.array([first, first, last, last]), np.array([0.0, -depth, -depth, 0.0]))
 
     @classmethod
     def corrugation(cls, amplitude: float, *, period: float, at: float = 0.0) -> Profile:

@@ -17,7 +17,7 @@ from ..bodies.si_hints import si_hints
 from ..solution.text import result_warnings
 from .result import Result
 
-__all__ = ["RollingModel", "solve"]
+__all__ = ["RollingModel", "solve", "solved_speed"]
 
 
 def solve(
@@ -151,10 +151,10 @@ def solve(
     curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
-    solved_speed = _solved_speed(body, angular_speed, speed)
+    solved_at = solved_speed(body, angular_speed, speed)
     load_case = _core_load_case(load, penetration, angular_speed, speed, friction, drive)
     options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
-    with reporting(progress) as report, si_hints(body, on, angular_speed=solved_speed):
+    with reporting(progress) as report, si_hints(body, on, angular_speed=solved_at):
         solution = _core.solve(
             body._to_core(),
             core_counterbody(on),
@@ -165,7 +165,7 @@ def solve(
             progress=report,
             **options,
         )
-    return _result(solution, body, on, load_case, solved_speed, drive, curvature, options)
+    return _result(solution, body, on, load_case, solved_at, drive, curvature, options)
 
 
 class RollingModel:
@@ -223,7 +223,7 @@ class RollingModel:
         curvature = as_member("curvature", curvature, Curvature)
         self.body = body
         self.on = on
-        self.angular_speed = _solved_speed(body, angular_speed, speed)
+        self.angular_speed = solved_speed(body, angular_speed, speed)
         self.speed = speed
         self.mesh = mesh
         self.curvature = curvature
@@ -232,6 +232,7 @@ class RollingModel:
                 body._to_core(),
                 core_counterbody(on),
                 angular_speed=self.angular_speed,
+                speed=None if speed is None else as_float("speed", speed),
                 mesh=mesh._to_core(),
                 curvature=curvature,
                 threads=as_int("threads", threads),
@@ -279,7 +280,7 @@ class RollingModel:
         return _result(solution, self.body, self.on, load_case, self.angular_speed, drive, self.curvature, options)
 
 
-def _solved_speed(body: RollingBody, angular_speed: float | None, speed: float | None) -> float:
+def solved_speed(body: RollingBody, angular_speed: float | None, speed: float | None) -> float:
     """Return the angular speed at which linear theory is solved."""
     if angular_speed is None and speed is None:
         raise InvalidInput("angular_speed", "must be given, or speed instead of it", "neither")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from .._support.quantities import percent_text, quantity_texts
 from .._support.tables import html_table, unit_text
 from .._support.units import suitable_unit
@@ -9,6 +11,9 @@ from ..bodies.si_hints import unit_doubt
 from .loss_spectrum import extrapolated_loss
 from .scalars import PRECISION, SCALAR_GROUPS, SCALARS, label_of
 from .solution import Solution
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 __all__ = [
     "ANSWER",
@@ -87,7 +92,7 @@ def scalar_text(result: Solution, name: str) -> str:
     return scalar_texts([result], name)[0]
 
 
-def scalar_texts(results: list[Solution], name: str) -> list[str]:
+def scalar_texts(results: Sequence[Solution], name: str) -> list[str]:
     """Return a scalar of several results in a common unit; `scalar_text` describes the texts."""
     values = [getattr(result, name) for result in results]
     if PRECISION[name] == ("%",):
@@ -163,7 +168,7 @@ def _group(result: Solution, name: str) -> str:
 
 def _reported(result: Solution) -> dict[str, str]:
     """Return name and label of the scalars of a report."""
-    omitted = {result.prescribed}
+    omitted: set[str] = {result.prescribed}
     if result.semi_axis_z is None:
         omitted |= _POINT_CONTACT
     if result.finite_strain_angular_speed == result.angular_speed:

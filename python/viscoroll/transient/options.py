@@ -108,8 +108,9 @@ class HistoryOptions:
         """Convert the types; the core checks the values."""
         require_type("mesh", self.mesh, Mesh, optional=True)
         require_type("drive", self.drive, Drive)
-        for name, kind in (("ground", Profile), ("tread", Profile), ("axle", Axle)):
-            require_type(name, getattr(self, name), kind, optional=True)
+        require_type("ground", self.ground, Profile, optional=True)
+        require_type("tread", self.tread, Profile, optional=True)
+        require_type("axle", self.axle, Axle, optional=True)
         if self.drive.force is None and self.drive.torque is None:
             raise InvalidInput(
                 "drive", "must be a force or a torque in transient rolling; prescribe center_displacement instead"

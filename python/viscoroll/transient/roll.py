@@ -240,9 +240,9 @@ def _motion(**waypoints: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
     supports = [name for name in ("load", "axle_height") if name in arrays]
     if len(supports) != 1:
         raise ValueError(f"exactly one of load and axle_height must be given, got {'both' if supports else 'none'}")
-    for name in supports:
-        if arrays[name].ndim == 0:
-            arrays[name] = np.full_like(arrays["time"], arrays[name])
+    support = supports[0]
+    if arrays[support].ndim == 0:
+        arrays[support] = np.full_like(arrays["time"], arrays[support])
     for name, values in arrays.items():
         if values.ndim != 1:
             raise InvalidInput(name, "must be one-dimensional", f"shape {values.shape}")

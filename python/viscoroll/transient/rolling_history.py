@@ -249,12 +249,14 @@ class RollingHistory:
         """
         turned = as_angle(self.body, angle, distance)
         moved = None if center_displacement is None else as_float("center_displacement", center_displacement)
+        support = _support(load, axle_height)
         with self._lock, si_hints(self.body, self.on):
             self._history.advance(
                 time=as_float("time", time),
                 angle=turned,
                 center_displacement=moved,
-                **({"load": 0.0, "axle_height": None} | _support(load, axle_height)),
+                load=support.get("load", 0.0),
+                axle_height=support.get("axle_height"),
             )
             return _instant(self._history.current())
 

@@ -62,3 +62,19 @@ def test_identical_layers_act_as_one():
 def test_bad_orders_are_rejected():
     with pytest.raises(ValueError, match="k must be"):
         vr.modal.surface_compliance(wheel(40e-3, [(10e-3, RUBBER, 0.45)]), SPEED, 2, np.nan)
+
+
+def test_a_cached_tread_has_the_compliance_of_a_new_one():
+    # The cache keeps the compliance per modulus of treads with one relaxation function, for other rubbers and speeds. A
+    # tread that is thicker by a hundredth of a nanometer is not in the cache.
+    def torque(relaxed, time, thickness=10e-3):
+        rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=relaxed, relaxation_time=time)
+        tread = vr.Layer(thickness=thickness, shear_modulus=rubber, poisson_ratio=0.45)
+        wheel = vr.CoatedWheel(core_radius=40e-3, layers=[tread], width=30e-3)
+        mesh = vr.Mesh(nodes_per_revolution=300)
+        return vr.solve(wheel, load=500.0, angular_speed=2.5, mesh=mesh, finite_strain=False).resisting_torque
+
+    torque(3e6, 0.125)
+    cached = torque(2e6, 0.02)
+    assert cached == pytest.approx(torque(2e6, 0.02, 10e-3 + 1e-11), rel=1e-7)
+    assert cached != torque(3e6, 0.125)

@@ -133,7 +133,14 @@ def test_finite_strain_requires_a_roller_without_friction(case_file, tmp_path):
     )
     assert_rejected(
         command("solve", case_file(accuracy="0.1"), "--finite-strain"),
-        "rolling at finite strain of a ball is not implemented",
+        "--finite-strain must be left out unless the case has a roller, the table [cylinder]: finite elements at "
+        "finite strain solve rollers only, got a ball",
+    )
+    path = roller_file(tmp_path)
+    path.write_text(path.read_text(encoding="utf-8").replace("poisson_ratio = 0.5", "poisson_ratio = 0.3"))
+    assert_rejected(
+        command("solve", path, "--finite-strain"),
+        "must have a Poisson's ratio in [0.48, 0.5] at rest, got 0.3; required by --finite-strain",
     )
 
 

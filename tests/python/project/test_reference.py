@@ -9,12 +9,12 @@ import pytest
 import reference
 from viscoroll.reproduce import plain
 
-#: This program compares the package with a reference program, so it imports the package.
-COMPARISON = "finite_strain_table.py"
+#: These programs compare the package with a reference program, so they import the package.
+COMPARISONS = ("finite_strain_slow.py", "finite_strain_table.py")
 FILES = [Path(plain.__file__), *sorted(Path(reference.__file__).parent.glob("*.py"))]
 
 
-@pytest.mark.parametrize("path", [path for path in FILES if path.name != COMPARISON], ids=lambda path: path.name)
+@pytest.mark.parametrize("path", [path for path in FILES if path.name not in COMPARISONS], ids=lambda path: path.name)
 def test_the_reference_is_independent_of_the_core(path):
     """The file imports only libraries, its own modules and the plain product."""
     allowed = {"viscoroll.reproduce.plain"}

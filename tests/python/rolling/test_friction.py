@@ -10,7 +10,6 @@ import pytest
 import viscoroll as vr
 from reference import boundary, friction
 from viscoroll import enums
-from viscoroll._support.quantities import quantity_text
 
 SLOW = 0.2  # angular speed of the paper's section 14.3 [rad/s]
 MESH = vr.Mesh(nodes_per_revolution=200, max_order=500)  # pi/100
@@ -402,15 +401,6 @@ def test_plot_shows_stick_and_slip(paper_ball, tmp_path):
         text.get_text() for legend in legends for text in legend.get_texts()
     }
     figure.savefig(tmp_path / "friction.png")
-
-
-def test_the_summary_contains_the_speed_of_the_center(paper_ball):
-    r = roll(paper_ball, drive=DRIVES["skidding"])
-    lines = [line.strip() for line in repr(r).splitlines()]
-    assert next(line for line in lines if line.startswith("creepage")).endswith(" -50 %")
-    assert next(line for line in lines if line.startswith("speed of the center V_s")).endswith(
-        f" {quantity_text(0.5 * SLOW * paper_ball.outer_radius, 'm/s', digits=3)}"
-    )
 
 
 @pytest.mark.parametrize(("name", "mu"), [(name, mu) for name in DRIVES for mu in (0.2, 0.5, 2.0)])

@@ -1,6 +1,7 @@
 """Results at finite strain: overspeed of the surface in the contact, and the torque that follows from it."""
 
 import csv
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -170,6 +171,76 @@ def test_speed_and_angular_speed_exclude_each_other():
         vr.solve(BALL, load=50.0, angular_speed=1.0, finite_strain=1)
     assert message(speed=-1.0) == "speed must be > 0 m/s, got -1"
     assert message(speed=1.0, friction=0.3) == "speed must be left out with friction, which determines it, got 1 m/s"
+
+
+HEAVY = replace(COVER, density=1100.0)
+HEAVY_BALL = vr.CoatedSphere(core_radius=20e-3, layers=[replace(HEAVY, thickness=1e-3)])
+HEAVY_ROLLER = vr.CoatedCylinder(core_radius=40e-3, layers=[HEAVY])
+HEAVY_WHEEL = vr.CoatedWheel(core_radius=40e-3, layers=[HEAVY], width=30e-3)
+HEAVY_PLANE = vr.CoatedPlane(layers=[HEAVY])
+RIGID_ROLLER = vr.CoatedCylinder(core_radius=50e-3)
+MELTING = vr.Prony(instantaneous_modulus=6e6, weights=[0.5, 0.5], relaxation_times=[0.1, 1e5])
+MELT = vr.CoatedCylinder(core_radius=40e-3, layers=[replace(COVER, shear_modulus=MELTING)])
+
+# Rolling body, counterbody, and the limit of the speed of the ground [m/s].
+LIMITS = {
+    "ball": (HEAVY_BALL, None, vr.modal.critical_speed(HEAVY_BALL) * HEAVY_BALL.outer_radius),
+    "roller": (HEAVY_ROLLER, None, vr.modal.critical_speed(HEAVY_ROLLER) * HEAVY_ROLLER.outer_radius),
+    "wheel": (HEAVY_WHEEL, None, vr.modal.critical_speed(HEAVY_WHEEL) * HEAVY_WHEEL.outer_radius),
+    "counterbody": (ROLLER, HEAVY_ROLLER, vr.modal.critical_speed(HEAVY_ROLLER) * HEAVY_ROLLER.outer_radius),
+    "larger counterbody": (BALL, HEAVY_BALL, vr.modal.critical_speed(HEAVY_BALL) * HEAVY_BALL.outer_radius),
+    "plane": (RIGID_ROLLER, HEAVY_PLANE, 0.95531 * (6e6 / 1100.0) ** 0.5),  # of Rayleigh waves
+    "melt": (MELT, None, 10.0 * MELT.outer_radius),
+}
+
+
+@pytest.mark.parametrize("name", LIMITS)
+def test_errors_about_the_speed_name_the_given_one(name):
+    body, on, limit = LIMITS[name]
+    speed = limit * (0.5 if name == "melt" else 2.0)
+    mesh = vr.Mesh(nodes_per_revolution=400)
+
+    def error_of(solve, **given):
+        with pytest.raises(vr.InvalidInput) as caught:
+            solve(body, on=on, **given)
+        assert caught.value.parameter in given
+        return caught.value
+
+    def stated(error, unit):
+        """Return the value of an error, the limit that its rule names, and the rule without the limit."""
+        found = re.search(rf"([\d.e+-]+) {unit}", error.rule)
+        return float(error.value.removesuffix(f" {unit}")), float(found[1]), error.rule.replace(found[0], "")
+
+    radius = body.outer_radius
+    value, limited, rule = stated(error_of(vr.solve, load=1.0, angular_speed=speed / radius), "rad/s")
+    assert value == speed / radius
+    assert limited == pytest.approx(limit / radius, rel=1e-4)
+    first = error_of(vr.solve, load=1.0, speed=speed)
+    assert stated(first, "m/s") == (speed, pytest.approx(limit, rel=1e-4), rule)
+    assert str(error_of(vr.RollingModel, speed=speed, mesh=mesh)) == str(first)
+    with pytest.warns(vr.ResultWarning):
+        study = vr.sweep(body, on=on, load=[1.0, 2.0], speed=speed, mesh=mesh, progress=False)
+    assert study.error.values.tolist() == [f"InvalidInput: {first}"] * 2
+
+
+def test_coupled_solutions_take_the_speed_of_the_ground():
+    network = vr.materials.MasingNetwork(storage=3e6, critical_strain=0.01)
+    soft = replace(COVER, shear_modulus=vr.materials.SofteningModulus(matrix=RUBBER, network=network))
+    roller = vr.CoatedCylinder(core_radius=40e-3, layers=[soft])
+    mesh = vr.Mesh(nodes_per_revolution=400)
+    at_speed = vr.strain_softening(roller, load=2e4, speed=0.5, mesh=mesh)
+    turning = vr.strain_softening(roller, load=2e4, angular_speed=10.0, mesh=mesh)
+    assert at_speed.torque_bounds == pytest.approx(turning.torque_bounds, rel=1e-12)
+    assert at_speed.result.finite_strain_angular_speed < 10.0
+    shift = vr.materials.Arrhenius(activation_energy=60e3, reference_temperature=293.15)
+    heat = {"load": 2e4, "mesh": mesh, "shift": shift, "conductivity": 0.2, "ambient": 293.15, "points": 4}
+    turning, at_speed = (
+        vr.self_heating(ROLLER, convection=500.0, **heat, **given) for given in ({"angular_speed": 2.0}, {"speed": 0.1})
+    )
+    assert at_speed.states[0].mean_temperature == pytest.approx(turning.states[0].mean_temperature, rel=1e-9)
+    rule = r"^speed must be at most about [\d.]+ m/s for a steady temperature below .*, got 100 m/s: rolling dissipates"
+    with pytest.raises(ValueError, match=rule):
+        vr.self_heating(ROLLER, convection=1.0, **heat, speed=100.0)
 
 
 def test_studies_and_case_files_take_the_speed_of_the_ground(tmp_path):

@@ -39,7 +39,7 @@ def test_the_answer_comes_first():
     labels = [label for label, _ in sections[ANSWER]]
     assert labels == [
         "push force",
-        "drive torque at finite strain",  # nearer to reality than that of linear theory
+        "resisting torque at finite strain",  # nearer to reality than that of linear theory
         "drive torque of linear theory",
         "dissipated power",
         "rolling resistance coefficient",
@@ -149,3 +149,10 @@ def test_a_small_loss_is_not_rounded_to_zero():
     powers = [vr.solve(ball(m), load=50.0, angular_speed=2.5, mesh=MESH).dissipated_power for m in moduli]
     assert np.isfinite(powers).all()
     assert powers[1] / powers[0] == pytest.approx(1e6, rel=0.01)
+
+
+def test_a_report_with_friction_contains_creepage_and_speed():
+    r = vr.solve(ball(), load=100.0, angular_speed=0.2, friction=0.3, drive=vr.Drive(creepage=-0.5), mesh=MESH)
+    rows = dict(result_sections(r)[ANSWER])
+    assert rows["creepage"] == "-50 %"
+    assert rows["speed of the center V_s"] == "2.1 mm/s"  # half of Ω r_o
