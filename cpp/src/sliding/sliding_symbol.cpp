@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/invalid_speed.hpp"
 #include "influence/fft.hpp"
 #include "modal/harmonic_body.hpp"
 #include "modal/layered_body.hpp"
@@ -53,11 +54,15 @@ SlidingSymbol::SlidingSymbol(const CoatedPlane& on, const SlidingPeriod& period,
   const double radius = period.length_x / (2.0 * std::numbers::pi);
   const LayeredBody layers = layered_body(on, radius);
   const bool at_rest = speed == 0.0;
-  const HarmonicBody body = at_rest ? HarmonicBody(relaxed_layers(layers), kAnySpeed, counted(last_i))
-                                    : HarmonicBody(layers, speed / radius, counted(last_i));
+  const HarmonicBody body = with_given_speed({.parameter = "speed", .value = speed, .unit = "m/s"}, [&] {
+    return at_rest ? HarmonicBody(relaxed_layers(layers), kAnySpeed, counted(last_i))
+                   : HarmonicBody(layers, speed / radius, counted(last_i));
+  });
   const Eigen::ArrayXd across = Eigen::ArrayXd::NullaryExpr(
       last_j + 1, [&](Eigen::Index j) { return period_.k_z(static_cast<int>(j)) * radius; });
-  const auto spectrum = make_spectrum(body, across[last_j], threads, watch);
+  // The series of a profile, which has the order 0 only, also need an interval.
+  constexpr double kFirstOrder = 1.0;
+  const auto spectrum = make_spectrum(body, std::max(across[last_j], kFirstOrder), threads, watch);
   parallel_for(
       static_cast<std::size_t>(last_i), threads, watch, "solving layers", [&](std::size_t index, const Worker&) {
         OrderSeries series;

@@ -62,6 +62,23 @@ def test_a_half_space_is_a_plane_without_layers():
     assert (slid(on=plane).pressure == slid().pressure).all()
 
 
+@pytest.mark.parametrize("density", [0.0, 1e3])
+def test_profiles_slide_on_all_layers(density):
+    # The series of the compliance depend on inertia and on the layers. A map of identical columns is a profile.
+    softer = vr.FractionalZener(instantaneous_modulus=5e6, relaxed_modulus=5e5, relaxation_time=1e-3, order=0.6)
+    layers = [
+        vr.Layer(thickness=1e-4, shear_modulus=material, poisson_ratio=0.5, density=density)
+        for material in (softer, RUBBER)
+    ]
+    heights = 4e-6 * np.cos(2 * np.pi * np.arange(64) / 64)
+    for on in (vr.CoatedPlane(layers=layers), vr.HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5, density=density)):
+        profile = slid(vr.RoughSurface(heights, SIDE / 64), on=on, speed=0.03)
+        rows = slid(vr.RoughSurface(np.tile(heights[:, np.newaxis], 16), SIDE / 64), on=on, speed=0.03)
+        assert 0.0 < profile.contact_share < 1.0
+        assert profile.friction_coefficient == pytest.approx(rows.friction_coefficient, rel=1e-6)
+        assert profile.max_pressure == pytest.approx(rows.max_pressure, rel=1e-6)
+
+
 def test_results_do_not_depend_on_the_threads():
     surface = vr.RoughSurface.self_affine(
         192, SIDE, hurst=0.8, rolloff=SIDE / 4, cutoff=SIDE / 24, rms_slope=0.1, seed=4
@@ -104,6 +121,10 @@ def test_progress_and_cancellation():
         ({"speed": -1.0}, "speed must be >= 0 m/s, got -1"),
         ({"tolerance": 0.5}, r"tolerance must be in \[1e-13, 0.001\], got 0.5"),
         ({"max_iterations": 0}, "max_iterations must be >= 1, got 0"),
+        (
+            {"on": vr.HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5, density=1e3), "speed": 500.0},
+            "^speed must be below the critical speed 95.5.* m/s",
+        ),
         ({"on": vr.CoatedPlane()}, "on must be a plane with layers or a deformable base, got a rigid plane"),
         ({"surface": vr.RoughSurface(WAVY.heights, 1e-6, periodic=False)}, "surface.periodic must be True"),
         ({"surface": vr.RoughSurface(np.zeros(4), 1e-6)}, r"heights.rows must be in \[8, 16384\], got 4"),
