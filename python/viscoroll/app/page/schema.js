@@ -73,4 +73,4 @@ export const KEY_UNITS = {
 };
 
 /** Tables of case files that the page does not support. */
-export const OTHER_TABLES = ["thermal", "motion", "surface", "sliding", "sweep", "design"];
+export const OTHER_TABLES = ["thermal", "motion", "ground", "tread", "axle", "surface", "sliding", "sweep", "design"];
