@@ -8,7 +8,6 @@ from .. import paper
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.tables import handy
-from ..bodies import CoatedCylinder
 from ..solution.scalars import label_of
 from ..solution.text import with_unit
 
@@ -20,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from .._support.progress import Report
-    from ..bodies import RollingBody
+    from ..bodies import CoatedCylinder, RollingBody
     from ..case import Case
     from ..case.solved import SolvedCase
     from ..reproduce import Verdict
@@ -84,7 +83,7 @@ def table_2(torques: dict[tuple[int, int], float]) -> Table:
 
 def require_finite_strain(case: Case) -> None:
     """Raise an error unless `--finite-strain` can solve the bodies and the motion of a case."""
-    if not isinstance(case.body, CoatedCylinder):
+    if not case.body.line_contact:
         raise InvalidInput(
             "--finite-strain",
             "must be left out unless the case has a roller, the table [cylinder]: finite elements at finite strain "
