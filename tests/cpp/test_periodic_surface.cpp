@@ -17,9 +17,16 @@ namespace {
 using namespace viscoroll::detail;
 using Eigen::Index;
 
-const viscoroll::Observer kObserver;
-Watch watch(kObserver);
-const Execution kExecution{1, watch};
+Watch& unobserved() {
+  static const viscoroll::Observer observer;
+  static Watch watch(observer);
+  return watch;
+}
+
+const Execution& one_thread() {
+  static const Execution execution{1, unobserved()};
+  return execution;
+}
 
 /// Table that is periodic along both directions, without symmetry along phi, even along theta. The displacement of the
 /// loaded node itself is larger, so that the symbol has no zeros.
@@ -47,8 +54,8 @@ std::shared_ptr<const TableOperator> periodic_operator(const WindowShape& period
                   .tangential = false,
                   .is_counterbody = true},
       grid, window, std::move(tables),
-      [period](int, int) { return std::make_shared<const std::vector<Table>>(1, periodic_table(period)); }, kExecution,
-      period);
+      [period](int, int) { return std::make_shared<const std::vector<Table>>(1, periodic_table(period)); },
+      one_thread(), period);
 }
 
 VectorField random_force(Index nodes) {
@@ -94,10 +101,10 @@ TEST_P(PeriodicSurface, ThePreconditionerIsTheExactInverse) {
   const Table table = periodic_table(period);
   const VectorField force = random_force(period.size());
   const InverseConvolution inverse(period, period, {&table}, {{.result = 0, .table = 0, .operand = 0, .sign = 1.0}}, 1,
-                                   watch);
+                                   unobserved());
   const Convolution product(period, period, std::vector{table}, {{.result = 0, .table = 0, .operand = 0, .sign = 1.0}},
-                            1, watch);
-  const Eigen::ArrayXXd back = product.apply(inverse.apply(force.col(kDown), 1, watch), 1, watch);
+                            1, unobserved());
+  const Eigen::ArrayXXd back = product.apply(inverse.apply(force.col(kDown), 1, unobserved()), 1, unobserved());
   EXPECT_LT((back.col(0) - force.col(kDown)).abs().maxCoeff(), 1e-12);
 }
 

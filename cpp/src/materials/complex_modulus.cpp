@@ -61,7 +61,7 @@ struct Validator {
 
   void operator()(const HavriliakNegami& m) const {
     check_dispersion(m);
-    require_in(kFraction, joined(prefix, "asymmetry"), m.asymmetry);
+    require_fraction(joined(prefix, "asymmetry"), m.asymmetry);
   }
 
   void operator()(const MasterCurve& m) const { detail::validate_table(m, prefix); }
@@ -71,7 +71,9 @@ struct Validator {
   }
 
  private:
-  inline static const Range kFraction{.minimum = 0.0, .maximum = 1.0, .excludes_minimum = true};
+  static void require_fraction(const std::string& name, double value) {
+    require_in({.minimum = 0.0, .maximum = 1.0, .excludes_minimum = true}, name, value);
+  }
 
   template <class Solid>
   void check_dispersion(const Solid& m) const {
@@ -81,7 +83,7 @@ struct Validator {
              m.instantaneous_modulus, Range{.unit = "Pa", .minimum = m.relaxed_modulus});
     }
     require_positive(joined(prefix, "relaxation_time"), m.relaxation_time, "s");
-    require_in(kFraction, joined(prefix, "order"), m.order);
+    require_fraction(joined(prefix, "order"), m.order);
   }
 };
 

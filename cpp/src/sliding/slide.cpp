@@ -112,7 +112,7 @@ SlidingResult slide(const HeightMap& map, const CoatedPlane& on, double pressure
   const std::vector<double> heights = detail::heights_against_path(map);
 
   const Eigen::Map<const Eigen::ArrayXd> height(heights.data(), static_cast<Index>(heights.size()));
-  const double nodes = static_cast<double>(height.size());
+  const auto nodes = static_cast<double>(height.size());
   const detail::ContactProblem problem{.surface = periodic_surface(symbol, {options.threads, watch}),
                                        .initial_gap = height.maxCoeff() - height,
                                        .normal_force = pressure * nodes * period.patch_area(),

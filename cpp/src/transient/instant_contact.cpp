@@ -83,7 +83,7 @@ ArrayXd free_gap(const ViscoelasticPair& pair, const InstantContact& instant) {
 ArrayXd overlapping_forces(const ViscoelasticPair& pair, const InstantContact& instant, const LastForces& last,
                            const ArrayXd& overlap, double compliance) {
   constexpr double kShare = 0.1;  // of the stiffness of single nodes, because neighbors share the load
-  const ArrayXd carried_over = -instant.instantaneous.sum * carried(pair.half_nodes(), instant.place, last).col(kDown);
+  ArrayXd carried_over = -instant.instantaneous.sum * carried(pair.half_nodes(), instant.place, last).col(kDown);
   if ((carried_over > 0.0).any()) return carried_over;
   return kShare / compliance * overlap.max(0.0);
 }

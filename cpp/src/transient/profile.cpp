@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "base/validate.hpp"
 
@@ -19,11 +20,11 @@ void validate(const HeightProfile& profile, std::string_view path) {
                    std::to_string(profile.height.size()));
   }
   for (std::size_t k = 0; k < count; ++k) {
-    const std::string index = "[" + std::to_string(k) + "]";
-    detail::require_finite(prefix + "distance" + index, profile.distance[k]);
-    detail::require_finite(prefix + "height" + index, profile.height[k]);
+    const auto path = [&](std::string_view name) { return prefix + std::string(name) + "[" + std::to_string(k) + "]"; };
+    detail::require_finite(path("distance"), profile.distance[k]);
+    detail::require_finite(path("height"), profile.height[k]);
     if (k > 0 && profile.distance[k] < profile.distance[k - 1]) {
-      detail::reject(prefix + "distance" + index,
+      detail::reject(path("distance"),
                      ">= distance[" + std::to_string(k - 1) + "] = " + detail::text(profile.distance[k - 1]) + " m",
                      detail::text(profile.distance[k]) + " m", Range{.unit = "m", .minimum = profile.distance[k - 1]});
     }

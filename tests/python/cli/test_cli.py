@@ -431,7 +431,7 @@ def test_roll_follows_the_example_motion(tmp_path):
     ("lines", "message"),
     [
         ("time = [0.0, 1.0]\nangle = [0.0]\nload = 1.0", "angle must be as long as time (2), got 1"),
-        ("time = [0.0, 1.0]", "motion must have load, and angle or distance, with time"),
+        ("time = [0.0, 1.0]", "motion must have load or axle_height, and angle or distance, with time"),
         ("load = 1.0", "motion must have exactly one of time, file and amplitude, got none"),
         ("amplitude = 0.1\nfrequency = 0.0\nload = 1.0", "motion.frequency must be in [1e-100, 1e+100] Hz, got 0"),
         ("amplitude = inf\nfrequency = 1.0\nload = 1.0", "motion.amplitude must be finite, got inf"),
