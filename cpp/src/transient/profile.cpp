@@ -20,11 +20,13 @@ void validate(const HeightProfile& profile, std::string_view path) {
                    std::to_string(profile.height.size()));
   }
   for (std::size_t k = 0; k < count; ++k) {
-    const auto path = [&](std::string_view name) { return prefix + std::string(name) + "[" + std::to_string(k) + "]"; };
-    detail::require_finite(path("distance"), profile.distance[k]);
-    detail::require_finite(path("height"), profile.height[k]);
+    const auto entry = [&](std::string_view name) {
+      return prefix + std::string(name) + "[" + std::to_string(k) + "]";
+    };
+    detail::require_finite(entry("distance"), profile.distance[k]);
+    detail::require_finite(entry("height"), profile.height[k]);
     if (k > 0 && profile.distance[k] < profile.distance[k - 1]) {
-      detail::reject(path("distance"),
+      detail::reject(entry("distance"),
                      ">= distance[" + std::to_string(k - 1) + "] = " + detail::text(profile.distance[k - 1]) + " m",
                      detail::text(profile.distance[k]) + " m", Range{.unit = "m", .minimum = profile.distance[k - 1]});
     }
