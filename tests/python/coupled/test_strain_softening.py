@@ -119,7 +119,7 @@ def search_of(body, *, nodes, load=2e3):
         layers=softening_layers(body, None),
         load=load,
         angular_speed=2.5,
-        options={"mesh": vr.Mesh(nodes_per_revolution=nodes)},
+        options={"angular_speed": 2.5, "mesh": vr.Mesh(nodes_per_revolution=nodes)},
         depths=4,
         report=None,
     )
@@ -206,7 +206,7 @@ def test_files_and_pictures(soft_roller, tmp_path):
         ({"loss": "both"}, "loss must be 'network' or 'harmonic', got 'both'"),
         ({"sublayers": 0}, r"sublayers must be in \[1, 20\], got 0"),
         ({"depths": 1}, r"depths must be in \[2, 20\], got 1"),
-        ({"tolerance": 1.0}, r"tolerance must be in \[1e-9, 0\.1\], got 1\.0"),
+        ({"tolerance": 1.0}, r"tolerance must be in \[1e-09, 0\.1\], got 1"),
     ],
 )
 def test_bad_arguments(given, message):

@@ -92,7 +92,7 @@ def test_sweep_and_plot_on_the_command_line(study_file, tmp_path):
     assert (tmp_path / "study.png").read_bytes().startswith(b"\x89PNG")
     done = command("plot", tmp_path / "study.nc", "--variable", "heat")
     assert done.returncode == 2
-    assert "variable must be one of rolling_resistance_coefficient, finite_strain_torque, " in done.stderr
+    assert "variable must be one of rolling_resistance_force, finite_strain_torque, " in done.stderr
     path.write_text(path.read_text(encoding="utf-8").replace("50.0, 1e9", "50.0, 60.0"), encoding="utf-8")
     done = command("sweep", path, "--retry-failed")
     assert done.stdout == f"6 points (3 load x 2 thickness), 0 failed: {tmp_path / 'study.nc'}\n"
