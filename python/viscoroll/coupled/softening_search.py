@@ -74,6 +74,10 @@ class SofteningSearch:
 
     Attributes
     ----------
+    angular_speed : float
+        Angular speed at which linear theory is solved [rad/s].
+    options : dict
+        Further arguments of `viscoroll.solve`, among them the given one of `angular_speed` and `speed`.
     history : list of ndarray
         Amplitudes that follow from each pass.
     contacts : int
