@@ -92,7 +92,7 @@ def test_every_table_is_on_a_page():
     made = tables().parts()
     text = "".join(page.read_text(encoding="utf-8") for page in PAGES)
     assert all(f"<!-- {name}: made by docs/tables.py -->\n\n" in text for name in made)
-    assert "| `resisting_torque` | N m | N |" in text
+    assert "| `resisting_torque` | N m | N m/m |" in text
     assert "{include} _generated" not in text
 
 

@@ -200,7 +200,7 @@ def test_friction_converges_with_the_mesh(speed, mesh_error):
     coarse, fine = (slid(rough(nodes), speed=speed) for nodes in (256, 512))
     assert coarse.friction_coefficient == pytest.approx(fine.friction_coefficient, rel=mesh_error)
     assert fine.friction_error < 0.02 * fine.friction_coefficient + 5e-4
-    # The correction removes at least half of the change of the contact area.
+    # The correction removes about half of the change or more of the contact area.
     change = coarse.contact_share - fine.contact_share
     assert abs(coarse.corrected_contact_share - fine.corrected_contact_share) < 0.55 * change
 
