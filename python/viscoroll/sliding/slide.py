@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -109,12 +110,7 @@ def slide(
     velocity = as_float("speed", speed)
     with reporting(progress) as report:
         found = _core.slide(
-            surface.heights,
-            spacing_x=surface.spacing[0],
-            spacing_z=surface.spacing[1],
-            on=plane._to_core(),
-            pressure=mean,
-            speed=velocity,
+            **_given(surface, plane, mean, velocity),
             tolerance=as_float("tolerance", tolerance),
             max_iterations=as_int("max_iterations", max_iterations),
             threads=as_int("threads", threads),
@@ -163,16 +159,23 @@ def persson_estimate(
     return _persson(surface, _plane(on), mean, as_float("speed", speed), as_float("gamma", gamma), 0)
 
 
+def _given(surface: RoughSurface, plane: CoatedPlane, pressure: float, speed: float) -> dict[str, Any]:
+    """Return the arguments that the solver and Persson's estimate have in common."""
+    return {
+        "heights": surface.heights,
+        "spacing_x": surface.spacing[0],
+        "spacing_z": surface.spacing[1],
+        "on": plane._to_core(),
+        "pressure": pressure,
+        "speed": speed,
+    }
+
+
 def _persson(
     surface: RoughSurface, plane: CoatedPlane, pressure: float, speed: float, gamma: float, threads: int
 ) -> Persson:
     found = _core.persson_estimate(
-        surface.heights,
-        spacing_x=surface.spacing[0],
-        spacing_z=surface.spacing[1],
-        on=plane._to_core(),
-        pressure=pressure,
-        speed=speed,
+        **_given(surface, plane, pressure, speed),
         gamma=gamma,
         threads=threads,
     )
