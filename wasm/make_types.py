@@ -84,6 +84,10 @@ def page_lists() -> str:
             bodies,
         ),
         "CLASSES": ("Classes of bodies in Python, by their tables in case files.", CLASSES),
+        "COMMON_MODULI": (
+            "Classes of moduli that are names of the Python package; the others are names of its module `materials`.",
+            sorted({*viscoroll.__all__} & {*viscoroll.materials.__all__}),
+        ),
         "INTEGERS": ("Keys of case files whose values are whole numbers.", integers),
         "MESH": (
             "Keys of the table `numerics` that describe a mesh.",

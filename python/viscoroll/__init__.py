@@ -12,7 +12,7 @@ All quantities are in SI units and angles in radians. All moduli are shear modul
 
 Bodies, materials and solvers are names of this package. Its modules contain the rest:
 
-- `materials`: strain-dependent networks, shifts with temperature, moduli given by functions or by draws
+- `materials`: all moduli; strain-dependent networks, shifts with temperature, moduli given by functions or by draws
 - `rheology`: measured moduli and material files; hardness and rebound
 - `rolling`: sensitivities, loss spectra and refinements of results
 - `sliding`: results of rough surfaces that slide, and Persson's estimate
@@ -49,11 +49,7 @@ from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Driv
 from .coupled import self_heating, strain_softening
 from .ground import Axle, Profile
 from .materials import (
-    CreepCompliance,
     Elastic,
-    FractionalZener,
-    HavriliakNegami,
-    KelvinVoigt,
     LossFactor,
     MasterCurve,
     Prony,
@@ -71,16 +67,12 @@ __all__ = [
     "CoatedSphere",
     "CoatedWheel",
     "ConvergenceError",
-    "CreepCompliance",
     "Drive",
     "Elastic",
-    "FractionalZener",
     "Groove",
     "HalfSpace",
-    "HavriliakNegami",
     "History",
     "InvalidInput",
-    "KelvinVoigt",
     "Layer",
     "LossFactor",
     "MasterCurve",

@@ -64,7 +64,7 @@ class Case:
         return float(self.arguments.get("friction", 0.0)) > 0.0
 
     def source(self) -> str:
-        """Return the call as Python text, after ``from viscoroll import *``."""
+        """Return the call as Python text, after the imports that `tests.campaign` prints."""
         arguments = {name: value for name, value in self.arguments.items() if name != "threads"}
         given = ", ".join(f"{name}={source(value)}" for name, value in arguments.items())
         return f"{self.call}({source(self.body)}, {given})"

@@ -72,7 +72,7 @@ def _report(done: int, total: int, outcomes: list[Outcome]) -> None:
 
 
 def _show(case: Any, run_case: Callable[..., Outcome]) -> int:
-    print("from viscoroll import *\nfrom tests.campaign.materials import *\n")
+    print("from viscoroll import *\nfrom viscoroll.materials import *\nfrom tests.campaign.materials import *\n")
     print(f"r = {case.source()}\n", flush=True)
     outcome = run_case(case)
     for key, value in outcome.to_dict().items():

@@ -50,11 +50,11 @@ def draw_modulus(
         lambda: vr.Elastic(modulus=modulus),
         lambda: vr.StandardLinearSolid(instantaneous_modulus=modulus, relaxed_modulus=relaxed, relaxation_time=tau),
         lambda: _prony(rng, modulus, relaxed, tau),
-        lambda: vr.KelvinVoigt(modulus=modulus, viscosity=modulus * time * 10.0 ** rng.uniform(-3.0, 0.0)),
-        lambda: vr.FractionalZener(
+        lambda: vr.materials.KelvinVoigt(modulus=modulus, viscosity=modulus * time * 10.0 ** rng.uniform(-3.0, 0.0)),
+        lambda: vr.materials.FractionalZener(
             instantaneous_modulus=modulus, relaxed_modulus=relaxed, relaxation_time=tau, order=rng.uniform(0.2, 1.0)
         ),
-        lambda: vr.HavriliakNegami(
+        lambda: vr.materials.HavriliakNegami(
             instantaneous_modulus=modulus,
             relaxed_modulus=relaxed,
             relaxation_time=tau,
@@ -82,7 +82,7 @@ def _prony(rng: np.random.Generator, modulus: float, relaxed: float, tau: float)
 
 def _table(rng: np.random.Generator, modulus: float, relaxed: float, tau: float, speed: float) -> vr.MasterCurve:
     """Return the measured curve of a fractional solid: few entries or many, with held ends or a sufficient range."""
-    solid = vr.FractionalZener(
+    solid = vr.materials.FractionalZener(
         instantaneous_modulus=modulus, relaxed_modulus=relaxed, relaxation_time=tau, order=rng.uniform(0.3, 1.0)
     )
     held = bool(rng.integers(2))
@@ -120,7 +120,7 @@ def scaled_modulus(modulus: Any, *, stress: float, time: float) -> Any:
     match modulus:
         case vr.Elastic():
             return replace(modulus, modulus=stress * modulus.modulus)
-        case vr.StandardLinearSolid() | vr.FractionalZener() | vr.HavriliakNegami():
+        case vr.StandardLinearSolid() | vr.materials.FractionalZener() | vr.materials.HavriliakNegami():
             return replace(
                 modulus,
                 instantaneous_modulus=stress * modulus.instantaneous_modulus,
@@ -133,7 +133,7 @@ def scaled_modulus(modulus: Any, *, stress: float, time: float) -> Any:
                 instantaneous_modulus=stress * modulus.instantaneous_modulus,
                 relaxation_times=time * np.asarray(modulus.relaxation_times),
             )
-        case vr.KelvinVoigt():
+        case vr.materials.KelvinVoigt():
             return replace(modulus, modulus=stress * modulus.modulus, viscosity=stress * time * modulus.viscosity)
         case vr.MasterCurve():
             return replace(

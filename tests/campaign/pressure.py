@@ -64,14 +64,14 @@ class Outcome:
 
 def fractional(order, *, relaxed=1.5e6, instantaneous=300e6, time=1e-6):
     """Return a fractional Zener solid with the moduli of the idler and another order."""
-    return vr.FractionalZener(
+    return vr.materials.FractionalZener(
         instantaneous_modulus=instantaneous, relaxed_modulus=relaxed, relaxation_time=time, order=order
     )
 
 
 def viscous(viscosity):
     """Return a Kelvin-Voigt solid of 3 MPa."""
-    return vr.KelvinVoigt(modulus=3e6, viscosity=viscosity)
+    return vr.materials.KelvinVoigt(modulus=3e6, viscosity=viscosity)
 
 
 def layer(thickness, modulus, poisson_ratio=0.5):

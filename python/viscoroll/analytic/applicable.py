@@ -112,7 +112,8 @@ def applicable(body: RollingBody, *, on: Counterbody | None = None) -> dict[str,
 
     Examples
     --------
-    >>> from viscoroll import CoatedSphere, KelvinVoigt, Layer
+    >>> from viscoroll import CoatedSphere, Layer
+    >>> from viscoroll.materials import KelvinVoigt
     >>> gel = Layer(thickness=19e-3, shear_modulus=KelvinVoigt(modulus=1e4, viscosity=10.0), poisson_ratio=0.5)
     >>> forms = applicable(CoatedSphere(core_radius=1e-3, layers=[gel]))
     >>> sorted(forms)

@@ -21,7 +21,7 @@ from .motions import Motion, draw_motion
 __all__ = ["HistoryCase", "draw"]
 
 #: Moduli with known retardation spectra; few other ones, tables and functions, can be fitted well enough.
-_DISCRETE = (vr.Elastic, vr.StandardLinearSolid, vr.Prony, vr.KelvinVoigt, vr.FractionalZener)
+_DISCRETE = (vr.Elastic, vr.StandardLinearSolid, vr.Prony, vr.materials.KelvinVoigt, vr.materials.FractionalZener)
 
 #: Least total thickness of the layers / radius, so that 200 nodes per revolution put some nodes in the contact.
 _THINNEST = 0.05
@@ -44,7 +44,7 @@ class HistoryCase(Case):
     @property
     def is_followed(self) -> bool:
         """Return whether all retardation times are discrete, and no jump meets a missing instantaneous compliance."""
-        viscous = any(isinstance(modulus, vr.KelvinVoigt) for modulus in self.moduli)
+        viscous = any(isinstance(modulus, vr.materials.KelvinVoigt) for modulus in self.moduli)
         jumps = self.arguments["start"] is enums.Start.UNDEFORMED or 0.0 in np.diff(self.arguments["time"])
         fitted = any(not isinstance(modulus, _DISCRETE) for modulus in self.moduli)
         return not fitted and not (viscous and (jumps or len(self.moduli) > 1))

@@ -54,10 +54,13 @@ def bulk_modulus(poisson_ratio):
 
 LOSS_TIMES = [
     (vr.Elastic(modulus=3e6), 0.0),
-    (vr.KelvinVoigt(modulus=2e6, viscosity=1e3), 5e-4),
+    (vr.materials.KelvinVoigt(modulus=2e6, viscosity=1e3), 5e-4),
     (vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=2e6, relaxation_time=0.125), 0.25),
     (vr.Prony(instantaneous_modulus=6e6, weights=[0.3, 0.5], relaxation_times=[1e-6, 1e3]), (0.3e-6 + 500.0) / 0.2),
-    (vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0), 0.125),
+    (
+        vr.materials.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0),
+        0.125,
+    ),
     (lambda omega: 5.0 * np.exp(0.03j * omega), 0.03),
 ]
 
@@ -71,7 +74,9 @@ def test_loss_time(modulus, expected):
     ("modulus", "message"),
     [
         (
-            vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.9),
+            vr.materials.FractionalZener(
+                instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.9
+            ),
             r"^shear_modulus must have a loss modulus proportional to frequency near 0 rad/s, got .* s at 1e-12 rad/s",
         ),
         (vr.MasterCurve([0.0, 1.0, 9.0], [1.0, 1.0, 2.0], [0.0, 0.1, 0.1]), "within the master curve's table"),
@@ -115,7 +120,7 @@ def test_sphere_loss_time_by_correspondence(poisson_ratio, shear_viscosity, bulk
 def test_short_waves_on_a_solid_ball_lag_by_the_sphere_loss_time(poisson_ratio, printed_over_right):
     # At order m, the solver's compliance differs from that of a half-space by a relative amount of order 1/m: 6e-5 at
     # m = 10000, which is small enough to distinguish the two coefficients.
-    kelvin_voigt = vr.KelvinVoigt(modulus=MODULUS, viscosity=3e4)
+    kelvin_voigt = vr.materials.KelvinVoigt(modulus=MODULUS, viscosity=3e4)
     ball = nearly_solid(shear_modulus=kelvin_voigt, bulk_modulus=bulk_modulus(poisson_ratio))
     constants = {"shear_modulus": MODULUS, "poisson_ratio": poisson_ratio, "shear_viscosity": 3e4}
     compliance = vr.modal.surface_compliance(ball, 1e-8, 10_000, 0)[0, 0]
@@ -152,7 +157,7 @@ def test_all_orders_of_layers_with_the_same_loss_time_have_it():
     # The layers differ in relaxation function, modulus and Poisson's ratio, but not in their loss time.
     layers = [
         vr.Layer(thickness=3e-3, shear_modulus=standard_linear_solid(3.0), poisson_ratio=0.3),
-        vr.Layer(thickness=1e-3, shear_modulus=vr.KelvinVoigt(modulus=1e5, viscosity=2e3), poisson_ratio=0.5),
+        vr.Layer(thickness=1e-3, shear_modulus=vr.materials.KelvinVoigt(modulus=1e5, viscosity=2e3), poisson_ratio=0.5),
     ]
     ball = vr.CoatedSphere(core_radius=RADIUS, layers=layers)
     m = np.array([1, 20, 300])
@@ -178,7 +183,7 @@ def limit_at_low_speed(ball, time, *, load, shifts, **mesh):
 def test_solver_on_a_thick_and_a_thin_kelvin_voigt_coating():
     # There are 10 and 13 nodes per contact radius. The pressure has a step at the trailing edge, which the surface must
     # cross by several nodes in the loss time. Extrapolation from such large shifts has an error of 1 %.
-    kelvin_voigt = vr.KelvinVoigt(modulus=MODULUS, viscosity=MODULUS * TAU)
+    kelvin_voigt = vr.materials.KelvinVoigt(modulus=MODULUS, viscosity=MODULUS * TAU)
     solid = nearly_solid(shear_modulus=kelvin_voigt, poisson_ratio=0.5)
     limit = limit_at_low_speed(solid, TAU, load=hertz_load(2e-3, 0.5), shifts=[2.0, 4.0, 8.0], nodes=800)
     assert limit == pytest.approx(1.0, abs=0.02)
@@ -191,7 +196,7 @@ def test_solver_on_a_thick_and_a_thin_kelvin_voigt_coating():
 def test_solver_on_a_solid_ball_with_an_elastic_bulk():
     # With nu = 0.4 at rest, the coefficient of 1998 would give 6.7. The mesh has 13 nodes per contact radius.
     time = analytic.sphere_loss_time(shear_modulus=MODULUS, poisson_ratio=0.4, shear_viscosity=MODULUS * TAU)
-    kelvin_voigt = vr.KelvinVoigt(modulus=MODULUS, viscosity=MODULUS * TAU)
+    kelvin_voigt = vr.materials.KelvinVoigt(modulus=MODULUS, viscosity=MODULUS * TAU)
     ball = nearly_solid(shear_modulus=kelvin_voigt, bulk_modulus=bulk_modulus(0.4))
     limit = limit_at_low_speed(ball, time, load=hertz_load(4e-3, 0.4), shifts=[1.0, 2.0, 4.0], nodes=400, order=200)
     assert limit == pytest.approx(1.0, abs=0.02)
@@ -391,7 +396,9 @@ def ball_of(*moduli, **material):
 
 
 RUBBER = standard_linear_solid(2.0)
-FRACTIONAL = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=TAU, order=0.5)
+FRACTIONAL = vr.materials.FractionalZener(
+    instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=TAU, order=0.5
+)
 CURVE = vr.MasterCurve([0.0, 1.0, 1e9], [MODULUS, MODULUS, 2 * MODULUS], [0.0, 0.0, 1e5])
 ALL = {"low_speed", "greenwood_tabor", "persson"}
 
@@ -401,9 +408,9 @@ ALL = {"low_speed", "greenwood_tabor", "persson"}
     [
         (ball_of(RUBBER, RUBBER, poisson_ratio=0.5), ALL),
         (ball_of(RUBBER, standard_linear_solid(3.0), poisson_ratio=0.5), set()),
-        (ball_of(RUBBER, vr.KelvinVoigt(modulus=1.0, viscosity=TAU), poisson_ratio=0.0), {"low_speed"}),
+        (ball_of(RUBBER, vr.materials.KelvinVoigt(modulus=1.0, viscosity=TAU), poisson_ratio=0.0), {"low_speed"}),
         (ball_of(RUBBER, bulk_modulus=1e7), ALL | {"winkler"}),
-        (ball_of(RUBBER, vr.KelvinVoigt(modulus=1.0, viscosity=TAU), bulk_modulus=1e7), set()),
+        (ball_of(RUBBER, vr.materials.KelvinVoigt(modulus=1.0, viscosity=TAU), bulk_modulus=1e7), set()),
         (ball_of(FRACTIONAL, poisson_ratio=0.4), {"greenwood_tabor", "persson"}),
         (ball_of(CURVE, poisson_ratio=0.4), {"greenwood_tabor"}),
         (ball_of(lambda omega: MODULUS + 1e3j * omega, poisson_ratio=0.5), ALL),
@@ -474,7 +481,7 @@ def test_everything_public_is_documented_with_an_example():
 
 def test_closed_forms_of_balls_on_balls_use_the_relative_radius():
     # Both forms agree within some percent with the solver here, as they do on the plane.
-    soft = vr.KelvinVoigt(modulus=2e4, viscosity=20.0)
+    soft = vr.materials.KelvinVoigt(modulus=2e4, viscosity=20.0)
     gel = vr.Layer(thickness=18e-3, shear_modulus=soft, poisson_ratio=0.5)
     ball, rigid = vr.CoatedSphere(core_radius=2e-3, layers=[gel]), vr.CoatedSphere(core_radius=30e-3)
     load, speed = 2e-3, 0.2  # in the loss time the surface travels 4 % of the contact radius

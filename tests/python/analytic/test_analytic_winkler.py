@@ -64,7 +64,7 @@ def test_against_the_memory_integral(speed, bulk):
     assert found == close(torque, rel=2e-6)
 
 
-@pytest.mark.parametrize("material", [solid(2.0), vr.KelvinVoigt(modulus=MODULUS, viscosity=MODULUS * TAU)])
+@pytest.mark.parametrize("material", [solid(2.0), vr.materials.KelvinVoigt(modulus=MODULUS, viscosity=MODULUS * TAU)])
 def test_slow_rolling(material):
     case = {"load": 20.0, "angular_speed": 1e-6}
     torque = analytic.winkler_torque(**case, **SHAPE, shear_modulus=material, poisson_ratio=0.3)
@@ -75,7 +75,7 @@ def test_fast_rolling_on_dashpots():
     # Dashpots support the load: p = c Omega x / h with c = 2 (1-nu)/(1-2nu) eta on the front half-disk, so that
     # P = c Omega 2 a^3 / (3h) and T = P (3 pi/16) a.
     viscosity, speed, load = 100.0, 1e5, 20.0
-    material = vr.KelvinVoigt(modulus=1e-3, viscosity=viscosity)
+    material = vr.materials.KelvinVoigt(modulus=1e-3, viscosity=viscosity)
     a = np.cbrt(1.5 * load * THICKNESS / (3.5 * viscosity * speed))
     torque = analytic.winkler_torque(load=load, angular_speed=speed, **SHAPE, shear_modulus=material, poisson_ratio=0.3)
     assert torque == close(3.0 * np.pi / 16.0 * load * a, rel=1e-6)

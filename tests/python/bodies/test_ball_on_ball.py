@@ -15,7 +15,9 @@ LAYER = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
 BALL = vr.CoatedSphere(core_radius=20e-3, layers=[LAYER])
 OTHER = vr.CoatedSphere(
     core_radius=31e-3,
-    layers=[vr.Layer(thickness=2e-3, shear_modulus=vr.KelvinVoigt(modulus=5e6, viscosity=5e4), poisson_ratio=0.4)],
+    layers=[
+        vr.Layer(thickness=2e-3, shear_modulus=vr.materials.KelvinVoigt(modulus=5e6, viscosity=5e4), poisson_ratio=0.4)
+    ],
 )
 RIGID = vr.CoatedSphere(core_radius=33e-3)
 HEAVY = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5, density=2e3)

@@ -267,7 +267,9 @@ def test_bad_orders_and_degrees_are_rejected(paper_ball):
 @pytest.mark.parametrize("angular_speed", [1.0, 4.0])
 def test_strong_memory_of_a_thin_coating(compliance, angular_speed):
     """Compare with the curvature SPHERE, from which a thin coating differs little; displacements decay slowly."""
-    layer = vr.Layer(thickness=1e-3, shear_modulus=vr.KelvinVoigt(modulus=3e6, viscosity=3e4), poisson_ratio=0.5)
+    layer = vr.Layer(
+        thickness=1e-3, shear_modulus=vr.materials.KelvinVoigt(modulus=3e6, viscosity=3e4), poisson_ratio=0.5
+    )
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
     case = {"load": 50.0, "angular_speed": angular_speed, "mesh": vr.Mesh(nodes_per_revolution=800)}
     exact, torus = (vr.solve(ball, compliance=compliance, curvature=c, **case) for c in (EXACT, enums.Curvature.SPHERE))

@@ -277,7 +277,7 @@ def test_speeds_above_the_critical_speed_are_rejected():
 
 def test_critical_speed_is_infinite_without_inertia_or_without_a_short_time_limit():
     assert math.isinf(vr.modal.critical_speed(paper.ball(density=0.0)))
-    viscous = vr.KelvinVoigt(modulus=3e6, viscosity=1.0)
+    viscous = vr.materials.KelvinVoigt(modulus=3e6, viscosity=1.0)
     layer = vr.Layer(thickness=1e-3, shear_modulus=viscous, poisson_ratio=0.5, density=1000.0)
     assert math.isinf(vr.modal.critical_speed(vr.CoatedSphere(core_radius=20e-3, layers=[layer])))
 
@@ -293,7 +293,7 @@ def test_critical_speed_of_a_modulus_given_by_a_function(rubber):
 @pytest.mark.parametrize(
     "modulus",
     [
-        vr.KelvinVoigt(modulus=3e6, viscosity=1e-9),
+        vr.materials.KelvinVoigt(modulus=3e6, viscosity=1e-9),
         vr.StandardLinearSolid(instantaneous_modulus=3e9, relaxed_modulus=3e6, relaxation_time=1e-17),
     ],
     ids=["Kelvin-Voigt", "standard linear"],

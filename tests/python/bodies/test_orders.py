@@ -336,7 +336,7 @@ def test_solid_ball_keeps_the_regular_solutions(poisson_ratio):
 
 
 def test_solid_ball_is_the_limit_of_small_cores():
-    rubber = vr.KelvinVoigt(modulus=1e6, viscosity=1e3)
+    rubber = vr.materials.KelvinVoigt(modulus=1e6, viscosity=1e3)
     solid = vr.CoatedSphere(
         layers=[vr.Layer(thickness=20e-3, shear_modulus=rubber, poisson_ratio=0.3, density=1000.0)],
         inner_boundary=enums.InnerBoundary.SOLID,

@@ -238,7 +238,9 @@ def test_power_balance_of_each_roller():
 
 OTHER = vr.CoatedCylinder(
     core_radius=95e-3,
-    layers=[vr.Layer(thickness=5e-3, shear_modulus=vr.KelvinVoigt(modulus=5e6, viscosity=5e4), poisson_ratio=0.4)],
+    layers=[
+        vr.Layer(thickness=5e-3, shear_modulus=vr.materials.KelvinVoigt(modulus=5e6, viscosity=5e4), poisson_ratio=0.4)
+    ],
 )
 
 

@@ -175,21 +175,21 @@ MATERIALS = {
     ),
     "creep_compliance": (
         'type = "creep_compliance"\ninstantaneous_compliance = 1e-6\ncompliances = [2e-6]\nretardation_times = [1.0]',
-        vr.CreepCompliance(instantaneous_compliance=1e-6, compliances=[2e-6], retardation_times=[1.0]),
+        vr.materials.CreepCompliance(instantaneous_compliance=1e-6, compliances=[2e-6], retardation_times=[1.0]),
     ),
     "kelvin_voigt": (
         'type = "kelvin_voigt"\nmodulus = 1e6\nviscosity = 10',
-        vr.KelvinVoigt(modulus=1e6, viscosity=10.0),
+        vr.materials.KelvinVoigt(modulus=1e6, viscosity=10.0),
     ),
     "fractional_zener": (
         'type = "fractional_zener"\ninstantaneous_modulus = 6e6\nrelaxed_modulus = 3e6\n'
         "relaxation_time = 1\norder = 0.5",
-        vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=1.0, order=0.5),
+        vr.materials.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=1.0, order=0.5),
     ),
     "havriliak_negami": (
         'type = "havriliak_negami"\ninstantaneous_modulus = 6e6\nrelaxed_modulus = 3e6\n'
         "relaxation_time = 1\norder = 0.5\nasymmetry = 0.25",
-        vr.HavriliakNegami(
+        vr.materials.HavriliakNegami(
             instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=1.0, order=0.5, asymmetry=0.25
         ),
     ),

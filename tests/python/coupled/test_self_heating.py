@@ -335,8 +335,8 @@ def test_shift_factors_in_self_heating():
         vr.Elastic(modulus=1e6),
         vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125),
         vr.Prony(instantaneous_modulus=6e6, weights=[0.2, 0.3], relaxation_times=[0.1, 2.0]),
-        vr.KelvinVoigt(modulus=1e6, viscosity=1e4),
-        vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.1, order=0.5),
+        vr.materials.KelvinVoigt(modulus=1e6, viscosity=1e4),
+        vr.materials.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.1, order=0.5),
         vr.MasterCurve([0.0, 0.1, 1.0, 1e3], [1e6, 1e6, 2e6, 3e6], [0.0, 1e5, 2e5, 1e5]),
     ],
 )

@@ -15,7 +15,9 @@ from shared_cases import RUBBER, coated_ball, command
 from viscoroll.case import example_text
 
 BALL = coated_ball()
-OTHER = coated_ball(vr.KelvinVoigt(modulus=5e6, viscosity=5e4), core_radius=31e-3, thickness=2e-3, poisson_ratio=0.4)
+OTHER = coated_ball(
+    vr.materials.KelvinVoigt(modulus=5e6, viscosity=5e4), core_radius=31e-3, thickness=2e-3, poisson_ratio=0.4
+)
 FIRST, SECOND = 21e-3, 33e-3
 REDUCED = FIRST * SECOND / (FIRST + SECOND)
 MESH = vr.Mesh(nodes_per_revolution=500)

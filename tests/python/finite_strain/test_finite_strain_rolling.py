@@ -214,7 +214,7 @@ def test_text_and_picture():
         ({"on": vr.CoatedSphere(core_radius=1.0)}, "on must be a plane, a roller, or a groove"),
         ({"roller": vr.CoatedCylinder(core_radius=1.0)}, "roller.layers must contain at least one layer"),
         ({"roller": roller(poisson_ratio=0.45)}, "roller.layers[0] must have a Poisson's ratio in [0.48, 0.5]"),
-        ({"roller": roller(modulus=vr.KelvinVoigt(modulus=1.0, viscosity=1.0))}, "must have a finite"),
+        ({"roller": roller(modulus=vr.materials.KelvinVoigt(modulus=1.0, viscosity=1.0))}, "must have a finite"),
     ],
 )  # fmt: skip
 def test_invalid_input(changes, message):
@@ -235,7 +235,7 @@ def test_invalid_ladders_and_types():
         TypeError, match="roller must be a roller: rolling at finite strain of a ball is not implemented"
     ):
         finite_strain.solve(vr.paper.ball(), penetration=1e-4, angular_speed=1.0)
-    solid = vr.FractionalZener(instantaneous_modulus=2.0, relaxed_modulus=1.0, relaxation_time=1.0, order=0.5)
+    solid = vr.materials.FractionalZener(instantaneous_modulus=2.0, relaxed_modulus=1.0, relaxation_time=1.0, order=0.5)
     with pytest.raises(TypeError, match=r"roller.layers\[0\].shear_modulus must be a number, Elastic"):
         finite_strain.solve(roller(modulus=solid), penetration=0.01, angular_speed=1.0)
     for kind, name in ((MooneyRivlin, "fraction"), (Yeoh, "coefficient")):

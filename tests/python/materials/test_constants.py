@@ -179,7 +179,9 @@ def test_series_from_absolute_moduli():
 
 @pytest.mark.parametrize("program", PROGRAMS)
 def test_few_terms_reach_the_tolerance(program):
-    solid = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.01, order=0.5)
+    solid = vr.materials.FractionalZener(
+        instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.01, order=0.5
+    )
     constants = MaterialConstants(shear_modulus=solid, bulk_modulus=2e9, density=1100.0)
     text = constants.to_text(program, terms=6, tolerance=0.01, frequencies=(1.0, 1e4))
     series = read_constants(text).shear_modulus
@@ -310,7 +312,7 @@ def test_messages_of_arguments(tmp_path):
     with pytest.raises(vr.InvalidInput, match="bulk_modulus must be left out with poisson_ratio"):
         MaterialConstants(shear_modulus=SERIES, poisson_ratio=0.4, bulk_modulus=1e9)
     with pytest.raises(vr.InvalidInput, match="terms must be given: this modulus is not a sum of exponentials"):
-        MaterialConstants(shear_modulus=vr.KelvinVoigt(modulus=1e6, viscosity=1.0)).to_text("comsol")
+        MaterialConstants(shear_modulus=vr.materials.KelvinVoigt(modulus=1e6, viscosity=1.0)).to_text("comsol")
     with pytest.raises(vr.InvalidInput, match="temperature must be left out: the material has no shift"):
         constants.at(temperature=300.0)
     with pytest.raises(vr.InvalidInput, match=r"units must be one of m-kg-s, .* got 'mm'"):

@@ -44,7 +44,9 @@ def compliance_modulus(instantaneous, compliances, times):
     ],
 )
 def test_creep_compliance_agrees_with_its_prony_series(compliances, times):
-    solid = vr.CreepCompliance(instantaneous_compliance=1e-6, compliances=compliances, retardation_times=times)
+    solid = vr.materials.CreepCompliance(
+        instantaneous_compliance=1e-6, compliances=compliances, retardation_times=times
+    )
     expected = compliance_modulus(1e-6, compliances, times)
     np.testing.assert_allclose(solid.complex_modulus(OMEGA), expected, rtol=1e-12)
     np.testing.assert_array_equal(solid.prony().complex_modulus(OMEGA), solid.complex_modulus(OMEGA))
@@ -52,7 +54,7 @@ def test_creep_compliance_agrees_with_its_prony_series(compliances, times):
 
 def test_creep_compliance_of_one_term_is_the_standard_linear_solid():
     # J_0 = 1/G_0, J_1 = 1/G_inf - 1/G_0, and the retardation time is tau G_0 / G_inf.
-    solid = vr.CreepCompliance(
+    solid = vr.materials.CreepCompliance(
         instantaneous_compliance=1 / 6e6, compliances=[1 / 3e6 - 1 / 6e6], retardation_times=[0.25]
     )
     rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
@@ -65,10 +67,12 @@ MODULI = {
     "standard linear solid": vr.StandardLinearSolid(
         instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125
     ),
-    "creep": vr.CreepCompliance(instantaneous_compliance=1e-6, compliances=[1e-6], retardation_times=[0.2]),
-    "Kelvin-Voigt": vr.KelvinVoigt(modulus=2e6, viscosity=1e4),
-    "fractional": vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.4),
-    "Havriliak-Negami": vr.HavriliakNegami(
+    "creep": vr.materials.CreepCompliance(instantaneous_compliance=1e-6, compliances=[1e-6], retardation_times=[0.2]),
+    "Kelvin-Voigt": vr.materials.KelvinVoigt(modulus=2e6, viscosity=1e4),
+    "fractional": vr.materials.FractionalZener(
+        instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.4
+    ),
+    "Havriliak-Negami": vr.materials.HavriliakNegami(
         instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.8, asymmetry=0.4
     ),
     "master curve": vr.MasterCurve([1e-3, 1.0, 1e6], [1e6, 2e6, 4e6], [1e5, 2e5, 1e5]),
@@ -100,18 +104,22 @@ def test_standard_linear_solid_without_relaxation_is_elastic():
 
 def test_kelvin_voigt():
     expected = 2e6 + 1j * OMEGA * 1e4
-    np.testing.assert_array_equal(vr.KelvinVoigt(modulus=2e6, viscosity=1e4).complex_modulus(OMEGA), expected)
+    np.testing.assert_array_equal(vr.materials.KelvinVoigt(modulus=2e6, viscosity=1e4).complex_modulus(OMEGA), expected)
 
 
 def test_fractional_zener():
-    solid = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.4)
+    solid = vr.materials.FractionalZener(
+        instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.4
+    )
     power = (1j * OMEGA * 0.125) ** 0.4
     expected = (3e6 + 6e6 * power) / (1 + power)
     np.testing.assert_allclose(solid.complex_modulus(OMEGA), expected, rtol=1e-14)
 
 
 def test_fractional_zener_of_order_one_is_the_standard_linear_solid(rubber):
-    solid = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0)
+    solid = vr.materials.FractionalZener(
+        instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0
+    )
     np.testing.assert_allclose(solid.complex_modulus(OMEGA), rubber.complex_modulus(OMEGA), rtol=1e-14)
 
 
@@ -129,7 +137,7 @@ HAVRILIAK_NEGAMI = {"instantaneous_modulus": 6e6, "relaxed_modulus": 2.0, "relax
 @pytest.mark.parametrize("order", [0.05, 0.6, 1.0])
 def test_havriliak_negami(order, asymmetry):
     """The relaxed modulus is so small that a difference of the other terms would lose it to round-off."""
-    solid = vr.HavriliakNegami(**HAVRILIAK_NEGAMI, order=order, asymmetry=asymmetry)
+    solid = vr.materials.HavriliakNegami(**HAVRILIAK_NEGAMI, order=order, asymmetry=asymmetry)
     omega = np.geomspace(1e-20, 1e20, 41)
     expected = np.array([havriliak_negami(w, order, asymmetry) for w in omega.tolist()])
     found = solid.complex_modulus(omega)
@@ -138,17 +146,17 @@ def test_havriliak_negami(order, asymmetry):
 
 
 def test_limits_of_havriliak_negami():
-    solid = vr.HavriliakNegami(**HAVRILIAK_NEGAMI, order=0.6, asymmetry=0.25)
+    solid = vr.materials.HavriliakNegami(**HAVRILIAK_NEGAMI, order=0.6, asymmetry=0.25)
     assert solid.complex_modulus(0.0) == 2.0
     # G_0 - (G_0 - G_inf) (w tau)^(-alpha beta), which at the largest frequency is below round-off for other exponents
-    slow = vr.HavriliakNegami(**HAVRILIAK_NEGAMI, order=1.0, asymmetry=1e-3)
+    slow = vr.materials.HavriliakNegami(**HAVRILIAK_NEGAMI, order=1.0, asymmetry=1e-3)
     expected = 6e6 - (6e6 - 2.0) * (1j * 1e300 * 0.125) ** -1e-3
     np.testing.assert_allclose(slow.complex_modulus(1e300), expected, rtol=1e-12)
 
 
 def test_symmetric_havriliak_negami_is_the_fractional_zener_solid():
     given = {"instantaneous_modulus": 6e6, "relaxed_modulus": 3e6, "relaxation_time": 0.125, "order": 0.4}
-    solid, symmetric = vr.FractionalZener(**given), vr.HavriliakNegami(**given, asymmetry=1.0)
+    solid, symmetric = vr.materials.FractionalZener(**given), vr.materials.HavriliakNegami(**given, asymmetry=1.0)
     np.testing.assert_allclose(symmetric.complex_modulus(OMEGA), solid.complex_modulus(OMEGA), rtol=1e-14)
 
 

@@ -45,7 +45,7 @@ def test_seed_and_number_determine_the_case():
 
 
 def test_source_reproduces_the_case():
-    names = vars(vr) | vars(enums) | vars(materials)
+    names = vars(vr) | vars(vr.materials) | vars(enums) | vars(materials)
     for number in range(50):
         case = draw(3, number)
         calls: list[tuple[vr.CoatedSphere, dict]] = []

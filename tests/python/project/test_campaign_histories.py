@@ -40,7 +40,7 @@ def test_seed_and_number_determine_the_history():
 
 
 def test_source_reproduces_the_history():
-    names = vars(vr) | vars(enums) | vars(materials) | {"inf": np.inf}
+    names = vars(vr) | vars(vr.materials) | vars(enums) | vars(materials) | {"inf": np.inf}
     for number in range(25):
         case = draw(3, number)
         calls: list[tuple[vr.bodies.RollingBody, dict]] = []

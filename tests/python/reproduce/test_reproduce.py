@@ -226,7 +226,7 @@ def test_compare_command(coarse_case, tmp_path):
 
 def test_closed_forms_agree_with_the_solver_where_they_are_valid():
     # A soft, nearly solid ball at low speed: the errors of the low-speed limit and of the mesh are some percent each.
-    gel = vr.KelvinVoigt(modulus=1e5, viscosity=1000.0)
+    gel = vr.materials.KelvinVoigt(modulus=1e5, viscosity=1000.0)
     ball = coated_ball(gel, core_radius=2e-3, thickness=18e-3)
     case = replace(
         _case(),

@@ -265,7 +265,7 @@ def test_pressure_does_not_alternate_where_memory_is_strong(compliance, viscosit
     torques = []
     for nodes in (800, 1600):
         r = vr.solve(
-            coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=viscosity)),
+            coated_ball(vr.materials.KelvinVoigt(modulus=3e6, viscosity=viscosity)),
             load=50.0,
             angular_speed=angular_speed,
             mesh=vr.Mesh(nodes_per_revolution=nodes),

@@ -28,7 +28,7 @@ def power_law(*, modulus, amplitude, time, exponent):
 
 def layer(*, shear_modulus, **given):
     ((kind, parameters),) = shear_modulus.items()
-    modulus = power_law if kind == "power_law" else getattr(vr, kind)
+    modulus = power_law if kind == "power_law" else getattr(vr.materials, kind)
     return vr.Layer(shear_modulus=modulus(**parameters), **given)
 
 

@@ -191,7 +191,9 @@ def test_dimensional_scaling(length, stiffness, time, radial):
     order=st.floats(0.3, 1.0),
 )
 def test_driving_power_is_dissipated(load, speed, thickness, poisson_ratio, order):
-    material = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=order)
+    material = vr.materials.FractionalZener(
+        instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=order
+    )
     ball = coated_ball(material, thickness=thickness, poisson_ratio=poisson_ratio, density=1000.0)
     r = roll(ball, load=load, angular_speed=speed, nodes=300, order=300, radial=False)
     assert r.status is enums.Status.CONVERGED

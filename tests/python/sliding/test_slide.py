@@ -65,7 +65,9 @@ def test_a_half_space_is_a_plane_without_layers():
 @pytest.mark.parametrize("density", [0.0, 1e3])
 def test_profiles_slide_on_all_layers(density):
     # The series of the compliance depend on inertia and on the layers. A map of identical columns is a profile.
-    softer = vr.FractionalZener(instantaneous_modulus=5e6, relaxed_modulus=5e5, relaxation_time=1e-3, order=0.6)
+    softer = vr.materials.FractionalZener(
+        instantaneous_modulus=5e6, relaxed_modulus=5e5, relaxation_time=1e-3, order=0.6
+    )
     layers = [
         vr.Layer(thickness=1e-4, shear_modulus=material, poisson_ratio=0.5, density=density)
         for material in (softer, RUBBER)

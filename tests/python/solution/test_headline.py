@@ -113,7 +113,9 @@ def test_a_good_result_has_no_warning(paper_ball):
 
 def test_the_same_mesh_is_not_solved_twice():
     """A large contact on a solid ball may need fewer nodes than the minimum, on coarse and fine meshes alike."""
-    layer = vr.Layer(thickness=20e-3, shear_modulus=vr.KelvinVoigt(modulus=1e6, viscosity=1e5), poisson_ratio=0.5)
+    layer = vr.Layer(
+        thickness=20e-3, shear_modulus=vr.materials.KelvinVoigt(modulus=1e6, viscosity=1e5), poisson_ratio=0.5
+    )
     ball = vr.CoatedSphere(layers=[layer], inner_boundary=enums.InnerBoundary.SOLID)
     r = vr.solve(ball, load=600.0, angular_speed=1.0, accuracy=0.4)
     nodes = [step.mesh.nodes_per_revolution for step in r.refinements]

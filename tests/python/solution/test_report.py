@@ -96,11 +96,11 @@ LOSSLESS_MODULI = {
     "number": 3e6,
     "Elastic": vr.Elastic(modulus=3e6),
     "Prony": vr.Prony(instantaneous_modulus=3e6, weights=[0.0, 0.0], relaxation_times=[0.1, 1.0]),
-    "KelvinVoigt": vr.KelvinVoigt(modulus=3e6, viscosity=0.0),
-    "FractionalZener": vr.FractionalZener(
+    "KelvinVoigt": vr.materials.KelvinVoigt(modulus=3e6, viscosity=0.0),
+    "FractionalZener": vr.materials.FractionalZener(
         instantaneous_modulus=3e6, relaxed_modulus=3e6, relaxation_time=0.1, order=0.5
     ),
-    "HavriliakNegami": vr.HavriliakNegami(
+    "HavriliakNegami": vr.materials.HavriliakNegami(
         instantaneous_modulus=3e6, relaxed_modulus=3e6, relaxation_time=0.1, order=0.5, asymmetry=0.5
     ),
     "MasterCurve": vr.MasterCurve([0.0, 1e-3, 1e9], [3e6, 3e6, 4e6], [0.0, 0.0, 0.0]),

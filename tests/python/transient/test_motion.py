@@ -45,7 +45,7 @@ def test_bad_input(change, message):
 
 
 def test_a_load_jump_on_kelvin_voigt_is_rejected():
-    ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1e5))
+    ball = coated_ball(vr.materials.KelvinVoigt(modulus=3e6, viscosity=1e5))
     with pytest.raises(ValueError, match=r"start must be RELAXED for a coating without instantaneous compliance"):
         vr.roll(ball, **GOOD, start=enums.Start.UNDEFORMED)
     jump = {"time": [0, 0.5, 0.5, 1], "angle": [0, 0.1, 0.1, 0.2], "load": [100, 100, 120, 120]}
@@ -54,7 +54,7 @@ def test_a_load_jump_on_kelvin_voigt_is_rejected():
 
 
 def test_coatings_that_transient_rolling_cannot_solve():
-    slow = vr.KelvinVoigt(modulus=3e6, viscosity=1e5)
+    slow = vr.materials.KelvinVoigt(modulus=3e6, viscosity=1e5)
     layers = [
         vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.45)
         for modulus in (slow, vr.Elastic(modulus=2e6))

@@ -164,7 +164,9 @@ def test_a_state_of_another_ball_is_refused():
 
 def test_a_state_continues_under_a_load_that_cannot_be_supported_permanently():
     """Material that almost flows cannot support this load permanently, but a brief history continues from its state."""
-    putty = vr.FractionalZener(instantaneous_modulus=1e7, relaxed_modulus=5e3, relaxation_time=100.0, order=0.5)
+    putty = vr.materials.FractionalZener(
+        instantaneous_modulus=1e7, relaxed_modulus=5e3, relaxation_time=100.0, order=0.5
+    )
     ball = vr.CoatedSphere(core_radius=2e-3, layers=[vr.Layer(thickness=1e-3, shear_modulus=putty, poisson_ratio=0.3)])
     given = {"load": 0.3, "mesh": vr.Mesh(nodes_per_revolution=100), "averaged_meshes": 1, "longest_time": 1e3}
     with pytest.raises(ValueError, match="load must be small enough for the coating"):

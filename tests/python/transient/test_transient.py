@@ -259,7 +259,7 @@ def test_penetration_at_standstill(compliance):
 
 # --- the steady solver ----------------------------------------------------------------------------------------------
 
-ZENER = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.5)
+ZENER = vr.materials.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.5)
 
 
 @cache
@@ -282,7 +282,7 @@ def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
 
 def test_a_fitted_spectrum_gives_the_history_of_the_known_one():
     """The spectrum of the fractional Zener solid is known; that of the equal Havriliak-Negami solid is fitted."""
-    fitted = vr.HavriliakNegami(
+    fitted = vr.materials.HavriliakNegami(
         instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.5, asymmetry=1.0
     )
     time = np.linspace(0.0, 0.4, 9)
@@ -310,7 +310,7 @@ def test_fractional_zener_ends_in_the_steady_torque(omega, nodes, bound):
 
 
 def test_kelvin_voigt_ends_in_the_steady_torque():
-    ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1.5e5))
+    ball = coated_ball(vr.materials.KelvinVoigt(modulus=3e6, viscosity=1.5e5))
     steady = vr.solve(ball, load=100.0, angular_speed=1.0, accuracy=2e-3).resisting_torque
     h = roll_at_speed(1.0, 2.0, ball=ball, mesh=vr.Mesh(nodes_per_revolution=300))
     assert h.resisting_torque[-1] == pytest.approx(steady, rel=0.01)

@@ -1,7 +1,7 @@
 /** A case as Python code and as a case file, with exactly the numbers of the page. */
 
 import { bodyOf } from "./case.js";
-import { CLASSES, INTEGERS } from "./schema.js";
+import { CLASSES, COMMON_MODULI, INTEGERS } from "./schema.js";
 
 /** Classes of types whose class does not have the name of the type. */
 const MODULI = {
@@ -12,8 +12,11 @@ const MODULI = {
   generalized_maxwell: "Prony.from_moduli",
 };
 
-/** The class of a modulus: "KelvinVoigt" for the type "kelvin_voigt". */
-export const classOf = (type) => MODULI[type] ?? type.replace(/(?:^|_)(.)/g, (_, letter) => letter.toUpperCase());
+/** The class of a modulus in the package: "materials.KelvinVoigt" for the type "kelvin_voigt". */
+export function classOf(type) {
+  const name = type.replace(/(?:^|_)(.)/g, (_, letter) => letter.toUpperCase());
+  return MODULI[type] ?? (COMMON_MODULI.includes(name) ? name : `materials.${name}`);
+}
 
 /** Python code that solves a case and prints its results. */
 export function pythonOf(tables) {

@@ -19,6 +19,9 @@ export const CLASSES = {
   other_wheel: "CoatedWheel",
 };
 
+/** Classes of moduli that are names of the Python package; the others are names of its module `materials`. */
+export const COMMON_MODULI = ["Elastic", "LossFactor", "MasterCurve", "Prony", "StandardLinearSolid"];
+
 /** Keys of case files whose values are whole numbers. */
 export const INTEGERS = ["nodes_per_revolution", "max_order", "theta_nodes_per_revolution"];
 
