@@ -100,15 +100,16 @@ StepEnd waypoint_of(const Motion& motion, std::size_t k) {
 
 /// Next waypoint. Of several waypoints at the present time, it is the one after the waypoint that has been reached.
 std::size_t next_waypoint(const Motion& motion, const RollingInstant& current, double radius) {
-  constexpr double kRoundOff = 1e-12;  // relative to the radius, of heights that follow from penetrations
+  // Heights follow from penetrations, and displacements of the center are sums over the steps.
+  constexpr double kRoundOff = 1e-12;  // relative to the radius
+  const auto equal = [radius](double one, double other) { return std::abs(one - other) <= kRoundOff * radius; };
   std::size_t next = 0;
   while (motion.time[next] < current.time) ++next;
   for (std::size_t k = next; k < motion.time.size() && motion.time[k] == current.time; ++k) {
     const StepEnd waypoint = waypoint_of(motion, k);
     const bool reached =
-        waypoint.center_displacement.value_or(current.center_displacement) == current.center_displacement;
-    const double height = radius - current.penetration;
-    const bool supported = waypoint.axle_height ? std::abs(*waypoint.axle_height - height) <= kRoundOff * radius
+        equal(waypoint.center_displacement.value_or(current.center_displacement), current.center_displacement);
+    const bool supported = waypoint.axle_height ? equal(*waypoint.axle_height, radius - current.penetration)
                                                 : waypoint.load == current.axle_force;
     if (waypoint.angle == current.angle && supported && reached) next = k + 1;
   }

@@ -134,6 +134,33 @@ def test_resume_from_a_file(tmp_path):
     assert rest.dissipated_energy[-1] == whole.dissipated_energy[-1]
 
 
+def test_a_displacement_that_is_a_sum_is_not_repeated_after_an_interruption():
+    """The stored displacement of the center is a sum over the steps, which may differ in its last digit."""
+    rubber = vr.StandardLinearSolid(
+        instantaneous_modulus=12318.57, relaxed_modulus=3278.575, relaxation_time=0.08608771
+    )
+    ball = vr.CoatedSphere(core_radius=0.004830962130925986)
+    coating = vr.Layer(thickness=0.0013036386, shear_modulus=rubber, poisson_ratio=-0.637)
+    given = {
+        "on": vr.Groove(path_radius=-0.04989456115642726, layers=[coating]),
+        "time": [0.0, 0.033612242649761516, 0.06951770577952446, 0.08246789992721505],
+        "angle": [0.0, 0.32466043447968984, 0.01101571503167964, 0.0907112678916267],
+        "load": [1.4855840681168245e-3] * 3 + [1.2099963734308686e-3],
+        "center_displacement": [0.0, 0.0016378051101923643, 5.557065923422956e-05, 0.00045760851131439255],
+        "friction": 0.55,
+        "mesh": vr.Mesh(nodes_per_revolution=102),
+        "averaged_meshes": 1,
+        "steps_per_spacing": 2,
+    }
+    series = ("time", "angle", "load", "center_displacement")
+    first = vr.roll(ball, **given | {name: given[name][:3] for name in series})
+    assert first.center_displacement[-1] != given["center_displacement"][2]  # otherwise the test proves nothing
+    rest = vr.roll(ball, **given | {"start": first.state})
+    whole = vr.roll(ball, **given)
+    np.testing.assert_array_equal(rest.time, whole.time[-len(rest.time) :])
+    np.testing.assert_array_equal(rest.resisting_torque, whole.resisting_torque[-len(rest.time) :])
+
+
 def test_an_interrupted_run_leaves_a_checkpoint(tmp_path):
     def stop(stage: str, fraction: float) -> None:
         if stage == "rolling" and fraction > 0.3:
