@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
-from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
@@ -350,5 +349,7 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
 
 def example_text(name: Literal["case", "sweep", "design", "motion", "sliding", "measured"] = "case") -> str:
     """Return an example: a case, motion or sliding file, measurements, or the table of a study or a design."""
+    from importlib import resources
+
     file = f"examples/{name}.{'csv' if name == 'measured' else 'toml'}"
     return resources.files("viscoroll").joinpath(file).read_text(encoding="utf-8")

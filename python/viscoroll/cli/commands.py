@@ -14,8 +14,6 @@ from .._support.extras import extra
 from .._support.files import save_picture
 from .._support.text import parsed_range, shown
 from .._support.toml import read_toml
-from ..materials import WilliamsLandelFerry, read_constants
-from ..materials.constants import holds_constants
 from .output import PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 
 with extra("cli"):
@@ -26,7 +24,7 @@ if TYPE_CHECKING:
 
     import xarray
 
-    from ..materials import Draws, Prony
+    from ..materials import Draws, Prony, WilliamsLandelFerry
     from ..materials.shear_modulus import ShearModulus
     from ..rheology import (
         Check,
@@ -241,6 +239,8 @@ def _require_consistent(source: str, checks: Iterable[Check], *, accept: bool) -
 
 def _holds_constants(path: Path) -> bool:
     """Return whether a file is input of a finite-element program. The reader of measurements reports missing files."""
+    from ..materials.constants import holds_constants
+
     return path.is_file() and holds_constants(path)
 
 
@@ -262,6 +262,8 @@ def _require_options_of(context: typer.Context, file: str, *, is_deck: bool) -> 
 
 def _write_constants(path: Path, units: str, temperature_unit: TemperatureUnit) -> None:
     """Print the constants of an input file, and how a case file refers to it."""
+    from ..materials import read_constants
+
     for line in repr(read_constants(path, units=units, temperature_unit=temperature_unit.value)).splitlines():
         write_line(line)
     of_temperature = "" if temperature_unit is TemperatureUnit.K else f", temperature_unit = '{temperature_unit}'"
@@ -376,6 +378,7 @@ def _reference(data: RheologyData, reference: float | None) -> float:
 
 
 def _own_shift(factors: Path | None, wlf: str | None) -> ShiftFactors | WilliamsLandelFerry | None:
+    from ..materials import WilliamsLandelFerry
     from ..rheology import ShiftFactors
 
     if factors is not None and wlf is not None:
