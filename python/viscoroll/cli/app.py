@@ -30,8 +30,9 @@ from ..solution.files import FORMATS
 from ..solution.text import ANSWER, mesh_text, result_sections, result_title
 from .check import CHANGES, check
 from .cite import print_citation
-from .commands import design, export, material, schema
+from .commands import design, material, schema
 from .example import example
+from .export import export, impact
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 from .page import serve_page
 from .report import write_report
@@ -446,7 +447,7 @@ def _print_rows(sections: dict[str, list[tuple[str, str]]]) -> None:
         OUTPUT.print(table)
 
 
-for command in (check, example, slide, material, export, design, schema):
+for command in (check, example, slide, material, export, impact, design, schema):
     app.command()(command)
 app.command("app")(serve_page)
 app.command("report")(write_report)

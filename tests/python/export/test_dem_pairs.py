@@ -134,7 +134,7 @@ def test_studies_of_two_balls(dissimilar):
     [
         ("chrono", "multicore", "style of chrono must be nsc or dem for two balls, got multicore"),
         ("chrono", "dem", "style of chrono must be nsc for two balls of different radii, got dem"),
-        ("lethe", "viscous", "style of lethe must be constant for two balls, got viscous"),
+        ("lethe", "viscous", "style of lethe must be constant or epsd for two balls, got viscous"),
     ],
 )
 def test_laws_that_do_not_support_two_balls(dissimilar, code, style, message):
