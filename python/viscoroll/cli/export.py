@@ -71,7 +71,7 @@ def export(
         float, typer.Option(help="Without \\[sweep]: factor by which load and speed vary up and down.")
     ] = 2.0,
 ) -> None:
-    """Write rolling friction, and with --mass restitution, as a particle code defines them, and a CSV table of T(P, Ω)."""
+    """Write rolling friction, and with --mass restitution, as a particle code defines them, and a table of T(P, Ω)."""
     from ..studies.study import run_plan, study_warnings, sweep
 
     if not 1.0 < span <= 100.0:

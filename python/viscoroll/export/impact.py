@@ -296,6 +296,12 @@ class _Pair:
     on: Counterbody | None
     averaged_meshes: int
 
+    @property
+    def deepest(self) -> float:
+        """Largest approach for which a contact is computed [m]: half of the radius or 90 % of the layers."""
+        depth = sum(one.depth for one in (self.ball, self.on) if one is not None)
+        return min(0.5 * self.ball.outer_radius, 0.9 * depth)
+
     def touching(self, load: float, mesh: Mesh, *, shortest: float, longest: float) -> RollingHistory:
         """Return the history of a pair that touches under a small load, undeformed unless it cannot jump."""
         materials = [one for body in (self.ball, self.on) if body is not None for one in materials_of(body)]
@@ -343,10 +349,10 @@ def _estimated(pair: _Pair, mesh: Mesh, mass: float, speed: float) -> tuple[floa
         if work >= energy:
             return approach, now.contact_length
         following *= _GROWTH
-        if following > 0.5 * radius:
+        if following > pair.deepest:
             raise InvalidInput(
                 "speed",
-                "must be so small that the ball stops within half of its radius",
+                f"must be so small that the ball stops within {quantity_text(pair.deepest, 'm')}",
                 f"{speed:g} m/s for a mass of {mass:g} kg",
             )
 

@@ -206,7 +206,10 @@ def test_stiffness_is_fitted(study):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"code": "edem"}, "code must be one of lammps, liggghts, yade, mercurydpm, chrono, lethe, mujoco, kratos, got 'edem'"),
+        (
+            {"code": "edem"},
+            "code must be one of lammps, liggghts, yade, mercurydpm, chrono, lethe, mujoco, kratos, got 'edem'",
+        ),
         ({"code": "lethe", "style": "sds"}, "style of lethe must be one of constant, viscous, epsd, got 'sds'"),
         ({"code": "yade", "load": 55.0}, "load must be one of 30, 50, 80, 120 N, got 55"),
         ({"code": "yade", "angular_speed": 3.0}, "angular_speed must be one of 0.5, 1, 2, 4, 8 rad/s, got 3"),
