@@ -168,6 +168,7 @@ def solve(
         scalars = result.scalars()
         if solved.temperatures:
             scalars["thermal"] = solved.thermal_scalars()  # type: ignore[assignment]
+            scalars["bonds"] = solved.bonds  # type: ignore[assignment]
         if softened is not None:
             scalars["softening"] = {name: value for name, value, _ in softened.rows()}  # type: ignore[assignment]
         if rows:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 from .._support.celsius import ZERO_CELSIUS, kelvin_range, kelvin_text
 from .._support.extras import extra
 from .._support.files import save_picture
+from .._support.quantities import quantity_text
 from .._support.text import parsed_range
 from ..materials import WilliamsLandelFerry, read_constants
 from ..materials.constants import holds_constants
@@ -274,17 +275,20 @@ def design(
 ) -> None:
     """Find the number of a case, such as a thickness, with the least power loss or the largest value within limits."""
     from ..case.design import design_case
+    from ..case.limits import limit_label, limit_text
 
     check_target("--plot", plot, PICTURES)
     report_skipped(case, "design")
     with progress_bar() as report:
         found = design_case(case, progress=report)
-    power = f"{found.result.dissipated_power:.6g} {found.result.unit('dissipated_power')}"
-    write_line(f"{found.variable} = {found.best:.6g}: power dissipated {power}")
+    best = quantity_text(found.best, found.unit, digits=6)  # to copy: with fewer digits it may exceed a limit
+    power = quantity_text(found.result.dissipated_power, found.result.unit("dissipated_power"))
+    write_line(f"{found.variable} = {best}: power dissipated {power}")
     for name, limit in found.limits.items():
         reached = ", reached" if name in found.active else ""
-        unit = f" {found.outcome.unit(name)}".removesuffix(" 1")
-        write_line(f"  {name} = {found.outcome.value(name):.6g}{unit}, limit {limit:.6g}{unit}{reached}")
+        unit = found.outcome.unit(name)
+        value, largest = (limit_text(name, number, unit) for number in (found.outcome.value(name), limit))
+        write_line(f"  {limit_label(name, found.result.body)}: {value}, limit {largest}{reached}")
     if plot is not None:
         save_picture(found.plot(), plot)
         write_line(f"power and limits drawn to {plot}")

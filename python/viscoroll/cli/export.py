@@ -172,9 +172,10 @@ def _read(path: Path) -> tuple[RollingBody, Counterbody | None, Plan | None, Cas
     if "sweep" not in document:
         case = load_case(path)
         return case.body, case.on, None, case
-    from ..case.study import load_study
+    from ..case.study import plan_study
 
-    plan = load_study(path)
+    with errors_in(path):
+        plan = plan_study({name: table for name, table in document.items() if name != "thermal"}, path.parent)
     first = next(one for one in plan.cases if not isinstance(one, str))
     return first.body, first.arguments.get("on"), plan, None
 
