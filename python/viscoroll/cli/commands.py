@@ -171,7 +171,7 @@ def material(
     _require_consistent(measured.source, checks, accept=accept)
     if save is not None:
         save_material(save, curve, fit=fit, draws=_draws(curve, fit, draws))
-        write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+        _write_saved(save)
 
 
 class _ReadingOptions(TypedDict):
@@ -212,7 +212,7 @@ def _fit_over_time(
     _require_consistent(", ".join(part.source for part in parts), [fit.check], accept=accept)
     if save is not None:
         save_material(save, fit, fit=fit, draws=fit.draws(draws) if draws else None)
-        write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+        _write_saved(save)
 
 
 def _require_consistent(source: str, checks: Iterable[Check], *, accept: bool) -> None:
@@ -299,6 +299,15 @@ def schema() -> None:
     from ..case.schema import json_schema
 
     write_line(json.dumps(json_schema(), indent=2, ensure_ascii=False))
+
+
+def _write_saved(path: Path) -> None:
+    """Print how case files use a saved material, also without an editor."""
+    table = f"{{ type = 'measured', file = '{path.name}' }}"
+    write_line(f"material: {path}; in a case file, shear_modulus = {table}")
+    write_line(
+        f'or with another case file beside it: viscoroll solve case.toml --set "BODY.layers[0].shear_modulus={table}"'
+    )
 
 
 def _draws(curve: Superposition | Isotherm, fit: PronyFit, count: int) -> Draws[Superposition] | Draws[Prony] | None:
