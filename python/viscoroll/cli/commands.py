@@ -305,9 +305,7 @@ def _write_saved(path: Path) -> None:
     """Print how case files use a saved material, also without an editor."""
     table = f"{{ type = 'measured', file = '{path.name}' }}"
     write_line(f"material: {path}; in a case file, shear_modulus = {table}")
-    write_line(
-        f'or with another case file beside it: viscoroll solve case.toml --set "BODY.layers[0].shear_modulus={table}"'
-    )
+    write_line(f'or: viscoroll solve case.toml --set "ball.layers[0].shear_modulus={table}" (or cylinder, or wheel)')
 
 
 def _draws(curve: Superposition | Isotherm, fit: PronyFit, count: int) -> Draws[Superposition] | Draws[Prony] | None:

@@ -87,8 +87,8 @@ def export(
     hit = None
     if mass is not None and impact_speed is not None:
         with progress_bar() as report, recorded_warnings() as issued:
-            numbers = {"mass": _number("--mass", mass, "kg"), "speed": _number("--impact-speed", impact_speed, "m/s")}
-            hit = normal_impact(body, on=on, **numbers, progress=report)
+            kilograms, meters_per_second = _number("--mass", mass, "kg"), _number("--impact-speed", impact_speed, "m/s")
+            hit = normal_impact(body, on=on, mass=kilograms, speed=meters_per_second, progress=report)
         for message in issued:
             write_message(f"warning: impact: {message}")
     at: dict[str, float] = {}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -27,8 +28,6 @@ from ..transient.history_warnings import strain_warnings
 from .balls import balls_of
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
@@ -172,7 +171,7 @@ class Impact:
 
     def save(self, path: str | Path) -> None:
         """Write the time series to a CSV file."""
-        write_csv({f"{name} [{unit}]": getattr(self, name).tolist() for name, unit in _COLUMNS.items()}, path)
+        write_csv({f"{name} [{unit}]": getattr(self, name).tolist() for name, unit in _COLUMNS.items()}, Path(path))
 
     @plots("force over approach")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:

@@ -118,6 +118,7 @@ def solve_group(
         try:
             solver = solver or _solver(body, shared, cases, threads=threads, progress=progress)
             addition = additions[position] if additions else None
+            added: dict[str, float]
             if addition is None:
                 solved, added = solve_point(solver, **case), {}
             else:
