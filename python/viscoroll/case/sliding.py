@@ -30,7 +30,12 @@ class Surface(StrictTable):
     Parameters
     ----------
     file : str
-        File of heights (.npy, .csv, .txt, .nc); see `viscoroll.RoughSurface.read`.
+        File of heights (.npy, .csv, .txt, .nc, or with format that of an instrument); see
+        `viscoroll.RoughSurface.read`.
+    format : str, optional
+        Format of an instrument, such as sur or x3p.
+    fill : bool, optional
+        Whether to fill nodes of a file that were not measured.
     spacing : float, optional
         Distance of the nodes of a file [m]; required unless the file contains it.
     periodic : bool, optional
@@ -44,6 +49,8 @@ class Surface(StrictTable):
     documented_by = (RoughSurface.self_affine,)
 
     file: FileName | None = None
+    format: str | None = None
+    fill: bool = False
     spacing: float | None = None
     periodic: bool = False
     detrend: int | None = None
@@ -64,7 +71,9 @@ class Surface(StrictTable):
         if random:
             raise InvalidInput(f"surface.{random[0]}", "must be left out with file")
         try:
-            found = RoughSurface.read(self.file, spacing=self.spacing, periodic=self.periodic)
+            found = RoughSurface.read(
+                self.file, format=self.format, spacing=self.spacing, periodic=self.periodic, fill=self.fill
+            )
             found = found if self.detrend is None else found.detrended(self.detrend)  # type: ignore[arg-type]
             found = found if found.periodic else found.mirrored()
             return found if self.cutoff is None else found.cutoff(self.cutoff)
@@ -72,7 +81,7 @@ class Surface(StrictTable):
             raise error.inside("surface") from None
 
     def _random(self) -> RoughSurface:
-        for name in ("spacing", "detrend"):
+        for name in ("format", "spacing", "detrend"):
             if getattr(self, name) is not None:
                 raise InvalidInput(f"surface.{name}", "must be left out without file")
         missing = [name for name in (*_RANDOM, "cutoff") if getattr(self, name) is None]
