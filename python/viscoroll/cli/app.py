@@ -279,7 +279,10 @@ def plot(
     output: Annotated[
         Path | None, typer.Option(help="Picture (.png, .svg, .pdf); by default beside the study.")
     ] = None,
-    variable: Annotated[str, typer.Option(help="Scalar result to draw.")] = "resisting_torque",
+    variable: Annotated[
+        str | None,
+        typer.Option(help="Scalar result to draw; by default the torque, or the friction coefficient of a surface."),
+    ] = None,
 ) -> None:
     """Draw a result of a study against its first dimension, one curve for each value of the others."""
     check_target("--output", output, PICTURES)
@@ -290,11 +293,13 @@ def plot(
         import xarray  # noqa: F401
 
     from .._support.sealed import load_sealed
-    from ..studies.picture import plot_study
+    from ..studies.picture import default_variable, plot_study
 
     path = study.with_suffix(".png") if output is None else output
-    save_picture(plot_study(load_sealed(study), variable=variable), path)
-    write_line(f"{variable} drawn to {path}")
+    dataset = load_sealed(study)
+    drawn = default_variable(dataset) if variable is None else variable
+    save_picture(plot_study(dataset, variable=drawn), path)
+    write_line(f"{drawn} drawn to {path}")
 
 
 @app.command()

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save_picture, write_csv
 from .._support.quantities import quantity_text
@@ -173,11 +174,14 @@ def _read(path: Path) -> tuple[RollingBody, Counterbody | None, Plan | None, Cas
         case = load_case(path)
         return case.body, case.on, None, case
     from ..case.study import plan_study
+    from ..studies.kinds import ROLLING
 
     with errors_in(path):
         plan = plan_study({name: table for name, table in document.items() if name != "thermal"}, path.parent)
+        if plan.kind is not ROLLING:
+            raise InvalidInput("surface", "must be replaced by a ball for an export")
     first = next(one for one in plan.cases if not isinstance(one, str))
-    return first.body, first.arguments.get("on"), plan, None
+    return plan.bodies()[0], first.arguments.get("on"), plan, None
 
 
 def _around(case: Case, span: float) -> tuple[dict[str, Floats], dict[str, float]]:
