@@ -58,7 +58,7 @@ struct AxleIntegration {
 };
 
 AxleIntegration integration_of(const Axle& axle, const PairStep& step) {
-  constexpr double kResolved = 1.0 / 30.0;  // of the period, twice what `RollingHistory::Impl::longest_step` aims at
+  constexpr double kResolved = 1.0 / 50.0;  // of the period, twice what `RollingHistory::Impl::longest_step` aims at
   return {.lag = step.duration <= kResolved * vibration_period(axle, step.contact_stiffness) ? 0.0 : 1.0};
 }
 

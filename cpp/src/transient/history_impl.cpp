@@ -192,10 +192,10 @@ double RollingHistory::Impl::relative_change(const StepEnd& begin, const StepEnd
   return change > 0.0 ? change / deepest : 0.0;
 }
 
-/// Sixtieth of the period in which an axle vibrates on the contact and its spring. Where this would take a large
+/// Hundredth of the period in which an axle vibrates on the contact and its spring. Where this would take a large
 /// multiple of the steps that rolling takes, the ground changes so slowly that the axle follows without vibrating.
 double RollingHistory::Impl::longest_step(const StepEnd& begin, const StepEnd& end) const {
-  constexpr double kStepsPerPeriod = 60.0;
+  constexpr double kStepsPerPeriod = 100.0;
   constexpr double kMostPerRollingStep = 16.0;
   constexpr double kMostSteps = 10000.0;
   if (!options.axle || options.axle->mass == 0.0) return std::numeric_limits<double>::infinity();

@@ -97,6 +97,27 @@ def test_axle_at_a_fixed_height():
         assert h.energy_balance_error[-1] < 1e-3
 
 
+@pytest.mark.parametrize("friction", [0.3, 2.0])
+def test_friction_at_a_given_height(friction):
+    """The heights that a history under load found, given, return its load and its tractions."""
+    options = {"friction": friction, "mesh": COARSE, "averaged_meshes": 1}
+    h = over(BUMP, 60e-3, end=60e-3, **options)
+    given = vr.roll(
+        ROLLER, time=h.time, distance=h.distance, axle_height=h.axle_height, ground=BUMP, steps_per_spacing=None, **options
+    )
+    np.testing.assert_allclose(given.load, LOAD, rtol=1e-7)
+    np.testing.assert_allclose(given.driving_torque, h.driving_torque, atol=1e-6 * h.resisting_torque.max())
+    np.testing.assert_allclose(given.slip_energy, h.slip_energy, atol=1e-6 * h.slip_energy[-1])
+
+
+def test_axle_height_and_push_force_are_results():
+    h = over(BUMP, 60e-3, mesh=COARSE, end=10e-3)
+    np.testing.assert_allclose(h.axle_height, RADIUS - h.penetration, rtol=1e-14)
+    np.testing.assert_allclose(h.resisting_force, h.resisting_torque / RADIUS, rtol=1e-12)
+    assert h.units["resisting_force"] == "N/m"
+    assert h.scalars()["largest_resisting_force"] == h.resisting_force.max()
+
+
 def test_zero_profiles_are_smooth_to_the_last_digit():
     zero = vr.Profile([0.0, 1.0], [0.0, 0.0])
     plain, flat = (
@@ -269,7 +290,6 @@ def test_warnings():
         ),
         ({"tread": vr.Profile.corrugation(1e-4, period=0.1)}, r"tread\.distance must be such that the circumference"),
         ({"load": None, "axle_height": 61e-3}, r"axle_height must be < r_o = 0\.06"),
-        ({"load": None, "axle_height": 59.8e-3, "friction": 0.3}, "axle_height must be left out with friction"),
         ({"axle_height": 59.8e-3}, "exactly one of load and axle_height must be given, got both"),
         ({"load": None}, "exactly one of load and axle_height must be given, got none"),
     ],
