@@ -1,5 +1,6 @@
 #include "transient/instant_contact.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -252,6 +253,21 @@ StickSlip solve_lifted(const ViscoelasticPair& pair, const InstantContact& insta
   StickSlip result = without_contact(instant.place.gap.size(), free_gap(pair, instant).minCoeff());
   result.center_displacement = center.coasted + (center.displacement != 0.0 ? center.value / center.displacement : 0.0);
   return result;
+}
+
+double limit_of_touch(const ViscoelasticPair& pair, const InstantContact& instant) {
+  const double penetration = instant.contact.penetration;
+  const auto& contact = instant.contact.nodes;
+  if (approach_exists(pair.pair) || contact.empty()) {
+    // The displacement of the surface next to a contact is a small fraction of the indentation.
+    constexpr double kMargin = 0.1;
+    return penetration + kMargin * std::max(penetration + pair.heights.largest(), 0.0);
+  }
+  // A half-plane sinks with the logarithm of the distance from the contact, by four times the indentation at 27
+  // half-lengths.
+  constexpr double kMargin = 4.0;
+  const ArrayXd gap = instant.place.gap(contact);
+  return gap.maxCoeff() + kMargin * (gap.maxCoeff() - gap.minCoeff());
 }
 
 void find_displacements(const ViscoelasticPair& pair, InstantContact& instant) {

@@ -75,6 +75,9 @@ struct Departure {
 [[nodiscard]] StickSlip solve_lifted(const ViscoelasticPair& pair, const InstantContact& instant,
                                      const CenterCondition& center);
 
+/// @return undeformed gap beyond which no row of uneven surfaces can touch [m]
+[[nodiscard]] double limit_of_touch(const ViscoelasticPair& pair, const InstantContact& instant);
+
 /// @brief Compute the displacements due to the forces of a contact in each body.
 void find_displacements(const ViscoelasticPair& pair, InstantContact& instant);
 

@@ -256,7 +256,7 @@ bool ShiftedMesh::fits(const InstantContact& instant, double load) {
 }
 
 bool ShiftedMesh::reaches_all(const InstantContact& instant, const StepEnd& end) {
-  const Index needed = half_rows_in_reach(*pair_, shift_, end.angle, ahead_, instant.contact.penetration);
+  const Index needed = half_rows_in_reach(*pair_, shift_, end.angle, ahead_, limit_of_touch(*pair_, instant));
   if (needed <= half_rows_) return true;
   widen_window(needed);
   return false;

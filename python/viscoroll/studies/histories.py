@@ -20,7 +20,7 @@ from .._support.extras import extra
 from .._support.progress import ProgressLike, counted
 from .._support.result_warnings import silenced, warn
 from .._support.units import UNITS
-from ..transient import History, roll
+from ..transient import roll
 from .cache import DAMAGED, StudyCache, as_cache_path
 from .dimensions import Dimension, require_feasible, split
 from .factories import STUDY_ERRORS
@@ -169,7 +169,7 @@ class _Histories:
     def compute(self, progress: ProgressLike) -> None:
         """Compute the missing histories on threads of this process."""
         threads = max(1, core_count() // max(1, len(self._missing)))
-        with counted(progress, total=len(self._missing), unit="history") as advance:
+        with counted(progress, total=len(self._missing), unit="motion") as advance:
 
             def one(item: tuple[str, Mapping[str, Any]]) -> None:
                 key, arguments = item

@@ -10,14 +10,14 @@ import numpy as np
 
 from .. import _core
 from .._core import Compliance, Curvature, Start
-from .._support.extras import extra
 from .._support.arguments import as_count, as_positive
+from .._support.extras import extra
 from .._support.files import ending_in, save, write_csv, write_netcdf
 from .._support.plotting import plots
 from .._support.quantities import quantity_text, quantity_texts
 from .._support.scalars import with_scalars
-from .._support.units import unit_in_contact
 from .._support.tables import html_table, number_text, unit_text
+from .._support.units import unit_in_contact
 from ..bodies import Counterbody, Drive, Mesh, RollingBody
 from ..ground import Axle, Profile
 from .rolling_history import RollingState
@@ -279,7 +279,9 @@ class History(SeriesFields):
         """
         from .animation import write_animation
 
-        frames = max(2, round(as_positive("seconds", seconds, "s") * as_count("frames_per_second", frames_per_second, 1)))
+        frames = max(
+            2, round(as_positive("seconds", seconds, "s") * as_count("frames_per_second", frames_per_second, 1))
+        )
         write_animation(self, ending_in(ANIMATIONS, path), frames=frames, frames_per_second=frames_per_second)
 
     @plots("only the torque over time")

@@ -124,7 +124,10 @@ def plot_ground(
         axes = picture.subplots(4, 1, sharex=True)
         draw_path(axes[0])
         for one, name, label in zip(
-            axes[1:], ("load", "resisting_force", "contact_length"), ("load", "push force", "contact length"), strict=True
+            axes[1:],
+            ("load", "resisting_force", "contact_length"),
+            ("load", "push force", "contact length"),
+            strict=True,
         ):
             scale = _scale(series, units, name)
             one.plot(distance / along.factor, series[name] / scale.factor)

@@ -102,18 +102,32 @@ def test_friction_at_a_given_height(friction):
     """The heights that a history under load found, given, return its load and its tractions."""
     options = {"friction": friction, "mesh": COARSE, "averaged_meshes": 1}
     h = over(BUMP, 60e-3, end=60e-3, **options)
-    given = vr.roll(
-        ROLLER, time=h.time, distance=h.distance, axle_height=h.axle_height, ground=BUMP, steps_per_spacing=None, **options
-    )
-    np.testing.assert_allclose(given.load, LOAD, rtol=1e-7)
-    np.testing.assert_allclose(given.driving_torque, h.driving_torque, atol=1e-6 * h.resisting_torque.max())
-    np.testing.assert_allclose(given.slip_energy, h.slip_energy, atol=1e-6 * h.slip_energy[-1])
+    stepper = vr.RollingHistory(ROLLER, load=LOAD, ground=BUMP, steps_per_spacing=None, **options)
+    found = [
+        stepper.advance(time=time, angle=angle, axle_height=height)
+        for time, angle, height in zip(h.time[1:], h.angle[1:], h.axle_height[1:], strict=True)
+    ]
+    np.testing.assert_allclose([one.load for one in found], LOAD, rtol=1e-7)
+    torque = [one.driving_torque for one in found]
+    np.testing.assert_allclose(torque, h.driving_torque[1:], atol=1e-6 * h.resisting_torque.max())
+    assert found[-1].slip_energy == pytest.approx(h.slip_energy[-1], rel=1e-6)
+
+
+def test_friction_from_a_given_height():
+    """From the start, which depends on how the body was pressed onto the ground."""
+    height = float(over(None, 60e-3, end=1e-3, mesh=COARSE).axle_height[0])
+    h = over(BUMP, 60e-3, mesh=COARSE, load=None, axle_height=height, friction=0.3)
+    smooth = over(BUMP, 60e-3, mesh=COARSE, load=None, axle_height=height)
+    np.testing.assert_allclose(h.axle_height, height, rtol=1e-12)
+    assert h.load[0] == pytest.approx(LOAD, rel=2e-3)
+    assert h.load.max() == pytest.approx(smooth.load.max(), rel=0.05)
+    assert h.energy_balance_error[-1] < 1e-3
 
 
 def test_axle_height_and_push_force_are_results():
     h = over(BUMP, 60e-3, mesh=COARSE, end=10e-3)
     np.testing.assert_allclose(h.axle_height, RADIUS - h.penetration, rtol=1e-14)
-    np.testing.assert_allclose(h.resisting_force, h.resisting_torque / RADIUS, rtol=1e-12)
+    np.testing.assert_allclose(h.resisting_force, h.resisting_torque / RADIUS, rtol=1e-12, atol=1e-12)
     assert h.units["resisting_force"] == "N/m"
     assert h.scalars()["largest_resisting_force"] == h.resisting_force.max()
 
@@ -299,6 +313,18 @@ def test_messages(options, message):
         over(BUMP, 60e-3, mesh=COARSE, **options)
 
 
-def test_line_contact_on_a_half_space_has_no_penetration():
-    with pytest.raises(vr.InvalidInput, match="ground must be left out in line contact on a half-space"):
-        over(BUMP, 60e-3, mesh=COARSE, on=vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=1e8, poisson_ratio=0.3)))
+def test_line_contact_on_a_half_space():
+    """A half-space is a much thicker mat; the window sees the obstacle ahead without a penetration."""
+    rubber = one_layer(thickness=10e-3).shear_modulus
+    rigid = vr.CoatedCylinder(core_radius=RADIUS)
+    soft = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=rubber, poisson_ratio=0.5))
+    thick = vr.CoatedPlane(layers=[vr.Layer(thickness=0.3, shear_modulus=rubber, poisson_ratio=0.5)])
+    bump = vr.Profile.half_sine(2e-3, length=24e-3, at=40e-3)
+    h, mat = (over(bump, 60e-3, body=rigid, on=on, mesh=COARSE, averaged_meshes=2, end=60e-3) for on in (soft, thick))
+    np.testing.assert_allclose(h.resisting_torque, mat.resisting_torque, atol=0.02 * mat.resisting_torque.max())
+    np.testing.assert_allclose(h.contact_length, mat.contact_length, rtol=0.05)
+    assert np.isnan(h.penetration).all()
+    assert np.isnan(h.axle_height).all()
+    assert h.energy_balance_error[-1] < 2e-3
+    with pytest.raises(vr.InvalidInput, match="axle must be left out in line contact on a half-space"):
+        over(bump, 60e-3, body=rigid, on=soft, mesh=COARSE, axle=vr.Axle(mass=1.0))
