@@ -155,7 +155,11 @@ class _Histories:
         return self._added(arguments), self._added(flat) if arguments.get("ground") is not None else None
 
     def _added(self, arguments: Mapping[str, Any]) -> str:
-        decisive = {name: value for name, value in sorted(arguments.items()) if name not in _WITHOUT_EFFECT}
+        decisive = {
+            name: value
+            for name, value in sorted(arguments.items())
+            if (value is not None or name == "steps_per_spacing") and name not in _WITHOUT_EFFECT
+        }
         key = digest(f"history {', '.join(f'{name}={sampled_text(value)}' for name, value in decisive.items())}")
         if key in self._outcomes or key in self._missing:
             return key

@@ -81,7 +81,7 @@ def test_a_failed_point_has_its_message():
             over_bump, speed=0.6, height=0.0, material={"rubber": None, "wrong": "soft"}, progress=False
         )
     assert np.isnan(study.largest_load.sel(material="wrong"))
-    assert "Error" in str(study.error.sel(material="wrong").item())
+    assert "shear_modulus must be a modulus" in str(study.error.sel(material="wrong").item())
 
 
 def test_messages():
