@@ -160,7 +160,7 @@ ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, co
   double stiffness = axle.stiffness;
   double damped = 0.0;
   if (is_inert) {
-    // Of the acceleration and the speed at the end of the step: changes with the penetration, and values without
+    // Acceleration and speed at the end of the step are linear in the penetration; these are their values without
     // forces.
     const auto [lag, beta, gamma, kept] = integration_of(axle, step);
     stiffness += (1.0 + lag) * axle.mass / (beta * duration * duration) + gamma * axle.damping / (beta * duration);

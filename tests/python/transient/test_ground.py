@@ -121,7 +121,7 @@ def test_friction_from_a_given_height():
     smooth = over(BUMP, 60e-3, load=None, axle_height=height, mesh=COARSE, averaged_meshes=1)
     np.testing.assert_allclose(h.axle_height, height, rtol=1e-12)
     assert h.load[0] == pytest.approx(LOAD, rel=2e-3)
-    assert h.load.max() == pytest.approx(smooth.load.max(), rel=0.05)
+    assert h.load.max() == pytest.approx(smooth.load.max(), rel=0.1)  # friction stiffens the contact
     assert h.energy_balance_error[-1] < 1e-3
 
 
@@ -323,7 +323,7 @@ def test_line_contact_on_a_half_space():
     bump = vr.Profile.half_sine(2e-3, length=24e-3, at=40e-3)
     h, mat = (over(bump, 60e-3, body=rigid, on=on, mesh=COARSE, averaged_meshes=2, end=60e-3) for on in (soft, thick))
     np.testing.assert_allclose(h.resisting_torque, mat.resisting_torque, atol=0.02 * mat.resisting_torque.max())
-    np.testing.assert_allclose(h.contact_length, mat.contact_length, rtol=0.05)
+    np.testing.assert_allclose(h.contact_length, mat.contact_length, rtol=0.1)  # a node of 15 in contact
     assert np.isnan(h.penetration).all()
     assert np.isnan(h.axle_height).all()
     assert h.energy_balance_error[-1] < 2e-3
