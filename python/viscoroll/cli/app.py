@@ -204,7 +204,16 @@ def roll(
         Path, typer.Argument(help="Case file with a table \\[motion]; `viscoroll example --motion` prints one.")
     ],
     as_json: Annotated[bool, typer.Option("--json", help="Print peaks and energies as JSON in SI units.")] = False,
-    plot: Annotated[Path | None, typer.Option(help="Draw the history to this picture (.png, .svg, .pdf).")] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(
+            help="Draw the history to this picture (.png, .svg, .pdf); over uneven ground, over the distance with it."
+        ),
+    ] = None,
+    animate: Annotated[
+        Path | None,
+        typer.Option(help="Write an animation of the body on its ground to this file (.gif; .mp4 with ffmpeg)."),
+    ] = None,
     save: Annotated[Path | None, typer.Option(help="Write the time series to this file (.csv, .nc).")] = None,
     checkpoint: Annotated[
         Path | None,
@@ -214,11 +223,13 @@ def roll(
     """Compute the history of a motion from a file: roll, stop, stand, reverse."""
     from ..bodies.si_hints import unit_doubt
     from ..case.motion import load_motion
+    from ..transient.history import ANIMATIONS
     from ..transient.history import FORMATS as HISTORY_FORMATS
     from ..transient.rolling_history import RollingState
     from ..transient.state_file import SUFFIX
 
     check_target("--plot", plot, PICTURES)
+    check_target("--animate", animate, ANIMATIONS)
     check_target("--save", save, tuple(HISTORY_FORMATS))
     check_target("--checkpoint", checkpoint, (SUFFIX,))
     loaded = load_motion(case)
@@ -233,7 +244,10 @@ def roll(
     if hint := unit_doubt(loaded.body, loaded.on):
         write_message(f"warning: {hint}")
     if plot is not None:
-        save_picture(history.plot(), plot)
+        is_uneven = history.ground is not None or history.tread is not None or history.axle is not None
+        save_picture(history.plot_ground() if is_uneven else history.plot(), plot)
+    if animate is not None:
+        history.animate(animate)
     if save is not None:
         history.save(save)
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ..rolling.propagation import Pair
     from .draws import DrawMethod
 
-__all__ = ["PointKeys", "digest"]
+__all__ = ["PointKeys", "digest", "sampled_text"]
 
 #: Nodes per revolution of the finest possible mesh, which the solver may choose if no mesh is given.
 _FINEST_MESH = 1_000_000
@@ -124,12 +124,19 @@ def _counterbody_text(on: Counterbody, surface_speed: float, highest: int) -> st
     return _body_text(on, surface_speed / on.surface, highest)
 
 
+def sampled_text(value: object) -> str:
+    """Return the text of any argument, with functions of frequency sampled between 1e-6 and 1e9 rad/s."""
+    return _text(value, [0.0, *np.geomspace(1e-6, 1e9, _SAMPLES).tolist()])
+
+
 def _text(value: object, frequencies: list[float]) -> str:
     """Return a text with all parameters of a body, layer, material or network, and of those that it contains."""
     if is_dataclass(value):
         parameters = (f"{field.name}={_text(getattr(value, field.name), frequencies)}" for field in fields(value))
         return f"{type(value).__name__}({', '.join(parameters)})"
-    if isinstance(value, tuple):
+    if isinstance(value, np.ndarray):
+        return repr(value.tolist())
+    if isinstance(value, tuple | list):
         return f"({', '.join(_text(one, frequencies) for one in value)})"
     return _sampled(value, frequencies) if callable(value) else repr(value)
 

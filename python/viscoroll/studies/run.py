@@ -25,7 +25,7 @@ from .draws import DrawMethod, drawn_scalars
 from .factories import STUDY_ERRORS
 from .plan import Addition, Plan, Task
 
-__all__ = ["Outcome", "run", "solve_group", "solve_point"]
+__all__ = ["Outcome", "is_own_error", "run", "solve_group", "solve_point"]
 
 #: Largest number of points of a task for an executor: the points that each worker loses if this process is killed.
 _LARGEST_TASK = 8
@@ -132,7 +132,7 @@ def solve_group(
         except STUDY_ERRORS:
             raise
         except Exception as error:
-            outcome = Outcome(error=f"{type(error).__name__}: {error}", lasting=_is_own_error(error))
+            outcome = Outcome(error=f"{type(error).__name__}: {error}", lasting=is_own_error(error))
         else:
             result, bounds = (solved.result, solved.bounds) if isinstance(solved, StrainSoftening) else (solved, {})
             kept = {name: np.asarray(getattr(result, name), dtype=np.float64) for name in fields}
@@ -158,10 +158,10 @@ def _with_draws(
         warnings = ", ".join(filter(None, [str(outcome.scalars.get("warnings", "")), NO_INTERVAL]))
         text = f"draws: {type(error).__name__}: {error}"
         scalars = {**outcome.scalars, "warnings": warnings}
-        return replace(outcome, scalars=scalars, error=text, lasting=_is_own_error(error))
+        return replace(outcome, scalars=scalars, error=text, lasting=is_own_error(error))
 
 
-def _is_own_error(error: Exception) -> bool:
+def is_own_error(error: Exception) -> bool:
     """Return whether this package itself rejected the point; False if a user's function or a library failed."""
     frame = error.__traceback__
     while frame is not None and frame.tb_next is not None:
