@@ -231,29 +231,10 @@ std::size_t numbers_in(const std::vector<Cell>& cells) {
 CellCache::Key properties(const HarmonicBody& body, const SmoothRun& run, const Cell& part) {
   const std::vector<double> m = chebyshev_nodes(part.lowest_m, part.highest_m, run.nodes);
   const HarmonicBody sampled = body.resampled(m, run.measured.at(m));
-  const LayeredBody& layered = body.body();
-  const Metric& metric = body.metric();
-  const auto number = [](auto name) { return static_cast<double>(name); };
-  CellCache::Key key{std::log(part.lowest_m),
-                     std::log(part.highest_m),
-                     part.lowest_ratio,
-                     part.highest_ratio,
-                     std::log(metric.radius),
-                     number(metric.along),
-                     number(metric.across),
-                     number(metric.curvature),
-                     number(layered.inner_boundary),
-                     layered.crown.radius / metric.radius,
-                     layered.crown.proportion};
-  for (std::size_t i = 0; i < m.size(); ++i) {
-    const cplx unit = sampled.outer_modulus(i);
-    for (const Medium<cplx>& medium : sampled.layers_at(i).media) {
-      const cplx mu = medium.mu / unit;
-      const cplx inertia = medium.inertia * metric.radius * metric.radius / unit;
-      key.insert(key.end(), {medium.inner / metric.radius, medium.outer / metric.radius, mu.real(), mu.imag(),
-                             medium.b.real(), medium.b.imag(), inertia.real(), inertia.imag()});
-    }
-  }
+  const Crown& crown = body.body().crown;
+  CellCache::Key key{std::log(part.lowest_m), std::log(part.highest_m),     part.lowest_ratio,
+                     part.highest_ratio,      crown.radius / body.radius(), crown.proportion};
+  for (std::size_t i = 0; i < m.size(); ++i) append_numbers(sampled.layers_at(i), sampled.outer_modulus(i), key);
   return key;
 }
 
