@@ -164,6 +164,17 @@ class Thermal(StrictTable):
         cooling = {name: value for name, value in self if name not in ("shift", "limit", "softening")}
         return result.temperature(**cooling, progress=progress)
 
+    def self_heating(self, arguments: Mapping[str, Any], **options: Any) -> SelfHeating:
+        """Return the steady states for arguments of `viscoroll.solve`; the table must have a shift."""
+        unused = ("of", "base_convection", "period")
+        for name in unused:
+            if getattr(self, name) is not None:
+                raise InvalidInput(
+                    f"thermal.{name}",
+                    "must be left out with thermal.shift: self-heating considers only the rolling body",
+                )
+        return self_heating(**arguments, **{name: value for name, value in self if name not in unused}, **options)
+
 
 class PairTables(FileTables):
     """Base of a file with one rolling body of `BODIES`, and at most one counterbody of `COUNTERBODIES`.
@@ -273,15 +284,8 @@ class Case:
         """
         if self.thermal is None or self.thermal.shift is None:
             raise InvalidInput("thermal.shift", "must be given for self-heating")
-        for name in ("of", "base_convection", "period"):
-            if getattr(self.thermal, name) is not None:
-                raise InvalidInput(
-                    f"thermal.{name}",
-                    "must be left out with thermal.shift: self-heating considers only the rolling body",
-                )
         self.given_load()
-        cooling = {name: value for name, value in self.thermal if name not in ("of", "base_convection", "period")}
-        return self_heating(**self.arguments(), **cooling, **options)
+        return self.thermal.self_heating(self.arguments(), **options)
 
 
 def load_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case:

@@ -21,8 +21,9 @@ from .._support.files import save_picture
 from .._support.result_warnings import ResultWarning
 from .check import CHANGES, check
 from .cite import print_citation
-from .commands import design, export, material, schema
+from .commands import design, material, schema
 from .example import example
+from .export import export, impact
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 from .page import serve_page
 from .report import write_report
@@ -174,6 +175,7 @@ def solve(
         scalars = result.scalars()
         if solved.temperatures:
             scalars["thermal"] = solved.thermal_scalars()  # type: ignore[assignment]
+            scalars["bonds"] = solved.bonds  # type: ignore[assignment]
         if softened is not None:
             scalars["softening"] = {name: value for name, value, _ in softened.rows()}  # type: ignore[assignment]
         if rows:
@@ -464,7 +466,7 @@ def _print_rows(sections: dict[str, list[tuple[str, str]]]) -> None:
         OUTPUT.print(table)
 
 
-for command in (check, example, slide, material, export, design, schema):
+for command in (check, example, slide, material, export, impact, design, schema):
     app.command()(command)
 app.command("app")(serve_page)
 app.command("report")(write_report)
