@@ -37,11 +37,14 @@ LayerStack<double> with_inertia(LayerStack<double> layers, double factor) {
 /// Ratio of successive terms of the inertia series per eta, estimated from the change of the compliance by inertia. It
 /// is largest for a thin shell without a core, which is soft in bending.
 /// @param[in] layers layers in units of g, with the inertia of eta = 1
-double inertia_growth(const LayerStack<double>& layers, double highest_eta) {
+/// @param[in] includes_zero whether to include order (0, 0), whose growth is large around a small core. It is at rest,
+/// so that its eta is the largest one, at which the series is exact if this is the unit of eta.
+double inertia_growth(const LayerStack<double>& layers, double highest_eta, bool includes_zero) {
   const std::array at_rest_and_fast{with_inertia(layers, 0.0), with_inertia(layers, highest_eta)};
   constexpr double kHighestOrder = 2000.0;
   std::vector<OrderInLayers<double>> orders;
   for (const LayerStack<double>& turning : at_rest_and_fast) {
+    if (includes_zero) orders.push_back({.layers = turning, .m = 0.0, .n = 0.0});
     for (const double share : {1.0, 0.5, 0.1}) {  // m^2 / k^2
       for (double k = 1.0; k < kHighestOrder; k *= 1.25) {
         orders.push_back({.layers = turning, .m = k * std::sqrt(share), .n = k * std::sqrt(1.0 - share)});
@@ -234,11 +237,12 @@ RecentCache<EntryTerms>& recent_terms() {
 /// Compute the response of layers.
 /// @param[in] layers layers in units of g, with the inertia of eta = 1
 /// @param[in] unit unit of eta, at least the largest eta
+/// @param[in] is_shared whether the unit also serves smaller eta of order (0, 0)
 /// @param[in] bounds bounds of k^2 of the parts
-Response make_response(const LayerStack<double>& layers, double unit, double inertia_tolerance,
+Response make_response(const LayerStack<double>& layers, double unit, bool is_shared, double inertia_tolerance,
                        const std::vector<double>& bounds, int threads, Watch& watch) {
   Response response;
-  const double growth = unit > 0.0 ? inertia_growth(layers, unit) : 0.0;
+  const double growth = unit > 0.0 ? inertia_growth(layers, unit, is_shared) : 0.0;
   response.inertia_order = inertia_order(growth * unit, inertia_tolerance);
   if (!response.inertia_order) return response;
   const InertiaSeries inertia_series(layers, unit, *response.inertia_order);
@@ -312,16 +316,19 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   const auto [lowest_m, highest_m] = std::ranges::minmax(body.orders());
   const std::vector<double> bounds =
       bounds_of_parts(is_sphere, lowest_m * lowest_m, highest_m * highest_m + highest_n * highest_n);
-  // Neighboring speeds share the unit of eta, unless the series needs the smallest one.
+  // Neighboring speeds share the unit of eta, unless the series needs the smallest one. A large tolerance omits terms
+  // whose size depends on the unit; each speed then has its own.
   const double shared_unit = highest_eta > 0.0 ? std::exp2(2.0 * std::ceil(0.5 * std::log2(highest_eta))) : 0.0;
-  for (const double unit : {shared_unit, highest_eta}) {
-    spectrum->properties_ = {unit > 0.0 ? std::log(unit) : 0.0, unit > 0.0 ? 1.0 : 0.0, std::log(inertia_tolerance),
-                             std::log(bounds.front()), std::log(bounds.back())};
+  for (const bool is_shared : {true, false}) {
+    if (is_shared && inertia_tolerance > kInertiaTolerance) continue;
+    const double unit = is_shared ? shared_unit : highest_eta;
+    spectrum->properties_ = {unit > 0.0 ? std::log(unit) : 0.0, unit > 0.0 ? 1.0 : 0.0,  std::log(inertia_tolerance),
+                             std::log(bounds.front()),          std::log(bounds.back()), is_shared ? 1.0 : 0.0};
     append_numbers(*layers, 1.0, spectrum->properties_);
     spectrum->response_ = recent_responses().find(spectrum->properties_);
     if (!spectrum->response_) {
-      auto response =
-          std::make_shared<const Response>(make_response(*layers, unit, inertia_tolerance, bounds, threads, watch));
+      auto response = std::make_shared<const Response>(
+          make_response(*layers, unit, is_shared, inertia_tolerance, bounds, threads, watch));
       std::size_t numbers = 0;
       for (const Panel<double>& panel : response->panels) numbers += static_cast<std::size_t>(panel.series.size());
       recent_responses().add(spectrum->properties_, response, numbers);
