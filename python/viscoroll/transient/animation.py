@@ -48,7 +48,7 @@ def write_animation(history: History, path: Path, *, frames: int, frames_per_sec
 
 def _instants(time: NDArray[np.float64], frames: int) -> list[int]:
     """Return the indices of the first instants at or after equally spaced times."""
-    return np.searchsorted(time, np.linspace(time[0], time[-1], frames)).tolist()
+    return [int(instant) for instant in np.searchsorted(time, np.linspace(time[0], time[-1], frames))]
 
 
 class _Scene:
