@@ -8,6 +8,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save_picture, write_csv
 from .._support.quantities import quantity_text
@@ -179,10 +180,14 @@ def _read(path: Path) -> tuple[RollingBody, Counterbody | None, Plan | None, Cas
     if "sweep" not in document:
         case = load_case(path)
         return case.body, case.on, None, case
+    from ..studies.kinds import ROLLING
+
     with errors_in(path):
         plan = plan_study({name: table for name, table in document.items() if name != "thermal"}, path.parent)
+        if plan.kind is not ROLLING:
+            raise InvalidInput("surface", "must be replaced by a ball for an export")
     first = next(one for one in plan.cases if not isinstance(one, str))
-    return first.body, first.arguments.get("on"), plan, None
+    return plan.bodies()[0], first.arguments.get("on"), plan, None
 
 
 def _around(case: Case, span: float) -> tuple[dict[str, Floats], dict[str, float]]:
