@@ -122,7 +122,7 @@ def test_friction_from_a_given_height():
     np.testing.assert_allclose(h.axle_height, height, rtol=1e-12)
     assert h.load[0] == pytest.approx(LOAD, rel=2e-3)
     assert h.load.max() == pytest.approx(smooth.load.max(), rel=0.1)  # friction stiffens the contact
-    assert h.energy_balance_error[-1] < 1e-3
+    assert h.energy_balance_error[-1] < 2e-3
 
 
 def test_axle_height_and_push_force_are_results():
