@@ -3,8 +3,10 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 
 #include "viscoroll/drive.hpp"
+#include "viscoroll/fields.hpp"
 
 namespace viscoroll {
 
@@ -26,6 +28,15 @@ struct LoadCase {
   std::optional<double> speed = {};
   double friction = 0.0;  ///< Coulomb's coefficient mu between the bodies [-], in [0, 4]; infinite: full stick
   Drive drive;            ///< without friction, a force of 0 or a creepage
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"load", &LoadCase::load, true},
+                      Field{"penetration", &LoadCase::penetration, true},
+                      Field{"angular_speed", &LoadCase::angular_speed, true},
+                      Field{"speed", &LoadCase::speed, true},
+                      Field{"friction", &LoadCase::friction, true},
+                      Field{"drive", &LoadCase::drive, true}};
+  }
 };
 
 }  // namespace viscoroll

@@ -153,18 +153,19 @@ def solve(
         raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
     solved_at = solved_speed(body, angular_speed, speed)
     load_case = _core_load_case(load, penetration, angular_speed, speed, friction, drive)
-    options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
+    options = _core_options(
+        compliance,
+        patch_load,
+        slip_kinematics,
+        finite_strain,
+        max_iterations,
+        threads,
+        mesh=None if mesh is None else mesh._to_core(),
+        curvature=curvature,
+        **({} if accuracy is None else {"accuracy": as_float("accuracy", accuracy)}),
+    )
     with reporting(progress) as report, si_hints(body, on, angular_speed=solved_at):
-        solution = _core.solve(
-            body._to_core(),
-            core_counterbody(on),
-            load_case,
-            mesh=None if mesh is None else mesh._to_core(),
-            curvature=curvature,
-            accuracy=0.01 if accuracy is None else as_float("accuracy", accuracy),
-            progress=report,
-            **options,
-        )
+        solution = _core.solve(body._to_core(), core_counterbody(on), load_case, options, progress=report)
     return _result(solution, body, on, load_case, solved_at, drive, curvature, options)
 
 
@@ -276,7 +277,7 @@ class RollingModel:
         )
         options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
         with reporting(progress) as report, si_hints(self.body, self.on, angular_speed=self.angular_speed):
-            solution = self._core.solve(load_case, progress=report, **options)
+            solution = self._core.solve(load_case, options, progress=report)
         return _result(solution, self.body, self.on, load_case, self.angular_speed, drive, self.curvature, options)
 
 
@@ -322,17 +323,19 @@ def _core_options(
     finite_strain: bool,
     max_iterations: int,
     threads: int,
-) -> dict[str, Any]:
-    """Convert options of all load cases to the types of the core."""
+    **of_the_model: Any,
+) -> _core.Options:
+    """Convert options to the type of the core: those of all load cases, and those that a model has, if given."""
     require_type("finite_strain", finite_strain, bool)
-    return {
-        "compliance": as_member("compliance", compliance, Compliance),
-        "patch_load": as_member("patch_load", patch_load, PatchLoad),
-        "slip_kinematics": as_member("slip_kinematics", slip_kinematics, SlipKinematics),
-        "finite_strain": finite_strain,
-        "max_iterations": as_int("max_iterations", max_iterations),
-        "threads": as_int("threads", threads),
-    }
+    return _core.Options(
+        compliance=as_member("compliance", compliance, Compliance),
+        patch_load=as_member("patch_load", patch_load, PatchLoad),
+        slip_kinematics=as_member("slip_kinematics", slip_kinematics, SlipKinematics),
+        finite_strain=finite_strain,
+        max_iterations=as_int("max_iterations", max_iterations),
+        threads=as_int("threads", threads),
+        **of_the_model,
+    )
 
 
 def _result(
@@ -343,7 +346,7 @@ def _result(
     angular_speed: float,
     drive: Drive,
     curvature: Curvature | str,
-    options: dict[str, Any],
+    options: _core.Options,
 ) -> Result:
     """Return the result, and issue its warnings."""
     result = Result._from_core(
@@ -355,8 +358,8 @@ def _result(
         friction=load_case.friction,
         drive=drive,
         curvature=curvature,
-        compliance=options["compliance"],
-        patch_load=options["patch_load"],
+        compliance=options.compliance,
+        patch_load=options.patch_load,
     )
     warn(result_warnings(result))
     return result
