@@ -135,9 +135,10 @@ class Comparison:
 
 def parse_speeds(text: str) -> tuple[float, float]:
     """Return the two ends of a range of speeds such as "0.05..25" [rad/s] or "10..1000 rpm", with 0 < from < to < ∞."""
-    low, high = range_in_si(text, "rad/s", path="speeds")
-    if not 0.0 < low < high < np.inf:
-        raise InvalidInput("speeds", "must be from..to with 0 < from < to in rad/s", repr(text))
+    rule = "must be from..to with 0 < from < to in rad/s"
+    low, high = range_in_si(text, "rad/s", path="speeds", rule=rule)
+    if not 0.0 < low < high:
+        raise InvalidInput("speeds", rule, repr(text))
     return low, high
 
 

@@ -192,8 +192,19 @@ def number_in_si(text: str, unit: str, *, path: str) -> float:
         return in_si(f"{celsius[1]} degC" if celsius else text, unit, path=path)
 
 
-def range_in_si(text: str, unit: str, *, path: str) -> tuple[float, float]:
+def range_in_si(text: str, unit: str, *, path: str, rule: str = "must have the form from..to") -> tuple[float, float]:
     """Return the ends in SI units of a range such as "0.05..25" or "10..1000 rpm".
+
+    Parameters
+    ----------
+    text : str
+        Range.
+    unit : str
+        SI unit.
+    path : str
+        Option or key, for messages.
+    rule : str, optional
+        Rule that a message about any other text states.
 
     Raises
     ------
@@ -205,12 +216,12 @@ def range_in_si(text: str, unit: str, *, path: str) -> tuple[float, float]:
     >>> range_in_si("10..30 mm", "m", path="--width")
     (0.01, 0.03)
     """
-    low, dots, high = text.partition("..")
-    if not dots:
-        raise InvalidInput(path, "must have the form from..to", shown(text))
-    end = as_quantity(high)
-    if end is not None and (bare := as_quantity(low)) is not None and not bare[1]:
-        low = f"{bare[0]} {end[1]}".strip()
+    low, _, high = text.partition("..")
+    begin, end = as_quantity(low), as_quantity(high)
+    if begin is None or end is None:
+        raise InvalidInput(path, rule, shown(text))
+    if not begin[1]:
+        low = f"{begin[0]} {end[1]}".strip()
     return number_in_si(low, unit, path=path), number_in_si(high, unit, path=path)
 
 

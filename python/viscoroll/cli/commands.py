@@ -71,7 +71,8 @@ def material(
         str | None, typer.Option(help="Use only the sweeps from..to, such as -35C..160C or 238..433 (in K).")
     ] = None,
     frequency: Annotated[
-        float | None, typer.Option(help="Frequency of a temperature ramp in rad/s, if the file has no column of it.")
+        str | None,
+        typer.Option(help="Frequency of a temperature ramp without a column of it, such as 1Hz or 6.28 (in rad/s)."),
     ] = None,
     step: Annotated[
         int | None, typer.Option(help="Number of the data set to read, if the file contains several.")
@@ -145,7 +146,7 @@ def material(
         columns=named,
         tensile=tensile,
         poisson_ratio=poisson_ratio,
-        frequency=frequency,
+        frequency=None if frequency is None else number_in_si(frequency, "rad/s", path="--frequency"),
         step=step,
     )
     if between is not None:
