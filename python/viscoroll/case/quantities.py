@@ -188,8 +188,13 @@ def number_in_si(text: str, unit: str, *, path: str) -> float:
     try:
         return float(text)
     except ValueError:
-        celsius = _CELSIUS.fullmatch(text) if unit == "K" else None
-        return in_si(f"{celsius[1]} degC" if celsius else text, unit, path=path)
+        return in_si(_with_degrees(text, unit), unit, path=path)
+
+
+def _with_degrees(text: str, unit: str) -> str:
+    """Return a text in which "degC" replaces the unit "C" of a temperature."""
+    celsius = _CELSIUS.fullmatch(text) if unit == "K" else None
+    return f"{celsius[1]} degC" if celsius else text
 
 
 def range_in_si(text: str, unit: str, *, path: str, rule: str = "must have the form from..to") -> tuple[float, float]:
@@ -217,6 +222,7 @@ def range_in_si(text: str, unit: str, *, path: str, rule: str = "must have the f
     (0.01, 0.03)
     """
     low, _, high = text.partition("..")
+    low, high = _with_degrees(low, unit), _with_degrees(high, unit)
     begin, end = as_quantity(low), as_quantity(high)
     if begin is None or end is None:
         raise InvalidInput(path, rule, shown(text))
