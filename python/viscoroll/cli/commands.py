@@ -284,7 +284,7 @@ def design(
     case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; see `viscoroll example --design`.")],
     plot: Annotated[Path | None, typer.Option(help="Draw power and limits (.png, .svg, .pdf).")] = None,
 ) -> None:
-    """Find the number of a case, such as a thickness, with the least power loss or the largest value within limits."""
+    """Find the value of a number, such as a thickness, with the least power loss, or the largest one within limits."""
     from ..case.design import design_case
     from ..case.limits import limit_label, limit_text
 

@@ -224,8 +224,9 @@ def test_failed_points_are_nan_with_their_message(tmp_path, solves):
 def test_points_that_miss_the_accuracy_are_stored_and_counted(tmp_path, solves):
     # The smaller contact is narrower than the spacing of any allowed mesh.
     parameters = {"load": [1e-13, 100.0], "mesh": None, "accuracy": 0.2, "cache": tmp_path / "study.nc"}
+    message = "^among 2 points: 1 ACCURACY_NOT_REACHED; see warnings of the study$"
     for _ in range(2):
-        with pytest.warns(vr.ResultWarning, match="^among 2 points: 1 ACCURACY_NOT_REACHED; see warnings of the study$"):
+        with pytest.warns(vr.ResultWarning, match=message):
             study = sweep(paper.ball(density=0.0), **parameters)
         assert study.attrs["statuses"] == "1 ACCURACY_NOT_REACHED, 1 CONVERGED"
         assert study.resisting_torque.notnull().all()
