@@ -182,7 +182,8 @@ class RollingModel:
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         Counterbody, same as in `solve`.
     angular_speed : float, optional
-        Angular speed Ω [rad/s], > 0 and below `critical_speed(body)`. Exactly one of `angular_speed` and `speed` must be given.
+        Angular speed Ω [rad/s], > 0 and below `critical_speed(body)`. Exactly one of `angular_speed` and `speed` must
+        be given.
     speed : float, optional
         Speed V of the ground or belt [m/s], same as in `solve`.
     mesh : Mesh
