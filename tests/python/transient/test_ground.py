@@ -180,7 +180,7 @@ def test_friction_from_a_given_height():
     """From the start, which depends on how the body was pressed onto the ground."""
     options = {"mesh": COARSE, "averaged_meshes": 1, "friction": 0.3}
     height = float(over(None, 60e-3, end=1e-3, **options).axle_height[0])
-    # The error of the balance halves with the time step: 1.07e-3 with 4 steps per spacing, 0.57e-3 with 8.
+    # The error of the balance halves with the time step: 0.99e-3 with 4 steps per spacing, 0.49e-3 with 8.
     h = over(BUMP, 60e-3, load=None, axle_height=height, steps_per_spacing=8, **options)
     smooth = over(BUMP, 60e-3, load=None, axle_height=height, mesh=COARSE, averaged_meshes=1)
     np.testing.assert_allclose(h.axle_height, height, rtol=1e-12)
@@ -323,14 +323,14 @@ def test_rigid_ball_over_a_bump_of_a_mat(friction):
         mesh=vr.Mesh(nodes_per_revolution=400), averaged_meshes=1,
     )  # fmt: skip
     assert h.resisting_torque.max() > 2.0 * h.resisting_torque[h.distance < 4e-3].min()
-    assert h.energy_balance_error[-1] < 0.02
+    assert h.energy_balance_error[-1] < (1e-3 if friction == 0.0 else 3e-3)
     assert np.abs(h.driving_torque).max() < 1e-6 * h.resisting_torque.max() or friction > 0.0
 
 
 def test_friction_over_a_bump():
     h = over(BUMP, 60e-3, mesh=COARSE, friction=0.5, averaged_meshes=1)
     smooth = over(BUMP, 60e-3, mesh=COARSE, averaged_meshes=1)
-    assert h.energy_balance_error[-1] < 5e-3
+    assert h.energy_balance_error[-1] < 1e-3
     assert h.penetration.min() == pytest.approx(smooth.penetration.min(), rel=0.05)
     assert h.resisting_torque.max() == pytest.approx(smooth.resisting_torque.max(), rel=0.1)
 
