@@ -24,8 +24,9 @@ TOLERANCE = 1e-7
 #: coarse meshes. For a body that slides as a whole, `_turned_back` bounds an additional part.
 TURNED_BACK = 3e-3
 
-#: Series that may be undefined: approach on a half-plane, width of a line contact, error estimate of a single mesh.
-UNTOLD = ("penetration", "semi_axis_z", "error_estimate")
+#: Series that may be undefined: approach and height of the axle on a half-plane, width of a line contact, error
+#: estimate of a single mesh.
+UNTOLD = ("penetration", "axle_height", "semi_axis_z", "error_estimate")
 
 
 def violations(case: HistoryCase, history: vr.History) -> dict[str, float]:
@@ -42,6 +43,7 @@ def is_finite(history: vr.History) -> bool:
     series = {name: values for name, values in history._series().items() if name not in UNTOLD}
     told = {
         "penetration": not _is_without_datum(history),
+        "axle_height": not _is_without_datum(history),
         "semi_axis_z": not history.body.line_contact,
         "error_estimate": history.averaged_meshes > 1,
     }
