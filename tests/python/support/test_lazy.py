@@ -35,7 +35,7 @@ def imported_by(*words: str) -> set[str]:
 
 
 def unused(names: tuple[str, ...], found: set[str]) -> bool:
-    """Return whether `found` contains none of the names. Every name must be that of a module that exists."""
+    """Return whether `found` and the names are disjoint. Each name must be that of an existing module."""
     assert all(find_spec(name) for name in names)
     return found.isdisjoint(names)
 
