@@ -1,4 +1,4 @@
-"""Bodies, materials and the command line that many tests share."""
+"""Bodies, materials, a case file and the command line that many tests share."""
 
 from __future__ import annotations
 
@@ -30,6 +30,27 @@ def coated_ball(shear_modulus=RUBBER, *, core_radius=20e-3, inner_boundary=enums
     return vr.CoatedSphere(
         core_radius=core_radius, layers=[one_layer(shear_modulus, **layer)], inner_boundary=inner_boundary
     )
+
+
+def ball_file(*, nodes_per_revolution):
+    """Return the text of a case file: a ball with a layer of 2 mm that rolls at 100 rad/s."""
+    return f"""
+[ball]
+core_radius = 20e-3
+[[ball.layers]]
+thickness = 2e-3
+poisson_ratio = 0.5
+[ball.layers.shear_modulus]
+type = "standard_linear_solid"
+instantaneous_modulus = 6e6
+relaxed_modulus = 3e6
+relaxation_time = 1e-3
+[rolling]
+load = 50.0
+angular_speed = 100.0
+[numerics]
+nodes_per_revolution = {nodes_per_revolution}
+"""
 
 
 def command(*arguments, cwd="."):

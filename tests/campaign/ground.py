@@ -21,7 +21,7 @@ from .bodies import curvature
 from .command import main
 from .histories import cases
 from .histories.cases import HistoryCase
-from .histories.invariants import TOLERANCE, is_finite, nodes_of, scales, step_error, turnover
+from .histories.invariants import TOLERANCE, is_finite, is_without_datum, nodes_of, scales, step_error, turnover
 from .runner import SLOW, Outcome, attempt
 
 __all__ = ["draw", "run_case", "violations"]
@@ -78,9 +78,7 @@ def violations(case: HistoryCase, history: vr.History) -> dict[str, float]:
 def _errors(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
     energy = turnover(history) + float(np.abs(history.stored_energy).max()) + float(np.abs(history.axle_energy).max())
     energy += float(np.abs(np.diff(history.work)).sum())
-    # With friction, a residual of the mesh remains that the short steps of an axle do not reduce: 1.1e-3 J in 1:67,
-    # also without the axle and on flat ground. The bound of `step_error` contains the steps only.
-    if not (case.has_friction and history.axle is not None):
+    if not is_without_datum(history):
         left = step_error(case, history) + TOLERANCE * energy
         yield "energy balance", float(np.abs(history.energy_balance_residual).max()) / left
     lifted = history.load == 0.0

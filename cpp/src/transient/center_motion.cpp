@@ -111,6 +111,15 @@ VectorField counterbody_slopes(const ActingPlaces& at) {
   return slopes;
 }
 
+VectorField material_slopes(const ActingPlaces& at) {
+  VectorField slopes = counterbody_slopes(at);
+  if (slopes.rows() == 0) return slopes;
+  const std::size_t counterbody = at.pair.bodies.size() - 1;
+  const ArrayXd inclination = at.place.axes[counterbody][kForward][0].reshaped();
+  slopes.col(kForward) += slope(at, inclination) * displaced(at, counterbody, kDown);
+  return slopes;
+}
+
 CenterRow center_row(const ActingPlaces& at, const CenterCondition& condition) {
   CenterRow row{.force_coefficients = VectorField::Zero(at.place.moment_arm.size(), 3),
                 .displacement = condition.displacement,

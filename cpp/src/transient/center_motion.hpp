@@ -61,6 +61,11 @@ struct ActingPlaces {
 /// sideways, at every node [-]; no rows if the counterbody is rigid
 [[nodiscard]] VectorField counterbody_slopes(const ActingPlaces& at);
 
+/// @return slopes of the counterbody's displacement in the frame of its material, with which forces do work if the
+/// material passes: those of `counterbody_slopes` without the turn of this frame on a curved counterbody [-]; no rows
+/// if the counterbody is rigid
+[[nodiscard]] VectorField material_slopes(const ActingPlaces& at);
+
 /// @return the condition on the center for forces on half of the nodes, at displaced nodes
 [[nodiscard]] CenterRow center_row(const ActingPlaces& at, const CenterCondition& condition);
 

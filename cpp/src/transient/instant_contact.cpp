@@ -342,7 +342,7 @@ CenterPower set_moments(const ViscoelasticPair& pair, const InstantContact& inst
   now.driving_torque = (moment_about_center(at) * force).sum();
   CenterPower power{.along_track = (force_along_track(at, instant.contact.penetration) * force).sum()};
   if (!pair.has_friction()) return power;
-  const VectorField slopes = counterbody_slopes(at);
+  const VectorField slopes = material_slopes(at);
   if (slopes.rows() > 0) power.creeping = (slopes * force).sum();
   return power;
 }

@@ -33,19 +33,33 @@ std::unique_ptr<StickSlipSystem> system_of(const StickSlipProblem& problem, cons
   return direct_stick_slip(problem, guess, stiffness);
 }
 
-/// Normal forces of the same contact without friction, whose search converges from any guess. Steps of stick and slip
-/// do not converge if far more nodes are guessed than are in contact: the surplus nodes then pull with thousands of
-/// loads.
-VectorField without_friction(const StickSlipProblem& problem, const VectorField& guess) {
+/// @param[in] displaced displacements of all parts under the forces of the state
+void find_gap_and_slip(const StickSlipProblem& problem, const std::vector<HalfField>& displaced,
+                       ContactSolution& state) {
+  state.displacement = problem.surface.displacement(displaced);
+  state.gap = problem.gap - state.displacement.col(kDown) - state.penetration * problem.weights;
+  state.slip = problem.known_slip + *state.creepage * problem.slip_per_center_displacement;
+  state.slip.col(0) += state.displacement.col(kForward);
+  state.slip.col(1) += state.displacement.col(kSideways);
+}
+
+/// The same contact without friction, whose search converges from any guess, with a center that moves without forces.
+/// Steps of stick and slip do not converge if far more nodes are guessed than are in contact: the surplus nodes then
+/// pull with thousands of loads. Displacements, gaps and slips are not set.
+ContactSolution without_friction(const StickSlipProblem& problem, const VectorField& guess) {
   const Index half_nodes = problem.surface.half_nodes();
   const ElasticContactProblem smooth{.surface = problem.surface,
                                      .gap = as_field(problem.gap, half_nodes),
                                      .weights = as_field(problem.weights, half_nodes),
                                      .condition = {.value = problem.load}};
   ContactInverse inverse;
-  VectorField force = VectorField::Zero(guess.rows(), 3);
-  force.col(kDown) = -solve_elastic_contact(smooth, (-guess.col(kDown)).max(0.0), inverse).pressing;
-  return force;
+  const PressedNodes contact = solve_elastic_contact(smooth, (-guess.col(kDown)).max(0.0), inverse);
+  const CenterRow center = problem.center_row({});
+  ContactSolution state{.force = VectorField::Zero(guess.rows(), 3), .displacement = {}};
+  state.force.col(kDown) = -contact.pressing;
+  state.penetration = *contact.penetration;
+  state.creepage = center.displacement != 0.0 ? center.value / center.displacement : 0.0;
+  return state;
 }
 
 /// System with the same conditions, except that if all nodes slip, the node nearest to sticking sticks. If all nodes
@@ -111,6 +125,15 @@ class OneSticks : public StickSlipSystem {
   return newton.iterate(friction);
 }
 
+/// Start from forces with their own gaps and slips. If the load is small for the slip, as in the first and last
+/// instants of a flight, the tractions of sticking nodes would lift all nodes off.
+/// @return whether a state is found
+[[nodiscard]] bool slides_from(ContactSolution state, const StickSlipProblem& problem, SemismoothNewton& newton) {
+  find_gap_and_slip(problem, problem.surface.displaced(state.force), state);
+  newton.start_from(std::move(state));
+  return newton.iterate(problem.friction);
+}
+
 /// Start from the largest coefficient of friction, at which nearly all nodes stick, and go down to the given one: the
 /// sets change little between two similar coefficients.
 [[nodiscard]] bool descends_from(const VectorField& force, double friction, const StickSlipSystem& system,
@@ -152,11 +175,7 @@ TransientStickSlipSystem::TransientStickSlipSystem(const StickSlipProblem& probl
 void TransientStickSlipSystem::find_displacements(ContactSolution& state) {
   ++products_;
   const std::vector<HalfField> displaced = problem_.surface.displaced(state.force);
-  state.displacement = problem_.surface.displacement(displaced);
-  state.gap = problem_.gap - state.displacement.col(kDown) - state.penetration * problem_.weights;
-  state.slip = problem_.known_slip + *state.creepage * problem_.slip_per_center_displacement;
-  state.slip.col(0) += state.displacement.col(kForward);
-  state.slip.col(1) += state.displacement.col(kSideways);
+  find_gap_and_slip(problem_, displaced, state);
   if (problem_.center_row_needs_displacements) center_ = problem_.center_row(displaced);
 }
 
@@ -181,11 +200,12 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
   const auto found = [&]() -> const SemismoothNewton& {
     if (finds_from(guess, problem.friction, *system, plain)) return plain;
     if (finds_from(pressing, problem.friction, *system, plain)) return plain;
-    const VectorField smooth = without_friction(problem, guess);
-    if (finds_from(smooth, problem.friction, *system, plain)) return plain;
-    if (descends_from(smooth, problem.friction, one_sticks, with_one_sticking)) {
+    const ContactSolution smooth = without_friction(problem, guess);
+    if (finds_from(smooth.force, problem.friction, *system, plain)) return plain;
+    if (descends_from(smooth.force, problem.friction, one_sticks, with_one_sticking)) {
       return with_one_sticking;
     }
+    if (slides_from(smooth, problem, plain)) return plain;
     throw ConvergenceError("the stick-slip solver did not converge: friction may be too small for the drive",
                            plain.systems() + with_one_sticking.systems(), with_one_sticking.state().residual);
   };

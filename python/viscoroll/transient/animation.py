@@ -37,7 +37,7 @@ _RESOLUTION = 80  # [dots per inch]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Animated:
-    """What an animation shows of a history: body and surfaces, and time series by name with their units."""
+    """Data of a history that an animation draws: body, surfaces, and time series by name with their units."""
 
     body: RollingBody
     ground: Profile | None

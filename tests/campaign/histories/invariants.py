@@ -13,7 +13,7 @@ from viscoroll import enums
 from ..bodies import curvature, deforms
 from .cases import HistoryCase
 
-__all__ = ["is_finite", "nodes_of", "scales", "step_error", "turnover", "violations"]
+__all__ = ["is_finite", "is_without_datum", "nodes_of", "scales", "step_error", "turnover", "violations"]
 
 #: Tolerance relative to the size of a series. Instants are solved to residuals of 1e-12, or 1e-10 if the solver stalls;
 #: sums of forces and moments, and sums over hundreds of instants, are allowed more.
@@ -24,8 +24,9 @@ TOLERANCE = 1e-7
 #: coarse meshes. For a body that slides as a whole, `_turned_back` bounds an additional part.
 TURNED_BACK = 3e-3
 
-#: Series that may be undefined: approach on a half-plane, width of a line contact, error estimate of a single mesh.
-UNTOLD = ("penetration", "semi_axis_z", "error_estimate")
+#: Series that may be undefined: approach and height of the axle on a half-plane, width of a line contact, error
+#: estimate of a single mesh.
+UNTOLD = ("penetration", "axle_height", "semi_axis_z", "error_estimate")
 
 
 def violations(case: HistoryCase, history: vr.History) -> dict[str, float]:
@@ -41,7 +42,8 @@ def is_finite(history: vr.History) -> bool:
     """Return whether all series are finite, except those that are undefined for its pair."""
     series = {name: values for name, values in history._series().items() if name not in UNTOLD}
     told = {
-        "penetration": not _is_without_datum(history),
+        "penetration": not is_without_datum(history),
+        "axle_height": not is_without_datum(history),
         "semi_axis_z": not history.body.line_contact,
         "error_estimate": history.averaged_meshes > 1,
     }
@@ -49,7 +51,7 @@ def is_finite(history: vr.History) -> bool:
     return all(np.isfinite(values).all() for values in series.values())
 
 
-def _is_without_datum(history: vr.History) -> bool:
+def is_without_datum(history: vr.History) -> bool:
     """Return whether it is a line contact on a half-plane, which has no reference height."""
     return history.body.line_contact and getattr(history.on, "base", None) is not None
 
@@ -133,7 +135,7 @@ def _energies(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
             yield f"energy dissipated in the elastic {name}", float(np.abs(series).max()) / (TOLERANCE * energy)
     gained = -np.diff(history.slip_energy) - _turned_back(case, history)
     yield "energy gained by slip", float(gained.max()) / (TURNED_BACK * energy)
-    if not _is_without_datum(history):
+    if not is_without_datum(history):
         yield "stored energy < 0", -float(history.stored_energy.min()) / (TOLERANCE * energy)
         yield (
             "stored energy of the counterbody < 0",
@@ -158,7 +160,7 @@ def _turned_back(case: HistoryCase, history: vr.History) -> NDArray[np.float64]:
 def _balance(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
     """Check that work equals stored plus dissipated energy, except for the error of the steps."""
     # the approach is undefined
-    if _is_without_datum(history):
+    if is_without_datum(history):
         return
     allowed = step_error(case, history) + TOLERANCE * (turnover(history) + float(np.abs(history.stored_energy).max()))
     yield "energy balance", float(np.abs(history.energy_balance_residual).max()) / allowed

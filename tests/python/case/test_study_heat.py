@@ -3,27 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from shared_cases import ball_file
 from viscoroll.case import load_case
 from viscoroll.case.solved import solve_case
 from viscoroll.case.study import load_study
 from viscoroll.studies.study import run_plan
 
-FILE = """
-[ball]
-core_radius = 20e-3
-[[ball.layers]]
-thickness = 2e-3
-poisson_ratio = 0.5
-[ball.layers.shear_modulus]
-type = "standard_linear_solid"
-instantaneous_modulus = 6e6
-relaxed_modulus = 3e6
-relaxation_time = 1e-3
-[rolling]
-load = 50.0
-angular_speed = 100.0
-[numerics]
-nodes_per_revolution = 100
+FILE = f"""
+{ball_file(nodes_per_revolution=100)}
 [thermal]
 conductivity = 0.2
 convection = 10.0

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from scipy.integrate import solve_ivp
-from shared_cases import RUBBER
+from shared_cases import RUBBER, ball_file
 from typer.testing import CliRunner
 from viscoroll.cli.app import app
 from viscoroll.export.impact import Impact
@@ -321,23 +321,7 @@ def test_series_and_picture(hit, tmp_path):
     assert "coefficient of restitution" in repr(hit)
 
 
-CASE = """
-[ball]
-core_radius = 20e-3
-[[ball.layers]]
-thickness = 2e-3
-poisson_ratio = 0.5
-[ball.layers.shear_modulus]
-type = "standard_linear_solid"
-instantaneous_modulus = 6e6
-relaxed_modulus = 3e6
-relaxation_time = 1e-3
-[rolling]
-load = 50.0
-angular_speed = 100.0
-[numerics]
-nodes_per_revolution = 200
-"""
+CASE = ball_file(nodes_per_revolution=200)
 
 
 @pytest.fixture

@@ -35,7 +35,7 @@ def imported_by(*words: str) -> set[str]:
 
 
 def unused(names: tuple[str, ...], found: set[str]) -> bool:
-    """Return whether none of some modules has been imported. All must exist, so that no name is outdated."""
+    """Return whether `found` and the names are disjoint. Each name must be that of an existing module."""
     assert all(find_spec(name) for name in names)
     return found.isdisjoint(names)
 

@@ -74,9 +74,9 @@ def test_friction_ends_in_the_steady_state(body, on, drive, load, nodes):
 
 #: Bound of the relative error of the energy balance on half the nodes of PAIRS.
 BALANCE_ERRORS = {
-    "ball on mat": 5e-3, "soft ball on mat": 3e-3, "soft ball in dish": 5e-3, "soft ball in rigid dish": 5e-3,
-    "ball on ball": 3e-3, "roller on mat": 2e-3, "soft roller on roller": 2e-3, "soft roller in ring": 2e-3,
-    "ball on dissimilar layers": 3e-3, "wheel": 5e-3, "wheel on mat": 5e-3,
+    "ball on mat": 5e-3, "soft ball on mat": 1e-3, "soft ball in dish": 1e-3, "soft ball in rigid dish": 3e-3,
+    "ball on ball": 2e-3, "roller on mat": 1e-3, "soft roller on roller": 1e-3, "soft roller in ring": 1e-3,
+    "ball on dissimilar layers": 2e-3, "wheel": 3e-3, "wheel on mat": 2e-3,
 }  # fmt: skip
 
 
@@ -93,6 +93,36 @@ def test_energy_balances_with_slip(pair, bound):
     assert (np.diff(h.slip_energy) > -1e-6 * h.work[-1]).all()
     assert np.abs(h.driving_force).max() < 1e-9 * load, "no force acts on the center"
     assert h.energy_balance_error[-1] < bound
+
+
+def _thick(core_radius):
+    """Return a roller with a soft elastic layer of 20 mm."""
+    return vr.CoatedCylinder(core_radius=core_radius, layers=[one_layer(vr.Elastic(modulus=0.1e6), thickness=20e-3)])
+
+
+@pytest.mark.parametrize(
+    ("body", "on"),
+    [
+        (_thick(10e-3), None),
+        (_thick(10e-3), _thick(20e-3)),
+        (vr.CoatedCylinder(core_radius=30e-3, layers=[]), _thick(20e-3)),
+    ],
+    ids=["soft on plane", "soft on soft", "rigid on soft"],
+)
+def test_energy_balances_in_a_wide_contact(body, on):
+    """The residual of a sliding contact of half-length r_o/3 or r_o/5 vanishes with the steps.
+
+    Inclinations by the sines of angles left 1 % of the work on the plane, and the turn of a curved counterbody, if it
+    counted as dissipated, left 1 to 2 %.
+    """
+    load = 1e3 if on is None else 500.0
+    h = vr.roll(
+        body, on=on, time=[0.0, 1.0], angle=[0.0, 0.4], center_displacement=[0.0, 0.36 * body.outer_radius], load=load,
+        friction=0.5, mesh=vr.Mesh(nodes_per_revolution=160), averaged_meshes=1, steps_per_spacing=64,
+    )  # fmt: skip
+    assert h.semi_axis_x.max() > 0.17 * body.outer_radius
+    exchanged = np.abs(np.diff(h.work)).sum()
+    assert np.abs(h.energy_balance_residual).max() < 3e-4 * exchanged
 
 
 @pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft ball in dish", "soft roller on roller"])

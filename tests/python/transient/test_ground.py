@@ -15,6 +15,7 @@ from shared_cases import one_layer
 LOAD, RADIUS = 5e3, 60e-3
 ROLLER = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)])
 BUMP = vr.Profile.half_sine(1e-3, length=20e-3, at=40e-3)
+LUGS = vr.Profile(2.0 * np.pi * RADIUS / 24 * np.array([0.0, 0.6, 0.6, 1.0]), [0.0, 0.0, -2e-3, -2e-3], periodic=True)
 FINE, COARSE = vr.Mesh(nodes_per_revolution=1000), vr.Mesh(nodes_per_revolution=500)
 
 
@@ -48,6 +49,27 @@ def test_half_sine_bump(speed, moments, extremes, deepest, dissipated):
     assert h.energy_balance_error[-1] < 1e-3
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("speed", "moments", "extremes", "deepest", "more_dissipated"),
+    [
+        (6e-3, [29.756, 15.928, 1.316, -13.223, -26.859], (34.50, -30.06), -0.63056, -0.0947),
+        (60e-3, [29.441, 16.431, 2.222, -12.156, -25.780], (35.4, -30.56), -0.71185, 0.0455),
+    ],
+)
+def test_half_sine_bump_on_a_fine_mesh(speed, moments, extremes, deepest, more_dissipated):
+    """Values of another NumPy program with 2000 nodes."""
+    mesh = vr.Mesh(nodes_per_revolution=2000)
+    h, flat = over(BUMP, speed, mesh=mesh), over(None, speed, mesh=mesh)
+    found = np.interp([30e-3, 35e-3, 40e-3, 45e-3, 50e-3], h.distance, h.resisting_torque)
+    np.testing.assert_allclose(found, moments, atol=2e-3)
+    assert h.resisting_torque.max() == pytest.approx(extremes[0], abs=0.1)
+    assert h.resisting_torque.min() == pytest.approx(extremes[1], abs=0.1)
+    assert h.penetration.min() * 1e3 == pytest.approx(deepest, abs=1e-4)
+    assert h.dissipated_energy[-1] - flat.dissipated_energy[-1] == pytest.approx(more_dissipated, abs=2e-4)
+    assert h.energy_balance_error[-1] < 1e-4
+
+
 def test_the_window_reaches_an_obstacle_ahead():
     """With the window of flat ground, the largest moment would be 75.1 N at 21.2 mm."""
     with pytest.warns(vr.ResultWarning, match="heights of ground differ by 0.05 of the radius"):
@@ -67,13 +89,36 @@ def test_a_thin_layer_climbs_a_bump_that_is_higher_than_its_thickness():
 
 
 def test_step_and_joint():
-    """Largest moment and penetration converge at a step (2.1, 0.95, 0.43 N between meshes of 500, 1000, 2000 nodes)."""
+    """Differences of work and dissipation from flat ground are those of another program on 1000 nodes."""
+    flat = over(None, 60e-3)
     h = over(vr.Profile.step(0.5e-3, at=40e-3), 60e-3)
     assert h.resisting_torque.max() == pytest.approx(24.056, abs=0.02)
     assert h.penetration[-1] * 1e3 == pytest.approx(-0.3048, abs=2e-4)
+    works = [np.trapezoid(one.resisting_torque, one.angle) for one in (h, flat)]
+    assert works[0] - works[1] == pytest.approx(2.591, abs=2e-3)
+    assert h.dissipated_energy[-1] - flat.dissipated_energy[-1] == pytest.approx(0.0906, abs=2e-4)
     h = over(vr.Profile.joint(1e-3, width=6e-3, at=40e-3), 60e-3)
     assert h.resisting_torque.max() == pytest.approx(11.144, abs=0.05)
     assert h.dissipated_energy[-1] == pytest.approx(3.4894, abs=1e-3)
+    assert h.dissipated_energy[-1] - flat.dissipated_energy[-1] == pytest.approx(0.0853, abs=2e-4)
+
+
+def test_moment_and_work_converge_at_a_step_but_not_the_largest_pressure():
+    """The moments of the phase-shifted meshes approach each other in proportion to the spacing.
+
+    The pressure at the edge grows as the inverse square root of the spacing, as under a rigid edge.
+    """
+    step = vr.Profile.step(0.5e-3, at=40e-3)
+    meshes = [vr.Mesh(nodes_per_revolution=nodes) for nodes in (500, 1000, 2000)]
+    found = [over(step, 60e-3, mesh=mesh, end=60e-3) for mesh in meshes]
+    spreads = [h.error_estimate.max() for h in found]
+    assert spreads[1] < 0.6 * spreads[0]
+    assert spreads[2] < 0.6 * spreads[1]
+    for name, tolerance in (("resisting_torque", 2e-3), ("work", 2e-3), ("dissipated_energy", 2e-3)):
+        largest = [getattr(h, name).max() for h in found]
+        np.testing.assert_allclose(largest, largest[-1], rtol=tolerance, err_msg=name)
+    pressures = np.array([h.max_pressure.max() for h in found])
+    np.testing.assert_allclose(pressures[1:] / pressures[:-1], np.sqrt(2.0), rtol=0.02)
 
 
 def test_corrugation():
@@ -81,6 +126,24 @@ def test_corrugation():
     h = over(vr.Profile.corrugation(1e-4, period=12e-3), 60e-3, mesh=COARSE, end=float(r.distance[-1]))
     np.testing.assert_allclose(h.resisting_torque, r.moment, atol=5e-3)
     assert h.dissipated_energy[-1] == pytest.approx(r.dissipated[-1], rel=1e-3)
+    # Mean over two periods; values of another program on 1000 nodes.
+    places = np.linspace(60e-3, 84e-3, 4001)
+    for ground, moment in ((vr.Profile.corrugation(1e-4, period=12e-3), 2.602), (None, 2.456)):
+        h = over(ground, 60e-3, end=84e-3)
+        mean = np.trapezoid(np.interp(places, h.distance, h.resisting_torque), places) / np.ptp(places)
+        assert mean == pytest.approx(moment, abs=1e-3)
+
+
+def test_stiff_body_follows_the_dilation_of_the_ground():
+    """The axle rises by max(b - drop), and the push force is P dH/ds."""
+    stiff = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(vr.Elastic(modulus=3e9), thickness=10e-3)])
+    h = over(BUMP, 60e-3, body=stiff, averaged_meshes=1)
+    along = np.linspace(-20e-3, 100e-3, 24001)
+    bump = np.where(np.abs(along - 40e-3) < 10e-3, 1e-3 * np.cos(np.pi * (along - 40e-3) / 20e-3), 0.0)
+    drop = RADIUS * (1.0 - np.cos(np.subtract.outer(h.distance, along) / RADIUS))
+    dilation = (bump - drop).max(axis=1)
+    np.testing.assert_allclose(h.axle_height - h.axle_height[0], dilation, atol=2e-6)
+    assert h.resisting_force.max() / LOAD == pytest.approx(np.gradient(dilation, h.distance).max(), rel=0.02)
 
 
 def test_axle_at_a_fixed_height():
@@ -117,7 +180,7 @@ def test_friction_from_a_given_height():
     """From the start, which depends on how the body was pressed onto the ground."""
     options = {"mesh": COARSE, "averaged_meshes": 1, "friction": 0.3}
     height = float(over(None, 60e-3, end=1e-3, **options).axle_height[0])
-    # The error of the balance halves with the time step: 1.07e-3 with 4 steps per spacing, 0.57e-3 with 8.
+    # The error of the balance halves with the time step: 0.99e-3 with 4 steps per spacing, 0.49e-3 with 8.
     h = over(BUMP, 60e-3, load=None, axle_height=height, steps_per_spacing=8, **options)
     smooth = over(BUMP, 60e-3, load=None, axle_height=height, mesh=COARSE, averaged_meshes=1)
     np.testing.assert_allclose(h.axle_height, height, rtol=1e-12)
@@ -150,8 +213,9 @@ def test_shift_by_whole_spacings():
     other = over(
         vr.Profile.half_sine(1e-3, length=20e-3, at=40e-3 + moved), 60e-3, mesh=COARSE, start=moved, end=80e-3 + moved
     )
-    np.testing.assert_allclose(other.resisting_torque, one.resisting_torque, atol=1e-9 * one.resisting_torque.max())
-    np.testing.assert_allclose(other.penetration, one.penetration, atol=1e-12)
+    # Round-off of the angles, by which the nodes are placed; 4e-15 was measured.
+    np.testing.assert_allclose(other.resisting_torque, one.resisting_torque, atol=1e-13 * one.resisting_torque.max())
+    np.testing.assert_allclose(other.penetration, one.penetration, atol=1e-16)
 
 
 def test_elastic_body_rolls_back_with_the_opposite_moment():
@@ -177,6 +241,24 @@ def test_slow_rolling_loses_what_flat_ground_loses():
     assert np.diff(flat.dissipated_energy[ends])[0] / law == pytest.approx(0.988, abs=2e-3)
 
 
+@pytest.mark.parametrize("surface", ["bump", "flat", "corrugation", "lugs"])
+def test_dissipation_of_slow_rolling_approaches_the_law_with_the_mesh(surface):
+    """At 0.1 mm/s, over whole periods. Another program has 0.984 to 0.989 on 720 and 0.990 to 0.993 on 1440 nodes."""
+    pitch = 2.0 * np.pi * RADIUS / 24
+    options = {
+        "bump": {"ground": BUMP, "end": 80e-3},
+        "flat": {"ground": None, "end": 80e-3},
+        "corrugation": {"ground": vr.Profile.corrugation(1e-4, period=12e-3), "end": 84e-3},
+        "lugs": {"ground": None, "tread": LUGS, "end": 5.0 * pitch},
+    }[surface]
+    law = 0.1e-3 * 0.125 * LOAD * options["end"] / RADIUS
+    meshes = [vr.Mesh(nodes_per_revolution=nodes) for nodes in (720, 1440)]
+    coarse, fine = (over(speed=0.1e-3, mesh=mesh, **options).dissipated_energy[-1] / law for mesh in meshes)
+    assert coarse == pytest.approx(0.986, abs=3e-3)
+    assert fine == pytest.approx(0.9915, abs=2e-3)
+    assert fine > coarse
+
+
 def test_slow_rolling_at_a_fixed_height():
     """D = (V τ̄ / R) ∫ P ds with the elastic load, which the load approaches; ratio of another program: 0.991."""
     speed = 0.1e-3
@@ -187,13 +269,12 @@ def test_slow_rolling_at_a_fixed_height():
     assert h.dissipated_energy[-1] / (speed * 0.125 / RADIUS * work) == pytest.approx(0.991, abs=4e-3)
 
 
-def test_lugs():
-    """24 lugs of 2 mm with 40 % void at 1 rad/s: another program has a mean of 2.806 N on 720 nodes."""
-    pitch = 2.0 * np.pi * RADIUS / 24
-    lugs = vr.Profile([0.0, 0.6 * pitch, 0.6 * pitch, pitch], [0.0, 0.0, -2e-3, -2e-3], periodic=True)
-    h = over(None, RADIUS, tread=lugs, mesh=vr.Mesh(nodes_per_revolution=720), end=4.0 * RADIUS)
+@pytest.mark.parametrize(("nodes", "mean"), [(720, 2.806), (1440, 2.799)])
+def test_lugs(nodes, mean):
+    """24 lugs of 2 mm with 40 % void at 1 rad/s: means of another program."""
+    h = over(None, RADIUS, tread=LUGS, mesh=vr.Mesh(nodes_per_revolution=nodes), end=4.0 * RADIUS)
     pitches = h.angle > 4.0 - 9.0 * np.pi / 12.0
-    assert h.resisting_torque[pitches].mean() == pytest.approx(2.806, abs=0.03)
+    assert h.resisting_torque[pitches].mean() == pytest.approx(mean, abs=1e-3)
     assert h.resisting_torque[pitches].min() == pytest.approx(-7.1, abs=0.3)
     assert h.resisting_torque[pitches].max() == pytest.approx(11.8, abs=0.3)
     assert h.energy_balance_error[-1] < 0.03  # steps of the height
@@ -242,14 +323,14 @@ def test_rigid_ball_over_a_bump_of_a_mat(friction):
         mesh=vr.Mesh(nodes_per_revolution=400), averaged_meshes=1,
     )  # fmt: skip
     assert h.resisting_torque.max() > 2.0 * h.resisting_torque[h.distance < 4e-3].min()
-    assert h.energy_balance_error[-1] < 0.02
+    assert h.energy_balance_error[-1] < (1e-3 if friction == 0.0 else 3e-3)
     assert np.abs(h.driving_torque).max() < 1e-6 * h.resisting_torque.max() or friction > 0.0
 
 
 def test_friction_over_a_bump():
     h = over(BUMP, 60e-3, mesh=COARSE, friction=0.5, averaged_meshes=1)
     smooth = over(BUMP, 60e-3, mesh=COARSE, averaged_meshes=1)
-    assert h.energy_balance_error[-1] < 5e-3
+    assert h.energy_balance_error[-1] < 1e-3
     assert h.penetration.min() == pytest.approx(smooth.penetration.min(), rel=0.05)
     assert h.resisting_torque.max() == pytest.approx(smooth.resisting_torque.max(), rel=0.1)
 
