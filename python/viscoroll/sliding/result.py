@@ -58,6 +58,8 @@ class SlidingResult(SlidingScalars):
         Mean pressure [Pa].
     speed : float
         Sliding speed [m/s].
+    friction : float
+        Coulomb's coefficient of friction at the interface [-].
     %(scalars)s
     pressure : ndarray
         Pressure at every node [Pa], 0 outside the contact.
@@ -66,7 +68,7 @@ class SlidingResult(SlidingScalars):
     converged : bool
         Whether all contact conditions are satisfied.
     persson : Persson
-        Estimate by Persson's theory with the parameter γ = 1/2.
+        Estimate by Persson's theory with the parameter γ = 1/2; NaN if the surface is not periodic.
     warnings : dict
         Texts of the warnings, by kind.
     """
@@ -75,6 +77,7 @@ class SlidingResult(SlidingScalars):
     on: CoatedPlane
     mean_pressure: float
     speed: float
+    friction: float
     pressure: NDArray[np.float64]
     gap: NDArray[np.float64]
     converged: bool

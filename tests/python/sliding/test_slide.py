@@ -128,7 +128,6 @@ def test_progress_and_cancellation():
             "^speed must be below the critical speed 95.5.* m/s",
         ),
         ({"on": vr.CoatedPlane()}, "on must be a plane with layers or a deformable base, got a rigid plane"),
-        ({"surface": vr.RoughSurface(WAVY.heights, 1e-6, periodic=False)}, "surface.periodic must be True"),
         ({"surface": vr.RoughSurface(np.zeros(4), 1e-6)}, r"heights.rows must be in \[8, 16384\], got 4"),
         ({"surface": vr.RoughSurface(np.zeros((8, 2)), 1e-6)}, r"heights.columns must be 1 or in \[8, 16384\], got 2"),
     ],
