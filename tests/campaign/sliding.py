@@ -162,7 +162,7 @@ def _errors(case: SlidingCase, result: vr.SlidingResult) -> Iterator[tuple[str, 
         # Elastic layers dissipate nothing; the tractions have the error of the mesh.
         yield "power of elastic layers", result.friction_coefficient / (TOLERANCE * case.body.rms_slope)
     # Pressure and gap overlap at the edges of the contacts, see
-    # test_the_power_balance_has_the_error_of_the_edges_of_contacts: the error falls with the number of nodes in contact.
+    # test_the_power_balance_has_the_error_of_the_edges_of_contacts: the error falls with the number of nodes.
     # Full contact of a periodic surface has no edges.
     nodes = int(result.contact.sum())
     largest = TOLERANCE if case.body.periodic and nodes == result.contact.size else LARGEST_EDGE_ERROR / nodes**0.5

@@ -22,7 +22,17 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-__all__ = ["Persson", "SlidingResult"]
+__all__ = ["Persson", "SlidingResult", "rms_slope_at"]
+
+
+def rms_slope_at(surface: RoughSurface, nodes: NDArray[np.bool_]) -> float:
+    """Return the root mean square of the slope of a surface at some nodes, at least one [-]."""
+    if surface.periodic:
+        slopes = surface.slopes()
+    else:
+        axes = [axis for axis, count in enumerate(surface.heights.shape) if count > 1]
+        slopes = tuple(np.gradient(surface.heights, surface.spacing[axis], axis=axis) for axis in axes)
+    return float(np.sqrt(sum(np.square(slope[nodes]).mean() for slope in slopes)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -89,6 +99,14 @@ class SlidingResult(SlidingScalars):
         """Whether each node is in contact."""
         touching: NDArray[np.bool_] = self.pressure > 0.0
         return touching
+
+    @property
+    def contact_slope(self) -> float:
+        """Root mean square of the slope of the surface at the nodes in contact [-].
+
+        The rubber follows the surface there, so that this is about the amplitude of its shear strain.
+        """
+        return rms_slope_at(self.surface, self.contact)
 
     @property
     def units(self) -> dict[str, str]:

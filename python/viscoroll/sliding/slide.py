@@ -14,7 +14,9 @@ from .._support.errors import InvalidInput
 from .._support.progress import ProgressLike, reporting
 from .._support.result_warnings import warn
 from ..bodies import CoatedPlane, HalfSpace
-from .result import Persson, SlidingResult
+from ..bodies.layered import materials_of
+from ..materials.softening import SoftenedModulus
+from .result import Persson, SlidingResult, rms_slope_at
 from .rough_surface import RoughSurface
 from .scalars import SLIDING_SCALARS
 
@@ -22,6 +24,9 @@ __all__ = ["as_plane", "persson_estimate", "slide"]
 
 #: Largest rms slope for which linear theory is trusted; the error grows with the square of the slope.
 _LARGEST_SLOPE = 0.3
+#: Factor between the strain amplitude of a filled rubber's modulus and that of the contact above which the modulus does
+#: not apply.
+_STRAIN_RANGE = 2.0
 #: Share of the mean square slope in waves of fewer than four nodes above which the mesh does not resolve the surface.
 _LARGEST_UNRESOLVED = 0.1
 #: Difference of the two friction coefficients, relative to the larger one and in absolute terms, above which the mesh
@@ -94,8 +99,9 @@ def slide(
     -----
     ResultWarning
         If the contact did not converge, the layers do not recover within the period, the contact reaches the rim of a
-        finite surface, slopes are large, or the mesh does not resolve the surface or the contact; also in
-        `SlidingResult.warnings`.
+        finite surface, slopes are large, the modulus of a filled rubber
+        (`viscoroll.materials.SofteningModulus.at`) holds at another strain than that of the contact, or the mesh does
+        not resolve the surface or the contact; also in `SlidingResult.warnings`.
 
     References
     ----------
@@ -126,7 +132,7 @@ def slide(
             threads=as_int("threads", threads),
             progress=report,
         )
-    messages = _warnings(surface, found, max_iterations)
+    messages = _warnings(surface, plane, found, max_iterations)
     warn(messages.values())
     return SlidingResult(
         surface=surface,
@@ -216,7 +222,9 @@ def _mean_pressure(surface: RoughSurface, pressure: float | None, load: float | 
     return as_float("load", load) / (along if surface.is_profile else along * across)
 
 
-def _warnings(surface: RoughSurface, found: _core.SlidingResult, max_iterations: int) -> Mapping[str, str]:
+def _warnings(
+    surface: RoughSurface, plane: CoatedPlane, found: _core.SlidingResult, max_iterations: int
+) -> Mapping[str, str]:
     """Return the warnings about a result, by kind."""
     messages = {}
     if not found.converged:
@@ -238,6 +246,17 @@ def _warnings(surface: RoughSurface, found: _core.SlidingResult, max_iterations:
             f"the rms slope of the surface is {slope:.3g} (recommended: at most {_LARGEST_SLOPE:g}): linear theory may "
             "be wrong by tens of percent; a larger cutoff has smaller slopes"
         )
+    moduli = (material.shear_modulus for material in materials_of(plane))
+    amplitudes = [modulus.amplitude for modulus in moduli if isinstance(modulus, SoftenedModulus) and modulus.amplitude]
+    if amplitudes:
+        strain = rms_slope_at(surface, found.pressure > 0.0)
+        far = [amplitude for amplitude in amplitudes if not 1.0 / _STRAIN_RANGE <= strain / amplitude <= _STRAIN_RANGE]
+        if far:
+            messages["strain_amplitude"] = (
+                f"the modulus of a filled rubber holds at a strain amplitude of {far[0]:.2g}, but the surface, with an "
+                f"rms slope of {strain:.2g} in contact, strains the rubber by about that much: use the modulus at "
+                f"{strain:.2g}"
+            )
     unresolved = _unresolved_share(surface)
     lower, upper = sorted([found.friction_coefficient, found.traction_friction])
     relative, absolute = _LARGEST_ERROR
