@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -27,11 +27,12 @@ __all__ = ["Persson", "SlidingResult", "rms_slope_at"]
 
 def rms_slope_at(surface: RoughSurface, nodes: NDArray[np.bool_]) -> float:
     """Return the root mean square of the slope of a surface at some nodes, at least one [-]."""
+    slopes: Sequence[NDArray[np.float64]]
     if surface.periodic:
         slopes = surface.slopes()
     else:
         axes = [axis for axis, count in enumerate(surface.heights.shape) if count > 1]
-        slopes = tuple(np.gradient(surface.heights, surface.spacing[axis], axis=axis) for axis in axes)
+        slopes = [np.gradient(surface.heights, surface.spacing[axis], axis=axis) for axis in axes]
     return float(np.sqrt(sum(np.square(slope[nodes]).mean() for slope in slopes)))
 
 
