@@ -56,8 +56,9 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode="rich",
     help="Rolling resistance of balls, rollers and wheels with soft viscoelastic layers, on a plane, in a groove or on "
-    "another body, rigid or viscoelastic: steady rolling, and motions that start, stop and reverse. All values are in "
-    "SI units.",
+    "another body, rigid or viscoelastic: steady rolling, and motions that start, stop and reverse. Numbers in "
+    "files and options are in SI units; texts such as '10 mm' state their unit. Start with: viscoroll example > "
+    "case.toml",
 )
 
 #: Exit codes: invalid input, failed solve, stopped by Ctrl-C.

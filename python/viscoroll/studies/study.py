@@ -166,7 +166,7 @@ def study_warnings(study: xarray.Dataset) -> list[str]:
     counted = ", ".join(f"{count} {kind}" for kind, count in found.items())
     others = len(found) > bool(failed)
     where = "status, warnings and error" if failed and others else "status and error" if failed else "warnings"
-    texts = [f"among {study.status.size} points: {counted}; see {where}"] if found else []
+    texts = [f"among {study.status.size} points: {counted}; see {where} of the study"] if found else []
     return [*texts, *filter(None, [study.attrs.get("unit_hint")])]
 
 
