@@ -1,0 +1,170 @@
+#include "contact/adhesive_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "contact/krylov.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr int kMostSteps = 60;            // three to six are usual
+constexpr int kMostHalvings = 6;          // of a step that does not reduce the violation
+constexpr double kSystemTolerance = 1e-3;  // residual of a linear system, relative to the violation before it
+constexpr double kSettled = 1e-11;        // violation relative to the forces; loads then agree to 1e-9 on all paths
+constexpr double kAcceptable = 1e-8;      // the same if steps no longer reduce it
+constexpr Index kSmallSystem = 1300;      // `small_system` of GMRES, same as without adhesion
+
+/// Stiffness of a node for forces that alternate from row to row [N/m]. It contains differences of table entries only,
+/// since entries of a half-plane contain an arbitrary constant. The triangular weights keep the sum positive (Fejér).
+double alternating_stiffness(const SurfaceOperator& surface) {
+  constexpr int kRows = 8;
+  const Table& table = surface.local().table(Entry::rr);
+  const int reach = std::min(kRows, table.phi_reach());
+  double compliance = 0.0;
+  double weights = 0.0;
+  for (int j = -reach; j <= reach; ++j) {
+    const double weight = (j % 2 == 0 ? 1.0 : -1.0) * (1.0 - std::abs(j) / (reach + 1.0));
+    compliance += weight * table(j, 0);
+    weights += weight;
+  }
+  compliance -= weights * 0.5 * (table(reach, 0) + table(-reach, 0));
+  return 1.0 / std::abs(compliance);
+}
+
+}  // namespace
+
+AdhesiveNewton::AdhesiveNewton(const ContactProblem& problem, const ContactOptions& options)
+    : attraction_(*problem.attraction),
+      options_(options),
+      mirrored_(problem.surface->takes_mirrored() && is_mirror_symmetric(problem)),
+      stiffness_(alternating_stiffness(*problem.surface)),
+      inverse_(normal_inverse(*problem.surface)) {}
+
+double AdhesiveNewton::wall_force(const TractionLaw& law, const AdhesiveState& state, Index node) const {
+  return state.pressing[node] + attraction_.area[node] * law.attraction(node, state.gap[node]);
+}
+
+bool AdhesiveNewton::touches(const TractionLaw& law, const AdhesiveState& state, Index node) const {
+  return wall_force(law, state, node) > stiffness_ * state.gap[node];
+}
+
+std::vector<Index> AdhesiveNewton::touching(const TractionLaw& law, const AdhesiveState& state) const {
+  std::vector<Index> nodes;
+  for (Index node = 0; node < state.gap.size(); ++node) {
+    if (touches(law, state, node)) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+std::vector<Index> AdhesiveNewton::zone(const TractionLaw& law, const AdhesiveState& state) const {
+  std::vector<Index> nodes;
+  for (Index node = 0; node < state.gap.size(); ++node) {
+    if (!touches(law, state, node) && state.gap[node] < law.range(node)) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+/// Norm of min(wall force, stiffness * gap), which vanishes where N >= 0, g >= 0 and N g = 0.
+double AdhesiveNewton::violation(const TractionLaw& law, const AdhesiveState& state) const {
+  double sum = 0.0;
+  for (Index node = 0; node < state.gap.size(); ++node) {
+    const double least = std::min(wall_force(law, state, node), stiffness_ * state.gap[node]);
+    sum += least * least;
+  }
+  return std::sqrt(sum);
+}
+
+/// Rows of Newton's method. In the zone, F - A q [(C F) - d] = -A sigma - A q (g - g0), divided by 1 + A q / k.
+LawRows AdhesiveNewton::rows_of(const ContactProblem& problem, const TractionLaw& law,
+                                const AdhesiveState& state) const {
+  const Index size = state.gap.size();
+  LawRows rows{
+      .displacement = ArrayXd::Ones(size), .force = ArrayXd::Zero(size), .right = -stiffness_ * problem.initial_gap};
+  for (Index node = 0; node < size; ++node) {
+    if (touches(law, state, node)) continue;
+    const double area = attraction_.area[node];
+    const double gap = state.gap[node];
+    const double softening = area * law.slope(node, gap);
+    const double share = 1.0 / (1.0 + softening / stiffness_);
+    rows.force[node] = share;
+    rows.displacement[node] = share - 1.0;
+    rows.right[node] =
+        share * (-area * law.attraction(node, gap) - softening * (gap - problem.initial_gap[node]));
+  }
+  return rows;
+}
+
+void AdhesiveNewton::find_gap(const ContactProblem& problem, AdhesiveState& state) {
+  ++products_;
+  state.gap = problem.initial_gap + problem.surface->normal_displacement(state.pressing, mirrored_) - state.penetration;
+}
+
+/// Halve a step until it reduces the violation. Gaps are linear in the step.
+AdhesiveState AdhesiveNewton::shorten(const TractionLaw& law, const AdhesiveState& from, AdhesiveState to) const {
+  const double before = from.residual;
+  AdhesiveState best = to;
+  best.residual = violation(law, to);
+  double step = 1.0;
+  for (int i = 0; i < kMostHalvings && !(best.residual < before); ++i) {
+    step *= 0.5;
+    AdhesiveState tried{.pressing = from.pressing + step * (to.pressing - from.pressing),
+                        .penetration = from.penetration + step * (to.penetration - from.penetration),
+                        .gap = from.gap + step * (to.gap - from.gap)};
+    tried.residual = violation(law, tried);
+    if (tried.residual < best.residual) best = std::move(tried);
+  }
+  return best;
+}
+
+AdhesiveState AdhesiveNewton::solve(const ContactProblem& problem, const TractionLaw& law, AdhesiveState state) {
+  if (problem.penetration) state.penetration = *problem.penetration;
+  find_gap(problem, state);
+  state.residual = violation(law, state);
+  double scale = 1.0;
+  double least = state.residual;
+  int in_vain = 0;
+  for (int step = 0; step < kMostSteps && systems_ < options_.max_iterations; ++step) {
+    const LawRows rows = rows_of(problem, law, state);
+    std::vector<Index> nodes;
+    bool any_touches = false;
+    for (Index node = 0; node < state.gap.size(); ++node) {
+      const bool in_contact = rows.force[node] == 0.0;
+      any_touches = any_touches || in_contact;
+      if (in_contact || state.gap[node] < law.range(node)) nodes.push_back(node);
+    }
+    if (!any_touches) return state;
+    const FlatEquations equations(problem, inverse_, nodes, mirrored_, stiffness_, &rows);
+    const double tolerance = std::max(kSystemTolerance * state.residual, 0.1 * kSettled * scale);
+    const KrylovSolution solution = solve_krylov(
+        [&](const VectorXd& vector) { return equations.times(vector); },
+        [&](const VectorXd& vector) { return equations.precondition(vector); }, equations.right_side(),
+        equations.unknowns(state.pressing, state.penetration), {.absolute = tolerance, .small_system = kSmallSystem});
+    ++systems_;
+    products_ += solution.products;
+    AdhesiveState next{.pressing = equations.pressing(solution.unknowns),
+                       .penetration = equations.penetration(solution.unknowns)};
+    if (!next.pressing.allFinite()) return state;
+    find_gap(problem, next);
+    state = shorten(law, state, std::move(next));
+    scale = std::max(state.pressing.matrix().norm(), law.peak * attraction_.area.maxCoeff());
+    if (state.residual < kSettled * scale) {
+      state.converged = true;
+      break;
+    }
+    in_vain = state.residual < 0.9 * least ? 0 : in_vain + 1;
+    least = std::min(least, state.residual);
+    if (in_vain >= 8) break;
+  }
+  state.residual /= scale;
+  state.converged = state.converged || state.residual < kAcceptable;
+  return state;
+}
+
+}  // namespace viscoroll::detail
