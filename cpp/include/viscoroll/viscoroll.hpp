@@ -7,6 +7,7 @@
 
 #include "viscoroll/cores.hpp"               // IWYU pragma: export
 #include "viscoroll/cylinder.hpp"            // IWYU pragma: export
+#include "viscoroll/adhesion.hpp"            // IWYU pragma: export
 #include "viscoroll/drive.hpp"               // IWYU pragma: export
 #include "viscoroll/errors.hpp"              // IWYU pragma: export
 #include "viscoroll/fields.hpp"              // IWYU pragma: export
