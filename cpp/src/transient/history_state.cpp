@@ -1,12 +1,50 @@
 // Saved states of a history.
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
-#include "transient/creep_spectrum.hpp"
+#include "materials/creep_spectrum.hpp"
 #include "transient/history_impl.hpp"
 #include "transient/history_input.hpp"
+#include "transient/numbers.hpp"
 
 namespace viscoroll {
+namespace {
+
+using detail::CreepSpectrum;
+using detail::NumberReader;
+using detail::NumberWriter;
+
+/// Write a spectrum, so that the history continues with the retardation times with which it began.
+void write_spectrum(const CreepSpectrum& spectrum, NumberWriter& numbers) {
+  const auto vector = [&](const std::vector<double>& values) {
+    numbers.put(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  numbers.put(spectrum.instantaneous);
+  vector(spectrum.weights);
+  vector(spectrum.retardation_times);
+  numbers.put(spectrum.error);
+}
+
+/// Read a spectrum that `write_spectrum` has written.
+CreepSpectrum read_spectrum(NumberReader& numbers) {
+  const auto vector = [&] {
+    const Eigen::MatrixXd values = numbers.matrix();
+    return std::vector<double>(values.data(), values.data() + values.size());
+  };
+  CreepSpectrum spectrum;
+  spectrum.instantaneous = numbers.get();
+  spectrum.weights = vector();
+  spectrum.retardation_times = vector();
+  spectrum.error = numbers.get();
+  NumberReader::require(spectrum.weights.size() == spectrum.retardation_times.size());
+  NumberReader::require(std::ranges::all_of(spectrum.retardation_times, [](double time) { return time > 0.0; }));
+  return spectrum;
+}
+
+}  // namespace
 
 using detail::reject;
 using detail::ShiftedMesh;
@@ -21,7 +59,7 @@ RollingState RollingHistory::Impl::state() const {
   pair->heights.write(numbers);
   for (const detail::ViscoelasticBody& body : pair->bodies) {
     numbers.put(body.tables.diagonal_compliance());
-    detail::write(body.spectrum, numbers);
+    write_spectrum(body.spectrum, numbers);
   }
   for (const double number : {current.time, contact_stiffness, last_step, static_cast<double>(steps)})
     numbers.put(number);
@@ -46,7 +84,7 @@ void RollingHistory::Impl::restore(const RollingState& state, detail::Watch& wat
     if (!(std::abs(compliance / pair->bodies[b].tables.diagonal_compliance() - 1.0) < kSame)) {
       reject("start", "a state of the same bodies and mesh", "a state with another compliance");
     }
-    next.spectra[b].spectrum = detail::read_spectrum(numbers);
+    next.spectra[b].spectrum = read_spectrum(numbers);
     if (!(detail::difference(next.spectra[b].spectrum, spectra[b].spectrum) <=
           std::max(kSame, 2.0 * options.spectrum_tolerance))) {
       reject("start", "a state of the same materials", "a state with another creep function");

@@ -23,9 +23,9 @@
 #include <span>
 #include <vector>
 
+#include "materials/creep_spectrum.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/layered_body.hpp"
-#include "transient/creep_spectrum.hpp"
 
 namespace viscoroll::detail {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "transient/creep_spectrum.hpp"
+#include "materials/creep_spectrum.hpp"
 #include "transient/numbers.hpp"
 
 namespace viscoroll::detail {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "materials/creep_spectrum.hpp"
 #include "rolling/body.hpp"
-#include "transient/creep_spectrum.hpp"
 #include "transient/layer_spectrum.hpp"
 #include "transient/mirrored_tables.hpp"
 #include "transient/time_step.hpp"

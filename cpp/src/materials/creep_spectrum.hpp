@@ -7,7 +7,6 @@
 
 #include <vector>
 
-#include "transient/numbers.hpp"
 #include "viscoroll/materials.hpp"
 
 namespace viscoroll::detail {
@@ -38,13 +37,5 @@ struct TimeRange {
 
 /// @return largest difference of two creep functions, relative to their relaxed values [-]
 [[nodiscard]] double difference(const CreepSpectrum& a, const CreepSpectrum& b);
-
-/// @brief Write a spectrum into a saved state, so that the history continues with the retardation times with which it
-/// began.
-void write(const CreepSpectrum& spectrum, NumberWriter& numbers);
-
-/// @brief Read a spectrum that `write` has written.
-/// @throws InvalidInput if the numbers do not form a spectrum
-[[nodiscard]] CreepSpectrum read_spectrum(NumberReader& numbers);
 
 }  // namespace viscoroll::detail

@@ -1,4 +1,4 @@
-#include "transient/creep_spectrum.hpp"
+#include "materials/creep_spectrum.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -268,31 +268,6 @@ double difference(const CreepSpectrum& a, const CreepSpectrum& b) {
     }
   }
   return largest;
-}
-
-void write(const CreepSpectrum& spectrum, NumberWriter& numbers) {
-  const auto vector = [&](const std::vector<double>& values) {
-    numbers.put(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
-  };
-  numbers.put(spectrum.instantaneous);
-  vector(spectrum.weights);
-  vector(spectrum.retardation_times);
-  numbers.put(spectrum.error);
-}
-
-CreepSpectrum read_spectrum(NumberReader& numbers) {
-  const auto vector = [&] {
-    const Eigen::MatrixXd values = numbers.matrix();
-    return std::vector<double>(values.data(), values.data() + values.size());
-  };
-  CreepSpectrum spectrum;
-  spectrum.instantaneous = numbers.get();
-  spectrum.weights = vector();
-  spectrum.retardation_times = vector();
-  spectrum.error = numbers.get();
-  NumberReader::require(spectrum.weights.size() == spectrum.retardation_times.size());
-  NumberReader::require(std::ranges::all_of(spectrum.retardation_times, [](double time) { return time > 0.0; }));
-  return spectrum;
 }
 
 }  // namespace viscoroll::detail

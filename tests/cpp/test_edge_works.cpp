@@ -1,0 +1,227 @@
+// Works of adhesion at the edges of a contact. Reference values: quadrature and root finding with 20 digits (mpmath).
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "cases.hpp"
+#include "rolling/edge_works.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+constexpr double kTolerance = 1e-11;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr TimeRange kEdgeTimes{.shortest = 1e-9, .longest = 1e9};
+
+/// Strength of a cubic law that acts as Dugdale's law of a strength.
+double cubic(double dugdale) { return dugdale / 0.8; }
+
+/// G from 6 to 3 MPa with a relaxation time of 0.125 s, incompressible.
+EdgeCreep rubber_creep() { return {.instantaneous = 1.0 / 24e6, .delayed = {1.0 / 24e6}, .retardation_times = {0.25}}; }
+
+/// Two retardation times.
+EdgeCreep two_times() { return {.instantaneous = 2e-8, .delayed = {5e-8, 1.5e-7}, .retardation_times = {1e-3, 2.0}}; }
+
+void expect_ratio(double value, double reference) { EXPECT_NEAR(value / reference, 1.0, kTolerance) << reference; }
+
+void expect_works(const EdgeWorks& works, const EdgeWorks& reference) {
+  expect_ratio(works.opening, reference.opening);
+  expect_ratio(works.closing, reference.closing);
+  expect_ratio(works.opening_release, reference.opening_release);
+  expect_ratio(works.closing_release, reference.closing_release);
+  expect_ratio(works.opening_zone, reference.opening_zone);
+  expect_ratio(works.closing_zone, reference.closing_zone);
+}
+
+std::string message(const EdgeCreep& creep, double speed = 1e-3) {
+  try {
+    static_cast<void>(edge_works(creep, {.separation_work = 0.05, .bonding_work = 0.05}, 1e5, speed));
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(EdgeWorks, AgreeWithQuadratureForAStandardLinearSolid) {
+  const SurfaceAdhesion adhesion{.separation_work = 1.0, .bonding_work = 1.0, .strength = cubic(1e7)};
+  expect_works(edge_works(rubber_creep(), adhesion, cubic(2e5), 1e-8), {.opening = 1.037211034138,
+                                                                        .closing = 0.9632400422758,
+                                                                        .opening_release = 1.037246721338,
+                                                                        .closing_release = 0.9632045515184,
+                                                                        .opening_zone = 0.0002443955009787,
+                                                                        .closing_zone = 0.0002269509757267});
+  expect_works(edge_works(rubber_creep(), adhesion, cubic(2e5), 1e-6), {.opening = 1.690973866655,
+                                                                        .closing = 0.5856637186128,
+                                                                        .opening_release = 1.693450974722,
+                                                                        .closing_release = 0.5834692892809,
+                                                                        .opening_zone = 0.0003990099856051,
+                                                                        .closing_zone = 0.0001376017978834});
+}
+
+TEST(EdgeWorks, AgreeWithQuadratureForTwoRetardationTimesAndTwoWorks) {
+  const SurfaceAdhesion adhesion{.separation_work = 0.3, .bonding_work = 0.1, .strength = cubic(5e6)};
+  const EdgeWorks works = edge_works(two_times(), adhesion, cubic(3e4), 1e-3);
+  expect_works(works, {.opening = 1.981627942382,
+                       .closing = 0.02886343140478,
+                       .opening_release = 2.579191900451,
+                       .closing_release = 0.01005024815341,
+                       .opening_zone = 0.01023077061446,
+                       .closing_zone = 0.0002792546436673});
+  expect_ratio(works.actual_opening_zone, 3.683077421206e-7);
+  expect_ratio(works.actual_closing_zone, 1.218462222609e-7);
+  expect_works(edge_works(two_times(), adhesion, cubic(3e4), 1e-1), {.opening = 1.07421113311,
+                                                                     .closing = 0.03765394020695,
+                                                                     .opening_release = 3.287138538777,
+                                                                     .closing_release = 0.009102790910604,
+                                                                     .opening_zone = 0.01303895237974,
+                                                                     .closing_zone = 0.0004348672795343});
+}
+
+TEST(EdgeWorks, AgreeWithQuadratureWithoutAnInstantaneousCompliance) {
+  const EdgeCreep kelvin_voigt{.delayed = {1e-7}, .retardation_times = {0.01}};
+  const SurfaceAdhesion adhesion{.separation_work = 0.05, .bonding_work = 0.05, .strength = cubic(1e6)};
+  expect_works(edge_works(kelvin_voigt, adhesion, cubic(1e5), 1e-3), {.opening = 0.4226412424164,
+                                                                      .closing = 0.01161904773568,
+                                                                      .opening_release = 0.4578571952241,
+                                                                      .closing_release = 0.004286642620274,
+                                                                      .opening_zone = 0.0003596002002273,
+                                                                      .closing_zone = 1.222251147045e-5});
+}
+
+TEST(EdgeWorks, WithAnInfiniteStrengthReleaseTheRatioOfTheModuli) {
+  const SurfaceAdhesion adhesion{.separation_work = 1.0, .bonding_work = 1.0};
+  const EdgeWorks works = edge_works(rubber_creep(), adhesion, cubic(2e5), 1e-2);
+  expect_works(works, {.opening = 1.059796992598,
+                       .closing = 0.9505489251563,
+                       .opening_release = 2.0,
+                       .closing_release = 0.5,
+                       .opening_zone = 0.0004712388980385,
+                       .closing_zone = 0.0003908763599965});
+  EXPECT_EQ(works.actual_opening_zone, 0.0);
+  EXPECT_EQ(works.actual_closing_zone, 0.0);
+}
+
+TEST(EdgeWorks, AtHighSpeedReleaseTheRatioOfTheModuliForAnyStrength) {
+  const SurfaceAdhesion adhesion{.separation_work = 0.2, .bonding_work = 0.2, .strength = 3e6};
+  const EdgeWorks works = edge_works(rubber_creep(), adhesion, 1e5, 1e8);
+  EXPECT_NEAR(works.opening_release, 0.4, 1e-9);
+  EXPECT_NEAR(works.closing_release, 0.1, 1e-9);
+  EXPECT_NEAR(works.opening, 0.2, 1e-9);  // the zone of the mesh is also passed in an instant
+  EXPECT_NEAR(works.closing, 0.2, 1e-9);
+}
+
+TEST(EdgeWorks, AtLowSpeedAndOfElasticBodiesAreTheGivenOnes) {
+  const SurfaceAdhesion adhesion{.separation_work = 0.3, .bonding_work = 0.1, .strength = 3e6};
+  const EdgeCreep elastic{.instantaneous = 1e-7};
+  for (const EdgeWorks& works :
+       {edge_works(rubber_creep(), adhesion, 1e5, 0.0), edge_works(elastic, adhesion, 1e5, 1.0),
+        edge_works(elastic, {.separation_work = 0.3, .bonding_work = 0.1}, 1e5, 1.0)}) {
+    expect_ratio(works.opening, 0.3);
+    expect_ratio(works.closing, 0.1);
+    expect_ratio(works.opening_release, 0.3);
+    expect_ratio(works.closing_release, 0.1);
+  }
+}
+
+TEST(EdgeWorks, OfAResolvedEdgeAreTheGivenOnes) {
+  const SurfaceAdhesion adhesion{.separation_work = 0.3, .bonding_work = 0.1, .strength = 3e6};
+  const EdgeWorks works = edge_works(two_times(), adhesion, 3e6, 1e-4);
+  expect_ratio(works.opening, 0.3);
+  expect_ratio(works.closing, 0.1);
+  expect_ratio(works.opening_zone, works.actual_opening_zone);
+  expect_ratio(works.closing_zone, works.actual_closing_zone);
+}
+
+TEST(EdgeWorks, ScaleWithWorkAndModulus) {
+  // Lengths scale as work times compliance, stresses as modulus.
+  const EdgeWorks works =
+      edge_works(two_times(), {.separation_work = 0.3, .bonding_work = 0.1, .strength = 3e6}, 3e5, 1e-3);
+  const EdgeCreep stiffer{.instantaneous = 1e-8, .delayed = {2.5e-8, 0.75e-7}, .retardation_times = {1e-3, 2.0}};
+  const EdgeWorks scaled =
+      edge_works(stiffer, {.separation_work = 1.2, .bonding_work = 0.4, .strength = 6e6}, 6e5, 2e-3);
+  expect_ratio(scaled.opening, 4.0 * works.opening);
+  expect_ratio(scaled.closing, 4.0 * works.closing);
+  expect_ratio(scaled.opening_zone, 2.0 * works.opening_zone);
+}
+
+TEST(EdgeWorks, OfManySpeedsAndStrengthsStayBetweenTheirLimits) {
+  const double ratio = two_times().relaxed() / two_times().instantaneous;
+  for (double speed = 1e-12; speed < 1e9; speed *= 31.0) {
+    double before = 0.0;
+    for (double strength = 1e4; strength < 1e12; strength *= 7.0) {
+      const EdgeWorks works =
+          edge_works(two_times(), {.separation_work = 0.3, .bonding_work = 0.3, .strength = strength}, 1e4, speed);
+      EXPECT_GE(works.opening_release, 0.3 * (1.0 - 1e-9));
+      EXPECT_LE(works.opening_release, 0.3 * ratio * (1.0 + 1e-9));
+      EXPECT_LE(works.closing_release, 0.3 * (1.0 + 1e-9));
+      EXPECT_GE(works.closing_release, 0.3 / ratio * (1.0 - 1e-9));
+      EXPECT_GE(works.opening_release, before * (1.0 - 1e-9)) << "a stronger edge is shorter and stiffer";
+      before = works.opening_release;
+    }
+  }
+}
+
+TEST(EdgeWorks, WithoutAStrengthRejectMaterialsWhoseWorkDependsOnIt) {
+  EXPECT_EQ(
+      message({.delayed = {1e-7}, .retardation_times = {0.01}}),
+      "adhesion.strength must be finite for a material without instantaneous compliance; give the strength [Pa] or "
+      "the range [m], got inf");
+  EXPECT_EQ(
+      message(two_times()),
+      "adhesion.strength must be finite for a material with retardation times from 0.001 to 2 s, because the work "
+      "of separation depends on the strength; give the strength [Pa] or the range [m], got inf");
+  EXPECT_EQ(message(rubber_creep()), "none");
+}
+
+TEST(EdgeWorks, RejectZonesThatAreLongForTheContact) {
+  const EdgeWorks works = edge_works(rubber_creep(), {.separation_work = 1.0, .bonding_work = 1.0}, cubic(2e5), 1e-2);
+  EXPECT_NO_THROW(require_short_zones(works, 1.2e-3));
+  try {
+    require_short_zones(works, 1e-3);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "mesh must be fine enough for cohesive zones of at most 0.4 half-widths of the contact (0.001 m); refine "
+        "the mesh, or choose a larger load, got zones of 0.000471 m");
+  }
+}
+
+TEST(EdgeCreep, AddsTheOutermostLayersOfBothBodies) {
+  const Layer stiff{.thickness = 1e-3, .shear_modulus = Elastic{1e9}, .poisson_ratio = 0.3};
+  const Layer rubber{.thickness = 1e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5};
+  const CoatedSphere ball{.core_radius = 20e-3, .layers = {stiff, rubber}};
+  const EdgeCreep rigid = edge_creep(rolling_pair(ball, CoatedPlane{}), kEdgeTimes);
+  expect_ratio(rigid.instantaneous, 1.0 / 24e6);
+  ASSERT_EQ(rigid.delayed.size(), 1U);
+  expect_ratio(rigid.delayed.front(), 1.0 / 24e6);
+  expect_ratio(rigid.retardation_times.front(), 0.25);
+
+  const Layer mat{.thickness = 5e-3, .shear_modulus = Elastic{2e6}, .poisson_ratio = 0.25};
+  const EdgeCreep both = edge_creep(rolling_pair(ball, CoatedPlane{.layers = {mat}}), kEdgeTimes);
+  expect_ratio(both.instantaneous, 1.0 / 24e6 + 0.75 / 4e6);
+  expect_ratio(both.relaxed(), 1.0 / 12e6 + 0.75 / 4e6);
+}
+
+TEST(EdgeCreep, OfALayerWithABulkModulusIsExactAtShortAndLongTimes) {
+  const double bulk = 8e6;
+  const auto compliance = [bulk](double modulus) {
+    const double poisson = (3.0 * bulk - 2.0 * modulus) / (2.0 * (3.0 * bulk + modulus));
+    return (1.0 - poisson) / (2.0 * modulus);
+  };
+  const CoatedSphere ball{.core_radius = 20e-3,
+                          .layers = {{.thickness = 1e-3, .shear_modulus = cases::rubber(), .bulk_modulus = bulk}}};
+  const EdgeCreep creep = edge_creep(rolling_pair(ball, CoatedPlane{}), kEdgeTimes);
+  expect_ratio(creep.instantaneous, compliance(6e6));
+  expect_ratio(creep.relaxed(), compliance(3e6));
+  const CoatedSphere dashpot{
+      .core_radius = 20e-3,
+      .layers = {{.thickness = 1e-3, .shear_modulus = KelvinVoigt{3e6, 1e4}, .bulk_modulus = bulk}}};
+  const EdgeCreep delayed = edge_creep(rolling_pair(dashpot, CoatedPlane{}), kEdgeTimes);
+  EXPECT_EQ(delayed.instantaneous, 0.0);
+  expect_ratio(delayed.relaxed(), compliance(3e6));
+}
+
+}  // namespace
+}  // namespace viscoroll::detail
