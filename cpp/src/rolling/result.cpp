@@ -241,7 +241,7 @@ class Summary {
     const AdhesiveEdges& edges = *contact_.adhesion;
     const auto touching = static_cast<Index>(contact.size());
     contact_extent(window_, contact, window_.patch_area(contact), ArrayXd::Ones(touching)).copy_to(r);
-    r.max_pressure = (-contact_.force(contact, kDown) / traction_area(given_, window_.grid(), window_.patch_area(contact)))
+    r.max_pressure = (-contact_.force.col(kDown)(contact) / traction_area(given_, window_.grid(), window_.patch_area(contact)))
                          .maxCoeff();
     const SurfaceGrid& grid = window_.grid();
     const bool is_line = window_.window().is_line();
