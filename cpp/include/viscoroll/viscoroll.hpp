@@ -5,9 +5,9 @@
 /// Numbers of equations and sections are those of the paper; docs/theory describes its misprints.
 #pragma once
 
+#include "viscoroll/adhesion.hpp"            // IWYU pragma: export
 #include "viscoroll/cores.hpp"               // IWYU pragma: export
 #include "viscoroll/cylinder.hpp"            // IWYU pragma: export
-#include "viscoroll/adhesion.hpp"            // IWYU pragma: export
 #include "viscoroll/drive.hpp"               // IWYU pragma: export
 #include "viscoroll/errors.hpp"              // IWYU pragma: export
 #include "viscoroll/fields.hpp"              // IWYU pragma: export

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,7 +18,10 @@ using Eigen::Index;
 
 constexpr double kLeastRatio = 1.02;       // of cohesive lengths of successive laws, below which continuation fails
 constexpr double kLeastStep = 1.0 / 1024;  // of a path of loads or penetrations, relative to the whole path
-constexpr double kFirstFoldStep = 0.2;     // of the penetration on the path to the fold, relative to the depth
+// Steps of the penetration on the path to the fold, relative to the undeformed gap at the edge of the contact. The load
+// is stationary at the fold, where the last step leaves a relative error of the order of its square.
+constexpr double kFirstFoldStep = 0.2;
+constexpr double kLeastFoldStep = 1e-3;
 
 /// Contact on one mesh, followed through laws, loads and penetrations.
 class AdhesiveContact {
@@ -182,33 +184,28 @@ class AdhesiveContact {
 
   /// Reduce the penetration until the tension is largest.
   void find_fold() {
-    constexpr double kLeastFoldStep = 1e-3;
     const double size = depth();
     double step = kFirstFoldStep * size;
     AdhesiveState best = state_;
+    bool is_bracketed = false;
     while (step > kLeastFoldStep * size) {
-      const AdhesiveState before = state_;
-      set_penetration(before.penetration - step);
-      if (!advance(length_)) {
-        state_ = before;
-        step *= 0.5;
-        continue;
-      }
-      const double load = state_.load();
-      if (load < best.load()) {
+      state_ = best;
+      set_penetration(best.penetration - step);
+      if (advance(length_) && state_.load() < best.load()) {
         best = state_;
+        if (!is_bracketed) step *= 2.0;
         continue;
       }
-      // The fold lies within a step of the best state. Search around it with half the step.
+      // The fold lies within a step of the best state.
+      is_bracketed = true;
       step *= 0.5;
       state_ = best;
       set_penetration(best.penetration + step);
       if (advance(length_) && state_.load() < best.load()) best = state_;
-      state_ = best;
     }
     state_ = best;
     set_penetration(best.penetration);
-    if (!advance(length_)) throw failure();
+    load_ = best.load();
   }
 
   [[nodiscard]] double center_of(const std::vector<Index>& nodes) const {

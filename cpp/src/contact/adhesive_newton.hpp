@@ -15,10 +15,11 @@ namespace viscoroll::detail {
 
 /// @brief Forces and penetration of a contact with adhesion, and the gaps that belong to them.
 struct AdhesiveState {
-  Eigen::ArrayXd pressing;   ///< force on every node [N]; negative in tension
-  double penetration = 0.0;  ///< [m]
-  Eigen::ArrayXd gap = {};   ///< gap of every node [m]; negative where the state overlaps
-  double residual = 1.0;     ///< norm of the violated conditions, relative to that of the forces [-]
+  Eigen::ArrayXd pressing;         ///< force on every node [N]; negative in tension
+  double penetration = 0.0;        ///< [m]
+  Eigen::ArrayXd gap = {};         ///< gap of every node [m]; negative where the state overlaps
+  std::vector<char> touches = {};  ///< whether a node is in contact, of every node
+  double residual = 1.0;           ///< norm of the violated conditions, relative to that of the forces [-]
   bool converged = false;
 
   [[nodiscard]] double load() const { return pressing.sum(); }
@@ -51,7 +52,8 @@ class AdhesiveNewton {
   [[nodiscard]] double wall_force(const TractionLaw& law, const AdhesiveState& state, Eigen::Index node) const;
   [[nodiscard]] bool touches(const TractionLaw& law, const AdhesiveState& state, Eigen::Index node) const;
   [[nodiscard]] double violation(const TractionLaw& law, const AdhesiveState& state) const;
-  [[nodiscard]] LawRows rows_of(const ContactProblem& problem, const TractionLaw& law, const AdhesiveState& state) const;
+  [[nodiscard]] LawRows rows_of(const ContactProblem& problem, const TractionLaw& law,
+                                const AdhesiveState& state) const;
   [[nodiscard]] AdhesiveState shorten(const TractionLaw& law, const AdhesiveState& from, AdhesiveState to) const;
   void find_gap(const ContactProblem& problem, AdhesiveState& state);
 

@@ -46,8 +46,8 @@ struct NormalCondition {
 /// gap, times the area.
 struct ContactProblem {
   std::shared_ptr<const SurfaceOperator> surface;
-  Eigen::ArrayXd initial_gap;        ///< gap of each node when the lowest node just touches [m], >= 0
-  double normal_force;  ///< load [N], positive without adhesion; with a given penetration, a scale for residuals
+  Eigen::ArrayXd initial_gap;  ///< gap of each node when the lowest node just touches [m], >= 0
+  double normal_force;         ///< load [N], positive without adhesion; with a given penetration, a scale for residuals
   std::optional<Friction> friction;  ///< empty if tangential forces are neglected
   /// Whether a body ends at the sides of the window, so that the contact may reach them.
   bool ends_at_sides = false;

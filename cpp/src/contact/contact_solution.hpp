@@ -31,7 +31,7 @@ struct AdhesiveEdges {
 struct ContactSolution {
   /// Force on the surface at every node [N]. Without adhesion, the pressing component, along y, is <= 0.
   VectorField force;
-  VectorField displacement;  ///< displacement of every node [m]; empty until it is computed
+  VectorField displacement;              ///< displacement of every node [m]; empty until it is computed
   VectorField counterbody_displacement;  ///< part of the counterbody in it; no rows if the counterbody is rigid
   Eigen::ArrayXd gap;                    ///< gap between every node and the counterbody [m]
   std::vector<Eigen::Index> contact;     ///< nodes in contact

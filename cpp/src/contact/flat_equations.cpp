@@ -92,8 +92,8 @@ VectorXd FlatEquations::times(const VectorXd& unknowns) const {
   result.head(count_) = roots_.cwiseProduct(stiffness_ * scaled_);
   result.head(count_) -= unknowns[count_] * roots_;
   if (factors_) {
-    result.head(count_) = factors_->displacement.cwiseProduct(result.head(count_)) +
-                          factors_->force.cwiseProduct(unknowns.head(count_));
+    result.head(count_) =
+        factors_->displacement.cwiseProduct(result.head(count_)) + factors_->force.cwiseProduct(unknowns.head(count_));
   }
   result[count_] = balance_ * conditioned(unknowns);
   return result;

@@ -36,11 +36,11 @@ class IterativePressedSurface : public PressedSurface {
     if (!inverse_) inverse_ = std::make_unique<InverseConvolution>(normal_inverse(*problem_.surface));
     const FlatEquations equations(problem_, *inverse_, contact.nodes, mirrored_, stiffness());
     const VectorXd right_side = equations.right_side();
-    const KrylovSolution solution = solve_krylov(
-        [&](const VectorXd& vector) { return equations.times(vector); },
-        [&](const VectorXd& vector) { return equations.precondition(vector); }, right_side,
-        equations.unknowns(contact.pressing, *contact.penetration),
-        {.absolute = tolerance * right_side.norm(), .small_system = kSmallContact});
+    const KrylovSolution solution =
+        solve_krylov([&](const VectorXd& vector) { return equations.times(vector); },
+                     [&](const VectorXd& vector) { return equations.precondition(vector); }, right_side,
+                     equations.unknowns(contact.pressing, *contact.penetration),
+                     {.absolute = tolerance * right_side.norm(), .small_system = kSmallContact});
     products_ += solution.products;
     const double error = solution.residual / right_side.norm();
     if (!(error < std::max(kUnusableResidual, 2.0 * tolerance))) {

@@ -7,7 +7,9 @@ namespace viscoroll::detail {
 namespace {
 
 /// Spacings per cohesive length. With three or more, a mesh causes no hysteresis of its own (docs/theory/adhesion.md).
-constexpr double kSpacingsPerLength = 4.0;
+/// With four, the edges of an elastic roller still stick to nodes so much that Newton's method fails on the path to the
+/// largest tension; with six it reaches it to half a percent.
+constexpr double kSpacingsPerLength = 6.0;
 
 /// Fractions of the rolling speed at which works are tabulated: powers of 1/sqrt(2), from 1 downwards.
 constexpr int kFractions = 21;

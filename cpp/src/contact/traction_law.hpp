@@ -40,14 +40,14 @@ struct WorksAtEdges {
 
 /// @brief Attraction between two bodies, from which a law follows for every mesh.
 struct Attraction {
-  double work;              ///< smallest work of adhesion [J/m^2], > 0
-  double modulus;           ///< relaxed plane-strain modulus E* of both surfaces together [Pa], > 0
-  double cohesive_length;   ///< E* work / strength^2 [m]; 0 if the strength is unbounded
-  double equivalent_load;   ///< load without adhesion at which the contact has about the same size [N], > 0
-  double spacing;           ///< largest distance between neighboring nodes [m]
-  Eigen::ArrayXd x;         ///< position of every node along the path, positive ahead [m]
-  Eigen::ArrayXd z;         ///< position of every node across the path [m]
-  Eigen::ArrayXd area;      ///< area of the patch of every node [m^2]; in line contact its length [m]
+  double work;             ///< smallest work of adhesion [J/m^2], > 0
+  double modulus;          ///< relaxed plane-strain modulus E* of both surfaces together [Pa], > 0
+  double cohesive_length;  ///< E* work / strength^2 [m]; 0 if the strength is unbounded
+  double equivalent_load;  ///< load without adhesion at which the contact has about the same size [N], > 0
+  double spacing;          ///< largest distance between neighboring nodes [m]
+  Eigen::ArrayXd x;        ///< position of every node along the path, positive ahead [m]
+  Eigen::ArrayXd z;        ///< position of every node across the path [m]
+  Eigen::ArrayXd area;     ///< area of the patch of every node [m^2]; in line contact its length [m]
   /// Works of a law with a peak [Pa] at an edge whose normal moves with a fraction of the rolling speed, in [0, 1].
   std::function<WorksAtEdges(double peak, double fraction)> works;
 

@@ -211,22 +211,21 @@ double edge_tension(double a, double work, const std::vector<Part>& parts, const
 
 double equivalent_load(const RollingPair& pair, const LoadCase& load_case) {
   constexpr int kPasses = 60;  // each reduces the error at least to a half
-  const double given = load_case.load.value_or(0.0);
+  const double given = std::max(load_case.load.value_or(0.0), 0.0);
   const double work = load_case.adhesion->separation_work.value_or(load_case.adhesion->work);
-  double load = std::max(given, 0.0);
+  double load = given;
   for (int pass = 0; pass < kPasses; ++pass) {
     const double a = load > 0.0 ? estimate_contact(pair, load_case.angular_speed, load).along : mean_radius(pair);
     const double frequency = load_case.angular_speed * std::max(1.0, pair.body->radius() / a);
     const double tension = edge_tension(a, work, parts_of(pair, load_case.angular_speed, frequency), pair.body->form());
-    load = std::max(given + tension, 0.25 * tension);
+    load = given + tension;
   }
   return load;
 }
 
 ContactReach estimate_contact(const PairAtSpeed& pair, const LoadCase& load_case) {
   if (load_case.adhesion) {
-    const ContactReach attracted =
-        estimate_contact(pair, load_case.angular_speed, equivalent_load(pair, load_case));
+    const ContactReach attracted = estimate_contact(pair, load_case.angular_speed, equivalent_load(pair, load_case));
     if (!load_case.penetration || !(*load_case.penetration + pair.centrifugal > 0.0)) return attracted;
     LoadCase pressed = load_case;
     pressed.adhesion.reset();

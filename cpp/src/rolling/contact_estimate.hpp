@@ -42,8 +42,9 @@ namespace viscoroll::detail {
 /// Roberts, Proc. R. Soc. A 324 (1971) 301-313): sqrt(8 pi w E* a^3) on a half-space, sqrt(2 pi w E* a) for a roller,
 /// and on a thin bonded layer the load of a layer that is lifted by sqrt(2 w h / M), whichever is larger.
 /// @param[in] pair both bodies
-/// @param[in] load_case load case with adhesion; without a given load, P = 0
-/// @return load [N], for a roller per length; at least a quarter of that tension
+/// @param[in] load_case load case with adhesion; P = 0 if its load is negative or not given, since the solver finds
+/// tensile states from that of P = 0
+/// @return load [N], for a roller per length
 [[nodiscard]] double equivalent_load(const RollingPair& pair, const LoadCase& load_case);
 
 /// @brief Upper bound of the loads that a coating of such layers can support: a thousand times the loads of Hertz and

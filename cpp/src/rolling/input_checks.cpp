@@ -86,8 +86,8 @@ void reject_load(const RollingPair& pair, const LoadCase& load_case, const std::
 void reject_tension(const ContactSetup& setup, double largest) {
   const std::string unit(setup.pair.body->form().load_unit);
   const Range range{.unit = unit, .minimum = largest, .excludes_minimum = true};
-  reject("load", "> " + rounded(largest) + " " + unit + ", at which the " + std::string(setup.pair.body->name()) +
-                     " lifts off",
+  reject("load",
+         "> " + rounded(largest) + " " + unit + ", at which the " + std::string(setup.pair.body->name()) + " lifts off",
          text(*setup.load_case.load) + " " + unit, range);
 }
 

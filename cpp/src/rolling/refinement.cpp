@@ -88,7 +88,7 @@ std::vector<Answer> answers(const Result& result, const LoadCase& load_case, dou
     answers.push_back({result.load, load});
   } else if (result.penetration) {
     answers.push_back({*result.penetration, load_case.adhesion ? std::max(std::abs(*result.penetration), approach_scale)
-                                                                : std::abs(*result.penetration)});
+                                                               : std::abs(*result.penetration)});
   }
   if (load_case.friction == 0.0) return answers;
   answers.push_back(

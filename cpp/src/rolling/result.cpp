@@ -64,8 +64,7 @@ double settled(double sum, double largest_summand, std::optional<double> given =
 
 /// D_2 = sum of p dw_2/dxi: force of the pressure along the counterbody's deformed surface. Under a rigid ball it
 /// follows from the surface of the ball.
-double deformed_slope_force(const ContactSetup& given, const WindowContact& solved,
-                            const std::vector<Index>& contact) {
+double deformed_slope_force(const ContactSetup& given, const WindowContact& solved, const std::vector<Index>& contact) {
   switch (solved.problem.surface->deforming()) {
     case Deforming::rolling:
       return 0.0;
@@ -190,8 +189,7 @@ class Summary {
     work -= guided * load_case.angular_speed * radius();
     // Smaller powers, relative to the largest torque that the load could cause, are round-off of a lossless coating.
     const double negligible =
-        std::max(1e-10 * force_scale(r) * load_case.angular_speed * r.semi_axis_x,
-                 std::numeric_limits<double>::min());
+        std::max(1e-10 * force_scale(r) * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());
     r.energy_balance_error =
         std::abs(work - r.dissipated_power) / std::max({std::abs(work), std::abs(r.dissipated_power), negligible});
   }
@@ -241,8 +239,9 @@ class Summary {
     const AdhesiveEdges& edges = *contact_.adhesion;
     const auto touching = static_cast<Index>(contact.size());
     contact_extent(window_, contact, window_.patch_area(contact), ArrayXd::Ones(touching)).copy_to(r);
-    r.max_pressure = (-contact_.force.col(kDown)(contact) / traction_area(given_, window_.grid(), window_.patch_area(contact)))
-                         .maxCoeff();
+    r.max_pressure =
+        (-contact_.force.col(kDown)(contact) / traction_area(given_, window_.grid(), window_.patch_area(contact)))
+            .maxCoeff();
     const SurfaceGrid& grid = window_.grid();
     const bool is_line = window_.window().is_line();
     const double spacing = grid.radius * (is_line ? grid.phi_spacing : std::max(grid.phi_spacing, grid.theta_spacing));

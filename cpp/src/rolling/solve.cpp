@@ -42,7 +42,8 @@ void validate(const LoadCase& load_case, const detail::RoundBody& body) {
   }
   if (load_case.pulls_off) {
     if (load_case.load) detail::reject("load", "left out for the largest tension", *load_case.load);
-    if (load_case.penetration) detail::reject("penetration", "left out for the largest tension", *load_case.penetration);
+    if (load_case.penetration)
+      detail::reject("penetration", "left out for the largest tension", *load_case.penetration);
   } else if (load_case.load && load_case.adhesion) {
     detail::require_finite("load", *load_case.load);
   } else if (load_case.load) {
