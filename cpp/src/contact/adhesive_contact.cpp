@@ -91,9 +91,9 @@ class AdhesiveContact {
       state_ = before;
       step *= 0.5;
       if (step >= kLeastStep) continue;
-      if (!by_load || target >= 0.0) throw failure();
-      find_fold();
-      throw LiftsOff(state_.load());
+      if (by_load ? target >= 0.0 : target > start) throw failure();
+      if (by_load) find_fold();
+      throw LiftsOff(state_.load(), state_.penetration);
     }
   }
 

@@ -83,12 +83,14 @@ void reject_load(const RollingPair& pair, const LoadCase& load_case, const std::
              " " + reason + ")");
 }
 
-void reject_tension(const ContactSetup& setup, double largest) {
-  const std::string unit(setup.pair.body->form().load_unit);
-  const Range range{.unit = unit, .minimum = largest, .excludes_minimum = true};
-  reject("load",
-         "> " + rounded(largest) + " " + unit + ", at which the " + std::string(setup.pair.body->name()) + " lifts off",
-         text(*setup.load_case.load) + " " + unit, range);
+void reject_tension(const ContactSetup& setup, double load, double penetration) {
+  const LoadCase& given = setup.load_case;
+  const std::string unit(given.load ? setup.pair.body->form().load_unit : "m");
+  const double least = given.load ? load : penetration - setup.pair.centrifugal;
+  reject(given.load ? "load" : "penetration",
+         "> " + rounded(least) + " " + unit + ", at which the " + std::string(setup.pair.body->name()) + " lifts off",
+         text(given.load ? *given.load : *given.penetration) + " " + unit,
+         Range{.unit = unit, .minimum = least, .excludes_minimum = true});
 }
 
 void reject_contact_over_60_degrees(const RollingPair& pair, const LoadCase& load_case) {

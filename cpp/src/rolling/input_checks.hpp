@@ -44,8 +44,8 @@ void require_reachable_drive(const ContactSetup& setup, const ContactProblem& pr
 
 /// @brief Reject a load or penetration at which adhesion does not keep the bodies together.
 /// @param[in] setup load case with adhesion
-/// @param[in] largest load of the largest tension that adhesion supports [N], negative
-[[noreturn]] void reject_tension(const ContactSetup& setup, double largest);
+/// @param[in] load,penetration those of the last state at which they keep together [N], [m]
+[[noreturn]] void reject_tension(const ContactSetup& setup, double load, double penetration);
 
 /// @brief Reject a load or penetration whose contact fits into no window.
 [[noreturn]] void reject_contact_over_60_degrees(const RollingPair& pair, const LoadCase& load_case);

@@ -100,7 +100,7 @@ LocatedContact solve_contact(const ContactSetup& setup, const ContactProblem& pr
   try {
     return solve_multilevel(problem, setup.contact_gap_limit(), setup.limits);
   } catch (const LiftsOff& tension) {
-    reject_tension(setup, tension.load());
+    reject_tension(setup, tension.load(), tension.penetration());
   } catch (const ConvergenceError&) {
     require_reachable_drive(setup, problem);
     throw;
