@@ -120,7 +120,7 @@ def adhesive_hunter(
             length=float(velocity[index]) * shear_modulus.relaxation_time,
             work=energy,
         )
-        values[(slice(None), *index)] = strip.at_load(force[index])
+        values[(slice(None), *index)] = strip.at_load(float(force[index]))
     return AdhesiveRollingContact(
         half_width=float_if_scalar(values[0]),
         center=float_if_scalar(values[1]),
