@@ -5,7 +5,9 @@
 #include <string>
 
 #include "cases.hpp"
+#include "rolling/adhesion_estimate.hpp"
 #include "rolling/edge_works.hpp"
+#include "viscoroll/solve.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -221,6 +223,57 @@ TEST(EdgeCreep, OfALayerWithABulkModulusIsExactAtShortAndLongTimes) {
   const EdgeCreep delayed = edge_creep(rolling_pair(dashpot, CoatedPlane{}), kEdgeTimes);
   EXPECT_EQ(delayed.instantaneous, 0.0);
   expect_ratio(delayed.relaxed(), compliance(3e6));
+}
+
+/// Torque due to adhesion relative to the torque without, from solutions with adhesion.
+struct AdhesiveCase {
+  double load;           ///< [N]
+  double angular_speed;  ///< [rad/s]
+  double work;           ///< [J/m^2]
+  double added;          ///< [-]
+  double error;          ///< of the solutions [-]
+};
+
+TEST(AdhesionEstimate, OfABallOnAMatIsWithinAFifthOfSolutions) {
+  // Table of docs/theory/adhesion.md, "When adhesion matters".
+  const CoatedSphere ball{.core_radius = 21e-3};
+  const CoatedPlane mat{.layers = {{.thickness = 1e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5}}};
+  const EdgeCreep creep = edge_creep(rolling_pair(ball, mat), kEdgeTimes);
+  for (const AdhesiveCase& row : {AdhesiveCase{1.0, 2.5, 0.05, 0.011, 0.002},
+                                  {0.1, 2.5, 0.05, 0.095, 0.015},
+                                  {1.0, 0.05, 0.05, 0.037, 0.008},
+                                  {0.1, 0.5, 0.05, 0.108, 0.01},
+                                  {0.1, 0.05, 0.05, 0.22, 0.04},
+                                  {0.1, 0.005, 0.05, 1.57, 0.12}}) {
+    const Result result = solve(ball, mat, {.load = row.load, .angular_speed = row.angular_speed});
+    const double torque = adhesion_torque_estimate(creep, {.separation_work = row.work, .bonding_work = row.work},
+                                                   {.half_length = 0.5 * result.contact_length,
+                                                    .width = *result.contact_width,
+                                                    .radius = 21e-3,
+                                                    .speed = 21e-3 * row.angular_speed});
+    const double added = torque / result.resisting_torque;
+    EXPECT_NEAR(added, row.added, row.error + 0.2 * row.added) << row.load << " " << row.angular_speed;
+  }
+}
+
+TEST(AdhesionEstimate, InSlowRollingIsThePlateauOfTheRatioOfTheModuli) {
+  const SurfaceAdhesion adhesion{.separation_work = 0.05, .bonding_work = 0.05};
+  const RollingStrip contact{.half_length = 1e-3, .width = 2e-3, .radius = 0.021, .speed = 1e-7};
+  expect_ratio(adhesion_torque_estimate(rubber_creep(), adhesion, contact), 2e-3 * 0.021 * 0.05 * (2.0 - 0.5));
+}
+
+TEST(AdhesionEstimate, OfElasticBodiesIsTheDifferenceOfTheWorks) {
+  const RollingStrip contact{.half_length = 1e-3, .width = 1.0, .radius = 0.01, .speed = 1.0};
+  const SurfaceAdhesion adhesion{.separation_work = 0.3, .bonding_work = 0.1, .strength = 1e6};
+  expect_ratio(adhesion_torque_estimate({.instantaneous = 1e-7}, adhesion, contact), 0.01 * 0.2);
+}
+
+TEST(AdhesionEstimate, IsSmallerForEdgesThatRelax) {
+  const RollingStrip contact{.half_length = 1e-3, .width = 1.0, .radius = 0.01, .speed = 1e-6};
+  const SurfaceAdhesion stiff{.separation_work = 0.05, .bonding_work = 0.05};
+  const SurfaceAdhesion relaxing{.separation_work = 0.05, .bonding_work = 0.05, .strength = 1e6};
+  EXPECT_LT(adhesion_torque_estimate(rubber_creep(), relaxing, contact),
+            0.5 * adhesion_torque_estimate(rubber_creep(), stiff, contact));
 }
 
 }  // namespace
