@@ -120,7 +120,8 @@ def solve(
     ValueError
         If an argument is out of range, both or neither of load and penetration are given, the load is too large for
         the coating (penetration ≥ thickness), the speed is at or above the critical one, the body would slide
-        without end under the drive, or it lifts off because adhesion does not support the tension. The message contains parameter, value, unit and allowed range.
+        without end under the drive, or it lifts off because adhesion does not support the tension. The message
+        contains parameter, value, unit and allowed range.
     TypeError
         If an argument has the wrong type.
     ConvergenceError
