@@ -117,10 +117,13 @@ void bind_solve(py::module_& m) {
 
   py::classh<LoadCase>(m, "LoadCase")
       .def(py::init([](std::optional<double> load, std::optional<double> penetration, double angular_speed,
-                       std::optional<double> speed, double friction,
-                       Drive drive) { return LoadCase{load, penetration, angular_speed, speed, friction, drive}; }),
+                       std::optional<double> speed, double friction, Drive drive, std::optional<Adhesion> adhesion,
+                       bool pulls_off) {
+             return LoadCase{load, penetration, angular_speed, speed, friction, drive, adhesion, pulls_off};
+           }),
            py::kw_only(), py::arg("load"), py::arg("penetration"), py::arg("angular_speed"),
-           py::arg("speed") = py::none(), py::arg("friction"), py::arg("drive"))
+           py::arg("speed") = py::none(), py::arg("friction"), py::arg("drive"), py::arg("adhesion") = py::none(),
+           py::arg("pulls_off") = false)
       .def_readonly("load", &LoadCase::load)
       .def_readonly("angular_speed", &LoadCase::angular_speed)
       .def_readonly("friction", &LoadCase::friction);

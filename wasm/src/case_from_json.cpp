@@ -82,6 +82,13 @@ LoadCase load_case_from_json(const Json& json, const std::string& path) {
     Table of_drive(*drive, table.path_of("drive"));
     load_case.drive = drive_from_json(of_drive, std::type_identity<Drive>{});
   }
+  if (const Json* adhesion = table.take("adhesion")) {
+    Table of_adhesion(*adhesion, table.path_of("adhesion"));
+    load_case.adhesion = read_fields<Adhesion>([&](std::string_view key, auto otherwise, bool is_optional) {
+      return of_adhesion.value(key, std::move(otherwise), is_optional);
+    });
+    of_adhesion.close();
+  }
   table.close();
   return load_case;
 }

@@ -76,13 +76,19 @@ struct Answer {
 /// Scalar results that are checked for convergence, always in the same order for the same load case.
 std::vector<Answer> answers(const Result& result, const LoadCase& load_case, double radius) {
   const double torque = std::abs(result.resisting_torque);
-  const double negligible = std::max(1e-10 * result.load * result.semi_axis_x, std::numeric_limits<double>::min());
+  // The load of an adhesive contact may be zero; a tenth of its largest pressure is about the mean one.
+  const double load = load_case.adhesion
+                          ? std::max(std::abs(result.load), 0.1 * result.max_pressure * result.contact_area)
+                          : result.load;
+  const double negligible = std::max(1e-10 * load * result.semi_axis_x, std::numeric_limits<double>::min());
   const double force = torque / radius;
+  const double approach_scale = 0.5 * std::pow(result.semi_axis_x, 2) / radius;
   std::vector<Answer> answers{{result.resisting_torque, std::max(torque, negligible)}};
   if (!load_case.load) {
-    answers.push_back({result.load, result.load});
+    answers.push_back({result.load, load});
   } else if (result.penetration) {
-    answers.push_back({*result.penetration, std::abs(*result.penetration)});
+    answers.push_back({*result.penetration, load_case.adhesion ? std::max(std::abs(*result.penetration), approach_scale)
+                                                               : std::abs(*result.penetration)});
   }
   if (load_case.friction == 0.0) return answers;
   answers.push_back(

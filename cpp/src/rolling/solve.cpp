@@ -40,7 +40,13 @@ void validate(const LoadCase& load_case, const detail::RoundBody& body) {
   if (load_case.load && load_case.penetration) {
     detail::reject("penetration", "left out if the load is given", detail::text(*load_case.penetration) + " m");
   }
-  if (load_case.load) {
+  if (load_case.pulls_off) {
+    if (load_case.load) detail::reject("load", "left out for the largest tension", *load_case.load);
+    if (load_case.penetration)
+      detail::reject("penetration", "left out for the largest tension", *load_case.penetration);
+  } else if (load_case.load && load_case.adhesion) {
+    detail::require_finite("load", *load_case.load);
+  } else if (load_case.load) {
     detail::require_positive("load", *load_case.load, body.form().load_unit);
   } else if (load_case.penetration) {
     detail::require_finite("penetration", *load_case.penetration);
@@ -125,6 +131,7 @@ Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCa
   return detail::with_given_speed(given_speed(load_case), [&] {
     const auto [pair, at_speed] = checked(body, on, load_case, options);
     if (!options.mesh) detail::reject("mesh", "the mesh of the state", "none");
+    if (load_case.adhesion) detail::reject("adhesion", "left out for a frozen contact", "an adhesion");
     detail::Watch watch(options.observer);
     const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
     return with_warnings(detail::solve_frozen_case(model_on_given_mesh(given), given, state), given, true);
