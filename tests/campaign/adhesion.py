@@ -158,7 +158,7 @@ def run_case(case: AdhesiveCase, before_each: Callable[[Outcome], object] = lamb
     scaled = attempt(vr.solve, case.scaled(3.7), outcome)
     if scaled is None:
         return outcome
-    difference = abs(scaled.resisting_torque / (3.7 * result.resisting_torque) - 1.0)
+    difference = abs(scaled.rolling_resistance_torque / (3.7 * result.rolling_resistance_torque) - 1.0)
     _require(outcome, "scaling of the torque", difference, 1e-6)
     if case.arguments["load"] > 0.0:
         outcome.stage = "without adhesion"
@@ -166,7 +166,7 @@ def run_case(case: AdhesiveCase, before_each: Callable[[Outcome], object] = lamb
         plain = attempt(vr.solve, case.without_adhesion(), outcome)
         if plain is None:
             return outcome
-        deficit = 1.0 - result.resisting_torque / plain.resisting_torque
+        deficit = 1.0 - result.rolling_resistance_torque / plain.rolling_resistance_torque
         _require(outcome, "torque below that without adhesion", deficit, 2.0 * _ACCURACY)
     outcome.stage = "case"
     return outcome
@@ -177,7 +177,7 @@ def _check(case: AdhesiveCase, result: vr.Result, outcome: Outcome) -> None:
     for name, number in result.scalars().items():
         if isinstance(number, float) and math.isnan(number):
             outcome.violations[f"{name} is NaN"] = math.inf
-    edge = _edge_moment(case, result) / result.resisting_torque
+    edge = _edge_moment(case, result) / result.rolling_resistance_torque
     _require(outcome, "power balance", result.energy_balance_error, _BALANCE + _BALANCE_OF_EDGES * edge)
     if not result.opening_energy_ratio or not result.closing_energy_ratio:
         outcome.violations["no energy release rates"] = math.inf
