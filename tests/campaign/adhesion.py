@@ -1,9 +1,9 @@
 """Random balls and rollers with adhesion: every case ends in a state, or in a message that says what to do.
 
 Modulus ratios are 1.5 to 100, the ratio of adhesion to load √(2πE*aw)/P (a roller) or √(8πE*a³w)/P (a ball) is 0.01 to
-50, and the distance rolled in a relaxation time 0.003 to 50 half-widths, with a = a(P) of Hertz. Every eighth load is
-zero and every eighth is a tension. A state passes if its power balance closes, if both energy release rates lie between
-their limits, if adhesion does not reduce the torque, and if it scales with load, moduli and work.
+50, and the distance rolled in a relaxation time 0.003 to 50 half-widths, with the half-width a of JKR. Every eighth
+load is zero and every eighth is a tension. A state passes if its power balance closes, if both energy release rates lie
+between their limits, if adhesion does not reduce the torque, and if it scales with load, moduli and work.
 """
 
 from __future__ import annotations
@@ -104,11 +104,11 @@ def draw(seed: int, number: int) -> AdhesiveCase:
     a = radius * between(0.005, 0.1)
     share = between(0.01, 50.0)
     if line:
-        load = 0.25 * math.pi * modulus * a**2 / radius
+        load = 0.25 * math.pi * modulus * a**2 / radius / (1.0 + share)
         work = (share * load) ** 2 / (2.0 * math.pi * modulus * a)
         pull_off = 0.75 * (4.0 * math.pi * modulus * work**2 * radius) ** (1.0 / 3.0)
     else:
-        load = 4.0 / 3.0 * modulus * a**3 / radius
+        load = 4.0 / 3.0 * modulus * a**3 / radius / (1.0 + share)
         work = (share * load) ** 2 / (8.0 * math.pi * modulus * a**3)
         pull_off = 1.5 * math.pi * work * radius
     time_constant = between(1e-4, 10.0)
