@@ -22,6 +22,7 @@ from ..rolling.propagation import Pair
 from ..studies.dimensions import MOST_POINTS, Dimension, require_feasible
 from ..studies.plan import LoadCase, Plan
 from .case import BODIES, COUNTERBODIES, Case, CaseFile, build_case
+from .heat import Heating
 from .key_paths import KeyPath, key_path_of, substituted
 from .tables import StrictTable, checked, errors_in
 from .unit_texts import Key, has_quantities
@@ -166,7 +167,9 @@ def _plan(
             of_draws = [key_path_of(key) for key in draws.of]
             drawn[id(body), id(on)] = _drawn(substituted(document, chosen), folder, of_draws)
         pairs = drawn.get((id(body), id(on)), ())
-        cases.append(LoadCase(body=body, arguments=_arguments(case) | {"on": on}, draws=pairs))
+        cases.append(
+            LoadCase(body=body, arguments=_arguments(case) | {"on": on}, draws=pairs, addition=_addition(case))
+        )
     _require_effect(dimensions, key_paths, cases)
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
     names = {dimension.name for dimension in dimensions}
@@ -196,6 +199,7 @@ def _same(first: LoadCase | str, second: LoadCase | str) -> bool:
         and isinstance(second, LoadCase)
         and first.body == second.body
         and first.arguments == second.arguments
+        and first.addition == second.addition
     )
 
 
@@ -230,6 +234,15 @@ def _count_draws(document: dict[str, Any], folder: Path, key_path: KeyPath) -> i
 
 def _numbers_in(tables: Collection[str | int], chosen: Mapping[KeyPath, float]) -> tuple[float, ...]:
     return tuple(number for key_path, number in chosen.items() if key_path[0] in tables)
+
+
+def _addition(case: Case) -> Heating | None:
+    """Return the temperatures of a case with a table [thermal]."""
+    if case.thermal is None:
+        return None
+    if case.thermal.shift is not None:
+        case.given_load()
+    return Heating(case.thermal)
 
 
 def _arguments(case: Case) -> dict[str, Any]:

@@ -78,6 +78,10 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
     for name, (unit, description) in (SCALARS | _COUNTS).items():
         column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
         variables[name] = (names, np.array(column, dtype=np.float64), _attributes(units.get(name, unit), description))
+    for name, (unit, description) in plan.added_columns.items():
+        column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
+        unit = unit_in_contact(unit, line_contact=plan.line_contact and unit == "W")
+        variables[name] = (names, np.array(column, dtype=np.float64), _attributes(unit, description))
     for name in BOUNDS if any(bound in outcome.scalars for outcome in table for bound in BOUNDS) else ():
         column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
         variables[name] = (

@@ -50,6 +50,7 @@ class PointKeys:
         fields: tuple[str, ...],
         draws: Sequence[Pair] = (),
         method: DrawMethod = "linear",
+        addition: object = None,
     ) -> str:
         """Return the key of a point.
 
@@ -65,6 +66,8 @@ class PointKeys:
             Body and counterbody of each draw. The bodies must outlive this object.
         method : "linear" or "solve", default "linear"
             Method for the results of draws.
+        addition : Addition, optional
+            Further results of the point.
         """
         case = {name: value for name, value in sorted({**_DEFAULTS, **arguments}.items()) if value is not None}
         speed = case["speed"] / body.outer_radius if "speed" in case else case["angular_speed"]
@@ -72,6 +75,8 @@ class PointKeys:
         if "on" in case:
             case["on"] = _counterbody_text(case["on"], speed * body.outer_radius, highest)
         text = f"{case!r} {fields!r} {self._body(body, speed, highest)}"
+        if addition is not None:
+            text += f"; {addition!r}"
         for drawn, on in draws:
             under = "" if on is None else _counterbody_text(on, speed * drawn.outer_radius, highest)
             text += f"; {method} draw {self._body(drawn, speed, highest)} on {under}"

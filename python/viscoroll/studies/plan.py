@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import itertools
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from .._support.errors import InvalidInput
 from ..bodies import Counterbody, RollingBody, is_body
+from ..coupled import StrainSoftening
 from ..coupled.softening_search import softens
 from ..materials import Draws
+from ..rolling import Result
 from ..rolling.propagation import Pair
 from .dimensions import LOAD_CASE, Dimension, label, require_feasible, split
 from .draws import DrawMethod, drawn_parameters
 from .factories import Bodies
 from .identity import PointKeys, digest
 
-__all__ = ["LoadCase", "Plan", "Task", "plan_sweep"]
+__all__ = ["Addition", "LoadCase", "Plan", "Task", "plan_sweep"]
 
 #: Arguments that determine the influence table, in addition to the body.
 _SHARED = ("on", "angular_speed", "speed", "mesh", "compliance", "curvature", "patch_load")
@@ -26,13 +29,41 @@ _SHARED = ("on", "angular_speed", "speed", "mesh", "compliance", "curvature", "p
 _LONGEST_TEXT = 160
 
 
+class Addition(ABC):
+    """Further results of a point of a study, such as temperatures; a dataclass whose text determines them."""
+
+    __slots__ = ()
+
+    @property
+    @abstractmethod
+    def columns(self) -> dict[str, tuple[str, str]]:
+        """Unit and description of each further result, by name."""
+
+    @abstractmethod
+    def solve(
+        self, solver: Callable[..., Result | StrainSoftening], arguments: Mapping[str, Any], **options: Any
+    ) -> tuple[Result | StrainSoftening, dict[str, float]]:
+        """Return the result of a point and its further results.
+
+        Parameters
+        ----------
+        solver : callable
+            Function that solves the point.
+        arguments : mapping
+            Arguments of `viscoroll.solve` for the point.
+        **options
+            Number of threads and function for the progress.
+        """
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoadCase:
-    """One point: the body, arguments of `viscoroll.solve`, and both bodies with each draw of their materials."""
+    """One point: the body, arguments of `viscoroll.solve`, bodies with each draw of their materials, and additions."""
 
     body: RollingBody
     arguments: dict[str, Any]
     draws: tuple[Pair, ...] = ()
+    addition: Addition | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,6 +77,7 @@ class Task:
     fields: tuple[str, ...]
     draws: tuple[Pair, ...]
     method: DrawMethod
+    additions: tuple[Addition | None, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,7 +131,7 @@ class Plan:
             raise InvalidInput("draws", "must be 'solve' if layers soften with strain", "'linear'")
         known = PointKeys()
         keys = [
-            known.key(case.body, case.arguments, self.fields, case.draws, self.method)
+            known.key(case.body, case.arguments, self.fields, case.draws, self.method, case.addition)
             if isinstance(case, LoadCase)
             else None
             for case in self.cases
@@ -119,6 +151,15 @@ class Plan:
     def line_contact(self) -> bool:
         """Whether the bodies are rollers, whose loads and results are per length."""
         return self.rolling_bodies()[0].line_contact
+
+    @property
+    def added_columns(self) -> dict[str, tuple[str, str]]:
+        """Unit and description of the further results of all points, by name."""
+        columns: dict[str, tuple[str, str]] = {}
+        for case in self.cases:
+            if isinstance(case, LoadCase) and case.addition is not None:
+                columns |= case.addition.columns
+        return columns
 
     def tasks(self, indices: Sequence[int], *, largest: int) -> list[Task]:
         """Return tasks of at most `largest` points that solve the points of `indices`."""
@@ -145,6 +186,7 @@ class Plan:
             fields=self.fields,
             draws=first.draws,
             method=self.method,
+            additions=tuple(case.addition for case in cases),
         )
 
     def identity(self) -> dict[str, str]:

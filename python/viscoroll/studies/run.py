@@ -22,7 +22,7 @@ from ..rolling import Result, RollingModel, solve
 from ..rolling.propagation import Pair
 from .draws import DrawMethod, drawn_scalars
 from .factories import STUDY_ERRORS
-from .plan import Plan, Task
+from .plan import Addition, Plan, Task
 
 __all__ = ["Outcome", "run", "solve_group", "solve_point"]
 
@@ -71,6 +71,7 @@ def solve_group(
     fields: Sequence[str] = (),
     draws: Sequence[Pair] = (),
     method: DrawMethod = "linear",
+    additions: Sequence[Addition | None] = (),
     threads: int = 1,
     progress: Report | None = None,
     record: Callable[[int, Outcome], object] | None = None,
@@ -92,6 +93,8 @@ def solve_group(
         Body and counterbody with each draw of their materials.
     method : "linear" or "solve", default "linear"
         Method for the results of the draws, as in `viscoroll.sweep`.
+    additions : sequence of Addition or None, default ()
+        Further results of each of `cases`; none if empty.
     threads : int, default 1
         Number of threads of each solve.
     progress : callable, optional
@@ -114,7 +117,15 @@ def solve_group(
     for position, case in enumerate(cases):
         try:
             solver = solver or _solver(body, shared, cases, threads=threads, progress=progress)
-            solved = solve_point(solver, **case)
+            addition = additions[position] if additions else None
+            added: dict[str, float]
+            if addition is None:
+                solved, added = solve_point(solver, **case), {}
+            else:
+                with silenced():
+                    solved, added = addition.solve(
+                        partial(solver, **case), {"body": body, **shared, **case}, threads=threads, progress=progress
+                    )
         except STUDY_ERRORS:
             raise
         except Exception as error:
@@ -122,7 +133,7 @@ def solve_group(
         else:
             result, bounds = (solved.result, solved.bounds) if isinstance(solved, StrainSoftening) else (solved, {})
             kept = {name: np.asarray(getattr(result, name), dtype=np.float64) for name in fields}
-            outcome = Outcome(scalars=result.scalars() | bounds, fields=kept)
+            outcome = Outcome(scalars=result.scalars() | bounds | added, fields=kept)
             if draws:
                 given = {**shared, **case}
                 outcome = _with_draws(outcome, result, draws, method, given, threads=threads, progress=progress)
@@ -240,7 +251,9 @@ def _run_on_threads(plan: Plan, indices: Sequence[int], record: Callable[[int, O
 
 def _solve_task(task: Task, **options: Any) -> list[Outcome]:
     given = (task.body, task.shared, task.cases)
-    return solve_group(*given, fields=task.fields, draws=task.draws, method=task.method, **options)
+    return solve_group(
+        *given, fields=task.fields, draws=task.draws, method=task.method, additions=task.additions, **options
+    )
 
 
 def _collect(futures: dict[Future[Any], Task], record: Callable[[Task, Any], None]) -> None:

@@ -134,10 +134,7 @@ class HistoryOptions:
             values[name] = values[name] and values[name]._to_core()
         values |= {"shortest_time": shortest_time, "longest_time": longest_time}
         del values["drive"]
-        options = _core.HistoryOptions()
-        for name, value in values.items():
-            setattr(options, name, value)
-        return options
+        return _core.HistoryOptions(**values)
 
 
 def with_options(target: _Target) -> _Target:
