@@ -18,7 +18,7 @@ Bodies, materials and solvers are names of this package. Its modules contain the
 - `sliding`: results of rough surfaces that slide, and Persson's estimate
 - `thermal`: temperature of the layers
 - `coupled`: results of solves in which strain or temperature changes the moduli
-- `studies`: fits to sweeps, and tables of the rolling resistance for other programs
+- `studies`: sweeps of histories, fits to sweeps, and tables of the rolling resistance for other programs
 - `export`: input of discrete-element programs
 - `modal`: response of the layers to single orders, critical speeds and influence tables
 - `analytic`: closed forms for comparison

@@ -655,6 +655,11 @@ class RollingInstant:
         external force W on the axle, downward [N]. Equals the load without an axle.
         """
     @property
+    def axle_height(self) -> float:
+        """
+        height of the axle, r_o minus the penetration [m]. r_o if the undeformed body touches flat ground; not a number on a half-plane.
+        """
+    @property
     def axle_speed(self) -> float:
         """
         speed of the axle, upward [m/s]. Without an axle it is the mean over the previous step.
@@ -730,9 +735,14 @@ class RollingInstant:
         penetration r_o - H [m]. Not a number on a half-plane, where it is undetermined.
         """
     @property
+    def resisting_force(self) -> float:
+        """
+        resisting force T_r / R, the push force of a towed body [N]. 1/R is the sum of the curvatures along the path; on flat or uneven ground R = r_o.
+        """
+    @property
     def resisting_torque(self) -> float:
         """
-        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p, whichever body deforms. T_r / R is the resisting force, where 1/R is the sum of the curvatures along the path. A negative value drives the body. After a stop it keeps the body from rolling back.
+        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p, whichever body deforms. A negative value drives the body. After a stop it keeps the body from rolling back.
         """
     @property
     def semi_axis_x(self) -> float:
@@ -790,6 +800,11 @@ class InstantSeries:
     def axle_force(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         external force W on the axle, downward [N]. Equals the load without an axle.
+        """
+    @property
+    def axle_height(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        height of the axle, r_o minus the penetration [m]. r_o if the undeformed body touches flat ground; not a number on a half-plane.
         """
     @property
     def axle_speed(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -867,9 +882,14 @@ class InstantSeries:
         penetration r_o - H [m]. Not a number on a half-plane, where it is undetermined.
         """
     @property
+    def resisting_force(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        resisting force T_r / R, the push force of a towed body [N]. 1/R is the sum of the curvatures along the path; on flat or uneven ground R = r_o.
+        """
+    @property
     def resisting_torque(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p, whichever body deforms. T_r / R is the resisting force, where 1/R is the sum of the curvatures along the path. A negative value drives the body. After a stop it keeps the body from rolling back.
+        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p, whichever body deforms. A negative value drives the body. After a stop it keeps the body from rolling back.
         """
     @property
     def semi_axis_x(self) -> numpy.typing.NDArray[numpy.float64]:

@@ -138,7 +138,7 @@ def _kelvin(value: float, info: ValidationInfo) -> float:
     return as_kelvin(str(info.field_name), value)
 
 
-_Kelvin: TypeAlias = Annotated[float, AfterValidator(_kelvin)]
+Kelvin: TypeAlias = Annotated[float, AfterValidator(_kelvin)]
 
 
 class Thermal(StrictTable):
@@ -147,10 +147,10 @@ class Thermal(StrictTable):
     documented_by = (Result.temperature, self_heating)
 
     convection: float
-    ambient: _Kelvin
+    ambient: Kelvin
     conductivity: float | list[float] | None = None
     core: Annotated[Core | float, BeforeValidator(_core_of)] = Core.INSULATED
-    core_temperature: _Kelvin | None = None
+    core_temperature: Kelvin | None = None
     width: float | None = None
     side_convection: float | None = None
     hub_conductance: float | None = None

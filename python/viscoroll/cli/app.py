@@ -204,7 +204,16 @@ def roll(
         Path, typer.Argument(help="Case file with a table \\[motion]; `viscoroll example --motion` prints one.")
     ],
     as_json: Annotated[bool, typer.Option("--json", help="Print peaks and energies as JSON in SI units.")] = False,
-    plot: Annotated[Path | None, typer.Option(help="Draw the history to this picture (.png, .svg, .pdf).")] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(
+            help="Draw the history to this picture (.png, .svg, .pdf); over uneven ground, over the distance with it."
+        ),
+    ] = None,
+    animate: Annotated[
+        Path | None,
+        typer.Option(help="Write an animation of the body on its ground to this file (.gif; .mp4 with ffmpeg)."),
+    ] = None,
     save: Annotated[Path | None, typer.Option(help="Write the time series to this file (.csv, .nc).")] = None,
     checkpoint: Annotated[
         Path | None,
@@ -214,11 +223,13 @@ def roll(
     """Compute the history of a motion from a file: roll, stop, stand, reverse."""
     from ..bodies.si_hints import unit_doubt
     from ..case.motion import load_motion
+    from ..transient.history import ANIMATIONS
     from ..transient.history import FORMATS as HISTORY_FORMATS
     from ..transient.rolling_history import RollingState
     from ..transient.state_file import SUFFIX
 
     check_target("--plot", plot, PICTURES)
+    check_target("--animate", animate, ANIMATIONS)
     check_target("--save", save, tuple(HISTORY_FORMATS))
     check_target("--checkpoint", checkpoint, (SUFFIX,))
     loaded = load_motion(case)
@@ -233,7 +244,10 @@ def roll(
     if hint := unit_doubt(loaded.body, loaded.on):
         write_message(f"warning: {hint}")
     if plot is not None:
-        save_picture(history.plot(), plot)
+        is_uneven = history.ground is not None or history.tread is not None or history.axle is not None
+        save_picture(history.plot_ground() if is_uneven else history.plot(), plot)
+    if animate is not None:
+        history.animate(animate)
     if save is not None:
         history.save(save)
 
@@ -279,7 +293,10 @@ def plot(
     output: Annotated[
         Path | None, typer.Option(help="Picture (.png, .svg, .pdf); by default beside the study.")
     ] = None,
-    variable: Annotated[str, typer.Option(help="Scalar result to draw.")] = "resisting_torque",
+    variable: Annotated[
+        str | None,
+        typer.Option(help="Scalar result to draw; by default the torque, or the friction coefficient of a surface."),
+    ] = None,
 ) -> None:
     """Draw a result of a study against its first dimension, one curve for each value of the others."""
     check_target("--output", output, PICTURES)
@@ -290,11 +307,13 @@ def plot(
         import xarray  # noqa: F401
 
     from .._support.sealed import load_sealed
-    from ..studies.picture import plot_study
+    from ..studies.picture import default_variable, plot_study
 
     path = study.with_suffix(".png") if output is None else output
-    save_picture(plot_study(load_sealed(study), variable=variable), path)
-    write_line(f"{variable} drawn to {path}")
+    dataset = load_sealed(study)
+    drawn = default_variable(dataset) if variable is None else variable
+    save_picture(plot_study(dataset, variable=drawn), path)
+    write_line(f"{drawn} drawn to {path}")
 
 
 @app.command()

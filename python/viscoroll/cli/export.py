@@ -8,22 +8,12 @@ from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import numpy as np
-
+from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save_picture, write_csv
 from .._support.quantities import quantity_text
 from .._support.text import shown
 from .._support.toml import read_toml
-from ..case import load_case
-from ..case.quantities import in_si
-from ..case.solved import recorded_warnings
-from ..case.tables import errors_in
-from ..export import Impact, dem
-from ..export import impact as normal_impact
-from ..export.balls import balls_of
-from ..export.dem import style_of
-from ..export.impact import SCALARS
 from .output import PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 
 with extra("cli"):
@@ -33,6 +23,7 @@ if TYPE_CHECKING:
     from .._support.arguments import Floats
     from ..bodies import Counterbody, RollingBody
     from ..case import Case
+    from ..export import Impact
     from ..studies.plan import Plan
 
 __all__ = ["export", "impact"]
@@ -72,6 +63,11 @@ def export(
     ] = 2.0,
 ) -> None:
     """Write rolling friction, and with --mass restitution, as a particle code defines them, and a table of T(P, Ω)."""
+    from ..case.solved import recorded_warnings
+    from ..export import dem
+    from ..export import impact as normal_impact
+    from ..export.balls import balls_of
+    from ..export.dem import style_of
     from ..studies.study import run_plan, study_warnings, sweep
 
     if not 1.0 < span <= 100.0:
@@ -116,6 +112,10 @@ def impact(
     save: Annotated[Path | None, typer.Option(help="Write one row for each speed to this file (.csv).")] = None,
 ) -> None:
     """Compute the normal impact of a ball that does not rotate: restitution, force, duration and damping constants."""
+    from ..case.solved import recorded_warnings
+    from ..export import impact as normal_impact
+    from ..export.impact import SCALARS
+
     check_target("--plot", plot, PICTURES)
     check_target("--save", save, (".csv",))
     report_skipped(case, "impact")
@@ -151,6 +151,8 @@ _COLUMNS = {
 
 def _table(impacts: list[Impact]) -> str:
     """Return a table with one line for each speed."""
+    from ..export.impact import SCALARS
+
     rows = [[quantity_text(one.scalars()[name], SCALARS[name][1]) for name in _COLUMNS] for one in impacts]
     rows.insert(0, list(_COLUMNS.values()))
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
@@ -159,6 +161,8 @@ def _table(impacts: list[Impact]) -> str:
 
 def _number(option: str, text: str, unit: str) -> float:
     """Return the value of an option in SI units: a plain number, or a text with a unit such as "50 g"."""
+    from ..case.quantities import in_si
+
     try:
         return float(text)
     except ValueError:
@@ -167,21 +171,29 @@ def _number(option: str, text: str, unit: str) -> float:
 
 def _read(path: Path) -> tuple[RollingBody, Counterbody | None, Plan | None, Case | None]:
     """Return the bodies of a case file, and its study, or its case without the table [sweep]."""
+    from ..case import load_case
+    from ..case.study import plan_study
+    from ..case.tables import errors_in
+
     with errors_in(path):
         document = read_toml(path)
     if "sweep" not in document:
         case = load_case(path)
         return case.body, case.on, None, case
-    from ..case.study import plan_study
+    from ..studies.kinds import ROLLING
 
     with errors_in(path):
         plan = plan_study({name: table for name, table in document.items() if name != "thermal"}, path.parent)
+        if plan.kind is not ROLLING:
+            raise InvalidInput("surface", "must be replaced by a ball for an export")
     first = next(one for one in plan.cases if not isinstance(one, str))
-    return first.body, first.arguments.get("on"), plan, None
+    return plan.bodies()[0], first.arguments.get("on"), plan, None
 
 
 def _around(case: Case, span: float) -> tuple[dict[str, Floats], dict[str, float]]:
     """Return loads and speeds around those of a case, and the values of the case."""
+    import numpy as np
+
     factors = np.geomspace(1.0 / span, span, 5)
     factors[2] = 1.0
     at = {"load": case.given_load(), "angular_speed": case.angular_speed}

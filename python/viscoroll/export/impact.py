@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,8 +21,6 @@ from .._support.quantities import quantity_text
 from .._support.result_warnings import warn
 from .._support.scales import Scale
 from ..bodies import Counterbody, Mesh, RollingBody
-from ..bodies.layered import materials_of
-from ..materials import KelvinVoigt
 from ..transient import RollingHistory
 from ..transient.history_warnings import strain_warnings
 from .balls import balls_of
@@ -302,20 +300,20 @@ class _Pair:
         return min(0.5 * self.ball.outer_radius, 0.9 * depth)
 
     def touching(self, load: float, mesh: Mesh, *, shortest: float, longest: float) -> RollingHistory:
-        """Return the history of a pair that touches under a small load, undeformed unless it cannot jump."""
-        materials = [one for body in (self.ball, self.on) if body is not None for one in materials_of(body)]
-        cannot_jump = any(isinstance(one.shear_modulus, KelvinVoigt) for one in materials)
-        return RollingHistory(
-            self.ball,
-            on=self.on,
-            load=load,
-            start="relaxed" if cannot_jump else "undeformed",
-            mesh=mesh,
-            averaged_meshes=self.averaged_meshes,
-            steps_per_spacing=None,
-            shortest_time=shortest,
-            longest_time=longest,
-        )
+        """Return the history of a pair that touches under a small load, undeformed unless the material cannot jump."""
+        options: dict[str, Any] = {
+            "mesh": mesh,
+            "averaged_meshes": self.averaged_meshes,
+            "steps_per_spacing": None,
+            "shortest_time": shortest,
+            "longest_time": longest,
+        }
+        try:
+            return RollingHistory(self.ball, on=self.on, load=load, start="undeformed", **options)
+        except InvalidInput as error:
+            if error.parameter != "start":  # without instantaneous compliance, only a relaxed start is possible
+                raise
+            return RollingHistory(self.ball, on=self.on, load=load, start="relaxed", **options)
 
 
 def _mesh(pair: _Pair, mass: float, speed: float, nodes: int) -> tuple[Mesh, float]:

@@ -74,8 +74,8 @@ class HistoryOptions:
         profile repeats a whole number of times. A height describes flat spots, shallow texture and runout well. Deep
         lugs are softer than the model, because they also bulge and bend.
     axle : Axle, optional
-        Mass, spring and damper between the body and a frame, without friction. The load is then the external force on
-        the axle. By default the load acts on the contact itself.
+        Mass, spring and damper between the body and a frame. The load is then the external force on the axle. By
+        default the load acts on the contact itself.
     averaged_meshes : int, default 4
         Number of meshes, each shifted by an equal fraction of the node spacing, over which results are averaged, in
         [1, 16]. A single mesh is four times as fast, but its torque varies with the position of its nodes.
