@@ -349,10 +349,10 @@ void revolution(benchmark::State& state, int nodes, int averaged_meshes, int thr
 /// independent program.
 void start_rolling(benchmark::State& state, const RollingBody& body, const Counterbody& on, const LoadCase& rolling,
                    int nodes, double turn, double steady_moment) {
-  const RollingHistory still(body, on, rolling.load, Start::relaxed,
+  const double load = rolling.load.value();
+  const RollingHistory still(body, on, load, Start::relaxed,
                              {.mesh = Mesh{nodes}, .friction = rolling.friction, .averaged_meshes = 1, .threads = 1});
-  const Motion motion{
-      .time = {0.0, turn / rolling.angular_speed}, .angle = {0.0, turn}, .load = {rolling.load, rolling.load}};
+  const Motion motion{.time = {0.0, turn / rolling.angular_speed}, .angle = {0.0, turn}, .load = {load, load}};
   double steps = 0.0;
   double moment = 0.0;
   for (auto _ : state) {

@@ -109,25 +109,7 @@ void bind_roll(py::module_& m) {
       .value("UNDEFORMED", Start::undeformed, "the load is applied instantaneously to an undeformed coating")
       .finalize();
 
-  py::classh<HistoryOptions>(m, "HistoryOptions")
-      .def(py::init<>())
-      .def_readwrite("mesh", &HistoryOptions::mesh)
-      .def_readwrite("compliance", &HistoryOptions::compliance)
-      .def_readwrite("curvature", &HistoryOptions::curvature)
-      .def_readwrite("friction", &HistoryOptions::friction)
-      .def_readwrite("driving_force", &HistoryOptions::driving_force)
-      .def_readwrite("driving_torque", &HistoryOptions::driving_torque)
-      .def_readwrite("mass", &HistoryOptions::mass)
-      .def_readwrite("center_speed", &HistoryOptions::center_speed)
-      .def_readwrite("ground", &HistoryOptions::ground)
-      .def_readwrite("tread", &HistoryOptions::tread)
-      .def_readwrite("axle", &HistoryOptions::axle)
-      .def_readwrite("averaged_meshes", &HistoryOptions::averaged_meshes)
-      .def_readwrite("steps_per_spacing", &HistoryOptions::steps_per_spacing)
-      .def_readwrite("shortest_time", &HistoryOptions::shortest_time)
-      .def_readwrite("longest_time", &HistoryOptions::longest_time)
-      .def_readwrite("spectrum_tolerance", &HistoryOptions::spectrum_tolerance)
-      .def_readwrite("threads", &HistoryOptions::threads);
+  bind_fields<HistoryOptions>(m, "HistoryOptions");
 
   bind_scalars(m);
 

@@ -14,29 +14,17 @@ namespace {
 
 using namespace viscoroll;
 
-Options make_options(std::optional<Mesh> mesh, double accuracy, Compliance compliance, Curvature curvature,
-                     PatchLoad patch_load, SlipKinematics slip_kinematics, bool finite_strain, int max_iterations,
-                     int threads, const py::object& progress) {
-  return {.mesh = mesh,
-          .accuracy = accuracy,
-          .compliance = compliance,
-          .curvature = curvature,
-          .patch_load = patch_load,
-          .slip_kinematics = slip_kinematics,
-          .finite_strain = finite_strain,
-          .max_iterations = max_iterations,
-          .threads = threads,
-          .observer = python_observer(progress)};
+/// Return the options with an observer that reports to Python.
+Options observed(Options options, const py::object& progress) {
+  options.observer = python_observer(progress);
+  return options;
 }
 
-Result solve_released(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
-                      std::optional<Mesh> mesh, double accuracy, Compliance compliance, Curvature curvature,
-                      PatchLoad patch_load, SlipKinematics slip_kinematics, bool finite_strain, int max_iterations,
-                      int threads, const py::object& progress) {
-  const Options options = make_options(mesh, accuracy, compliance, curvature, patch_load, slip_kinematics,
-                                       finite_strain, max_iterations, threads, progress);
+Result solve_released(const RollingBody& body, const Counterbody& on, const LoadCase& load_case, const Options& options,
+                      const py::object& progress) {
+  const Options given = observed(options, progress);
   const py::gil_scoped_release release;
-  return solve(body, on, load_case, options);
+  return solve(body, on, load_case, given);
 }
 
 template <class T>
@@ -46,10 +34,10 @@ std::vector<T> copied(const InputArray<T>& array) {
 }
 
 Result solve_frozen_released(const RollingBody& body, const Counterbody& on, const LoadCase& load_case,
-                             const Mesh& mesh, Compliance compliance, Curvature curvature, PatchLoad patch_load,
-                             const InputArray<unsigned char>& contact, const InputArray<unsigned char>& stick,
-                             const InputArray<double>& pressure, const InputArray<double>& shear_traction,
-                             double penetration, double creepage, int threads, const py::object& progress) {
+                             const Options& options, const InputArray<unsigned char>& contact,
+                             const InputArray<unsigned char>& stick, const InputArray<double>& pressure,
+                             const InputArray<double>& shear_traction, double penetration, double creepage,
+                             const py::object& progress) {
   if (contact.ndim() != 2) throw py::value_error("contact must be a two-dimensional array");
   const FrozenContact frozen{.phi_nodes = static_cast<int>(contact.shape(0)),
                              .theta_nodes = static_cast<int>(contact.shape(1)),
@@ -59,11 +47,9 @@ Result solve_frozen_released(const RollingBody& body, const Counterbody& on, con
                              .shear_traction = copied(shear_traction),
                              .penetration = penetration,
                              .creepage = creepage};
-  const Options defaults;
-  const Options options = make_options(mesh, defaults.accuracy, compliance, curvature, patch_load,
-                                       defaults.slip_kinematics, false, defaults.max_iterations, threads, progress);
+  const Options given = observed(options, progress);
   const py::gil_scoped_release release;
-  return solve_frozen(body, on, load_case, frozen, options);
+  return solve_frozen(body, on, load_case, frozen, given);
 }
 
 RollingModel rolling_model(const RollingBody& body, const Counterbody& on, double angular_speed,
@@ -75,13 +61,11 @@ RollingModel rolling_model(const RollingBody& body, const Counterbody& on, doubl
   return {body, on, angular_speed, mesh, threads, curvature, observer};
 }
 
-Result solve_on_model(const RollingModel& model, const LoadCase& load_case, Compliance compliance, PatchLoad patch_load,
-                      SlipKinematics slip_kinematics, bool finite_strain, int max_iterations, int threads,
+Result solve_on_model(const RollingModel& model, const LoadCase& load_case, const Options& options,
                       const py::object& progress) {
-  const Options options = make_options({}, Options{}.accuracy, compliance, Options{}.curvature, patch_load,
-                                       slip_kinematics, finite_strain, max_iterations, threads, progress);
+  const Options given = observed(options, progress);
   const py::gil_scoped_release release;
-  return model.solve(load_case, options);
+  return model.solve(load_case, given);
 }
 
 /// Return the drive whose prescribed quantity is given.
@@ -115,45 +99,20 @@ void bind_solve(py::module_& m) {
 
   py::classh<Drive>(m, "Drive").def(py::init(&drive_of));
 
-  py::classh<LoadCase>(m, "LoadCase")
-      .def(py::init([](std::optional<double> load, std::optional<double> penetration, double angular_speed,
-                       std::optional<double> speed, double friction, Drive drive, std::optional<Adhesion> adhesion,
-                       bool pulls_off) {
-             return LoadCase{load, penetration, angular_speed, speed, friction, drive, adhesion, pulls_off};
-           }),
-           py::kw_only(), py::arg("load"), py::arg("penetration"), py::arg("angular_speed"),
-           py::arg("speed") = py::none(), py::arg("friction"), py::arg("drive"), py::arg("adhesion") = py::none(),
-           py::arg("pulls_off") = false)
-      .def_readonly("load", &LoadCase::load)
-      .def_readonly("angular_speed", &LoadCase::angular_speed)
-      .def_readonly("friction", &LoadCase::friction);
-
-  py::classh<Options>(m, "Options")
-      .def(py::init<>())
-      .def_readonly("accuracy", &Options::accuracy)
-      .def_readonly("compliance", &Options::compliance)
-      .def_readonly("curvature", &Options::curvature)
-      .def_readonly("patch_load", &Options::patch_load)
-      .def_readonly("slip_kinematics", &Options::slip_kinematics)
-      .def_readonly("finite_strain", &Options::finite_strain)
-      .def_readonly("max_iterations", &Options::max_iterations)
-      .def_readonly("threads", &Options::threads);
+  bind_fields<LoadCase>(m, "LoadCase");
+  bind_fields<Options>(m, "Options");
 
   py::classh<RollingModel>(m, "RollingModel")
       .def(py::init(&rolling_model), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("angular_speed"),
            py::arg("speed") = py::none(), py::arg("mesh"), py::arg("curvature"), py::arg("threads"),
            py::arg("progress").none(true))
-      .def("solve", &solve_on_model, py::arg("load_case"), py::kw_only(), py::arg("compliance"), py::arg("patch_load"),
-           py::arg("slip_kinematics"), py::arg("finite_strain"), py::arg("max_iterations"), py::arg("threads"),
+      .def("solve", &solve_on_model, py::arg("load_case"), py::arg("options"), py::kw_only(),
            py::arg("progress").none(true));
 
-  m.def("solve", &solve_released, py::arg("body"), py::arg("on"), py::arg("load_case"), py::kw_only(),
-        py::arg("mesh").none(true), py::arg("accuracy"), py::arg("compliance"), py::arg("curvature"),
-        py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("finite_strain"), py::arg("max_iterations"),
-        py::arg("threads"), py::arg("progress").none(true));
-  m.def("solve_frozen", &solve_frozen_released, py::arg("body"), py::arg("on"), py::arg("load_case"), py::kw_only(),
-        py::arg("mesh"), py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"),
-        py::arg("contact").noconvert(), py::arg("stick").noconvert(), py::arg("pressure").noconvert(),
-        py::arg("shear_traction").noconvert(), py::arg("penetration"), py::arg("creepage"), py::arg("threads"),
-        py::arg("progress").none(true));
+  m.def("solve", &solve_released, py::arg("body"), py::arg("on"), py::arg("load_case"), py::arg("options"),
+        py::kw_only(), py::arg("progress").none(true));
+  m.def("solve_frozen", &solve_frozen_released, py::arg("body"), py::arg("on"), py::arg("load_case"),
+        py::arg("options"), py::kw_only(), py::arg("contact").noconvert(), py::arg("stick").noconvert(),
+        py::arg("pressure").noconvert(), py::arg("shear_traction").noconvert(), py::arg("penetration"),
+        py::arg("creepage"), py::arg("progress").none(true));
 }

@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "viscoroll/drive.hpp"
@@ -56,6 +57,25 @@ inline auto reader_of(const py::kwargs& given) {
     if (!given.contains(name)) throw viscoroll::InvalidInput(name, "must be given", "");
     return given[name].template cast<Value>();
   };
+}
+
+/// Bind an input struct with a list of its members, all of them optional keyword arguments; see fields.hpp.
+template <class Struct>
+void bind_fields(py::module_& m, const char* name) {
+  py::classh<Struct> type(m, name);
+  type.def(py::init([name](const py::KWArgs<py::object>& given) {
+    std::apply(
+        [&](const auto&... field) {
+          for (const auto& [key, value] : given) {
+            if (((key.template cast<std::string>() != field.name) && ...)) {
+              throw py::type_error(std::string(name) + " has no parameter " + key.template cast<std::string>());
+            }
+          }
+        },
+        Struct::fields());
+    return viscoroll::read_fields<Struct>(reader_of(given));
+  }));
+  std::apply([&](const auto&... field) { (type.def_readonly(field.name, field.member), ...); }, Struct::fields());
 }
 
 /// Return a read-only array over the memory of `values`. The array keeps `owner`, which holds the values, alive.

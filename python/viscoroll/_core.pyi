@@ -51,6 +51,16 @@ class Axle:
         damping: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
 
+class Adhesion:
+    def __init__(
+        self,
+        *,
+        work: typing.SupportsFloat | typing.SupportsIndex,
+        strength: typing.SupportsFloat | typing.SupportsIndex | None,
+        range: typing.SupportsFloat | typing.SupportsIndex | None,
+        separation_work: typing.SupportsFloat | typing.SupportsIndex | None,
+    ) -> None: ...
+
 class Layer:
     def __init__(
         self,
@@ -204,6 +214,16 @@ class ScalarDescription:
 
 class ResultScalars:
     @property
+    def adhesion_power(self) -> float | None:
+        """
+        power dissipated at the edges by adhesion, beyond bulk_power [W]. V times the difference of the works of the traction law at the trailing and the leading edge: power dissipated in the layers so near to the edges that the mesh does not resolve it, and the difference of separation_work and work. None without adhesion.
+        """
+    @property
+    def attracted_area(self) -> float | None:
+        """
+        area of the contact and its cohesive zone [m^2]. contact_area plus the area where the surfaces attract each other across a gap; in line contact a length. None without adhesion.
+        """
+    @property
     def bulk_power(self) -> float:
         """
         power dissipated in the layers [W]. Power in the layers of both bodies, computed from the spectrum independently of the torque.
@@ -217,6 +237,16 @@ class ResultScalars:
     def centrifugal_displacement(self) -> float:
         """
         centrifugal displacement [m]. Displacement d_R^(c) in the contact condition.
+        """
+    @property
+    def closing_energy_ratio(self) -> float | None:
+        """
+        energy release rate at the leading edge / work of adhesion [1]. G_close / w by the relaxed compliance: fraction of the work of adhesion that the leading edge returns. None without adhesion.
+        """
+    @property
+    def cohesive_zone_nodes(self) -> float | None:
+        """
+        length of the shorter cohesive zone / spacing of the nodes [1]. With three or more, the mesh causes no hysteresis of its own. None without adhesion.
         """
     @property
     def contact_area(self) -> float:
@@ -256,7 +286,7 @@ class ResultScalars:
     @property
     def dissipated_power(self) -> float:
         """
-        dissipated power, in the layers and by slip [W]. bulk_power + slip_power.
+        dissipated power, in the layers and by slip [W]. bulk_power + slip_power; with adhesion also adhesion_power.
         """
     @property
     def driving_force(self) -> float:
@@ -339,6 +369,11 @@ class ResultScalars:
         relative error of linear theory, for torque and force [1]. Estimated from the strain ε. Balls: 0.75 ε, which covers slow rolling at finite strain up to ε = 0.24, for h/r_o from 1/84 to 1/5, ν = 0.3 and ½, and the viscosities of Newton and Jaumann; a Lagrangian viscosity with ν = 0.3 gives twice that error. Rollers and wheels: (0.9 + 4.5 ε) ε, which covers finite elements of rollers up to ε = 0.2; the torque of linear theory is too small. For wheels, the neglected effects of crown and sides are added, also to the following errors.
         """
     @property
+    def opening_energy_ratio(self) -> float | None:
+        """
+        energy release rate at the trailing edge / work of separation [1]. G_open / w by the relaxed compliance: factor by which the material around the edge increases the work that separation takes. Across the path of a ball, the value on its middle line. None without adhesion.
+        """
+    @property
     def operator_applications(self) -> int:
         """
         operator applications [1]. Number of applications of the surface operator, which are products with the influence tables.
@@ -376,7 +411,7 @@ class ResultScalars:
     @property
     def rolling_resistance_coefficient(self) -> float:
         """
-        rolling resistance coefficient, dissipated power / (P V) [1]. dissipated_power / (P |V|) for any drive. V is the speed of the center, or Ω r_o if that speed is undetermined. Infinite if the center stands still.
+        rolling resistance coefficient, dissipated power / (P V) [1]. dissipated_power / (P |V|) for any drive. V is the speed of the center, or Ω r_o if that speed is undetermined. Infinite if the center stands still, and with adhesion at loads that are not positive.
         """
     @property
     def rolling_resistance_force(self) -> float:
@@ -466,25 +501,22 @@ class Drive:
     def __init__(self, **kwargs: typing.Any) -> None: ...
 
 class LoadCase:
-    def __init__(
-        self,
-        *,
-        load: typing.SupportsFloat | typing.SupportsIndex | None,
-        penetration: typing.SupportsFloat | typing.SupportsIndex | None,
-        angular_speed: typing.SupportsFloat | typing.SupportsIndex,
-        speed: typing.SupportsFloat | typing.SupportsIndex | None = None,
-        friction: typing.SupportsFloat | typing.SupportsIndex,
-        drive: Drive,
-    ) -> None: ...
+    def __init__(self, **kwargs: typing.Any) -> None: ...
     @property
     def angular_speed(self) -> float: ...
+    @property
+    def drive(self) -> Drive: ...
     @property
     def friction(self) -> float: ...
     @property
     def load(self) -> float | None: ...
+    @property
+    def penetration(self) -> float | None: ...
+    @property
+    def speed(self) -> float | None: ...
 
 class Options:
-    def __init__(self) -> None: ...
+    def __init__(self, **kwargs: typing.Any) -> None: ...
     @property
     def accuracy(self) -> float: ...
     @property
@@ -495,6 +527,8 @@ class Options:
     def finite_strain(self) -> bool: ...
     @property
     def max_iterations(self) -> int: ...
+    @property
+    def mesh(self) -> Mesh | None: ...
     @property
     def patch_load(self) -> PatchLoad: ...
     @property
@@ -515,18 +549,7 @@ class RollingModel:
         threads: typing.SupportsInt | typing.SupportsIndex,
         progress: typing.Any,
     ) -> None: ...
-    def solve(
-        self,
-        load_case: LoadCase,
-        *,
-        compliance: Compliance,
-        patch_load: PatchLoad,
-        slip_kinematics: SlipKinematics,
-        finite_strain: bool,
-        max_iterations: typing.SupportsInt | typing.SupportsIndex,
-        threads: typing.SupportsInt | typing.SupportsIndex,
-        progress: typing.Any,
-    ) -> Result: ...
+    def solve(self, load_case: LoadCase, options: Options, *, progress: typing.Any) -> Result: ...
 
 class Tractions:
     def __init__(
@@ -574,57 +597,41 @@ class Start(enum.Enum):
     UNDEFORMED = ...
 
 class HistoryOptions:
-    axle: Axle | None
-    compliance: Compliance
-    curvature: Curvature
-    ground: HeightProfile | None
-    mesh: Mesh | None
-    tread: HeightProfile | None
-    def __init__(self) -> None: ...
+    def __init__(self, **kwargs: typing.Any) -> None: ...
     @property
     def averaged_meshes(self) -> int: ...
-    @averaged_meshes.setter
-    def averaged_meshes(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None: ...
+    @property
+    def axle(self) -> Axle | None: ...
     @property
     def center_speed(self) -> float: ...
-    @center_speed.setter
-    def center_speed(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def compliance(self) -> Compliance: ...
+    @property
+    def curvature(self) -> Curvature: ...
     @property
     def driving_force(self) -> float: ...
-    @driving_force.setter
-    def driving_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
     @property
     def driving_torque(self) -> float | None: ...
-    @driving_torque.setter
-    def driving_torque(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None: ...
     @property
     def friction(self) -> float: ...
-    @friction.setter
-    def friction(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def ground(self) -> HeightProfile | None: ...
     @property
     def longest_time(self) -> float: ...
-    @longest_time.setter
-    def longest_time(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
     @property
     def mass(self) -> float: ...
-    @mass.setter
-    def mass(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def mesh(self) -> Mesh | None: ...
     @property
     def shortest_time(self) -> float: ...
-    @shortest_time.setter
-    def shortest_time(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
     @property
     def spectrum_tolerance(self) -> float: ...
-    @spectrum_tolerance.setter
-    def spectrum_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
     @property
     def steps_per_spacing(self) -> int | None: ...
-    @steps_per_spacing.setter
-    def steps_per_spacing(self, arg0: typing.SupportsInt | typing.SupportsIndex | None) -> None: ...
     @property
     def threads(self) -> int: ...
-    @threads.setter
-    def threads(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None: ...
+    @property
+    def tread(self) -> HeightProfile | None: ...
 
 class RollingInstant:
     @property
@@ -646,6 +653,11 @@ class RollingInstant:
     def axle_force(self) -> float:
         """
         external force W on the axle, downward [N]. Equals the load without an axle.
+        """
+    @property
+    def axle_height(self) -> float:
+        """
+        height of the axle, r_o minus the penetration [m]. r_o if the undeformed body touches flat ground; not a number on a half-plane.
         """
     @property
     def axle_speed(self) -> float:
@@ -723,9 +735,14 @@ class RollingInstant:
         penetration r_o - H [m]. Not a number on a half-plane, where it is undetermined.
         """
     @property
+    def resisting_force(self) -> float:
+        """
+        resisting force T_r / R, the push force of a towed body [N]. 1/R is the sum of the curvatures along the path; on flat or uneven ground R = r_o.
+        """
+    @property
     def resisting_torque(self) -> float:
         """
-        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p, whichever body deforms. T_r / R is the resisting force, where 1/R is the sum of the curvatures along the path. A negative value drives the body. After a stop it keeps the body from rolling back.
+        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p, whichever body deforms. A negative value drives the body. After a stop it keeps the body from rolling back.
         """
     @property
     def semi_axis_x(self) -> float:
@@ -783,6 +800,11 @@ class InstantSeries:
     def axle_force(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         external force W on the axle, downward [N]. Equals the load without an axle.
+        """
+    @property
+    def axle_height(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        height of the axle, r_o minus the penetration [m]. r_o if the undeformed body touches flat ground; not a number on a half-plane.
         """
     @property
     def axle_speed(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -860,9 +882,14 @@ class InstantSeries:
         penetration r_o - H [m]. Not a number on a half-plane, where it is undetermined.
         """
     @property
+    def resisting_force(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        resisting force T_r / R, the push force of a towed body [N]. 1/R is the sum of the curvatures along the path; on flat or uneven ground R = r_o.
+        """
+    @property
     def resisting_torque(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p, whichever body deforms. T_r / R is the resisting force, where 1/R is the sum of the curvatures along the path. A negative value drives the body. After a stop it keeps the body from rolling back.
+        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p, whichever body deforms. A negative value drives the body. After a stop it keeps the body from rolling back.
         """
     @property
     def semi_axis_x(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -1220,34 +1247,22 @@ def solve(
     body: CoatedSphere | CoatedCylinder | CoatedWheel,
     on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
     load_case: LoadCase,
+    options: Options,
     *,
-    mesh: Mesh | None,
-    accuracy: typing.SupportsFloat | typing.SupportsIndex,
-    compliance: Compliance,
-    curvature: Curvature,
-    patch_load: PatchLoad,
-    slip_kinematics: SlipKinematics,
-    finite_strain: bool,
-    max_iterations: typing.SupportsInt | typing.SupportsIndex,
-    threads: typing.SupportsInt | typing.SupportsIndex,
     progress: typing.Any,
 ) -> Result: ...
 def solve_frozen(
     body: CoatedSphere | CoatedCylinder | CoatedWheel,
     on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
     load_case: LoadCase,
+    options: Options,
     *,
-    mesh: Mesh,
-    compliance: Compliance,
-    curvature: Curvature,
-    patch_load: PatchLoad,
     contact: numpy.typing.NDArray[numpy.uint8],
     stick: numpy.typing.NDArray[numpy.uint8],
     pressure: numpy.typing.NDArray[numpy.float64],
     shear_traction: numpy.typing.NDArray[numpy.float64],
     penetration: typing.SupportsFloat | typing.SupportsIndex,
     creepage: typing.SupportsFloat | typing.SupportsIndex,
-    threads: typing.SupportsInt | typing.SupportsIndex,
     progress: typing.Any,
 ) -> Result: ...
 def state_matrix(

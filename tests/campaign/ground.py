@@ -56,7 +56,7 @@ def _uneven(rng: np.random.Generator, case: HistoryCase) -> dict[str, Any]:
         options["tread"] = vr.Profile.corrugation(
             0.2 * height, period=circumference / max(round(circumference / length), 1)
         )
-    if not case.has_friction and rng.random() < 0.4:
+    if rng.random() < 0.4:
         duration = given["time"][-1] - given["time"][0]
         stiffness = abs(given["load"][0]) / (0.01 * radius)  # about that of the contact
         mass = stiffness * (duration * 10.0 ** rng.uniform(-2.5, -0.5)) ** 2

@@ -35,7 +35,7 @@ struct AdheringBall {
   static constexpr int kNodes = 1600;
 
   AdheringBall()
-      : mesh{.nodes_per_revolution = kNodes, .max_order = 400},
+      : mesh{.nodes_per_revolution = kNodes, .max_order = kNodes},
         orders(layered_body(ball()), 2.5, mesh, 2, watch),
         nodes({outer_radius(ball()), phi_spacing(mesh), theta_spacing(mesh)}, {{-18, 18}, {-18, 18}}) {
     const auto tables = [this](const std::vector<TableRequest>& requests, int phi_reach, int theta_reach) {

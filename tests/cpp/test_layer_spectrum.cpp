@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "base/dense_solvers.hpp"
+#include "creep/layer_spectrum.hpp"
+#include "creep/order_weights.hpp"
 #include "influence/table_sums.hpp"
 #include "modal/layered_body.hpp"
-#include "transient/layer_spectrum.hpp"
-#include "transient/order_weights.hpp"
 #include "viscoroll/modulus_functions.hpp"
 
 namespace viscoroll::detail {

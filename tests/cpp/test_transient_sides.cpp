@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "cases.hpp"
+#include "creep/free_sides.hpp"
 #include "influence/side_influence.hpp"
 #include "section/section_compliance.hpp"
 #include "section/side_difference.hpp"
-#include "transient/free_sides.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -2,6 +2,7 @@
 // solver can be canceled.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -52,6 +53,7 @@ class TransientStickSlipTest : public testing::Test {
                              .slip_per_center_displacement = Eigen::ArrayX2d::Zero(kSize, 2),
                              .weights = weights_,
                              .load = 1.0,
+                             .approach = {.value = 1.0},
                              .friction = 0.3,
                              .center_row = {},
                              .center_row_needs_displacements = false};
@@ -128,6 +130,32 @@ TEST_F(TransientStickSlipTest, DirectAndIterativeSolverFindTheSameState) {
   EXPECT_LT((found.state.force - expected.state.force).abs().maxCoeff(), 1e-9 * largest_force);
   EXPECT_NEAR(found.state.penetration, expected.state.penetration, 1e-9 * expected.state.penetration);
   EXPECT_NEAR(*found.state.creepage, *expected.state.creepage, 1e-9 * std::abs(*expected.state.creepage));
+}
+
+TEST_F(TransientStickSlipTest, SpringAndGivenPenetrationFindTheStateOfTheirLoad) {
+  ContactStiffness stiffness;
+  StickSlipProblem problem = this->problem();
+  const ContactSolution expected =
+      solve_from(*direct_stick_slip(problem, initial_guess(), stiffness), initial_guess()).state;
+  const double penetration = expected.penetration;
+  const double spring = 3.0 / penetration;
+  const VectorField nearby = 1.05 * expected.force;
+  const std::array conditions{
+      ApproachCondition{.force = 1.0, .penetration = spring, .value = 1.0 + spring * penetration},
+      ApproachCondition{.force = 1.0, .penetration = 1e6 * spring, .value = 1.0 + 1e6 * spring * penetration},
+      ApproachCondition{.force = 0.0, .penetration = 1.0, .value = penetration}};
+  for (const ApproachCondition& condition : conditions) {
+    problem.approach = condition;
+    const auto direct = direct_stick_slip(problem, nearby, stiffness);
+    const auto iterative = iterative_stick_slip(problem, nearby);
+    for (StickSlipSystem* system : {direct.get(), iterative.get()}) {
+      const NewtonResult found = solve_from(*system, nearby);
+      ASSERT_TRUE(found.converged);
+      EXPECT_NEAR(found.state.penetration, penetration, 1e-9 * penetration);
+      EXPECT_LT((found.state.force - expected.force).abs().maxCoeff(), 1e-8 * expected.force.abs().maxCoeff());
+      EXPECT_NEAR(*found.state.creepage, *expected.creepage, 1e-8 * std::abs(*expected.creepage));
+    }
+  }
 }
 
 TEST_F(TransientStickSlipTest, IterativeSolverCanBeCanceled) {

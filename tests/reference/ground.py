@@ -140,15 +140,15 @@ def _roll(ring, angle, shift, speed, ground, tread, fixed, mass, load):
         if fixed:
             condition = (0.0, 1.0, start)
         elif mass > 0.0:
-            inertia = 2.0 * mass / duration**2
-            condition = (1.0, inertia, load + inertia * (penetration + rate * duration))
+            inertia = 4.0 * mass / duration**2  # trapezoidal rule, which conserves energy
+            condition = (1.0, inertia, load + mass * acceleration + inertia * (penetration + rate * duration))
         known = weight * ring.displacement(retarded)
         last, last_penetration = force, penetration
         force, moment, penetration = press(psi, ring.at_once + weight * new, known, condition)
         if mass > 0.0:
             earlier = acceleration
-            acceleration = ((penetration - last_penetration) / duration - rate) / duration + 0.5 * earlier
-            rate += duration * (1.5 * acceleration - 0.5 * earlier)
+            acceleration = 4.0 * ((penetration - last_penetration) / duration - rate) / duration - earlier
+            rate += 0.5 * duration * (acceleration + earlier)
         dissipated += weight * _loss(duration / ring.retardation_time, force - last, last - crept, ring)
         crept = retarded + new * force
         note()

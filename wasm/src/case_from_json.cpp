@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -70,25 +71,27 @@ Drive drive_from_json(Table& table, std::type_identity<std::variant<Kinds...>> /
 
 LoadCase load_case_from_json(const Json& json, const std::string& path) {
   Table table(json, path);
-  const std::optional<double> penetration = table.maybe_number("penetration");
-  const std::optional<double> speed = table.maybe_number("speed");
-  LoadCase load_case{
-      .load = penetration ? table.maybe_number("load") : table.number("load"),
-      .penetration = penetration,
-      .angular_speed = speed ? table.maybe_number("angular_speed").value_or(0.0) : table.number("angular_speed"),
-      .speed = speed,
-      .friction = table.maybe_number("friction").value_or(0.0)};
-  if (const Json* drive = table.take("drive")) {
-    Table of_drive(*drive, table.path_of("drive"));
-    load_case.drive = drive_from_json(of_drive, std::type_identity<Drive>{});
-  }
-  if (const Json* adhesion = table.take("adhesion")) {
-    Table of_adhesion(*adhesion, table.path_of("adhesion"));
-    load_case.adhesion = read_fields<Adhesion>([&](std::string_view key, auto otherwise, bool is_optional) {
-      return of_adhesion.value(key, std::move(otherwise), is_optional);
-    });
-    of_adhesion.close();
-  }
+  if (table.take("penetration") == nullptr) (void)table.require("load");
+  if (table.take("speed") == nullptr) (void)table.require("angular_speed");
+  const auto load_case = read_fields<LoadCase>([&]<class Value>(const char* key, Value otherwise, bool is_optional) {
+    if constexpr (std::is_same_v<Value, Drive>) {
+      const Json* drive = table.take(key);
+      if (drive == nullptr) return otherwise;
+      Table of_drive(*drive, table.path_of(key));
+      return drive_from_json(of_drive, std::type_identity<Drive>{});
+    } else if constexpr (std::is_same_v<Value, std::optional<Adhesion>>) {
+      const Json* adhesion = table.take(key);
+      if (adhesion == nullptr) return otherwise;
+      Table of_adhesion(*adhesion, table.path_of(key));
+      Value read = read_fields<Adhesion>([&]<class Number>(const char* name, Number missing, bool may_be_missing) {
+        return of_adhesion.value(name, std::move(missing), may_be_missing);
+      });
+      of_adhesion.close();
+      return read;
+    } else {
+      return table.value(key, std::move(otherwise), is_optional);
+    }
+  });
   table.close();
   return load_case;
 }
@@ -98,12 +101,15 @@ Options options_from_json(const Json& json, const std::string& path) {
   const auto nodes = table.maybe_integer("nodes_per_revolution");
   const auto max_order = table.maybe_integer("max_order");
   const auto theta_nodes = table.maybe_integer("theta_nodes_per_revolution");
-  const auto accuracy = table.maybe_number("accuracy");
-  Options options{.compliance = table.value("compliance", Options{}.compliance, true),
-                  .curvature = table.value("curvature", Options{}.curvature, true),
-                  .patch_load = table.value("patch_load", Options{}.patch_load, true),
-                  .slip_kinematics = table.value("slip_kinematics", Options{}.slip_kinematics, true),
-                  .finite_strain = table.value("finite_strain", Options{}.finite_strain, true)};
+  const bool has_accuracy = table.take("accuracy") != nullptr;
+  auto options = read_fields<Options>([&]<class Value>(const char* key, Value otherwise, bool is_optional) -> Value {
+    // The keys of the mesh are those above, and case files have neither max_iterations nor threads.
+    if constexpr (std::is_same_v<Value, std::optional<Mesh>> || std::is_same_v<Value, int>) {
+      return otherwise;
+    } else {
+      return table.value(key, std::move(otherwise), is_optional);
+    }
+  });
   table.close();
   if (nodes) {
     options.mesh =
@@ -113,10 +119,9 @@ Options options_from_json(const Json& json, const std::string& path) {
     throw InvalidInput("numerics.nodes_per_revolution", "must be given with max_order or theta_nodes_per_revolution",
                        "");
   }
-  if (nodes && accuracy) {
+  if (nodes && has_accuracy) {
     throw InvalidInput("numerics.accuracy", "must be left out if a mesh is given", "");
   }
-  options.accuracy = accuracy.value_or(options.accuracy);
   return options;
 }
 

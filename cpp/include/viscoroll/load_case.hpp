@@ -3,9 +3,11 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 
 #include "viscoroll/adhesion.hpp"
 #include "viscoroll/drive.hpp"
+#include "viscoroll/fields.hpp"
 
 namespace viscoroll {
 
@@ -32,6 +34,17 @@ struct LoadCase {
                                           ///< attract each other
   /// Whether to find the largest tension that adhesion supports; load and penetration are then left out.
   bool pulls_off = false;
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"load", &LoadCase::load, true},
+                      Field{"penetration", &LoadCase::penetration, true},
+                      Field{"angular_speed", &LoadCase::angular_speed, true},
+                      Field{"speed", &LoadCase::speed, true},
+                      Field{"friction", &LoadCase::friction, true},
+                      Field{"drive", &LoadCase::drive, true},
+                      Field{"adhesion", &LoadCase::adhesion, true},
+                      Field{"pulls_off", &LoadCase::pulls_off, true}};
+  }
 };
 
 }  // namespace viscoroll

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 
+#include "viscoroll/fields.hpp"
 #include "viscoroll/formulation.hpp"
 #include "viscoroll/mesh.hpp"
 #include "viscoroll/observer.hpp"
@@ -23,6 +25,19 @@ struct Options {
   int max_iterations = 2000;                               ///< largest number of linear systems on a mesh, >= 1
   int threads = 0;                                         ///< number of threads, 0 for all cores
   Observer observer;                                       ///< progress and cancellation
+
+  /// @brief All members but the observer.
+  static constexpr auto fields() {
+    return std::tuple{Field{"mesh", &Options::mesh, true},
+                      Field{"accuracy", &Options::accuracy, true},
+                      Field{"compliance", &Options::compliance, true},
+                      Field{"curvature", &Options::curvature, true},
+                      Field{"patch_load", &Options::patch_load, true},
+                      Field{"slip_kinematics", &Options::slip_kinematics, true},
+                      Field{"finite_strain", &Options::finite_strain, true},
+                      Field{"max_iterations", &Options::max_iterations, true},
+                      Field{"threads", &Options::threads, true}};
+  }
 };
 
 }  // namespace viscoroll

@@ -74,6 +74,26 @@ struct HistoryOptions {
   double longest_time = 1e4;         ///< longest time to which continuous spectra are resolved [s], > shortest_time
   double spectrum_tolerance = 0.01;  ///< largest allowed `RollingHistory::spectrum_error` [-], in (0, 1)
   int threads = 0;                   ///< number of threads, 0 for all cores
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"mesh", &HistoryOptions::mesh, true},
+                      Field{"compliance", &HistoryOptions::compliance, true},
+                      Field{"curvature", &HistoryOptions::curvature, true},
+                      Field{"friction", &HistoryOptions::friction, true},
+                      Field{"driving_force", &HistoryOptions::driving_force, true},
+                      Field{"driving_torque", &HistoryOptions::driving_torque, true},
+                      Field{"mass", &HistoryOptions::mass, true},
+                      Field{"center_speed", &HistoryOptions::center_speed, true},
+                      Field{"ground", &HistoryOptions::ground, true},
+                      Field{"tread", &HistoryOptions::tread, true},
+                      Field{"axle", &HistoryOptions::axle, true},
+                      Field{"averaged_meshes", &HistoryOptions::averaged_meshes, true},
+                      Field{"steps_per_spacing", &HistoryOptions::steps_per_spacing, true},
+                      Field{"shortest_time", &HistoryOptions::shortest_time, true},
+                      Field{"longest_time", &HistoryOptions::longest_time, true},
+                      Field{"spectrum_tolerance", &HistoryOptions::spectrum_tolerance, true},
+                      Field{"threads", &HistoryOptions::threads, true}};
+  }
 };
 
 /// @brief Scalars of a history at an instant, in SI units. The members have the names in `history_scalars.def`. Work

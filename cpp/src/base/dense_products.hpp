@@ -15,6 +15,8 @@
 
 namespace viscoroll::detail {
 
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// @return implementations that this processor can run: first the baseline, then those with larger instruction sets
 [[nodiscard]] std::vector<DenseProducts> usable_products();
 

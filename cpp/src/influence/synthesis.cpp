@@ -119,6 +119,9 @@ class BandWaves {
   std::vector<Waves> waves_;  // [band]
 };
 
+/// Terms of the entries, see `Spectrum::terms`; null if an entry is not needed.
+using SharedTerms = std::array<std::shared_ptr<const EntryTerms>, kEntries>;
+
 /// Entries needed by some kernels, at a list of orders n.
 class EntryValues {
  public:
@@ -127,6 +130,20 @@ class EntryValues {
     for (const Kernel& kernel : kernels) {
       const auto entry = static_cast<std::size_t>(kernel.request.entry);
       if (values_[entry].size() == 0) order.evaluate(kernel.request.entry, values_[entry]);
+    }
+  }
+
+  /// Values from terms that speeds share.
+  /// @param[in] i index of the order m
+  EntryValues(const Spectrum& spectrum, const SharedTerms& shared, std::size_t i) {
+    for (std::size_t entry = 0; entry < values_.size(); ++entry) {
+      if (!shared[entry]) continue;
+      Eigen::ArrayXcd& values = values_[entry];
+      values.setZero(shared[entry]->front().cols());
+      for (std::size_t j = 0; j < shared[entry]->size(); ++j) {
+        const cplx factor = spectrum.factor(static_cast<Entry>(entry), i, j);
+        values += factor * (*shared[entry])[j].row(static_cast<Index>(i)).transpose().array();
+      }
     }
   }
 
@@ -164,9 +181,10 @@ struct SumFactors {
 class Synthesis {
  public:
   Synthesis(const std::vector<TableRequest>& requests, const std::vector<OrderBand>& phi_bands,
-            const std::vector<OrderBand>& theta_bands, const LocalMetric& metric, const MeshOnBody& mesh, double radius,
-            int phi_reach, int theta_reach)
-      : phi_bands_(phi_bands),
+            const std::vector<OrderBand>& theta_bands, const Spectrum& spectrum, const LocalMetric& metric,
+            const MeshOnBody& mesh, double radius, int phi_reach, int theta_reach)
+      : spectrum_(spectrum),
+        phi_bands_(phi_bands),
         theta_bands_(theta_bands),
         metric_(metric),
         theta_reach_(theta_reach),
@@ -196,22 +214,37 @@ class Synthesis {
     for (std::size_t k = 0; k < kernels_.size(); ++k) find_factors(k);
   }
 
+  /// Find the terms that speeds share, if there are any.
+  void find_terms(int threads, Watch& watch) {
+    if (!interpolation_) return;
+    for (const Kernel& kernel : kernels_) {
+      auto& terms = terms_[static_cast<std::size_t>(kernel.request.entry)];
+      if (!terms) terms = spectrum_.terms(kernel.request.entry, interpolation_->sampled(), threads, watch);
+      has_terms_ = terms != nullptr;
+    }
+  }
+
   /// Number of orders m that are summed along theta together.
   static constexpr Index kBlock = 16;
   [[nodiscard]] std::size_t blocks() const { return (orders_.size() + kBlock - 1) / kBlock; }
 
-  void sum_along_theta(std::size_t block, const Spectrum& spectrum, const Worker& worker) {
+  void sum_along_theta(std::size_t block, const Worker& worker) {
     const Index first = static_cast<Index>(block) * kBlock;
     const Index count = std::min(kBlock, static_cast<Index>(orders_.size()) - first);
     std::vector<OrderSeries> series(static_cast<std::size_t>(count));
-    for (std::size_t i = 0; i < series.size(); ++i) {
-      spectrum.series(static_cast<std::size_t>(first) + i, series[i]);
-      worker.checkpoint();
-    }
+    const auto find_series = [&] {
+      for (std::size_t i = 0; i < series.size(); ++i) {
+        spectrum_.series(static_cast<std::size_t>(first) + i, series[i]);
+        worker.checkpoint();
+      }
+    };
+    if (!has_terms_) find_series();
     for (RowMajor& sums : sums_) sums.middleRows(2 * first, 2 * count).setZero();
     std::vector<RowMajor> at_sampled(kernels_.size(), RowMajor::Zero(2 * count, theta_waves_.sampled_offsets()));
-    if (!interpolation_ || !sum_interpolated(first, series, at_sampled, worker))
+    if (!interpolation_ || !sum_interpolated(first, series, at_sampled, worker)) {
+      if (has_terms_) find_series();
       sum_one_by_one(first, series, at_sampled, worker);
+    }
     if (theta_waves_.long_bands() == 0) return;
     for (std::size_t k = 0; k < kernels_.size(); ++k) {
       add_product(at_sampled[k], theta_waves_.polynomials(kernels_[k].odd).transpose(),
@@ -270,7 +303,9 @@ class Synthesis {
     std::vector<RowMajor> values(kernels_.size(), RowMajor(2 * count, interpolation_->sampled().size()));
     for (Index i = 0; i < count; ++i) {
       const double m = orders_[static_cast<std::size_t>(first + i)] / metric_.sine;
-      const EntryValues entry_values(m, interpolation_->sampled(), series[static_cast<std::size_t>(i)], kernels_);
+      const EntryValues entry_values =
+          has_terms_ ? EntryValues(spectrum_, terms_, static_cast<std::size_t>(first + i))
+                     : EntryValues(m, interpolation_->sampled(), series[static_cast<std::size_t>(i)], kernels_);
       if (!is_resolved(entry_values)) return false;
       for (std::size_t k = 0; k < kernels_.size(); ++k) {
         put(phi_weights_[k][first + i] * entry_values[kernels_[k].request.entry], i, values[k]);
@@ -384,6 +419,7 @@ class Synthesis {
     return summands;
   }
 
+  const Spectrum& spectrum_;
   const std::vector<OrderBand>& phi_bands_;
   const std::vector<OrderBand>& theta_bands_;
   LocalMetric metric_;
@@ -395,6 +431,8 @@ class Synthesis {
   std::vector<Eigen::ArrayXcd> phi_weights_;                // [kernel]
   std::vector<std::vector<Eigen::ArrayXd>> theta_weights_;  // [kernel][band]
   std::optional<InterpolatedOrders> interpolation_;
+  SharedTerms terms_;  // at the sampled orders n
+  bool has_terms_ = false;
   std::vector<SumFactors> factors_;
   std::vector<std::size_t> factors_of_kernel_;  // [kernel], index in `factors_`
   /// [kernel], sums over n: two rows per m (real, imaginary) and one column per offset in theta.
@@ -405,9 +443,10 @@ class Synthesis {
 
 std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                     int threads, Watch& watch) const {
-  Synthesis synthesis(requests, phi_bands_, theta_bands_, metric_, mesh_, radius_, phi_reach, theta_reach);
+  Synthesis synthesis(requests, phi_bands_, theta_bands_, *spectrum_, metric_, mesh_, radius_, phi_reach, theta_reach);
+  synthesis.find_terms(threads, watch);
   parallel_for(synthesis.blocks(), threads, watch, "summing orders",
-               [&](std::size_t block, const Worker& worker) { synthesis.sum_along_theta(block, *spectrum_, worker); });
+               [&](std::size_t block, const Worker& worker) { synthesis.sum_along_theta(block, worker); });
 
   std::vector<Table> tables;
   tables.reserve(requests.size());

@@ -10,9 +10,9 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace viscoroll::detail {
+#include "base/dense_products.hpp"
 
-using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+namespace viscoroll::detail {
 
 /// @brief Cosines and sines of order times offset, one row per order and one column per offset.
 struct Waves {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
 
@@ -134,6 +135,22 @@ struct LayerStack {
     return medium.inertia * length * length / medium.mu;
   }
 };
+
+/// @brief Append all numbers that determine the compliance of layers in units of a modulus, for the key of a cache.
+template <class Scalar>
+void append_numbers(const LayerStack<Scalar>& layers, const Scalar& unit, std::vector<double>& numbers) {
+  const Metric& metric = layers.metric;
+  const auto number = [](auto name) { return static_cast<double>(name); };
+  numbers.insert(numbers.end(), {std::log(metric.radius), number(metric.along), number(metric.across),
+                                 number(metric.curvature), number(layers.inner_boundary)});
+  const auto append = [&](std::complex<double> value) { numbers.insert(numbers.end(), {value.real(), value.imag()}); };
+  for (const Medium<Scalar>& medium : layers.media) {
+    numbers.insert(numbers.end(), {medium.inner / metric.radius, medium.outer / metric.radius});
+    append(medium.mu / unit);
+    append(medium.b);
+    append(medium.inertia * metric.radius * metric.radius / unit);
+  }
+}
 
 /// @brief Ratio b of the shear modulus to the confined modulus.
 ///

@@ -43,7 +43,10 @@ constexpr double kNearestPole = 0.5 * std::numbers::pi;   // poles and branch cu
 constexpr double kNearestBend = 0.25 * std::numbers::pi;  // limited frequencies of measured moduli
 
 constexpr double kLargestOrderRatio = 8.0;  // ratio of m over a cell, over which a relaxation is resolved
-constexpr double kSmallestRatio = 1.05;     // the remainder of a cell this narrow is round-off
+// A bound of cells in m. Cells between fixed bounds serve all meshes. From this order on, the orders of a body around a
+// center are as close together as in the first band of all orders.
+constexpr double kBoundOfCells = 4.0;
+constexpr double kSmallestRatio = 1.05;  // the remainder of a cell this narrow is round-off
 
 auto k_transform() { return panel_transform().cast<cplx>(); }
 
@@ -206,42 +209,32 @@ void append_cells(const HarmonicBody& body, const SmoothRun& run, Cell cell, con
   cells.push_back(std::move(cell));
 }
 
-/// Cells of each part of the ranges.
-using PartsOfCells = std::vector<std::vector<Cell>>;
-using CellCache = RecentCache<PartsOfCells>;
+using CellCache = RecentCache<std::vector<Cell>>;
 
-/// Cells of the treads that were solved last, for further speeds, loads and meshes.
+/// Cells of the bodies that were solved last, for further loads and meshes, and for further speeds if the layers share
+/// one relaxation function and have no inertia.
 CellCache& recent_cells() {
-  constexpr std::size_t kMaxTreads = 8;
+  constexpr std::size_t kMaxParts = 256;         // some ten for each body
   constexpr std::size_t kMaxNumbers = 16777216;  // complex: 256 MB
-  static CellCache cache(kMaxTreads, kMaxNumbers);
+  static CellCache cache(kMaxParts, kMaxNumbers);
   return cache;
 }
 
-std::size_t numbers_in(const PartsOfCells& parts) {
+std::size_t numbers_in(const std::vector<Cell>& cells) {
   Eigen::Index sum = 0;
-  for (const auto& cells : parts) {
-    for (const Cell& cell : cells) sum += cell.series.size();
-  }
+  for (const Cell& cell : cells) sum += cell.series.size();
   return static_cast<std::size_t>(sum);
 }
 
-/// Properties of a body that determine its cells at any speed, or none. The layers of a tread without inertia that
-/// share one relaxation function have the compliance F(m, n) / g(m Omega), and the cells contain F. Spheres and planes
-/// with one relaxation function have a `SelfSimilarSpectrum`.
-CellCache::Key shared_properties(const HarmonicBody& body) {
-  const LayeredBody& layered = body.body();
-  if (!body.metric().is_wheel()) return {};
-  for (const Layer& layer : layered.layers) {
-    if (layer.density != 0.0) return {};
-  }
-  const auto layers = layers_per_modulus(body, 0, 0.0);
-  if (!layers) return {};
-  CellCache::Key key{body.metric().radius, static_cast<double>(layers->inner_boundary), layered.crown.radius,
-                     layered.crown.proportion};
-  for (const Medium<double>& medium : layers->media) {
-    key.insert(key.end(), {medium.inner, medium.outer, medium.mu, medium.b});
-  }
+/// All numbers that determine the cells of a part: its bounds, the body, and the layers in units of the outer modulus.
+/// The series in ln m represent the moduli, so that their values at the nodes in ln m suffice.
+CellCache::Key properties(const HarmonicBody& body, const SmoothRun& run, const Cell& part) {
+  const std::vector<double> m = chebyshev_nodes(part.lowest_m, part.highest_m, run.nodes);
+  const HarmonicBody sampled = body.resampled(m, run.measured.at(m));
+  const Crown& crown = body.body().crown;
+  CellCache::Key key{std::log(part.lowest_m), std::log(part.highest_m),     part.lowest_ratio,
+                     part.highest_ratio,      crown.radius / body.radius(), crown.proportion};
+  for (std::size_t i = 0; i < m.size(); ++i) append_numbers(sampled.layers_at(i), sampled.outer_modulus(i), key);
   return key;
 }
 
@@ -255,21 +248,32 @@ Eigen::RowVectorXd chebyshev_polynomials(const Cell& cell, double m) {
   return values;
 }
 
-/// Longest smooth run at the beginning of a list of orders.
+/// Longest smooth run at the beginning of a list of orders. Without measured moduli its bounds do not depend on the
+/// orders.
 /// @param[in] orders indices of the orders, ascending in m
 SmoothRun first_smooth_run(const HarmonicBody& body, std::span<const std::size_t> orders) {
   const auto order = [&](std::size_t i) { return body.orders()[i]; };
-  const auto end = std::ranges::upper_bound(orders, kLargestOrderRatio * order(orders.front()), {}, order);
+  const double front = order(orders.front());
+  if (measured_layers(body.body().layers).empty()) {
+    const double bound = std::floor(std::log(front / kBoundOfCells) / std::log(kLargestOrderRatio));
+    const double lowest_m = kBoundOfCells * std::pow(kLargestOrderRatio, bound);
+    const double highest_m = kLargestOrderRatio * lowest_m;
+    const auto end = std::ranges::upper_bound(orders, highest_m, {}, order);
+    return {.lowest_m = lowest_m,
+            .highest_m = highest_m,
+            .count = static_cast<std::size_t>(end - orders.begin()),
+            .measured = {},
+            .nodes = kMaxOrderNodes};
+  }
+  const auto end = std::ranges::upper_bound(orders, kLargestOrderRatio * front, {}, order);
   const auto most = static_cast<std::size_t>(end - orders.begin());
-  const bool has_measured = !measured_layers(body.body().layers).empty();
   SmoothRun run;
   const auto extend_to = [&](std::size_t count) {
-    const double lowest = order(orders.front());
     const double highest = order(orders[count - 1]);
-    auto measured = MeasuredModuli::try_make(body, orders.first(count), order_terms(lowest, highest, kNearestPole));
+    auto measured = MeasuredModuli::try_make(body, orders.first(count), order_terms(front, highest, kNearestPole));
     if (!measured) return false;
-    const int nodes = has_measured ? order_terms(lowest, highest, kNearestBend) : kMaxOrderNodes;
-    run = {.lowest_m = lowest, .highest_m = highest, .count = count, .measured = std::move(*measured), .nodes = nodes};
+    const int nodes = order_terms(front, highest, kNearestBend);
+    run = {.lowest_m = front, .highest_m = highest, .count = count, .measured = std::move(*measured), .nodes = nodes};
     return true;
   };
   extend_to(1);
@@ -383,43 +387,36 @@ OrderPanels::OrderPanels(std::shared_ptr<const HarmonicBody> body, double highes
     : body_(std::move(body)), one_by_one_(body_, highest_n) {
   find_ranges();
   struct Part {
-    std::size_t range;
+    const SmoothRun* run;
     Cell cell;
+    std::shared_ptr<const std::vector<Cell>>* solved;
   };
   std::vector<Part> parts;
-  for (std::size_t r = 0; r < ranges_.size(); ++r) {
-    const double highest = 1.0 + std::pow(highest_n / ranges_[r].run.lowest_m, 2);
+  for (auto& [run, solved] : ranges_) {
+    const double highest = 1.0 + std::pow(highest_n / run.lowest_m, 2);
     const int count = static_cast<int>(std::ceil(std::log(highest) / std::log(kLargestPanelRatio)));
-    const auto bound = [&](int i) { return std::pow(highest, static_cast<double>(i) / count); };
+    solved.resize(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
-      parts.push_back({.range = r,
-                       .cell = {.lowest_m = ranges_[r].run.lowest_m,
-                                .highest_m = ranges_[r].run.highest_m,
-                                .lowest_ratio = bound(i),
-                                .highest_ratio = bound(i + 1),
-                                .series = {}}});
+      parts.push_back({.run = &run,
+                       .cell = {.lowest_m = run.lowest_m,
+                                .highest_m = run.highest_m,
+                                .lowest_ratio = std::pow(kLargestPanelRatio, i),
+                                .highest_ratio = std::pow(kLargestPanelRatio, i + 1),
+                                .series = {}},
+                       .solved = &solved[static_cast<std::size_t>(i)]});
     }
   }
-  CellCache::Key key = shared_properties(*body_);
-  const bool is_shared = !key.empty();
-  for (const Part& part : parts) {
-    const Cell& cell = part.cell;
-    key.insert(key.end(), {cell.lowest_m, cell.highest_m, cell.lowest_ratio, cell.highest_ratio,
-                           static_cast<double>(ranges_[part.range].run.nodes)});
-  }
-  std::shared_ptr<const PartsOfCells> solved = is_shared ? recent_cells().find(key) : nullptr;
-  if (!solved) {
-    PartsOfCells cells(parts.size());
-    parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
-      append_cells(*body_, ranges_[parts[p].range].run, parts[p].cell, worker, cells[p]);
-    });
-    solved = std::make_shared<const PartsOfCells>(std::move(cells));
-    if (is_shared) recent_cells().add(std::move(key), solved, numbers_in(*solved));
-  }
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    auto& cells = ranges_[parts[p].range].cells;
-    std::ranges::copy((*solved)[p], std::back_inserter(cells));
-  }
+  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
+    const auto& [run, cell, solved] = parts[p];
+    CellCache::Key key = properties(*body_, *run, cell);
+    *solved = recent_cells().find(key);
+    if (*solved) return;
+    std::vector<Cell> cells;
+    append_cells(*body_, *run, cell, worker, cells);
+    const std::size_t size = numbers_in(cells);
+    *solved = std::make_shared<const std::vector<Cell>>(std::move(cells));
+    recent_cells().add(std::move(key), *solved, size);
+  });
 }
 
 void OrderPanels::find_ranges() {
@@ -433,7 +430,7 @@ void OrderPanels::find_ranges() {
     SmoothRun run = first_smooth_run(*body_, left);
     if (std::cmp_greater(run.count, run.nodes)) {
       left = left.subspan(run.count);
-      ranges_.push_back({.run = std::move(run), .cells = {}});
+      ranges_.push_back({.run = std::move(run), .parts = {}});
     } else {
       left = left.subspan(1);
     }
@@ -452,18 +449,20 @@ void OrderPanels::series(std::size_t i, OrderSeries& series) const {
 
   const cplx unit = 1.0 / (m * body_->outer_modulus(i));
   std::size_t used = 0;
-  for (const Cell& cell : range->cells) {
-    const bool is_last = cell.highest_m == range->run.highest_m;
-    if (m < cell.lowest_m || (m >= cell.highest_m && !is_last)) continue;
-    if (used == series.size()) series.emplace_back();
-    auto& panel = series[used++];
-    panel.low = m * m * cell.lowest_ratio;
-    panel.high = m * m * cell.highest_ratio;
-    const Eigen::Matrix<cplx, 1, kEntries * kPanelNodes> terms = chebyshev_polynomials(cell, m) * cell.series;
-    panel.series.resize(kEntries, kPanelNodes);
-    for (int entry = 0; entry < kEntries; ++entry) {
-      const cplx factor = is_odd(static_cast<Entry>(entry)) ? unit / m : unit;
-      panel.series.row(entry) = factor * terms.segment<kPanelNodes>(Eigen::Index{entry} * kPanelNodes);
+  for (const auto& part : range->parts) {
+    for (const Cell& cell : *part) {
+      const bool is_last = cell.highest_m == range->run.highest_m;
+      if (m < cell.lowest_m || (m >= cell.highest_m && !is_last)) continue;
+      if (used == series.size()) series.emplace_back();
+      auto& panel = series[used++];
+      panel.low = m * m * cell.lowest_ratio;
+      panel.high = m * m * cell.highest_ratio;
+      const Eigen::Matrix<cplx, 1, kEntries * kPanelNodes> terms = chebyshev_polynomials(cell, m) * cell.series;
+      panel.series.resize(kEntries, kPanelNodes);
+      for (int entry = 0; entry < kEntries; ++entry) {
+        const cplx factor = is_odd(static_cast<Entry>(entry)) ? unit / m : unit;
+        panel.series.row(entry) = factor * terms.segment<kPanelNodes>(Eigen::Index{entry} * kPanelNodes);
+      }
     }
   }
   series.resize(used);

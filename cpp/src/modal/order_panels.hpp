@@ -103,7 +103,8 @@ class OrderPanels final : public Spectrum {
  private:
   struct Range {
     SmoothRun run;
-    std::vector<Cell> cells;  ///< at every m in ascending order of k^2 / m^2
+    /// Cells of each part, in ascending order of k^2 / m^2 at every m. Parts are shared with other spectra.
+    std::vector<std::shared_ptr<const std::vector<Cell>>> parts;
   };
 
   void find_ranges();

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/dense_solvers.hpp"
+#include "base/recent_cache.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
 
@@ -36,11 +37,14 @@ LayerStack<double> with_inertia(LayerStack<double> layers, double factor) {
 /// Ratio of successive terms of the inertia series per eta, estimated from the change of the compliance by inertia. It
 /// is largest for a thin shell without a core, which is soft in bending.
 /// @param[in] layers layers in units of g, with the inertia of eta = 1
-double inertia_growth(const LayerStack<double>& layers, double highest_eta) {
+/// @param[in] includes_zero whether to include order (0, 0), whose growth is large around a small core. It is at rest,
+/// so that its eta is the largest one, at which the series is exact if this is the unit of eta.
+double inertia_growth(const LayerStack<double>& layers, double highest_eta, bool includes_zero) {
   const std::array at_rest_and_fast{with_inertia(layers, 0.0), with_inertia(layers, highest_eta)};
   constexpr double kHighestOrder = 2000.0;
   std::vector<OrderInLayers<double>> orders;
   for (const LayerStack<double>& turning : at_rest_and_fast) {
+    if (includes_zero) orders.push_back({.layers = turning, .m = 0.0, .n = 0.0});
     for (const double share : {1.0, 0.5, 0.1}) {  // m^2 / k^2
       for (double k = 1.0; k < kHighestOrder; k *= 1.25) {
         orders.push_back({.layers = turning, .m = k * std::sqrt(share), .n = k * std::sqrt(1.0 - share)});
@@ -213,6 +217,79 @@ class InertiaSeries {
   Eigen::MatrixXd from_angles_;
 };
 
+using Response = SelfSimilarSpectrum::Response;
+using ResponseCache = RecentCache<Response>;
+
+/// Responses of the bodies that were solved last, for further speeds, loads and meshes.
+ResponseCache& recent_responses() {
+  constexpr std::size_t kMaxNumbers = 2097152;  // 16 MB
+  static ResponseCache cache(64, kMaxNumbers);
+  return cache;
+}
+
+/// Values of the terms that were evaluated last, for further speeds and loads.
+RecentCache<EntryTerms>& recent_terms() {
+  constexpr std::size_t kMaxNumbers = 8388608;  // 64 MB
+  static RecentCache<EntryTerms> cache(64, kMaxNumbers);
+  return cache;
+}
+
+/// Compute the response of layers.
+/// @param[in] layers layers in units of g, with the inertia of eta = 1
+/// @param[in] unit unit of eta, at least the largest eta
+/// @param[in] is_shared whether the unit also serves smaller eta of order (0, 0)
+/// @param[in] bounds bounds of k^2 of the parts
+Response make_response(const LayerStack<double>& layers, double unit, bool is_shared, double inertia_tolerance,
+                       const std::vector<double>& bounds, int threads, Watch& watch) {
+  Response response;
+  const double growth = unit > 0.0 ? inertia_growth(layers, unit, is_shared) : 0.0;
+  response.inertia_order = inertia_order(growth * unit, inertia_tolerance);
+  if (!response.inertia_order) return response;
+  const InertiaSeries inertia_series(layers, unit, *response.inertia_order);
+  if (layers.metric.is_sphere()) {
+    append_constants(kZeroOrder, inertia_series.sample_zero_order(), response.panels);
+  }
+  std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
+  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
+    append_panels(
+        bounds[p], bounds[p + 1],
+        [&](const auto& nodes) {
+          worker.checkpoint();
+          return inertia_series.sample(nodes);
+        },
+        [&](const Panel<double>& panel) { return inertia_series.is_resolved(panel); }, parts[p]);
+  });
+  for (auto& part : parts) std::ranges::move(part, std::back_inserter(response.panels));
+  return response;
+}
+
+/// Bounds of k^2 of parts that contain all orders. They hardly depend on the orders, so that meshes share responses.
+std::vector<double> bounds_of_parts(bool is_sphere, double lowest, double highest) {
+  constexpr double kPartRatio = 64.0;
+  if (is_sphere && highest <= kLowOrders) return {kZeroOrder, kLowOrders};
+  std::vector<double> bounds;
+  if (is_sphere) bounds.push_back(kZeroOrder);
+  const double part = std::floor(std::log(lowest / kLowOrders) / std::log(kPartRatio));
+  bounds.push_back(is_sphere ? kLowOrders : kLowOrders * std::pow(kPartRatio, part));
+  while (bounds.back() < highest) bounds.push_back(kPartRatio * bounds.back());
+  return bounds;
+}
+
+bool has_factor_m(Entry entry) { return entry == Entry::rphi || entry == Entry::phitheta; }
+
+using TermSeries = Eigen::Array<double, 1, kPanelNodes>;
+
+/// Series of a term of an entry at an order m, with its factor m.
+TermSeries series_of_term(const Panel<double>& panel, Entry entry, int term, double m, int inertia_order) {
+  TermSeries series = TermSeries::Zero();
+  const auto e = static_cast<Eigen::Index>(entry);
+  double power = has_factor_m(entry) ? m : 1.0;
+  for (int i = 0; i <= highest_power(e, term); ++i, power *= m * m) {
+    series += power * panel.series.row(InertiaSeries::row_of(e, term, i, inertia_order)).array();
+  }
+  return series;
+}
+
 }  // namespace
 
 std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const HarmonicBody& body, double highest_n,
@@ -234,67 +311,105 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   }
   const bool is_sphere = body.metric().is_sphere();
   if (highest_eta > 0.0 && !is_sphere) return nullptr;  // the growth of the terms is established for spheres only
-  const double growth = highest_eta > 0.0 ? inertia_growth(*layers, highest_eta) : 0.0;
-  const std::optional<int> order = inertia_order(growth * highest_eta, inertia_tolerance);
-  if (!order) return nullptr;
-  spectrum->inertia_order_ = *order;
-  for (cplx& eta : spectrum->inertia_) eta /= highest_eta > 0.0 ? highest_eta : 1.0;
-
-  const InertiaSeries inertia_series(*layers, highest_eta, *order);
   spectrum->orders_ = body.orders();
   spectrum->highest_n_ = highest_n;
   const auto [lowest_m, highest_m] = std::ranges::minmax(body.orders());
-  const double most = highest_m * highest_m + highest_n * highest_n;
-  std::vector<double> bounds{is_sphere ? kZeroOrder : lowest_m * lowest_m};
-  if (is_sphere) append_constants(kZeroOrder, inertia_series.sample_zero_order(), spectrum->panels_);
-  if (is_sphere && most > kLowOrders) bounds.push_back(kLowOrders);
-  while (bounds.back() < most) bounds.push_back(std::min(64.0 * bounds.back(), most));
-  std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
-  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
-    append_panels(
-        bounds[p], bounds[p + 1],
-        [&](const auto& nodes) {
-          worker.checkpoint();
-          return inertia_series.sample(nodes);
-        },
-        [&](const Panel<double>& panel) { return inertia_series.is_resolved(panel); }, parts[p]);
-  });
-  for (auto& part : parts) std::ranges::move(part, std::back_inserter(spectrum->panels_));
-  return spectrum;
+  const std::vector<double> bounds =
+      bounds_of_parts(is_sphere, lowest_m * lowest_m, highest_m * highest_m + highest_n * highest_n);
+  // Neighboring speeds share the unit of eta, unless the series needs the smallest one. A large tolerance omits terms
+  // whose size depends on the unit; each speed then has its own.
+  const double shared_unit = highest_eta > 0.0 ? std::exp2(2.0 * std::ceil(0.5 * std::log2(highest_eta))) : 0.0;
+  for (const bool is_shared : {true, false}) {
+    if (is_shared && inertia_tolerance > kInertiaTolerance) continue;
+    const double unit = is_shared ? shared_unit : highest_eta;
+    spectrum->properties_ = {unit > 0.0 ? std::log(unit) : 0.0, unit > 0.0 ? 1.0 : 0.0,  std::log(inertia_tolerance),
+                             std::log(bounds.front()),          std::log(bounds.back()), is_shared ? 1.0 : 0.0};
+    append_numbers(*layers, 1.0, spectrum->properties_);
+    spectrum->response_ = recent_responses().find(spectrum->properties_);
+    if (!spectrum->response_) {
+      auto response = std::make_shared<const Response>(
+          make_response(*layers, unit, is_shared, inertia_tolerance, bounds, threads, watch));
+      std::size_t numbers = 0;
+      for (const Panel<double>& panel : response->panels) numbers += static_cast<std::size_t>(panel.series.size());
+      recent_responses().add(spectrum->properties_, response, numbers);
+      spectrum->response_ = std::move(response);
+    }
+    if (!spectrum->response_->inertia_order) continue;
+    for (cplx& eta : spectrum->inertia_) eta /= unit > 0.0 ? unit : 1.0;
+    return spectrum;
+  }
+  return nullptr;
+}
+
+template <class Function>
+void SelfSimilarSpectrum::for_panels(double m, const Function& function) const {
+  for (const Panel<double>& panel : response_->panels) {
+    if (panel.high >= m * m && panel.low <= m * m + highest_n_ * highest_n_) function(panel);
+  }
 }
 
 void SelfSimilarSpectrum::series(std::size_t i, OrderSeries& series) const {
   const double m = orders_[i];
-  const double m2 = m * m;
-  const cplx unit = 1.0 / modulus_[i];
+  const int inertia_order = *response_->inertia_order;
   std::size_t used = 0;
-  for (const Panel<double>& panel : panels_) {
-    if (panel.high < m2 || panel.low > m2 + highest_n_ * highest_n_) continue;
+  for_panels(m, [&](const Panel<double>& panel) {
     if (used == series.size()) series.emplace_back();
     auto& target = series[used++];
     target.low = panel.low;
     target.high = panel.high;
     target.series.resize(kEntries, kPanelNodes);
-    using Terms = Eigen::Array<double, 1, kPanelNodes>;  // all numbers except the powers of eta are real
     for (Eigen::Index e = 0; e < kEntries; ++e) {
-      const bool has_factor_m = e == static_cast<int>(Entry::rphi) || e == static_cast<int>(Entry::phitheta);
-      cplx eta_power = unit * (has_factor_m ? m : 1.0);
-      Terms real = Terms::Zero();
-      Terms imaginary = Terms::Zero();
-      for (int j = 0; j <= inertia_order_; ++j, eta_power *= inertia_[i]) {
-        Terms of_power = Terms::Zero();
-        double m_power = 1.0;
-        for (int power = 0; power <= highest_power(e, j); ++power, m_power *= m2) {
-          of_power += m_power * panel.series.row(InertiaSeries::row_of(e, j, power, inertia_order_)).array();
-        }
-        real += eta_power.real() * of_power;
-        imaginary += eta_power.imag() * of_power;
+      cplx eta_power = 1.0 / modulus_[i];
+      TermSeries real = TermSeries::Zero();
+      TermSeries imaginary = TermSeries::Zero();
+      for (int j = 0; j <= inertia_order; ++j, eta_power *= inertia_[i]) {
+        const TermSeries term = series_of_term(panel, static_cast<Entry>(e), j, m, inertia_order);
+        real += eta_power.real() * term;
+        imaginary += eta_power.imag() * term;
       }
       target.series.row(e).real() = real;
       target.series.row(e).imag() = imaginary;
     }
-  }
+  });
   series.resize(used);
+}
+
+std::shared_ptr<const EntryTerms> SelfSimilarSpectrum::terms(Entry entry, const Eigen::ArrayXd& n, int threads,
+                                                             Watch& watch) const {
+  RecentCache<EntryTerms>::Key key = properties_;
+  key.push_back(static_cast<double>(entry));
+  key.push_back(static_cast<double>(orders_.size()));
+  key.insert(key.end(), orders_.begin(), orders_.end());
+  key.insert(key.end(), n.begin(), n.end());
+  if (auto cached = recent_terms().find(key)) return cached;
+  const int inertia_order = *response_->inertia_order;
+  const auto rows = static_cast<Eigen::Index>(orders_.size());
+  EntryTerms terms(static_cast<std::size_t>(inertia_order + 1), RowMajorMatrix(rows, n.size()));
+  parallel_for(orders_.size(), threads, watch, "summing orders", [&](std::size_t i, const Worker&) {
+    const double m = orders_[i];
+    OrderSeries series;
+    Eigen::ArrayXcd values;
+    for (int j = 0; j <= inertia_order; ++j) {
+      series.clear();
+      for_panels(m, [&](const Panel<double>& panel) {
+        series.push_back({.low = panel.low, .high = panel.high, .series = {}});
+        series.back().series.setZero(kEntries, kPanelNodes);
+        series.back().series.row(static_cast<int>(entry)).real() = series_of_term(panel, entry, j, m, inertia_order);
+      });
+      OrderValues(m, n, series).evaluate(entry, values);
+      terms[static_cast<std::size_t>(j)].row(static_cast<Eigen::Index>(i)) =
+          (values / phase_of(entry)).real().matrix().transpose();
+    }
+  });
+  auto shared = std::make_shared<const EntryTerms>(std::move(terms));
+  recent_terms().add(std::move(key), shared, shared->size() * static_cast<std::size_t>(rows * n.size()));
+  return shared;
+}
+
+cplx SelfSimilarSpectrum::factor(Entry entry, std::size_t i, std::size_t term) const {
+  cplx factor = phase_of(entry) / modulus_[i];
+  for (std::size_t j = 0; j < term; ++j) factor *= inertia_[i];
+  return factor;
 }
 
 }  // namespace viscoroll::detail

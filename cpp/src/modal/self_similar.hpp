@@ -2,7 +2,9 @@
 /// @brief Spectrum of spheres and planes whose layers share one relaxation function. One response serves all orders m.
 #pragma once
 
+#include <complex>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "modal/spectrum.hpp"
@@ -32,16 +34,29 @@ class SelfSimilarSpectrum final : public Spectrum {
                                                                      Watch& watch);
 
   void series(std::size_t i, OrderSeries& series) const override;
+  [[nodiscard]] std::shared_ptr<const EntryTerms> terms(Entry entry, const Eigen::ArrayXd& n, int threads,
+                                                        Watch& watch) const override;
+  [[nodiscard]] std::complex<double> factor(Entry entry, std::size_t i, std::size_t term) const override;
+
+  /// @brief Series that do not depend on the speed.
+  struct Response {
+    std::optional<int> inertia_order;   ///< largest j; none if a few terms do not suffice
+    std::vector<Panel<double>> panels;  ///< row (entry, j, i), see row_of
+  };
 
  private:
   SelfSimilarSpectrum() = default;
 
-  int inertia_order_ = 0;  // largest j
+  /// Call function(panel) for the panels of an order m.
+  template <class Function>
+  void for_panels(double m, const Function& function) const;
+
+  std::shared_ptr<const Response> response_;
+  std::vector<double> properties_;  // all numbers that determine the response
   double highest_n_ = 0.0;
   std::vector<double> orders_;                 // m
   std::vector<std::complex<double>> modulus_;  // g(m Omega) [Pa], for each m
-  std::vector<std::complex<double>> inertia_;  // eta / largest |eta|, for each m
-  std::vector<Panel<double>> panels_;          // row (entry, j, i), see row_of
+  std::vector<std::complex<double>> inertia_;  // eta in the unit of the response, for each m
 };
 
 }  // namespace viscoroll::detail

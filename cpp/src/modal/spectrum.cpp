@@ -81,7 +81,7 @@ void OrderValues::evaluate(Entry entry, Eigen::ArrayXcd& values) const {
 
   // Restore the factor n of odd entries, and convert the real form to the components of the paper.
   if (is_odd(entry)) values *= n_;
-  if (entry == Entry::rphi || entry == Entry::rtheta) values *= std::complex<double>(0.0, -1.0);
+  values *= phase_of(entry);
 }
 
 }  // namespace viscoroll::detail

@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/dense_products.hpp"
 #include "base/parallel.hpp"
 #include "modal/chebyshev_panels.hpp"
 #include "modal/harmonic_body.hpp"
@@ -25,6 +26,11 @@ constexpr int kEntries = 6;
 
 /// @return whether the entry is odd in n
 [[nodiscard]] constexpr bool is_odd(Entry entry) { return entry == Entry::rtheta || entry == Entry::phitheta; }
+
+/// @return factor of the real form of layer_system.hpp in the entry
+[[nodiscard]] constexpr std::complex<double> phase_of(Entry entry) {
+  return entry == Entry::rphi || entry == Entry::rtheta ? std::complex<double>(0.0, -1.0) : 1.0;
+}
 
 /// @brief An entry of the 3 x 3 matrix, as an independent entry with a sign.
 struct SignedEntry {
@@ -77,6 +83,9 @@ constexpr double kZeroOrder = 0.5;
 /// by n if the entry is odd in n.
 using OrderSeries = std::vector<Panel<std::complex<double>>>;
 
+/// @brief Real values of an entry, one matrix [order m, order n] for each term of a sum: see `Spectrum::terms`.
+using EntryTerms = std::vector<RowMajorMatrix>;
+
 /// @brief Compliance series of all orders m of a body. It is immutable after construction, so that threads may share
 /// it.
 class Spectrum {
@@ -87,6 +96,23 @@ class Spectrum {
   /// @param[in] i index of the order m in the body's list
   /// @param[out] series panels that cover n in [0, highest_n]; the storage is reused
   virtual void series(std::size_t i, OrderSeries& series) const = 0;
+
+  /// @brief Terms of an entry, if the compliance is a sum of a few real functions with complex factors:
+  /// C_PQ(m, n) = sum_j factor(entry, i, j) terms[j](i, n), where i is the index of m. The functions do not depend on
+  /// the speed.
+  /// @param[in] entry entry of the compliance
+  /// @param[in] n orders n, ascending, >= 0
+  /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] watch progress and cancellation
+  /// @return one matrix [order m, order n] for each term; null if the compliance is not such a sum
+  [[nodiscard]] virtual std::shared_ptr<const EntryTerms> terms(Entry /*entry*/, const Eigen::ArrayXd& /*n*/,
+                                                                int /*threads*/, Watch& /*watch*/) const {
+    return nullptr;
+  }
+  /// @return factor of a term [m/Pa], see `terms`
+  [[nodiscard]] virtual std::complex<double> factor(Entry /*entry*/, std::size_t /*i*/, std::size_t /*term*/) const {
+    return 0.0;
+  }
 };
 
 /// @brief Default relative error of the compliance due to omitted terms of the inertia series, close to round-off.

@@ -1,5 +1,8 @@
 #include "transient/center_motion.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "contact/moment_arms.hpp"
 #include "surface/surface_operator.hpp"
 
@@ -43,6 +46,28 @@ ArrayXd pushing_slope(const ActingPlaces& at) {
 ArrayXd depth_below_center(const ActingPlaces& at) {
   if (!at.pair.bodies.front().rolls) return at.place.nodes.points().y().values();
   return at.place.nodes.points().y().values() - displaced(at, 0, kDown);
+}
+
+/// Coefficients of the time integration of an axle: mass times (1 + lag) a_new - lag a is the force at the end of a
+/// step, with Newmark's beta and gamma.
+struct AxleIntegration {
+  double lag;
+  double beta = 0.25 * (1.0 + lag) * (1.0 + lag);
+  double gamma = 0.5 + lag;
+  double kept = 1.0 - 0.5 / beta;  // part of a in a_new
+};
+
+AxleIntegration integration_of(const Axle& axle, const PairStep& step) {
+  constexpr double kResolved = 1.0 / 50.0;  // of the period, twice what `RollingHistory::Impl::longest_step` aims at
+  return {.lag = step.duration <= kResolved * vibration_period(axle, step.contact_stiffness) ? 0.0 : 1.0};
+}
+
+/// Acceleration of a mass by the forces on it after a jump.
+void jolt(const Axle& axle, AxleState& state, RollingInstant& now) {
+  if (axle.mass == 0.0) return;
+  const double spring = axle.stiffness * (now.penetration - state.rest);
+  now.axle_acceleration = (now.load - now.axle_force + spring - axle.damping * now.axle_speed) / axle.mass;
+  state.acceleration = now.axle_acceleration;
 }
 
 }  // namespace
@@ -119,8 +144,13 @@ CenterCondition center_condition(const ViscoelasticPair& pair, const RollingInst
           .coasted = now.center_speed * duration};
 }
 
-ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, const AxleState& state, double duration,
-                                 double force) {
+double vibration_period(const Axle& axle, double contact_stiffness) {
+  return 2.0 * std::numbers::pi * std::sqrt(axle.mass / (axle.stiffness + contact_stiffness));
+}
+
+ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, const AxleState& state,
+                                 const PairStep& step, double force) {
+  const double duration = step.duration;
   const bool is_inert = axle.mass > 0.0 || axle.damping > 0.0;
   if (is_inert && duration == 0.0) return {.force = 0.0, .penetration = 1.0, .value = now.penetration};
   // Downward speed and acceleration, like the penetration.
@@ -130,8 +160,12 @@ ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, co
   double stiffness = axle.stiffness;
   double damped = 0.0;
   if (is_inert) {
-    stiffness += 2.0 * axle.mass / (duration * duration) + 1.5 * axle.damping / duration;
-    damped = axle.damping * (speed + 0.25 * duration * acceleration);
+    // Acceleration and speed at the end of the step are linear in the penetration; these are their values without
+    // forces.
+    const auto [lag, beta, gamma, kept] = integration_of(axle, step);
+    stiffness += (1.0 + lag) * axle.mass / (beta * duration * duration) + gamma * axle.damping / (beta * duration);
+    damped = axle.damping * (speed + duration * (1.0 - gamma + gamma * kept) * acceleration);
+    damped += axle.mass * ((1.0 + lag) * kept - lag) * acceleration;
   }
   return {.force = 1.0,
           .penetration = stiffness,
@@ -147,18 +181,30 @@ ApproachCondition scaled(const ApproachCondition& condition, double factor) {
   return result;
 }
 
-void move_axle(bool is_free, double duration, double risen, AxleState& state, RollingInstant& now) {
-  const double mean_speed = risen / duration;
-  const double change = (mean_speed - now.axle_speed) / duration;
-  if (!is_free) {
-    now.axle_acceleration = change;
+void move_axle(const std::optional<Axle>& axle, const PairStep& step, const RollingInstant& before, AxleState& state,
+               RollingInstant& now) {
+  const double duration = step.duration;
+  const double old = before.axle_speed;
+  const double mean_speed = duration > 0.0 ? (before.penetration - now.penetration) / duration : 0.0;
+  if (!axle) {
+    if (duration == 0.0) return;
+    now.axle_acceleration = (mean_speed - old) / duration;
     now.axle_speed = mean_speed;
     return;
   }
-  const double before = state.acceleration;
-  state.acceleration = change + 0.5 * before;
-  now.axle_speed += duration * (1.5 * state.acceleration - 0.5 * before);
-  now.axle_acceleration = 2.0 * state.acceleration - before;  // mass times this is the sum of the forces
+  if (duration == 0.0) {
+    jolt(*axle, state, now);
+  } else {
+    const auto [lag, beta, gamma, kept] = integration_of(*axle, step);
+    const double acceleration = (mean_speed - old) / (beta * duration) + kept * state.acceleration;
+    now.axle_speed += duration * (gamma * acceleration + (1.0 - gamma) * state.acceleration);
+    now.axle_acceleration = (1.0 + lag) * acceleration - lag * state.acceleration;
+    state.acceleration = acceleration;
+  }
+  const auto& [mass, stiffness, damping] = *axle;
+  const double speed = now.axle_speed;
+  now.axle_energy = 0.5 * mass * speed * speed + 0.5 * stiffness * std::pow(now.penetration - state.rest, 2);
+  now.dissipated_energy += damping * duration * (old * old + old * speed + speed * speed) / 3.0;
 }
 
 void move_center(double mass, double duration, double displacement, double& acceleration, RollingInstant& now) {

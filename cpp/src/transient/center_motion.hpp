@@ -80,32 +80,38 @@ struct ActingPlaces {
 
 /// @brief State of an axle between steps, besides its speed.
 struct AxleState {
-  /// Upward acceleration in the time integration [m/s^2]. In a step it changes by half of its difference from the
-  /// acceleration by the forces.
+  /// Upward acceleration in the time integration [m/s^2]
   double acceleration = 0.0;
   double rest = 0.0;  ///< penetration at which the spring exerts no force [m]
 };
 
-/// @brief Condition for load and penetration at the end of a step of an axle with mass, spring and damper. Its motion
-/// follows the same method as that of a center with mass.
+/// @return period in which an axle with mass vibrates on the contact and its spring [s]
+[[nodiscard]] double vibration_period(const Axle& axle, double contact_stiffness);
+
+/// @brief Condition for load and penetration at the end of a step of an axle with mass, spring and damper.
+///
+/// The time integration is that of W. L. Wood, M. Bossak and O. C. Zienkiewicz, Int. J. Numer. Methods Eng. 15 (1980)
+/// 1562-1566. If the steps resolve the vibration of a mass, it is the trapezoidal rule, which conserves energy. Else it
+/// is the method of a center with mass (`center_condition`), in which such vibrations disappear after two steps.
 /// @param[in] axle mass, spring and damper
 /// @param[in] now penetration and speed at the start of the step
 /// @param[in] state acceleration in the time integration, and rest of the spring
-/// @param[in] duration of the step [s], 0 for a jump, in which a mass or a damper does not move
+/// @param[in] step its duration, 0 for a jump, in which a mass or a damper does not move, and stiffness of the contact
 /// @param[in] force external force at the end of the step [N]
 [[nodiscard]] ApproachCondition axle_condition(const Axle& axle, const RollingInstant& now, const AxleState& state,
-                                               double duration, double force);
+                                               const PairStep& step, double force);
 
 /// @return the same condition for forces multiplied by a factor
 [[nodiscard]] ApproachCondition scaled(const ApproachCondition& condition, double factor);
 
-/// @brief Take speed and acceleration of the axle at the end of a step.
-/// @param[in] is_free whether it moves by forces; else the speed is the mean over the step
-/// @param[in] duration of the step [s], positive
-/// @param[in] risen distance by which the axle has risen in the step [m]
+/// @brief Take speed, acceleration, energy and losses of the axle at the end of a step.
+/// @param[in] axle mass, spring and damper; without them, the speed is the mean over the step
+/// @param[in] step same as in `axle_condition`
+/// @param[in] before instant at the start of the step
 /// @param[in,out] state acceleration in the time integration
-/// @param[in,out] now speed and acceleration of the axle
-void move_axle(bool is_free, double duration, double risen, AxleState& state, RollingInstant& now);
+/// @param[in,out] now instant at the end of the step, with its penetration and forces
+void move_axle(const std::optional<Axle>& axle, const PairStep& step, const RollingInstant& before, AxleState& state,
+               RollingInstant& now);
 
 /// @brief Move the center by a step.
 /// @param[in] mass mass that moves with the center [kg]

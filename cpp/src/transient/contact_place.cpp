@@ -74,12 +74,8 @@ ContactPlace place_at(const ViscoelasticPair& pair, double shift, Index half_row
   return place_of(pair, first, std::move(nodes), std::move(heights));
 }
 
-Index half_rows_in_reach(const ViscoelasticPair& pair, double shift, double angle, double ahead, double penetration) {
+Index half_rows_in_reach(const ViscoelasticPair& pair, double shift, double angle, double ahead, double limit) {
   if (pair.heights.are_smooth()) return 0;
-  // The displacement of the surface next to a contact is a small fraction of the indentation.
-  constexpr double kMargin = 0.1;
-  const double indentation = std::max(penetration + pair.heights.largest(), 0.0);
-  const double limit = penetration + kMargin * indentation;
   const double lowest = lowest_row(pair, shift, angle);
   const double middle = std::round(lowest);
   const auto most = static_cast<int>(pair.nodes.widest.phi.last);

@@ -50,12 +50,12 @@ struct ContactPlace {
                                     RowHeights heights);
 
 /// @brief Number of rows on either side of the lowest one that reach every point where the bodies could touch: a window
-/// of them contains all rows whose undeformed gap is smaller than the penetration and a margin.
+/// of them contains all rows whose undeformed gap is smaller than a limit.
 /// @param[in] pair both bodies
 /// @param[in] shift,angle,ahead same as in `place_at`
-/// @param[in] penetration approach of the bodies [m]
+/// @param[in] limit largest undeformed gap of rows that could touch [m]
 /// @return at most the number of rows up to 60 degrees; 0 if ground and tread are smooth
 [[nodiscard]] Eigen::Index half_rows_in_reach(const ViscoelasticPair& pair, double shift, double angle, double ahead,
-                                              double penetration);
+                                              double limit);
 
 }  // namespace viscoroll::detail

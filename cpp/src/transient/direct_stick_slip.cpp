@@ -205,14 +205,21 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
   // give displacements.
   const Eigen::RowVector3d pressing = sticking_displacements_.col(1).transpose() * sticking_forces_;
   matrix.row(depth).tail<2>() = pressing.tail<2>();
-  right[depth] = problem_.load - pressing[0];
-  matrix.row(depth) *= tangential_compliance_;
-  right[depth] *= tangential_compliance_;
+  right[depth] = -pressing[0];
+  const ApproachCondition& approach = problem_.approach;
+  matrix.row(depth) *= approach.force;
+  matrix(depth, depth) += approach.penetration;
+  right[depth] = approach.force * right[depth] + approach.value;
+  // Scale forces and displacements equally: a heavy axle must be the pivot of the penetration only.
+  const double depth_share =
+      tangential_compliance_ / std::max(approach.force, approach.penetration * tangential_compliance_);
+  matrix.row(depth) *= depth_share;
+  right[depth] *= depth_share;
   const Eigen::RowVector3d of_center = center_row_.transpose() * sticking_displacements_;
   matrix.row(center).tail<2>() = of_center.tail<2>();
   matrix(center, center) += center_.displacement;
   right[center] = center_.value - of_center[0];
-  // Scale forces and displacements equally: a heavy center must be the pivot of its own displacement only.
+  // The same for a heavy center and its displacement.
   const double largest = center_.force_coefficients.abs().maxCoeff();
   const double share =
       tangential_compliance_ / std::max(largest, std::abs(center_.displacement) * tangential_compliance_);

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "transient/history_input.hpp"
@@ -91,7 +90,8 @@ RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_mes
   // include: the spread divided by the number of meshes is an empirical bound.
   mean.error_estimate = of_meshes.size() > 1 ? std::sqrt(variance) / count : std::numeric_limits<double>::quiet_NaN();
   mean.time = time;
-  if (!detail::approach_exists(pair->pair)) mean.penetration = std::numeric_limits<double>::quiet_NaN();
+  if (!detail::approach_exists(pair->pair))
+    mean.penetration = mean.axle_height = std::numeric_limits<double>::quiet_NaN();
   return mean;
 }
 
@@ -111,7 +111,7 @@ void RollingHistory::Impl::require_forces(const StepEnd& to) const {
     }
     return;
   }
-  if (options.driving_force == 0.0 || options.mass > 0.0) return;
+  if (options.driving_force == 0.0 || options.mass > 0.0 || to.axle_height) return;
   if (!(std::abs(options.driving_force) < options.friction * to.load)) {
     const detail::RoundBody& body = *pair->pair.body;
     const std::string unit = " " + std::string(body.form().load_unit);
@@ -127,7 +127,6 @@ void RollingHistory::Impl::require_axle_height(const detail::RollingPair& both, 
   const auto left_out = [&](bool is_given, const char* why) {
     if (is_given) reject("axle_height", std::string("left out ") + why, text(height) + " m");
   };
-  left_out(options.friction > 0.0, "with friction");
   left_out(options.axle.has_value(), "with an axle, whose motion is a result");
   left_out(!detail::approach_exists(both), "in line contact on a half-space, where the penetration is undetermined");
 }
@@ -193,15 +192,14 @@ double RollingHistory::Impl::relative_change(const StepEnd& begin, const StepEnd
   return change > 0.0 ? change / deepest : 0.0;
 }
 
-/// Sixtieth of the period in which an axle vibrates on the contact and its spring. Where this would take a large
+/// Hundredth of the period in which an axle vibrates on the contact and its spring. Where this would take a large
 /// multiple of the steps that rolling takes, the ground changes so slowly that the axle follows without vibrating.
 double RollingHistory::Impl::longest_step(const StepEnd& begin, const StepEnd& end) const {
-  constexpr double kStepsPerPeriod = 60.0;
+  constexpr double kStepsPerPeriod = 100.0;
   constexpr double kMostPerRollingStep = 16.0;
   constexpr double kMostSteps = 10000.0;
   if (!options.axle || options.axle->mass == 0.0) return std::numeric_limits<double>::infinity();
-  const double stiffness = options.axle->stiffness + contact_stiffness;
-  const double resolved = 2.0 * std::numbers::pi * std::sqrt(options.axle->mass / stiffness) / kStepsPerPeriod;
+  const double resolved = detail::vibration_period(*options.axle, contact_stiffness) / kStepsPerPeriod;
   const double rolling =
       std::abs(turn_of(begin, end)) * options.steps_per_spacing.value_or(1) / pair->nodes.grid.phi_spacing;
   return std::max(resolved, (end.time - begin.time) / std::max(kMostPerRollingStep * rolling, kMostSteps));
@@ -247,7 +245,7 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
   std::vector<detail::PairStep> steps_ahead;
   double before = current.time;
   for (const StepEnd& end : path) {
-    detail::PairStep step{.duration = end.time - before, .parts = {}};
+    detail::PairStep step{.duration = end.time - before, .parts = {}, .contact_stiffness = contact_stiffness};
     for (const detail::BodySpectrum& body : spectra) step.parts.emplace_back(body.spectrum, step.duration);
     steps_ahead.push_back(std::move(step));
     before = end.time;

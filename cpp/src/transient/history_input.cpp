@@ -62,10 +62,7 @@ void validate(const HistoryOptions& options) {
   }
   if (options.ground) viscoroll::validate(*options.ground, "ground.");
   if (options.tread) viscoroll::validate(*options.tread, "tread.");
-  if (options.axle) {
-    viscoroll::validate(*options.axle);
-    if (options.friction > 0.0) reject("axle", "left out with friction", "an axle");
-  }
+  if (options.axle) viscoroll::validate(*options.axle);
   require_positive("shortest_time", options.shortest_time, "s");
   if (!(std::isfinite(options.longest_time) && options.longest_time > options.shortest_time)) {
     reject("longest_time", "> shortest_time = " + text(options.shortest_time) + " s", options.longest_time,

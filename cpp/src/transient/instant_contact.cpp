@@ -1,5 +1,6 @@
 #include "transient/instant_contact.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -193,9 +194,22 @@ StickSlip solve_frictionless(const ViscoelasticPair& pair, const InstantContact&
 }
 
 StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& instant, const LastForces& last,
-                           const Departure& departure, double load, const CenterCondition& center,
-                           ContactStiffness& stiffness) {
+                           const Departure& departure, const ApproachCondition& condition,
+                           const CenterCondition& center, ContactInverse& inverse, ContactStiffness& stiffness) {
   const ContactPlace& place = instant.place;
+  // If the load is a result, the contact without friction gives an estimate, from which the search starts.
+  double load = condition.value;
+  if (condition.penetration != 0.0) {
+    StickSlip smooth = solve_frictionless(pair, instant, last, condition, inverse);
+    if (smooth.nodes.empty()) return smooth;
+    load = -(place.weights * smooth.force.col(kDown)).sum();
+  }
+  // Penetration from which the search measures: that of an axle without forces, else that at the highest point.
+  const bool is_axle = condition.force != 0.0 && condition.penetration != 0.0;
+  const double origin = is_axle ? condition.coasted : -place.top;
+  ApproachCondition approach = condition;
+  approach.coasted = 0.0;
+  if (condition.force == 0.0) approach.value -= condition.penetration * origin;
   const SurfaceGrid& grid = pair.nodes.grid;
   const double compliance = instant.instantaneous.sum;
   const ContactPlace before =
@@ -220,17 +234,18 @@ StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& i
   };
   const StickSlipProblem problem{
       .surface = surface,
-      .gap = place.weights * (place.gap + place.top) + known_gap(pair, instant).reshaped().array(),
+      .gap = place.weights * (place.gap - origin) + known_gap(pair, instant).reshaped().array(),
       .known_slip = std::move(slip.known),
       .slip_per_center_displacement = std::move(slip.slip_per_center_displacement),
       .weights = place.weights,
-      .load = compliance * load,
+      .load = load,
+      .approach = approach,
       .friction = pair.friction,
       .center_row = row,
       .center_row_needs_displacements = depends_on_displacements(pair, center)};
   StickSlip result = solve_stick_slip(problem, carried_forces(pair, place, last, problem.load), stiffness);
   result.center_displacement += center.coasted;
-  result.penetration -= place.top;
+  result.penetration += origin;
   return result;
 }
 
@@ -238,6 +253,21 @@ StickSlip solve_lifted(const ViscoelasticPair& pair, const InstantContact& insta
   StickSlip result = without_contact(instant.place.gap.size(), free_gap(pair, instant).minCoeff());
   result.center_displacement = center.coasted + (center.displacement != 0.0 ? center.value / center.displacement : 0.0);
   return result;
+}
+
+double limit_of_touch(const ViscoelasticPair& pair, const InstantContact& instant) {
+  const double penetration = instant.contact.penetration;
+  const auto& contact = instant.contact.nodes;
+  if (approach_exists(pair.pair) || contact.empty()) {
+    // The displacement of the surface next to a contact is a small fraction of the indentation.
+    constexpr double kMargin = 0.1;
+    return penetration + kMargin * std::max(penetration + pair.heights.largest(), 0.0);
+  }
+  // A half-plane sinks with the logarithm of the distance from the contact, by four times the indentation at 27
+  // half-lengths.
+  constexpr double kMargin = 4.0;
+  const ArrayXd gap = instant.place.gap(contact);
+  return gap.maxCoeff() + kMargin * (gap.maxCoeff() - gap.minCoeff());
 }
 
 void find_displacements(const ViscoelasticPair& pair, InstantContact& instant) {
@@ -288,6 +318,7 @@ void set_extent(const ViscoelasticPair& pair, const InstantContact& instant, Rol
   const ArrayXd& weights = instant.place.weights;
   const ArrayXd forces = -instant.contact.force.col(kDown) / instant.instantaneous.sum;
   now.penetration = instant.contact.penetration;
+  now.axle_height = nodes.grid().radius - now.penetration;
   const std::vector<Eigen::Index>& contact = instant.contact.nodes;
   if (!std::isnan(now.penetration)) {
     // Over uneven ground, the deepest point is where the undeformed bodies overlap most.
@@ -306,6 +337,7 @@ CenterPower set_moments(const ViscoelasticPair& pair, const InstantContact& inst
   const std::vector<HalfField> deformed = detail::deformed(pair, instant);
   const ActingPlaces at{pair, instant.place, deformed};
   now.resisting_torque = -(instant.place.moment_arm * force.col(kDown)).sum();
+  now.resisting_force = now.resisting_torque / relative_radius(pair.pair);
   now.driving_force = (force_on_center(at) * force).sum();
   now.driving_torque = (moment_about_center(at) * force).sum();
   CenterPower power{.along_track = (force_along_track(at, instant.contact.penetration) * force).sum()};

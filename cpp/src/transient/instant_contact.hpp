@@ -62,17 +62,21 @@ struct Departure {
 /// met in the contact stay together.
 /// @param[in] pair,instant,last same as in `solve_frictionless`
 /// @param[in] departure state before the step, and angle turned in it
-/// @param[in] load [N]
+/// @param[in] condition,inverse same as in `solve_frictionless`
 /// @param[in] center condition for the displacement of the center
 /// @param[in,out] stiffness of an earlier contact
 [[nodiscard]] StickSlip solve_frictional(const ViscoelasticPair& pair, const InstantContact& instant,
-                                         const LastForces& last, const Departure& departure, double load,
-                                         const CenterCondition& center, ContactStiffness& stiffness);
+                                         const LastForces& last, const Departure& departure,
+                                         const ApproachCondition& condition, const CenterCondition& center,
+                                         ContactInverse& inverse, ContactStiffness& stiffness);
 
 /// @brief Find the position in which bodies that support no load just touch, with the displacements that remain from
 /// earlier loads.
 [[nodiscard]] StickSlip solve_lifted(const ViscoelasticPair& pair, const InstantContact& instant,
                                      const CenterCondition& center);
+
+/// @return undeformed gap beyond which no row of uneven surfaces can touch [m]
+[[nodiscard]] double limit_of_touch(const ViscoelasticPair& pair, const InstantContact& instant);
 
 /// @brief Compute the displacements due to the forces of a contact in each body.
 void find_displacements(const ViscoelasticPair& pair, InstantContact& instant);

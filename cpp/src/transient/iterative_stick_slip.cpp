@@ -22,9 +22,14 @@ using Eigen::VectorXd;
 /// z, then the penetration and the displacement of the center, divided by the own compliance.
 class ContactEquations {
  public:
-  ContactEquations(const StickSlipProblem& problem, const ConditionScales& scales, const CenterRow& center,
-                   double friction, const ContactSets& sets)
-      : problem_(problem), scales_(scales), center_(center), friction_(friction), sets_(sets) {
+  ContactEquations(const StickSlipProblem& problem, const ConditionScales& scales, double approach_scale,
+                   const CenterRow& center, double friction, const ContactSets& sets)
+      : problem_(problem),
+        scales_(scales),
+        approach_scale_(approach_scale),
+        center_(center),
+        friction_(friction),
+        sets_(sets) {
     const double largest = center.force_coefficients.abs().maxCoeff();
     center_scale_ = 1.0 / std::max(largest, std::abs(center.displacement) / scales.tangential);
     prepare_border();
@@ -42,7 +47,7 @@ class ContactEquations {
       left.segment<3>(3 * i) = conditions(i, at.segment<3>(3 * i), moves);
     }
     left.tail<2>() = sums(at);
-    left[3 * nodes()] -= problem_.load;
+    left[3 * nodes()] -= problem_.approach.value * approach_scale_;
     left[3 * nodes() + 1] -= center_.value * center_scale_;
     return left;
   }
@@ -113,14 +118,17 @@ class ContactEquations {
     return left;
   }
 
-  /// Sums of forces of the load and of the condition on the center.
+  /// Conditions for load and penetration and for the center, without their values.
   [[nodiscard]] Vector2d sums(const VectorXd& unknowns) const {
-    Vector2d sums(0.0, center_.displacement * unknowns[3 * nodes() + 1] / scales_.tangential);
+    const ApproachCondition& approach = problem_.approach;
+    Vector2d sums(approach.penetration * unknowns[3 * nodes()] / scales_.normal,
+                  center_.displacement * unknowns[3 * nodes() + 1] / scales_.tangential);
     for (Index i = 0; i < nodes(); ++i) {
       const auto force = unknowns.segment<3>(3 * i);
-      sums[0] -= problem_.weights[contact(i)] * force[kDown];
+      sums[0] -= approach.force * problem_.weights[contact(i)] * force[kDown];
       sums[1] += center_.force_coefficients.row(contact(i)).matrix().dot(force.transpose());
     }
+    sums[0] *= approach_scale_;
     sums[1] *= center_scale_;
     return sums;
   }
@@ -159,12 +167,14 @@ class ContactEquations {
       border_.col(column) = by_blocks(given.col(column));
       schur.col(column) = -sums(border_.col(column));
     }
+    schur(0, 0) += approach_scale_ * problem_.approach.penetration / scales_.normal;
     schur(1, 1) += center_scale_ * center_.displacement / scales_.tangential;
     schur_.compute(schur);
   }
 
   const StickSlipProblem& problem_;
   ConditionScales scales_;
+  double approach_scale_;
   const CenterRow& center_;
   double friction_;
   const ContactSets& sets_;
@@ -193,8 +203,10 @@ IterativeStickSlip::IterativeStickSlip(const StickSlipProblem& problem, const Ve
                                                                                : std::vector<HalfField>()) {}
 
 double IterativeStickSlip::imbalance(const ContactSolution& state) const {
-  const double load = -(problem().weights * state.force.col(kDown)).sum() - problem().load;
-  return std::hypot(load, center_excess(state));
+  const ApproachCondition& approach = problem().approach;
+  const double load = -(problem().weights * state.force.col(kDown)).sum();
+  const double excess = approach.force * load + approach.penetration * state.penetration - approach.value;
+  return std::hypot(approach_scale() * excess, center_excess(state));
 }
 
 /// Remove the forces of nodes that are no longer in contact.
@@ -208,7 +220,7 @@ void IterativeStickSlip::take_off_apart(const ContactSets& sets, ContactSolution
 
 void IterativeStickSlip::solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) {
   take_off_apart(sets, state);
-  const ContactEquations equations(problem(), scales(), center(), friction, sets);
+  const ContactEquations equations(problem(), scales(), approach_scale(), center(), friction, sets);
   const VectorXd right = -equations.residual(state);
   const KrylovSolution solution = solve_krylov([&](const VectorXd& unknowns) { return equations.times(unknowns); },
                                                [&](const VectorXd& left) { return equations.about_inverse(left); },

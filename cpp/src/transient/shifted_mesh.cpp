@@ -115,6 +115,15 @@ void ShiftedMesh::require_supported_load(const Attempt& attempt) {
   }
 }
 
+double ShiftedMesh::load_without_friction(const Attempt& attempt) {
+  for (;;) {
+    InstantContact instant = before_contact(attempt.step, attempt.instantaneous, attempt.end, attempt.checkpoint);
+    instant.contact = solve_frictionless(*pair_, instant, last_forces(), approach(attempt), inverse_);
+    if (!fits(instant, attempt.end.load) || !reaches_all(instant, attempt.end)) continue;
+    return -(instant.place.weights * instant.contact.force.col(kDown)).sum() / instant.instantaneous.sum;
+  }
+}
+
 /// Reject a force on the center, or a moment about it, that friction does not balance even if the body slides as a
 /// whole, forward or backward. The check for steady rolling is that of docs/theory/friction.md.
 void ShiftedMesh::require_reachable_drive(const Attempt& attempt) {
@@ -171,16 +180,23 @@ StickSlip ShiftedMesh::search(const Attempt& attempt, const InstantContact& inst
   if (!pair_->has_friction()) return solve_frictionless(*pair_, instant, last_forces(), approach(attempt), inverse_);
   const StepEnd& end = attempt.end;
   const Departure departure{.turned = end.angle - now_.angle, .loaded_displacements = displacements(instant.place)};
-  return solve_frictional(*pair_, instant, last_forces(), departure, end.load, attempt.center, stiffness_);
+  StickSlip contact = solve_frictional(*pair_, instant, last_forces(), departure, approach(attempt), attempt.center,
+                                       inverse_, stiffness_);
+  if (!contact.nodes.empty()) return contact;
+  // In flight, a center without a given displacement moves on by its own equation or, without mass, at its speed.
+  const CenterCondition& center = attempt.center;
+  const double duration = attempt.step != nullptr ? attempt.step->duration : 0.0;
+  contact.center_displacement =
+      center.displacement != 0.0 ? center.coasted + center.value / center.displacement : duration * now_.center_speed;
+  return contact;
 }
 
-/// The motion of an axle follows the same method as that of the center (`center_condition`).
 ApproachCondition ShiftedMesh::approach(const Attempt& attempt) const {
   const double compliance = attempt.instantaneous.sum;
   const StepEnd& end = attempt.end;
   if (end.axle_height) return {.force = 0.0, .penetration = 1.0, .value = pair_->nodes.grid.radius - *end.axle_height};
   if (!pair_->axle || attempt.step == nullptr) return {.value = compliance * end.load};
-  return scaled(axle_condition(*pair_->axle, now_, axle_, attempt.step->duration, end.load), compliance);
+  return scaled(axle_condition(*pair_->axle, now_, axle_, *attempt.step, end.load), compliance);
 }
 
 std::vector<HalfField> ShiftedMesh::displacements(const ContactPlace& place) const {
@@ -240,7 +256,7 @@ bool ShiftedMesh::fits(const InstantContact& instant, double load) {
 }
 
 bool ShiftedMesh::reaches_all(const InstantContact& instant, const StepEnd& end) {
-  const Index needed = half_rows_in_reach(*pair_, shift_, end.angle, ahead_, instant.contact.penetration);
+  const Index needed = half_rows_in_reach(*pair_, shift_, end.angle, ahead_, limit_of_touch(*pair_, instant));
   if (needed <= half_rows_) return true;
   widen_window(needed);
   return false;
@@ -306,11 +322,15 @@ void ShiftedMesh::start(Start start, const StepEnd& at, double center_speed, con
         .step = nullptr, .instantaneous = instantaneous, .end = end, .center = unpushed, .checkpoint = checkpoint};
   };
   explaining_failure(attempt_at(at), [&] {
-    // With friction, pressing depends on its path: the load rises in steps, without a force on the center.
+    // With friction, pressing depends on its path: the load rises in steps, without a force on the center. It reaches a
+    // given height of the axle in the last step.
     const int count = pair_->has_friction() ? kPressingSteps : 1;
+    StepEnd pressed = at;
+    if (at.axle_height && pair_->has_friction()) pressed.load = load_without_friction(attempt_at(at));
     for (int i = 1; i <= count; ++i) {
-      StepEnd end = at;
+      StepEnd end = pressed;
       end.load *= static_cast<double>(i) / count;
+      if (i < count) end.axle_height.reset();
       const InstantContact contact = instant(attempt_at(end));
       take(contact, end);
       for (std::size_t b = 0; b < memories_.size(); ++b) {
@@ -339,7 +359,7 @@ void ShiftedMesh::advance(const PairStep& step, const StepEnd& end, const Checkp
       .step = &step, .instantaneous = instantaneous, .end = end, .center = center, .checkpoint = checkpoint};
   const InstantContact contact = explaining_failure(attempt, [&] { return instant(attempt); });
   take(contact, end);
-  take_axle(before, duration);
+  move_axle(pair_->axle, step, before, axle_, now_);
   for (std::size_t b = 0; b < memories_.size(); ++b) {
     lose(memories_[b].advance(step.parts[b], duration, load_of(*pair_, contact, b)), pair_->bodies[b].rolls);
   }
@@ -362,17 +382,6 @@ void ShiftedMesh::advance(const PairStep& step, const StepEnd& end, const Checkp
                                    (power.along_track + power_.along_track) * displacement);
   now_.work += work;
   now_.energy_balance_residual += work - used;
-}
-
-void ShiftedMesh::take_axle(const RollingInstant& before, double duration) {
-  const double risen = before.penetration - now_.penetration;
-  if (duration > 0.0) move_axle(pair_->axle.has_value(), duration, risen, axle_, now_);
-  if (!pair_->axle) return;
-  const auto& [mass, stiffness, damping] = *pair_->axle;
-  const double old = before.axle_speed;
-  const double speed = now_.axle_speed;
-  now_.axle_energy = 0.5 * mass * speed * speed + 0.5 * stiffness * std::pow(now_.penetration - axle_.rest, 2);
-  now_.dissipated_energy += damping * duration * (old * old + old * speed + speed * speed) / 3.0;
 }
 
 void ShiftedMesh::lose(double energy, bool in_rolling_body) {

@@ -99,6 +99,8 @@ class ShiftedMesh {
   template <class Search>
   auto explaining_failure(const Attempt& attempt, const Search& search);
   void require_supported_load(const Attempt& attempt);
+  /// Load of the contact without friction at a given height of the axle.
+  [[nodiscard]] double load_without_friction(const Attempt& attempt);
   void require_reachable_drive(const Attempt& attempt);
   [[nodiscard]] RollingInstant slid(const Attempt& attempt, Sense sense);
   void require_reach(const ContactPlace& place) const;
@@ -111,8 +113,6 @@ class ShiftedMesh {
   void take(const InstantContact& instant, const StepEnd& end);
   void take_friction(const InstantContact& instant);
   void take_stored_energy();
-  /// Take speed, acceleration and energy of the axle at the end of a step.
-  void take_axle(const RollingInstant& before, double duration);
   [[nodiscard]] double slip_work(const InstantContact& instant) const;
   void lose(double energy, bool in_rolling_body);
   /// Displacements of every body on the rows of a window.

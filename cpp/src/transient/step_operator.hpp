@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "creep/mirrored_tables.hpp"
 #include "surface/surface_operator.hpp"
-#include "transient/mirrored_tables.hpp"
 
 namespace viscoroll::detail {
 

@@ -160,6 +160,10 @@ void TransientStickSlipSystem::find_displacements(ContactSolution& state) {
   if (problem_.center_row_needs_displacements) center_ = problem_.center_row(displaced);
 }
 
+double TransientStickSlipSystem::approach_scale() const {
+  return 1.0 / std::max(problem_.approach.force, problem_.approach.penetration / scales_.normal);
+}
+
 double TransientStickSlipSystem::center_excess(const ContactSolution& state) const {
   return (center_.force_coefficients * state.force).sum() + center_.displacement * *state.creepage - center_.value;
 }

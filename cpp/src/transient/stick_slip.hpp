@@ -20,13 +20,15 @@ namespace viscoroll::detail {
 /// docs/theory/transient.md. Arrays contain the nodes row by row.
 struct StickSlipProblem {
   const StepOperator& surface;
-  Eigen::ArrayXd gap;  ///< without the forces at the end of the step, up to a constant
+  Eigen::ArrayXd gap;  ///< without the forces at the end of the step, at a penetration of 0
   /// Slip of the nodes along x and z, without the forces at the end of the step and the displacement of the center.
   Eigen::ArrayX2d known_slip;
   Eigen::ArrayX2d slip_per_center_displacement;  ///< slip due to a unit displacement of the center
   Eigen::ArrayXd weights;                        ///< weights of the nodes, see `half_weights`
-  double load;                                   ///< prescribed sum of the normal forces
-  double friction;                               ///< coefficient of friction
+  double load;                                   ///< sum of the normal forces, or an estimate if it is a result
+  /// Condition for load and penetration. Its `coasted` is 0, because the penetration is measured from there.
+  ApproachCondition approach;
+  double friction;  ///< coefficient of friction
   /// Condition for the displacement of the center, given the displacements of all parts from `StepOperator::displaced`.
   std::function<CenterRow(const std::vector<HalfField>& displaced)> center_row;
   bool center_row_needs_displacements;  ///< whether the result of `center_row` depends on its argument
@@ -70,6 +72,8 @@ class TransientStickSlipSystem : public StickSlipSystem {
   [[nodiscard]] const StickSlipProblem& problem() const { return problem_; }
   /// @return condition on the center, for the displacements found last
   [[nodiscard]] const CenterRow& center() const { return center_; }
+  /// @return factor that makes the larger coefficient of the condition for load and penetration 1, in units of force
+  [[nodiscard]] double approach_scale() const;
   /// @return residual of the condition on the center [N]
   [[nodiscard]] double center_excess(const ContactSolution& state) const;
   /// @return whether a node is in the middle of its row, where the sideways displacement is zero

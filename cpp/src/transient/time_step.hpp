@@ -50,8 +50,9 @@ struct TimeStep {
 
 /// @brief A step of all bodies.
 struct PairStep {
-  double duration;              ///< [s], 0 for a jump
-  std::vector<TimeStep> parts;  ///< one for each body
+  double duration;                 ///< [s], 0 for a jump
+  std::vector<TimeStep> parts;     ///< one for each body
+  double contact_stiffness = 0.0;  ///< estimate for impacts, if there is an axle [N/m]
 };
 
 /// @brief A segment of a motion between two waypoints.

@@ -10,12 +10,12 @@
 #include <variant>
 #include <vector>
 
+#include "creep/free_sides.hpp"
+#include "creep/layer_spectrum.hpp"
+#include "creep/order_weights.hpp"
 #include "modal/layered_body.hpp"
 #include "rolling/contact_surface.hpp"
 #include "rolling/free_side_tables.hpp"
-#include "transient/free_sides.hpp"
-#include "transient/layer_spectrum.hpp"
-#include "transient/order_weights.hpp"
 
 namespace viscoroll::detail {
 namespace {

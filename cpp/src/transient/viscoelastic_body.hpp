@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "creep/layer_spectrum.hpp"
+#include "creep/mirrored_tables.hpp"
 #include "materials/creep_spectrum.hpp"
 #include "rolling/body.hpp"
-#include "transient/layer_spectrum.hpp"
-#include "transient/mirrored_tables.hpp"
 #include "transient/time_step.hpp"
 
 namespace viscoroll::detail {

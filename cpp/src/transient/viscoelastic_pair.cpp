@@ -137,13 +137,8 @@ void require_supported_options(const RollingPair& pair, const HistoryOptions& op
            "0 kg on a counterbody that is curved along the path, where center and contact move different distances",
            text(options.mass) + " kg");
   }
-  if (!approach_exists(pair)) {
-    const auto require_none = [](const auto& option, const char* name) {
-      if (option) reject(name, "left out in line contact on a half-space, where the penetration is undetermined", name);
-    };
-    require_none(options.ground, "ground");
-    require_none(options.tread, "tread");
-    require_none(options.axle, "axle");
+  if (!approach_exists(pair) && options.axle) {
+    reject("axle", "left out in line contact on a half-space, where the penetration is undetermined", "an axle");
   }
   if (options.compliance != Compliance::radial && !(is_ball && is_on_rigid_plane)) {
     reject("compliance", "RADIAL in transient rolling, except for a ball on the rigid plane", "VERTICAL");

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "creep/layer_spectrum.hpp"
 #include "rolling/rolling_pair.hpp"
-#include "transient/layer_spectrum.hpp"
 #include "transient/row_heights.hpp"
 #include "transient/viscoelastic_body.hpp"
 #include "viscoroll/rolling_history.hpp"

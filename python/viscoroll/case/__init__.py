@@ -1,5 +1,5 @@
 """Cases, studies and motions in TOML files, and computations with a case (the extra `viscoroll[cli]`)."""
 
-from .case import Case, build_case, example_text, load_case
+from .._support.lazy import lazy_names
 
-__all__ = ["Case", "build_case", "example_text", "load_case"]
+__getattr__, __dir__, __all__ = lazy_names(__name__, __path__)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
-from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
@@ -139,7 +138,7 @@ def _kelvin(value: float, info: ValidationInfo) -> float:
     return as_kelvin(str(info.field_name), value)
 
 
-_Kelvin: TypeAlias = Annotated[float, AfterValidator(_kelvin)]
+Kelvin: TypeAlias = Annotated[float, AfterValidator(_kelvin)]
 
 
 class Thermal(StrictTable):
@@ -148,10 +147,10 @@ class Thermal(StrictTable):
     documented_by = (Result.temperature, self_heating)
 
     convection: float
-    ambient: _Kelvin
+    ambient: Kelvin
     conductivity: float | list[float] | None = None
     core: Annotated[Core | float, BeforeValidator(_core_of)] = Core.INSULATED
-    core_temperature: _Kelvin | None = None
+    core_temperature: Kelvin | None = None
     width: float | None = None
     side_convection: float | None = None
     hub_conductance: float | None = None
@@ -166,6 +165,17 @@ class Thermal(StrictTable):
         """Return the temperature with unchanged moduli."""
         cooling = {name: value for name, value in self if name not in ("shift", "limit", "softening")}
         return result.temperature(**cooling, progress=progress)
+
+    def self_heating(self, arguments: Mapping[str, Any], **options: Any) -> SelfHeating:
+        """Return the steady states for arguments of `viscoroll.solve`; the table must have a shift."""
+        unused = ("of", "base_convection", "period")
+        for name in unused:
+            if getattr(self, name) is not None:
+                raise InvalidInput(
+                    f"thermal.{name}",
+                    "must be left out with thermal.shift: self-heating considers only the rolling body",
+                )
+        return self_heating(**arguments, **{name: value for name, value in self if name not in unused}, **options)
 
 
 class PairTables(FileTables):
@@ -277,15 +287,8 @@ class Case:
         """
         if self.thermal is None or self.thermal.shift is None:
             raise InvalidInput("thermal.shift", "must be given for self-heating")
-        for name in ("of", "base_convection", "period"):
-            if getattr(self.thermal, name) is not None:
-                raise InvalidInput(
-                    f"thermal.{name}",
-                    "must be left out with thermal.shift: self-heating considers only the rolling body",
-                )
         self.given_load()
-        cooling = {name: value for name, value in self.thermal if name not in ("of", "base_convection", "period")}
-        return self_heating(**self.arguments(), **cooling, **options)
+        return self.thermal.self_heating(self.arguments(), **options)
 
 
 def load_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case:
@@ -353,5 +356,7 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
 
 def example_text(name: Literal["case", "sweep", "design", "motion", "sliding", "measured"] = "case") -> str:
     """Return an example: a case, motion or sliding file, measurements, or the table of a study or a design."""
+    from importlib import resources
+
     file = f"examples/{name}.{'csv' if name == 'measured' else 'toml'}"
     return resources.files("viscoroll").joinpath(file).read_text(encoding="utf-8")

@@ -51,8 +51,10 @@ class Design:
         Path of the number in the case file, such as "ball.layers[0].thickness".
     goal : {"least_power", "largest_value"}
         What the number was chosen for.
+    unit : str
+        SI unit of the number; "1" if it has none or if it is unknown.
     best : float
-        Best value of the number, in the unit of the file.
+        Best value of the number, in SI units.
     outcome : Outcome
         Results at the best value.
     limits : mapping of str to float
@@ -67,6 +69,7 @@ class Design:
 
     variable: str
     goal: Goal
+    unit: str
     best: float
     outcome: Outcome
     limits: Mapping[str, float]
@@ -191,6 +194,7 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
         document = read_toml(path)
         wanted = _checked(document.pop("design", None), document)
         key_path = key_path_of(wanted.vary)
+        varied = CaseFile.keys_of(document).at(document, key_path)
 
         def solve(value: float, report: Report | None = None) -> Outcome:
             return outcome_of(build_case(substituted(document, {key_path: value}), path.parent), wanted.limits, report)
@@ -198,7 +202,7 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
         with silenced(), reporting(progress) as report:
             search = _Search(solve, report)
             solve(float(np.sqrt(wanted.low * wanted.high)))  # raises the errors of the file, if there are any
-            return _best(wanted, search)
+            return _best(wanted, search, varied.unit if varied is not None else "1")
 
 
 def check_design(document: dict[str, Any]) -> None:
@@ -278,7 +282,7 @@ def _checked(table: object, document: dict[str, Any]) -> Wanted:
     return wanted
 
 
-def _best(wanted: Wanted, search: _Search) -> Design:
+def _best(wanted: Wanted, search: _Search, unit: str) -> Design:
     limits = wanted.limits
     grid = [float(value) for value in np.geomspace(wanted.low, wanted.high, _POINTS)]
     excess = [_excess(search, value, limits) for value in grid]
@@ -306,6 +310,7 @@ def _best(wanted: Wanted, search: _Search) -> Design:
     return Design(
         variable=wanted.vary,
         goal=wanted.goal,
+        unit=unit,
         best=best,
         outcome=outcome,
         limits=limits,

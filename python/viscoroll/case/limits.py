@@ -6,12 +6,14 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from .._support.celsius import kelvin_text
 from .._support.errors import InvalidInput
 from .._support.progress import Report
+from .._support.quantities import percent_text, quantity_text
 from ..bodies import RollingBody
 from ..rolling import Result
 from ..solution.inside import Inside, inside_of
-from ..solution.scalars import SCALARS, label_of, scalar_units
+from ..solution.scalars import PRECISION, SCALARS, label_of, scalar_units
 
 if TYPE_CHECKING:
     from ..coupled import SelfHeating
@@ -19,21 +21,29 @@ if TYPE_CHECKING:
     from .case import Case
 
 __all__ = [
+    "BOND_QUANTITIES",
     "LIMITS",
     "Outcome",
+    "at_bonds",
     "deformable_bodies",
     "limit_label",
+    "limit_text",
     "limit_units",
     "outcome_at",
     "outcome_of",
     "require_thermal",
 ]
 
+#: Unit and description of tractions at bonded interfaces, by name.
+BOND_QUANTITIES = {
+    "bond_shear": ("Pa", "largest shear traction at bonded interfaces"),
+    "bond_tension": ("Pa", "largest tension at bonded interfaces"),
+}
+
 #: Quantities inside the layers: name, unit, description.
 _INSIDE = {
     "temperature": ("K", "largest temperature of the layers"),
-    "bond_shear": ("Pa", "largest shear traction at bonded interfaces"),
-    "bond_tension": ("Pa", "largest tension at bonded interfaces"),
+    **BOND_QUANTITIES,
     "load_to_fold": ("1", "ratio of the load to the load at which the cold state ends"),
 }
 
@@ -52,6 +62,13 @@ def limit_units(*, line_contact: bool) -> dict[str, str]:
 def limit_label(name: str, body: RollingBody) -> str:
     """Return the label of a quantity that a design can limit, in the words for the rolling body."""
     return _INSIDE[name][1] if name in _INSIDE else label_of(name, body)
+
+
+def limit_text(name: str, value: float, unit: str) -> str:
+    """Return a limited quantity with a readable unit: temperatures also in °C, ratios in percent."""
+    if unit == "K":
+        return kelvin_text(value)
+    return percent_text(value) if PRECISION.get(name) == ("%",) else quantity_text(value, unit)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -161,10 +178,10 @@ def outcome_at(
         inside["load_to_fold"] = 0.0 if fold is None else case.given_load() / fold.load
     if "temperature" in names and heated is not None:
         inside["temperature"] = heated.ambient + heated.maximum
-    return Outcome(result=result, inside=inside | _at_bonds(result, names))
+    return Outcome(result=result, inside=inside | at_bonds(result, names))
 
 
-def _at_bonds(result: Result, names: Collection[str]) -> dict[str, float]:
+def at_bonds(result: Result, names: Collection[str]) -> dict[str, float]:
     """Return the largest tractions at the bonds of both bodies, by name."""
     fields = {"bond_shear": "shear_traction", "bond_tension": "opening_traction"}
     wanted = {name: field for name, field in fields.items() if name in names}

@@ -19,7 +19,6 @@ from ..materials import Arrhenius, LossFactor, WilliamsLandelFerry
 from ..materials.moduli import MODULI
 from ..materials.networks import Network
 from ..materials.strain_sweep import StrainKind
-from ..rheology import example_material, hardness_to_modulus, load_material, rebound_to_loss_factor
 from .tables import (
     AlsoAs,
     ByName,
@@ -55,6 +54,8 @@ def _measured(
     draw : int, optional
         Number of one of the draws in the file, from 0.
     """
+    from ..rheology import load_material
+
     try:
         return load_material(file, temperature=temperature, form=form, draw=draw)
     except OSError as error:
@@ -71,6 +72,8 @@ def _published(*, name: str, temperature: float) -> materials.ShearModulus:
     temperature : float
         Temperature [K].
     """
+    from ..rheology import example_material
+
     return example_material(name).at(temperature=temperature)
 
 
@@ -149,6 +152,8 @@ def _of_data_sheet(
     decades : float, optional
         Decades of frequency on each side over which the loss factor is constant.
     """
+    from ..rheology import hardness_to_modulus, rebound_to_loss_factor
+
     numbers = {"hardness": hardness, "rebound": rebound, "reference_frequency": reference_frequency, "decades": decades}
     given = {name: as_float(name, value) for name, value in numbers.items() if value is not None}
     _core.ShearModulus("hardness", scale=_core.ShoreScale[scale], **given)  # checks the values

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +11,11 @@ from .._support.progress import ProgressLike, counted
 from .._support.result_warnings import silenced
 from .._support.toml import read_toml
 from ..bodies import CoatedPlane
+from ..bodies.layered import materials_of, with_materials
+from ..materials.shift import shift_factor, shifted
 from ..sliding import RoughSurface, SlidingResult, slide
-from .case import PlaneTable
+from .case import Kelvin, PlaneTable
+from .moduli import Shift
 from .tables import FileName, FileTables, StrictTable, checked, errors_in
 
 __all__ = ["SlidingCase", "SlidingFile", "build_sliding", "load_sliding"]
@@ -27,7 +30,12 @@ class Surface(StrictTable):
     Parameters
     ----------
     file : str
-        File of heights (.npy, .csv, .txt, .nc); see `viscoroll.RoughSurface.read`.
+        File of heights (.npy, .csv, .txt, .nc, or with format that of an instrument); see
+        `viscoroll.RoughSurface.read`.
+    format : str, optional
+        Format of an instrument, such as sur or x3p.
+    fill : bool, optional
+        Whether to fill nodes of a file that were not measured.
     spacing : float, optional
         Distance of the nodes of a file [m]; required unless the file contains it.
     periodic : bool, optional
@@ -41,6 +49,8 @@ class Surface(StrictTable):
     documented_by = (RoughSurface.self_affine,)
 
     file: FileName | None = None
+    format: str | None = None
+    fill: bool = False
     spacing: float | None = None
     periodic: bool = False
     detrend: int | None = None
@@ -61,7 +71,9 @@ class Surface(StrictTable):
         if random:
             raise InvalidInput(f"surface.{random[0]}", "must be left out with file")
         try:
-            found = RoughSurface.read(self.file, spacing=self.spacing, periodic=self.periodic)
+            found = RoughSurface.read(
+                self.file, format=self.format, spacing=self.spacing, periodic=self.periodic, fill=self.fill
+            )
             found = found if self.detrend is None else found.detrended(self.detrend)  # type: ignore[arg-type]
             found = found if found.periodic else found.mirrored()
             return found if self.cutoff is None else found.cutoff(self.cutoff)
@@ -69,7 +81,7 @@ class Surface(StrictTable):
             raise error.inside("surface") from None
 
     def _random(self) -> RoughSurface:
-        for name in ("spacing", "detrend"):
+        for name in ("format", "spacing", "detrend"):
             if getattr(self, name) is not None:
                 raise InvalidInput(f"surface.{name}", "must be left out without file")
         missing = [name for name in (*_RANDOM, "cutoff") if getattr(self, name) is None]
@@ -95,6 +107,10 @@ class Sliding(StrictTable):
         Load on one period [N], > 0.
     speed : float or list
         Sliding speed, or a list of speeds [m/s]. At 0 the layers are relaxed.
+    temperature : float, optional
+        Temperature of the layers [K]; needs shift. By default, that of the moduli in the file.
+    shift : optional
+        Law of the shift factor of all layers, same as in the table thermal.
     tolerance : float, optional
         Relative residual of the contact equations [-].
     """
@@ -102,7 +118,19 @@ class Sliding(StrictTable):
     pressure: float | None = None
     load: float | None = None
     speed: float | list[float]
+    temperature: Kelvin | None = None
+    shift: Shift | None = None
     tolerance: float = 1e-9
+
+    def at_temperature(self, plane: CoatedPlane) -> CoatedPlane:
+        """Return the plane with its moduli at the temperature."""
+        if (self.temperature is None) != (self.shift is None):
+            raise InvalidInput("sliding", "must have both temperature and shift, or neither")
+        if self.temperature is None or self.shift is None:
+            return plane
+        factor = shift_factor(self.shift, self.temperature, "sliding.shift")
+        materials = (replace(one, shear_modulus=shifted(one.shear_modulus, factor)) for one in materials_of(plane))
+        return with_materials(plane, tuple(materials))
 
 
 class SlidingFile(FileTables):
@@ -138,6 +166,20 @@ class SlidingCase:
     speeds: tuple[float, ...]
     tolerance: float
 
+    def arguments(self) -> dict[str, Any]:
+        """Return the arguments of `viscoroll.slide` except the surface.
+
+        Raises
+        ------
+        ValueError
+            If the case has several speeds.
+        """
+        if len(self.speeds) > 1:
+            raise InvalidInput("sliding.speed", "must be one number; several speeds belong to the table sweep")
+        return {name: getattr(self, name) for name in ("on", "pressure", "load", "tolerance")} | {
+            "speed": self.speeds[0]
+        }
+
     def slide(self, *, progress: ProgressLike = None) -> list[SlidingResult]:
         """Solve the contact at every speed, without issuing the warnings, which the results contain."""
         results = []
@@ -172,8 +214,13 @@ def load_sliding(path: str | Path) -> SlidingCase:
         return build_sliding(read_toml(path), path.parent)
 
 
-def build_sliding(document: dict[str, Any], folder: Path | None) -> SlidingCase:
-    """Return the sliding case that the content of a file describes; parameters as in `viscoroll.case.build_case`."""
+def build_sliding(
+    document: dict[str, Any], folder: Path | None, surfaces: dict[str, RoughSurface] | None = None
+) -> SlidingCase:
+    """Return the sliding case that the content of a file describes; parameters as in `viscoroll.case.build_case`.
+
+    Surfaces that `surfaces` contains are not made again; new ones are added.
+    """
     file = checked(SlidingFile, document, folder)
     sliding = file.sliding
     if (sliding.pressure is None) == (sliding.load is None):
@@ -181,9 +228,13 @@ def build_sliding(document: dict[str, Any], folder: Path | None) -> SlidingCase:
     speeds = sliding.speed if isinstance(sliding.speed, list) else [sliding.speed]
     if not speeds:
         raise InvalidInput("sliding.speed", "must have at least one speed", "[]")
+    known = {} if surfaces is None else surfaces
+    key = repr(document["surface"])
+    if key not in known:
+        known[key] = file.surface.surface()
     return SlidingCase(
-        surface=file.surface.surface(),
-        on=file.plane,
+        surface=known[key],
+        on=sliding.at_temperature(file.plane),
         pressure=sliding.pressure,
         load=sliding.load,
         speeds=tuple(speeds),

@@ -14,6 +14,8 @@ from .._support.tables import handy
 from ..solution.scalars import label_of
 from ..solution.text import result_warnings, with_unit
 from ..thermal.temperature import QUANTITIES
+from .heat import bond_tractions
+from .limits import BOND_QUANTITIES
 from .plausible import speed_warning
 
 if TYPE_CHECKING:
@@ -39,6 +41,8 @@ class SolvedCase:
         Steady states, if the table [thermal] has a shift.
     softened : StrainSoftening or None
         Strain and moduli of the layers, if some of them soften with strain.
+    bonds : dict
+        Largest tractions at bonded interfaces [Pa], "bond_shear" and "bond_tension", with a table [thermal].
     warnings : tuple of str
         Texts of all warnings.
     """
@@ -47,6 +51,7 @@ class SolvedCase:
     temperatures: tuple[Temperature, ...]
     heated: SelfHeating | None
     softened: StrainSoftening | None
+    bonds: dict[str, float]
     warnings: tuple[str, ...]
 
     def thermal_scalars(self) -> list[dict[str, float | str]]:
@@ -85,6 +90,10 @@ class SolvedCase:
             rows.append((with_unit(label, readable), texts))
         if self.heated is not None:
             rows.append(("steady state", [str(row["stability"]) for row in scalars]))
+        for name, (unit, label) in BOND_QUANTITIES.items():
+            if name in self.bonds:
+                texts, readable = handy([self.bonds[name]], unit)
+                rows.append((with_unit(label, readable), [*texts, *[""] * (len(scalars) - 1)]))
         return rows
 
 
@@ -134,5 +143,6 @@ def solve_case(case: Case, *, progress: ProgressLike = None) -> SolvedCase:
         temperatures=tuple(temperatures),
         heated=heated,
         softened=softened,
+        bonds={} if case.thermal is None else bond_tractions(result),
         warnings=tuple(dict.fromkeys(found)),
     )

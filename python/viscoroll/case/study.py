@@ -19,10 +19,14 @@ from .._support.units import UNITS
 from ..bodies import Counterbody, RollingBody
 from ..rheology.material_file import count_draws
 from ..rolling.propagation import Pair
+from ..sliding import RoughSurface
 from ..studies.dimensions import MOST_POINTS, Dimension, require_feasible
+from ..studies.kinds import SLIDING
 from ..studies.plan import LoadCase, Plan
 from .case import BODIES, COUNTERBODIES, Case, CaseFile, build_case
+from .heat import Heating
 from .key_paths import KeyPath, key_path_of, substituted
+from .sliding import SlidingFile, build_sliding
 from .tables import StrictTable, checked, errors_in
 from .unit_texts import Key, has_quantities
 
@@ -132,7 +136,7 @@ def plan_study(document: dict[str, Any], folder: Path) -> Plan:
     draws = checked(_DrawsFile, {"draws": document.pop("draws")}).draws if "draws" in document else None
     key_paths = [key_path_of(key) for key in table]
     if has_quantities(table):
-        keys = CaseFile.keys_of(document)
+        keys = (SlidingFile if "surface" in document else CaseFile).keys_of(document)
         table = {key: _in_si(key, entry, keys.at(document, key_path_of(key))) for key, entry in table.items()}
     entries = {key: _entry(key, entry) for key, entry in table.items()}
     counts = {key: entry.count if isinstance(entry, Range) else len(entry) for key, entry in entries.items()}
@@ -142,6 +146,10 @@ def plan_study(document: dict[str, Any], folder: Path) -> Plan:
         Dimension(name=name, values=tuple(numbers), unit=UNITS.get(_leaf(key_path)))
         for name, key_path, numbers in zip(_names(key_paths), key_paths, values, strict=True)
     ]
+    if "surface" in document:
+        if draws is not None:
+            raise InvalidInput("draws", "must be left out with a table surface")
+        return _sliding_plan(document, folder, key_paths, dimensions)
     return _plan(document, folder, key_paths, dimensions, draws)
 
 
@@ -166,14 +174,36 @@ def _plan(
             of_draws = [key_path_of(key) for key in draws.of]
             drawn[id(body), id(on)] = _drawn(substituted(document, chosen), folder, of_draws)
         pairs = drawn.get((id(body), id(on)), ())
-        cases.append(LoadCase(body=body, arguments=_arguments(case) | {"on": on}, draws=pairs))
+        cases.append(
+            LoadCase(body=body, arguments=_arguments(case) | {"on": on}, draws=pairs, addition=_addition(case))
+        )
     _require_effect(dimensions, key_paths, cases)
+    fixed = _fixed(dimensions, cases)
+    intervals = {} if draws is None else {"method": draws.method, "confidence": as_confidence(draws.confidence)}
+    return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases), **intervals)  # type: ignore[arg-type]
+
+
+def _sliding_plan(
+    document: dict[str, Any], folder: Path, key_paths: list[KeyPath], dimensions: list[Dimension]
+) -> Plan:
+    cases: list[LoadCase | str] = []
+    surfaces: dict[str, RoughSurface] = {}
+    for point in itertools.product(*(dimension.values for dimension in dimensions)):
+        try:
+            case = build_sliding(substituted(document, dict(zip(key_paths, point, strict=True))), folder, surfaces)
+            cases.append(LoadCase(body=case.surface, arguments=case.arguments()))
+        except (TypeError, ValueError) as error:
+            cases.append(f"{type(error).__name__}: {error}")
+    _require_effect(dimensions, key_paths, cases)
+    return Plan(kind=SLIDING, dimensions=tuple(dimensions), fixed=_fixed(dimensions, cases), cases=tuple(cases))
+
+
+def _fixed(dimensions: list[Dimension], cases: list[LoadCase | str]) -> dict[str, Any]:
+    """Return the arguments that are the same at all points."""
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
     names = {dimension.name for dimension in dimensions}
     same = {k: v for k, v in (every[0] if every else {}).items() if all(other.get(k) == v for other in every)}
-    fixed = {name: value for name, value in same.items() if name not in names}
-    intervals = {} if draws is None else {"method": draws.method, "confidence": as_confidence(draws.confidence)}
-    return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases), **intervals)  # type: ignore[arg-type]
+    return {name: value for name, value in same.items() if name not in names}
 
 
 def _require_effect(dimensions: list[Dimension], key_paths: list[KeyPath], cases: list[LoadCase | str]) -> None:
@@ -196,6 +226,7 @@ def _same(first: LoadCase | str, second: LoadCase | str) -> bool:
         and isinstance(second, LoadCase)
         and first.body == second.body
         and first.arguments == second.arguments
+        and first.addition == second.addition
     )
 
 
@@ -230,6 +261,15 @@ def _count_draws(document: dict[str, Any], folder: Path, key_path: KeyPath) -> i
 
 def _numbers_in(tables: Collection[str | int], chosen: Mapping[KeyPath, float]) -> tuple[float, ...]:
     return tuple(number for key_path, number in chosen.items() if key_path[0] in tables)
+
+
+def _addition(case: Case) -> Heating | None:
+    """Return the temperatures of a case with a table [thermal]."""
+    if case.thermal is None:
+        return None
+    if case.thermal.shift is not None:
+        case.given_load()
+    return Heating(case.thermal)
 
 
 def _arguments(case: Case) -> dict[str, Any]:

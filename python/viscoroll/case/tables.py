@@ -123,14 +123,14 @@ def _takes_numbers(schema: dict[str, Any]) -> bool:
 
 #: Tables that only some commands read, and these commands; messages name the first one.
 _COMMANDS = {
-    "rolling": ("solve", "sweep", "design", "compare", "export", "report"),
-    "thermal": ("solve", "design", "report"),
+    "rolling": ("solve", "sweep", "design", "compare", "export", "report", "impact"),
+    "thermal": ("solve", "sweep", "design", "report"),
     "motion": ("roll",),
     "ground": ("roll",),
     "tread": ("roll",),
     "axle": ("roll",),
-    "surface": ("slide",),
-    "sliding": ("slide",),
+    "surface": ("slide", "sweep"),
+    "sliding": ("slide", "sweep"),
     "sweep": ("sweep", "export"),
     "draws": ("sweep",),
     "design": ("design", "report"),

@@ -2,48 +2,31 @@
 
 from __future__ import annotations
 
+import copy
 import errno
 import io
 import json
 import math
+import os
 import sys
 import warnings
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
 
-from .. import paper
 from .._core import Compliance, ConvergenceError, Curvature, Status, __fft__, __version__
 from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.files import save_picture
 from .._support.result_warnings import ResultWarning
-from .._support.sealed import load_sealed
-from ..bodies.si_hints import unit_doubt
-from ..case import Case, load_case
-from ..case.key_paths import parsed_change
-from ..case.plausible import speed_text
-from ..case.solved import recorded_warnings, solve_case
-from ..rolling import Result
-from ..rolling import solve as solve_rolling
-from ..solution.files import FORMATS
-from ..solution.text import ANSWER, mesh_text, result_sections, result_title
 from .check import CHANGES, check
 from .cite import print_citation
-from .commands import design, export, material, schema
+from .commands import design, material, schema
 from .example import example
+from .export import export, impact
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
 from .page import serve_page
 from .report import write_report
-from .result_tables import (
-    finite_strain_scalars,
-    finite_strain_table,
-    require_finite_strain,
-    table_2,
-    thermal_table,
-    verdict_table,
-)
-from .several import print_several, solve_several
 from .slide import slide
 
 with extra("cli"):
@@ -52,7 +35,9 @@ with extra("cli"):
     from rich.table import Table
 
 if TYPE_CHECKING:
+    from ..case import Case
     from ..reproduce import Verdict
+    from ..rolling import Result
 
 __all__ = ["run"]
 
@@ -75,8 +60,9 @@ def run() -> None:
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # "?" if the encoding lacks Ω; stderr writes escapes
     warnings.simplefilter("ignore", ResultWarning)  # warnings are printed below the results
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # pydantic would search all installed packages
     try:
-        app()
+        _app_for(sys.argv[1:2])()
     except OSError as error:
         output = "standard output" if error.errno == errno.ENOSPC else ""  # errors of files have a filename
         source = error.filename or output
@@ -89,6 +75,20 @@ def run() -> None:
         _fail(str(error), _INVALID)
     except MemoryError:
         _fail("not enough memory for this case: use a coarser mesh, or a larger accuracy", _INVALID)
+
+
+def _app_for(arguments: list[str]) -> typer.Typer:
+    """Return the app with only the command that the first argument names: Typer evaluates the options of all commands.
+
+    Without a known command, return the whole app.
+    """
+    commands = {one.name or getattr(one.callback, "__name__", ""): one for one in app.registered_commands}
+    named = [commands[argument] for argument in arguments if argument in commands]
+    if not named:
+        return app
+    smaller = copy.copy(app)
+    smaller.registered_commands = named
+    return smaller
 
 
 def _fail(message: str, code: int) -> NoReturn:
@@ -136,11 +136,19 @@ def solve(
     ] = False,
 ) -> None:
     """Solve the load case of a file and print torque, penetration, pressure and power balance."""
+    from ..case import load_case
+    from ..case.key_paths import parsed_change
+    from ..case.solved import recorded_warnings, solve_case
+    from ..solution.files import FORMATS
+    from .result_tables import finite_strain_scalars, finite_strain_table, require_finite_strain, thermal_table
+
     check_target("--plot", plot, PICTURES)
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
     wanted = dict(map(parsed_change, changes or []))
     if len(case) > 1:
+        from .several import print_several, solve_several
+
         for path in case:
             report_skipped(path, "solve")
         results = solve_several(
@@ -167,6 +175,7 @@ def solve(
         scalars = result.scalars()
         if solved.temperatures:
             scalars["thermal"] = solved.thermal_scalars()  # type: ignore[assignment]
+            scalars["bonds"] = solved.bonds  # type: ignore[assignment]
         if softened is not None:
             scalars["softening"] = {name: value for name, value, _ in softened.rows()}  # type: ignore[assignment]
         if rows:
@@ -195,7 +204,16 @@ def roll(
         Path, typer.Argument(help="Case file with a table \\[motion]; `viscoroll example --motion` prints one.")
     ],
     as_json: Annotated[bool, typer.Option("--json", help="Print peaks and energies as JSON in SI units.")] = False,
-    plot: Annotated[Path | None, typer.Option(help="Draw the history to this picture (.png, .svg, .pdf).")] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(
+            help="Draw the history to this picture (.png, .svg, .pdf); over uneven ground, over the distance with it."
+        ),
+    ] = None,
+    animate: Annotated[
+        Path | None,
+        typer.Option(help="Write an animation of the body on its ground to this file (.gif; .mp4 with ffmpeg)."),
+    ] = None,
     save: Annotated[Path | None, typer.Option(help="Write the time series to this file (.csv, .nc).")] = None,
     checkpoint: Annotated[
         Path | None,
@@ -203,12 +221,15 @@ def roll(
     ] = None,
 ) -> None:
     """Compute the history of a motion from a file: roll, stop, stand, reverse."""
+    from ..bodies.si_hints import unit_doubt
     from ..case.motion import load_motion
+    from ..transient.history import ANIMATIONS
     from ..transient.history import FORMATS as HISTORY_FORMATS
     from ..transient.rolling_history import RollingState
     from ..transient.state_file import SUFFIX
 
     check_target("--plot", plot, PICTURES)
+    check_target("--animate", animate, ANIMATIONS)
     check_target("--save", save, tuple(HISTORY_FORMATS))
     check_target("--checkpoint", checkpoint, (SUFFIX,))
     loaded = load_motion(case)
@@ -223,7 +244,10 @@ def roll(
     if hint := unit_doubt(loaded.body, loaded.on):
         write_message(f"warning: {hint}")
     if plot is not None:
-        save_picture(history.plot(), plot)
+        is_uneven = history.ground is not None or history.tread is not None or history.axle is not None
+        save_picture(history.plot_ground() if is_uneven else history.plot(), plot)
+    if animate is not None:
+        history.animate(animate)
     if save is not None:
         history.save(save)
 
@@ -269,7 +293,10 @@ def plot(
     output: Annotated[
         Path | None, typer.Option(help="Picture (.png, .svg, .pdf); by default beside the study.")
     ] = None,
-    variable: Annotated[str, typer.Option(help="Scalar result to draw.")] = "resisting_torque",
+    variable: Annotated[
+        str | None,
+        typer.Option(help="Scalar result to draw; by default the torque, or the friction coefficient of a surface."),
+    ] = None,
 ) -> None:
     """Draw a result of a study against its first dimension, one curve for each value of the others."""
     check_target("--output", output, PICTURES)
@@ -279,11 +306,14 @@ def plot(
         import netCDF4  # noqa: F401  (xarray reads with it)
         import xarray  # noqa: F401
 
-    from ..studies.picture import plot_study
+    from .._support.sealed import load_sealed
+    from ..studies.picture import default_variable, plot_study
 
     path = study.with_suffix(".png") if output is None else output
-    save_picture(plot_study(load_sealed(study), variable=variable), path)
-    write_line(f"{variable} drawn to {path}")
+    dataset = load_sealed(study)
+    drawn = default_variable(dataset) if variable is None else variable
+    save_picture(plot_study(dataset, variable=drawn), path)
+    write_line(f"{drawn} drawn to {path}")
 
 
 @app.command()
@@ -300,6 +330,7 @@ def reproduce(
     with extra("studies"):
         import_module("scipy")  # some items need it: fail before the others are solved
     from ..reproduce import ITEMS, Runner, write_files, write_verdicts
+    from .result_tables import verdict_table
 
     if unknown := sorted(set(items or ()) - set(ITEMS)):
         raise InvalidInput("item", f"must be one of {', '.join(ITEMS)}", f"{unknown[0]!r}")
@@ -344,6 +375,7 @@ def compare(
 
     With --measured, draw measured and computed results with error bands instead.
     """
+    from ..case import load_case
     from ..case.compare import compare_torques, parse_speeds
 
     check_target("--output", output, PICTURES)
@@ -386,6 +418,10 @@ def demo(
     ),
 ) -> None:
     """Solve the example of Zéhil and Gavin (section 14) on all meshes of their table 2; compare with their torques."""
+    from .. import paper
+    from ..rolling import solve as solve_rolling
+    from .result_tables import table_2
+
     check_target("--plot", plot, PICTURES)
     ball = paper.ball()
     torques: dict[tuple[int, int], float] = {}
@@ -428,6 +464,9 @@ def _json(scalars: dict[str, float | int | str | None]) -> str:
 
 def _print_result(result: Result, temperatures: Table | None = None) -> None:
     """Print a title with the inputs, the answer, temperatures and further results in tables of at most 80 columns."""
+    from ..case.plausible import speed_text
+    from ..solution.text import ANSWER, mesh_text, result_sections, result_title
+
     sections = result_sections(result)
     write_line(result_title(result))
     write_line(speed_text(result.angular_speed, result.body.outer_radius))
@@ -446,7 +485,7 @@ def _print_rows(sections: dict[str, list[tuple[str, str]]]) -> None:
         OUTPUT.print(table)
 
 
-for command in (check, example, slide, material, export, design, schema):
+for command in (check, example, slide, material, export, impact, design, schema):
     app.command()(command)
 app.command("app")(serve_page)
 app.command("report")(write_report)

@@ -9,9 +9,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 from .._support.errors import in_file
 from .._support.extras import extra
 from .._support.toml import read_toml
-from ..case.case import CaseFile, build_case, with_changes
-from ..case.key_paths import parsed_change
-from ..case.tables import errors_in, problems
 from .output import write_line, write_message
 
 with extra("cli"):
@@ -39,6 +36,10 @@ def check(
     changes: Annotated[list[str] | None, CHANGES] = None,
 ) -> None:
     """Check files without solving them, and list all errors. Exit code: 0 if all files are valid, 2 otherwise."""
+    from ..case.case import with_changes
+    from ..case.key_paths import parsed_change
+    from ..case.tables import errors_in
+
     wanted = dict(map(parsed_change, changes or []))
     failed = False
     for path in files:
@@ -63,10 +64,12 @@ def _commands(document: dict[str, Any]) -> list[str]:
 
 def _errors(document: dict[str, Any], path: Path) -> Iterator[Exception]:
     """Yield the errors of the content of a file."""
+    from ..case.case import CaseFile, build_case
     from ..case.design import check_design
     from ..case.motion import MotionFile, build_motion
     from ..case.sliding import SlidingFile, build_sliding
     from ..case.study import plan_study
+    from ..case.tables import problems
 
     checks: dict[str, Any] = {
         "solve": (CaseFile, lambda: _accepted(build_case(document, path.parent))),

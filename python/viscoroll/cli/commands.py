@@ -1,10 +1,9 @@
-"""Further commands: materials from measurements, export to discrete-element codes, design."""
+"""Further commands: materials from measurements, design, schema."""
 
 from __future__ import annotations
 
 import json
 import re
-import sys
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypedDict
@@ -12,11 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 from .._support.celsius import ZERO_CELSIUS, kelvin_range, kelvin_text
 from .._support.extras import extra
 from .._support.files import save_picture
-from .._support.text import parsed_range, shown
-from .._support.toml import read_toml
-from ..materials import WilliamsLandelFerry, read_constants
-from ..materials.constants import holds_constants
-from .output import PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
+from .._support.quantities import quantity_text
+from .._support.text import parsed_range
+from .output import PICTURES, check_target, progress_bar, report_skipped, write_line
 
 with extra("cli"):
     import typer
@@ -24,9 +21,7 @@ with extra("cli"):
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    import xarray
-
-    from ..materials import Draws, Prony
+    from ..materials import Draws, Prony, WilliamsLandelFerry
     from ..materials.shear_modulus import ShearModulus
     from ..rheology import (
         Check,
@@ -39,18 +34,7 @@ if TYPE_CHECKING:
         TimeData,
     )
 
-__all__ = ["design", "export", "material"]
-
-
-class Code(StrEnum):
-    """Discrete-element codes for which `viscoroll export` writes."""
-
-    LAMMPS = "lammps"
-    LIGGGHTS = "liggghts"
-    YADE = "yade"
-    MERCURYDPM = "mercurydpm"
-    CHRONO = "chrono"
-    LETHE = "lethe"
+__all__ = ["design", "material", "schema"]
 
 
 class TemperatureUnit(StrEnum):
@@ -185,7 +169,7 @@ def material(
     _require_consistent(measured.source, checks, accept=accept)
     if save is not None:
         save_material(save, curve, fit=fit, draws=_draws(curve, fit, draws))
-        write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+        _write_saved(save)
 
 
 class _ReadingOptions(TypedDict):
@@ -226,7 +210,7 @@ def _fit_over_time(
     _require_consistent(", ".join(part.source for part in parts), [fit.check], accept=accept)
     if save is not None:
         save_material(save, fit, fit=fit, draws=fit.draws(draws) if draws else None)
-        write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+        _write_saved(save)
 
 
 def _require_consistent(source: str, checks: Iterable[Check], *, accept: bool) -> None:
@@ -241,6 +225,8 @@ def _require_consistent(source: str, checks: Iterable[Check], *, accept: bool) -
 
 def _holds_constants(path: Path) -> bool:
     """Return whether a file is input of a finite-element program. The reader of measurements reports missing files."""
+    from ..materials.constants import holds_constants
+
     return path.is_file() and holds_constants(path)
 
 
@@ -262,6 +248,8 @@ def _require_options_of(context: typer.Context, file: str, *, is_deck: bool) -> 
 
 def _write_constants(path: Path, units: str, temperature_unit: TemperatureUnit) -> None:
     """Print the constants of an input file, and how a case file refers to it."""
+    from ..materials import read_constants
+
     for line in repr(read_constants(path, units=units, temperature_unit=temperature_unit.value)).splitlines():
         write_line(line)
     of_temperature = "" if temperature_unit is TemperatureUnit.K else f", temperature_unit = '{temperature_unit}'"
@@ -283,55 +271,26 @@ def _files(arguments: list[str]) -> Path | dict[Path, float | None]:
     return file_set(arguments[0]) if files == [(arguments[0], None)] else temperatures_of(files)
 
 
-def export(
-    case: Annotated[Path, typer.Argument(help="Case file, optionally with a table \\[sweep] over load and speed.")],
-    code: Annotated[Code, typer.Option("--for", help="Discrete-element code that reads the input.")],
-    style: Annotated[
-        str | None, typer.Option(help="Rolling model of this code; see the docstring of viscoroll.export.dem.")
-    ] = None,
-    output: Annotated[
-        Path | None, typer.Option(help="File for the input lines; by default beside the case file.")
-    ] = None,
-    span: Annotated[
-        float, typer.Option(help="Without \\[sweep]: factor by which load and speed vary up and down.")
-    ] = 2.0,
-) -> None:
-    """Write rolling friction as a discrete-element code defines it, and a CSV table of T(P, Ω)."""
-    from ..export import dem
-    from ..studies.study import study_warnings
-
-    if not 1.0 < span <= 100.0:
-        raise ValueError(f"--span must be in (1, 100], got {span:g}")
-    path = case.with_suffix(f".{code.value}") if output is None else output
-    if path.is_dir() or not path.parent.is_dir():
-        raise ValueError(f"--output must be a file in a folder that exists, got {shown(str(path))}")
-    report_skipped(case, "export")
-    study, load, speed = _study_around(case, span)
-    for message in study_warnings(study):
-        write_message(f"warning: {message}")
-    written = dem(study, code=code.value, style=style, load=load, angular_speed=speed)
-    table = written.save(path)
-    write_line(written.text.rstrip("\n"))
-    write_line(f"written to {path}, torques to {table}")
-
-
 def design(
     case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; see `viscoroll example --design`.")],
     plot: Annotated[Path | None, typer.Option(help="Draw power and limits (.png, .svg, .pdf).")] = None,
 ) -> None:
     """Find the number of a case, such as a thickness, with the least power loss or the largest value within limits."""
     from ..case.design import design_case
+    from ..case.limits import limit_label, limit_text
 
     check_target("--plot", plot, PICTURES)
     report_skipped(case, "design")
     with progress_bar() as report:
         found = design_case(case, progress=report)
-    power = f"{found.result.dissipated_power:.6g} {found.result.unit('dissipated_power')}"
-    write_line(f"{found.variable} = {found.best:.6g}: power dissipated {power}")
+    best = quantity_text(found.best, found.unit, digits=6)  # to copy: with fewer digits it may exceed a limit
+    power = quantity_text(found.result.dissipated_power, found.result.unit("dissipated_power"))
+    write_line(f"{found.variable} = {best}: power dissipated {power}")
     for name, limit in found.limits.items():
         reached = ", reached" if name in found.active else ""
-        unit = f" {found.outcome.unit(name)}".removesuffix(" 1")
-        write_line(f"  {name} = {found.outcome.value(name):.6g}{unit}, limit {limit:.6g}{unit}{reached}")
+        unit = found.outcome.unit(name)
+        value, largest = (limit_text(name, number, unit) for number in (found.outcome.value(name), limit))
+        write_line(f"  {limit_label(name, found.result.body)}: {value}, limit {largest}{reached}")
     if plot is not None:
         save_picture(found.plot(), plot)
         write_line(f"power and limits drawn to {plot}")
@@ -342,6 +301,13 @@ def schema() -> None:
     from ..case.schema import json_schema
 
     write_line(json.dumps(json_schema(), indent=2, ensure_ascii=False))
+
+
+def _write_saved(path: Path) -> None:
+    """Print how case files use a saved material, also without an editor."""
+    table = f"{{ type = 'measured', file = '{path.name}' }}"
+    write_line(f"material: {path}; in a case file, shear_modulus = {table}")
+    write_line(f'or: viscoroll solve case.toml --set "ball.layers[0].shear_modulus={table}" (or cylinder, or wheel)')
 
 
 def _draws(curve: Superposition | Isotherm, fit: PronyFit, count: int) -> Draws[Superposition] | Draws[Prony] | None:
@@ -376,6 +342,7 @@ def _reference(data: RheologyData, reference: float | None) -> float:
 
 
 def _own_shift(factors: Path | None, wlf: str | None) -> ShiftFactors | WilliamsLandelFerry | None:
+    from ..materials import WilliamsLandelFerry
     from ..rheology import ShiftFactors
 
     if factors is not None and wlf is not None:
@@ -427,27 +394,3 @@ def _write_moduli(modulus: ShearModulus, temperature: float, low: float, high: f
     for w, value in zip(omega, modulus.complex_modulus(omega), strict=True):
         held = "" if low <= w <= high else "  (extrapolated)"
         write_line(f"  {w:8g} rad/s  storage {value.real:.4g} Pa  loss {value.imag:.4g} Pa{held}")
-
-
-def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None, float | None]:
-    """Return a study over load and speed, and load and speed of the case, which are None for a file with [sweep]."""
-    import numpy as np
-
-    from ..case import load_case
-    from ..case.study import load_study
-    from ..case.tables import errors_in
-    from ..export.balls import balls_of
-    from ..studies.study import run_plan, sweep
-
-    with errors_in(path):
-        document = read_toml(path)
-    if "sweep" in document:
-        return run_plan(load_study(path), progress=sys.stderr.isatty()), None, None
-    case = load_case(path)
-    balls_of(case.body, case.on)  # rejects unsupported bodies before the study
-    factors = np.geomspace(1.0 / span, span, 5)
-    factors[2] = 1.0
-    load = case.given_load()
-    varied = {"load": load * factors, "angular_speed": case.angular_speed * factors}
-    study = sweep(**case.arguments() | varied, progress=sys.stderr.isatty())
-    return study, load * factors[2], case.angular_speed * factors[2]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Annotated
 
 from .._support.extras import extra
-from ..case import example_text
 
 with extra("cli"):
     import typer
@@ -27,6 +26,7 @@ def example(
     ] = False,
 ) -> None:
     """Print a commented case file to start from, by default of a coated ball: viscoroll example > case.toml."""
+    from ..case import example_text
     from ..case.examples import generated_example
 
     tables = [name for name, wanted in (("sweep", with_sweep), ("design", with_design)) if wanted]

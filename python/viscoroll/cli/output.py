@@ -11,11 +11,9 @@ from .._support.extras import extra
 from .._support.files import ending_in
 from .._support.progress import Report
 from .._support.text import one_line, shown
-from ..case.tables import skipped_in
 
 with extra("cli"):
     from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 __all__ = [
     "MESSAGES",
@@ -54,6 +52,8 @@ def check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> N
 
 def report_skipped(path: Path, command: str) -> None:
     """Write which tables of a file a command such as "solve" does not use."""
+    from ..case.tables import skipped_in
+
     if others := skipped_in(path, command=command):
         write_message(f"skipped in {path.name}: {others}")
 
@@ -64,6 +64,8 @@ def progress_bar() -> Iterator[Report]:
     if not MESSAGES.is_interactive:  # a disabled bar writes an empty line before Rich 15
         yield lambda _stage, _fraction: None
         return
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=MESSAGES, transient=True) as bar:
         task = bar.add_task("starting", total=1.0)

@@ -7,7 +7,6 @@ from typing import Annotated
 
 from .._support.extras import extra
 from .._support.toml import read_toml
-from ..case.tables import errors_in
 from .output import write_line, write_message
 
 with extra("cli"):
@@ -23,6 +22,7 @@ def serve_page(
     """Edit and solve cases on a page in the browser; this machine solves them, and Ctrl-C stops the server."""
     from ..app import serve
     from ..app.case_text import page_case
+    from ..case.tables import errors_in
 
     tables = None
     if case is not None:

@@ -7,7 +7,6 @@ from typing import Annotated
 
 from .._support.extras import extra
 from .._support.files import write_text
-from ..case.key_paths import parsed_change
 from .check import CHANGES
 from .output import check_target, progress_bar, report_skipped, write_line
 
@@ -25,6 +24,7 @@ def write_report(
     ] = None,
 ) -> None:
     """Solve a case and write a report for printing: inputs, results, pictures, curves and margins in one HTML file."""
+    from ..case.key_paths import parsed_change
     from ..report import report_of
 
     path = case.with_suffix(".html") if output is None else output

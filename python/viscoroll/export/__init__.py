@@ -3,5 +3,6 @@
 from .balls import Balls
 from .contact import OperatingPoint, Stiffness
 from .dem import DemInput, dem
+from .impact import Impact, impact
 
-__all__ = ["Balls", "DemInput", "OperatingPoint", "Stiffness", "dem"]
+__all__ = ["Balls", "DemInput", "Impact", "OperatingPoint", "Stiffness", "dem", "impact"]

@@ -1,4 +1,4 @@
-"""Rolling friction for discrete-element codes, by the definition of each code."""
+"""Rolling friction and normal damping for particle codes, by the definition of each code."""
 
 from __future__ import annotations
 
@@ -9,20 +9,23 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import as_float
+from .._support.arguments import as_float, require_type
 from .._support.errors import InvalidInput
 from .._support.files import write_csv, write_text
 from .._support.text import shown
 from ..coupled import StrainSoftening
 from ..coupled.softening_result import BOUNDS
 from ..rolling import Result
-from . import chrono, lammps, lethe, liggghts, mercurydpm, yade
+from . import chrono, kratos, lammps, lethe, liggghts, mercurydpm, mujoco, yade
+from .balls import Balls
 from .contact import ContactModel, OperatingPoint, Stiffness, Style, operating_points
+from .impact import Impact
+from .restitution import with_restitution
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CODES", "DemInput", "dem"]
+__all__ = ["CODES", "DemInput", "dem", "style_of"]
 
 #: Styles of each code, by name; the first style is the default.
 CODES: dict[str, dict[str, Style]] = {
@@ -32,9 +35,12 @@ CODES: dict[str, dict[str, Style]] = {
     "mercurydpm": mercurydpm.STYLES,
     "chrono": chrono.STYLES,
     "lethe": lethe.STYLES,
+    "mujoco": mujoco.STYLES,
+    "kratos": kratos.STYLES,
 }
 
-_COMMENT = {"chrono": "//", "mercurydpm": "//"}
+#: Start and end of a comment line; "# " and "" in codes that are not listed.
+_COMMENT = {"chrono": ("// ", ""), "mercurydpm": ("// ", ""), "kratos": ("// ", ""), "mujoco": ("<!-- ", " -->")}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
@@ -55,6 +61,8 @@ class DemInput:
         All points of the result or study.
     error : float
         Largest relative error of the code's torque over these points [-]; NaN for a single point.
+    impact : Impact or None
+        Normal impact whose restitution the lines contain.
     """
 
     code: str
@@ -64,6 +72,7 @@ class DemInput:
     contact_model: ContactModel
     points: list[OperatingPoint]
     error: float
+    impact: Impact | None = None
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -73,8 +82,8 @@ class DemInput:
     @property
     def text(self) -> str:
         """Input lines, preceded by a comment that states load, speed, law, source and error."""
-        mark = _COMMENT.get(self.code, "#")
-        return "\n".join([*(f"{mark} {line}" for line in self._comment()), *self.contact_model.lines]) + "\n"
+        start, end = _COMMENT.get(self.code, ("# ", ""))
+        return "\n".join([*(f"{start}{line}{end}" for line in self._comment()), *self.contact_model.lines]) + "\n"
 
     def save(self, path: str | Path) -> Path:
         """Write the input lines to a file, and the torques T(P, Ω) of all points to a CSV file beside it.
@@ -117,6 +126,15 @@ class DemInput:
             f"{network:.6g} N m if the network is rate-independent; the true value may lie between the two, or beyond"
         ]
 
+    def _restitution(self) -> list[str]:
+        if self.impact is None:
+            return []
+        hit = self.impact
+        return [
+            f"restitution e = {hit.restitution:.6g} of an impact at {hit.impact_speed:g} m/s with the mass "
+            f"{hit.mass:g} kg (of two balls m1 m2/(m1 + m2)); it depends on the speed"
+        ]
+
     def _comment(self) -> list[str]:
         p, k = self.point, self.stiffness
         lines = [
@@ -127,6 +145,7 @@ class DemInput:
             *self._bounds(),
             f"law: {self.contact_model.torque_law}",
             f"source: {self.contact_model.source}",
+            *self._restitution(),
         ]
         if len(self.points) > 1:
             loads, speeds = [q.load for q in self.points], [q.angular_speed for q in self.points]
@@ -151,8 +170,9 @@ def dem(
     style: str | None = None,
     load: float | None = None,
     angular_speed: float | None = None,
+    impact: Impact | None = None,
 ) -> DemInput:
-    """Return the input for rolling friction in a discrete-element code.
+    """Return the input for rolling friction, and optionally normal damping, in a particle code.
 
     Each code defines its coefficient differently. The docstrings of the modules in `viscoroll.export` cite the
     definitions. The torque is the dissipated power divided by the angular speed; for two balls, by their relative
@@ -166,13 +186,16 @@ def dem(
         Result for a ball on a plane or on another ball, or a study of `viscoroll.sweep` over load, angular speed, or
         both. For a study, the largest error of the code's law over all points is computed and the stiffness is fitted.
         A result for filled rubber provides two torques.
-    code : {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "lethe"}
+    code : {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "lethe", "mujoco", "kratos"}
         Name of the code.
     style : str, optional
         Model of that code: "sds" or "viscous" (LAMMPS), "epsd2", "epsd" or "cdt" (LIGGGHTS), "nsc", "multicore" or
-        "dem" (Chrono), "constant" or "viscous" (Lethe); by default the first.
+        "dem" (Chrono), "constant", "viscous" or "epsd" (Lethe), "constant" or "viscous" (Kratos); by default the first.
     load, angular_speed : float, optional
         Point of the study at which the torque is exact [N], [rad/s]; by default the middle one.
+    impact : Impact, optional
+        Normal impact of the same balls, from `impact`. The lines then contain its restitution, or the damping of the
+        code that has this restitution.
 
     Returns
     -------
@@ -193,16 +216,14 @@ def dem(
     >>> print(round(vr.export.dem(r, code="mercurydpm").parameters["rollingFrictionCoefficient"], 4))
     0.0027
     """
-    if code not in CODES:
-        raise InvalidInput("code", f"must be one of {', '.join(CODES)}", shown(code))
-    styles = CODES[code]
-    if style is not None and style not in styles:
-        raise ValueError(f"style of {code} must be one of {', '.join(styles)}, got {shown(style)}")
-    chosen = style or next(iter(styles))
+    chosen = style_of(code, style)
+    require_type("impact", impact, Impact, optional=True)
     points = operating_points(source)
     point = _nearest(points, load, angular_speed)
     stiffness = Stiffness.fitted([q for q in points if q.angular_speed == point.angular_speed])
-    contact_model = styles[chosen](point, stiffness)
+    contact_model = CODES[code][chosen](point, stiffness)
+    if impact is not None:
+        contact_model = with_restitution(code, contact_model, impact, stiffness)
     loads, speeds = np.array([p.load for p in points]), np.array([p.relative_speed for p in points])
     ratio = contact_model.law(loads, speeds) / np.array([p.torque for p in points])
     return DemInput(
@@ -213,7 +234,35 @@ def dem(
         contact_model=contact_model,
         points=points,
         error=float(np.abs(ratio - 1.0).max()) if len(points) > 1 else math.nan,
+        impact=impact,
     )
+
+
+def style_of(code: str, style: str | None, balls: Balls | None = None) -> str:
+    """Return the style of a code, by default the first one.
+
+    Parameters
+    ----------
+    code, style : str
+        Same as in `dem`.
+    balls : Balls, optional
+        Balls in contact; if given, the style must apply to them.
+
+    Raises
+    ------
+    ValueError
+        If code or style is unknown, or the style does not apply to the balls.
+    """
+    if code not in CODES:
+        raise InvalidInput("code", f"must be one of {', '.join(CODES)}", shown(code))
+    styles = CODES[code]
+    if style is not None and style not in styles:
+        raise ValueError(f"style of {code} must be one of {', '.join(styles)}, got {shown(style)}")
+    chosen = style or next(iter(styles))
+    if balls is not None:  # each style rejects balls to which it does not apply, whatever the numbers
+        point = OperatingPoint(balls=balls, load=1.0, angular_speed=1.0, torque=1.0, penetration=0.01 * balls.radius)
+        styles[chosen](point, Stiffness.fitted([point]))
+    return chosen
 
 
 def _nearest(points: list[OperatingPoint], load: float | None, speed: float | None) -> OperatingPoint:

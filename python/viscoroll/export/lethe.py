@@ -1,4 +1,4 @@
-"""Input for Lethe, with constant or viscous rolling resistance."""
+"""Input for Lethe, with constant, viscous or elastic-plastic rolling resistance."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def _viscous(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     """
     if point.balls.are_two:
         raise ValueError(
-            "style of lethe must be constant for two balls, got viscous, "
+            "style of lethe must be constant or epsd for two balls, got viscous, "
             "whose torque is 0 between two balls that roll on each other"
         )
     mu = point.torque / (point.load * point.radius**2 * point.angular_speed)
@@ -46,6 +46,29 @@ def _viscous(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
     )
 
 
+def _epsd(point: OperatingPoint, stiffness: Stiffness) -> ContactModel:
+    """Return input for an elastic-plastic spring-dashpot: T = μ_r P R once its spring has reached the limit.
+
+    The stiffness of the spring is 2.25 k_n μ_r² R², so the limit is reached after a rotation of about δ/(2.25 μ_r R).
+    With an f coefficient of 0 there is no damping beyond it. R is the radius on a wall, and R₁R₂/(R₁+R₂) for two balls.
+    Source: Lethe's `epsd_rolling_resistance_torque` and `epsd_rolling_torque`.
+    """
+    mu = point.coefficient
+    turn = point.penetration / (2.25 * mu * point.radius)
+    return _contact_model(
+        point,
+        stiffness,
+        "epsd",
+        mu,
+        lambda load, speed: mu * load * point.radius + 0.0 * speed,
+        f"T = mu_r P R after a rotation of about {turn:.2g} rad",
+    )
+
+
+#: Fraction of critical damping of the rolling spring below its limit.
+_ROLLING_DAMPING = 0.3
+
+
 def _contact_model(
     point: OperatingPoint, stiffness: Stiffness, method: str, mu: float, law: object, torque_law: str
 ) -> ContactModel:
@@ -54,14 +77,20 @@ def _contact_model(
         f"  set young modulus wall    = {young!r}",
         "  set poisson ratio wall    = 0.3",
         f"  set rolling friction wall = {mu!r}",
+        *((f"  set rolling viscous damping wall = {_ROLLING_DAMPING!r}",) if method == "epsd" else ()),
     )
     return ContactModel(
         lines=(
             "subsection model parameters",
             f"  set rolling resistance torque method = {method}  # {method}_resistance in older versions",
+            *(("  set f coefficient = 0.0",) if method == "epsd" else ()),
             "end",
             "subsection lagrangian physical properties",
-            *(line for number, radius in enumerate(_types(point.balls)) for line in _type(number, radius, young, mu)),
+            *(
+                line
+                for number, radius in enumerate(_types(point.balls))
+                for line in _type(number, radius, young, mu, method)
+            ),
             *(() if point.balls.are_two else wall),
             "end",
         ),
@@ -77,15 +106,16 @@ def _types(balls: Balls) -> tuple[float, ...]:
     return balls.radii[:1] if balls.alike else balls.radii
 
 
-def _type(number: int, radius: float, young: float, mu: float) -> tuple[str, ...]:
+def _type(number: int, radius: float, young: float, mu: float, method: str) -> tuple[str, ...]:
     return (
         f"  subsection particle type {number}",
         f"    set diameter                   = {2.0 * radius!r}",
         f"    set young modulus particles    = {young!r}",
         "    set poisson ratio particles    = 0.3",
         f"    set rolling friction particles = {mu!r}",
+        *((f"    set rolling viscous damping particles = {_ROLLING_DAMPING!r}",) if method == "epsd" else ()),
         "  end",
     )
 
 
-STYLES: dict[str, Style] = {"constant": _constant, "viscous": _viscous}
+STYLES: dict[str, Style] = {"constant": _constant, "viscous": _viscous, "epsd": _epsd}

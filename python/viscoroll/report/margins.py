@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from .._support.celsius import kelvin_text
-from .._support.quantities import percent_text, quantity_text
-from ..case.limits import Outcome, limit_label, outcome_at
-from ..solution.scalars import PRECISION, SCALARS
+from .._support.quantities import percent_text
+from ..case.limits import Outcome, limit_label, limit_text, outcome_at
+from ..solution.scalars import SCALARS
 from ..solution.text import relative_error, scalar_text
 
 if TYPE_CHECKING:
@@ -61,9 +61,9 @@ def _margin(name: str, limit: float, outcome: Outcome) -> Margin:
     is_kept, is_uncertain = value <= limit, abs(value - limit) <= abs((error or 0.0) * value)
     state = "uncertain" if is_uncertain else "kept" if is_kept else "exceeded"
     meaning = {"kept": "", "exceeded": ", exceeded", "uncertain": ", within the error of the result"}[state]
+    largest = limit_text(name, limit, unit)
     if unit == "K":
-        return Margin(label, kelvin_text(value), kelvin_text(limit), f"{limit - value:.3g} K{meaning}", state)
-    text = scalar_text(outcome.result, name) if name in SCALARS else quantity_text(value, unit)
-    largest = percent_text(limit) if PRECISION.get(name) == ("%",) else quantity_text(limit, unit)
+        return Margin(label, kelvin_text(value), largest, f"{limit - value:.3g} K{meaning}", state)
+    text = scalar_text(outcome.result, name) if name in SCALARS else limit_text(name, value, unit)
     left = percent_text(1.0 - value / limit) if is_kept else f"{value / limit:.3g} times the limit"
     return Margin(label, text, largest, left + meaning, state)

@@ -158,18 +158,19 @@ def solve(
         raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
     solved_at = solved_speed(body, angular_speed, speed)
     load_case = _core_load_case(load, penetration, angular_speed, speed, friction, drive, adhesion)
-    options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
+    options = _core_options(
+        compliance,
+        patch_load,
+        slip_kinematics,
+        finite_strain,
+        max_iterations,
+        threads,
+        mesh=None if mesh is None else mesh._to_core(),
+        curvature=curvature,
+        **({} if accuracy is None else {"accuracy": as_float("accuracy", accuracy)}),
+    )
     with reporting(progress) as report, si_hints(body, on, angular_speed=solved_at):
-        solution = _core.solve(
-            body._to_core(),
-            core_counterbody(on),
-            load_case,
-            mesh=None if mesh is None else mesh._to_core(),
-            curvature=curvature,
-            accuracy=0.01 if accuracy is None else as_float("accuracy", accuracy),
-            progress=report,
-            **options,
-        )
+        solution = _core.solve(body._to_core(), core_counterbody(on), load_case, options, progress=report)
     return _result(solution, body, on, load_case, solved_at, drive, adhesion, curvature, options)
 
 
@@ -221,15 +222,7 @@ def pull_off(
         raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
     drive = Drive(force=0.0)
     solved_at = as_float("angular_speed", angular_speed)
-    load_case = _core.LoadCase(
-        load=None,
-        penetration=None,
-        angular_speed=solved_at,
-        friction=0.0,
-        drive=drive._to_core(),
-        adhesion=adhesion._to_core(),
-        pulls_off=True,
-    )
+    load_case = _core.LoadCase(angular_speed=solved_at, adhesion=adhesion._to_core(), pulls_off=True)
     options = _core_options(
         Compliance.RADIAL,
         PatchLoad.FLAT,
@@ -237,18 +230,11 @@ def pull_off(
         finite_strain=False,
         max_iterations=2000,
         threads=threads,
+        mesh=None if mesh is None else mesh._to_core(),
+        **({} if accuracy is None else {"accuracy": as_float("accuracy", accuracy)}),
     )
     with reporting(progress) as report, si_hints(body, on, angular_speed=solved_at):
-        solution = _core.solve(
-            body._to_core(),
-            core_counterbody(on),
-            load_case,
-            mesh=None if mesh is None else mesh._to_core(),
-            curvature=Curvature.SPHERE,
-            accuracy=0.01 if accuracy is None else as_float("accuracy", accuracy),
-            progress=report,
-            **options,
-        )
+        solution = _core.solve(body._to_core(), core_counterbody(on), load_case, options, progress=report)
     return _result(solution, body, on, load_case, solved_at, drive, adhesion, Curvature.SPHERE, options)
 
 
@@ -361,7 +347,7 @@ class RollingModel:
         )
         options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
         with reporting(progress) as report, si_hints(self.body, self.on, angular_speed=self.angular_speed):
-            solution = self._core.solve(load_case, progress=report, **options)
+            solution = self._core.solve(load_case, options, progress=report)
         return _result(
             solution, self.body, self.on, load_case, self.angular_speed, drive, adhesion, self.curvature, options
         )
@@ -412,17 +398,19 @@ def _core_options(
     finite_strain: bool,
     max_iterations: int,
     threads: int,
-) -> dict[str, Any]:
-    """Convert options of all load cases to the types of the core."""
+    **of_the_model: Any,
+) -> _core.Options:
+    """Convert options to the type of the core: those of all load cases, and those that a model has, if given."""
     require_type("finite_strain", finite_strain, bool)
-    return {
-        "compliance": as_member("compliance", compliance, Compliance),
-        "patch_load": as_member("patch_load", patch_load, PatchLoad),
-        "slip_kinematics": as_member("slip_kinematics", slip_kinematics, SlipKinematics),
-        "finite_strain": finite_strain,
-        "max_iterations": as_int("max_iterations", max_iterations),
-        "threads": as_int("threads", threads),
-    }
+    return _core.Options(
+        compliance=as_member("compliance", compliance, Compliance),
+        patch_load=as_member("patch_load", patch_load, PatchLoad),
+        slip_kinematics=as_member("slip_kinematics", slip_kinematics, SlipKinematics),
+        finite_strain=finite_strain,
+        max_iterations=as_int("max_iterations", max_iterations),
+        threads=as_int("threads", threads),
+        **of_the_model,
+    )
 
 
 def _result(
@@ -434,7 +422,7 @@ def _result(
     drive: Drive,
     adhesion: Adhesion | None,
     curvature: Curvature | str,
-    options: dict[str, Any],
+    options: _core.Options,
 ) -> Result:
     """Return the result, and issue its warnings."""
     result = Result._from_core(
@@ -447,8 +435,8 @@ def _result(
         drive=drive,
         adhesion=adhesion,
         curvature=curvature,
-        compliance=options["compliance"],
-        patch_load=options["patch_load"],
+        compliance=options.compliance,
+        patch_load=options.patch_load,
     )
     warn(result_warnings(result))
     return result

@@ -21,8 +21,13 @@ _LENGTHS = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "μm": 1e-6, "nm": 1e
 Heights = tuple[NDArray[np.float64], tuple[float, float] | None]
 
 
-def read_heights(path: Path) -> Heights:
-    """Return the heights of a file [m], and the spacing along x and z [m] if the file contains it."""
+def read_heights(path: Path, instrument: str | None = None) -> Heights:
+    """Return the heights of a file [m], and the spacing along x and z [m] if the file contains it.
+
+    `instrument` is the name of a format of the package SurfaceTopography. Undefined heights are NaN.
+    """
+    if instrument is not None:
+        return _read_instrument(path, instrument)
     return _READERS[ending_in(_READERS, path).suffix.lower()](path)
 
 
@@ -74,6 +79,27 @@ def _read_netcdf(path: Path) -> Heights:
     if len(steps) != heights.ndim:
         return heights, None
     return heights, (steps[0], steps[-1])
+
+
+def _read_instrument(path: Path, name: str) -> Heights:
+    with extra("surfaces"):
+        from SurfaceTopography.Exceptions import CorruptFile, ReadFileError
+        from SurfaceTopography.IO import readers
+    known = {reader.format(): reader for reader in readers}
+    if name not in known:
+        raise InvalidInput("format", f"must be one of {', '.join(sorted(known))}", shown(name))
+    path.open("rb").close()  # a missing file is an OSError in every format
+    try:
+        with known[name](str(path)) as file:
+            topography = file.topography()
+        measured = topography.to_unit("m") if topography.unit is not None else topography
+        heights = np.ma.filled(np.ma.asarray(measured.heights(), dtype=np.float64), np.nan)
+    except (ReadFileError, CorruptFile, ValueError, KeyError, IndexError, EOFError) as error:
+        raise InvalidInput("path", f"must be a file of the format {name}", f"{path.name} ({error})") from None
+    if measured.unit is None or not measured.is_uniform:
+        raise InvalidInput("path", "must contain heights at equal distances with a unit of length", path.name)
+    spacing = measured.pixel_size
+    return heights, (float(spacing[0]), float(spacing[-1]))
 
 
 def _factor(path: Path, variable: Any) -> float:

@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import _core
+from .._core import Status
 from .._support.plotting import plots
 from .._support.scalars import with_scalars
 from .._support.tables import html_table, number_text, unit_text
 from ..bodies import CoatedPlane
 from .rough_surface import RoughSurface
-from .scalars import SLIDING_SCALARS, SlidingScalars
+from .scalars import SLIDING_RESULTS, SLIDING_SCALARS, SlidingScalars
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -88,20 +89,20 @@ class SlidingResult(SlidingScalars):
 
     @property
     def units(self) -> dict[str, str]:
-        """Unit of every entry of `scalars`; "1" for pure numbers."""
-        given = {"speed": "m/s", "mean_pressure": "Pa"}
-        estimates = {"persson_friction": "1", "persson_contact_share": "1"}
-        return given | {name: unit for name, (unit, _) in SLIDING_SCALARS.items()} | estimates
+        """Unit of every number of `scalars`; "1" for pure numbers."""
+        return {"speed": "m/s"} | {name: unit for name, (unit, _) in SLIDING_RESULTS.items()}
 
-    def scalars(self) -> dict[str, float | int]:
-        """Return speed, pressure, the scalar results and Persson's estimates by name, in SI units."""
-        own: dict[str, float | int] = {name: getattr(self, name) for name in SLIDING_SCALARS}
+    def scalars(self) -> dict[str, float | int | str]:
+        """Return speed, pressure, scalar results, Persson's estimates by name, in SI units, and status and warnings."""
+        own: dict[str, float | int | str] = {name: getattr(self, name) for name in SLIDING_SCALARS}
         return {
             "speed": self.speed,
             "mean_pressure": self.mean_pressure,
             **own,
             "persson_friction": self.persson.friction_coefficient,
             "persson_contact_share": self.persson.contact_share,
+            "status": (Status.CONVERGED if self.converged else Status.MAX_ITERATIONS).name,
+            "warnings": ", ".join(kind.upper() for kind in self.warnings),
         }
 
     def __repr__(self) -> str:

@@ -14,6 +14,7 @@ from .._support.errors import InvalidInput
 from .._support.plotting import plots
 from .._support.text import shown
 from .files import read_heights
+from .filling import filled
 from .random_map import self_affine_heights
 
 if TYPE_CHECKING:
@@ -38,6 +39,9 @@ class RoughSurface:
     periodic : bool, default True
         Whether the surface repeats itself beyond the last node, which `slide` requires. A measured surface does not;
         `mirrored` makes it periodic.
+    fill : bool, default False
+        Whether to give undefined nodes, whose heights are NaN, the mean height of their four neighbors. An error
+        otherwise.
 
     Examples
     --------
@@ -53,15 +57,20 @@ class RoughSurface:
     spacing: tuple[float, float]
     periodic: bool
 
-    def __init__(self, heights: ArrayLike, spacing: float | tuple[float, float], *, periodic: bool = True) -> None:
+    def __init__(
+        self, heights: ArrayLike, spacing: float | tuple[float, float], *, periodic: bool = True, fill: bool = False
+    ) -> None:
         values = as_float_array("heights", heights)
         if values.ndim == 1:
             values = values[:, np.newaxis]
         if values.ndim != 2 or min(values.shape) < 1:
             raise InvalidInput("heights", "must have one or two dimensions", f"shape {values.shape}")
+        require_type("fill", fill, bool)
+        if fill:
+            values = filled(values)
         if not np.isfinite(values).all():
             missing = int(np.count_nonzero(~np.isfinite(values)))
-            raise InvalidInput("heights", "must be finite; fill undefined nodes first", f"{missing} undefined nodes")
+            raise InvalidInput("heights", "must be finite unless fill is True", f"{missing} undefined nodes")
         values = np.array(values, dtype=np.float64, order="C")
         values.flags.writeable = False
         require_type("periodic", periodic, bool)
@@ -71,14 +80,20 @@ class RoughSurface:
 
     @classmethod
     def read(
-        cls, path: str | Path, *, spacing: float | tuple[float, float] | None = None, periodic: bool = False
+        cls,
+        path: str | Path,
+        *,
+        format: str | None = None,  # noqa: A002
+        spacing: float | tuple[float, float] | None = None,
+        periodic: bool = False,
+        fill: bool = False,
     ) -> RoughSurface:
         """Read a surface from a file.
 
         Parameters
         ----------
         path : str or Path
-            File in one of these formats:
+            File in a format of an instrument, if `format` is given, or else in one of these formats:
 
             - ``.npy``: array of heights [m];
             - ``.csv`` or ``.txt``: matrix of heights [m], one row per node along x, with commas, semicolons, tabs or
@@ -86,10 +101,16 @@ class RoughSurface:
             - ``.nc``: variable of one or two dimensions, named height or heights unless it is the only one, in m
               unless it has the attribute units (m, mm, um, µm or nm); coordinates with the names of the dimensions
               give the spacing, in m or their own units. Needs the extra `viscoroll[files]`.
+        format : str, optional
+            Format of an instrument, such as sur, x3p, opd, plux, al3d, vk, gwy or datx: one of the 40 readers of the
+            package SurfaceTopography, which is not asked to detect the format, because that takes seconds. Needs the
+            extra `viscoroll[surfaces]`.
         spacing : float or tuple of two floats, optional
             Distance of the nodes [m]; required unless the file contains it.
         periodic : bool, default False
             Whether the surface repeats itself beyond the last node.
+        fill : bool, default False
+            Whether to fill nodes that were not measured; see `RoughSurface`.
 
         Returns
         -------
@@ -103,11 +124,14 @@ class RoughSurface:
         OSError
             If the file cannot be read.
         """
-        heights, in_file = read_heights(Path(path))
+        heights, in_file = read_heights(Path(path), format)
         if spacing is None and in_file is None:
             raise InvalidInput("spacing", f"must be given: {Path(path).name} does not contain it")
         return cls(
-            heights, in_file if spacing is None and in_file is not None else _spacings(spacing), periodic=periodic
+            heights,
+            in_file if spacing is None and in_file is not None else _spacings(spacing),
+            periodic=periodic,
+            fill=fill,
         )
 
     @classmethod

@@ -17,7 +17,7 @@ from .result import Persson, SlidingResult
 from .rough_surface import RoughSurface
 from .scalars import SLIDING_SCALARS
 
-__all__ = ["persson_estimate", "slide"]
+__all__ = ["as_plane", "persson_estimate", "slide"]
 
 #: Largest rms slope for which linear theory is trusted; the error grows with the square of the slope.
 _LARGEST_SLOPE = 0.3
@@ -105,7 +105,7 @@ def slide(
     >>> print(f"{r.friction_coefficient:.4f}")
     0.0146
     """
-    plane = _plane(on)
+    plane = as_plane(on)
     mean = _mean_pressure(surface, pressure, load)
     velocity = as_float("speed", speed)
     with reporting(progress) as report:
@@ -156,7 +156,7 @@ def persson_estimate(
     27 (2015) 105102 (the factor S).
     """
     mean = _mean_pressure(surface, pressure, None)
-    return _persson(surface, _plane(on), mean, as_float("speed", speed), as_float("gamma", gamma), 0)
+    return _persson(surface, as_plane(on), mean, as_float("speed", speed), as_float("gamma", gamma), 0)
 
 
 def _given(surface: RoughSurface, plane: CoatedPlane, pressure: float, speed: float) -> dict[str, Any]:
@@ -182,9 +182,10 @@ def _persson(
     return Persson(friction_coefficient=found.friction_coefficient, contact_share=found.contact_share)
 
 
-def _plane(on: CoatedPlane | HalfSpace) -> CoatedPlane:
+def as_plane(on: object) -> CoatedPlane:
+    """Return the plane, whose base may be given alone."""
     require_type("on", on, CoatedPlane | HalfSpace)
-    return CoatedPlane(base=on) if isinstance(on, HalfSpace) else on
+    return on if isinstance(on, CoatedPlane) else CoatedPlane(base=on)  # type: ignore[arg-type]
 
 
 def _mean_pressure(surface: RoughSurface, pressure: float | None, load: float | None) -> float:

@@ -31,6 +31,8 @@ _SYMBOLS = {
     "load": "P",
     "penetration": "d",
     "angular_speed": r"\Omega",
+    "speed": "V",
+    "temperature": "T",
     "friction": r"\mu",
     "thickness": "h",
     "core_radius": "r_i",

@@ -16,13 +16,14 @@ import numpy as np
 from .._core import __commit__, __version__
 from .._support.extras import extra
 from .._support.units import UNITS, unit_in_contact
-from ..bodies import Counterbody, RollingBody, is_body
+from ..bodies import CoatedPlane, Counterbody, RollingBody, is_body
 from ..bodies.si_hints import unit_doubt
 from ..coupled.softening_result import BOUNDS
+from ..sliding import RoughSurface
 from ..solution import FIELDS, VECTOR_FIELDS
-from ..solution.scalars import SCALARS, scalar_units
-from .dimensions import LOAD_CASE, label
+from .dimensions import label
 from .draws import interval_variables
+from .kinds import ROLLING, SLIDING
 from .plan import LoadCase, Plan
 from .run import Outcome
 
@@ -30,15 +31,7 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-__all__ = ["RESERVED", "build_dataset"]
-
-#: Unit and description of the numbers that each point has in addition to `SCALARS`, by name.
-_COUNTS = {
-    "contact_nodes": ("1", "nodes in contact"),
-    "nodes_per_revolution": ("1", "nodes per revolution along phi"),
-    "theta_nodes_per_revolution": ("1", "nodes per revolution along theta"),
-    "max_order": ("1", "truncation order N_t; NaN if all orders are summed"),
-}
+__all__ = ["RESERVED", "RESERVED_BY_SLIDING", "build_dataset"]
 
 _TEXTS = {
     "status": "status of the solve",
@@ -47,7 +40,10 @@ _TEXTS = {
 }
 
 #: Names of results. Parameters of a function that makes a body cannot have these names.
-RESERVED = frozenset({*SCALARS, *_COUNTS, *BOUNDS, *_TEXTS, *FIELDS, *VECTOR_FIELDS, "phi", "theta", "direction"})
+RESERVED = frozenset({*ROLLING.results, *BOUNDS, *_TEXTS, *FIELDS, *VECTOR_FIELDS, "phi", "theta", "direction"})
+
+#: The same for functions of rough surfaces.
+RESERVED_BY_SLIDING = frozenset({*SLIDING.results, *_TEXTS})
 
 
 def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset:
@@ -74,10 +70,14 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
     }
     table = [outcomes.get(i, Outcome()) for i in range(len(plan.cases))]
     variables: dict[str, Any] = {}
-    units = scalar_units(line_contact=plan.line_contact)
-    for name, (unit, description) in (SCALARS | _COUNTS).items():
+    units = plan.kind.units(line_contact=plan.line_contact)
+    for name, (unit, description) in plan.kind.results.items():
         column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
         variables[name] = (names, np.array(column, dtype=np.float64), _attributes(units.get(name, unit), description))
+    for name, (unit, description) in plan.added_columns.items():
+        column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
+        unit = unit_in_contact(unit, line_contact=plan.line_contact and unit == "W")
+        variables[name] = (names, np.array(column, dtype=np.float64), _attributes(unit, description))
     for name in BOUNDS if any(bound in outcome.scalars for outcome in table for bound in BOUNDS) else ():
         column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
         variables[name] = (
@@ -88,7 +88,7 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
     best_estimates = {name: values for name, (_, values, _) in variables.items()}
     intervals = interval_variables([outcome.draws for outcome in table], best_estimates, plan.confidence)
     for name, (result, values, description) in intervals.items():
-        variables[name] = (names, values, _attributes(units[result], f"{SCALARS[result][1]}, {description}"))
+        variables[name] = (names, values, _attributes(units[result], f"{plan.kind.results[result][1]}, {description}"))
     variables["status"] = (names, _texts([o.scalars.get("status", "FAILED") for o in table]), _texts_of("status"))
     variables["warnings"] = (names, _texts([o.scalars.get("warnings", "") for o in table]), _texts_of("warnings"))
     variables["error"] = (names, _texts([o.error for o in table]), _texts_of("error"))
@@ -156,32 +156,38 @@ def _unit(plan: Plan, unit: str | None) -> str | None:
 
 
 def _provenance(plan: Plan) -> dict[str, str]:
-    rolling_bodies = plan.rolling_bodies()
-    materials = dict.fromkeys(_clean(layer.shear_modulus) for body in rolling_bodies for layer in body.layers)
+    bodies = plan.bodies()
+    cases = [case for case in plan.cases if isinstance(case, LoadCase)]
+    pairs = list({(id(case.body), id(on := case.arguments.get("on"))): (case.body, on) for case in cases}.values())
+    if plan.kind is ROLLING:
+        title = f"rolling resistance of a coated {' or '.join(sorted(set(map(_kind, bodies))))}"
+        layered = bodies
+    else:
+        title = "friction of a rough surface that slides"
+        layered = [on for _, on in pairs]
     attributes = {
-        "title": f"rolling resistance of a coated {' or '.join(sorted(set(map(_kind, rolling_bodies))))}",
+        "title": title,
         "source": f"viscoroll {__version__}",
         "version": __version__,
         "commit": __commit__,
         "python": sys.version.split()[0],
         "created": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
-        "mesh": _mesh_text(plan),
-        "material": _joined(list(materials)),
-        "body": _joined([_parameters(body) for body in rolling_bodies]),
+        "mesh": _mesh_text(cases),
+        "material": _joined(list(dict.fromkeys(material for body in layered for material in _materials(body)))),
+        plan.kind.noun: _joined([_parameters(body) for body in bodies]),
     }
-    if counts := {len(case.draws) for case in plan.cases if isinstance(case, LoadCase)} - {0}:
+    if counts := {len(case.draws) for case in cases} - {0}:
         attributes |= {"draws": f"{max(counts)}, {plan.method}", "confidence": repr(plan.confidence)}
     if is_body(other := plan.fixed.get("on")) and other.curved_directions == 2:
         attributes |= {"other_ball": _parameters(other), "other_radius": repr(other.surface)}
-    bodies = {(id(c.body), id(c.arguments.get("on"))): c for c in plan.cases if isinstance(c, LoadCase)}.values()
-    if doubt := next(filter(None, (unit_doubt(case.body, case.arguments.get("on")) for case in bodies)), ""):
+    if doubt := next(filter(None, (_unit_doubt(body, on) for body, on in pairs)), ""):
         attributes["unit_hint"] = doubt
     varied = {dimension.name for dimension in plan.dimensions}
-    for name in sorted(LOAD_CASE - {"mesh"} - varied):
+    for name in sorted(plan.kind.arguments - {"mesh"} - varied):
         if name in plan.fixed and not isinstance(plan.fixed[name], int | float):
             attributes[name] = label(plan.fixed[name])
     if callable(plan.fixed.get("on")):
-        kinds = {type(case.arguments["on"]).__name__ for case in plan.cases if isinstance(case, LoadCase)}
+        kinds = {type(case.arguments["on"]).__name__ for case in cases}
         attributes["on"] = f"{' or '.join(sorted(kinds))}({attributes['on']})"
     return attributes | {"inputs": json.dumps(plan.identity(), ensure_ascii=False)}
 
@@ -190,13 +196,30 @@ def _kind(body: RollingBody) -> str:
     return type(body).__name__.removeprefix("Coated").lower()
 
 
-def _parameters(body: RollingBody | Counterbody) -> str:
+def _materials(body: RollingBody | CoatedPlane) -> list[str]:
+    base = getattr(body, "base", None)
+    layers = [*body.layers, *([] if base is None else [base])]
+    return [_clean(layer.shear_modulus) for layer in layers]
+
+
+def _unit_doubt(body: RollingBody | RoughSurface, on: Counterbody | None) -> str:
+    if isinstance(body, RoughSurface):
+        return "" if on is None else unit_doubt(on)
+    return unit_doubt(body, on)
+
+
+def _parameters(body: RollingBody | Counterbody | RoughSurface) -> str:
+    if isinstance(body, RoughSurface):
+        return repr(body)
     values = {parameter.name: getattr(body, parameter.name) for parameter in fields(body)}
     return ", ".join(f"{name}={v.name if isinstance(v, Enum) else _clean(v)}" for name, v in values.items())
 
 
-def _mesh_text(plan: Plan) -> str:
-    meshes = {case.arguments.get("mesh") for case in plan.cases if isinstance(case, LoadCase)}
+def _mesh_text(cases: list[LoadCase]) -> str:
+    shapes = {case.body.heights.shape for case in cases if isinstance(case.body, RoughSurface)}
+    if shapes:
+        return "varies" if len(shapes) > 1 else " x ".join(str(count) for count in shapes.pop())
+    meshes = {case.arguments.get("mesh") for case in cases}
     if len(meshes) > 1:
         return "varies, see nodes_per_revolution, theta_nodes_per_revolution, max_order"
     mesh = next(iter(meshes), None)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import math
 import sys
 from collections.abc import Mapping, Sequence
@@ -19,11 +18,11 @@ from .._support.errors import InvalidInput
 from .._support.tables import handy
 from .._support.text import shown
 from .._support.units import UNITS
-from ..bodies import Adhesion, Counterbody, Drive, Mesh, is_body
+from ..bodies import Adhesion, Drive, Mesh, is_body
 from ..materials import Draws
-from ..rolling import solve
+from .kinds import ROLLING, StudyKind
 
-__all__ = ["LOAD_CASE", "MOST_POINTS", "Dimension", "checked", "label", "require_feasible", "split"]
+__all__ = ["MOST_POINTS", "Dimension", "checked", "label", "require_feasible", "split"]
 
 #: Largest number of points of a study. They need 5.4 GB of memory: a point without fields and draws needs 5.4 kB
 #: (measured with tracemalloc over plan, outcomes and dataset of 10 000 points).
@@ -39,12 +38,6 @@ _TYPES: dict[str, type] = {
     "patch_load": PatchLoad,
     "slip_kinematics": SlipKinematics,
 }
-
-#: Arguments of `viscoroll.solve` that a study may fix or vary. All other parameters are passed to functions of bodies.
-LOAD_CASE = frozenset(inspect.signature(solve).parameters) - {"body", "threads", "progress"}
-
-#: Arguments that are left out if they are None.
-_OPTIONAL = frozenset(name for name in LOAD_CASE if inspect.signature(solve).parameters[name].default is None)
 
 #: Longest text that is used as a label [characters].
 _LONGEST_LABEL = 80
@@ -126,7 +119,7 @@ def require_feasible(sizes: Mapping[str, int]) -> None:
         raise ValueError(f"a study must have at most {MOST_POINTS} points, got {shown(count)} ({factors})")
 
 
-def split(name: str, value: object) -> Dimension | object:
+def split(name: str, value: object, kind: StudyKind = ROLLING) -> Dimension | object:
     """Return a dimension for a one-dimensional sequence, array or mapping, and the checked value otherwise.
 
     The keys of a mapping are the labels of its values. `Draws` of a material are one value: they describe the
@@ -135,12 +128,12 @@ def split(name: str, value: object) -> Dimension | object:
     Raises
     ------
     TypeError
-        If an argument of `viscoroll.solve` has the wrong type.
+        If an argument of the solver has the wrong type.
     ValueError
         For arrays of several dimensions, for more than `MOST_POINTS` values, and for values that `Dimension` rejects.
     """
     if isinstance(value, Draws):
-        return checked(name, value)
+        return checked(name, value, kind)
     if hasattr(value, "ndim") and hasattr(value, "__array__"):
         require_feasible({name: math.prod(getattr(value, "shape", ()))})
         array = np.asarray(value)
@@ -150,23 +143,23 @@ def split(name: str, value: object) -> Dimension | object:
     if isinstance(value, Mapping | Sequence):
         require_feasible({name: _length(value)})
     if isinstance(value, Mapping):
-        named = tuple(checked(name, item) for item in value.values())
+        named = tuple(checked(name, item, kind) for item in value.values())
         return Dimension(name=name, values=named, unit=UNITS.get(name), names=tuple(map(str, value)))
     if not isinstance(value, Sequence) or isinstance(value, str | bytes):
-        return checked(name, value)
+        return checked(name, value, kind)
     values = [item.item() if isinstance(item, np.generic) else item for item in value]
-    return Dimension(name=name, values=tuple(checked(name, item) for item in values), unit=UNITS.get(name))
+    return Dimension(name=name, values=tuple(checked(name, item, kind) for item in values), unit=UNITS.get(name))
 
 
-def checked(name: str, value: object) -> object:
-    """Return the checked value of a parameter, converted to float or int if `viscoroll.solve` takes a number.
+def checked(name: str, value: object, kind: StudyKind = ROLLING) -> object:
+    """Return the checked value of a parameter, converted to float or int if the solver takes a number.
 
     Raises
     ------
     TypeError
-        If an argument of `viscoroll.solve` has the wrong type.
+        If an argument of the solver has the wrong type.
     """
-    if value is None and name in _OPTIONAL:
+    if value is None and name in kind.optional:
         return None
     if name == "max_iterations":
         return as_int(name, value)
@@ -175,14 +168,14 @@ def checked(name: str, value: object) -> object:
         return value
     if name == "on":
         for one in (value.best_estimate, *value) if isinstance(value, Draws) else (value,):
-            require_type(name, one, Counterbody)
+            require_type(name, one, kind.counterbody)
         return value
     if name in _TYPES:
         if issubclass(_TYPES[name], Enum):
             return as_member(name, value, _TYPES[name])  # type: ignore[arg-type]
         require_type(name, value, _TYPES[name])
         return value
-    if name in LOAD_CASE:
+    if name in kind.arguments:
         return as_float(name, value)
     return value
 

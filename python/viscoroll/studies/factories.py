@@ -12,7 +12,7 @@ from .._support.arguments import kind_names
 from .._support.errors import InvalidType
 from .._support.suggestions import suggestion
 from .._support.text import shown
-from .dimensions import LOAD_CASE
+from .kinds import StudyKind
 
 __all__ = ["STUDY_ERRORS", "Bodies"]
 
@@ -27,6 +27,7 @@ class Bodies:
     source: Any  # a body, or a function that returns one
     noun: str  # name of the argument in messages
     kind: Any  # type of the bodies
+    study: StudyKind
     made: dict[tuple[Hashable, ...], Any] = field(default_factory=dict)  # by the indices of the parameters' values
 
     @property
@@ -46,10 +47,10 @@ class Bodies:
         """Reject parameters that the source does not take, and a function that needs other parameters."""
         if isinstance(self.source, self.kind):
             if names:
-                guesses = [guess for name in names if (guess := suggestion(name, LOAD_CASE))]
+                guesses = [guess for name in names if (guess := suggestion(name, self.study.arguments))]
                 raise TypeError(
-                    f"a rolling body has no parameter {', '.join(names)}; pass a function of {', '.join(names)} that "
-                    "returns the rolling body, or as on= the counterbody"
+                    f"a {self.study.described} has no parameter {', '.join(names)}; pass a function of "
+                    f"{', '.join(names)} that returns the {self.study.described}, or as on= the counterbody"
                     f"{f'; or did you mean {guesses[0]}?' if guesses else ''}"
                 )
             return

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import hashlib
-import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..rolling import solve
-from .dimensions import LOAD_CASE
+from ..sliding import RoughSurface
+from .kinds import ROLLING, SLIDING
 
 if TYPE_CHECKING:
     from ..bodies import Counterbody, Mesh, RollingBody
@@ -19,7 +18,7 @@ if TYPE_CHECKING:
     from ..rolling.propagation import Pair
     from .draws import DrawMethod
 
-__all__ = ["PointKeys", "digest"]
+__all__ = ["PointKeys", "digest", "sampled_text"]
 
 #: Nodes per revolution of the finest possible mesh, which the solver may choose if no mesh is given.
 _FINEST_MESH = 1_000_000
@@ -27,11 +26,8 @@ _FINEST_MESH = 1_000_000
 #: Number of frequencies, spaced geometrically, at which Python functions of frequency are compared.
 _SAMPLES = 96
 
-_DEFAULTS = {
-    name: parameter.default
-    for name, parameter in inspect.signature(solve).parameters.items()
-    if name in LOAD_CASE and parameter.default is not parameter.empty
-}
+#: Frequencies at which Python functions as materials of a plane are compared [rad/s].
+_FREQUENCIES = [0.0, *np.geomspace(1e-6, 1e9, _SAMPLES).tolist()]
 
 
 class PointKeys:
@@ -42,40 +38,57 @@ class PointKeys:
 
     def __init__(self) -> None:
         self._bodies: dict[tuple[int, float, int], str] = {}
+        self._surfaces: dict[int, str] = {}
 
     def key(
         self,
-        body: RollingBody,
+        body: RollingBody | RoughSurface,
         arguments: Mapping[str, Any],
         fields: tuple[str, ...],
         draws: Sequence[Pair] = (),
         method: DrawMethod = "linear",
+        addition: object = None,
     ) -> str:
         """Return the key of a point.
 
         Parameters
         ----------
-        body : CoatedSphere, CoatedCylinder or CoatedWheel
-            Rolling body of the point, which must outlive this object.
+        body : CoatedSphere, CoatedCylinder, CoatedWheel or RoughSurface
+            Rolling body or rough surface of the point, which must outlive this object.
         arguments : mapping
-            Arguments of `viscoroll.solve`; missing ones have their defaults.
+            Arguments of the solver; missing ones have their defaults.
         fields : tuple of str
             Names of the fields that are stored.
         draws : sequence of pairs, default ()
             Body and counterbody of each draw. The bodies must outlive this object.
         method : "linear" or "solve", default "linear"
             Method for the results of draws.
+        addition : Addition, optional
+            Further results of the point.
         """
-        case = {name: value for name, value in sorted({**_DEFAULTS, **arguments}.items()) if value is not None}
+        if isinstance(body, RoughSurface):
+            return self._sliding_key(body, arguments)
+        case = _with_defaults(ROLLING.defaults, arguments)
         speed = case["speed"] / body.outer_radius if "speed" in case else case["angular_speed"]
         highest = _highest_harmonic(case.get("mesh"))
         if "on" in case:
             case["on"] = _counterbody_text(case["on"], speed * body.outer_radius, highest)
         text = f"{case!r} {fields!r} {self._body(body, speed, highest)}"
+        if addition is not None:
+            text += f"; {addition!r}"
         for drawn, on in draws:
             under = "" if on is None else _counterbody_text(on, speed * drawn.outer_radius, highest)
             text += f"; {method} draw {self._body(drawn, speed, highest)} on {under}"
         return digest(text)
+
+    def _sliding_key(self, surface: RoughSurface, arguments: Mapping[str, Any]) -> str:
+        case = _with_defaults(SLIDING.defaults, arguments)
+        case["on"] = _text(case["on"], _FREQUENCIES)
+        if id(surface) not in self._surfaces:
+            heights = hashlib.sha256(surface.heights.tobytes()).hexdigest()
+            shape = (surface.heights.shape, surface.spacing, surface.periodic)
+            self._surfaces[id(surface)] = f"{heights} {shape!r}"
+        return digest(f"sliding {case!r} {self._surfaces[id(surface)]}")
 
     def _body(self, body: RollingBody, speed: float, highest: int) -> str:
         key = (id(body), speed, highest)
@@ -87,6 +100,10 @@ class PointKeys:
 def digest(text: str) -> str:
     """Return a short text that differs for different texts: half of their SHA-256 checksum."""
     return hashlib.sha256(text.encode()).hexdigest()[:32]
+
+
+def _with_defaults(defaults: Mapping[str, Any], arguments: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in sorted({**defaults, **arguments}.items()) if value is not None}
 
 
 def _highest_harmonic(mesh: Mesh | None) -> int:
@@ -103,8 +120,13 @@ def _body_text(body: LayeredBody, speed: float, highest: int) -> str:
 
 def _counterbody_text(on: Counterbody, surface_speed: float, highest: int) -> str:
     if on.is_flat:
-        return _text(on, [0.0, *np.geomspace(1e-6, 1e9, _SAMPLES).tolist()])
+        return _text(on, _FREQUENCIES)
     return _body_text(on, surface_speed / on.surface, highest)
+
+
+def sampled_text(value: object) -> str:
+    """Return the text of any argument, with functions of frequency sampled between 1e-6 and 1e9 rad/s."""
+    return _text(value, [0.0, *np.geomspace(1e-6, 1e9, _SAMPLES).tolist()])
 
 
 def _text(value: object, frequencies: list[float]) -> str:
@@ -112,7 +134,9 @@ def _text(value: object, frequencies: list[float]) -> str:
     if is_dataclass(value):
         parameters = (f"{field.name}={_text(getattr(value, field.name), frequencies)}" for field in fields(value))
         return f"{type(value).__name__}({', '.join(parameters)})"
-    if isinstance(value, tuple):
+    if isinstance(value, np.ndarray):
+        return repr(value.tolist())
+    if isinstance(value, tuple | list):
         return f"({', '.join(_text(one, frequencies) for one in value)})"
     return _sampled(value, frequencies) if callable(value) else repr(value)
 

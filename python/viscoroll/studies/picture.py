@@ -22,21 +22,21 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["plot_study"]
+__all__ = ["default_variable", "plot_study"]
 
 #: Line styles, in the order of their use.
 _LINE_STYLES: tuple[Literal["-", "--", ":", "-."], ...] = ("-", "--", ":", "-.")
 
 
 @overload
-def plot_study(study: xarray.Dataset, *, variable: str = ...) -> Figure: ...
+def plot_study(study: xarray.Dataset, *, variable: str | None = ...) -> Figure: ...
 
 
 @overload
-def plot_study(study: xarray.Dataset, *, variable: str = ..., ax: Axes) -> Axes: ...
+def plot_study(study: xarray.Dataset, *, variable: str | None = ..., ax: Axes) -> Axes: ...
 
 
-def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque", ax: Axes | None = None) -> Figure | Axes:
+def plot_study(study: xarray.Dataset, *, variable: str | None = None, ax: Axes | None = None) -> Figure | Axes:
     """Draw a scalar result of a study against its first dimension, one curve for each value of the others.
 
     Among the other dimensions, the one with most values sets the color of the curves; the remaining ones set the line
@@ -46,8 +46,8 @@ def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque", ax:
     ----------
     study : xarray.Dataset
         Dataset from `viscoroll.sweep`, or a selection of it.
-    variable : str, default "resisting_torque"
-        Name of the scalar result.
+    variable : str, optional
+        Name of the scalar result; by default the resisting torque, or the friction coefficient of rough surfaces.
     ax : matplotlib.axes.Axes, optional
         Axes to draw into; by default, a new figure is made.
 
@@ -63,8 +63,13 @@ def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque", ax:
         If the variable is unknown or has no dimensions or no finite values, or if the curves need more colors or line
         styles than there are.
     """
-    values = _checked_variable(study, variable)
+    values = _checked_variable(study, default_variable(study) if variable is None else variable)
     return draw_picture(lambda axes: _draw_study(axes, study, values), ax, figsize=(7.6, 5.0))
+
+
+def default_variable(study: xarray.Dataset) -> str:
+    """Return the name of the main result: resisting torque, or friction coefficient of rough surfaces."""
+    return "friction_coefficient" if "friction_coefficient" in study else "resisting_torque"
 
 
 def _draw_study(axes: Axes, study: xarray.Dataset, values: xarray.DataArray) -> None:

@@ -3,36 +3,67 @@
 from __future__ import annotations
 
 import itertools
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from .._support.errors import InvalidInput
-from ..bodies import Counterbody, RollingBody, is_body
+from ..bodies import RollingBody, is_body
+from ..coupled import StrainSoftening
 from ..coupled.softening_search import softens
 from ..materials import Draws
+from ..rolling import Result
 from ..rolling.propagation import Pair
-from .dimensions import LOAD_CASE, Dimension, label, require_feasible, split
+from ..sliding import RoughSurface
+from ..sliding.slide import as_plane
+from .dimensions import Dimension, label, require_feasible, split
 from .draws import DrawMethod, drawn_parameters
 from .factories import Bodies
 from .identity import PointKeys, digest
+from .kinds import ROLLING, SLIDING, StudyKind
 
-__all__ = ["LoadCase", "Plan", "Task", "plan_sweep"]
-
-#: Arguments that determine the influence table, in addition to the body.
-_SHARED = ("on", "angular_speed", "speed", "mesh", "compliance", "curvature", "patch_load")
+__all__ = ["Addition", "LoadCase", "Plan", "Task", "plan_sweep"]
 
 #: Longest text that the identity of a study contains in full [characters].
 _LONGEST_TEXT = 160
 
 
+class Addition(ABC):
+    """Further results of a point of a study, such as temperatures; a dataclass whose text determines them."""
+
+    __slots__ = ()
+
+    @property
+    @abstractmethod
+    def columns(self) -> dict[str, tuple[str, str]]:
+        """Unit and description of each further result, by name."""
+
+    @abstractmethod
+    def solve(
+        self, solver: Callable[..., Result | StrainSoftening], arguments: Mapping[str, Any], **options: Any
+    ) -> tuple[Result | StrainSoftening, dict[str, float]]:
+        """Return the result of a point and its further results.
+
+        Parameters
+        ----------
+        solver : callable
+            Function that solves the point.
+        arguments : mapping
+            Arguments of `viscoroll.solve` for the point.
+        **options
+            Number of threads and function for the progress.
+        """
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoadCase:
-    """One point: the body, arguments of `viscoroll.solve`, and both bodies with each draw of their materials."""
+    """One point: body or rough surface, arguments of its solver, bodies with each draw of materials, additions."""
 
-    body: RollingBody
+    body: RollingBody | RoughSurface
     arguments: dict[str, Any]
     draws: tuple[Pair, ...] = ()
+    addition: Addition | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,12 +71,13 @@ class Task:
     """Points for one worker, with the same body and the same influence table."""
 
     indices: tuple[int, ...]
-    body: RollingBody
+    body: RollingBody | RoughSurface
     shared: dict[str, Any]
     cases: tuple[dict[str, Any], ...]
     fields: tuple[str, ...]
     draws: tuple[Pair, ...]
     method: DrawMethod
+    additions: tuple[Addition | None, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,6 +86,8 @@ class Plan:
 
     Attributes
     ----------
+    kind : StudyKind
+        Kind of the study.
     dimensions : tuple of Dimension
         Parameters that vary.
     fixed : dict
@@ -73,9 +107,10 @@ class Plan:
     ------
     ValueError
         If no point can be solved, with the message of the first point; if rollers, whose results are per length, are
-        mixed with other bodies; and for linear draws of layers that soften.
+        mixed with other bodies, or profiles with maps; and for linear draws of layers that soften.
     """
 
+    kind: StudyKind = ROLLING
     dimensions: tuple[Dimension, ...]
     fixed: dict[str, Any]
     cases: tuple[LoadCase | str, ...]
@@ -88,18 +123,19 @@ class Plan:
         """Reject plans that cannot be solved, and compute the keys."""
         if all(isinstance(case, str) for case in self.cases):
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
-        if len({body.line_contact for body in self.rolling_bodies()}) > 1:
-            raise InvalidInput(
-                "body", "must be a roller at all points or at none, because results of rollers are per length", "both"
-            )
+        if len({getattr(body, self.kind.line_contact) for body in self.bodies()}) > 1:
+            line = "a roller" if self.kind is ROLLING else "a profile"
+            rule = f"must be {line} at all points or at none, because results in line contact are per length"
+            raise InvalidInput(self.kind.noun, rule, "both")
         solved = [case for case in self.cases if isinstance(case, LoadCase)]
         if self.method == "linear" and any(
-            case.draws and softens(case.body, case.arguments.get("on")) for case in solved
+            case.draws and not isinstance(case.body, RoughSurface) and softens(case.body, case.arguments.get("on"))
+            for case in solved
         ):
             raise InvalidInput("draws", "must be 'solve' if layers soften with strain", "'linear'")
         known = PointKeys()
         keys = [
-            known.key(case.body, case.arguments, self.fields, case.draws, self.method)
+            known.key(case.body, case.arguments, self.fields, case.draws, self.method, case.addition)
             if isinstance(case, LoadCase)
             else None
             for case in self.cases
@@ -111,14 +147,23 @@ class Plan:
         """Number of values of each dimension."""
         return tuple(len(dimension.values) for dimension in self.dimensions)
 
-    def rolling_bodies(self) -> list[RollingBody]:
-        """Return every rolling body once."""
+    def bodies(self) -> list[Any]:
+        """Return every rolling body or rough surface once."""
         return list({id(case.body): case.body for case in self.cases if isinstance(case, LoadCase)}.values())
 
     @property
     def line_contact(self) -> bool:
-        """Whether the bodies are rollers, whose loads and results are per length."""
-        return self.rolling_bodies()[0].line_contact
+        """Whether the contacts are lines, with loads and results per length."""
+        return bool(getattr(self.bodies()[0], self.kind.line_contact))
+
+    @property
+    def added_columns(self) -> dict[str, tuple[str, str]]:
+        """Unit and description of the further results of all points, by name."""
+        columns: dict[str, tuple[str, str]] = {}
+        for case in self.cases:
+            if isinstance(case, LoadCase) and case.addition is not None:
+                columns |= case.addition.columns
+        return columns
 
     def tasks(self, indices: Sequence[int], *, largest: int) -> list[Task]:
         """Return tasks of at most `largest` points that solve the points of `indices`."""
@@ -126,7 +171,7 @@ class Plan:
         for i in indices:
             case = self.cases[i]
             if isinstance(case, LoadCase):
-                key = (id(case.body), *(_hashable(case.arguments.get(name)) for name in _SHARED))
+                key = (id(case.body), *(_hashable(case.arguments.get(name)) for name in self.kind.shared))
                 groups.setdefault(key, []).append(i)
         # Each task takes every n-th point, not consecutive ones: points tend to become harder along a dimension.
         parts = {key: -(-len(group) // largest) for key, group in groups.items()}
@@ -138,13 +183,15 @@ class Plan:
         return Task(
             indices=tuple(indices),
             body=first.body,
-            shared={name: first.arguments[name] for name in _SHARED if first.arguments.get(name) is not None},
+            shared={name: first.arguments[name] for name in self.kind.shared if first.arguments.get(name) is not None},
             cases=tuple(
-                {k: v for k, v in case.arguments.items() if k not in _SHARED and v is not None} for case in cases
+                {k: v for k, v in case.arguments.items() if k not in self.kind.shared and v is not None}
+                for case in cases
             ),
             fields=self.fields,
             draws=first.draws,
             method=self.method,
+            additions=tuple(case.addition for case in cases),
         )
 
     def identity(self) -> dict[str, str]:
@@ -164,10 +211,11 @@ def _hashable(argument: object) -> object:
 
 
 def plan_sweep(
-    body: RollingBody | Callable[..., RollingBody],
+    body: RollingBody | RoughSurface | Callable[..., RollingBody | RoughSurface],
     parameters: dict[str, object],
     *,
-    fields: tuple[str, ...],
+    kind: StudyKind = ROLLING,
+    fields: tuple[str, ...] = (),
     method: DrawMethod = "linear",
     confidence: float = 0.95,
 ) -> Plan:
@@ -178,27 +226,34 @@ def plan_sweep(
     Raises
     ------
     TypeError
-        For missing parameters, and parameters that neither `viscoroll.solve` nor a function of a body takes.
+        For missing parameters, and parameters that neither the solver nor a function of a body takes.
     ValueError
         For too many points.
     """
-    counterbody = Bodies(parameters.get("on"), noun="on", kind=Counterbody)
+    counterbody = Bodies(parameters.get("on"), noun="on", kind=kind.counterbody, study=kind)
     divided = {
-        name: value if name == "on" and counterbody.is_made else split(name, value)
+        name: value if name == "on" and counterbody.is_made else split(name, value, kind)
         for name, value in parameters.items()
     }
     dimensions = tuple(value for value in divided.values() if isinstance(value, Dimension))
     require_feasible({dimension.name: len(dimension.values) for dimension in dimensions})
     fixed = {name: value for name, value in divided.items() if not isinstance(value, Dimension)}
-    pairs = _Pairs(Bodies(body, noun="body", kind=RollingBody), counterbody, sorted(parameters.keys() - LOAD_CASE))
+    source = Bodies(body, noun=kind.noun, kind=kind.source, study=kind)
+    pairs = _Pairs(source, counterbody, sorted(parameters.keys() - kind.arguments))
     cases = []
     for point in itertools.product(*(enumerate(dimension.values) for dimension in dimensions)):
         chosen = {dimension.name: item for dimension, item in zip(dimensions, point, strict=True)}
         varied = {name: value for name, (_, value) in chosen.items()}
         numbers = {name: number for name, (number, _) in chosen.items()}
-        cases.append(_case(pairs, numbers, fixed | varied))
+        cases.append(_case(kind, pairs, numbers, fixed | varied))
     return Plan(
-        dimensions=dimensions, fixed=fixed, cases=tuple(cases), fields=fields, method=method, confidence=confidence
+        kind=kind,
+        dimensions=dimensions,
+        fixed=fixed,
+        cases=tuple(cases),
+        fields=fields,
+        method=method,
+        confidence=confidence,
     )
 
 
@@ -228,7 +283,7 @@ class _Pairs:
         return next((text for text in (body, on) if isinstance(text, str)), (body, on))
 
 
-def _case(pairs: _Pairs, numbers: Mapping[str, int], parameters: dict[str, Any]) -> LoadCase | str:
+def _case(kind: StudyKind, pairs: _Pairs, numbers: Mapping[str, int], parameters: dict[str, Any]) -> LoadCase | str:
     """Return the case of a point, or the message of the exception that one of its bodies raises."""
     best, drawn = drawn_parameters(parameters)
     uncertain = [name for name, value in parameters.items() if isinstance(value, Draws)]
@@ -242,9 +297,9 @@ def _case(pairs: _Pairs, numbers: Mapping[str, int], parameters: dict[str, Any])
     if isinstance(solved, str):
         return solved
     body, on = solved
-    arguments = {name: value for name, value in best.items() if name in LOAD_CASE}
+    arguments = {name: value for name, value in best.items() if name in kind.arguments}
     if on is not None:
-        arguments["on"] = on
+        arguments["on"] = as_plane(on) if kind is SLIDING else on
     return LoadCase(body=body, arguments=arguments, draws=tuple(draws))
 
 

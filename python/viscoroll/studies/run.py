@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import CancelledError, Executor, Future, ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,11 +20,12 @@ from ..coupled import StrainSoftening, strain_softening
 from ..coupled.softening_search import softens
 from ..rolling import Result, RollingModel, solve
 from ..rolling.propagation import Pair
+from ..sliding import RoughSurface, SlidingResult, slide
 from .draws import DrawMethod, drawn_scalars
 from .factories import STUDY_ERRORS
-from .plan import Plan, Task
+from .plan import Addition, Plan, Task
 
-__all__ = ["Outcome", "run", "solve_group", "solve_point"]
+__all__ = ["Outcome", "is_own_error", "run", "solve_group", "solve_point"]
 
 #: Largest number of points of a task for an executor: the points that each worker loses if this process is killed.
 _LARGEST_TASK = 8
@@ -33,6 +34,9 @@ _LARGEST_TASK = 8
 #: tasks the workers finish closer together, but fewer points share influence tables.
 _TASKS_PER_CORE = 2
 _TASKS_OF_AN_EXECUTOR = 32
+
+#: Result of a point.
+Solved: TypeAlias = Result | StrainSoftening | SlidingResult
 
 #: Name of the warning for a point whose draws failed.
 NO_INTERVAL = "NO_INTERVAL"
@@ -64,26 +68,26 @@ class Outcome:
 
 
 def solve_group(
-    body: RollingBody,
+    body: RollingBody | RoughSurface,
     shared: Mapping[str, Any],
     cases: Sequence[Mapping[str, Any]],
     *,
     fields: Sequence[str] = (),
     draws: Sequence[Pair] = (),
     method: DrawMethod = "linear",
+    additions: Sequence[Addition | None] = (),
     threads: int = 1,
     progress: Report | None = None,
     record: Callable[[int, Outcome], object] | None = None,
 ) -> list[Outcome]:
-    """Solve points that share a body, a speed and a mesh, one after the other, with one `RollingModel`.
+    """Solve points that share their body, one after the other; with a common mesh with one `RollingModel`.
 
     Parameters
     ----------
-    body : CoatedSphere, CoatedCylinder or CoatedWheel
-        Rolling body of all points.
+    body : CoatedSphere, CoatedCylinder, CoatedWheel or RoughSurface
+        Rolling body or rough surface of all points.
     shared : mapping
-        Arguments of `viscoroll.solve` that are the same for all points: counterbody, speed, mesh, compliance,
-        curvature, patch load.
+        Arguments of the solver that are the same for all points, those of `StudyKind.shared`.
     cases : sequence of mapping
         The other arguments of each point.
     fields : sequence of str, default ()
@@ -92,6 +96,8 @@ def solve_group(
         Body and counterbody with each draw of their materials.
     method : "linear" or "solve", default "linear"
         Method for the results of the draws, as in `viscoroll.sweep`.
+    additions : sequence of Addition or None, default ()
+        Further results of each of `cases`; none if empty.
     threads : int, default 1
         Number of threads of each solve.
     progress : callable, optional
@@ -109,21 +115,29 @@ def solve_group(
     MemoryError, ImportError, CancelledError
         These are not tied to one point and end the group.
     """
-    solver: Callable[..., Result | StrainSoftening] | None = None
+    solver: Callable[..., Solved] | None = None
     outcomes = []
     for position, case in enumerate(cases):
         try:
             solver = solver or _solver(body, shared, cases, threads=threads, progress=progress)
-            solved = solve_point(solver, **case)
+            addition = additions[position] if additions else None
+            added: dict[str, float]
+            if addition is None:
+                solved, added = solve_point(solver, **case), {}
+            else:
+                rolling: Callable[..., Any] = partial(solver, **case)
+                arguments = {"body": body, **shared, **case}
+                with silenced():
+                    solved, added = addition.solve(rolling, arguments, threads=threads, progress=progress)
         except STUDY_ERRORS:
             raise
         except Exception as error:
-            outcome = Outcome(error=f"{type(error).__name__}: {error}", lasting=_is_own_error(error))
+            outcome = Outcome(error=f"{type(error).__name__}: {error}", lasting=is_own_error(error))
         else:
             result, bounds = (solved.result, solved.bounds) if isinstance(solved, StrainSoftening) else (solved, {})
             kept = {name: np.asarray(getattr(result, name), dtype=np.float64) for name in fields}
-            outcome = Outcome(scalars=result.scalars() | bounds, fields=kept)
-            if draws:
+            outcome = Outcome(scalars={**result.scalars(), **bounds, **added}, fields=kept)
+            if draws and isinstance(result, Result):
                 given = {**shared, **case}
                 outcome = _with_draws(outcome, result, draws, method, given, threads=threads, progress=progress)
         outcomes.append(outcome)
@@ -144,10 +158,10 @@ def _with_draws(
         warnings = ", ".join(filter(None, [str(outcome.scalars.get("warnings", "")), NO_INTERVAL]))
         text = f"draws: {type(error).__name__}: {error}"
         scalars = {**outcome.scalars, "warnings": warnings}
-        return replace(outcome, scalars=scalars, error=text, lasting=_is_own_error(error))
+        return replace(outcome, scalars=scalars, error=text, lasting=is_own_error(error))
 
 
-def _is_own_error(error: Exception) -> bool:
+def is_own_error(error: Exception) -> bool:
     """Return whether this package itself rejected the point; False if a user's function or a library failed."""
     frame = error.__traceback__
     while frame is not None and frame.tb_next is not None:
@@ -157,16 +171,18 @@ def _is_own_error(error: Exception) -> bool:
     return is_ours and isinstance(error, ValueError | ConvergenceError)
 
 
-def solve_point(solver: Callable[..., Result | StrainSoftening], **case: Any) -> Result | StrainSoftening:
+def solve_point(solver: Callable[..., Solved], **case: Any) -> Solved:
     """Solve one point: `solver` holds the arguments shared with other points, `case` the remaining ones."""
     with silenced():
         return solver(**case)
 
 
 def _solver(
-    body: RollingBody, shared: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], **options: Any
-) -> Callable[..., Result | StrainSoftening]:
-    """Return a model with shared influence tables, or, without a fixed mesh, `solve` with the shared arguments."""
+    body: RollingBody | RoughSurface, shared: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], **options: Any
+) -> Callable[..., Solved]:
+    """Return a model with shared influence tables, or, without a fixed mesh, a solver with the shared arguments."""
+    if isinstance(body, RoughSurface):
+        return partial(slide, body, **shared, **options)
     if softens(body, shared.get("on")):
         return partial(strain_softening, body, **shared, **options)  # the moduli depend on the strain of each point
     if "mesh" not in shared or any("accuracy" in case for case in cases):
@@ -240,7 +256,9 @@ def _run_on_threads(plan: Plan, indices: Sequence[int], record: Callable[[int, O
 
 def _solve_task(task: Task, **options: Any) -> list[Outcome]:
     given = (task.body, task.shared, task.cases)
-    return solve_group(*given, fields=task.fields, draws=task.draws, method=task.method, **options)
+    return solve_group(
+        *given, fields=task.fields, draws=task.draws, method=task.method, additions=task.additions, **options
+    )
 
 
 def _collect(futures: dict[Future[Any], Task], record: Callable[[Task, Any], None]) -> None:

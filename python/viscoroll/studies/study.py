@@ -18,11 +18,13 @@ from .._support.result_warnings import warn
 from .._support.suggestions import suggestion
 from .._support.text import shown
 from ..bodies import RollingBody
+from ..materials import Draws
+from ..sliding import RoughSurface
 from ..solution import FIELDS, VECTOR_FIELDS
 from .cache import DAMAGED, StudyCache, as_cache_path
-from .dataset import RESERVED, build_dataset
-from .dimensions import LOAD_CASE
+from .dataset import RESERVED, RESERVED_BY_SLIDING, build_dataset
 from .draws import DrawMethod, as_draw_method
+from .kinds import ROLLING, SLIDING
 from .plan import LoadCase, Plan, plan_sweep
 from .run import Outcome, run
 
@@ -33,7 +35,7 @@ __all__ = ["run_plan", "study_warnings", "sweep"]
 
 
 def sweep(
-    body: RollingBody | Callable[..., RollingBody],
+    body: RollingBody | RoughSurface | Callable[..., RollingBody | RoughSurface],
     *,
     executor: Executor | None = None,
     cache: str | Path | None = None,
@@ -52,9 +54,10 @@ def sweep(
 
     Parameters
     ----------
-    body : CoatedSphere, CoatedCylinder, CoatedWheel or callable
+    body : CoatedSphere, CoatedCylinder, CoatedWheel, RoughSurface or callable
         Rolling body of all points, or a function that returns it. The function is called as body(name=value, ...) with
-        those parameters below that are not arguments of `viscoroll.solve`.
+        those parameters below that are not arguments of `viscoroll.solve`. With a rough surface, or with a function
+        and the parameter pressure, the points are those of `viscoroll.slide`.
     executor : concurrent.futures.Executor, optional
         Executor that solves the points: a process pool, dask's ``Client.get_executor()``, mpi4py's ``MPIPoolExecutor``.
         By default, threads of this process, with one solve on each core. The results do not depend on the executor.
@@ -80,7 +83,9 @@ def sweep(
         in (0, 1).
     **parameters : float, object, or sequence of them
         Arguments of `viscoroll.solve`: load [N] or penetration [m], angular_speed [rad/s], on, friction [-], drive,
-        mesh, accuracy [-], compliance, curvature, patch_load, slip_kinematics, max_iterations. The counterbody `on` can
+        mesh, accuracy [-], compliance, curvature, patch_load, slip_kinematics, max_iterations. For rough surfaces,
+        arguments of `viscoroll.slide`: pressure [Pa] or load [N], speed [m/s], on, tolerance [-], max_iterations. The
+        counterbody `on` can
         also be given by a function. All other names are parameters of these two functions; each function receives the
         parameters that it takes. `Draws` of a material, or of a quantity from which a function makes a material, count
         as one value of a parameter and give the results intervals, for the body as well as for the counterbody.
@@ -137,11 +142,17 @@ def sweep(
     >>> study.resisting_torque.dims
     ('thickness', 'load')
     """
+    is_sliding = isinstance(body, RoughSurface) or ("pressure" in parameters and "angular_speed" not in parameters)
     kept = _checked_fields(fields)
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise InvalidType("executor", "must be a concurrent.futures.Executor or None", repr(executor))
-    _check_names(parameters)
-    plan = plan_sweep(body, parameters, fields=kept, method=as_draw_method(draws), confidence=as_confidence(confidence))
+    how: dict[str, Any] = {"method": as_draw_method(draws), "confidence": as_confidence(confidence)}
+    if is_sliding:
+        _check_sliding(parameters, kept)
+        plan = plan_sweep(body, parameters, kind=SLIDING, **how)
+    else:
+        _check_names(parameters)
+        plan = plan_sweep(body, parameters, fields=kept, **how)
     study = run_plan(plan, executor=executor, cache=cache, retry_failed=retry_failed, progress=progress)
     warn(study_warnings(study))
     return study
@@ -236,5 +247,18 @@ def _check_names(parameters: dict[str, Any]) -> None:
         raise InvalidInput("speed", "must be left out if the angular speed is given", shown(parameters["speed"]))
     if parameters.get("mesh") is not None and parameters.get("accuracy") is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", f"{parameters['accuracy']!r}")
-    if taken := sorted(parameters.keys() & RESERVED - LOAD_CASE):
+    if taken := sorted(parameters.keys() & RESERVED - ROLLING.arguments):
+        raise InvalidInput("parameters", "must not have names of results", f"{', '.join(taken)}")
+
+
+def _check_sliding(parameters: dict[str, Any], fields: tuple[str, ...]) -> None:
+    if missing := sorted({"on", "speed"} - parameters.keys()):
+        raise TypeError(f"sweep of a rough surface requires {' and '.join(missing)}")
+    if (parameters.get("pressure") is None) == (parameters.get("load") is None):
+        raise TypeError("sweep of a rough surface requires exactly one of pressure and load")
+    if fields:
+        raise InvalidInput("fields", "must be left out for a rough surface", ", ".join(fields))
+    if drawn := [name for name, value in parameters.items() if isinstance(value, Draws)]:
+        raise InvalidInput(drawn[0], "must be a single material for a rough surface", "draws")
+    if taken := sorted(parameters.keys() & RESERVED_BY_SLIDING - SLIDING.arguments):
         raise InvalidInput("parameters", "must not have names of results", f"{', '.join(taken)}")

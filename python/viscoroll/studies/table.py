@@ -31,7 +31,7 @@ def save_table(study: xarray.Dataset, path: str | Path) -> None:
     """
     path = ending_in([".csv"], path)
     scalars = study.drop_dims([name for name in ("phi", "theta", "direction") if name in study.dims])
-    varied = list(scalars.resisting_torque.dims)
+    varied = list(scalars.status.dims)
     frame = scalars.to_dataframe().reset_index().dropna(axis="columns", how="all")
     names = [*varied, *(name for name in frame.columns if name not in varied)]
     columns = {_headed(study, name): frame[name].tolist() for name in names}

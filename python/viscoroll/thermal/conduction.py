@@ -12,7 +12,6 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.polynomial import legendre
 
 from .._support.errors import InvalidInput
 
@@ -31,7 +30,7 @@ _MAX_FOLDS = 16.0  # largest number of e-folds of the highest mode across an ele
 
 def _lobatto(count: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Return the Gauss-Lobatto points on [-1, 1], their quadrature weights and the differentiation matrix."""
-    basis = legendre.Legendre.basis(count - 1)
+    basis = np.polynomial.legendre.Legendre.basis(count - 1)
     points = np.concatenate([[-1.0], np.sort(basis.deriv().roots().real), [1.0]])
     values = basis(points)
     weights = 2.0 / (count * (count - 1) * values**2)
@@ -201,7 +200,9 @@ class Conduction:
     def refined(self, values: NDArray[np.float64], parts: int = 128) -> NDArray[np.float64]:
         """Interpolate values at all points (first axis) to the ends of `parts` equal intervals in each element."""
         targets = np.linspace(-1.0, 1.0, parts + 1)
-        basis = legendre.legvander(targets, _POINTS - 1) @ np.linalg.inv(legendre.legvander(self._points, _POINTS - 1))
+        basis = np.polynomial.legendre.legvander(targets, _POINTS - 1) @ np.linalg.inv(
+            np.polynomial.legendre.legvander(self._points, _POINTS - 1)
+        )
         elements = values.reshape(len(self._elements), _POINTS, -1)
         return np.asarray(np.concatenate([basis @ element for element in elements]))
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.polynomial import legendre
 
 from .._support.errors import InvalidInput
 
@@ -65,7 +64,7 @@ class HeatModes:
 
 def legendre_values(degrees: int, cosine: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return P_l(cosine) for l = 0 … degrees - 1, one row per degree."""
-    return np.asarray(legendre.legvander(cosine, degrees - 1).T, dtype=np.float64)
+    return np.asarray(np.polynomial.legendre.legvander(cosine, degrees - 1).T, dtype=np.float64)
 
 
 def modes_of_ball(degrees: int) -> HeatModes:
@@ -169,7 +168,7 @@ def film_matrix_of_ball(
     ValueError
         If a coefficient is negative or not finite.
     """
-    cosine, weights = legendre.leggauss(2 * degrees + 2)
+    cosine, weights = np.polynomial.legendre.leggauss(2 * degrees + 2)
     values = legendre_values(degrees, cosine)
     coefficient = _coefficients(convection, np.arccos(cosine))
     film: NDArray[np.float64] = (np.arange(degrees)[:, None] + 0.5) * ((values * (coefficient * weights)) @ values.T)
@@ -186,7 +185,7 @@ def film_matrix_of_wheel(
     ValueError
         If a coefficient is negative or not finite.
     """
-    points, weights = legendre.leggauss(2 * modes.count + 2)
+    points, weights = np.polynomial.legendre.leggauss(2 * modes.count + 2)
     z = 0.5 * width * points
     values = modes.values(z)
     coefficient = _coefficients(convection, 0.5 * np.pi - z / radius)

@@ -10,12 +10,14 @@ import numpy as np
 
 from .. import _core
 from .._core import Compliance, Curvature, Start
+from .._support.arguments import as_count, as_positive
 from .._support.extras import extra
-from .._support.files import save, write_csv, write_netcdf
+from .._support.files import ending_in, save, write_csv, write_netcdf
 from .._support.plotting import plots
 from .._support.quantities import quantity_text, quantity_texts
 from .._support.scalars import with_scalars
 from .._support.tables import html_table, number_text, unit_text
+from .._support.units import unit_in_contact
 from ..bodies import Counterbody, Drive, Mesh, RollingBody
 from ..ground import Axle, Profile
 from .rolling_history import RollingState
@@ -27,7 +29,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-__all__ = ["FORMATS", "ContactInstant", "History"]
+__all__ = ["ANIMATIONS", "FORMATS", "ContactInstant", "History"]
+
+#: Suffixes of animations.
+ANIMATIONS = (".gif", ".mp4")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -104,11 +109,6 @@ class History(SeriesFields):
     def distance(self) -> NDArray[np.float64]:
         """Distance rolled along the track, r_o ψ [m]: the displacement of the contact without slip."""
         return self.body.outer_radius * self.angle
-
-    @property
-    def axle_height(self) -> NDArray[np.float64]:
-        """Height of the axle, r_o minus the penetration [m]; r_o if the undeformed body touches flat ground."""
-        return self.body.outer_radius - self.penetration
 
     @property
     def ground_height(self) -> NDArray[np.float64]:
@@ -189,6 +189,8 @@ class History(SeriesFields):
             "largest_resisting_torque": float(self.resisting_torque[highest]),
             "time_of_largest_resisting_torque": float(self.time[highest]),
             "smallest_resisting_torque": float(self.resisting_torque.min()),
+            "largest_resisting_force": float(self.resisting_force.max()),
+            "smallest_resisting_force": float(self.resisting_force.min()),
             "largest_load": float(self.load.max()),
             "smallest_load": float(self.load.min()),
             "largest_pressure": float(self.max_pressure.max()),
@@ -206,6 +208,14 @@ class History(SeriesFields):
             "compliance": self.compliance.name,
             "curvature": self.curvature.name,
         }
+
+    def scalar_units(self) -> dict[str, str]:
+        """Return the units of the numbers in `scalars`, by name."""
+        units = self.units | {"pressure": "Pa", "duration": "s", "time_of_largest_resisting_torque": "s"}
+        units["mass"] = unit_in_contact("kg", line_contact=self.body.line_contact)
+        stems = {name: name.removeprefix("largest_").removeprefix("smallest_") for name in self.scalars()}
+        numbers = [name for name, value in self.scalars().items() if isinstance(value, int | float)]
+        return {name: units.get(stems[name], "1") for name in numbers}
 
     def to_xarray(self) -> xarray.Dataset:
         """Return the time series as a dataset over `time` [s], with units.
@@ -243,10 +253,36 @@ class History(SeriesFields):
 
     @plots("only ground and path of the axle")
     def plot_ground(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw ground and path of the axle, load, torque and contact length over the distance."""
+        """Draw ground and path of the axle, load, push force and contact length over the distance."""
         from .picture import plot_ground
 
         return plot_ground(self._series(), self.units, self.distance, self.ground_height, ax)
+
+    def animate(self, path: str | Path, *, seconds: float = 6.0, frames_per_second: int = 20) -> None:
+        """Write an animation of the body on its ground, with load and push force, to a file.
+
+        Parameters
+        ----------
+        path : path-like
+            ``.gif``, or ``.mp4``, which needs the program ffmpeg.
+        seconds : float, default 6
+            Duration of the animation [s], positive; the motion is played slower or faster.
+        frames_per_second : int, default 20
+            Number of pictures per second, at least 1. Formats round it: GIF to hundredths of a second per picture.
+
+        Raises
+        ------
+        ValueError
+            If the suffix is another one, ffmpeg is missing for ``.mp4``, or a number is out of range.
+        ImportError
+            If the extra `viscoroll[plot]` is missing.
+        """
+        from .animation import write_animation
+
+        frames = max(
+            2, round(as_positive("seconds", seconds, "s") * as_count("frames_per_second", frames_per_second, 1))
+        )
+        write_animation(self, ending_in(ANIMATIONS, path), frames=frames, frames_per_second=frames_per_second)
 
     @plots("only the torque over time")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:

@@ -74,8 +74,8 @@ class HistoryOptions:
         profile repeats a whole number of times. A height describes flat spots, shallow texture and runout well. Deep
         lugs are softer than the model, because they also bulge and bend.
     axle : Axle, optional
-        Mass, spring and damper between the body and a frame, without friction. The load is then the external force on
-        the axle. By default the load acts on the contact itself.
+        Mass, spring and damper between the body and a frame. The load is then the external force on the axle. By
+        default the load acts on the contact itself.
     averaged_meshes : int, default 4
         Number of meshes, each shifted by an equal fraction of the node spacing, over which results are averaged, in
         [1, 16]. A single mesh is four times as fast, but its torque varies with the position of its nodes.
@@ -134,10 +134,7 @@ class HistoryOptions:
             values[name] = values[name] and values[name]._to_core()
         values |= {"shortest_time": shortest_time, "longest_time": longest_time}
         del values["drive"]
-        options = _core.HistoryOptions()
-        for name, value in values.items():
-            setattr(options, name, value)
-        return options
+        return _core.HistoryOptions(**values)
 
 
 def with_options(target: _Target) -> _Target:

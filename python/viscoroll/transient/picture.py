@@ -94,7 +94,7 @@ def _draw_loop(axes: Axes, series: Series, units: Units) -> None:
 def plot_ground(
     series: Series, units: Units, distance: NDArray[np.float64], ground: NDArray[np.float64], ax: Axes | None = None
 ) -> Picture | Axes:
-    """Draw ground and path of the axle, load, torque and contact length over the distance.
+    """Draw ground and path of the axle, load, push force and contact length over the distance.
 
     Parameters
     ----------
@@ -113,7 +113,8 @@ def plot_ground(
     along = Scale.of(distance, "m")
 
     def draw_path(axes: Axes) -> None:
-        scale = Scale.of(np.concatenate([ground, series["penetration"]]), "m")
+        shown = ground if np.isnan(series["penetration"]).any() else np.concatenate([ground, series["penetration"]])
+        scale = Scale.of(shown, "m")
         axes.plot(distance / along.factor, ground / scale.factor, color="0.3", label="ground")
         axes.plot(distance / along.factor, -series["penetration"] / scale.factor, label="axle, above $r_o$")
         axes.set(xlabel=along.text("distance"), ylabel=scale.text("height"))
@@ -123,7 +124,10 @@ def plot_ground(
         axes = picture.subplots(4, 1, sharex=True)
         draw_path(axes[0])
         for one, name, label in zip(
-            axes[1:], ("load", "resisting_torque", "contact_length"), ("load", "$T_r$", "contact length"), strict=True
+            axes[1:],
+            ("load", "resisting_force", "contact_length"),
+            ("load", "push force", "contact length"),
+            strict=True,
         ):
             scale = _scale(series, units, name)
             one.plot(distance / along.factor, series[name] / scale.factor)

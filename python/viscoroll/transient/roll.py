@@ -81,7 +81,7 @@ def roll(
         `axle_height` is given.
     axle_height : array_like or float, optional
         Height of the axle at the waypoints [m], r_o minus the penetration; the load is then a result. At the first
-        waypoint, the height is smaller than r_o. Not with friction or an axle.
+        waypoint, the height is smaller than r_o. Not with an axle.
     center_displacement : array_like, optional
         Displacement of the center at the waypoints [m], starting from 0; requires friction. By default the forces
         determine it.

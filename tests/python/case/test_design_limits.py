@@ -6,6 +6,7 @@ import re
 
 import pytest
 from shared_cases import command
+from viscoroll._support.quantities import quantity_text
 from viscoroll.case import load_case
 from viscoroll.case.design import design_case
 from viscoroll.case.limits import outcome_of
@@ -88,14 +89,15 @@ def test_a_design_on_the_command_line(file, tmp_path):
     done = command("design", path, "--plot", tmp_path / "design.png")
     assert done.returncode == 0, done.stderr
     best, power = re.match(
-        r"cylinder.layers\[0\].thickness = (\S+): power dissipated (\S+) W/m\n", done.stdout
+        r"cylinder.layers\[0\].thickness = (\S+) mm: power dissipated (\S+ \S+)\n", done.stdout
     ).groups()
-    assert re.search(rf"  bond_shear = \S+ Pa, limit {middle:.6g} Pa", done.stdout)
-    assert re.search(r"  strain = \S+, limit 0.3\n", done.stdout)
+    largest = re.escape(quantity_text(middle, "Pa"))
+    assert re.search(rf"  largest shear traction at bonded interfaces: \S+ \S+, limit {largest}", done.stdout)
+    assert re.search(r"  strain.*: \S+ %, limit 30 %\n", done.stdout)
     assert (tmp_path / "design.png").stat().st_size > 5000
     found = design_case(path)
-    assert found.best == pytest.approx(float(best), rel=1e-5)
-    assert found.result.dissipated_power == pytest.approx(float(power), rel=1e-5)
+    assert found.best == pytest.approx(1e-3 * float(best), rel=1e-5)
+    assert quantity_text(found.result.dissipated_power, "W/m") == power
     assert found.result.bonds().shear_traction.max().item() <= middle * (1.0 + 1e-9)
 
 

@@ -112,6 +112,18 @@ def test_the_command_rolls_over_a_bump(tmp_path):
     assert h.penetration.min() < h.penetration[0] - 0.5e-4
 
 
+def test_the_command_draws_the_ground_and_writes_an_animation(tmp_path):
+    path = tmp_path / "motion.toml"
+    text = example_text("motion").replace("time = [0.0, 0.4, 1.0, 1.4, 1.8]", "time = [0.0, 0.4]")
+    text = text.replace("angle = [0.0, 1.0, 1.0, 2.0, 1.0]", "angle = [0.0, 0.6]")
+    path.write_text(text + '[ground]\ntype = "half_sine"\nheight = "0.1 mm"\nlength = "6 mm"\nat = "6 mm"\n')
+    done = command("roll", path, "--plot", tmp_path / "a.svg", "--animate", tmp_path / "a.gif")
+    assert done.returncode == 0, done.stderr
+    assert "push force" in (tmp_path / "a.svg").read_text() or (tmp_path / "a.svg").stat().st_size > 10_000
+    assert (tmp_path / "a.gif").read_bytes().startswith(b"GIF89a")
+    assert "must end in .gif or .mp4" in command("roll", path, "--animate", tmp_path / "a.png").stderr
+
+
 def test_solve_skips_the_tables_of_a_motion(tmp_path):
     path = tmp_path / "case.toml"
     path.write_text(example_text() + '[ground]\ntype = "step"\nheight = 1e-4\nat = 0.01\n')

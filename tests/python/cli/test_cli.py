@@ -367,7 +367,7 @@ sys.meta_path.insert(0, Interrupts())
 from viscoroll.__main__ import main
 main()
 """
-    done = program("-c", text)
+    done = program("-c", text, "solve", "case.toml")
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
 
 

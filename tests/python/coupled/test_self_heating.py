@@ -201,7 +201,8 @@ def test_state_of_a_wheel_is_consistent():
 
 def test_loads_of_a_softening_wheel_have_a_maximum():
     """By T(F; b) = b T(F/b; 1), contacts with one modulus give all states, also beyond the largest load."""
-    body = replace(WHEEL, core_radius=20e-3, width=30e-3, crown_radius=0.1)
+    # Without free faces, each contact takes half the time.
+    body = replace(WHEEL, core_radius=20e-3, width=30e-3, crown_radius=0.1, sides=enums.Sides.UNBOUNDED)
     mesh, speed = vr.Mesh(nodes_per_revolution=60), 15.0
 
     def softening(temperature):
@@ -253,7 +254,7 @@ def filled(name, **options):
         return body, vr.self_heating(body, **COOLING | given | {"mesh": mesh} | options)
 
 
-@pytest.mark.parametrize("name", ["ball", "roller", "wheel"])
+@pytest.mark.parametrize("name", ["ball", "roller", pytest.param("wheel", marks=pytest.mark.slow)])
 def test_state_of_filled_rubber_is_consistent_in_strain_and_temperature(name):
     """Strain softening with the shifted moduli gives the same contact, and its heat gives the same temperature."""
     body, hot = filled(name)

@@ -101,6 +101,36 @@ def lethe_viscous(text, load, speed, radius):
     return lethe_pair(text) * radius * load * (speed * radius)
 
 
+def mujoco(text, load, speed, radius):
+    assert 'condim="6"' in text
+    rolling = re.search(r'friction="1 1 0.005 (\S+) (\S+)"', text)
+    assert rolling[1] == rolling[2]
+    return float(rolling[1]) * load
+
+
+def kratos_arm(text, load, radius):
+    """Return the radius minus the indentation of Hertz's law with two identical materials."""
+    young, nu = number(r'"YOUNG_MODULUS": (\S+),', text), number(r'"POISSON_RATIO": (\S+)}', text)
+    return radius - (load / (4.0 / 3.0 * young / (2.0 * (1.0 - nu**2)) * radius**0.5)) ** (2.0 / 3.0)
+
+
+def kratos_constant(text, load, speed, radius):
+    assert "DEMRollingFrictionModelConstantTorque" in text
+    return number(r'"ROLLING_FRICTION": (\S+),', text) * load * kratos_arm(text, load, radius)
+
+
+def kratos_viscous(text, load, speed, radius):
+    assert "DEMRollingFrictionModelViscousTorque" in text
+    return number(r'"ROLLING_FRICTION": (\S+),', text) * load * kratos_arm(text, load, radius) ** 2 * speed
+
+
+def lethe_epsd(text, load, speed, radius):
+    """Return the torque of `epsd_rolling_torque` after many steps: beyond its limit, f times the damping remains."""
+    assert number(r"set f coefficient = (\S+)", text) == 0.0
+    assert number(r"set rolling viscous damping wall = (\S+)", text) > 0.0
+    return lethe_pair(text) * radius * load
+
+
 LAWS = {
     ("lammps", "sds"): lammps_sds,
     ("lammps", "viscous"): lammps_sds,
@@ -114,6 +144,10 @@ LAWS = {
     ("chrono", "dem"): chrono_dem,
     ("lethe", "constant"): lethe_constant,
     ("lethe", "viscous"): lethe_viscous,
+    ("lethe", "epsd"): lethe_epsd,
+    ("mujoco", "pair"): mujoco,
+    ("kratos", "constant"): kratos_constant,
+    ("kratos", "viscous"): kratos_viscous,
 }
 
 
@@ -127,7 +161,7 @@ def test_torque_from_the_law_of_each_code(result, code, style):
     exported = vr.export.dem(result, code=code, style=style)
     torque = LAWS[code, style](exported.text, 100.0, 2.5, result.body.outer_radius)
     assert torque == pytest.approx(result.dissipated_power / 2.5, rel=1e-12)
-    assert exported.text.startswith(("# viscoroll", "// viscoroll"))
+    assert exported.text.startswith(("# viscoroll", "// viscoroll", "<!-- viscoroll"))
     assert "load P = 100 N, speed Omega = 2.5 rad/s, radius R = 0.021 m" in exported.text
     assert "source: " in exported.text
 
@@ -172,8 +206,11 @@ def test_stiffness_is_fitted(study):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"code": "edem"}, "code must be one of lammps, liggghts, yade, mercurydpm, chrono, lethe, got 'edem'"),
-        ({"code": "lethe", "style": "sds"}, "style of lethe must be one of constant, viscous, got 'sds'"),
+        (
+            {"code": "edem"},
+            "code must be one of lammps, liggghts, yade, mercurydpm, chrono, lethe, mujoco, kratos, got 'edem'",
+        ),
+        ({"code": "lethe", "style": "sds"}, "style of lethe must be one of constant, viscous, epsd, got 'sds'"),
         ({"code": "yade", "load": 55.0}, "load must be one of 30, 50, 80, 120 N, got 55"),
         ({"code": "yade", "angular_speed": 3.0}, "angular_speed must be one of 0.5, 1, 2, 4, 8 rad/s, got 3"),
     ],

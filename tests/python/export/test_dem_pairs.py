@@ -76,6 +76,15 @@ def lethe(text, load, relative_speed):
     return 2.0 * one * two / (one + two) * load * radii[0] * radii[1] / sum(radii)
 
 
+def mujoco(text, load, relative_speed):
+    assert 'geom1="ball" geom2="other"' in text
+    return number(r'friction="1 1 0.005 (\S+) ', text) * load
+
+
+def kratos(text, load, relative_speed):
+    return number(r'"ROLLING_FRICTION": (\S+),', text) * load * min(FIRST, SECOND)
+
+
 LAWS = {
     ("lammps", "sds"): lammps,
     ("lammps", "viscous"): lammps,
@@ -86,6 +95,9 @@ LAWS = {
     ("mercurydpm", "friction"): mercurydpm,
     ("chrono", "nsc"): chrono,
     ("lethe", "constant"): lethe,
+    ("lethe", "epsd"): lethe,
+    ("mujoco", "pair"): mujoco,
+    ("kratos", "constant"): kratos,
 }
 
 
@@ -134,7 +146,8 @@ def test_studies_of_two_balls(dissimilar):
     [
         ("chrono", "multicore", "style of chrono must be nsc or dem for two balls, got multicore"),
         ("chrono", "dem", "style of chrono must be nsc for two balls of different radii, got dem"),
-        ("lethe", "viscous", "style of lethe must be constant for two balls, got viscous"),
+        ("kratos", "viscous", "style of kratos must be constant for two balls, got viscous"),
+        ("lethe", "viscous", "style of lethe must be constant or epsd for two balls, got viscous"),
     ],
 )
 def test_laws_that_do_not_support_two_balls(dissimilar, code, style, message):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-
 import numpy as np
 import pytest
 from campaign.files import judging, mutations, states
@@ -63,7 +61,7 @@ def test_readers_are_judged(tmp_path, read, failure):
 
 def test_commands_are_judged(tmp_path, monkeypatch):
     assert judging.command_failure(("solve", tmp_path / "none.toml"), tmp_path) is None
-    monkeypatch.setattr(sys.modules["viscoroll.cli.app"], "load_case", lambda path, changes: [][0])
+    monkeypatch.setattr("viscoroll.case.load_case", lambda path, changes: [][0])
     assert judging.command_failure(("solve", tmp_path / "none.toml"), tmp_path).startswith(
         "solve raises IndexError in app.py:solve"
     )

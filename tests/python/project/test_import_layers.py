@@ -31,7 +31,8 @@ LAYERS = (
 )
 
 RANK = {package: rank for rank, packages in enumerate(LAYERS) for package in packages}
-PATHS = sorted(path.relative_to(PACKAGE) for path in PACKAGE.rglob("*.py"))
+#: Sources, and the files that contain the imports of packages whose names are imported when they are first used.
+PATHS = sorted(path.relative_to(PACKAGE) for pattern in ("*.py", "__init__.pyi") for path in PACKAGE.rglob(pattern))
 
 
 def module_of(path):
@@ -88,8 +89,11 @@ def test_no_package_imports_from_a_later_layer(path):
 
 
 def test_no_imports_are_circular():
+    graph: dict[tuple[str, ...], set[tuple[str, ...]]] = {}
+    for path in PATHS:
+        graph.setdefault(module_of(path), set()).update(imports_of(path))
     try:
-        TopologicalSorter({module_of(path): imports_of(path) for path in PATHS}).prepare()
+        TopologicalSorter(graph).prepare()
     except CycleError as error:
         pytest.fail(" -> ".join(".".join(module) for module in error.args[1]))
 

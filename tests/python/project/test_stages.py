@@ -16,7 +16,7 @@ STAGES = (
     {"modal"},
     {"section"},
     {"influence"},
-    {"surface"},
+    {"surface", "creep"},
     {"contact"},
     {"rolling", "sliding"},
     {"transient", "interior"},

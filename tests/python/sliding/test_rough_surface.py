@@ -149,7 +149,7 @@ def test_netcdf_files(tmp_path, unit, factor):
         ("a.txt", "# nothing\n", "path must contain heights, got a.txt without numbers"),
         ("a.npy", "no array", "path must be a file that numpy.save wrote, got a.npy"),
         ("a.sur", "", "path must end in .npy, .csv, .txt or .nc, got 'a.sur'"),
-        ("a.csv", "1,nan\n2,3\n", "heights must be finite; fill undefined nodes first, got 1 undefined nodes"),
+        ("a.csv", "1,nan\n2,3\n", "heights must be finite unless fill is True, got 1 undefined nodes"),
     ],
 )
 def test_damaged_files(tmp_path, name, content, message):

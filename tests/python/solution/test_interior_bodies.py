@@ -11,6 +11,7 @@ from reference import interior as shells_of
 from reference import interior_flat as reference
 from shared_cases import RUBBER
 from test_interior_orders import CORE, SURFACE, layers_of, shells
+from viscoroll import _core
 from viscoroll.solution.interior_fields import order_fields
 from viscoroll.solution.interior_files import save_interior
 
@@ -40,7 +41,7 @@ def test_orders_of_a_roller_agree_with_fifty_digits(m):
     layers = shells(bulk=2e8)
     body = vr.CoatedCylinder(core_radius=CORE, layers=layers_of(layers))
     radii = [CORE, 20.5e-3, 21e-3, 22e-3, 22.5e-3, SURFACE]
-    positions, numbers = vr._core.places_at(body._to_core(), np.array(radii))
+    positions, numbers = _core.places_at(body._to_core(), np.array(radii))
     places = list(zip(positions.tolist(), numbers.tolist(), strict=True))
     expected = reference.roller_fields(layers, 2.5, m, places)
     assert largest_error(order_fields(body, 2.5, [m], [0], radius=radii), expected) < 1e-12
@@ -64,7 +65,7 @@ def test_orders_of_flat_layers_agree_with_fifty_digits(m, n, density):
         for j, shell in enumerate(shells(bulk=2e8))
     ]
     plane = vr.CoatedPlane(layers=layers_of(layers))
-    positions, numbers = vr._core.places_at(plane._to_core(), np.array(HEIGHTS))
+    positions, numbers = _core.places_at(plane._to_core(), np.array(HEIGHTS))
     nearest = [min(HEIGHTS, key=lambda height, p=p: abs(height - p)) for p in positions]
     places = list(zip(nearest, numbers.tolist(), strict=True))
     expected = reference.flat_fields(layers, angular_speed * SURFACE, m / SURFACE, n / SURFACE, places)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference import interior as reference
-from viscoroll import enums
+from viscoroll import _core, enums
 from viscoroll.solution.interior_fields import order_fields
 
 CORE, SURFACE = 20e-3, 23e-3
@@ -74,7 +74,7 @@ def compare(layers, inner_boundary, angular_speed, m, n, curvature=enums.Curvatu
     ball = ball_of(layers, inner_boundary)
     radii = places_in(layers, ball)
     got = order_fields(ball, angular_speed, [m], [n], radius=radii, curvature=curvature)
-    core = vr._core.places_at(ball._to_core(), np.array(radii))
+    core = _core.places_at(ball._to_core(), np.array(radii))
     places = list(zip(core[0].tolist(), core[1].tolist(), strict=True))
     expected = reference.order_fields(
         layers, angular_speed, m, n, places, inner_boundary=inner_boundary, paper=curvature is enums.Curvature.PAPER

@@ -10,6 +10,7 @@ import pytest
 import viscoroll as vr
 from reference import wheel_orders as reference
 from shared_cases import RUBBER, one_layer
+from viscoroll import _core
 from viscoroll.solution.interior_fields import order_fields
 from viscoroll.solution.interior_files import save_interior
 
@@ -43,7 +44,7 @@ def largest_error(found, expected):
 
 @pytest.mark.parametrize(("m", "n"), [(0, 1), (0, 15), (1, 1), (2, 3), (13, 20), (60, 7)])
 def test_orders_agree_with_bessel_functions(m, n):
-    positions, numbers = vr._core.places_at(DISSIMILAR._to_core(), np.array(RADII))
+    positions, numbers = _core.places_at(DISSIMILAR._to_core(), np.array(RADII))
     places = list(zip(positions.tolist(), numbers.tolist(), strict=True))
     assert len(places) == len(RADII) + 1
     moduli = [complex(modulus.complex_modulus(m * SPEED)) for modulus in (RUBBER, SOFT)]

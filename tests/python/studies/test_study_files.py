@@ -75,7 +75,7 @@ def test_parameters_of_the_same_name_get_distinct_names(study_file):
     path.write_text(path.read_text(encoding="utf-8").replace("[rolling]", layer + "[rolling]"), encoding="utf-8")
     plan = load_study(path)
     assert [(d.name, d.unit) for d in plan.dimensions] == [("layers_0_thickness", "m"), ("layers_1_thickness", "m")]
-    assert [ball.thickness for ball in plan.rolling_bodies()] == [2e-3, 3e-3]
+    assert [ball.thickness for ball in plan.bodies()] == [2e-3, 3e-3]
 
 
 def test_sweep_and_plot_on_the_command_line(study_file, tmp_path):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 import xarray
-from viscoroll import enums, paper
+from viscoroll import _core, enums, paper
 from viscoroll.studies.plan import plan_sweep
 
 MESH = vr.Mesh(nodes_per_revolution=100, max_order=50)
@@ -60,7 +60,7 @@ def test_units_and_provenance(tmp_path):
     assert units == {"thickness": "m", "load": "N", "angular_speed": "rad/s", "max_pressure": "Pa"}
     assert study.angular_speed == 2.5
     assert study.attrs["version"] == vr.__version__
-    assert study.attrs["commit"] == vr._core.__commit__
+    assert study.attrs["commit"] == _core.__commit__
     assert study.attrs["mesh"] == "100 nodes per revolution, orders to 50"
     assert study.attrs["patch_load"] == "FLAT"
     assert study.attrs["material"] == repr(paper.ball().layers[0].shear_modulus)

@@ -32,7 +32,7 @@ RESULT = BALL + "result = vr.solve(ball, load=50.0, **case); result."
         ("matplotlib", RESULT + "plot()", "plot"),
         ("matplotlib", "import viscoroll.reproduce", "plot"),
         ("matplotlib", "import viscoroll.case.compare", "plot"),
-        ("pydantic", "import viscoroll.case", "cli"),
+        ("pydantic", "import viscoroll.case.case", "cli"),
         ("pydantic", "import viscoroll.case.study", "cli"),
         ("typer", "import viscoroll.cli", "cli"),
         ("rich", "import viscoroll.cli", "cli"),

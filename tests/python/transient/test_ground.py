@@ -97,6 +97,42 @@ def test_axle_at_a_fixed_height():
         assert h.energy_balance_error[-1] < 1e-3
 
 
+@pytest.mark.parametrize("friction", [0.3, 2.0])
+def test_friction_at_a_given_height(friction):
+    """The heights that a history under load found, given, return its load and its tractions."""
+    options = {"friction": friction, "mesh": COARSE, "averaged_meshes": 1}
+    h = over(BUMP, 60e-3, end=60e-3, **options)
+    stepper = vr.RollingHistory(ROLLER, load=LOAD, ground=BUMP, steps_per_spacing=None, **options)
+    found = [
+        stepper.advance(time=time, angle=angle, axle_height=height)
+        for time, angle, height in zip(h.time[1:], h.angle[1:], h.axle_height[1:], strict=True)
+    ]
+    np.testing.assert_allclose([one.load for one in found], LOAD, rtol=1e-7)
+    torque = [one.driving_torque for one in found]
+    np.testing.assert_allclose(torque, h.driving_torque[1:], atol=1e-6 * h.resisting_torque.max())
+    assert found[-1].slip_energy == pytest.approx(h.slip_energy[-1], rel=1e-6)
+
+
+def test_friction_from_a_given_height():
+    """From the start, which depends on how the body was pressed onto the ground."""
+    options = {"mesh": COARSE, "averaged_meshes": 1, "friction": 0.3}
+    height = float(over(None, 60e-3, end=1e-3, **options).axle_height[0])
+    h = over(BUMP, 60e-3, load=None, axle_height=height, **options)
+    smooth = over(BUMP, 60e-3, load=None, axle_height=height, mesh=COARSE, averaged_meshes=1)
+    np.testing.assert_allclose(h.axle_height, height, rtol=1e-12)
+    assert h.load[0] == pytest.approx(LOAD, rel=2e-3)
+    assert h.load.max() == pytest.approx(smooth.load.max(), rel=0.1)  # friction stiffens the contact
+    assert h.energy_balance_error[-1] < 1e-3
+
+
+def test_axle_height_and_push_force_are_results():
+    h = over(BUMP, 60e-3, mesh=COARSE, end=10e-3)
+    np.testing.assert_allclose(h.axle_height, RADIUS - h.penetration, rtol=1e-14)
+    np.testing.assert_allclose(h.resisting_force, h.resisting_torque / RADIUS, rtol=1e-12, atol=1e-12)
+    assert h.units["resisting_force"] == "N/m"
+    assert h.scalars()["largest_resisting_force"] == h.resisting_force.max()
+
+
 def test_zero_profiles_are_smooth_to_the_last_digit():
     zero = vr.Profile([0.0, 1.0], [0.0, 0.0])
     plain, flat = (
@@ -269,7 +305,6 @@ def test_warnings():
         ),
         ({"tread": vr.Profile.corrugation(1e-4, period=0.1)}, r"tread\.distance must be such that the circumference"),
         ({"load": None, "axle_height": 61e-3}, r"axle_height must be < r_o = 0\.06"),
-        ({"load": None, "axle_height": 59.8e-3, "friction": 0.3}, "axle_height must be left out with friction"),
         ({"axle_height": 59.8e-3}, "exactly one of load and axle_height must be given, got both"),
         ({"load": None}, "exactly one of load and axle_height must be given, got none"),
     ],
@@ -279,6 +314,18 @@ def test_messages(options, message):
         over(BUMP, 60e-3, mesh=COARSE, **options)
 
 
-def test_line_contact_on_a_half_space_has_no_penetration():
-    with pytest.raises(vr.InvalidInput, match="ground must be left out in line contact on a half-space"):
-        over(BUMP, 60e-3, mesh=COARSE, on=vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=1e8, poisson_ratio=0.3)))
+def test_line_contact_on_a_half_space():
+    """A half-space is a much thicker mat; the window sees the obstacle ahead without a penetration."""
+    rubber = one_layer(thickness=10e-3).shear_modulus
+    rigid = vr.CoatedCylinder(core_radius=RADIUS)
+    soft = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=rubber, poisson_ratio=0.5))
+    thick = vr.CoatedPlane(layers=[vr.Layer(thickness=0.3, shear_modulus=rubber, poisson_ratio=0.5)])
+    bump = vr.Profile.half_sine(2e-3, length=24e-3, at=40e-3)
+    h, mat = (over(bump, 60e-3, body=rigid, on=on, mesh=COARSE, averaged_meshes=2, end=60e-3) for on in (soft, thick))
+    np.testing.assert_allclose(h.resisting_torque, mat.resisting_torque, atol=0.02 * mat.resisting_torque.max())
+    np.testing.assert_allclose(h.contact_length, mat.contact_length, rtol=0.1)  # a node of 15 in contact
+    assert np.isnan(h.penetration).all()
+    assert np.isnan(h.axle_height).all()
+    assert h.energy_balance_error[-1] < 2e-3
+    with pytest.raises(vr.InvalidInput, match="axle must be left out in line contact on a half-space"):
+        over(bump, 60e-3, body=rigid, on=soft, mesh=COARSE, axle=vr.Axle(mass=1.0))

@@ -15,6 +15,9 @@ const WARNED = { contact_at_side: "width", edge_pressure: "sides", tight_crown: 
 
 const INSIDES = { rigid: "rigid core", hollow: "hollow", solid: "solid, no core" };
 
+/** Text in place of the fields of the temperature, where the solver does not compute it. */
+const WITHOUT_TEMPERATURE = "The installed page, viscoroll app, also computes the temperature of the layers.";
+
 /** Label and slider ranges of load and penetration, for total values and per length (`line`), in SI units. */
 const PRESSED = {
   load: { label: "load", range: [0.1, 1e5], line: [10, 1e6], lineLabel: "load per length" },
@@ -60,7 +63,7 @@ export class Form {
       this.#layers(),
       this.#ground(),
       this.#friction(),
-      this.#hasTemperature ? this.#temperature() : "",
+      this.#hasTemperature ? this.#temperature() : el("p", { class: "note" }, WITHOUT_TEMPERATURE),
       this.#model(),
     );
     if (position >= 0) this.#controls()[position]?.focus();

@@ -1,4 +1,4 @@
-#include "transient/mirrored_tables.hpp"
+#include "creep/mirrored_tables.hpp"
 
 #include <algorithm>
 #include <array>

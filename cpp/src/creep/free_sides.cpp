@@ -1,4 +1,4 @@
-#include "transient/free_sides.hpp"
+#include "creep/free_sides.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "creep/layer_spectrum.hpp"
+#include "creep/mirrored_tables.hpp"
 #include "influence/side_influence.hpp"
 #include "section/side_difference.hpp"
-#include "transient/layer_spectrum.hpp"
-#include "transient/mirrored_tables.hpp"
 
 namespace viscoroll::detail {
 

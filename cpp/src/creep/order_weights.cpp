@@ -1,4 +1,4 @@
-#include "transient/order_weights.hpp"
+#include "creep/order_weights.hpp"
 
 #include <algorithm>
 #include <array>

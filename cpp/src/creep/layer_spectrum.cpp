@@ -1,4 +1,4 @@
-#include "transient/layer_spectrum.hpp"
+#include "creep/layer_spectrum.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "creep/layer_spectrum.hpp"
 #include "influence/mesh_on_body.hpp"
 #include "influence/table.hpp"
 #include "modal/spectrum.hpp"
-#include "transient/layer_spectrum.hpp"
 
 namespace viscoroll::detail {
 
