@@ -48,7 +48,6 @@ def difference(old: dict[str, Any], new: dict[str, Any]) -> float:
         return math.inf
     largest = float(np.abs(after - before).max() / before.max())
     a, b = old["scalars"], new["scalars"]
-    # Torques, forces and powers are differences of much larger numbers: see `size`.
     for name in a.keys() - set(SKIPPED):
         if isinstance(a[name], float) and isinstance(b[name], float):
             if a[name] != b[name]:
@@ -59,11 +58,16 @@ def difference(old: dict[str, Any], new: dict[str, Any]) -> float:
 
 
 def size(name: str, scalars: dict[str, Any]) -> float:
-    """Return the size of a scalar to which its difference is compared: of torques and errors, that of the load."""
-    value = abs(scalars[name])
-    if "torque" in name or "moment" in name:
-        return max(value, 1e-3 * abs(scalars["load"]) * scalars["semi_axis_x"])
-    return max(value, 1.0) if "error" in name else value
+    """Return the size of a scalar to which its difference is compared.
+
+    Resultants may vanish by symmetry or without loss. Their differences are compared to at least a thousandth of the
+    load, or of its product with the semi-axis of the contact and the angular speed.
+    """
+    small = 1e-3 * abs(scalars["load"])
+    lever = scalars["semi_axis_x"]
+    least = {"torque": small * lever, "force": small, "power": small * lever * scalars["angular_speed"]}
+    least |= {"coefficient": 1e-3, "error": 1.0}
+    return max(abs(scalars[name]), *(value for part, value in least.items() if part in name), 0.0)
 
 
 def main() -> int:

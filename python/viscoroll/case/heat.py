@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ..coupled import StrainSoftening
 from ..studies.plan import Addition
-from .limits import BOND_QUANTITIES, at_bonds, deformable_bodies
+from .limits import BOND_QUANTITIES, bond_tractions
 
 if TYPE_CHECKING:
     from typing import Any
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ..thermal import Temperature
     from .case import Thermal
 
-__all__ = ["Heating", "bond_tractions"]
+__all__ = ["Heating"]
 
 #: Columns of a study with a table [thermal]: attribute of `Temperature`, unit and description, by name.
 _RISES = {
@@ -27,13 +27,6 @@ _RISES = {
     "heat_to_core": ("heat_to_core", "W", "heat flow to the core, the hub or the base"),
     "heat_to_surroundings": ("heat_to_surroundings", "W", "heat flow to the surroundings"),
 }
-
-
-def bond_tractions(result: Result) -> dict[str, float]:
-    """Return the largest tractions at bonded interfaces [Pa] by name; empty if there are none."""
-    if not any(body.bonded().size for body in deformable_bodies(result)):
-        return {}
-    return at_bonds(result, BOND_QUANTITIES)
 
 
 @dataclass(frozen=True, slots=True)

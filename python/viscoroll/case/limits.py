@@ -25,6 +25,7 @@ __all__ = [
     "LIMITS",
     "Outcome",
     "at_bonds",
+    "bond_tractions",
     "deformable_bodies",
     "limit_label",
     "limit_text",
@@ -192,6 +193,13 @@ def at_bonds(result: Result, names: Collection[str]) -> dict[str, float]:
         raise InvalidInput(f"design.limits.{min(wanted)}", "must be left out: this case has no bonded interfaces")
     tractions = [result.bonds(of=of) for of in bonded]
     return {name: max(float(bonds[field].max()) for bonds in tractions) for name, field in wanted.items()}
+
+
+def bond_tractions(result: Result) -> dict[str, float]:
+    """Return the largest tractions at bonded interfaces [Pa] by name; empty if there are none."""
+    if not any(body.bonded().size for body in deformable_bodies(result)):
+        return {}
+    return at_bonds(result, BOND_QUANTITIES)
 
 
 def deformable_bodies(result: Result) -> list[Inside]:

@@ -14,8 +14,7 @@ from .._support.tables import handy
 from ..solution.scalars import label_of
 from ..solution.text import result_warnings, with_unit
 from ..thermal.temperature import QUANTITIES
-from .heat import bond_tractions
-from .limits import BOND_QUANTITIES
+from .limits import BOND_QUANTITIES, bond_tractions
 from .plausible import speed_warning
 
 if TYPE_CHECKING:

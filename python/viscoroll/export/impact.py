@@ -254,8 +254,8 @@ def impact(
     --------
     >>> from viscoroll import paper
     >>> hit = impact(paper.ball(), mass=0.3, speed=0.1)
-    >>> f"restitution {hit.restitution:.2f}, contact of {hit.duration * 1e3:.1f} ms"
-    'restitution 0.98, contact of 5.0 ms'
+    >>> f"restitution {hit.restitution:.3f}, contact of {hit.duration * 1e3:.1f} ms"
+    'restitution 0.996, contact of 2.9 ms'
     """
     require_type("ball", ball, RollingBody)
     balls_of(ball, on)

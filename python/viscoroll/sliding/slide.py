@@ -185,7 +185,7 @@ def _persson(
 def as_plane(on: object) -> CoatedPlane:
     """Return the plane, whose base may be given alone."""
     require_type("on", on, CoatedPlane | HalfSpace)
-    return on if isinstance(on, CoatedPlane) else CoatedPlane(base=on)  # type: ignore[arg-type]
+    return CoatedPlane(base=on) if isinstance(on, HalfSpace) else on  # type: ignore[return-value]
 
 
 def _mean_pressure(surface: RoughSurface, pressure: float | None, load: float | None) -> float:

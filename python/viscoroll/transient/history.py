@@ -277,12 +277,20 @@ class History(SeriesFields):
         ImportError
             If the extra `viscoroll[plot]` is missing.
         """
-        from .animation import write_animation
+        from .animation import Animated, write_animation
 
         frames = max(
             2, round(as_positive("seconds", seconds, "s") * as_count("frames_per_second", frames_per_second, 1))
         )
-        write_animation(self, ending_in(ANIMATIONS, path), frames=frames, frames_per_second=frames_per_second)
+        shown = Animated(
+            body=self.body,
+            ground=self.ground,
+            tread=self.tread,
+            distance=self.distance,
+            series=self._series(),
+            units=self.units,
+        )
+        write_animation(shown, ending_in(ANIMATIONS, path), frames=frames, frames_per_second=frames_per_second)
 
     @plots("only the torque over time")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:

@@ -28,8 +28,8 @@ _BLOCKS = re.compile(
     re.DOTALL | re.MULTILINE,
 )
 
-#: Tables of rolling bodies.
-_BODIES = ("[ball]", "[cylinder]", "[wheel]")
+#: Tables of rolling bodies and of rough surfaces; a block with one of them is a whole file.
+_BODIES = ("[ball]", "[cylinder]", "[wheel]", "[surface]")
 
 #: Commands that take minutes on a page, and replacements that take seconds.
 _SHORT = {"viscoroll reproduce": "viscoroll reproduce table2 --coarse"}
@@ -75,6 +75,8 @@ def write_files_of_readers(folder: Path) -> None:
         name = f"dma_{sweep.temperature - 273.15:.0f}C.csv"
         (folder / name).write_text("\n".join(lines), encoding="utf-8")
     write_time_tests(folder)
+    scan = vr.RoughSurface.self_affine(64, 1e-3, hurst=0.8, rolloff=5e-4, cutoff=125e-6, rms_slope=0.1, seed=7)
+    np.save(folder / "asphalt.npy", scan.heights)
 
 
 def write_time_tests(folder: Path) -> None:

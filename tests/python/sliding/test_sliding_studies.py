@@ -178,8 +178,8 @@ def test_the_shell_solves_and_draws_a_study(tmp_path):
         ("speed = 1e-3", "speed = [1e-3, 1e-2]", "sliding.speed must be one number; several speeds belong to"),
         ('"sliding.speed" = [1e-4, 1e-3]', '"thermal.ambient" = [1.0, 2.0]', 'sweep."thermal.ambient" must change'),
         (
-            "[sweep]",
-            '[draws]\nof = ["plane.base.shear_modulus"]\n[sweep]',
+            "\n[sweep]\n",
+            '\n[draws]\nof = ["plane.base.shear_modulus"]\n[sweep]\n',
             "draws must be left out with a table surface",
         ),
     ],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import inspect
 
 import numpy as np
@@ -32,6 +33,11 @@ def ball(rubber):
     return vr.CoatedSphere(core_radius=20e-3, layers=[inner, inner, outer])
 
 
+def larger(ball):
+    """Return a ball that no other test solves: the compliances of known layers take less than 20 ms."""
+    return dataclasses.replace(ball, core_radius=21e-3)
+
+
 @pytest.fixture(scope="module")
 def result(ball):
     return vr.solve(ball, **SMALL)
@@ -41,7 +47,7 @@ def result(ball):
     "compute",
     [
         lambda ball, _, **p: vr.solve(ball, **CASE, **p),
-        lambda ball, _, **p: vr.RollingModel(ball, angular_speed=2.5, mesh=MESH, **p),
+        lambda ball, _, **p: vr.RollingModel(larger(ball), angular_speed=2.5, mesh=MESH, **p),
         lambda ball, _, **p: vr.modal.influence_tables(ball, angular_speed=2.5, mesh=MESH, reach=20, **p),
         lambda *_, **p: vr.roll(paper.ball(), **MOTION, **p),
         lambda ball, _, **p: vr.sweep(ball, **CASE | {"load": [50.0, 60.0]}, **p),

@@ -55,7 +55,7 @@ def test_the_window_reaches_an_obstacle_ahead():
     highest = h.resisting_torque.argmax()
     assert h.resisting_torque[highest] == pytest.approx(79.77, abs=0.05)
     assert h.distance[highest] * 1e3 == pytest.approx(20.0, abs=0.1)
-    assert h.energy_balance_error[-1] < 2e-3
+    assert h.energy_balance_error[-1] < 1e-3
 
 
 def test_a_thin_layer_climbs_a_bump_that_is_higher_than_its_thickness():
@@ -117,7 +117,8 @@ def test_friction_from_a_given_height():
     """From the start, which depends on how the body was pressed onto the ground."""
     options = {"mesh": COARSE, "averaged_meshes": 1, "friction": 0.3}
     height = float(over(None, 60e-3, end=1e-3, **options).axle_height[0])
-    h = over(BUMP, 60e-3, load=None, axle_height=height, **options)
+    # The error of the balance halves with the time step: 1.07e-3 with 4 steps per spacing, 0.57e-3 with 8.
+    h = over(BUMP, 60e-3, load=None, axle_height=height, steps_per_spacing=8, **options)
     smooth = over(BUMP, 60e-3, load=None, axle_height=height, mesh=COARSE, averaged_meshes=1)
     np.testing.assert_allclose(h.axle_height, height, rtol=1e-12)
     assert h.load[0] == pytest.approx(LOAD, rel=2e-3)
@@ -326,6 +327,6 @@ def test_line_contact_on_a_half_space():
     np.testing.assert_allclose(h.contact_length, mat.contact_length, rtol=0.1)  # a node of 15 in contact
     assert np.isnan(h.penetration).all()
     assert np.isnan(h.axle_height).all()
-    assert h.energy_balance_error[-1] < 2e-3
+    assert h.energy_balance_error[-1] < 1e-3
     with pytest.raises(vr.InvalidInput, match="axle must be left out in line contact on a half-space"):
         over(bump, 60e-3, body=rigid, on=soft, mesh=COARSE, axle=vr.Axle(mass=1.0))
