@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/validate.hpp"
+#include "rolling/adhesion_estimate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll {
@@ -52,17 +53,22 @@ struct Edges {
   }
 };
 
+double speed_of(const PairAtSpeed& pair) { return pair.angular_speed * pair.body->radius(); }
+
+/// Creep at the edges, in the times that material takes to pass a millionth of the contact, up to the whole contact.
+EdgeCreep creep_at_edges(const RollingCase& given) {
+  constexpr double kShortest = 1e-6;
+  const double passage = 2.0 * given.contact.along / speed_of(given.pair);
+  return edge_creep(given.pair, {.shortest = kShortest * passage, .longest = passage});
+}
+
 Edges edges_of(const RollingCase& given) {
   const Adhesion& adhesion = *given.load_case.adhesion;
-  const double speed = given.pair.angular_speed * given.pair.body->radius();
-  // Creep is resolved in the times that material takes to pass a millionth of the contact, up to the whole contact.
-  constexpr double kShortest = 1e-6;
-  const double passage = 2.0 * given.contact.along / speed;
-  return {.creep = edge_creep(given.pair, {.shortest = kShortest * passage, .longest = passage}),
+  return {.creep = creep_at_edges(given),
           .surfaces = {.separation_work = adhesion.separation_work.value_or(adhesion.work),
                        .bonding_work = adhesion.work,
                        .strength = strength_of(adhesion)},
-          .speed = speed};
+          .speed = speed_of(given.pair)};
 }
 
 }  // namespace
@@ -84,6 +90,21 @@ void require_adhesion(const RollingPair& pair, const LoadCase& load_case) {
   if (std::isfinite(width(pair))) {
     reject("adhesion", "left out for bodies with side faces, whose edges would detach first", "an adhesion");
   }
+}
+
+std::optional<double> clean_adhesion_increase(const RollingCase& given, const Result& result) {
+  constexpr Adhesion kClean{.work = 0.05, .range = 1e-9};
+  constexpr double kSmallest = 0.01;
+  const double torque = result.rolling_resistance_torque;
+  if (given.load_case.adhesion || std::isfinite(width(given.pair)) || !(torque > 0.0)) return std::nullopt;
+  const double added = adhesion_torque_estimate(
+      creep_at_edges(given),
+      {.separation_work = kClean.work, .bonding_work = kClean.work, .strength = strength_of(kClean)},
+      {.half_length = 0.5 * result.contact_length,
+       .width = result.contact_width.value_or(1.0),
+       .radius = given.pair.body->radius(),
+       .speed = speed_of(given.pair)});
+  return added < kSmallest * torque ? std::nullopt : std::optional(added / torque);
 }
 
 EdgeWorks works_at_edges(const RollingCase& given, double peak) { return edges_of(given).works(peak, 1.0); }

@@ -3,16 +3,25 @@
 /// docs/theory/adhesion.md.
 #pragma once
 
+#include <optional>
+
 #include "contact/traction_law.hpp"
 #include "rolling/contact_setup.hpp"
 #include "rolling/edge_works.hpp"
 #include "viscoroll/adhesion.hpp"
+#include "viscoroll/result.hpp"
 
 namespace viscoroll::detail {
 
 /// @brief Reject bodies, friction and drives for which adhesion is not covered.
 /// @throws InvalidInput unless the load case has no adhesion or is covered
 void require_adhesion(const RollingPair& pair, const LoadCase& load_case);
+
+/// @return relative increase of the torque that adhesion of clean surfaces would cause, or nothing if it is small or
+/// unknown; see `Result::clean_adhesion_increase`
+/// @param[in] given load case
+/// @param[in] result its solution
+[[nodiscard]] std::optional<double> clean_adhesion_increase(const RollingCase& given, const Result& result);
 
 /// @return works and cohesive zones of edges across the path, for a law with a peak [Pa]
 [[nodiscard]] EdgeWorks works_at_edges(const RollingCase& given, double peak);

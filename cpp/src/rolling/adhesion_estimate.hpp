@@ -11,7 +11,7 @@ namespace viscoroll::detail {
 struct RollingStrip {
   double half_length;  ///< half-width of the contact along the path [m]
   double width;        ///< width of the contact across the path; 1 for quantities per unit length [m]
-  double radius;       ///< relative radius along the path [m]
+  double radius;       ///< radius of the rolling body [m]
   double speed;        ///< speed at which material passes the contact [m/s], > 0
 };
 

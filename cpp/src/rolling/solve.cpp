@@ -10,6 +10,7 @@
 #include "base/invalid_speed.hpp"
 #include "base/parallel.hpp"
 #include "base/validate.hpp"
+#include "rolling/adhesion.hpp"
 #include "rolling/contact_setup.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/finite_strain.hpp"
@@ -97,7 +98,9 @@ detail::MeshModel model_on_given_mesh(const detail::RollingCase& given) {
   return detail::make_model(given.pair, *given.options.mesh, given.options.curvature, given.execution);
 }
 
-Result with_warnings(Result result, const detail::RollingCase& given, bool mesh_given) {
+/// Add what the result does not contain: the estimate of adhesion, and warnings.
+Result with_notes(Result result, const detail::RollingCase& given, bool mesh_given) {
+  result.clean_adhesion_increase = detail::clean_adhesion_increase(given, result);
   result.warnings = detail::warnings_of(result, given, mesh_given);
   return result;
 }
@@ -120,9 +123,9 @@ Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& loa
     const auto [pair, at_speed] = checked(body, on, load_case, options);
     detail::Watch watch(options.observer);
     const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
-    if (!options.mesh) return with_warnings(detail::solve_to_accuracy(given), given, false);
+    if (!options.mesh) return with_notes(detail::solve_to_accuracy(given), given, false);
     detail::FasterModel faster;
-    return with_warnings(solve_on(model_on_given_mesh(given), given, faster), given, true);
+    return with_notes(solve_on(model_on_given_mesh(given), given, faster), given, true);
   });
 }
 
@@ -134,7 +137,7 @@ Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCa
     if (load_case.adhesion) detail::reject("adhesion", "left out for a frozen contact", "an adhesion");
     detail::Watch watch(options.observer);
     const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
-    return with_warnings(detail::solve_frozen_case(model_on_given_mesh(given), given, state), given, true);
+    return with_notes(detail::solve_frozen_case(model_on_given_mesh(given), given, state), given, true);
   });
 }
 
@@ -190,7 +193,7 @@ Result RollingModel::solve(const LoadCase& load_case, const Options& options) co
   own.curvature = impl_->model.curvature;
   return detail::with_given_speed(given_speed(load_case), [&] {
     const detail::RollingCase given = detail::rolling_case(impl_->model.pair, at_speed, own, watch);
-    return with_warnings(solve_on(impl_->model, given, impl_->faster), given, true);
+    return with_notes(solve_on(impl_->model, given, impl_->faster), given, true);
   });
 }
 

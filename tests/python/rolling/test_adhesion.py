@@ -162,3 +162,17 @@ def test_sensitivities_are_rejected() -> None:
     assert found.adhesion == vr.Adhesion(work=0.05)
     with pytest.raises(vr.InvalidInput, match="adhesion must be left out for sensitivities"):
         found.sensitivity()
+
+
+def test_ordinary_results_estimate_the_adhesion_of_clean_surfaces() -> None:
+    """The estimate agrees with a solution with adhesion, and is left out where it is small or does not apply."""
+    case = {"on": MAT, "angular_speed": 0.05, "accuracy": 0.05}
+    bare = vr.solve(BALL, load=0.1, **case)
+    clean = vr.solve(BALL, load=0.1, adhesion=vr.Adhesion(work=0.05), **case)
+    increase = clean.rolling_resistance_torque / bare.rolling_resistance_torque - 1.0
+    assert bare.clean_adhesion_increase == pytest.approx(increase, rel=0.3)
+    assert "torque increase if clean surfaces adhere" in str(bare)
+    assert clean.clean_adhesion_increase is None
+    heavy = vr.solve(BALL, load=100.0, **case)
+    assert heavy.clean_adhesion_increase is None
+    assert "adhere" not in str(heavy)
