@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -10,20 +11,21 @@
 #include "contact/multilevel.hpp"
 #include "contact/traction_law.hpp"
 #include "influence/table_sums.hpp"
+#include "rolling/edge_works.hpp"
 #include "surface/table_operator.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
 TEST(TractionLaw, HasTheWorkAsItsIntegral) {
-  TractionLaw law{.peak = 2e6, .work = Eigen::ArrayXd::Constant(1, 0.1)};
+  TractionLaw law{.peak = Eigen::ArrayXd::Constant(1, 2e6), .work = Eigen::ArrayXd::Constant(1, 0.1)};
   const double range = law.range(0);
   constexpr int kSteps = 1000;
   double work = 0.0;
   for (int i = 0; i < kSteps; ++i) work += law.attraction(0, (i + 0.5) * range / kSteps) * range / kSteps;
   EXPECT_NEAR(work, 0.1, 1e-6);
   EXPECT_EQ(law.attraction(0, 1.01 * range), 0.0);
-  EXPECT_EQ(law.attraction(0, -range), law.peak);  // the hard wall carries the rest
+  EXPECT_EQ(law.attraction(0, -range), law.peak[0]);  // the hard wall carries the rest
   const double change = 1e-6 * range;
   const double gap = 0.3 * range;
   const double quotient = (law.attraction(0, gap - change) - law.attraction(0, gap + change)) / (2.0 * change);
@@ -54,15 +56,16 @@ struct AdheringBall {
     problem.normal_force = 0.05;
     std::vector<Eigen::Index> every(static_cast<std::size_t>(shape.size()));
     std::iota(every.begin(), every.end(), Eigen::Index{0});
-    problem.attraction = Attraction{.work = 0.3,
-                                    .modulus = 4.0 * 2e6,
-                                    .cohesive_length = 0.0,
-                                    .equivalent_load = 0.5,
+    problem.attraction = Attraction{.equivalent_load = 0.5,
                                     .spacing = outer_radius(ball()) * phi_spacing(mesh),
                                     .x = nodes.x(),
                                     .z = nodes.z(),
                                     .area = nodes.patch_area(every),
-                                    .works = [](double, double) { return WorksAtEdges{0.3, 0.3}; }};
+                                    .laws = [](double zone, double) {
+                                      return edge_works({.instantaneous = 1.0 / 8e6},
+                                                        {.separation_work = 0.3, .bonding_work = 0.3}, zone, 1.0)
+                                          .laws;
+                                    }};
   }
 
   static CoatedSphere ball() {
@@ -82,7 +85,7 @@ TEST(AdhesiveContact, SatisfiesItsConditions) {
   const LocatedContact located = solve_multilevel(given.problem, 1e-5, {.max_iterations = 2000});
   const ContactSolution& contact = located.contact;
   ASSERT_TRUE(contact.adhesion);
-  const TractionLaw law = given.problem.attraction->law(contact.adhesion->cohesive_length, contact.adhesion->center);
+  const TractionLaw law = given.problem.attraction->law(contact.adhesion->zone_length, contact.adhesion->center);
   const Eigen::ArrayXd pressing = pressing_force(contact);
   EXPECT_NEAR(pressing.sum(), 0.05, 1e-12);
   const Eigen::ArrayXd gap =
@@ -94,7 +97,7 @@ TEST(AdhesiveContact, SatisfiesItsConditions) {
   EXPECT_GT(gap.minCoeff(), -1e-9 * depth);
   for (const Eigen::Index node : contact.contact) {
     EXPECT_LT(gap[node], 1e-9 * depth);
-    EXPECT_GT(pressing[node] + given.problem.attraction->area[node] * law.peak, 0.0);
+    EXPECT_GT(pressing[node] + given.problem.attraction->area[node] * law.peak[node], 0.0);
   }
   for (const Eigen::Index node : contact.adhesion->zone) {
     EXPECT_NEAR(pressing[node], -given.problem.attraction->area[node] * law.attraction(node, gap[node]), 1e-8 * size);
@@ -105,8 +108,10 @@ TEST(AdhesiveContact, OfAReversibleLawHasNoHysteresis) {
   AdheringBall given;
   ContactProblem& problem = given.problem;
   const LocatedContact located = solve_multilevel(problem, 1e-5, {.max_iterations = 2000});
-  // With three spacings per cohesive length, a mesh causes no hysteresis of its own.
-  const TractionLaw law = problem.attraction->law(3.0 * problem.attraction->spacing, 0.0);
+  // With three spacings per cohesive length E* w / peak^2, a mesh causes no hysteresis of its own. Dugdale's law with
+  // 0.8 times the peak has a zone of pi / (4 * 0.64) cohesive lengths.
+  const double zone = 3.0 * 0.25 * std::numbers::pi / (0.75 * 0.75) * problem.attraction->spacing;
+  const TractionLaw law = problem.attraction->law(zone, 0.0);
   AdhesiveNewton newton(problem, {.max_iterations = 2000});
   AdhesiveState state{.pressing = pressing_force(located.contact), .penetration = located.contact.penetration};
   state = newton.solve(problem, law, state);

@@ -9,7 +9,7 @@ import numpy as np
 __all__ = ["Creep", "edge_factors", "edge_works"]
 
 #: A cubic law acts on an edge as Dugdale's law of this fraction of its peak.
-DUGDALE = 0.8
+DUGDALE = 0.75
 
 _PANELS = np.concatenate([[0.0], 10.0 ** np.arange(-14, -1.0), [0.1, 0.25, 0.5]])
 _POINTS, _GAUSS = np.polynomial.legendre.leggauss(20)

@@ -16,7 +16,7 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-constexpr double kLeastRatio = 1.02;       // of cohesive lengths of successive laws, below which continuation fails
+constexpr double kLeastRatio = 1.02;       // of cohesive zones of successive laws, below which continuation fails
 constexpr double kLeastStep = 1.0 / 1024;  // of a path of loads or penetrations, relative to the whole path
 // Steps of the penetration on the path to the fold, relative to the undeformed gap at the edge of the contact. The load
 // is stationary at the fold, where the last step leaves a relative error of the order of its square.
@@ -42,7 +42,7 @@ class AdhesiveContact {
     state_ = {.pressing = pressing_force(whole), .penetration = whole.penetration};
     center_ = center_of(whole.contact);
     set_load(std::max(problem_.normal_force, 0.0));
-    const double target = attraction().resolved_length();
+    const double target = attraction().resolved_zone();
     const double widest = std::max(half_length(whole.contact), target);
     if (!advance(widest)) throw failure();
     shorten(target);
@@ -59,9 +59,9 @@ class AdhesiveContact {
     } else {
       set_load(coarse.problem.normal_force);
     }
-    const double target = attraction().resolved_length();
+    const double target = attraction().resolved_zone();
     if (advance(target)) return true;
-    const double wider = std::max(coarse.contact.adhesion->cohesive_length, target);
+    const double wider = std::max(coarse.contact.adhesion->zone_length, target);
     if (!advance(wider)) return false;
     return try_to_shorten(target);
   }
@@ -111,8 +111,7 @@ class AdhesiveContact {
     contact.converged = true;
     contact.residual = state_.residual;
     contact.adhesion = AdhesiveEdges{.zone = newton_.zone(law, state_),
-                                     .cohesive_length = length_,
-                                     .peak = law.peak,
+                                     .zone_length = length_,
                                      .center = center_,
                                      .lost_work = lost_work(law, contact.contact)};
     return result;

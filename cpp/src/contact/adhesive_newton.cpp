@@ -15,8 +15,8 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int kMostSteps = 60;    // three to ten are usual
-constexpr int kMostInVain = 20;   // steps that do not reduce the violation
+constexpr int kMostSteps = 200;   // three to ten are usual; more if slow edges meet moduli of 10:1
+constexpr int kMostInVain = 80;   // steps that do not reduce the violation
 constexpr int kMostHalvings = 6;  // of a step
 // Factor by which a step may increase the violation. Edges move by about a spacing in each step; if every step had to
 // reduce the violation, nodes at the edges would stop them.
@@ -136,7 +136,7 @@ AdhesiveState AdhesiveNewton::solve(const ContactProblem& problem, const Tractio
   // The first step starts from the gaps of the given state, also if load, penetration or law have changed. It then
   // follows the tangent of the path. Gaps of the same forces at another penetration would open or close all nodes.
   if (state.gap.size() == 0) find_gap(problem, state);
-  double scale = law.peak * attraction_.area.maxCoeff();
+  double scale = (law.peak * attraction_.area).maxCoeff();
   double least = std::numeric_limits<double>::infinity();
   int in_vain = 0;
   for (int step = 0; step < kMostSteps && systems_ < options_.max_iterations; ++step) {
@@ -170,7 +170,7 @@ AdhesiveState AdhesiveNewton::solve(const ContactProblem& problem, const Tractio
     } else {
       state = shorten(law, state, std::move(next));
     }
-    scale = std::max(state.pressing.matrix().norm(), law.peak * attraction_.area.maxCoeff());
+    scale = std::max(state.pressing.matrix().norm(), (law.peak * attraction_.area).maxCoeff());
     if (state.residual < kSettled * scale) {
       state.converged = true;
       break;

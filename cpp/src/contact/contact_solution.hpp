@@ -20,8 +20,7 @@ struct SmoothFields {
 /// @brief Edges of a contact with adhesion.
 struct AdhesiveEdges {
   std::vector<Eigen::Index> zone;  ///< nodes of the cohesive zone, which are attracted but not in contact
-  double cohesive_length;          ///< of the traction law [m]
-  double peak;                     ///< largest attraction of the traction law [Pa]
+  double zone_length;              ///< length of the cohesive zones from which the traction law follows [m]
   double center;                   ///< position along the path that separates opening and closing edges [m]
   /// Difference of the works of opening and closing edges, integrated across the path [J/m]; in line contact [J/m^2].
   double lost_work;

@@ -46,10 +46,8 @@ struct Edges {
   SurfaceAdhesion surfaces;
   double speed;  ///< of rolling [m/s]
 
-  [[nodiscard]] EdgeWorks works(double peak, double fraction) const {
-    SurfaceAdhesion adhesion = surfaces;
-    adhesion.strength = std::max(adhesion.strength, peak);
-    return edge_works(creep, adhesion, peak, fraction * speed);
+  [[nodiscard]] EdgeWorks works(double zone, double fraction) const {
+    return edge_works(creep, surfaces, zone, fraction * speed);
   }
 };
 
@@ -107,30 +105,22 @@ std::optional<double> clean_adhesion_increase(const RollingCase& given, const Re
   return added < kSmallest * torque ? std::nullopt : std::optional(added / torque);
 }
 
-EdgeWorks works_at_edges(const RollingCase& given, double peak) { return edges_of(given).works(peak, 1.0); }
+EdgeWorks works_at_edges(const RollingCase& given, double zone) { return edges_of(given).works(zone, 1.0); }
 
 Attraction attraction_at(const RollingCase& given, const SurfaceWindow& window) {
-  const Adhesion& adhesion = *given.load_case.adhesion;
   const SurfaceGrid& grid = window.grid();
   const bool is_line = window.window().is_line();
   const Edges edges = edges_of(given);
-  const double modulus = 1.0 / edges.creep.relaxed();
   std::vector<Eigen::Index> every(static_cast<std::size_t>(window.shape().size()));
   std::iota(every.begin(), every.end(), Eigen::Index{0});
   // The normal of an ellipse with the semi-axes a and b at (x, z) has the direction (x, z (a / b)^2).
   const double aspect = is_line ? 1.0 : std::pow(given.contact.along / given.contact.across, 2);
-  return {.work = adhesion.work,
-          .modulus = modulus,
-          .cohesive_length = modulus * adhesion.work / std::pow(edges.surfaces.strength, 2),
-          .equivalent_load = given.equivalent_load,
+  return {.equivalent_load = given.equivalent_load,
           .spacing = grid.radius * (is_line ? grid.phi_spacing : std::max(grid.phi_spacing, grid.theta_spacing)),
           .x = window.x(),
           .z = aspect * window.z(),
           .area = window.patch_area(every),
-          .works = [edges](double peak, double fraction) {
-            const EdgeWorks works = edges.works(peak, fraction);
-            return WorksAtEdges{.opening = works.opening, .closing = works.closing};
-          }};
+          .laws = [edges](double zone, double fraction) { return edges.works(zone, fraction).laws; }};
 }
 
 }  // namespace viscoroll::detail

@@ -23,8 +23,8 @@ void require_adhesion(const RollingPair& pair, const LoadCase& load_case);
 /// @param[in] result its solution
 [[nodiscard]] std::optional<double> clean_adhesion_increase(const RollingCase& given, const Result& result);
 
-/// @return works and cohesive zones of edges across the path, for a law with a peak [Pa]
-[[nodiscard]] EdgeWorks works_at_edges(const RollingCase& given, double peak);
+/// @return edges across the path, and their laws with cohesive zones of a length [m]
+[[nodiscard]] EdgeWorks works_at_edges(const RollingCase& given, double zone);
 
 /// @brief Attraction of two bodies at the nodes of a window.
 /// @param[in] given load case with adhesion

@@ -11,6 +11,7 @@
 #include <limits>
 #include <vector>
 
+#include "contact/traction_law.hpp"
 #include "materials/creep_spectrum.hpp"
 #include "rolling/rolling_pair.hpp"
 
@@ -42,42 +43,32 @@ struct SurfaceAdhesion {
   double strength = std::numeric_limits<double>::infinity();  ///< peak of the cubic traction law [Pa], > 0
 };
 
-/// @brief Works of the traction law of a mesh, and quantities of the edges that they represent.
+/// @brief Edges of a contact, and the laws of a mesh that represent them.
 struct EdgeWorks {
-  double opening;              ///< work of the law where the surfaces separate [J/m^2]
-  double closing;              ///< work of the law where the surfaces come together [J/m^2]
+  EdgeLaws laws;               ///< laws of the mesh
   double opening_release;      ///< energy release rate by the relaxed compliance, G_open [J/m^2]
   double closing_release;      ///< energy release rate by the relaxed compliance, G_close [J/m^2]
-  double opening_zone;         ///< length of the cohesive zone of the mesh [m]
-  double closing_zone;         ///< length of the cohesive zone of the mesh [m]
   double actual_opening_zone;  ///< length of the cohesive zone of the surfaces; 0 with an infinite strength [m]
   double actual_closing_zone;  ///< length of the cohesive zone of the surfaces; 0 with an infinite strength [m]
 };
 
-/// @brief Works of a law of strength `mesh_strength` with the stress intensities of the given adhesion.
+/// @brief Laws with cohesive zones of a given length that have the stress intensities of the given adhesion.
 ///
 /// Opening edge: the traction is elastic, with the stress intensity K; the gap creeps. Closing edge: the displacement
 /// is the elastic one of the strain that the attraction ahead of the contact causes. Both zones have the shape of D. S.
-/// Dugdale, J. Mech. Phys. Solids 8 (1960) 100-104. Both works are the given ones if `mesh_strength` equals the
-/// strength, if the bodies are elastic, and at low speed.
+/// Dugdale, J. Mech. Phys. Solids 8 (1960) 100-104. An edge whose own zone is longer than the given one has the given
+/// adhesion. Both works are the given ones if the bodies are elastic, and at low speed.
 /// @param[in] creep creep compliance at the edges
 /// @param[in] adhesion works and strength of the surfaces
-/// @param[in] mesh_strength peak of the cubic law on the mesh [Pa], > 0, at most `adhesion.strength`
+/// @param[in] zone length of the cohesive zones on the mesh [m], > 0
 /// @param[in] speed component of the rolling speed normal to the edge [m/s], >= 0
 /// @throws InvalidInput for an infinite strength if the works depend on it: without an instantaneous compliance, and
 /// with retardation times that span more than two decades
-[[nodiscard]] EdgeWorks edge_works(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, double mesh_strength,
-                                   double speed);
+[[nodiscard]] EdgeWorks edge_works(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, double zone, double speed);
 
 /// Longest cohesive zone on a mesh, relative to the half-width of the contact, at which an edge still acts on the
 /// contact through its stress intensity alone. With zones of 0.4, 0.2 and 0.1 half-widths, the moment of a roller on a
 /// half-plane has errors of 5, 1 and 0.2 % (`python -m tests.reference.adhesion`).
 inline constexpr double kLongestZone = 0.4;
-
-/// @brief Check that the cohesive zones on the mesh are short.
-/// @param[in] works works and zones of the mesh
-/// @param[in] half_width half-width of the contact [m]
-/// @throws InvalidInput with the remedy, if a zone is longer than kLongestZone half-widths
-void require_short_zones(const EdgeWorks& works, double half_width);
 
 }  // namespace viscoroll::detail
