@@ -22,15 +22,17 @@ def test_roller_on_a_half_plane(load: float, speed: float) -> None:
     if (load, speed) == (100.0, 0.5):
         pytest.skip("the moment is 1 % of that of either edge, which the mesh resolves to 1e-4")
     adhesion = vr.Adhesion(work=1.0)
-    found = vr.solve(ROLLER, on=HALF_PLANE, load=load, speed=speed, adhesion=adhesion)
+    found = vr.solve(ROLLER, on=HALF_PLANE, load=load, speed=speed, adhesion=adhesion, accuracy=0.003)
     exact = analytic.adhesive_hunter(
         load=load, speed=speed, radius=50e-3, shear_modulus=RUBBER, poisson_ratio=0.5, work=1.0
     )
-    # The zone of the mesh is at most a twelfth of the half-width; the error falls with its length.
+    assert found.rolling_resistance_torque == pytest.approx(float(exact.moment), rel=0.005)
     assert found.resisting_torque == pytest.approx(float(exact.moment), rel=0.01)
     # The edge of the closed form lies within the cohesive zone.
     assert found.contact_length < 2.0 * exact.half_width < found.attracted_area
-    assert found.energy_balance_error < 2e-3
+    # In fast rolling the moments of both edges almost cancel.
+    is_fast = 0.125 * speed > float(exact.half_width)
+    assert found.energy_balance_error < (4e-3 if is_fast else 1e-3)
     assert found.opening_energy_ratio == pytest.approx(2.0)
     assert found.closing_energy_ratio == pytest.approx(0.5)
 
@@ -66,7 +68,7 @@ def test_elastic_roller_with_different_works(works: float) -> None:
     """An elastic roller dissipates the difference of the works: M = R (w_open - w_close)."""
     roller = vr.CoatedCylinder(core_radius=SOFT["radius"])
     adhesion = vr.Adhesion(work=10.0, separation_work=10.0 * works)
-    found = vr.solve(roller, on=SOFT_SPACE, load=200.0, angular_speed=1.0, adhesion=adhesion)
+    found = vr.solve(roller, on=SOFT_SPACE, load=200.0, angular_speed=1.0, adhesion=adhesion, accuracy=0.001)
     assert found.resisting_torque == pytest.approx(SOFT["radius"] * 10.0 * (works - 1.0), rel=0.01)
     assert found.adhesion_power == pytest.approx(found.dissipated_power)
 
