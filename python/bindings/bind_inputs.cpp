@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "bindings.hpp"
+#include "viscoroll/adhesion.hpp"
 #include "viscoroll/cylinder.hpp"
 #include "viscoroll/errors.hpp"
 #include "viscoroll/materials.hpp"
@@ -140,6 +141,7 @@ void bind_inputs(py::module_& m) {
           },
           py::arg("distance").noconvert());
   bind_struct<Axle>(m, "Axle", check);
+  bind_struct<Adhesion>(m, "Adhesion", check);
 
   bind_struct<Layer>(m, "Layer", [](const Layer& layer) { validate(layer, ""); });
   py::native_enum<InnerBoundary>(m, "InnerBoundary", "enum.Enum",

@@ -16,7 +16,18 @@ from . import (
 from ._core import ConvergenceError, __version__
 from ._support.errors import InvalidInput
 from ._support.result_warnings import ResultWarning
-from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Drive, Groove, HalfSpace, Layer, Mesh
+from .bodies import (
+    Adhesion,
+    CoatedCylinder,
+    CoatedPlane,
+    CoatedSphere,
+    CoatedWheel,
+    Drive,
+    Groove,
+    HalfSpace,
+    Layer,
+    Mesh,
+)
 from .coupled import self_heating, strain_softening
 from .ground import Axle, Profile
 from .materials import (
@@ -26,12 +37,13 @@ from .materials import (
     Prony,
     StandardLinearSolid,
 )
-from .rolling import Result, RollingModel, solve
+from .rolling import Result, RollingModel, pull_off, solve
 from .sliding import RoughSurface, slide
 from .studies import sweep
 from .transient import History, RollingHistory, RollingState, roll
 
 __all__ = [
+    "Adhesion",
     "Axle",
     "CoatedCylinder",
     "CoatedPlane",
@@ -66,6 +78,7 @@ __all__ = [
     "materials",
     "modal",
     "paper",
+    "pull_off",
     "rheology",
     "roll",
     "rolling",

@@ -51,6 +51,16 @@ class Axle:
         damping: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
 
+class Adhesion:
+    def __init__(
+        self,
+        *,
+        work: typing.SupportsFloat | typing.SupportsIndex,
+        strength: typing.SupportsFloat | typing.SupportsIndex | None,
+        range: typing.SupportsFloat | typing.SupportsIndex | None,
+        separation_work: typing.SupportsFloat | typing.SupportsIndex | None,
+    ) -> None: ...
+
 class Layer:
     def __init__(
         self,
@@ -204,6 +214,16 @@ class ScalarDescription:
 
 class ResultScalars:
     @property
+    def adhesion_power(self) -> float | None:
+        """
+        power dissipated at the edges by adhesion, beyond bulk_power [W]. V times the difference of the works of the traction law at the trailing and the leading edge: power dissipated in the layers so near to the edges that the mesh does not resolve it, and the difference of separation_work and work. None without adhesion.
+        """
+    @property
+    def attracted_area(self) -> float | None:
+        """
+        area of the contact and its cohesive zone [m^2]. contact_area plus the area where the surfaces attract each other across a gap; in line contact a length. None without adhesion.
+        """
+    @property
     def bulk_power(self) -> float:
         """
         power dissipated in the layers [W]. Power in the layers of both bodies, computed from the spectrum independently of the torque.
@@ -217,6 +237,16 @@ class ResultScalars:
     def centrifugal_displacement(self) -> float:
         """
         centrifugal displacement [m]. Displacement d_R^(c) in the contact condition.
+        """
+    @property
+    def closing_energy_ratio(self) -> float | None:
+        """
+        energy release rate at the leading edge / work of adhesion [1]. G_close / w by the relaxed compliance: fraction of the work of adhesion that the leading edge returns. None without adhesion.
+        """
+    @property
+    def cohesive_zone_nodes(self) -> float | None:
+        """
+        length of the shorter cohesive zone / spacing of the nodes [1]. With three or more, the mesh causes no hysteresis of its own. None without adhesion.
         """
     @property
     def contact_area(self) -> float:
@@ -256,7 +286,7 @@ class ResultScalars:
     @property
     def dissipated_power(self) -> float:
         """
-        dissipated power, in the layers and by slip [W]. bulk_power + slip_power.
+        dissipated power, in the layers and by slip [W]. bulk_power + slip_power; with adhesion also adhesion_power.
         """
     @property
     def driving_force(self) -> float:
@@ -339,6 +369,11 @@ class ResultScalars:
         relative error of linear theory, for torque and force [1]. Estimated from the strain ε. Balls: 0.75 ε, which covers slow rolling at finite strain up to ε = 0.24, for h/r_o from 1/84 to 1/5, ν = 0.3 and ½, and the viscosities of Newton and Jaumann; a Lagrangian viscosity with ν = 0.3 gives twice that error. Rollers and wheels: (0.9 + 4.5 ε) ε, which covers finite elements of rollers up to ε = 0.2; the torque of linear theory is too small. For wheels, the neglected effects of crown and sides are added, also to the following errors.
         """
     @property
+    def opening_energy_ratio(self) -> float | None:
+        """
+        energy release rate at the trailing edge / work of separation [1]. G_open / w by the relaxed compliance: factor by which the material around the edge increases the work that separation takes. Across the path of a ball, the value on its middle line. None without adhesion.
+        """
+    @property
     def operator_applications(self) -> int:
         """
         operator applications [1]. Number of applications of the surface operator, which are products with the influence tables.
@@ -376,7 +411,7 @@ class ResultScalars:
     @property
     def rolling_resistance_coefficient(self) -> float:
         """
-        rolling resistance coefficient, dissipated power / (P V) [1]. dissipated_power / (P |V|) for any drive. V is the speed of the center, or Ω r_o if that speed is undetermined. Infinite if the center stands still.
+        rolling resistance coefficient, dissipated power / (P V) [1]. dissipated_power / (P |V|) for any drive. V is the speed of the center, or Ω r_o if that speed is undetermined. Infinite if the center stands still, and with adhesion at loads that are not positive.
         """
     @property
     def rolling_resistance_force(self) -> float:

@@ -79,6 +79,15 @@ LoadCase load_case_from_json(const Json& json, const std::string& path) {
       if (drive == nullptr) return otherwise;
       Table of_drive(*drive, table.path_of(key));
       return drive_from_json(of_drive, std::type_identity<Drive>{});
+    } else if constexpr (std::is_same_v<Value, std::optional<Adhesion>>) {
+      const Json* adhesion = table.take(key);
+      if (adhesion == nullptr) return otherwise;
+      Table of_adhesion(*adhesion, table.path_of(key));
+      Value read = read_fields<Adhesion>([&]<class Number>(const char* name, Number missing, bool may_be_missing) {
+        return of_adhesion.value(name, std::move(missing), may_be_missing);
+      });
+      of_adhesion.close();
+      return read;
     } else {
       return table.value(key, std::move(otherwise), is_optional);
     }

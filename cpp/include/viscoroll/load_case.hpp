@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "viscoroll/adhesion.hpp"
 #include "viscoroll/drive.hpp"
 #include "viscoroll/fields.hpp"
 
@@ -18,7 +19,8 @@ struct GroundSpeed {
 /// @brief Load or penetration, speed, friction and drive of a rolling body. Exactly one of load and penetration is
 /// given, and one of angular_speed and speed; the others are results.
 struct LoadCase {
-  std::optional<double> load = {};  ///< normal load P [N], > 0; for rollers per unit length [N/m]
+  /// Normal load P [N], > 0; for rollers per unit length [N/m]. With adhesion it may be zero or negative.
+  std::optional<double> load = {};
   /// Penetration r_o - H [m], the same quantity as `Result::penetration`: radius at rest minus height of the center. It
   /// is larger than minus the centrifugal displacement and smaller than the thickness of the layers.
   std::optional<double> penetration = {};
@@ -28,6 +30,10 @@ struct LoadCase {
   std::optional<double> speed = {};
   double friction = 0.0;  ///< Coulomb's coefficient mu between the bodies [-], in [0, 4]; infinite: full stick
   Drive drive;            ///< without friction, a force of 0 or a creepage
+  std::optional<Adhesion> adhesion = {};  ///< adhesion of the surfaces, without friction; none for surfaces that do not
+                                          ///< attract each other
+  /// Whether to find the largest tension that adhesion supports; load and penetration are then left out.
+  bool pulls_off = false;
 
   static constexpr auto fields() {
     return std::tuple{Field{"load", &LoadCase::load, true},
@@ -35,7 +41,9 @@ struct LoadCase {
                       Field{"angular_speed", &LoadCase::angular_speed, true},
                       Field{"speed", &LoadCase::speed, true},
                       Field{"friction", &LoadCase::friction, true},
-                      Field{"drive", &LoadCase::drive, true}};
+                      Field{"drive", &LoadCase::drive, true},
+                      Field{"adhesion", &LoadCase::adhesion, true},
+                      Field{"pulls_off", &LoadCase::pulls_off, true}};
   }
 };
 

@@ -5,6 +5,7 @@
 /// Numbers of equations and sections are those of the paper; docs/theory describes its misprints.
 #pragma once
 
+#include "viscoroll/adhesion.hpp"            // IWYU pragma: export
 #include "viscoroll/cores.hpp"               // IWYU pragma: export
 #include "viscoroll/cylinder.hpp"            // IWYU pragma: export
 #include "viscoroll/drive.hpp"               // IWYU pragma: export

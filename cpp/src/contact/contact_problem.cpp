@@ -20,7 +20,14 @@ ContactProblem with_nodes(const ContactProblem& problem, std::shared_ptr<const S
                         .normal_force = problem.normal_force,
                         .friction = problem.friction,
                         .ends_at_sides = problem.ends_at_sides,
-                        .penetration = problem.penetration};
+                        .penetration = problem.penetration,
+                        .attraction = problem.attraction,
+                        .largest_tension = problem.largest_tension};
+  if (result.attraction) {
+    for (const auto member : {&Attraction::x, &Attraction::z, &Attraction::area}) {
+      (*result.attraction).*member = picked((*problem.attraction).*member, nodes);
+    }
+  }
   if (result.friction) {
     Friction& friction = *result.friction;
     friction.shared.reset();
@@ -54,6 +61,10 @@ ContactProblem coarsened(const ContactProblem& problem) {
     for (int k = coarse.theta.first; k <= coarse.theta.last; ++k) nodes.push_back(fine.number_of(2 * i, 2 * k));
   }
   ContactProblem result = with_nodes(problem, problem.surface->coarsened(), nodes);
+  if (result.attraction) {
+    result.attraction->spacing *= 2.0;
+    result.attraction->area *= fine.is_line() ? 2.0 : 4.0;
+  }
   // If displacements are evaluated downstream of the nodes, those of a coarse mesh lie between two fine rows.
   const double share = problem.surface->collocation();
   const auto next_row = [&](Index node) { return nodes[static_cast<std::size_t>(node)] + fine.theta.count(); };

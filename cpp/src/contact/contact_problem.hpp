@@ -9,6 +9,7 @@
 #include "contact/contact_solution.hpp"
 #include "contact/drive.hpp"
 #include "contact/shared_start.hpp"
+#include "contact/traction_law.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {
@@ -41,16 +42,20 @@ struct NormalCondition {
 
 /// @brief Find forces p >= 0 and the penetration for which the bodies are in contact where p > 0 and separated
 /// elsewhere: gap = initial_gap - u_y - penetration >= 0, p gap = 0, and either sum p = normal_force or the penetration
-/// is given.
+/// is given. With adhesion, the force of a node is the pressure of a hard wall minus an attraction that depends on the
+/// gap, times the area.
 struct ContactProblem {
   std::shared_ptr<const SurfaceOperator> surface;
-  Eigen::ArrayXd initial_gap;        ///< gap of each node when the lowest node just touches [m], >= 0
-  double normal_force;               ///< load [N], positive; with a given penetration, a scale for residuals
+  Eigen::ArrayXd initial_gap;  ///< gap of each node when the lowest node just touches [m], >= 0
+  double normal_force;         ///< load [N], positive without adhesion; with a given penetration, a scale for residuals
   std::optional<Friction> friction;  ///< empty if tangential forces are neglected
   /// Whether a body ends at the sides of the window, so that the contact may reach them.
   bool ends_at_sides = false;
   /// Given penetration of the lowest undeformed node, including its centrifugal growth [m]; empty if the load is given.
   std::optional<double> penetration = {};
+  std::optional<Attraction> attraction = {};  ///< empty without adhesion
+  /// Whether the load is the largest tension that adhesion supports, instead of a given load or penetration.
+  bool largest_tension = false;
 
   /// @param[in] stiffness stiffness that converts the penetration to a force [N/m]
   [[nodiscard]] NormalCondition normal_condition(double stiffness) const;

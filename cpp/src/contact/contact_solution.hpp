@@ -17,10 +17,20 @@ struct SmoothFields {
   Eigen::ArrayX2d slip;
 };
 
+/// @brief Edges of a contact with adhesion.
+struct AdhesiveEdges {
+  std::vector<Eigen::Index> zone;  ///< nodes of the cohesive zone, which are attracted but not in contact
+  double zone_length;              ///< length of the cohesive zones from which the traction law follows [m]
+  double center;                   ///< position along the path that separates opening and closing edges [m]
+  /// Difference of the works of opening and closing edges, integrated across the path [J/m]; in line contact [J/m^2].
+  double lost_work;
+};
+
 /// @brief Nodal forces and the displacements, gaps and slips that belong to them.
 struct ContactSolution {
-  VectorField force;         ///< force on the surface at every node [N]; the pressing component, along y, is <= 0
-  VectorField displacement;  ///< displacement of every node [m]; empty until it is computed
+  /// Force on the surface at every node [N]. Without adhesion, the pressing component, along y, is <= 0.
+  VectorField force;
+  VectorField displacement;              ///< displacement of every node [m]; empty until it is computed
   VectorField counterbody_displacement;  ///< part of the counterbody in it; no rows if the counterbody is rigid
   Eigen::ArrayXd gap;                    ///< gap between every node and the counterbody [m]
   std::vector<Eigen::Index> contact;     ///< nodes in contact
@@ -29,6 +39,7 @@ struct ContactSolution {
   std::vector<Eigen::Index> stick;  ///< sticking nodes; empty without friction
   Eigen::ArrayX2d slip;             ///< slip along x and z, per row or per time step [m]; empty without friction
   std::optional<double> creepage;   ///< [-], or displacement of the center in a time step [m]; empty if undetermined
+  std::optional<AdhesiveEdges> adhesion;  ///< empty without adhesion
   std::optional<SmoothFields> prolonged;  ///< fields of the coarser mesh from which a start is interpolated
 
   int iterations = 0;             ///< number of linear systems solved
@@ -50,7 +61,10 @@ inline void find_displacements(const SurfaceOperator& surface, ContactSolution& 
   return state.displacement - state.counterbody_displacement;
 }
 
-/// @return pressing force at each node [N], >= 0
+/// @return nodes with a force, ascending: those in contact and those of the cohesive zone
+[[nodiscard]] std::vector<Eigen::Index> loaded_nodes(const ContactSolution& contact);
+
+/// @return pressing force at each node [N]; without adhesion >= 0
 [[nodiscard]] inline Eigen::ArrayXd pressing_force(const ContactSolution& contact) { return -contact.force.col(kDown); }
 
 }  // namespace viscoroll::detail

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "contact/adhesive_contact.hpp"
 #include "contact/frictional_contact.hpp"
 #include "contact/normal_contact.hpp"
 #include "viscoroll/errors.hpp"
@@ -74,13 +75,6 @@ Window joined(const Window& one, const Window& other) {
   return {join(one.phi, other.phi), join(one.theta, other.theta)};
 }
 
-/// Whether the window has enough nodes in both directions for a start from every other node to pay.
-bool is_worth_coarsening(const Window& window) {
-  const auto [rows, columns] = window.shape();
-  return window.shape().size() > kFewNodes && rows >= kMinNodesPerDirection &&
-         (window.is_line() || columns >= kMinNodesPerDirection);
-}
-
 LocatedContact press(ContactProblem problem, const NormalContactGuess& guess, const ContactOptions& options) {
   ContactSolution contact = solve_normal_contact(problem, guess, options);
   return {.problem = std::move(problem), .contact = std::move(contact)};
@@ -137,8 +131,15 @@ LocatedContact refine(const LocatedContact& coarse, const ContactProblem& proble
 
 }  // namespace
 
+bool is_worth_coarsening(const Window& window) {
+  const auto [rows, columns] = window.shape();
+  return window.shape().size() > kFewNodes && rows >= kMinNodesPerDirection &&
+         (window.is_line() || columns >= kMinNodesPerDirection);
+}
+
 LocatedContact solve_multilevel(const ContactProblem& problem, double contact_gap_limit,
                                 const ContactOptions& options) {
+  if (problem.attraction) return solve_adhesive_contact(problem, contact_gap_limit, options);
   if (!problem.friction) return press_multilevel(problem, contact_gap_limit, options);
   const auto from_full_stick = [&] { return add_friction(pressed(problem, contact_gap_limit, options), options); };
   if (problem.initial_gap.size() <= kSmallFrictionalWindow) return from_full_stick();

@@ -7,7 +7,10 @@
 
 namespace viscoroll::detail {
 
-/// @brief Solve a contact with or without friction.
+/// @return whether the window has enough nodes in both directions for a start from every other node to save time
+[[nodiscard]] bool is_worth_coarsening(const Window& window);
+
+/// @brief Solve a contact with or without friction or adhesion.
 /// Small windows and periodic surfaces are solved as a whole. On a larger window the solver first solves the mesh of
 /// every other node, recursively, and then a box around that contact, so that the number of Krylov iterations does not
 /// grow with the mesh. If friction fails on the coarsest level, the next level starts from its own frictionless

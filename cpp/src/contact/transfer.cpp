@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace viscoroll::detail {
@@ -117,10 +118,17 @@ std::vector<Index> prolonged_contact(const LocatedContact& coarse, const Window&
   return contact;
 }
 
+std::vector<Index> loaded_nodes(const ContactSolution& contact) {
+  if (!contact.adhesion) return contact.contact;
+  std::vector<Index> nodes;
+  std::ranges::merge(contact.contact, contact.adhesion->zone, std::back_inserter(nodes));
+  return nodes;
+}
+
 bool touches_edge(const LocatedContact& located, const Window& window) {
   const WindowShape shape = window.shape();
   const bool goes_on = !window.is_line() && !located.problem.ends_at_sides;
-  return std::ranges::any_of(located.contact.contact, [&](Index node) {
+  return std::ranges::any_of(loaded_nodes(located.contact), [&](Index node) {
     const Index number = window.number_of(located.window(), node);
     const Index i = number / shape.theta_nodes;
     const Index k = number % shape.theta_nodes;
@@ -144,6 +152,10 @@ ContactSolution extended(const LocatedContact& located, const ContactProblem& wh
   };
   contact.contact = renumbered(inside.contact);
   contact.stick = renumbered(inside.stick);
+  if (inside.adhesion) {
+    contact.adhesion = inside.adhesion;
+    contact.adhesion->zone = renumbered(inside.adhesion->zone);
+  }
   contact.penetration = inside.penetration;
   contact.creepage = inside.creepage;
   contact.iterations = inside.iterations;

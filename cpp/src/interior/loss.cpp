@@ -139,7 +139,7 @@ double width_of(const Tractions& tractions, double radius) {
 }
 
 /// Dissipation of a block of orders m.
-struct Losses {
+struct BlockLosses {
   Eigen::ArrayXXd density;   // theta by place
   Eigen::ArrayXXd by_order;  // layer by order of the block
   double surface = 0.0;
@@ -182,9 +182,9 @@ class LossSum {
 
   [[nodiscard]] LossDensity sum(int threads, Watch& watch) const {
     const std::size_t count = m_.orders.size();
-    std::vector<Losses> blocks((count + kBlock - 1) / kBlock);
+    std::vector<BlockLosses> blocks((count + kBlock - 1) / kBlock);
     parallel_for(blocks.size(), threads, watch, "loss inside", [&](std::size_t block, const Worker& worker) {
-      Losses& losses = blocks[block];
+      BlockLosses& losses = blocks[block];
       losses.density.setZero(theta_nodes_, static_cast<Index>(places_.size()));
       losses.by_order.setZero(static_cast<Index>(body_.body().layers.size()), kBlock);
       const std::size_t first = block * kBlock;
@@ -202,7 +202,7 @@ class LossSum {
   }
 
  private:
-  void add_order(std::size_t order, Index in_block, const DepthTransfer& transfer, Losses& losses) const {
+  void add_order(std::size_t order, Index in_block, const DepthTransfer& transfer, BlockLosses& losses) const {
     const double m = m_.orders[order];
     const double weight = m_.weights[order];
     const auto layers = body_.layers_at(order);
@@ -285,7 +285,7 @@ class LossSum {
     return -2.0 * body_.metric().area_of_waves() / body_.radius() / across_.circumferences * m * sum;
   }
 
-  [[nodiscard]] LossDensity collect(const std::vector<Losses>& blocks, std::size_t count) const {
+  [[nodiscard]] LossDensity collect(const std::vector<BlockLosses>& blocks, std::size_t count) const {
     const double speed = body_.angular_speed();
     const auto layers = body_.body().layers.size();
     Eigen::ArrayXXd density = Eigen::ArrayXXd::Zero(theta_nodes_, static_cast<Index>(places_.size()));

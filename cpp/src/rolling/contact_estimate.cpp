@@ -190,7 +190,48 @@ ContactReach estimate_contact(const RollingPair& pair, double angular_speed, dou
                   [&](const std::vector<Part>& parts) { return contact_radius(pair, parts, load); });
 }
 
+namespace {
+
+/// Tension that the edges of an adhesive contact of half-width `a` take from its load.
+double edge_tension(double a, double work, const std::vector<Part>& parts, const ContactForm& form) {
+  double compliance = 0.0;  // of the surfaces
+  double lifted = 0.0;      // of layers that are thin
+  for (const Part& part : parts) {
+    compliance += 0.5 / part.moduli.shear;
+    if (std::isfinite(part.thickness)) lifted += part.thickness / part.moduli.confined;
+  }
+  const double dimensions = form.dimensions;
+  const double thick = form.is_line() ? 2.0 * std::numbers::pi * a : 8.0 * std::numbers::pi * std::pow(a, 3);
+  const double area = form.is_line() ? 2.0 * a : std::numbers::pi * std::pow(a, dimensions);
+  const double thin = lifted > 0.0 ? area * std::sqrt(2.0 * work / lifted) : 0.0;
+  return std::max(std::sqrt(thick * work / compliance), thin);
+}
+
+}  // namespace
+
+double equivalent_load(const RollingPair& pair, const LoadCase& load_case) {
+  constexpr int kPasses = 60;  // each reduces the error at least to a half
+  const double given = std::max(load_case.load.value_or(0.0), 0.0);
+  const double work = load_case.adhesion->separation_work.value_or(load_case.adhesion->work);
+  double load = given;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const double a = load > 0.0 ? estimate_contact(pair, load_case.angular_speed, load).along : mean_radius(pair);
+    const double frequency = load_case.angular_speed * std::max(1.0, pair.body->radius() / a);
+    const double tension = edge_tension(a, work, parts_of(pair, load_case.angular_speed, frequency), pair.body->form());
+    load = given + tension;
+  }
+  return load;
+}
+
 ContactReach estimate_contact(const PairAtSpeed& pair, const LoadCase& load_case) {
+  if (load_case.adhesion) {
+    const ContactReach attracted = estimate_contact(pair, load_case.angular_speed, equivalent_load(pair, load_case));
+    if (!load_case.penetration || !(*load_case.penetration + pair.centrifugal > 0.0)) return attracted;
+    LoadCase pressed = load_case;
+    pressed.adhesion.reset();
+    const ContactReach reach = estimate_contact(pair, pressed);
+    return reach.along > attracted.along ? reach : attracted;
+  }
   if (load_case.load) return estimate_contact(pair, load_case.angular_speed, *load_case.load);
   const double penetration = *load_case.penetration + pair.centrifugal;
   return estimate(pair, load_case.angular_speed,

@@ -26,7 +26,7 @@ namespace viscoroll::detail {
 /// @return half-widths along and across; both are a for a ball
 [[nodiscard]] ContactReach estimate_contact(const RollingPair& pair, double angular_speed, double load);
 
-/// @brief Same estimate for a load case, whose load or penetration is given.
+/// @brief Same estimate for a load case, whose load or penetration is given, or which has the largest tension.
 ///
 /// A contact of half-width a on thin layers has the penetration a^2 / (2 R), or d a^2 / (2 (d + 2) R) in d dimensions
 /// if they are incompressible, and on a thick layer that of Hertz, a^2 / R in point contact. Each part contributes the
@@ -35,6 +35,17 @@ namespace viscoroll::detail {
 /// @param[in] pair rolling body and counterbody, whose centrifugal displacement adds to the penetration
 /// @param[in] load_case load case
 [[nodiscard]] ContactReach estimate_contact(const PairAtSpeed& pair, const LoadCase& load_case);
+
+/// @brief Load without adhesion at which the contact is about as large as that of a load case with adhesion.
+///
+/// It is P plus the tension that the edges take from a contact of half-width a (K. L. Johnson, K. Kendall and A. D.
+/// Roberts, Proc. R. Soc. A 324 (1971) 301-313): sqrt(8 pi w E* a^3) on a half-space, sqrt(2 pi w E* a) for a roller,
+/// and on a thin bonded layer the load of a layer that is lifted by sqrt(2 w h / M), whichever is larger.
+/// @param[in] pair both bodies
+/// @param[in] load_case load case with adhesion; P = 0 if its load is negative or not given, since the solver finds
+/// tensile states from that of P = 0
+/// @return load [N], for a roller per length
+[[nodiscard]] double equivalent_load(const RollingPair& pair, const LoadCase& load_case);
 
 /// @brief Upper bound of the loads that a coating of such layers can support: a thousand times the loads of Hertz and
 /// of the thin incompressible bonded layer for a contact as wide as the body, with the stiffest layer at the highest

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "rolling/adhesion.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/initial_gap.hpp"
@@ -75,12 +76,15 @@ ContactProblem ContactSetup::problem(const SurfaceWindow& window) const {
                          .ends_at_sides = has_sides() && window.window().theta == nodes.widest.theta};
   if (load_case.penetration) problem.penetration = *load_case.penetration + pair.centrifugal;
   if (load_case.friction > 0.0) problem.friction = make_friction(window, *this);
+  if (load_case.adhesion) problem.attraction = attraction_at(*this, window);
+  problem.largest_tension = load_case.pulls_off;
   return problem;
 }
 
 RollingCase rolling_case(const PairAtSpeed& pair, const LoadCase& load_case, const Options& options, Watch& watch) {
   require_formulation(pair, options);
-  if (load_case.penetration) require_penetration(pair, *load_case.penetration);
+  require_adhesion(pair, load_case);
+  if (load_case.penetration) require_penetration(pair, load_case);
   const ContactReach contact = estimate_contact(pair, load_case);
   const double radius = pair.body->radius();
   const double half_chord = kAssumedShare * contact.along;
@@ -89,7 +93,8 @@ RollingCase rolling_case(const PairAtSpeed& pair, const LoadCase& load_case, con
           .options = options,
           .execution = {.threads = options.threads, .watch = watch},
           .contact = contact,
-          .estimated_depth = radius - std::sqrt(std::max(std::pow(radius, 2) - std::pow(half_chord, 2), 0.0))};
+          .estimated_depth = radius - std::sqrt(std::max(std::pow(radius, 2) - std::pow(half_chord, 2), 0.0)),
+          .equivalent_load = load_case.adhesion ? equivalent_load(pair, load_case) : 0.0};
 }
 
 ContactSetup assemble(const MeshModel& model, const RollingCase& given) {

@@ -19,6 +19,7 @@ struct RollingCase {
   Execution execution;
   ContactReach contact;    ///< estimated size of the contact; rather too large than too small
   double estimated_depth;  ///< undeformed gap at the edge of the estimated contact [m]
+  double equivalent_load;  ///< with adhesion, load without adhesion at which the contact has about the same size [N]
 };
 
 /// @brief Check a load case against both bodies, and estimate its contact.
@@ -38,7 +39,8 @@ struct RollingCase {
           .options = options,
           .execution = given.execution,
           .contact = given.contact,
-          .estimated_depth = given.estimated_depth};
+          .estimated_depth = given.estimated_depth,
+          .equivalent_load = given.equivalent_load};
 }
 
 /// @brief A load case on a mesh, with the quantities that are known before the contact is solved.

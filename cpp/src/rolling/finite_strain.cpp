@@ -45,7 +45,7 @@ Mesh coarsened(const Result& result, const RollingPair& pair) {
 
 /// Whether the correction applies: it was compared with finite strain without friction and on rigid counterbodies.
 bool is_known(const RollingCase& given) {
-  return given.options.finite_strain && given.load_case.friction == 0.0 &&
+  return given.options.finite_strain && given.load_case.friction == 0.0 && !given.load_case.adhesion &&
          given.options.compliance == Compliance::radial && !given.pair.body->is_rigid() && given.pair.on->is_rigid();
 }
 

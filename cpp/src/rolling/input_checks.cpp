@@ -83,6 +83,16 @@ void reject_load(const RollingPair& pair, const LoadCase& load_case, const std::
              " " + reason + ")");
 }
 
+void reject_tension(const ContactSetup& setup, double load, double penetration) {
+  const LoadCase& given = setup.load_case;
+  const std::string unit(given.load ? setup.pair.body->form().load_unit : "m");
+  const double least = given.load ? load : penetration - setup.pair.centrifugal;
+  reject(given.load ? "load" : "penetration",
+         "> " + rounded(least) + " " + unit + ", at which the " + std::string(setup.pair.body->name()) + " lifts off",
+         text(given.load ? *given.load : *given.penetration) + " " + unit,
+         Range{.unit = unit, .minimum = least, .excludes_minimum = true});
+}
+
 void reject_contact_over_60_degrees(const RollingPair& pair, const LoadCase& load_case) {
   reject_load(pair, load_case, "is in contact beyond 60 degrees to either side");
 }
@@ -107,13 +117,14 @@ void require_formulation(const RollingPair& pair, const Options& options) {
   if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");
 }
 
-void require_penetration(const PairAtSpeed& pair, double penetration) {
+void require_penetration(const PairAtSpeed& pair, const LoadCase& load_case) {
+  const double penetration = *load_case.penetration;
   const std::string value = text(penetration) + " m";
   if (!approach_exists(pair)) {
     reject("penetration", "left out in line contact on a half-space, where it is undetermined: give the load", value);
   }
   const double least = -pair.centrifugal;
-  if (!(penetration > least)) {
+  if (!load_case.adhesion && !(penetration > least)) {
     reject("penetration", "> " + (least == 0.0 ? "0 m" : rounded(least) + " m (minus the centrifugal displacement)"),
            value, Range{.unit = "m", .minimum = least, .excludes_minimum = true});
   }
@@ -150,7 +161,7 @@ void require_node_limit(const Window& window, const Mesh& mesh) {
 
 void require_contact(const ContactSetup& setup, double friction, double penetration) {
   if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
-  if (approach_exists(setup.pair) && !(penetration > 0.0)) {
+  if (approach_exists(setup.pair) && !setup.load_case.adhesion && !(penetration > 0.0)) {
     if (friction == 0.0) {
       setup.pair.body->require_stiffness();
       setup.pair.on->require_stiffness();

@@ -12,8 +12,8 @@ namespace viscoroll::detail {
 /// @brief Reject formulations for which the bodies have no tables.
 void require_formulation(const RollingPair& pair, const Options& options);
 
-/// @brief Reject penetrations [m] that are too large for the layers or at which the bodies do not touch.
-void require_penetration(const PairAtSpeed& pair, double penetration);
+/// @brief Reject penetrations that are too large for the layers or, without adhesion, at which the bodies do not touch.
+void require_penetration(const PairAtSpeed& pair, const LoadCase& load_case);
 
 /// @brief Reject loads that no coating of such layers can support, and moduli that relax to almost nothing. In steady
 /// state, order m = 0 has relaxed completely: the load leaves a groove around the whole circumference, whose depth such
@@ -24,8 +24,8 @@ void require_supported(const MeshModel& model, const RollingCase& given);
 /// @throws MeshTooFine if the window has too many nodes
 void require_node_limit(const Window& window, const Mesh& mesh);
 
-/// @brief Reject a penetration [m] that reaches the core, a penetration that is not positive, and friction that lifts
-/// the rolling body off its contact.
+/// @brief Reject a penetration [m] that reaches the core, without adhesion a penetration that is not positive, and
+/// friction that lifts the rolling body off its contact.
 /// @param[in] setup the load case
 /// @param[in] friction coefficient with which the contact was solved
 /// @param[in] penetration approach of the bodies [m]
@@ -41,6 +41,11 @@ void require_reachable_drive(const ContactSetup& setup, const ContactProblem& pr
 /// @param[in] load_case load case
 /// @param[in] reason effect on the rolling body, for the message
 [[noreturn]] void reject_load(const RollingPair& pair, const LoadCase& load_case, const std::string& reason);
+
+/// @brief Reject a load or penetration at which adhesion does not keep the bodies together.
+/// @param[in] setup load case with adhesion
+/// @param[in] load,penetration those of the last state at which they keep together [N], [m]
+[[noreturn]] void reject_tension(const ContactSetup& setup, double load, double penetration);
 
 /// @brief Reject a load or penetration whose contact fits into no window.
 [[noreturn]] void reject_contact_over_60_degrees(const RollingPair& pair, const LoadCase& load_case);

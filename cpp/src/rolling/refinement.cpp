@@ -21,6 +21,9 @@ namespace viscoroll::detail {
 namespace {
 
 constexpr int kFewestNodesPerRevolution = 64;
+// With adhesion, error of the dissipated power relative to that of the power balance, which contains the moments of
+// both edges; at most a tenth for rollers on a half-plane (docs/theory/adhesion.md, "Evidence").
+constexpr double kShareOfBalance = 0.1;
 constexpr double kMaxContactNodes = 3e6;  // whose fields need a third of a gigabyte
 constexpr double kInertiaShare = 1e-3;    // relative error of the inertia terms, as a fraction of the accuracy
 constexpr double kMaxFrictionalContactNodes = 4e5;  // their Krylov methods store some tens of vectors
@@ -63,7 +66,7 @@ double max_contact_nodes(const LoadCase& load_case, const Options& options, doub
   const bool has_friction = load_case.friction > 0.0;
   const bool costly = has_friction || options.curvature == Curvature::exact;
   double cheap = costly ? 5e4 : 1e6;
-  if (has_friction) cheap = std::min(cheap, kMaxFurtherEffort / applications);
+  if (has_friction || load_case.adhesion) cheap = std::min(cheap, kMaxFurtherEffort / applications);
   return std::min(has_friction ? kMaxFrictionalContactNodes : kMaxContactNodes, std::max(planned, cheap));
 }
 
@@ -75,14 +78,22 @@ struct Answer {
 
 /// Scalar results that are checked for convergence, always in the same order for the same load case.
 std::vector<Answer> answers(const Result& result, const LoadCase& load_case, double radius) {
-  const double torque = std::abs(result.resisting_torque);
-  const double negligible = std::max(1e-10 * result.load * result.semi_axis_x, std::numeric_limits<double>::min());
+  // The moments of both edges of an adhesive contact almost cancel in the sum of x p, but not in the power.
+  const double moment = load_case.adhesion ? result.rolling_resistance_torque : result.resisting_torque;
+  const double torque = std::abs(moment);
+  // The load of an adhesive contact may be zero; a tenth of its largest pressure is about the mean one.
+  const double load = load_case.adhesion
+                          ? std::max(std::abs(result.load), 0.1 * result.max_pressure * result.contact_area)
+                          : result.load;
+  const double negligible = std::max(1e-10 * load * result.semi_axis_x, std::numeric_limits<double>::min());
   const double force = torque / radius;
-  std::vector<Answer> answers{{result.resisting_torque, std::max(torque, negligible)}};
+  const double approach_scale = 0.5 * std::pow(result.semi_axis_x, 2) / radius;
+  std::vector<Answer> answers{{moment, std::max(torque, negligible)}};
   if (!load_case.load) {
-    answers.push_back({result.load, result.load});
+    answers.push_back({result.load, load});
   } else if (result.penetration) {
-    answers.push_back({*result.penetration, std::abs(*result.penetration)});
+    answers.push_back({*result.penetration, load_case.adhesion ? std::max(std::abs(*result.penetration), approach_scale)
+                                                               : std::abs(*result.penetration)});
   }
   if (load_case.friction == 0.0) return answers;
   answers.push_back(
@@ -240,7 +251,8 @@ class Refiner {
     Refinement& step = result.refinements.back();
     std::vector<Answer> found = answers(result, load_case_, radius_);
     // The first mesh has no previous mesh to compare with.
-    step.error_estimate = best_ ? std::max(step.energy_balance_error, largest_change(found, answers_)) : 1.0;
+    const double balance = (load_case_.adhesion ? kShareOfBalance : 1.0) * step.energy_balance_error;
+    step.error_estimate = best_ ? std::max(balance, largest_change(found, answers_)) : 1.0;
     result.error_estimate = step.error_estimate;
     has_ended_ = result.status != Status::converged;
     // Keep the earlier result: this mesh was meant to improve the pressure or the contact length only.

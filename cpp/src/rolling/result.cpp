@@ -8,6 +8,7 @@
 
 #include "contact/contact_extent.hpp"
 #include "modal/harmonic_moduli.hpp"
+#include "rolling/adhesion.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/initial_gap.hpp"
 #include "rolling/pressure_peak.hpp"
@@ -37,10 +38,9 @@ std::vector<double> columns(Index rows, const Function& function) {
   return result;
 }
 
-/// Moment arms of the nodes in contact, displaced by the rolling body's own displacement.
-MomentArms displaced_arms(const ContactSetup& given, const WindowContact& solved) {
+/// Moment arms of loaded nodes, displaced by the rolling body's own displacement.
+MomentArms displaced_arms(const ContactSetup& given, const WindowContact& solved, const std::vector<Index>& contact) {
   const double share = given.pressure_work_factor();
-  const std::vector<Index>& contact = solved.contact.contact;
   const MomentArms arms =
       displaced(given.moment_arms(solved.nodes, contact), solved.contact.displacement(contact, Eigen::all), share);
   const VectorField& counterbody = solved.contact.counterbody_displacement;
@@ -64,12 +64,11 @@ double settled(double sum, double largest_summand, std::optional<double> given =
 
 /// D_2 = sum of p dw_2/dxi: force of the pressure along the counterbody's deformed surface. Under a rigid ball it
 /// follows from the surface of the ball.
-double deformed_slope_force(const ContactSetup& given, const WindowContact& solved) {
+double deformed_slope_force(const ContactSetup& given, const WindowContact& solved, const std::vector<Index>& contact) {
   switch (solved.problem.surface->deforming()) {
     case Deforming::rolling:
       return 0.0;
     case Deforming::counterbody: {
-      const std::vector<Index>& contact = solved.contact.contact;
       const ArrayXd slope = counterbody_slope(solved.nodes, given.pair.growth, given.pair, contact);
       return -(solved.contact.force.col(kDown)(contact) *
                (solved.nodes.x()(contact) / solved.nodes.grid().radius - slope))
@@ -115,11 +114,12 @@ class Summary {
         contact_(solved.contact),
         losses_(solved.losses),
         size_(window_.shape().size()),
-        force_(contact_.force(contact_.contact, Eigen::all)),
-        arms_(displaced_arms(given, solved)),
+        loaded_(loaded_nodes(contact_)),
+        force_(contact_.force(loaded_, Eigen::all)),
+        arms_(displaced_arms(given, solved, loaded_)),
         curvature_(given.pair.growth.met() * given.pair.on->curvatures().along),
-        slope_force_(deformed_slope_force(given, solved)),
-        area_(window_.patch_area(contact_.contact)),
+        slope_force_(deformed_slope_force(given, solved, loaded_)),
+        area_(window_.patch_area(loaded_)),
         traction_area_(traction_area(given, window_.grid(), area_)) {}
 
   void add_status(Result& r) const {
@@ -131,7 +131,11 @@ class Summary {
 
   void add_shape(Result& r) const {
     r.centrifugal_displacement = given_.pair.centrifugal;
-    contact_extent(window_, contact_.contact, area_, -force_.col(kDown) / traction_area_).copy_to(r);
+    if (contact_.adhesion) {
+      add_adhesive_shape(r);
+    } else {
+      contact_extent(window_, contact_.contact, area_, -force_.col(kDown) / traction_area_).copy_to(r);
+    }
     if (!approach_exists(given_.pair)) return;
     const double penetration = given_.load_case.penetration.value_or(contact_.penetration - given_.pair.centrifugal);
     r.penetration = penetration;
@@ -144,9 +148,9 @@ class Summary {
 
   void add_forces(Result& r) const {
     const auto forward = force_.col(kForward);
-    const std::vector<Index>& contact = contact_.contact;
-    const double load = given_.load_case.load.value_or(-force_.col(kDown).sum());
-    r.load = load;
+    const std::vector<Index>& contact = loaded_;
+    r.load = given_.load_case.load.value_or(-force_.col(kDown).sum());
+    const double load = force_scale(r);
     if (is_reversible()) return;
     r.resisting_torque = -(pressure_moment_arm(window_, given_.pair, contact) * force_.col(kDown)).sum();
     const GivenMotion motion = given_motion(given_.load_case);
@@ -174,18 +178,18 @@ class Summary {
     if (contact_.slip.rows() > 0) {
       r.slip_power = slip_power();
     }
-    r.dissipated_power = r.bulk_power + r.slip_power;
+    if (contact_.adhesion) r.adhesion_power = std::abs(speed) * contact_.adhesion->lost_work;
+    r.dissipated_power = r.bulk_power + r.slip_power + r.adhesion_power.value_or(0.0);
     r.rolling_resistance_force = r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / std::abs(speed);
     r.rolling_resistance_torque = r.dissipated_power / load_case.angular_speed;
-    r.rolling_resistance_coefficient =
-        r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (r.load * std::abs(speed));
+    r.rolling_resistance_coefficient = coefficient(r, std::abs(speed));
     double work =
         r.driving_torque * load_case.angular_speed + (r.driving_force + force_of_turning_counterbody(r)) * speed;
     const double guided = r.lateral_force * motion.lateral_creepage + r.spin_moment * motion.spin;
     work -= guided * load_case.angular_speed * radius();
     // Smaller powers, relative to the largest torque that the load could cause, are round-off of a lossless coating.
     const double negligible =
-        std::max(1e-10 * r.load * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());
+        std::max(1e-10 * force_scale(r) * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());
     r.energy_balance_error =
         std::abs(work - r.dissipated_power) / std::max({std::abs(work), std::abs(r.dissipated_power), negligible});
   }
@@ -229,20 +233,54 @@ class Summary {
   }
 
  private:
+  /// Set the shape of a contact with adhesion, whose pressure does not vanish at its edges.
+  void add_adhesive_shape(Result& r) const {
+    const std::vector<Index>& contact = contact_.contact;
+    const AdhesiveEdges& edges = *contact_.adhesion;
+    const auto touching = static_cast<Index>(contact.size());
+    contact_extent(window_, contact, window_.patch_area(contact), ArrayXd::Ones(touching)).copy_to(r);
+    r.max_pressure =
+        (-contact_.force.col(kDown)(contact) / traction_area(given_, window_.grid(), window_.patch_area(contact)))
+            .maxCoeff();
+    const SurfaceGrid& grid = window_.grid();
+    const bool is_line = window_.window().is_line();
+    const double spacing = grid.radius * (is_line ? grid.phi_spacing : std::max(grid.phi_spacing, grid.theta_spacing));
+    const EdgeWorks works = works_at_edges(given_, edges.zone_length);
+    const Adhesion& adhesion = *given_.load_case.adhesion;
+    r.attracted_area = is_line ? area_.sum() : r.contact_area + window_.patch_area(edges.zone).sum();
+    r.opening_energy_ratio = works.opening_release / adhesion.separation_work.value_or(adhesion.work);
+    r.closing_energy_ratio = works.closing_release / adhesion.work;
+    r.cohesive_zone_nodes =
+        std::max(edges.zone_length, std::min(works.actual_opening_zone, works.actual_closing_zone)) / spacing;
+  }
+
+  /// Force to which sums of forces are compared [N]: the load, or with adhesion the sum of pressing and pulling forces.
+  [[nodiscard]] double force_scale(const Result& r) const {
+    return contact_.adhesion ? force_.col(kDown).abs().sum() : r.load;
+  }
+
+  /// Dissipated power per load and speed; infinite unless the load is positive.
+  [[nodiscard]] static double coefficient(const Result& r, double speed) {
+    if (!(r.load > 0.0)) return std::numeric_limits<double>::infinity();
+    return r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (r.load * speed);
+  }
+
   [[nodiscard]] double radius() const { return window_.grid().radius; }
 
   /// Whether the contact has no loss at all. Its pressure is then even in x, because the response to a load is even in
   /// the distance if all compliances are real, so that torques and forces along the path vanish except for round-off.
   [[nodiscard]] bool is_reversible() const {
     const auto& [body, on] = static_cast<const RollingPair&>(given_.pair);
-    return given_.load_case.friction == 0.0 && returns_all_work(*body) && returns_all_work(*on);
+    const std::optional<Adhesion>& adhesion = given_.load_case.adhesion;
+    return given_.load_case.friction == 0.0 && returns_all_work(*body) && returns_all_work(*on) &&
+           !(adhesion && adhesion->separation_work);
   }
 
-  /// Set the values of the nodes in contact in a field of all nodes.
+  /// Set the values of the loaded nodes in a field of all nodes.
   template <class Values, class Field>
   void put(const Values& values, Field field) const {
     Index i = 0;
-    for (const Index node : contact_.contact) field[node] = values[i++];
+    for (const Index node : loaded_) field[node] = values[i++];
   }
 
   /// Backward force of the pressure on the body, due to the deformed and curved surface of the counterbody.
@@ -286,8 +324,9 @@ class Summary {
   const ContactSolution& contact_;
   const Losses& losses_;
   Index size_;
+  std::vector<Index> loaded_;
   VectorField force_;      // on the nodes in contact
-  MomentArms arms_;        // of the nodes in contact, displaced
+  MomentArms arms_;        // of the loaded nodes, displaced
   double curvature_;       // of the counterbody along the path, with centrifugal growth [1/m]
   double slope_force_;     // D_2, force of the pressure along the deformed surface of the counterbody [N]
   ArrayXd area_;           // of the patches in contact [m^2]

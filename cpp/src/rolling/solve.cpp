@@ -10,6 +10,7 @@
 #include "base/invalid_speed.hpp"
 #include "base/parallel.hpp"
 #include "base/validate.hpp"
+#include "rolling/adhesion.hpp"
 #include "rolling/contact_setup.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/finite_strain.hpp"
@@ -40,7 +41,13 @@ void validate(const LoadCase& load_case, const detail::RoundBody& body) {
   if (load_case.load && load_case.penetration) {
     detail::reject("penetration", "left out if the load is given", detail::text(*load_case.penetration) + " m");
   }
-  if (load_case.load) {
+  if (load_case.pulls_off) {
+    if (load_case.load) detail::reject("load", "left out for the largest tension", *load_case.load);
+    if (load_case.penetration)
+      detail::reject("penetration", "left out for the largest tension", *load_case.penetration);
+  } else if (load_case.load && load_case.adhesion) {
+    detail::require_finite("load", *load_case.load);
+  } else if (load_case.load) {
     detail::require_positive("load", *load_case.load, body.form().load_unit);
   } else if (load_case.penetration) {
     detail::require_finite("penetration", *load_case.penetration);
@@ -91,7 +98,9 @@ detail::MeshModel model_on_given_mesh(const detail::RollingCase& given) {
   return detail::make_model(given.pair, *given.options.mesh, given.options.curvature, given.execution);
 }
 
-Result with_warnings(Result result, const detail::RollingCase& given, bool mesh_given) {
+/// Add what the result does not contain: the estimate of adhesion, and warnings.
+Result with_notes(Result result, const detail::RollingCase& given, bool mesh_given) {
+  result.clean_adhesion_increase = detail::clean_adhesion_increase(given, result);
   result.warnings = detail::warnings_of(result, given, mesh_given);
   return result;
 }
@@ -114,9 +123,9 @@ Result solve(const RollingBody& body, const Counterbody& on, const LoadCase& loa
     const auto [pair, at_speed] = checked(body, on, load_case, options);
     detail::Watch watch(options.observer);
     const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
-    if (!options.mesh) return with_warnings(detail::solve_to_accuracy(given), given, false);
+    if (!options.mesh) return with_notes(detail::solve_to_accuracy(given), given, false);
     detail::FasterModel faster;
-    return with_warnings(solve_on(model_on_given_mesh(given), given, faster), given, true);
+    return with_notes(solve_on(model_on_given_mesh(given), given, faster), given, true);
   });
 }
 
@@ -125,9 +134,10 @@ Result solve_frozen(const RollingBody& body, const Counterbody& on, const LoadCa
   return detail::with_given_speed(given_speed(load_case), [&] {
     const auto [pair, at_speed] = checked(body, on, load_case, options);
     if (!options.mesh) detail::reject("mesh", "the mesh of the state", "none");
+    if (load_case.adhesion) detail::reject("adhesion", "left out for a frozen contact", "an adhesion");
     detail::Watch watch(options.observer);
     const detail::RollingCase given = detail::rolling_case(pair, at_speed, options, watch);
-    return with_warnings(detail::solve_frozen_case(model_on_given_mesh(given), given, state), given, true);
+    return with_notes(detail::solve_frozen_case(model_on_given_mesh(given), given, state), given, true);
   });
 }
 
@@ -183,7 +193,7 @@ Result RollingModel::solve(const LoadCase& load_case, const Options& options) co
   own.curvature = impl_->model.curvature;
   return detail::with_given_speed(given_speed(load_case), [&] {
     const detail::RollingCase given = detail::rolling_case(impl_->model.pair, at_speed, own, watch);
-    return with_warnings(solve_on(impl_->model, given, impl_->faster), given, true);
+    return with_notes(solve_on(impl_->model, given, impl_->faster), given, true);
   });
 }
 

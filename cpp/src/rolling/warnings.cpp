@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/validate.hpp"
+#include "contact/traction_law.hpp"
+#include "rolling/edge_works.hpp"
 #include "rolling/result.hpp"
 #include "viscoroll/slow_terms.hpp"
 
@@ -46,9 +48,15 @@ std::string slow_terms_text(const PairAtSpeed& pair) {
   return message;
 }
 
-std::string coarse_mesh_text(int across, double estimate) {
+/// Nodes across the contact of a useful mesh; with adhesion, its cohesive zones are then short.
+int fewest_nodes_across(const Result& result) {
+  if (!result.cohesive_zone_nodes) return kMinNodesAcross;
+  return static_cast<int>(std::ceil(2.0 * kSpacingsPerZone / kLongestZone));
+}
+
+std::string coarse_mesh_text(int across, int fewest, double estimate) {
   return "the mesh is too coarse: " + std::to_string(across) + " nodes across the contact (recommended: at least " +
-         std::to_string(kMinNodesAcross) + "), error estimate " + rounded(estimate) + " (recommended: at most " +
+         std::to_string(fewest) + "), error estimate " + rounded(estimate) + " (recommended: at most " +
          rounded(kLargestEstimate) + "); refine the mesh or leave it out";
 }
 
@@ -94,8 +102,9 @@ std::vector<Warning> warnings_of(const Result& result, const RollingCase& given,
                                                                rounded(options.accuracy)});
   }
   const int across = nodes_across(result);
-  if (mesh_given && across < kMinNodesAcross) {
-    warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, result.error_estimate)});
+  const int fewest = fewest_nodes_across(result);
+  if (mesh_given && across < fewest) {
+    warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, fewest, result.error_estimate)});
   } else if (mesh_given && !(result.energy_balance_error <= kLargestEstimate)) {
     warnings.push_back({WarningKind::power_balance, power_balance_text(result)});
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "contact/adhesive_contact.hpp"
 #include "contact/multilevel.hpp"
 #include "rolling/input_checks.hpp"
 #include "viscoroll/errors.hpp"
@@ -98,6 +99,8 @@ bool holds_pressed_contact(const ContactSetup& setup, const ContactProblem& prob
 LocatedContact solve_contact(const ContactSetup& setup, const ContactProblem& problem) {
   try {
     return solve_multilevel(problem, setup.contact_gap_limit(), setup.limits);
+  } catch (const LiftsOff& tension) {
+    reject_tension(setup, tension.load(), tension.penetration());
   } catch (const ConvergenceError&) {
     require_reachable_drive(setup, problem);
     throw;
@@ -152,6 +155,12 @@ bool holds_contact_roughly(const ContactSetup& setup, const HalfWidths& half, bo
   LoadCase pressed = setup.load_case;
   pressed.friction = 0.0;
   pressed.drive = {};
+  if (pressed.adhesion) {
+    pressed.adhesion.reset();
+    pressed.pulls_off = false;
+    pressed.penetration.reset();
+    pressed.load = setup.equivalent_load;
+  }
   const ContactSetup roughly = assemble(rough, with_same_estimate(setup, setup.pair, pressed, options));
   const int to_side = setup.has_sides() ? roughly.nodes.widest.theta.last : std::numeric_limits<int>::max();
   const HalfWidths width{.phi = coarsened(half.phi) + 1, .theta = std::min(coarsened(half.theta) + 1, to_side)};

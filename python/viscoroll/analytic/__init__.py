@@ -11,12 +11,15 @@ Contacts at rest: `hertz`, `hertz_ellipse`, `thin_compressible_layer`, `thin_inc
 `low_speed_torque` with one of the times `loss_time`, `sphere_loss_time` and `brilliantov_poschel_time`;
 `greenwood_tabor_torque` and `persson_torque`, also for crowned wheels; `winkler_torque` for a thin coating. For
 rollers, per unit length: `hertz_line`, `thin_compressible_layer_line` and `thin_incompressible_layer_line` at rest,
-`winkler_torque_line` for a thin coating, `hunter` on a half-plane, and the traction of `carter_force`. `applicable`
-returns the torques that are valid for a body. Loads and speeds may be arrays.
+`winkler_torque_line` for a thin coating, `hunter` on a half-plane, and the traction of `carter_force`. With adhesion:
+`jkr`, `maugis`, `jkr_line` and `thin_adhesive_layer_line` at rest, and `adhesive_hunter` for a roller on a half-plane.
+`applicable` returns the torques that are valid for a body. Loads and speeds may be arrays.
 
 All quantities are in SI units, and all moduli are shear moduli unless a name says otherwise.
 """
 
+from .adhesion import AdhesiveContact, jkr, jkr_line, maugis, thin_adhesive_layer_line
+from .adhesive_hunter import AdhesiveRollingContact, adhesive_hunter
 from .applicable import ClosedForm, applicable
 from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
 from .ellipse import EllipticContact, hertz_ellipse
@@ -33,11 +36,14 @@ from .low_speed import brilliantov_poschel_time, loss_time, low_speed_torque, sp
 from .winkler import winkler_torque, winkler_torque_line
 
 __all__ = [
+    "AdhesiveContact",
+    "AdhesiveRollingContact",
     "ClosedForm",
     "EllipticContact",
     "HunterContact",
     "LineContact",
     "PointContact",
+    "adhesive_hunter",
     "applicable",
     "brilliantov_poschel_time",
     "carter_force",
@@ -46,10 +52,14 @@ __all__ = [
     "hertz_ellipse",
     "hertz_line",
     "hunter",
+    "jkr",
+    "jkr_line",
     "loss_time",
     "low_speed_torque",
+    "maugis",
     "persson_torque",
     "sphere_loss_time",
+    "thin_adhesive_layer_line",
     "thin_compressible_layer",
     "thin_compressible_layer_line",
     "thin_incompressible_layer",

@@ -1,5 +1,6 @@
-"""Rolling bodies, counterbodies, layers, meshes and drives."""
+"""Rolling bodies, counterbodies, layers, meshes, drives and adhesion."""
 
+from .adhesion import Adhesion
 from .bodies import (
     CoatedCylinder,
     CoatedPlane,
@@ -17,6 +18,7 @@ from .mesh import Mesh
 from .wheel import CoatedWheel
 
 __all__ = [
+    "Adhesion",
     "CoatedCylinder",
     "CoatedPlane",
     "CoatedSphere",

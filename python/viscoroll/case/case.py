@@ -14,6 +14,7 @@ from .._support.extras import extra
 from .._support.progress import ProgressLike
 from .._support.toml import read_toml
 from ..bodies import (
+    Adhesion,
     CoatedCylinder,
     CoatedPlane,
     CoatedSphere,
@@ -91,6 +92,7 @@ class Rolling(StrictTable):
     speed: float | None = None
     friction: float = 0.0
     drive: Annotated[Drive, Table()] = Drive(force=0.0)
+    adhesion: Annotated[Adhesion, Table()] | None = None
 
 
 class MeshTable(StrictTable):
@@ -242,6 +244,7 @@ class Case:
     speed: float | None = None
     friction: float
     drive: Drive
+    adhesion: Adhesion | None = None
     mesh: Mesh | None
     accuracy: float | None
     compliance: Compliance

@@ -8,6 +8,7 @@ import numpy as np
 
 from .. import _core
 from .._support.arguments import Floats
+from .._support.errors import InvalidInput
 from ..bodies import core_counterbody
 from ..solution import Solution
 from .perturbed import Given
@@ -36,6 +37,8 @@ class FrozenContact:
     """
 
     def __init__(self, result: Solution, answers: Sequence[str], threads: int) -> None:
+        if result.adhesion is not None:
+            raise InvalidInput("adhesion", "must be left out for sensitivities, whose contact keeps its nodes")
         self._result, self._answers, self._threads = result, tuple(answers), threads
 
     def own_values(self, given: Given) -> Floats:

@@ -12,12 +12,12 @@ from .._support.errors import InvalidInput
 from .._support.progress import ProgressLike, reporting
 from .._support.result_warnings import warn
 from .._support.text import shown
-from ..bodies import Counterbody, Drive, Mesh, RollingBody, core_counterbody
+from ..bodies import Adhesion, Counterbody, Drive, Mesh, RollingBody, core_counterbody
 from ..bodies.si_hints import si_hints
 from ..solution.text import result_warnings
 from .result import Result
 
-__all__ = ["RollingModel", "solve", "solved_speed"]
+__all__ = ["RollingModel", "pull_off", "solve", "solved_speed"]
 
 
 def solve(
@@ -32,6 +32,7 @@ def solve(
     accuracy: float | None = None,
     friction: float = 0.0,
     drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
+    adhesion: Adhesion | None = None,
     compliance: Compliance | str = Compliance.RADIAL,
     curvature: Curvature | str = Curvature.SPHERE,
     patch_load: PatchLoad | str = PatchLoad.FLAT,
@@ -55,8 +56,8 @@ def solve(
         a cylinder or another wheel with a parallel axis. One of the two bodies may be rigid, without layers. In both
         bodies, the material passes the contact at the speed Ω r_o.
     load : float, optional
-        Normal load P [N], > 0. For rollers, load per length [N/m]. Exactly one of `load` and `penetration` must be
-        given.
+        Normal load P [N], > 0; with adhesion it may also be zero or negative. For rollers, load per length [N/m].
+        Exactly one of `load` and `penetration` must be given.
     penetration : float, optional
         Penetration r_o - H [m], as for rollers with a fixed gap; the load is then the result `Result.load`. It is the
         same quantity as `Result.penetration`: radius of the rolling body at rest minus height of its center above the
@@ -84,6 +85,9 @@ def solve(
     drive : Drive, default Drive(force=0.0)
         Condition that determines the speed of the center. Without friction, where that speed is undetermined, only a
         force of 0 or a creepage is allowed; torque and force then follow from the power dissipated in each body.
+    adhesion : Adhesion, optional
+        Adhesion of the surfaces of balls and rollers, without friction; by default none. With adhesion there are no
+        results at finite strain and no sensitivities.
     compliance : Compliance or str, default Compliance.RADIAL
         Compliance in the contact condition: C_RR (RADIAL), pressure along the radius, which is closer to finite strain,
         or C_WW (VERTICAL), pressure along the normals of the undeformed ball. The difference is of the order of the
@@ -115,8 +119,9 @@ def solve(
     ------
     ValueError
         If an argument is out of range, both or neither of load and penetration are given, the load is too large for
-        the coating (penetration ≥ thickness), the speed is at or above the critical one, or the body would slide
-        without end under the drive. The message contains parameter, value, unit and allowed range.
+        the coating (penetration ≥ thickness), the speed is at or above the critical one, the body would slide
+        without end under the drive, or it lifts off because adhesion does not support the tension. The message
+        contains parameter, value, unit and allowed range.
     TypeError
         If an argument has the wrong type.
     ConvergenceError
@@ -152,7 +157,7 @@ def solve(
     if mesh is not None and accuracy is not None:
         raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
     solved_at = solved_speed(body, angular_speed, speed)
-    load_case = _core_load_case(load, penetration, angular_speed, speed, friction, drive)
+    load_case = _core_load_case(load, penetration, angular_speed, speed, friction, drive, adhesion)
     options = _core_options(
         compliance,
         patch_load,
@@ -166,7 +171,71 @@ def solve(
     )
     with reporting(progress) as report, si_hints(body, on, angular_speed=solved_at):
         solution = _core.solve(body._to_core(), core_counterbody(on), load_case, options, progress=report)
-    return _result(solution, body, on, load_case, solved_at, drive, curvature, options)
+    return _result(solution, body, on, load_case, solved_at, drive, adhesion, curvature, options)
+
+
+def pull_off(
+    body: RollingBody,
+    *,
+    on: Counterbody | None = None,
+    angular_speed: float,
+    adhesion: Adhesion,
+    mesh: Mesh | None = None,
+    accuracy: float | None = None,
+    threads: int = 0,
+    progress: ProgressLike = None,
+) -> Result:
+    """Find the largest tension that adhesion supports while a body rolls.
+
+    Parameters
+    ----------
+    body, on, angular_speed, adhesion, mesh, accuracy, threads, progress
+        Same as in `solve`.
+
+    Returns
+    -------
+    Result
+        State of the largest tension; `Result.load` is the smallest load [N], negative, for rollers [N/m]. At a given
+        penetration, states beyond it exist as well.
+
+    Raises
+    ------
+    ValueError, TypeError, ConvergenceError
+        Same as in `solve`.
+
+    Examples
+    --------
+    The tension of a ball on a half-space is about 1.5 π w R (K. L. Johnson, K. Kendall and A. D. Roberts 1971):
+
+    >>> import viscoroll as vr
+    >>> rubber = vr.HalfSpace(shear_modulus=vr.Elastic(modulus=1e6), poisson_ratio=0.5)
+    >>> rigid, plane = vr.CoatedSphere(core_radius=10e-3), vr.CoatedPlane(base=rubber)
+    >>> adhesion = vr.Adhesion(work=0.1)
+    >>> state = pull_off(rigid, on=plane, angular_speed=1.0, adhesion=adhesion, accuracy=0.1)
+    >>> f"{-state.load * 1e3:.1f} mN"
+    '4.7 mN'
+    """
+    require_type("body", body, RollingBody)
+    require_type("mesh", mesh, Mesh, optional=True)
+    require_type("adhesion", adhesion, Adhesion)
+    if mesh is not None and accuracy is not None:
+        raise InvalidInput("accuracy", "must be left out if a mesh is given", shown(accuracy))
+    drive = Drive(force=0.0)
+    solved_at = as_float("angular_speed", angular_speed)
+    load_case = _core.LoadCase(angular_speed=solved_at, adhesion=adhesion._to_core(), pulls_off=True)
+    options = _core_options(
+        Compliance.RADIAL,
+        PatchLoad.FLAT,
+        SlipKinematics.EXACT,
+        finite_strain=False,
+        max_iterations=2000,
+        threads=threads,
+        mesh=None if mesh is None else mesh._to_core(),
+        **({} if accuracy is None else {"accuracy": as_float("accuracy", accuracy)}),
+    )
+    with reporting(progress) as report, si_hints(body, on, angular_speed=solved_at):
+        solution = _core.solve(body._to_core(), core_counterbody(on), load_case, options, progress=report)
+    return _result(solution, body, on, load_case, solved_at, drive, adhesion, Curvature.SPHERE, options)
 
 
 class RollingModel:
@@ -264,6 +333,7 @@ class RollingModel:
         penetration: float | None = None,
         friction: float = 0.0,
         drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
+        adhesion: Adhesion | None = None,
         compliance: Compliance | str = Compliance.RADIAL,
         patch_load: PatchLoad | str = PatchLoad.FLAT,
         slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
@@ -274,12 +344,14 @@ class RollingModel:
     ) -> Result:
         """Solve one load case; parameters, result and errors are the same as in `viscoroll.solve`."""
         load_case = _core_load_case(
-            load, penetration, self.angular_speed if self.speed is None else None, self.speed, friction, drive
+            load, penetration, self.angular_speed if self.speed is None else None, self.speed, friction, drive, adhesion
         )
         options = _core_options(compliance, patch_load, slip_kinematics, finite_strain, max_iterations, threads)
         with reporting(progress) as report, si_hints(self.body, self.on, angular_speed=self.angular_speed):
             solution = self._core.solve(load_case, options, progress=report)
-        return _result(solution, self.body, self.on, load_case, self.angular_speed, drive, self.curvature, options)
+        return _result(
+            solution, self.body, self.on, load_case, self.angular_speed, drive, adhesion, self.curvature, options
+        )
 
 
 def solved_speed(body: RollingBody, angular_speed: float | None, speed: float | None) -> float:
@@ -304,9 +376,11 @@ def _core_load_case(
     speed: float | None,
     friction: float,
     drive: Drive,
+    adhesion: Adhesion | None,
 ) -> _core.LoadCase:
     """Convert a load case to the type of the core."""
     require_type("drive", drive, Drive)
+    require_type("adhesion", adhesion, Adhesion, optional=True)
     return _core.LoadCase(
         load=None if load is None else as_float("load", load),
         penetration=None if penetration is None else as_float("penetration", penetration),
@@ -314,6 +388,7 @@ def _core_load_case(
         speed=None if speed is None else as_float("speed", speed),
         friction=as_float("friction", friction),
         drive=drive._to_core(),
+        adhesion=None if adhesion is None else adhesion._to_core(),
     )
 
 
@@ -346,6 +421,7 @@ def _result(
     load_case: _core.LoadCase,
     angular_speed: float,
     drive: Drive,
+    adhesion: Adhesion | None,
     curvature: Curvature | str,
     options: _core.Options,
 ) -> Result:
@@ -358,6 +434,7 @@ def _result(
         angular_speed=angular_speed,
         friction=load_case.friction,
         drive=drive,
+        adhesion=adhesion,
         curvature=curvature,
         compliance=options.compliance,
         patch_load=options.patch_load,

@@ -13,7 +13,7 @@ from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .._support.extras import extra
 from .._support.scalars import with_scalars
 from .._support.units import unit_in_contact
-from ..bodies import Counterbody, Drive, Mesh, RollingBody
+from ..bodies import Adhesion, Counterbody, Drive, Mesh, RollingBody
 from .scalars import SCALARS, ScalarFields
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class Solution(ScalarFields):
 
     Attributes
     ----------
-    body, on, angular_speed, friction, drive, compliance, curvature, patch_load
+    body, on, angular_speed, friction, drive, adhesion, compliance, curvature, patch_load
         Input; angular_speed in [rad/s].
     prescribed : {"load", "penetration"}
         Which of load and penetration was given; the other one is a result.
@@ -126,6 +126,7 @@ class Solution(ScalarFields):
     angular_speed: float
     friction: float
     drive: Drive
+    adhesion: Adhesion | None
     compliance: Compliance
     curvature: Curvature
     patch_load: PatchLoad

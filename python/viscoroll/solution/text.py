@@ -127,8 +127,9 @@ def with_unit(label: str, unit: str) -> str:
 
 def result_title(result: Solution) -> str:
     """Return the input on one line."""
+    surfaces = f"friction {result.friction:g}" if result.adhesion is None else f"w = {result.adhesion.work:g} J/m²"
     return (
-        f"{_prescribed_text(result)}, Ω = {result.angular_speed:g} rad/s, friction {result.friction:g}, "
+        f"{_prescribed_text(result)}, Ω = {result.angular_speed:g} rad/s, {surfaces}, "
         f"{result.compliance.name.lower()} compliance, {result.curvature.name.lower()} curvature"
     )
 

@@ -18,7 +18,7 @@ from .._support.errors import InvalidInput
 from .._support.tables import handy
 from .._support.text import shown
 from .._support.units import UNITS
-from ..bodies import Drive, Mesh, is_body
+from ..bodies import Adhesion, Drive, Mesh, is_body
 from ..materials import Draws
 from .kinds import ROLLING, StudyKind
 
@@ -32,6 +32,7 @@ MOST_POINTS = 1_000_000
 _TYPES: dict[str, type] = {
     "mesh": Mesh,
     "drive": Drive,
+    "adhesion": Adhesion,
     "compliance": Compliance,
     "curvature": Curvature,
     "patch_load": PatchLoad,

@@ -28,7 +28,7 @@ PUBLIC = {
     "materials": {"materials", "modulus_functions", "modulus_types", "slow_terms"},
     "modal": {"cylinder", "inner_boundaries", "plane", "rolling_body", "sphere", "wheel", "modal"},
     "influence": {"formulation", "influence", "mesh"},
-    "rolling": {"drive", "load_case", "options", "result", "result_scalars", "rolling_resistance", "solve"},
+    "rolling": {"adhesion", "drive", "load_case", "options", "result", "result_scalars", "rolling_resistance", "solve"},
     "sliding": {"sliding", "sliding_scalars"},
     "transient": {"history_scalars", "profile", "rolling_history"},
     "interior": {"interior"},

@@ -1,0 +1,266 @@
+#include "contact/adhesive_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "contact/adhesive_newton.hpp"
+#include "contact/multilevel.hpp"
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+constexpr double kLeastRatio = 1.02;       // of cohesive zones of successive laws, below which continuation fails
+constexpr double kLeastStep = 1.0 / 1024;  // of a path of loads or penetrations, relative to the whole path
+// Steps of the penetration on the path to the fold, relative to the undeformed gap at the edge of the contact. The load
+// is stationary at the fold, where the last step leaves a relative error of the order of its square.
+constexpr double kFirstFoldStep = 0.2;
+constexpr double kLeastFoldStep = 1e-3;
+
+/// Contact on one mesh, followed through laws, loads and penetrations.
+class AdhesiveContact {
+ public:
+  AdhesiveContact(const ContactProblem& problem, const ContactOptions& options)
+      : problem_(problem), options_(options), newton_(problem_, options) {}
+
+  /// Begin with the contact without adhesion at the equivalent load, and shorten the range from the size of the contact
+  /// to that of the mesh.
+  void begin(double contact_gap_limit) {
+    ContactProblem bare = problem_;
+    bare.attraction.reset();
+    bare.penetration.reset();
+    bare.largest_tension = false;
+    bare.normal_force = attraction().equivalent_load;
+    const LocatedContact pressed = solve_multilevel(bare, contact_gap_limit, options_);
+    const ContactSolution whole = extended(pressed, bare);
+    state_ = {.pressing = pressing_force(whole), .penetration = whole.penetration};
+    center_ = center_of(whole.contact);
+    set_load(std::max(problem_.normal_force, 0.0));
+    const double target = attraction().resolved_zone();
+    const double widest = std::max(half_length(whole.contact), target);
+    if (!advance(widest)) throw failure();
+    shorten(target);
+  }
+
+  /// Begin with a state of a mesh of twice the spacing.
+  /// @return whether a state near it was found
+  [[nodiscard]] bool begin_from(const LocatedContact& coarse) {
+    state_ = {.pressing = prolonged_pressing(coarse, problem_.surface->window()),
+              .penetration = coarse.contact.penetration};
+    center_ = coarse.contact.adhesion->center;
+    if (coarse.problem.penetration) {
+      problem_.penetration = coarse.problem.penetration;
+    } else {
+      set_load(coarse.problem.normal_force);
+    }
+    const double target = attraction().resolved_zone();
+    if (advance(target)) return true;
+    const double wider = std::max(coarse.contact.adhesion->zone_length, target);
+    if (!advance(wider)) return false;
+    return try_to_shorten(target);
+  }
+
+  /// Go to the condition of a problem: a load, a penetration or the largest tension.
+  void go_to(const ContactProblem& given) {
+    if (given.largest_tension) {
+      find_fold();
+      return;
+    }
+    const bool by_load = !given.penetration;
+    const double target = by_load ? given.normal_force : *given.penetration;
+    const double start = by_load ? load_ : state_.penetration;
+    if (target == (by_load ? load_ : problem_.penetration.value_or(std::numeric_limits<double>::quiet_NaN()))) return;
+    double reached = 0.0;
+    double step = 1.0;
+    while (reached < 1.0) {
+      const double next = std::min(reached + step, 1.0);
+      const double value = start + next * (target - start);
+      const AdhesiveState before = state_;
+      by_load ? set_load(value) : set_penetration(value);
+      if (advance(length_) && (!by_load || target >= 0.0 || is_stable())) {
+        reached = next;
+        step *= 2.0;
+        continue;
+      }
+      state_ = before;
+      step *= 0.5;
+      if (step >= kLeastStep) continue;
+      if (by_load ? target >= 0.0 : target > start) throw failure();
+      if (by_load) find_fold();
+      throw LiftsOff(state_.load(), state_.penetration);
+    }
+  }
+
+  [[nodiscard]] LocatedContact located() const {
+    const TractionLaw law = attraction().law(length_, center_);
+    LocatedContact result{.problem = problem_, .contact = {}};
+    ContactSolution& contact = result.contact;
+    contact.force = VectorField::Zero(state_.pressing.size(), 3);
+    contact.force.col(kDown) = -state_.pressing;
+    contact.gap = state_.gap;
+    contact.contact = newton_.touching(law, state_);
+    contact.penetration = state_.penetration;
+    contact.iterations = newton_.systems();
+    contact.operator_applications = newton_.products();
+    contact.converged = true;
+    contact.residual = state_.residual;
+    contact.adhesion = AdhesiveEdges{.zone = newton_.zone(law, state_),
+                                     .zone_length = length_,
+                                     .center = center_,
+                                     .lost_work = lost_work(law, contact.contact)};
+    return result;
+  }
+
+ private:
+  [[nodiscard]] const Attraction& attraction() const { return *problem_.attraction; }
+
+  [[nodiscard]] ConvergenceError failure() const {
+    return {"the iterative solver of the contact with adhesion did not converge", newton_.systems(), state_.residual};
+  }
+
+  void set_load(double load) {
+    problem_.penetration.reset();
+    problem_.normal_force = load;
+    load_ = load;
+  }
+  void set_penetration(double penetration) { problem_.penetration = penetration; }
+
+  /// Solve under a law, from the current state, and keep the solution.
+  [[nodiscard]] bool advance(double length) {
+    const TractionLaw law = attraction().law(length, center_);
+    AdhesiveState next = newton_.solve(problem_, law, state_);
+    if (!next.converged) {
+      state_.residual = next.residual;
+      return false;
+    }
+    state_ = std::move(next);
+    length_ = length;
+    return true;
+  }
+
+  [[nodiscard]] bool try_to_shorten(double target) {
+    double ratio = 2.0;
+    while (length_ > target) {
+      if (advance(std::max(length_ / ratio, target))) {
+        center_ = center_of(newton_.touching(attraction().law(length_, center_), state_));
+        ratio = 2.0;
+        continue;
+      }
+      ratio = std::sqrt(ratio);
+      if (ratio < kLeastRatio) return false;
+    }
+    return true;
+  }
+
+  void shorten(double target) {
+    if (!try_to_shorten(target)) throw failure();
+  }
+
+  /// Whether the load increases with the penetration. On the branch beyond the fold, which a given load cannot hold, it
+  /// decreases.
+  [[nodiscard]] bool is_stable() {
+    const AdhesiveState here = state_;
+    const double change = 1e-3 * depth();
+    set_penetration(here.penetration + change);
+    const bool found = advance(length_);
+    const bool rises = found && state_.load() > here.load();
+    state_ = here;
+    set_load(here.load());
+    return rises;
+  }
+
+  /// Undeformed gap at the edge of the contact [m], a measure of penetrations.
+  [[nodiscard]] double depth() const {
+    const std::vector<Index> nodes = newton_.touching(attraction().law(length_, center_), state_);
+    return problem_.initial_gap(nodes).maxCoeff() + std::numeric_limits<double>::min();
+  }
+
+  /// Reduce the penetration until the tension is largest.
+  void find_fold() {
+    const double size = depth();
+    double step = kFirstFoldStep * size;
+    AdhesiveState best = state_;
+    bool is_bracketed = false;
+    while (step > kLeastFoldStep * size) {
+      state_ = best;
+      set_penetration(best.penetration - step);
+      if (advance(length_) && state_.load() < best.load()) {
+        best = state_;
+        if (!is_bracketed) step *= 2.0;
+        continue;
+      }
+      // The fold lies within a step of the best state.
+      is_bracketed = true;
+      step *= 0.5;
+      state_ = best;
+      set_penetration(best.penetration + step);
+      if (advance(length_) && state_.load() < best.load()) best = state_;
+    }
+    state_ = best;
+    set_penetration(best.penetration);
+    load_ = best.load();
+  }
+
+  [[nodiscard]] double center_of(const std::vector<Index>& nodes) const {
+    return 0.5 * (attraction().x(nodes).minCoeff() + attraction().x(nodes).maxCoeff());
+  }
+  [[nodiscard]] double half_length(const std::vector<Index>& nodes) const {
+    return 0.5 * (attraction().x(nodes).maxCoeff() - attraction().x(nodes).minCoeff()) + attraction().spacing;
+  }
+
+  /// Difference of the works of opening and closing edges, integrated across the path [J/m], in line contact [J/m^2].
+  [[nodiscard]] double lost_work(const TractionLaw& law, const std::vector<Index>& touching) const {
+    const Window& window = problem_.surface->window();
+    const Index stride = window.theta.count();
+    const double along = problem_.surface->row_distance();
+    std::vector<Index> first(static_cast<std::size_t>(stride), -1);
+    std::vector<Index> last(first);
+    for (const Index node : touching) {
+      const auto column = static_cast<std::size_t>(node % stride);
+      if (first[column] < 0) first[column] = node;
+      last[column] = node;
+    }
+    double sum = 0.0;
+    for (std::size_t column = 0; column < first.size(); ++column) {
+      if (first[column] < 0) continue;
+      sum += attraction().area[first[column]] / along * (law.work[last[column]] - law.work[first[column]]);
+    }
+    return sum;
+  }
+
+  ContactProblem problem_;
+  ContactOptions options_;
+  AdhesiveNewton newton_;
+  AdhesiveState state_;
+  double length_ = 0.0;
+  double center_ = 0.0;
+  double load_ = 0.0;
+};
+
+/// Solve at a load that is not negative, from coarse to fine.
+LocatedContact solve_levels(const ContactProblem& problem, double contact_gap_limit, const ContactOptions& options) {
+  AdhesiveContact contact(problem, options);
+  bool found = false;
+  if (is_worth_coarsening(problem.surface->window())) {
+    const LocatedContact coarse = solve_levels(coarsened(problem), contact_gap_limit, options);
+    found = contact.begin_from(coarse);
+  }
+  if (!found) contact.begin(contact_gap_limit);
+  contact.go_to(problem);
+  return contact.located();
+}
+
+}  // namespace
+
+LocatedContact solve_adhesive_contact(const ContactProblem& problem, double contact_gap_limit,
+                                      const ContactOptions& options) {
+  return solve_levels(problem, contact_gap_limit, options);
+}
+
+}  // namespace viscoroll::detail

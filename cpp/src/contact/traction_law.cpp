@@ -1,0 +1,42 @@
+#include "contact/traction_law.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace viscoroll::detail {
+namespace {
+
+/// Fractions of the rolling speed at which works are tabulated: powers of 1/sqrt(2), from 1 downwards.
+constexpr int kFractions = 21;
+
+}  // namespace
+
+double Attraction::resolved_zone() const { return kSpacingsPerZone * spacing; }
+
+TractionLaw Attraction::law(double zone, double center) const {
+  TractionLaw law{.peak = Eigen::ArrayXd(x.size()), .work = Eigen::ArrayXd(x.size())};
+  const bool is_line = z.isZero(0.0);
+  const int count = is_line ? 1 : kFractions;
+  std::array<EdgeLaws, kFractions> table{};
+  for (int i = 0; i < count; ++i) table[static_cast<std::size_t>(i)] = laws(zone, std::pow(2.0, -0.5 * i));
+  for (Eigen::Index node = 0; node < x.size(); ++node) {
+    const double ahead = x[node] - center;
+    const double distance = std::hypot(ahead, z[node]);
+    // Laws are interpolated linearly in the logarithm of the speed, since they change over decades of it.
+    const double place = distance > 0.0 && !is_line
+                             ? std::clamp(-2.0 * std::log2(std::abs(ahead) / distance), 0.0, kFractions - 1.001)
+                             : 0.0;
+    const auto low = static_cast<std::size_t>(place);
+    const double share = place - static_cast<double>(low);
+    const EdgeLaws& faster = table[low];
+    const EdgeLaws& slower = table[is_line ? 0 : low + 1];
+    const auto& [faster_edge, slower_edge] =
+        ahead > 0.0 ? std::pair(faster.closing, slower.closing) : std::pair(faster.opening, slower.opening);
+    law.peak[node] = std::lerp(faster_edge.peak, slower_edge.peak, share);
+    law.work[node] = std::lerp(faster_edge.work, slower_edge.work, share);
+  }
+  return law;
+}
+
+}  // namespace viscoroll::detail

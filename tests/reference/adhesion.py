@@ -1,0 +1,264 @@
+"""Rolling and static contacts with adhesion in plain NumPy, beside closed forms: python -m tests.reference.adhesion.
+
+Lengths are in mm, loads per length in N/mm, moduli in MPa and works in N/mm, so that moments per length are in N. A
+row states its reference, the value found, and the largest difference that the row allows. "Length" is the cohesive
+length E* w / σ₀² of the law.
+
+Moments from Σ ξ p have errors because the contact ends at nodes; those by the power balance have not.
+"""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+
+from .adhesive_contact import Contact, Law, NoStateError, cells, press, ring_influence, solve, strip_influence
+from .adhesive_edges import Creep, edge_factors, edge_works
+
+__all__ = ["Roller", "ball_at_rest"]
+
+
+class Roller:
+    """Rigid roller on a half-plane with discrete retardation times; one time is a standard linear solid.
+
+    Parameters
+    ----------
+    radius, work : float
+        R and w.
+    creep : Creep
+        Creep compliance 1/E*, with retardation lengths V λⱼ in place of times.
+    """
+
+    def __init__(self, *, radius=10.0, work=1e-2, creep):
+        self.radius, self.work, self.creep = radius, work, creep
+
+    @classmethod
+    def standard(cls, length, *, modulus=4.0, ratio=2.0, **keywords):
+        """Return a roller on a standard linear solid of relaxed E*, E₀*/E*, and l = V τ."""
+        relaxed = 1.0 / modulus
+        delayed = [(relaxed - relaxed / ratio, ratio * length)] if ratio > 1.0 else []
+        return cls(creep=Creep(relaxed / ratio, delayed), **keywords)
+
+    def strength(self, cohesive_length):
+        """Return the strength with the cohesive length E* w / σ₀²."""
+        return np.sqrt(self.work / self.creep.relaxed / cohesive_length)
+
+    def jkr_half_width(self, load):
+        """Return the half-width of JKR with the relaxed modulus."""
+        modulus = 1.0 / self.creep.relaxed
+        low, high = (2.0 * self.work * self.radius**2 / (np.pi * modulus)) ** (1 / 3), 1e3 * self.radius
+        for _ in range(100):
+            a = 0.5 * (low + high)
+            balance = 0.25 * np.pi * modulus * a**2 / self.radius - np.sqrt(2.0 * np.pi * modulus * a * self.work)
+            low, high = (a, high) if balance < load else (low, a)
+        return low
+
+    def mesh(self, spacing, reach):
+        """Return an unloaded contact on cells between -reach and reach."""
+        x = cells(-reach, reach, spacing)
+        offsets = x[:, np.newaxis] - x[np.newaxis, :]
+        influence = strip_influence(offsets, spacing, self.creep.instantaneous, self.creep.delayed)
+        return Contact(x, np.full(x.size, spacing), influence, x**2 / (2.0 * self.radius), np.zeros(x.size), 0.0)
+
+    def without_adhesion(self, load, spacing):
+        """Return the contact at w = 0."""
+        a = np.sqrt(4.0 * load * self.radius * self.creep.relaxed / np.pi)
+        return press(self.mesh(spacing, 1.6 * a), load, 0.8 * a)
+
+    def plain(self, load, cohesive_length, nodes, reach=None):
+        """Solve with one law, halving the cohesive length from the half-width on; `nodes` is its length per spacing."""
+        a = self.jkr_half_width(load)
+        contact = self.mesh(cohesive_length / nodes, reach or 1.35 * a + 2.0 * cohesive_length)
+        press(contact, load + np.sqrt(2.0 * np.pi / self.creep.relaxed * a * self.work), 0.8 * a)
+        current = max(a, cohesive_length)
+        while True:
+            solve(contact, Law(self.strength(current), self.work), load=load)
+            if current <= cohesive_length:
+                return contact
+            current = max(0.5 * current, cohesive_length)
+
+    def works(self, cohesive_length, actual=0.0):
+        """Return works of opening and closing with which a mesh represents edges of an `actual` cohesive length."""
+        strength = self.strength(actual) if actual else np.inf
+        return edge_works(self.creep, self.work, strength, self.strength(cohesive_length), 1.0)
+
+    def with_works(self, load, cohesive_length, nodes, works=None):
+        """Solve with two works; return the contact and its moment by the power balance."""
+        opening, closing = works or self.works(cohesive_length)
+        contact = self.plain(load, cohesive_length, nodes)
+        middle = contact.x[contact.touching].mean()
+        law = Law(self.strength(cohesive_length), np.where(contact.x < middle, closing, opening))
+        solve(contact, law, load=load)
+        return contact, self.moment_by_power(contact, opening - closing)
+
+    def moment_by_power(self, contact, excess=0.0):
+        """Return M = R (∫ p u' dξ + w_open - w_close)."""
+        spacing = contact.x[1] - contact.x[0]
+        offsets = contact.x[:, np.newaxis] - contact.x[np.newaxis, :]
+        ends = [
+            strip_influence(offsets + side, spacing, self.creep.instantaneous, self.creep.delayed)
+            for side in (0.5 * spacing, -0.5 * spacing)
+        ]
+        return self.radius * (float(contact.pressure @ (ends[0] - ends[1]) @ contact.pressure) + excess)
+
+    def pull_off(self, cohesive_length, nodes, load=0.0):
+        """Return the smallest load, by reducing the approach from a state at `load`."""
+        contact = self.plain(load, cohesive_length, nodes)
+        law = Law(self.strength(cohesive_length), self.work)
+        return smallest_load(contact, law, 0.02 * self.jkr_half_width(load) ** 2 / self.radius)
+
+
+def smallest_load(contact, law, step):
+    """Reduce the approach until the load increases, and return the smallest load; a step without a state is halved."""
+    least, shortest = contact.load, 1e-3 * step
+    while step > shortest:
+        try:
+            solve(contact, law, approach=contact.approach - step)
+        except NoStateError:
+            step *= 0.5
+            continue
+        if contact.load > least:
+            break
+        least = contact.load
+    return least
+
+
+def ball_at_rest(parameter, load, *, spacing=0.02, pulled=False):
+    """Return radius and approach of a ball on an elastic half-space, and its smallest load if it is then `pulled` off.
+
+    Radii, loads and approaches have Maugis's units; the strength of the cubic law has the given Maugis parameter.
+    """
+    modulus, work, strength = 0.75, 1.0 / np.pi, 0.5 * parameter
+    outer = 1.3 * np.sqrt(2.0 * 3.0 * work / strength) + 2.2
+    fine = np.arange(0.0, min(outer, 2.6), spacing)
+    coarse = fine[-1] + np.cumsum(np.full(400, spacing) * 1.02 ** np.arange(400))
+    edges = np.concatenate([fine, coarse[: 1 + np.searchsorted(coarse, outer)]])
+    radii, areas = 0.5 * (edges[1:] + edges[:-1]), np.pi * np.diff(edges**2)
+    contact = Contact(radii, areas, ring_influence(radii, edges, modulus), 0.5 * radii**2, np.zeros(radii.size), 0.0)
+    press(contact, max(load, 0.0) + 2.0, 1.0)
+    current = 0.2
+    while True:
+        current = min(current, strength)
+        solve(contact, Law(current, work), load=load)
+        if current == strength:
+            break
+        current *= 1.3
+    radius, approach = edges[1:][contact.touching][-1], contact.approach
+    return radius, approach, smallest_load(contact, Law(strength, work), 0.02) if pulled else None
+
+
+#: Error of Σ ξ p of a contact that ends at nodes, where it is 1 % of the moment of either edge.
+STAIRCASE = 0.15
+
+#: Moments of the adhesive closed form at l = 0.2, 1, 5, 20 for R = 10, E* = 4, w = 0.01 and P = 0.2.
+CLOSED_FORM = {0.2: 0.1715270, 1.0: 0.1020172, 5.0: 0.0266126, 20.0: 0.00777120}
+
+
+def _rows_of_edges():
+    creep = Creep(1.0 / 24.0, [(1.0 / 24.0, 0.25)])
+    for speed, reference in ((1e-5, (1.03725, 0.96320)), (1e-3, (1.69345, 0.58347))):
+        opening, closing = edge_factors(creep, 1e-3, 10.0, speed)
+        yield f"G_open/w, {speed:g} mm/s", reference[0], opening, 1e-5
+        yield f"G_close/w, {speed:g} mm/s", reference[1], closing, 1e-5
+    two = {0.03: (1.061, 0.940), 0.1: (1.157, 0.855), 0.3: (1.331, 0.734), 1.0: (1.593, 0.617)}
+    ten = {0.003: 1.063, 0.3: 2.786}
+    for length, (first, second) in two.items():
+        roller = Roller.standard(length)
+        factors = edge_factors(roller.creep, 1e-2, 0.8 * roller.strength(1.0), 1.0)
+        yield f"G_open/w, f = 2, l/length = {length:g}", first, factors[0], 1e-3
+        yield f"G_close/w, f = 2, l/length = {length:g}", second, factors[1], 1e-3
+    for length, reference in ten.items():
+        roller = Roller.standard(length, ratio=10.0)
+        factors = edge_factors(roller.creep, 1e-2, 0.8 * roller.strength(1.0), 1.0)
+        yield f"G_open/w, f = 10, l/length = {length:g}", reference, factors[0], 1e-3
+
+
+def _rows_at_rest():
+    roller = Roller.standard(1.0, ratio=1.0)
+    a = roller.jkr_half_width(0.2)
+    exact = np.pi * 4.0 / 20.0 * a**4 / 8.0 - np.sqrt(2.0 * np.pi * 4.0 * a * 1e-2) * a**2 / 2.0
+    for fraction, excess in ((0.2, 0.014), (0.1, 0.003)):
+        found = roller.plain(0.2, fraction * a, 8).second_moment()
+        yield f"JKR line, second moment of p, length/a = {fraction:g}", exact * (1.0 + excess), found, 6e-3
+    yield "JKR line, pull-off, length = 0.1", -0.27679, roller.pull_off(0.1, 8), 3e-3
+    contact = roller.plain(0.2, 0.1, 6)
+    middle = contact.x[contact.touching].mean()
+    for works in (1.5, 1.1):
+        solve(contact, Law(roller.strength(0.1), np.where(contact.x < middle, 1e-2, works * 1e-2)), load=0.2)
+        yield f"elastic moment, w_open = {works:g} w_close", 0.1 * (works - 1.0), contact.moment, 3e-2
+    # A cubic law of 1.35 times the strength acts as Dugdale's law at rest.
+    for parameter, load, radius, approach in (
+        (1.0, 0.0, 1.6361, 1.12989),
+        (1.0, 1.0, 1.8093, 1.67586),
+        (0.5, 0.0, 1.5174, 1.16513),
+        (0.1, 0.0, 1.3362, 1.29243),
+    ):
+        found = ball_at_rest(1.35 * parameter, load)
+        yield f"Maugis-Dugdale ball, λ = {parameter:g}, P = {load:g}, radius", radius, found[0], 3e-2
+        yield f"Maugis-Dugdale ball, λ = {parameter:g}, P = {load:g}, approach", approach, found[1], 3e-3
+
+
+def _rows_in_rolling():
+    for length, moment in ((0.2, 0.025749), (1.0, 0.026105), (5.0, 0.010317)):
+        found = Roller.standard(length).without_adhesion(0.2, 0.01).moment
+        yield f"roller without adhesion, l = {length:g}", moment, found, 1e-3
+    for length, plain in ((0.2, -0.19), (1.0, -0.072), (5.0, -0.05), (20.0, -0.039)):
+        roller = Roller.standard(length)
+        contact = roller.plain(0.2, 0.1, 8)
+        yield f"plain law, length = 0.1, l = {length:g}", CLOSED_FORM[length] * (1.0 + plain), contact.moment, 1e-2
+        yield f"its moment by power, l = {length:g}", contact.moment, roller.moment_by_power(contact), 1e-2
+    for length, moment in CLOSED_FORM.items():
+        roller = Roller.standard(length)
+        for mesh_length, nodes in ((0.2, 4), (0.1, 4), (0.1, 8)):
+            contact, by_power = roller.with_works(0.2, mesh_length, nodes)
+            what = f"two works, mesh length = {mesh_length:g}, {nodes} nodes, l = {length:g}"
+            yield what, moment, contact.moment, STAIRCASE
+            yield what + ", by power", moment, by_power, 0.06 if mesh_length > 0.1 else 0.015
+    for length in (0.5,):
+        creep = Creep(0.125, [(0.0625, 2.0 * length), (0.0625, 40.0 * length)])
+        roller = Roller(creep=creep)
+        resolved = roller.plain(0.2, 0.05, 6)
+        contact, by_power = roller.with_works(0.2, 0.1, 6, roller.works(0.1, actual=0.05))
+        yield "two relaxation times: edges resolved against two works", resolved.moment, by_power, 0.02
+
+
+def _rows_of_the_test_table():
+    moments = {
+        (5.0, 500.0): 1.037976,
+        (5.0, 50.0): 4.295487,
+        (5.0, 5.0): 2.637373,
+        (0.1, 500.0): 0.001228,
+        (0.1, 50.0): 0.009818,
+        (0.1, 5.0): 0.064708,
+    }
+    for (load, speed), moment in moments.items():
+        roller = Roller.standard(0.125 * speed, modulus=12.0, radius=50.0, work=1e-3)
+        half_width = {5.0: 4.0, 0.1: 1.18}[load]
+        contact, by_power = roller.with_works(load, 0.05 * half_width, 4)
+        yield f"roller, {load:g} N/mm, {speed:g} mm/s", moment, contact.moment, STAIRCASE
+        yield f"roller, {load:g} N/mm, {speed:g} mm/s, by power", moment, by_power, 0.01
+
+
+GROUPS = {
+    "edges": _rows_of_edges,
+    "rest": _rows_at_rest,
+    "rolling": _rows_in_rolling,
+    "table": _rows_of_the_test_table,
+}
+
+
+def main(groups):
+    """Print the rows of some groups, and return how many miss their reference."""
+    missed = 0
+    for group in groups or GROUPS:
+        for what, reference, found, bar in GROUPS[group]():
+            error = found / reference - 1.0
+            missed += abs(error) > bar
+            verdict = "" if abs(error) <= bar else "  MISSED"
+            print(f"{what:60s} {reference:12.6g} {found:12.6g} {error:+9.1e} (at most {bar:g}){verdict}", flush=True)
+    return missed
+
+
+if __name__ == "__main__":
+    sys.exit(1 if main(sys.argv[1:]) else 0)
