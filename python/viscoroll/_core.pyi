@@ -239,6 +239,11 @@ class ResultScalars:
         centrifugal displacement [m]. Displacement d_R^(c) in the contact condition.
         """
     @property
+    def clean_adhesion_increase(self) -> float | None:
+        """
+        torque increase if clean surfaces adhere, estimated [1]. Estimate for a work of adhesion of 0.05 J/m^2 and a range of 1 nm, as rubber on glass has, relative to rolling_resistance_torque; adhesion itself is not included. The estimate can be wrong by a factor of two: solve with an adhesion if it matters. None below 1 %, without loss, for bodies with side faces, and if the adhesion is given.
+        """
+    @property
     def closing_energy_ratio(self) -> float | None:
         """
         energy release rate at the leading edge / work of adhesion [1]. G_close / w by the relaxed compliance: fraction of the work of adhesion that the leading edge returns. None without adhesion.
@@ -246,7 +251,7 @@ class ResultScalars:
     @property
     def cohesive_zone_nodes(self) -> float | None:
         """
-        length of the shorter cohesive zone / spacing of the nodes [1]. With three or more, the mesh causes no hysteresis of its own. None without adhesion.
+        length of the shorter cohesive zone / spacing of the nodes [1]. With five or more, the mesh causes no hysteresis of its own. None without adhesion.
         """
     @property
     def contact_area(self) -> float:
@@ -306,7 +311,7 @@ class ResultScalars:
     @property
     def error_estimate(self) -> float:
         """
-        relative error of the mesh, estimated [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of load, penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out.
+        relative error of the mesh, estimated [1]. On a given mesh, the energy-balance error. Otherwise, the largest of this error and of the changes of load, penetration, torques, forces, speed and dissipated power from the previous mesh; prescribed quantities are left out. With adhesion, a tenth of the energy-balance error counts, and rolling_resistance_torque takes the place of resisting_torque, whose errors are larger.
         """
     @property
     def face_distance(self) -> float | None:
@@ -503,6 +508,8 @@ class Drive:
 class LoadCase:
     def __init__(self, **kwargs: typing.Any) -> None: ...
     @property
+    def adhesion(self) -> Adhesion | None: ...
+    @property
     def angular_speed(self) -> float: ...
     @property
     def drive(self) -> Drive: ...
@@ -512,6 +519,8 @@ class LoadCase:
     def load(self) -> float | None: ...
     @property
     def penetration(self) -> float | None: ...
+    @property
+    def pulls_off(self) -> bool: ...
     @property
     def speed(self) -> float | None: ...
 
