@@ -97,6 +97,8 @@ test-package: $(LIBRARY).stamp
 	  build/package/plain_consumer
 	cmake -S docs/jobs/real_time -B build/package/real_time -DCMAKE_PREFIX_PATH=$(CURDIR)/$(LIBRARY)
 	cmake --build build/package/real_time && build/package/real_time/real_time
+	cmake -S docs/jobs/coated_sphere -B build/package/coated_sphere -DCMAKE_PREFIX_PATH=$(CURDIR)/$(LIBRARY)
+	cmake --build build/package/coated_sphere && build/package/coated_sphere/coated_sphere
 	cmake -S tests/package -B build/package/source -G 'Unix Makefiles' -Dviscoroll_SOURCE=$(CURDIR) \
 	  -DCMAKE_BUILD_TYPE=Release -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 	$(PYTHON) tests/package/same_commands.py build/release build/package/source

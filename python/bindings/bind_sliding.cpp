@@ -16,21 +16,22 @@ struct ShapedResult : SlidingResult {
   py::ssize_t columns;
 };
 
-HeightMap height_map(const InputArray<double>& heights, double spacing_x, double spacing_z) {
+HeightMap height_map(const InputArray<double>& heights, double spacing_x, double spacing_z, bool periodic = true) {
   if (heights.ndim() != 2) throw py::value_error("heights must be a two-dimensional array");
   const auto values = view(heights);
   return {.heights = {values.begin(), values.end()},
           .rows = static_cast<int>(heights.shape(0)),
           .columns = static_cast<int>(heights.shape(1)),
           .spacing_x = spacing_x,
-          .spacing_z = spacing_z};
+          .spacing_z = spacing_z,
+          .periodic = periodic};
 }
 
-ShapedResult slide_released(const InputArray<double>& heights, double spacing_x, double spacing_z,
-                            const CoatedPlane& on, double pressure, double speed, double tolerance, int max_iterations,
-                            int threads, const py::object& progress) {
-  const HeightMap map = height_map(heights, spacing_x, spacing_z);
-  const SlidingOptions options{tolerance, max_iterations, threads, python_observer(progress)};
+ShapedResult slide_released(const InputArray<double>& heights, double spacing_x, double spacing_z, bool periodic,
+                            const CoatedPlane& on, double pressure, double speed, double friction, double tolerance,
+                            int max_iterations, int threads, const py::object& progress) {
+  const HeightMap map = height_map(heights, spacing_x, spacing_z, periodic);
+  const SlidingOptions options{friction, tolerance, max_iterations, threads, python_observer(progress)};
   const py::gil_scoped_release release;
   return {slide(map, on, pressure, speed, options), map.rows, map.columns};
 }
@@ -94,8 +95,8 @@ void bind_sliding(py::module_& m) {
       .def_readonly("contact_share", &PerssonEstimate::contact_share);
 
   m.def("slide", &slide_released, py::arg("heights").noconvert(), py::kw_only(), py::arg("spacing_x"),
-        py::arg("spacing_z"), py::arg("on"), py::arg("pressure"), py::arg("speed"), py::arg("tolerance"),
-        py::arg("max_iterations"), py::arg("threads"), py::arg("progress"));
+        py::arg("spacing_z"), py::arg("periodic"), py::arg("on"), py::arg("pressure"), py::arg("speed"),
+        py::arg("friction"), py::arg("tolerance"), py::arg("max_iterations"), py::arg("threads"), py::arg("progress"));
   m.def("persson_estimate", &persson_released, py::arg("heights").noconvert(), py::kw_only(), py::arg("spacing_x"),
         py::arg("spacing_z"), py::arg("on"), py::arg("pressure"), py::arg("speed"), py::arg("gamma"),
         py::arg("threads"));

@@ -1005,12 +1005,17 @@ class SlidingScalars:
     @property
     def friction_coefficient(self) -> float:
         """
-        friction coefficient due to losses in the layers [1]. power_density / (speed * pressure), from the spectrum of the pressure. It is the share of the layers' losses in friction: without adhesion, and without friction at the interface. 0 at rest.
+        friction coefficient due to losses in the layers [1]. power_density / (speed * pressure), from the pressure and the compliance of the layers. It is the share of the layers' losses in friction, without adhesion. 0 at rest.
         """
     @property
     def friction_error(self) -> float:
         """
         error of the power balance [1]. |traction_friction - friction_coefficient|, an estimate of the error of the mesh.
+        """
+    @property
+    def interface_power_density(self) -> float:
+        """
+        power dissipated at the interface per area [W/m^2]. Friction times the speed of slip. Together with power_density it is the mean pressure times total_friction_coefficient times speed. 0 without friction at the interface.
         """
     @property
     def iterations(self) -> int:
@@ -1030,7 +1035,7 @@ class SlidingScalars:
     @property
     def memory_length(self) -> float:
         """
-        distance in which the layers recover [m]. Speed times the retardation time of the slowest layer, estimated at the frequency of the period along x. If it exceeds the period, the surface slides in its own track.
+        distance in which the layers recover [m]. Speed times the retardation time of the slowest layer, estimated at the frequency of the length of the surface along x. If it exceeds the period of a periodic surface, the surface slides in its own track.
         """
     @property
     def operator_applications(self) -> int:
@@ -1053,9 +1058,14 @@ class SlidingScalars:
         side force on the rough surface per load, along z [1]. 0 on average if the surface has no preferred direction.
         """
     @property
+    def total_friction_coefficient(self) -> float:
+        """
+        force against the sliding direction per load [1]. Friction at the interface plus the resistance of the slopes. Without friction at the interface it equals friction_coefficient.
+        """
+    @property
     def traction_friction(self) -> float:
         """
-        friction coefficient from the tractions [1]. Mean of the pressure times the slope of the surface against the sliding direction, per mean pressure. It equals friction_coefficient except for the error of the mesh.
+        friction coefficient from the tractions [1]. Mean of the pressure times the slope of the surface against the sliding direction, per mean pressure; with friction at the interface, plus the work of the friction on the strain of the layers' surface. It equals friction_coefficient except for the error of the mesh.
         """
 
 class SlidingResult(SlidingScalars):
@@ -1195,9 +1205,11 @@ def slide(
     *,
     spacing_x: typing.SupportsFloat | typing.SupportsIndex,
     spacing_z: typing.SupportsFloat | typing.SupportsIndex,
+    periodic: bool,
     on: CoatedPlane,
     pressure: typing.SupportsFloat | typing.SupportsIndex,
     speed: typing.SupportsFloat | typing.SupportsIndex,
+    friction: typing.SupportsFloat | typing.SupportsIndex,
     tolerance: typing.SupportsFloat | typing.SupportsIndex,
     max_iterations: typing.SupportsInt | typing.SupportsIndex,
     threads: typing.SupportsInt | typing.SupportsIndex,

@@ -1,14 +1,27 @@
 """Steady sliding of a periodic rigid surface in plain NumPy, with dense matrices and the theory's own axes.
 
 The surface slides along x, the first axis. In its frame a wave exp(i (k_x x + k_z z)) has the frequency -k_x V in the
-material, and mu*(-w) is the complex conjugate of mu*(w).
+material, and mu*(-w) is the complex conjugate of mu*(w). With Coulomb friction, all nodes slip: the stress along x on
+the layers is the coefficient of friction times the pressure.
 """
 
 from __future__ import annotations
 
 import numpy as np
+from scipy.linalg import expm
 
-__all__ = ["Solid", "contact", "half_space", "layer", "loss", "symbol", "wavenumbers"]
+__all__ = [
+    "Solid",
+    "contact",
+    "half_space",
+    "half_space_in_plane",
+    "layer",
+    "layer_in_plane",
+    "loss",
+    "symbol",
+    "symbols_with_friction",
+    "wavenumbers",
+]
 
 
 class Solid:
@@ -39,6 +52,35 @@ def layer(k, modulus, poisson_ratio, thickness):
     return half_space(k, modulus, nu) * np.where(hard, 1.0, ratio)
 
 
+def half_space_in_plane(k, modulus, poisson_ratio):
+    """Return displacements per stress of a wave on a half-space, inwards and along the wave [m/Pa].
+
+    K. L. Johnson, Contact Mechanics (1985), equations (2.25), as Fourier coefficients: rows are displacements, columns
+    are stresses.
+    """
+    nu = poisson_ratio
+    return np.array([[1.0 - nu, -0.5j * (1.0 - 2.0 * nu)], [0.5j * (1.0 - 2.0 * nu), 1.0 - nu]]) / (modulus * k)
+
+
+def layer_in_plane(k, modulus, poisson_ratio, thickness):
+    """Return the same for a bonded layer, from the matrix exponential of the equations of plane strain.
+
+    The state at depth y is the displacement along the wave and inwards, and the shear and normal stress. The
+    exponential loses digits as exp(2 k thickness).
+    """
+    nu, g, ik = poisson_ratio, modulus, 1j * k
+    compliance, ratio = (1.0 - 2.0 * nu) / (2.0 * g * (1.0 - nu)), nu / (1.0 - nu)
+    stretch = np.array([-ratio * ik, 0.0, 0.0, compliance])  # dw/dy
+    along = np.array([2.0 * g * ik, 0.0, 0.0, 1.0]) - 2.0 * g * stretch  # normal stress along the wave
+    rates = np.array([[0.0, -ik, 1.0 / g, 0.0], stretch, -ik * along, [0.0, 0.0, -ik, 0.0]])
+    # In units of thickness and modulus, the entries are of order one.
+    scale = np.array([thickness, thickness, abs(g), abs(g)])
+    to_base = expm(thickness * rates * scale[np.newaxis, :] / scale[:, np.newaxis])
+    # The surface stresses are minus the applied ones, given in the order shear, normal; nothing moves at the base.
+    moved = np.linalg.solve(to_base[:2, :2], to_base[:2, 2:])[::-1, ::-1]
+    return moved * thickness / abs(g)
+
+
 def wavenumbers(shape, spacing):
     """Return k_x and k_z of all waves of a map, as arrays that broadcast to its shape [rad/m]."""
     k_x, k_z = (2.0 * np.pi * np.fft.fftfreq(count, step) for count, step in zip(shape, spacing, strict=True))
@@ -58,6 +100,27 @@ def symbol(shape, spacing, modulus, speed, compliance):
     if shape[0] % 2 == 0:
         waves[shape[0] // 2] = waves[shape[0] // 2].real
     return waves
+
+
+def symbols_with_friction(shape, spacing, modulus, speed, friction, in_plane, across):
+    """Return displacements inwards and along x per pressure, of all waves; those of the mean are 0.
+
+    `in_plane` returns the matrix of a wave, from its wavenumber and modulus, and `across` the displacement per stress
+    across the wave, both horizontal.
+    """
+    k_x, k_z = (grid.astype(float) for grid in np.broadcast_arrays(*wavenumbers(shape, spacing)))
+    inwards, along = np.zeros(shape, complex), np.zeros(shape, complex)
+    for place in np.ndindex(shape):
+        k = np.hypot(k_x[place], k_z[place])
+        if k == 0.0:
+            continue
+        g = modulus(-k_x[place] * speed)
+        cosine, sine = k_x[place] / k, k_z[place] / k
+        inwards[place], parallel = in_plane(k, g) @ [1.0, friction * cosine]
+        along[place] = cosine * parallel + friction * sine**2 * across(k, g)
+    if shape[0] % 2 == 0:
+        inwards[shape[0] // 2] = inwards[shape[0] // 2].real
+    return inwards, along
 
 
 def contact(heights, waves, pressure, *, passes=100):

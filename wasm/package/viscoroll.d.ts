@@ -124,7 +124,10 @@ export interface Hardness {
   scale?: "A" | "D" | null;
   /** Rebound resilience as a fraction; without it, the material has no loss. */
   rebound?: number | null;
-  /** Angular frequency [rad/s] of modulus and loss factor; required with a rebound. */
+  /**
+   * Angular frequency [rad/s] of modulus and loss factor; required with a rebound. A durometer is read after about one
+   * second, which is 1 rad/s.
+   */
   reference_frequency?: number | null;
   /** Decades of frequency on each side over which the loss factor is constant. */
   decades?: number | null;
@@ -281,14 +284,14 @@ export interface Rolling {
    */
   penetration?: number | null;
   /**
-   * Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the angular speed relative to
-   * the line of centers. Exactly one of `angular_speed` and `speed` must be given.
+   * Angular speed Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the speed relative
+   * to the line of centers. Exactly one of `angular_speed` and `speed` must be given.
    */
   angular_speed?: number | null;
   /**
-   * Speed V of the ground or belt [m/s], > 0, without friction. The contact is solved at the angular speed V / r_o,
-   * which is `Result.angular_speed`; because the surface is stretched in the contact, the body turns more slowly, at
-   * `Result.finite_strain_angular_speed`.
+   * Speed V of the ground or belt [m/s], > 0; only without friction. The contact is solved at the angular speed V /
+   * r_o, which is `Result.angular_speed`; because the surface is stretched in the contact, the body turns more slowly,
+   * at `Result.finite_strain_angular_speed`.
    */
   speed?: number | null;
   /**

@@ -11,7 +11,7 @@
 
 namespace viscoroll {
 
-/// @brief One period of a rigid rough surface, as heights at equal distances.
+/// @brief A rigid rough surface, as heights at equal distances: one period, or a surface of finite size.
 ///
 /// x is the direction in which the surface slides, z the direction across. A profile that is constant along z has one
 /// column, and its contact is a line contact in plane strain.
@@ -21,6 +21,8 @@ struct HeightMap {
   int columns = 1;              ///< nodes along z, 1 or in [8, 16384]
   double spacing_x = 0.0;       ///< distance of the nodes along x [m], > 0
   double spacing_z = 0.0;       ///< distance of the nodes along z [m], > 0; no effect on a profile
+  /// Whether the surface repeats itself in both directions. If not, the layers are free around it.
+  bool periodic = true;
 };
 
 /// @brief Check a height map.
@@ -29,6 +31,7 @@ void validate(const HeightMap& map);
 
 /// @brief Options of sliding.
 struct SlidingOptions {
+  double friction = 0.0;     ///< Coulomb's coefficient of friction at the interface [-], >= 0
   double tolerance = 1e-9;   ///< relative residual of the contact equations, in [1e-13, 1e-3]
   int max_iterations = 200;  ///< largest number of linear systems on a mesh, >= 1
   int threads = 0;           ///< number of threads, 0 for all cores
@@ -49,14 +52,15 @@ struct SlidingResult : SlidingScalars {
   std::vector<double> gap;       ///< distance of the surfaces at every node [m], in the order of the heights
 };
 
-/// @brief Solve the frictionless contact of a rigid rough surface that slides steadily on a plane.
+/// @brief Solve the contact of a rigid rough surface that slides steadily on a plane.
 ///
-/// The surface repeats itself in both directions. At speed 0 the layers are relaxed.
-/// @param[in] map one period of the surface
+/// At speed 0 the layers are relaxed. With friction, all nodes in contact slip, and the friction pulls the layers
+/// along.
+/// @param[in] map rough surface
 /// @param[in] on layers and base, not rigid
-/// @param[in] pressure mean pressure [Pa], > 0
-/// @param[in] speed sliding speed along x [m/s], >= 0
-/// @param[in] options tolerances, threads, progress and cancellation
+/// @param[in] pressure mean pressure over the map [Pa], > 0
+/// @param[in] speed sliding speed along x [m/s], >= 0; > 0 with friction
+/// @param[in] options friction, tolerances, threads, progress and cancellation
 /// @throws InvalidInput for invalid input
 /// @throws ConvergenceError if the solver found no usable state
 /// @throws Canceled if the observer canceled the computation
@@ -75,7 +79,7 @@ struct PerssonEstimate {
 /// A(q) = erf(p / sqrt(2 sum_{|k| <= q} |h_k / C_k|^2)), and the friction coefficient is
 /// sum |h_k|^2 |k_x Im(1/C_k)| A(k) S(k) / p with S = gamma + (1 - gamma) A^2. See B. N. J. Persson, J. Chem. Phys. 115
 /// (2001) 3840-3861, and M. Scaraggi and B. N. J. Persson, J. Phys.: Condens. Matter 27 (2015) 105102 for S.
-/// @param[in] map,on,pressure,speed,options same as in `slide`
+/// @param[in] map,on,pressure,speed,options same as in `slide`; the map must be periodic, and friction has no effect
 /// @param[in] gamma parameter of the reduction factor S, in [0, 1]; 1/2 is usual, 1 is the theory without reduction
 /// @throws InvalidInput for invalid input
 [[nodiscard]] PerssonEstimate persson_estimate(const HeightMap& map, const CoatedPlane& on, double pressure,

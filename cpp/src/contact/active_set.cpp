@@ -89,7 +89,10 @@ PressedNodes find_contact(PressedSurface& surface, PressedNodes contact, const A
       const auto count = static_cast<double>(contact.nodes.size());
       contact.converged = !rough && static_cast<double>(changes) <= options.unsettled * count;
     }
-    tolerance = std::max(options.tightening * tolerance, options.tolerance);
+    const bool is_settled = changes == 0 && tolerance <= options.settling_tolerance;
+    tolerance = is_settled ? options.tolerance
+                           : std::min(tolerance, std::max({options.tightening * tolerance, options.settling_tolerance,
+                                                           options.tolerance}));
   }
   return contact;
 }

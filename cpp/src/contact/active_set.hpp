@@ -48,6 +48,8 @@ struct ActiveSetOptions {
   double first_tolerance;  ///< residual while the set still changes much
   double tightening;       ///< factor on the tolerance from pass to pass
   double tolerance;        ///< residual of the last passes
+  /// Residual at which passes stay until the set no longer changes; 0 for the residual of the last passes.
+  double settling_tolerance = 0.0;
   double unsettled = 0.0;  ///< fraction of nodes that may still leave or join
 };
 

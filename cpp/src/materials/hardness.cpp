@@ -97,7 +97,9 @@ ShearModulus hardness(const Hardness& sheet) {
   const double loss = rebound_to_loss_factor(*sheet.rebound).value;
   if (!sheet.reference_frequency) {
     throw InvalidInput("reference_frequency",
-                       "must be given with a rebound: the frequency [rad/s] of modulus and loss factor", "");
+                       "must be given with a rebound: the frequency of modulus and loss factor, such as 1 rad/s for a "
+                       "durometer that is read after one second",
+                       "");
   }
   LossFactor law{.modulus = modulus, .loss_factor = loss, .reference_frequency = *sheet.reference_frequency};
   law.decades = sheet.decades.value_or(law.decades);

@@ -14,9 +14,10 @@ PerssonEstimate persson_estimate(const HeightMap& map, const CoatedPlane& on, do
                                  double gamma, const SlidingOptions& options) {
   detail::validate_sliding(map, on, pressure, speed, options);
   detail::require_in({.minimum = 0.0, .maximum = 1.0}, "gamma", gamma);
+  if (!map.periodic) detail::reject("heights", "a periodic surface", "one that is not periodic");
   detail::Watch watch(options.observer);
   const detail::SlidingPeriod period = detail::period_of(map);
-  const detail::SlidingSymbol symbol(on, period, speed, options.threads, watch);
+  const detail::SlidingSymbol symbol(on, period, speed, 0.0, options.threads, watch);
 
   /// Contribution of a wave to the pressure of full contact and to the loss.
   struct Wave {

@@ -5,10 +5,12 @@
 #include <complex>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "contact/multilevel.hpp"
+#include "sliding/finite_surface.hpp"
 #include "sliding/map_spectrum.hpp"
 #include "sliding/sliding_input.hpp"
 #include "sliding/sliding_symbol.hpp"
@@ -51,26 +53,49 @@ double gap_of_share(const Eigen::ArrayXd& gap, double share) {
   return *place;
 }
 
-/// Means over the surface of products of pressure with displacements or slopes [Pa], from the spectra.
-struct SpectralMeans {
-  double loss = 0.0;         ///< pressure times slope of the displacement along xi
-  double slope_along = 0.0;  ///< pressure times slope of the heights along xi
-  double slope_across = 0.0;
+/// Means over the surface of products of pressure with slopes [Pa].
+struct Means {
+  double loss;            ///< work dissipated in the layers per area and distance
+  double displacement;    ///< pressure times slope of the displacement along xi
+  double heights_along;   ///< pressure times slope of the heights along xi
+  double heights_across;  ///< same along z
 };
 
-SpectralMeans spectral_means(const SlidingSymbol& symbol, const std::vector<double>& heights,
-                             const std::vector<double>& pressure) {
+Means spectral_means(const SlidingSymbol& symbol, const std::vector<double>& heights,
+                     const std::vector<double>& pressure) {
   const SlidingPeriod& period = symbol.period();
   const detail::MapSpectrum height(heights, period.nodes);
-  SpectralMeans means;
+  Means means{};
   detail::MapSpectrum(pressure, period.nodes).for_waves([&](int i, int j, std::complex<double> p, double weight) {
     const double power = (height(i, j) * std::conj(p)).imag();
-    means.loss -= weight * period.k_x(i) * symbol(i, j).imag() * std::norm(p);
-    means.slope_along -= weight * period.k_x(i) * power;
+    means.loss -= weight * period.k_x(i) * symbol.of_losses(i, j).imag() * std::norm(p);
+    means.displacement -= weight * period.k_x(i) * symbol(i, j).imag() * std::norm(p);
+    means.heights_along -= weight * period.k_x(i) * power;
     // The highest wave across has no direction, and a profile has no waves across.
-    if (2 * j != period.nodes.theta_nodes) means.slope_across -= weight * period.k_z(j) * power;
+    if (2 * j != period.nodes.theta_nodes) means.heights_across -= weight * period.k_z(j) * power;
   });
   return means;
+}
+
+/// Sum of forces times the slope of the heights along z.
+double work_across(const HeightMap& map, const Eigen::ArrayXd& height, const Eigen::ArrayXd& force) {
+  if (map.columns == 1) return 0.0;
+  using Rows = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto transposed = [&](const Eigen::ArrayXd& values) {
+    const Rows columns = Eigen::Map<const Rows>(values.data(), map.rows, map.columns).transpose();
+    return Eigen::ArrayXd(Eigen::Map<const Eigen::ArrayXd>(columns.data(), columns.size()));
+  };
+  return (transposed(force) * detail::patch_slope(transposed(height), map.rows, map.spacing_z)).sum();
+}
+
+Means nodal_means(const detail::FiniteSurface& surface, const HeightMap& map, double speed,
+                  const Eigen::ArrayXd& height, const Eigen::ArrayXd& force) {
+  const double area = detail::period_of(map).patch_area() * static_cast<double>(height.size());
+  // At rest there is no friction, and the sums over waves would leave their rounding errors.
+  return {.loss = speed > 0.0 ? surface.loss(force) / area : 0.0,
+          .displacement = speed > 0.0 ? surface.work_of_pressure(force) / area : 0.0,
+          .heights_along = (force * surface.slope_along(height)).sum() / area,
+          .heights_across = work_across(map, height, force) / area};
 }
 
 /// Share of the patches in contact.
@@ -79,6 +104,7 @@ struct ContactShare {
   double corrected;
 };
 
+/// Contacts end within the rim of a map that is not periodic, so that its nodes may be counted like those of a period.
 ContactShare contact_share(const std::vector<double>& pressure, const detail::WindowShape& shape) {
   const auto [rows, columns] = shape;
   const auto touches = [&](int row, int column) {
@@ -107,31 +133,46 @@ SlidingResult slide(const HeightMap& map, const CoatedPlane& on, double pressure
                     const SlidingOptions& options) {
   detail::validate_sliding(map, on, pressure, speed, options);
   detail::Watch watch(options.observer);
+  const detail::Execution execution{options.threads, watch};
   const SlidingPeriod period = detail::period_of(map);
-  const SlidingSymbol symbol(on, period, speed, options.threads, watch);
   const std::vector<double> heights = detail::heights_against_path(map);
-
   const Eigen::Map<const Eigen::ArrayXd> height(heights.data(), static_cast<Index>(heights.size()));
   const auto nodes = static_cast<double>(height.size());
-  const detail::ContactProblem problem{.surface = periodic_surface(symbol, {options.threads, watch}),
-                                       .initial_gap = height.maxCoeff() - height,
-                                       .normal_force = pressure * nodes * period.patch_area(),
-                                       .friction = {}};
+  std::optional<SlidingSymbol> symbol;
+  std::optional<detail::FiniteSurface> finite;
+  if (map.periodic) {
+    symbol.emplace(on, period, speed, options.friction, options.threads, watch);
+  } else {
+    finite.emplace(map, on, speed, options.friction, execution);
+  }
+
+  const detail::ContactProblem problem{
+      .surface = finite ? finite->displacement() : periodic_surface(*symbol, execution),
+      .initial_gap = height.maxCoeff() - height,
+      .normal_force = pressure * nodes * period.patch_area(),
+      .friction = {}};
   const detail::LocatedContact located =
       solve_multilevel(problem, gap_of_share(problem.initial_gap, kFirstShare),
                        {.max_iterations = options.max_iterations, .tolerance = options.tolerance});
-  const detail::ContactSolution& contact = located.contact;
+  const bool is_whole = located.window() == problem.surface->window();
+  const detail::ContactSolution contact = is_whole ? located.contact : extended(located, problem);
 
-  const Eigen::ArrayXd nodal = pressing_force(contact) / period.patch_area();
+  const Eigen::ArrayXd force = pressing_force(contact);
+  const Eigen::ArrayXd nodal = force / period.patch_area();
   const std::vector<double> nodal_pressure(nodal.begin(), nodal.end());
-  const SpectralMeans means = spectral_means(symbol, heights, nodal_pressure);
+  const Means means =
+      finite ? nodal_means(*finite, map, speed, height, force) : spectral_means(*symbol, heights, nodal_pressure);
   const ContactShare share = contact_share(nodal_pressure, period.nodes);
+  // Work of the friction at the strain of the surface that pressure and friction cause.
+  const double strain_work = means.loss - means.displacement;
   SlidingResult result;
   result.friction_coefficient = means.loss / pressure;
-  result.traction_friction = means.slope_along / pressure;
+  result.traction_friction = (means.heights_along + strain_work) / pressure;
   result.friction_error = std::abs(result.traction_friction - result.friction_coefficient);
-  result.side_force_coefficient = means.slope_across / pressure;
+  result.total_friction_coefficient = options.friction + means.displacement / pressure;
+  result.side_force_coefficient = means.heights_across / pressure;
   result.power_density = speed * means.loss;
+  result.interface_power_density = speed * (options.friction * pressure - strain_work);
   result.contact_share = share.of_nodes;
   result.corrected_contact_share = share.corrected;
   result.mean_gap = contact.gap.mean();

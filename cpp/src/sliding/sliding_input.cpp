@@ -54,6 +54,8 @@ void validate_sliding(const HeightMap& map, const CoatedPlane& on, double pressu
   require_positive("pressure", pressure, "Pa");
   require_nonnegative("speed", speed, "m/s");
   if (speed > 0.0) require_positive("speed", speed, "m/s");
+  require_nonnegative("friction", options.friction, "");
+  if (options.friction > 0.0 && speed == 0.0) reject("speed", "> 0 m/s with friction", speed);
   constexpr double kStrictest = 1e-13;
   constexpr double kLoosest = 1e-3;
   require_in({.minimum = kStrictest, .maximum = kLoosest}, "tolerance", options.tolerance);

@@ -18,14 +18,6 @@ namespace {
 
 using cplx = std::complex<double>;
 
-/// Angular speed of relaxed layers, whose compliance does not depend on it [rad/s].
-constexpr double kAnySpeed = 1.0;
-
-LayeredBody relaxed_layers(LayeredBody body) {
-  for (Layer& layer : body.layers) relax_layer(layer);
-  return body;
-}
-
 std::vector<double> counted(int last) {
   std::vector<double> orders;
   for (int i = 1; i <= last; ++i) orders.push_back(i);
@@ -33,6 +25,11 @@ std::vector<double> counted(int last) {
 }
 
 }  // namespace
+
+LayeredBody relaxed_layers(LayeredBody body) {
+  for (Layer& layer : body.layers) relax_layer(layer);
+  return body;
+}
 
 double SlidingPeriod::patch_area() const {
   const double along = length_x / nodes.phi_nodes;
@@ -43,11 +40,12 @@ double SlidingPeriod::k_x(int i) const { return 2.0 * std::numbers::pi * i / len
 
 double SlidingPeriod::k_z(int j) const { return 2.0 * std::numbers::pi * j / length_z; }
 
-SlidingSymbol::SlidingSymbol(const CoatedPlane& on, const SlidingPeriod& period, double speed, int threads,
-                             Watch& watch)
+SlidingSymbol::SlidingSymbol(const CoatedPlane& on, const SlidingPeriod& period, double speed, double friction,
+                             int threads, Watch& watch)
     : period_(period),
       values_(static_cast<std::size_t>(period.nodes.phi_nodes / 2 + 1) *
               static_cast<std::size_t>(period.nodes.theta_nodes / 2 + 1)) {
+  if (friction > 0.0) losses_.resize(values_.size());
   const int last_i = period.nodes.phi_nodes / 2;
   const int last_j = period.nodes.theta_nodes / 2;
   // With this radius, the orders along the path are the numbers of the waves.
@@ -63,14 +61,24 @@ SlidingSymbol::SlidingSymbol(const CoatedPlane& on, const SlidingPeriod& period,
   // The series of a profile, which has the order 0 only, also need an interval.
   constexpr double kFirstOrder = 1.0;
   const auto spectrum = make_spectrum(body, std::max(across[last_j], kFirstOrder), threads, watch);
-  parallel_for(
-      static_cast<std::size_t>(last_i), threads, watch, "solving layers", [&](std::size_t index, const Worker&) {
-        OrderSeries series;
-        spectrum->series(index, series);
-        Eigen::ArrayXcd row;
-        OrderValues(body.orders()[index], across, series).evaluate(Entry::rr, row);
-        std::ranges::copy(row, values_.begin() + static_cast<std::ptrdiff_t>(place(static_cast<int>(index) + 1, 0)));
-      });
+  parallel_for(static_cast<std::size_t>(last_i), threads, watch, "solving layers",
+               [&](std::size_t index, const Worker&) {
+                 OrderSeries series;
+                 spectrum->series(index, series);
+                 const OrderValues values(body.orders()[index], across, series);
+                 const auto first = static_cast<std::ptrdiff_t>(place(static_cast<int>(index) + 1, 0));
+                 Eigen::ArrayXcd row;
+                 values.evaluate(Entry::rr, row);
+                 if (friction > 0.0) {
+                   // The friction on the layers points along x, against xi, and the pressure inwards: the signs cancel.
+                   Eigen::ArrayXcd along;
+                   values.evaluate(Entry::phiphi, along);
+                   std::ranges::copy(row + friction * friction * along, losses_.begin() + first);
+                   values.evaluate(Entry::rphi, along);
+                   row += friction * along;
+                 }
+                 std::ranges::copy(row, values_.begin() + first);
+               });
   // The highest wave of an even number of nodes is its own negative.
   if (period.nodes.phi_nodes % 2 == 0) {
     for (int j = 0; j <= last_j; ++j) values_[place(last_i, j)] = values_[place(last_i, j)].real();

@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "influence/spectral_product.hpp"
 #include "influence/table.hpp"
+#include "modal/layered_body.hpp"
 #include "viscoroll/plane.hpp"
 
 namespace viscoroll::detail {
@@ -34,17 +35,22 @@ class SlidingSymbol {
   /// @param[in] on checked plane, not rigid
   /// @param[in] period period
   /// @param[in] speed sliding speed [m/s], >= 0
+  /// @param[in] friction Coulomb's coefficient at the interface, >= 0: the friction, this multiple of the pressure,
+  /// also displaces the surface
   /// @param[in] threads,watch threads, progress and cancellation
-  SlidingSymbol(const CoatedPlane& on, const SlidingPeriod& period, double speed, int threads, Watch& watch);
+  SlidingSymbol(const CoatedPlane& on, const SlidingPeriod& period, double speed, double friction, int threads,
+                Watch& watch);
 
   [[nodiscard]] const SlidingPeriod& period() const { return period_; }
 
   /// @param[in] i wave along xi, in [-n/2, n/2]; negative waves are complex conjugates
   /// @param[in] j wave along z, in [0, n/2]
   /// @return compliance [m/Pa]; that of (0, 0) is a positive stand-in, see `table`
-  [[nodiscard]] std::complex<double> operator()(int i, int j) const {
-    const std::complex<double> value = values_[place(i < 0 ? -i : i, j)];
-    return i < 0 ? std::conj(value) : value;
+  [[nodiscard]] std::complex<double> operator()(int i, int j) const { return value(values_, i, j); }
+  /// @brief Compliance whose imaginary part gives the loss in the layers, due to pressure and friction together.
+  /// Reciprocity, C_phir = -C_rphi, cancels the work of either at the displacement due to the other.
+  [[nodiscard]] std::complex<double> of_losses(int i, int j) const {
+    return value(losses_.empty() ? values_ : losses_, i, j);
   }
 
   /// @brief Periodic influence table of the surface [m/N].
@@ -58,11 +64,21 @@ class SlidingSymbol {
     return static_cast<std::size_t>(i) * static_cast<std::size_t>(period_.nodes.theta_nodes / 2 + 1) +
            static_cast<std::size_t>(j);
   }
-  void fill_at_rest(const CoatedPlane& relaxed);
+  [[nodiscard]] std::complex<double> value(const std::vector<std::complex<double>>& values, int i, int j) const {
+    const std::complex<double> value = values[place(i < 0 ? -i : i, j)];
+    return i < 0 ? std::conj(value) : value;
+  }
 
   SlidingPeriod period_;
   std::vector<std::complex<double>> values_;  // [i][j]
+  std::vector<std::complex<double>> losses_;  // [i][j]; empty without friction
 };
+
+/// Angular speed of relaxed layers, whose compliance does not depend on it [rad/s].
+inline constexpr double kAnySpeed = 1.0;
+
+/// @return the body at rest, with relaxed moduli
+[[nodiscard]] LayeredBody relaxed_layers(LayeredBody body);
 
 /// @brief Distance in which the slowest layer recovers: speed times its retardation time, estimated at the frequency of
 /// a wave [m].

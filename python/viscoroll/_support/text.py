@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Sequence
 
-__all__ = ["finite_number", "key_path_text", "one_line", "parsed_range", "shown", "snake_case"]
+__all__ = ["finite_number", "key_path_text", "one_line", "shown", "snake_case"]
 
 #: Longest text of a value in messages [characters].
 _LONGEST = 120
@@ -36,15 +36,6 @@ def finite_number(text: str) -> float | None:
 def key_path_text(path: Sequence[str | int]) -> str:
     """Return the text of a path of keys and indices, such as "ball.layers[0].thickness"."""
     return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in path).lstrip(".")
-
-
-def parsed_range(text: str) -> tuple[float, float] | None:
-    """Return the two numbers of a text "from..to", or None for any other text."""
-    low, dots, high = text.partition("..")
-    try:
-        return (float(low), float(high)) if dots else None
-    except ValueError:
-        return None
 
 
 def one_line(message: str) -> str:

@@ -17,7 +17,6 @@ from .._support.plotting import plots
 from .._support.progress import ProgressLike
 from .._support.quantities import quantity_text
 from .._support.scales import Scale
-from .._support.text import parsed_range
 from .._support.units import unit_in_contact
 from ..analytic import applicable
 from ..bodies import Drive
@@ -25,6 +24,7 @@ from ..modal import critical_speed
 from ..solution.scalars import scalar_units
 from ..studies.dimensions import require_feasible
 from ..studies.runner import run_all
+from .quantities import range_in_si
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -41,7 +41,7 @@ __all__ = ["Comparison", "compare_torques", "parse_speeds"]
 
 _LABELS = {
     "low_speed": "low speed",
-    "greenwood_tabor": "Greenwood and Tabor (64)",
+    "greenwood_tabor": "Greenwood and Tabor (64), all work dissipated",
     "persson": "Persson",
     "winkler": "viscoelastic springs (Winkler)",
     "hunter": "Hunter's half-plane",
@@ -101,9 +101,9 @@ class Comparison:
         )
         for number, (name, (of_form, valid)) in enumerate(self.forms.items()):
             color, label, torque = f"C{number}", _LABELS.get(name, name), of_form / scale.factor
-            axes.plot(
-                self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, outside its range of validity"
-            )
+            if not valid.all():
+                outside = f"{label}, outside its range of validity"
+                axes.plot(self.speeds, torque, "--", color=color, linewidth=1.0, label=outside)
             if valid.any():
                 axes.plot(self.speeds, np.where(valid, torque, np.nan), color=color, linewidth=2.5, label=label)
         axes.set(
@@ -134,10 +134,11 @@ class Comparison:
 
 
 def parse_speeds(text: str) -> tuple[float, float]:
-    """Return the two ends of a range of speeds such as "0.05..25" [rad/s], with 0 < from < to < ∞."""
-    low, high = parsed_range(text) or (0.0, 0.0)
-    if not 0.0 < low < high < np.inf:
-        raise InvalidInput("speeds", "must be from..to with 0 < from < to in rad/s", repr(text))
+    """Return the two ends of a range of speeds such as "0.05..25" [rad/s] or "10..1000 rpm", with 0 < from < to < ∞."""
+    rule = "must be from..to with 0 < from < to in rad/s"
+    low, high = range_in_si(text, "rad/s", path="speeds", rule=rule)
+    if not 0.0 < low < high:
+        raise InvalidInput("speeds", rule, repr(text))
     return low, high
 
 

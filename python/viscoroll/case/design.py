@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
@@ -255,28 +256,32 @@ def _in_si(table: dict[str, Any], document: dict[str, Any]) -> dict[str, Any]:
         for name, key in found.items()
         if isinstance(table.get(name), str)
     }
-    if not isinstance(limits := table.get("limits"), dict):
-        return table | ends
     units = limit_units(line_contact=keys.line_contact)
     in_si = {
-        name: Key(units[name]).number(limit, f"design.limits.{name}")
-        if isinstance(limit, str) and name in units
-        else limit
-        for name, limit in limits.items()
+        name: Key(units[name]).number(limit, f"design.limits.{name}") if isinstance(limit, str) else limit
+        for name, limit in _limits_in(table).items()
     }
-    return table | ends | {"limits": in_si}
+    return table | ends | ({"limits": in_si} if in_si else {})
+
+
+def _limits_in(table: dict[str, Any]) -> dict[str, Any]:
+    """Return the table of the limits as written in the file, empty if it is not a table."""
+    limits = table.get("limits")
+    return limits if isinstance(limits, dict) else {}
 
 
 def _checked(table: object, document: dict[str, Any]) -> Wanted:
     if not isinstance(table, dict):
         raise InvalidInput("design", 'must be a table, such as vary = "ball.layers[0].thickness", from = ..., to = ...')
+    if unknown := [name for name in _limits_in(table) if name not in LIMITS]:
+        meant = get_close_matches(unknown[0], LIMITS, n=1)
+        more = f"did you mean {meant[0]}?" if meant else ""
+        raise InvalidInput("design.limits", f"must be named {', '.join(LIMITS)}", f"{unknown[0]!r}", more=more)
     if has_quantities(table):
         table = _in_si(table, document)
     wanted = checked(_File, {"design": table}).design
     if not wanted.low < wanted.high:
         raise ValueError(f"design.from and design.to must be 0 < from < to, got {wanted.low!r} and {wanted.high!r}")
-    if unknown := [name for name in wanted.limits if name not in LIMITS]:
-        raise InvalidInput("design.limits", f"must be named {', '.join(LIMITS)}", f"{unknown[0]!r}")
     if "temperature" in wanted.limits:
         as_kelvin("design.limits.temperature", wanted.limits["temperature"])
     return wanted

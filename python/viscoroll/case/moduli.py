@@ -148,7 +148,8 @@ def _of_data_sheet(
     rebound : float, optional
         Rebound resilience as a fraction; without it, the material has no loss.
     reference_frequency : float, optional
-        Angular frequency [rad/s] of modulus and loss factor; required with a rebound.
+        Angular frequency [rad/s] of modulus and loss factor; required with a rebound. A durometer is read after about
+        one second, which is 1 rad/s.
     decades : float, optional
         Decades of frequency on each side over which the loss factor is constant.
     """

@@ -103,6 +103,10 @@ _SIGN = re.compile("|".join(_SIGNS))
 _UNIT = re.compile(r"(?:[^\W\d]|[°%\"'²³ *·/()\^.-]|(?:\^|\*\*|[^\W\d])-?\d(?!\d)|(?<![\d.])1(?=/)){1,60}")
 
 
+#: Number of a temperature whose unit is "C", which is the coulomb elsewhere.
+_CELSIUS = re.compile(r"\s*([-+]?\d+\.?\d*)\s*C\s*")
+
+
 def as_quantity(text: str) -> tuple[str, str] | None:
     """Return number and unit of a text such as "10 mm" as two texts, or None for other texts, such as names of files.
 
@@ -171,6 +175,62 @@ def in_si(text: str, unit: str, *, path: str, difference: bool = False) -> float
 
 
 @cache
+def number_in_si(text: str, unit: str, *, path: str) -> float:
+    """Return a plain number, or the number in SI units of a text such as "10 mm".
+
+    The unit of a temperature may also be "C", as in "20C".
+
+    Examples
+    --------
+    >>> number_in_si("0.01", "m", path="--width"), number_in_si("20C", "K", path="--reference")
+    (0.01, 293.15)
+    """
+    try:
+        return float(text)
+    except ValueError:
+        return in_si(_with_degrees(text, unit), unit, path=path)
+
+
+def _with_degrees(text: str, unit: str) -> str:
+    """Return a text in which "degC" replaces the unit "C" of a temperature."""
+    celsius = _CELSIUS.fullmatch(text) if unit == "K" else None
+    return f"{celsius[1]} degC" if celsius else text
+
+
+def range_in_si(text: str, unit: str, *, path: str, rule: str = "must have the form from..to") -> tuple[float, float]:
+    """Return the ends in SI units of a range such as "0.05..25" or "10..1000 rpm".
+
+    Parameters
+    ----------
+    text : str
+        Range.
+    unit : str
+        SI unit.
+    path : str
+        Option or key, for messages.
+    rule : str, optional
+        Rule that a message about any other text states.
+
+    Raises
+    ------
+    InvalidInput
+        If the text does not have the form "from..to", or an end is not a number with a unit of the same dimension.
+
+    Examples
+    --------
+    >>> range_in_si("10..30 mm", "m", path="--width")
+    (0.01, 0.03)
+    """
+    low, _, high = text.partition("..")
+    low, high = _with_degrees(low, unit), _with_degrees(high, unit)
+    begin, end = as_quantity(low), as_quantity(high)
+    if begin is None or end is None:
+        raise InvalidInput(path, rule, shown(text))
+    if not begin[1]:
+        low = f"{begin[0]} {end[1]}".strip()
+    return number_in_si(low, unit, path=path), number_in_si(high, unit, path=path)
+
+
 def scale_of(unit: str, si: str) -> Fraction:
     """Return the SI value of a unit; for degrees, of a difference of one degree."""
     registry = _registry()
@@ -247,7 +307,9 @@ def _expected(unit: str, *, difference: bool) -> str:
 def _unknown(number: str, given: str, unit: str) -> str:
     """Return a message about an unknown unit, with usual units of the same dimension."""
     if "shore" in given.lower():
-        return f'a hardness is a table: {{ type = "hardness", hardness = {number} }}'
+        scale = ', scale = "D"' if given.strip().upper().endswith("D") else ""
+        table = f'{{ type = "hardness", hardness = {number}{scale} }}'
+        return f"a hardness is a table: {table}, whose loss follows from rebound = 0.5, reference_frequency = 1.0"
     usual = [names for _, names in DISPLAYED.values() if same_dimension(names[0], unit) and unit != "1"]
     known = f"; use for example {', '.join(usual[0])}" if usual else ""
     return f"the unit {shown(given)} is not known{known}"

@@ -39,7 +39,10 @@ class Surface(StrictTable):
     spacing : float, optional
         Distance of the nodes of a file [m]; required unless the file contains it.
     periodic : bool, optional
-        Whether the surface of a file repeats itself; otherwise it is continued by its mirror images.
+        Whether the surface of a file repeats itself; otherwise it is continued by its mirror images unless it is
+        finite.
+    finite : bool, optional
+        Whether the layers are free around the surface of a file, which is then solved as it is.
     detrend : int, optional
         Degree of the polynomial that is subtracted from the heights of a file: 0, 1 or 2.
     cutoff : float, optional
@@ -53,6 +56,7 @@ class Surface(StrictTable):
     fill: bool = False
     spacing: float | None = None
     periodic: bool = False
+    finite: bool = False
     detrend: int | None = None
     cutoff: float | None = None
     nodes: int | None = None
@@ -64,25 +68,27 @@ class Surface(StrictTable):
     seed: int | None = None
 
     def surface(self) -> RoughSurface:
-        """Return the surface, periodic."""
+        """Return the surface, periodic unless it is finite."""
         random = [name for name in (*_RANDOM, "rms_slope", "rms_height") if getattr(self, name) is not None]
         if self.file is None:
             return self._random()
         if random:
             raise InvalidInput(f"surface.{random[0]}", "must be left out with file")
+        if self.finite and self.periodic:
+            raise InvalidInput("surface", "must not be both finite and periodic")
         try:
             found = RoughSurface.read(
                 self.file, format=self.format, spacing=self.spacing, periodic=self.periodic, fill=self.fill
             )
             found = found if self.detrend is None else found.detrended(self.detrend)  # type: ignore[arg-type]
-            found = found if found.periodic else found.mirrored()
+            found = found if found.periodic or self.finite else found.mirrored()
             return found if self.cutoff is None else found.cutoff(self.cutoff)
         except InvalidInput as error:
             raise error.inside("surface") from None
 
     def _random(self) -> RoughSurface:
-        for name in ("format", "spacing", "detrend"):
-            if getattr(self, name) is not None:
+        for name in ("format", "spacing", "detrend", "finite"):
+            if getattr(self, name) not in (None, False):
                 raise InvalidInput(f"surface.{name}", "must be left out without file")
         missing = [name for name in (*_RANDOM, "cutoff") if getattr(self, name) is None]
         if missing:
@@ -104,13 +110,15 @@ class Sliding(StrictTable):
     pressure : float, optional
         Mean pressure [Pa], > 0. Exactly one of pressure and load must be given.
     load : float, optional
-        Load on one period [N], > 0.
+        Load on one period, or on the finite surface [N], > 0.
     speed : float or list
         Sliding speed, or a list of speeds [m/s]. At 0 the layers are relaxed.
     temperature : float, optional
         Temperature of the layers [K]; needs shift. By default, that of the moduli in the file.
     shift : optional
         Law of the shift factor of all layers, same as in the table thermal.
+    friction : float, optional
+        Coulomb's coefficient of friction at the interface [-], ≥ 0.
     tolerance : float, optional
         Relative residual of the contact equations [-].
     """
@@ -120,6 +128,7 @@ class Sliding(StrictTable):
     speed: float | list[float]
     temperature: Kelvin | None = None
     shift: Shift | None = None
+    friction: float = 0.0
     tolerance: float = 1e-9
 
     def at_temperature(self, plane: CoatedPlane) -> CoatedPlane:
@@ -148,13 +157,15 @@ class SlidingCase:
     Attributes
     ----------
     surface : RoughSurface
-        Surface, periodic.
+        Surface.
     on : CoatedPlane
         Plane.
     pressure, load : float or None
-        Mean pressure [Pa] or load on one period [N].
+        Mean pressure [Pa], or load on one period or the finite surface [N].
     speeds : tuple of float
         Sliding speeds [m/s].
+    friction : float
+        Coefficient of friction at the interface [-].
     tolerance : float
         Relative residual.
     """
@@ -164,6 +175,7 @@ class SlidingCase:
     pressure: float | None
     load: float | None
     speeds: tuple[float, ...]
+    friction: float
     tolerance: float
 
     def arguments(self) -> dict[str, Any]:
@@ -176,7 +188,7 @@ class SlidingCase:
         """
         if len(self.speeds) > 1:
             raise InvalidInput("sliding.speed", "must be one number; several speeds belong to the table sweep")
-        return {name: getattr(self, name) for name in ("on", "pressure", "load", "tolerance")} | {
+        return {name: getattr(self, name) for name in ("on", "pressure", "load", "friction", "tolerance")} | {
             "speed": self.speeds[0]
         }
 
@@ -192,6 +204,7 @@ class SlidingCase:
                         pressure=self.pressure,
                         load=self.load,
                         speed=speed,
+                        friction=self.friction,
                         tolerance=self.tolerance,
                     )
                 )
@@ -238,5 +251,6 @@ def build_sliding(
         pressure=sliding.pressure,
         load=sliding.load,
         speeds=tuple(speeds),
+        friction=sliding.friction,
         tolerance=sliding.tolerance,
     )

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from .._support.progress import ProgressLike
+from .._support.quantities import quantity_text, quantity_texts
 from .._support.result_warnings import ResultWarning
-from .._support.tables import handy
 from ..solution.scalars import label_of
-from ..solution.text import result_warnings, with_unit
+from ..solution.text import relative_error, result_warnings
 from ..thermal.temperature import QUANTITIES
 from .limits import BOND_QUANTITIES, bond_tractions
 from .plausible import speed_warning
@@ -69,7 +69,10 @@ class SolvedCase:
         return scalars
 
     def thermal_rows(self) -> list[tuple[str, Sequence[str]]]:
-        """Return the label of each reported number of a temperature with its unit, and its texts for every state."""
+        """Return the label of each reported number of a temperature, and its text for every state.
+
+        Without self-heating, rises and heat flows are proportional to the dissipated power and have its relative error.
+        """
         scalars = self.thermal_scalars()
         quantities = {
             name: (found.unit(name), label)
@@ -85,14 +88,14 @@ class SolvedCase:
             )
         rows: list[tuple[str, Sequence[str]]] = []
         for name, (unit, label) in quantities.items():
-            texts, readable = handy([float(row[name]) for row in scalars], unit)
-            rows.append((with_unit(label, readable), texts))
+            error = relative_error(self.result, "dissipated_power") if self.heated is None else None
+            texts, readable = quantity_texts([float(row[name]) for row in scalars], unit, [error] * len(scalars))
+            rows.append((label, [f"{text} {readable}" for text in texts]))
         if self.heated is not None:
             rows.append(("steady state", [str(row["stability"]) for row in scalars]))
         for name, (unit, label) in BOND_QUANTITIES.items():
             if name in self.bonds:
-                texts, readable = handy([self.bonds[name]], unit)
-                rows.append((with_unit(label, readable), [*texts, *[""] * (len(scalars) - 1)]))
+                rows.append((label, [quantity_text(self.bonds[name], unit), *[""] * (len(scalars) - 1)]))
         return rows
 
 

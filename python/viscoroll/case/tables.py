@@ -20,6 +20,7 @@ from .._support.extras import extra
 from .._support.suggestions import suggestion
 from .._support.text import key_path_text, one_line, shown
 from .._support.toml import read_toml
+from ..bodies import Layer
 from .descriptions import parameter_schemas
 from .unit_texts import FileKeys, has_quantities
 
@@ -362,8 +363,10 @@ def problems(kind: type[FileTables], document: dict[str, Any], folder: Path | No
         keys = kind.keys_of(document)
         places = tuple(one.parameter for one in found)
         for one in error.errors():
-            meant = keys.meant(document, one["loc"]) if one["type"] == "extra_forbidden" else ""
-            invalid = _invalid(one, more=f"did you mean {meant}?" if meant else "")
+            more = _elsewhere(one["loc"]) if one["type"] == "extra_forbidden" else ""
+            if one["type"] == "extra_forbidden" and not more and (meant := keys.meant(document, one["loc"])):
+                more = f"did you mean {meant}?"
+            invalid = _invalid(one, more=more)
             if not any(place.startswith(invalid.parameter) for place in places):
                 found.append(invalid)
     return found
@@ -408,7 +411,8 @@ def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iter
     instead = [number for number in unknown if errors[number]["loc"][:-1] in incomplete]
     chosen = next(iter([*meant, *instead]), 0)
     named = meant.get(chosen, "").partition(" = ")[0]
-    more = [f"did you mean {meant[chosen]}?"] if chosen in meant else []
+    elsewhere = _elsewhere(errors[chosen]["loc"]) if chosen in unknown else ""
+    more = [elsewhere] if elsewhere else [f"did you mean {meant[chosen]}?"] if chosen in meant else []
     rest = [
         str(_invalid(one, with_value=False))
         for number, one in enumerate(errors)
@@ -418,6 +422,20 @@ def _first_error(error: ValidationError, others: Mapping[str, str], tables: Iter
     if set(missing) - {named} and "sweep" in others and len(rest) <= _MAX_LISTED:
         more.append("only `viscoroll sweep` uses the values of [sweep]")
     return _invalid(errors[chosen], more="; ".join(more))
+
+
+#: Tables of bodies whose layers are tables of their own.
+_WITH_LAYERS = ("ball", "cylinder", "wheel", "other_ball", "other_cylinder", "other_wheel", "plane")
+
+
+def _elsewhere(location: tuple[str | int, ...]) -> str:
+    """Return what to do with a key that a body does not have, or an empty text for any other key."""
+    if len(location) != 2:
+        return ""
+    body, key = map(str, location)
+    if key == "width" and body in ("cylinder", "other_cylinder"):
+        return "loads, forces and torques of rollers are per length: multiply them by the width"
+    return f"did you mean {body}.layers[0].{key}?" if body in _WITH_LAYERS and key in Layer.__dataclass_fields__ else ""
 
 
 #: Names of types that pydantic appends to the location of a key that may have one of several types.

@@ -6,7 +6,6 @@ import copy
 import errno
 import io
 import json
-import math
 import os
 import sys
 import warnings
@@ -24,7 +23,17 @@ from .cite import print_citation
 from .commands import design, material, schema
 from .example import example
 from .export import export, impact
-from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
+from .output import (
+    MESSAGES,
+    OUTPUT,
+    PICTURES,
+    check_target,
+    progress_bar,
+    report_skipped,
+    with_nulls,
+    write_line,
+    write_message,
+)
 from .page import serve_page
 from .report import write_report
 from .slide import slide
@@ -47,8 +56,9 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode="rich",
     help="Rolling resistance of balls, rollers and wheels with soft viscoelastic layers, on a plane, in a groove or on "
-    "another body, rigid or viscoelastic: steady rolling, and motions that start, stop and reverse. All values are in "
-    "SI units.",
+    "another body, rigid or viscoelastic: steady rolling, and motions that start, stop and reverse. Numbers in "
+    "files and options are in SI units; texts such as '10 mm' state their unit. Start with: viscoroll example > "
+    "case.toml",
 )
 
 #: Exit codes: invalid input, failed solve, stopped by Ctrl-C.
@@ -454,12 +464,7 @@ _STATUS_TEXT = {
 
 
 def _json(scalars: dict[str, float | int | str | None]) -> str:
-    """Return JSON text with null for infinite and undefined values, for which JSON has no numbers."""
-    finite = {
-        name: None if isinstance(value, float) and not math.isfinite(value) else value
-        for name, value in scalars.items()
-    }
-    return json.dumps(finite, indent=2, allow_nan=False)
+    return json.dumps(with_nulls(scalars), indent=2, allow_nan=False)
 
 
 def _print_result(result: Result, temperatures: Table | None = None) -> None:

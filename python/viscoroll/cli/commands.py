@@ -12,7 +12,6 @@ from .._support.celsius import ZERO_CELSIUS, kelvin_range, kelvin_text
 from .._support.extras import extra
 from .._support.files import save_picture
 from .._support.quantities import quantity_text
-from .._support.text import parsed_range
 from .output import PICTURES, check_target, progress_bar, report_skipped, write_line
 
 with extra("cli"):
@@ -54,8 +53,12 @@ def material(
             "such as 'a_*C.csv'. Or one input file of Abaqus, Ansys or LS-DYNA, whose constants are printed."
         ),
     ],
-    reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in K.")] = None,
-    at: Annotated[float | None, typer.Option(help="Also print the modulus at this temperature in K.")] = None,
+    reference: Annotated[
+        str | None, typer.Option(help="Temperature of the master curve, such as 20C or 293.15 (in K).")
+    ] = None,
+    at: Annotated[
+        str | None, typer.Option(help="Also print the modulus at this temperature, such as 40C or 313.15 (in K).")
+    ] = None,
     tensile: Annotated[
         bool | None, typer.Option("--tensile/--shear", help="Type of the moduli, if the column names do not give it.")
     ] = None,
@@ -64,9 +67,12 @@ def material(
         str | None,
         typer.Option(help="Names and units of the columns, such as 'frequency=f:Hz,storage=A:MPa,loss=B:MPa'."),
     ] = None,
-    between: Annotated[str | None, typer.Option(help="Use only the sweeps from..to in K, such as 238..433.")] = None,
+    between: Annotated[
+        str | None, typer.Option(help="Use only the sweeps from..to, such as -35C..160C or 238..433 (in K).")
+    ] = None,
     frequency: Annotated[
-        float | None, typer.Option(help="Frequency of a temperature ramp in rad/s, if the file has no column of it.")
+        str | None,
+        typer.Option(help="Frequency of a temperature ramp without a column of it, such as 1Hz or 6.28 (in rad/s)."),
     ] = None,
     step: Annotated[
         int | None, typer.Option(help="Number of the data set to read, if the file contains several.")
@@ -97,6 +103,7 @@ def material(
     ] = None,
 ) -> None:
     """Make a material from measured moduli, relaxation or creep: read, shift to one temperature, check, fit, save."""
+    from ..case.quantities import number_in_si, range_in_si
     from ..rheology import check_modulus, fit_prony, read_rheology, read_time_tests, save_material, superpose
     from ..rheology.reading import SWEEP_ROLES
     from ..rheology.time_tests import TIME_ROLES, contains_time_tests
@@ -114,6 +121,10 @@ def material(
         raise ValueError("--draws must be 0 or at least 2, got 1")
     if draws and save is None:
         raise ValueError("--save must be given with --draws, because draws are saved with the material")
+    at_reference, at_kelvin = (
+        None if text is None else number_in_si(text, "K", path=option)
+        for option, text in (("--reference", reference), ("--at", at))
+    )
     named = _columns(columns)
     own = _own_shift(factors, wlf)
     listed = files if isinstance(files, dict) else {files: None}
@@ -128,41 +139,39 @@ def material(
         parts: list[TimeData | RheologyData] = [read_time_tests(tests, columns=_only(named, TIME_ROLES), **options)]
         if rest := {path: kelvin for path, kelvin in listed.items() if path not in over_time}:
             parts.append(read_rheology(rest, columns=_only(named, SWEEP_ROLES), **options))
-        _fit_over_time(parts, reference, own, at=at, draws=draws, accept=accept, save=save)
+        _fit_over_time(parts, at_reference, own, at=at_kelvin, draws=draws, accept=accept, save=save)
         return
     measured = read_rheology(
         files,
         columns=named,
         tensile=tensile,
         poisson_ratio=poisson_ratio,
-        frequency=frequency,
+        frequency=None if frequency is None else number_in_si(frequency, "rad/s", path="--frequency"),
         step=step,
     )
     if between is not None:
-        if (ends := parsed_range(between)) is None:
-            raise ValueError(f"--between must have the form 238..433, got {between!r}")
-        measured = measured.between(*ends)
+        measured = measured.between(*range_in_si(between, "K", path="--between"))
     for line in repr(measured).splitlines():
         write_line(line)
     curve: Superposition | Isotherm
     if measured.ramp is not None and own is None:
-        _write_ramp(measured.ramp, at, wanted=plot or save)
+        _write_ramp(measured.ramp, at_kelvin, wanted=plot or save)
         return
     if len(measured.isotherms) > 1:
-        curve = superpose(measured, reference=_reference(measured, reference), factors=own, vertical=vertical)
+        curve = superpose(measured, reference=_reference(measured, at_reference), factors=own, vertical=vertical)
         for line in repr(curve).splitlines():
             write_line(line)
     else:
         if reference is not None:
-            raise ValueError("--reference requires sweeps at two or more temperatures, got one sweep")
+            raise ValueError("--reference must be left out with sweeps at one temperature, which the material then has")
         curve = measured.isotherms[0]
     checks = check_modulus(curve)
     for check in checks:
         write_line(str(check))
     fit = fit_prony(curve, terms_per_decade=terms_per_decade)
     write_line(repr(fit))
-    if at is not None:
-        _write_modulus(curve, at)
+    if at_kelvin is not None:
+        _write_modulus(curve, at_kelvin)
     if plot is not None:
         save_picture(fit.plot(), plot)
         write_line(f"data, fit and residual drawn to {plot}")
@@ -275,7 +284,7 @@ def design(
     case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; see `viscoroll example --design`.")],
     plot: Annotated[Path | None, typer.Option(help="Draw power and limits (.png, .svg, .pdf).")] = None,
 ) -> None:
-    """Find the number of a case, such as a thickness, with the least power loss or the largest value within limits."""
+    """Find the value of a number, such as a thickness, with the least power loss, or the largest one within limits."""
     from ..case.design import design_case
     from ..case.limits import limit_label, limit_text
 

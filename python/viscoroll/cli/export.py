@@ -48,12 +48,15 @@ def export(
     case: Annotated[Path, typer.Argument(help="Case file, optionally with a table \\[sweep] over load and speed.")],
     code: Annotated[Code, typer.Option("--for", help="Particle code that reads the input.")],
     style: Annotated[
-        str | None, typer.Option(help="Rolling model of this code; see the docstring of viscoroll.export.dem.")
+        str | None,
+        typer.Option(help="Rolling model of this code, such as viscous; an unknown name prints those of the code."),
     ] = None,
     mass: Annotated[str | None, _MASS] = None,
     impact_speed: Annotated[
         str | None,
-        typer.Option(help="Speed of a normal impact, such as '0.5 m/s': adds its coefficient of restitution."),
+        typer.Option(
+            help="With --mass, speed of a normal impact, such as '0.5 m/s': adds its coefficient of restitution."
+        ),
     ] = None,
     output: Annotated[
         Path | None, typer.Option(help="File for the input lines; by default beside the case file.")
@@ -62,7 +65,8 @@ def export(
         float, typer.Option(help="Without \\[sweep]: factor by which load and speed vary up and down.")
     ] = 2.0,
 ) -> None:
-    """Write rolling friction, and with --mass restitution, as a particle code defines them, and a table of T(P, Ω)."""
+    """Write rolling friction as a particle code defines it, a table of T(P, Ω) and, with --mass, the restitution."""
+    from ..case.quantities import number_in_si
     from ..case.solved import recorded_warnings
     from ..export import dem
     from ..export import impact as normal_impact
@@ -83,8 +87,9 @@ def export(
     hit = None
     if mass is not None and impact_speed is not None:
         with progress_bar() as report, recorded_warnings() as issued:
-            kilograms, meters_per_second = _number("--mass", mass, "kg"), _number("--impact-speed", impact_speed, "m/s")
-            hit = normal_impact(body, on=on, mass=kilograms, speed=meters_per_second, progress=report)
+            kilograms = number_in_si(mass, "kg", path="--mass")
+            approaching = number_in_si(impact_speed, "m/s", path="--impact-speed")
+            hit = normal_impact(body, on=on, mass=kilograms, speed=approaching, progress=report)
         for message in issued:
             write_message(f"warning: impact: {message}")
     at: dict[str, float] = {}
@@ -112,6 +117,7 @@ def impact(
     save: Annotated[Path | None, typer.Option(help="Write one row for each speed to this file (.csv).")] = None,
 ) -> None:
     """Compute the normal impact of a ball that does not rotate: restitution, force, duration and damping constants."""
+    from ..case.quantities import number_in_si
     from ..case.solved import recorded_warnings
     from ..export import impact as normal_impact
     from ..export.impact import SCALARS
@@ -120,7 +126,8 @@ def impact(
     check_target("--save", save, (".csv",))
     report_skipped(case, "impact")
     body, on, *_ = _read(case)
-    kilograms, speeds = _number("--mass", mass, "kg"), [_number("--speed", one, "m/s") for one in speed]
+    kilograms = number_in_si(mass, "kg", path="--mass")
+    speeds = [number_in_si(one, "m/s", path="--speed") for one in speed]
     with progress_bar() as report, recorded_warnings() as issued:
         impacts = [normal_impact(body, on=on, mass=kilograms, speed=one, progress=report) for one in speeds]
     if as_json:
@@ -157,16 +164,6 @@ def _table(impacts: list[Impact]) -> str:
     rows.insert(0, list(_COLUMNS.values()))
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return "\n".join("  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)) for row in rows)
-
-
-def _number(option: str, text: str, unit: str) -> float:
-    """Return the value of an option in SI units: a plain number, or a text with a unit such as "50 g"."""
-    from ..case.quantities import in_si
-
-    try:
-        return float(text)
-    except ValueError:
-        return in_si(text, unit, path=option)
 
 
 def _read(path: Path) -> tuple[RollingBody, Counterbody | None, Plan | None, Case | None]:

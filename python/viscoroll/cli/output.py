@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -22,6 +23,7 @@ __all__ = [
     "check_target",
     "progress_bar",
     "report_skipped",
+    "with_nulls",
     "write_line",
     "write_message",
 ]
@@ -39,6 +41,14 @@ def write_line(line: str) -> None:
 def write_message(message: str) -> None:
     """Write a message to the standard error, on one line."""
     MESSAGES.print(one_line(message), markup=False, emoji=False, highlight=False, soft_wrap=True)
+
+
+def with_nulls(scalars: Mapping[str, float | int | str | None]) -> dict[str, float | int | str | None]:
+    """Return scalars for JSON text, with null for infinite and undefined values, for which JSON has no numbers."""
+    return {
+        name: None if isinstance(value, float) and not math.isfinite(value) else value
+        for name, value in scalars.items()
+    }
 
 
 def check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from .._support.extras import extra
 from .._support.files import save_picture, write_csv
-from .output import PICTURES, check_target, progress_bar, report_skipped, write_line, write_message
+from .output import PICTURES, check_target, progress_bar, report_skipped, with_nulls, write_line, write_message
 
 with extra("cli"):
     import typer
@@ -42,7 +42,7 @@ def slide(
     with progress_bar() as report:
         results = loaded.slide(progress=report)
     if as_json:
-        typer.echo(json.dumps([result.scalars() for result in results], indent=2))
+        typer.echo(json.dumps([with_nulls(result.scalars()) for result in results], indent=2, allow_nan=False))
     else:
         write_line(repr(results[0]) if len(results) == 1 else _table(results))
     for result in results:

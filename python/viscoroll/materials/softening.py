@@ -88,7 +88,8 @@ class SofteningModulus(ShearModulus):
         """
         scale = as_positive("loss_scale", loss_scale)
         storage, loss = (float(part) for part in self.network.at(as_float("amplitude", amplitude)))
-        return SoftenedModulus(matrix=self.matrix, network=_causal(storage, scale * loss, reference_frequency))
+        network = _causal(storage, scale * loss, reference_frequency)
+        return SoftenedModulus(matrix=self.matrix, network=network, amplitude=float(amplitude))
 
     def _to_core(self) -> _core.ShearModulus:
         raise InvalidType(
@@ -109,10 +110,13 @@ class SoftenedModulus(ShearModulus):
         Modulus of the matrix [Pa].
     network : LossFactor or Elastic, optional
         Modulus of the network at that amplitude; None if the network is completely broken.
+    amplitude : float, optional
+        The strain amplitude [-]. `viscoroll.slide` compares it with the slopes of the surface.
     """
 
     matrix: ShearModulusLike
     network: LossFactor | Elastic | None
+    amplitude: float | None = None
 
     def network_modulus(self, angular_frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
         """Return the contribution N*(ω) of the network to the modulus [Pa]."""

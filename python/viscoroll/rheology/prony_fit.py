@@ -10,6 +10,7 @@ import numpy as np
 from .._support.arguments import Floats, as_count, as_float_in, as_positive
 from .._support.errors import Range
 from .._support.plotting import plots
+from .._support.quantities import quantity_text
 from ..materials import Draws, Prony
 from ..materials.series import FLOOR, MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
 from .bootstrap import modulus_band, wild_copies
@@ -171,7 +172,7 @@ class PronyFit:
         decades = np.log10(self.frequency[-1] / self.frequency[0])
         return (
             f"PronyFit of {self.frequency.size} points over {decades:.3g} decades: {len(self.series.weights)} terms, "
-            f"relaxed modulus {self._fit.relaxed:.4g} Pa, error of storage {self.storage_rms:.2%}, "
+            f"relaxed modulus {quantity_text(self._fit.relaxed, 'Pa')}, error of storage {self.storage_rms:.2%}, "
             f"of loss {self.loss_rms:.2%} (root mean square)"
         )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -139,8 +140,9 @@ class RheologyData:
         high = max(isotherm.frequency[-1] for isotherm in self.isotherms)
         low_t, high_t = self.isotherms[0].temperature, self.isotherms[-1].temperature
         at = "" if math.isnan(low_t) else f" at {kelvin_range(low_t, high_t)}"
+        count = len(self.isotherms)
         return (
-            f"RheologyData of {self.source}: {points} points in {len(self.isotherms)} sweeps{at}, "
+            f"RheologyData of {self.source}: {points} points in {count} sweep{'s' if count > 1 else ''}{at}, "
             f"{low:.4g} to {high:.4g} rad/s, {end}"
         )
 
@@ -347,11 +349,15 @@ def _nothing_found(path: Path, names: Names, found: Sequence[Table]) -> str:
     header = closest_header(text, names)
     lines = [line for line in text.splitlines() if line.strip()]
     got = f"the names {', '.join(map(repr, header))}" if len(header) > 1 else shown((lines or [""])[0][:80])
-    return (
-        f"{path}: must have a header with a frequency and a storage modulus, and rows of numbers below it, "
-        f'got {one_line(got)}; pass columns={{"frequency": (name, unit), "storage": (name, unit), ...}}, '
-        "in the shell --columns frequency=name:unit,storage=name:unit,..."
-    )
+    rule = f"{path}: must have a header with a frequency and a storage modulus, and rows of numbers below it, "
+    if re.match(r"\s*[-+.]?\d", (lines or [""])[0]):
+        advice = "add names and units as a first line, such as Frequency (Hz),E' (MPa),E'' (MPa)"
+    else:
+        advice = (
+            'pass columns={"frequency": (name, unit), "storage": (name, unit), ...}, '
+            "in the shell --columns frequency=name:unit,storage=name:unit,..."
+        )
+    return f"{rule}got {one_line(got)}; {advice}"
 
 
 def _no_frequency(path: Path, table: Table) -> str:

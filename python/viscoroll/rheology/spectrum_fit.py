@@ -16,6 +16,7 @@ from .._support.arguments import Floats, as_float, as_kelvin
 from .._support.celsius import kelvin_range, kelvin_text
 from .._support.errors import InvalidInput, InvalidType
 from .._support.extras import extra
+from .._support.quantities import quantity_text
 from .._support.text import shown
 from ..materials import Draws, MasterCurve, Prony
 from ..materials.series import FLOOR, MARGIN, time_grid
@@ -213,8 +214,9 @@ class SpectrumFit:
         counts = {name: int((self._points.quantity == key).sum()) for key, name in names.items()}
         points = ", ".join(f"{count} of {name}" for name, count in counts.items() if count)
         low, high = self.range
+        relaxed = quantity_text(self.relaxed_modulus, "Pa")
         lines = [
-            f"SpectrumFit of {points}: {len(self.series.weights)} terms, relaxed modulus {self.relaxed_modulus:.4g} Pa",
+            f"SpectrumFit of {points}: {len(self.series.weights)} terms, relaxed modulus {relaxed}",
             f"  measured                  {low:.3g} to {high:.3g} rad/s (1/t for points over time)",
             f"  scatter about one series  {self.scatter:.2%}",
         ]

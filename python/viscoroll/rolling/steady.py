@@ -64,12 +64,12 @@ def solve(
         density, and smaller than the thickness of the layers of both bodies. In line contact on a half-space it is
         undetermined and cannot be given. It does not contain thermal expansion: use the radius of the warm body.
     angular_speed : float
-        Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the angular speed relative to
-        the line of centers. Exactly one of `angular_speed` and `speed` must be given.
+        Angular speed Ω [rad/s], > 0 and below `critical_speed(body)`. On another ball, roller or wheel, the speed
+        relative to the line of centers. Exactly one of `angular_speed` and `speed` must be given.
     speed : float, optional
-        Speed V of the ground or belt [m/s], > 0, without friction. The contact is solved at the angular speed V / r_o,
-        which is `Result.angular_speed`; because the surface is stretched in the contact, the body turns more slowly, at
-        `Result.finite_strain_angular_speed`.
+        Speed V of the ground or belt [m/s], > 0; only without friction. The contact is solved at the angular speed
+        V / r_o, which is `Result.angular_speed`; because the surface is stretched in the contact, the body turns more
+        slowly, at `Result.finite_strain_angular_speed`.
     mesh : Mesh, optional
         Surface mesh. By default the solver refines the mesh until the error estimate is below `accuracy`.
     accuracy : float, default 0.01
@@ -182,7 +182,8 @@ class RollingModel:
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         Counterbody, same as in `solve`.
     angular_speed : float, optional
-        Ω [rad/s], > 0 and below `critical_speed(body)`. Exactly one of `angular_speed` and `speed` must be given.
+        Angular speed Ω [rad/s], > 0 and below `critical_speed(body)`. Exactly one of `angular_speed` and `speed` must
+        be given.
     speed : float, optional
         Speed V of the ground or belt [m/s], same as in `solve`.
     mesh : Mesh

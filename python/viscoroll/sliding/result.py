@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -22,7 +22,18 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-__all__ = ["Persson", "SlidingResult"]
+__all__ = ["Persson", "SlidingResult", "rms_slope_at"]
+
+
+def rms_slope_at(surface: RoughSurface, nodes: NDArray[np.bool_]) -> float:
+    """Return the root mean square of the slope of a surface at some nodes, at least one [-]."""
+    slopes: Sequence[NDArray[np.float64]]
+    if surface.periodic:
+        slopes = surface.slopes()
+    else:
+        axes = [axis for axis, count in enumerate(surface.heights.shape) if count > 1]
+        slopes = [np.gradient(surface.heights, surface.spacing[axis], axis=axis) for axis in axes]
+    return float(np.sqrt(sum(np.square(slope[nodes]).mean() for slope in slopes)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,6 +69,8 @@ class SlidingResult(SlidingScalars):
         Mean pressure [Pa].
     speed : float
         Sliding speed [m/s].
+    friction : float
+        Coulomb's coefficient of friction at the interface [-].
     %(scalars)s
     pressure : ndarray
         Pressure at every node [Pa], 0 outside the contact.
@@ -66,7 +79,7 @@ class SlidingResult(SlidingScalars):
     converged : bool
         Whether all contact conditions are satisfied.
     persson : Persson
-        Estimate by Persson's theory with the parameter γ = 1/2.
+        Estimate by Persson's theory with the parameter γ = 1/2; NaN if the surface is not periodic.
     warnings : dict
         Texts of the warnings, by kind.
     """
@@ -75,6 +88,7 @@ class SlidingResult(SlidingScalars):
     on: CoatedPlane
     mean_pressure: float
     speed: float
+    friction: float
     pressure: NDArray[np.float64]
     gap: NDArray[np.float64]
     converged: bool
@@ -86,6 +100,14 @@ class SlidingResult(SlidingScalars):
         """Whether each node is in contact."""
         touching: NDArray[np.bool_] = self.pressure > 0.0
         return touching
+
+    @property
+    def contact_slope(self) -> float:
+        """Root mean square of the slope of the surface at the nodes in contact [-].
+
+        The rubber follows the surface there, so that this is about the amplitude of its shear strain.
+        """
+        return rms_slope_at(self.surface, self.contact)
 
     @property
     def units(self) -> dict[str, str]:

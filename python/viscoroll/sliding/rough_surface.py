@@ -37,8 +37,8 @@ class RoughSurface:
     spacing : float or tuple of two floats
         Distance of the nodes along x, or along x and along z [m].
     periodic : bool, default True
-        Whether the surface repeats itself beyond the last node, which `slide` requires. A measured surface does not;
-        `mirrored` makes it periodic.
+        Whether the surface repeats itself beyond the last node. If not, `slide` solves a surface of finite size,
+        around which the layers are free; `mirrored` makes it periodic.
     fill : bool, default False
         Whether to give undefined nodes, whose heights are NaN, the mean height of their four neighbors. An error
         otherwise.

@@ -84,11 +84,11 @@ def sweep(
     **parameters : float, object, or sequence of them
         Arguments of `viscoroll.solve`: load [N] or penetration [m], angular_speed [rad/s], on, friction [-], drive,
         mesh, accuracy [-], compliance, curvature, patch_load, slip_kinematics, max_iterations. For rough surfaces,
-        arguments of `viscoroll.slide`: pressure [Pa] or load [N], speed [m/s], on, tolerance [-], max_iterations. The
-        counterbody `on` can
-        also be given by a function. All other names are parameters of these two functions; each function receives the
-        parameters that it takes. `Draws` of a material, or of a quantity from which a function makes a material, count
-        as one value of a parameter and give the results intervals, for the body as well as for the counterbody.
+        arguments of `viscoroll.slide`: pressure [Pa] or load [N], speed [m/s], on, friction [-], tolerance [-],
+        max_iterations. The counterbody `on` can also be given by a function. All other names are parameters of these
+        two functions; each function receives the parameters that it takes. `Draws` of a material, or of a quantity from
+        which a function makes a material, count as one value of a parameter and give the results intervals, for the
+        body as well as for the counterbody.
 
     Returns
     -------
@@ -166,7 +166,7 @@ def study_warnings(study: xarray.Dataset) -> list[str]:
     counted = ", ".join(f"{count} {kind}" for kind, count in found.items())
     others = len(found) > bool(failed)
     where = "status, warnings and error" if failed and others else "status and error" if failed else "warnings"
-    texts = [f"among {study.status.size} points: {counted}; see {where}"] if found else []
+    texts = [f"among {study.status.size} points: {counted}; see {where} of the study"] if found else []
     return [*texts, *filter(None, [study.attrs.get("unit_hint")])]
 
 

@@ -226,7 +226,7 @@ def test_the_material_command_requires_options_that_it_cannot_infer(tmp_path):
             (data, "--shear"),
             "--reference must be given for sweeps at several temperatures, from 233.15 to 423.14 K (-40 to 150 °C)",
         ),
-        ((data, "--shear", "--between", "cold"), "--between must have the form 238..433, got 'cold'"),
+        ((data, "--shear", "--between", "cold"), "--between must have the form from..to, got 'cold'"),
         ((data, "--shear", "--columns", "storage"), "--columns must have the form"),
         ((data, "--shear", "--save", tmp_path / "x.csv"), "--save must end in .toml"),
     ):

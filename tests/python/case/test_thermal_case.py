@@ -75,5 +75,5 @@ def test_solve_reports_temperatures_and_draws_the_section(case, capsys, tmp_path
 def test_solve_finds_steady_states(case, capsys):
     run("solve", case(COARSE + THERMAL + SHIFT))
     out = capsys.readouterr().out
-    assert "mean temperature of the layers [K]" in out
+    assert "mean temperature of the layers" in out
     assert "stable" in out

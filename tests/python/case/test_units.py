@@ -14,7 +14,7 @@ from shared_cases import command
 from viscoroll.case import build_case, example_text, load_case
 from viscoroll.case.design import design_case
 from viscoroll.case.motion import load_motion
-from viscoroll.case.quantities import as_quantity, in_si
+from viscoroll.case.quantities import as_quantity, in_si, range_in_si
 from viscoroll.case.study import load_study
 
 #: Exact values of units, from their definitions: the inch and the pound of 1959, the kilogram-force with 9.80665 m/s².
@@ -83,7 +83,12 @@ def test_units_have_their_usual_meaning(text, unit, value):
         ("1 m^99999", "m", "is not known; use for example mm, cm, m, in$"),
         ("1 mm)", "m", "is not known; use for example mm, cm, m, in$"),
         ("1e999 m", "m", "must be a finite number, got '1e999 m'$"),
-        ("60 Shore", "Pa", r"got '60 Shore'; a hardness is a table: \{ type = \"hardness\", hardness = 60 \}$"),
+        (
+            "60 Shore",
+            "Pa",
+            r"got '60 Shore'; a hardness is a table: \{ type = \"hardness\", hardness = 60 \}, whose loss",
+        ),
+        ("45 Shore D", "Pa", r"a hardness is a table: \{ type = \"hardness\", hardness = 45, scale = \"D\" \}, whose"),
     ],
 )
 def test_wrong_units_are_rejected(text, unit, message):
@@ -189,6 +194,35 @@ ROLLER = {
     "cylinder": {"outer_diameter": "100 mm", "layers": [COVER]},
     "rolling": {"load": "3 kN/m", "speed": "36 km/h"},
 }
+
+
+def test_keys_that_bodies_do_not_have():
+    for key, message in (
+        ("width", "loads, forces and torques of rollers are per length: multiply them by the width"),
+        ("shear_modulus", "did you mean cylinder.layers\\[0\\].shear_modulus"),
+    ):
+        with pytest.raises(vr.InvalidInput, match=rf"cylinder.{key} is not a parameter, got 1.0; {message}"):
+            build_case(ROLLER | {"cylinder": ROLLER["cylinder"] | {key: 1.0}}, None)
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "ends"),
+    [
+        ("0.05..25", "rad/s", (0.05, 25.0)),
+        ("30..60 rpm", "rad/s", (math.pi, 2.0 * math.pi)),
+        ("-35C..20.5C", "K", (238.15, 293.65)),
+        ("-35..20.5 degC", "K", (238.15, 293.65)),
+        ("238..433", "K", (238.0, 433.0)),
+    ],
+)
+def test_ranges_with_units(text, unit, ends):
+    assert range_in_si(text, unit, path="--range") == pytest.approx(ends, rel=1e-15)
+
+
+@pytest.mark.parametrize("text", ["5", "5 m..6 m", "..5", "cold..hot"])
+def test_wrong_ranges(text):
+    with pytest.raises(vr.InvalidInput, match=r"^--range must (have the form from\.\.to|be a temperature \[K\]), got"):
+        range_in_si(text, "K", path="--range")
 
 
 def test_rollers_have_loads_per_length():

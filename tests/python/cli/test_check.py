@@ -55,6 +55,11 @@ def test_all_errors_are_listed(file):
         ("rolling.load=1,5 kN", "rolling.load must be a force [N], got '1,5 kN'; write a decimal point"),
         ("rolling.load=5 kgs", "the unit 'kgs' is not known; use for example N, kN, kgf, lbf"),
         ("ball.layers[0].shear_modulus=70 Shore A", 'a hardness is a table: { type = "hardness", hardness = 70 }'),
+        (
+            "ball.shear_modulus=9 MPa",
+            "ball.shear_modulus is not a parameter, got '9 MPa'; did you mean ball.layers[0].",
+        ),
+        ("ball.width=2 mm", "ball.width is not a parameter, got '2 mm'"),
         ("ball.layers[0].youngs_modulus=5", "did you mean shear_modulus = E / (2 (1 + nu))?"),
         ("ball.diameter=42 mm", "did you mean outer_diameter?"),
         ("load=5 N", "load is not a parameter, got '5 N'; did you mean rolling.load?"),

@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import math
 import re
+import sys
 
 import numpy as np
 import pytest
 import viscoroll as vr
+from scipy.integrate import solve_ivp
 from shared_cases import RUBBER, ball_file
 from typer.testing import CliRunner
 from viscoroll.cli.app import app
@@ -65,9 +67,72 @@ def test_expansion_for_small_impact_speeds(time, speed):
 
 
 def test_kelvin_voigt_equals_its_limit():
-    """A material that cannot jump starts from rest; fast relaxation gives nearly the same restitution."""
+    """A dashpot and a relaxation that is as fast give nearly the same restitution."""
     own = on_half_space(vr.materials.KelvinVoigt(modulus=MODULUS, viscosity=1e-5 * MODULUS))
     assert 1.0 - own.restitution == pytest.approx(1.0 - on_half_space(kelvin_voigt_like(1e-5)).restitution, rel=2e-3)
+
+
+def kelvin_voigt_impact_of_ting(time, speed=0.1):
+    """Return the largest approach and the restitution of a rigid ball on a half-space with the modulus G (1 + iωτ).
+
+    T. C. T. Ting, J. Appl. Mech. 33 (1966) 845: while the contact grows, the force is k (1 + τ d/dt) δ^(3/2). While it
+    shrinks, the force is that of Hertz at the earlier approach δ₁ of the same contact radius, which is δ₁ = δ + τ dδ/dt
+    for this modulus.
+    """
+
+    def motion(_, state):
+        approach, moving = max(state[0], 0.0), state[1]
+        if moving > 0.0:
+            force = approach**1.5 + 1.5 * time * math.sqrt(approach) * moving
+        else:
+            force = max(approach + time * moving, 0.0) ** 1.5
+        return moving, -STIFFNESS * force / MASS
+
+    def stop(_, state):
+        return state[1]
+
+    stop.terminal = True
+    options = {"rtol": 1e-9, "atol": 1e-13, "method": "LSODA"}
+    pressed = solve_ivp(motion, (0.0, 1.0), (0.0, speed), events=stop, **options)
+    released = solve_ivp(motion, (0.0, 100.0 * (pressed.t[-1] + time)), (pressed.y[0, -1], -1e-300), **options)
+    return pressed.y[0, -1], -released.y[1, -1] / speed
+
+
+@pytest.mark.parametrize(
+    ("time", "damping"), [(1e-5, 0.0043), (1e-4, 0.041), (3e-4, 0.113), (1e-3, 0.296), (3e-3, 0.541), (1e-2, 0.755)]
+)
+@pytest.mark.parametrize("dashpot", [True, False])
+def test_strong_damping(time, damping, dashpot):
+    """Restitution and energy balance of a Kelvin-Voigt solid, and of one that relaxes much faster than the steps.
+
+    16 nodes leave 0.1 % of the approach, and the relaxation of a fourth of a step 0.1 % of the restitution.
+    """
+    solid = kelvin_voigt_like(time, ratio=1e5)
+    if dashpot:
+        solid = vr.materials.KelvinVoigt(modulus=MODULUS, viscosity=time * MODULUS)
+    hit = on_half_space(solid)
+    approach, restitution = kelvin_voigt_impact_of_ting(time)
+    assert hit.largest_approach == pytest.approx(approach, rel=1e-3)
+    assert hit.restitution == pytest.approx(restitution, rel=1e-3)
+    assert hit.damping_ratio == pytest.approx(damping, rel=2e-2)
+    assert hit.energy_balance_error < 1e-3
+
+
+def test_different_dashpots_on_each_other():
+    """Layers of different Kelvin-Voigt solids, which histories reject, have an impact too."""
+    stiff, soft = (vr.materials.KelvinVoigt(modulus=1e6 * n, viscosity=1e3) for n in (1, 3))
+    layers = [vr.Layer(thickness=1e-3, shear_modulus=one, poisson_ratio=0.5) for one in (stiff, soft)]
+    hit = vr.export.impact(vr.CoatedSphere(core_radius=20e-3, layers=layers), mass=0.1, speed=0.1)
+    assert hit.energy_balance_error < 1e-3
+    assert 0.0 < hit.restitution < 0.7
+
+
+def test_warning_about_the_energy_balance(monkeypatch):
+    """Without a shortest relaxation time, forces alternate from step to step, and too much energy is dissipated."""
+    monkeypatch.setattr(sys.modules["viscoroll.export.impact"], "_SHORTEST_RELAXATION", 1e-6)
+    with pytest.warns(vr.ResultWarning, match=r"the error of the energy balance is 0\.0\d+ of the kinetic energy"):
+        hit = on_half_space(vr.materials.KelvinVoigt(modulus=MODULUS, viscosity=1e-3 * MODULUS))
+    assert hit.energy_balance_error > 1e-3
 
 
 @pytest.mark.parametrize("time", [1e-5, 1e-4, 1e-3, 1e-2])

@@ -98,6 +98,33 @@ def test_warnings_of_slopes_and_meshes():
         slid(max_iterations=1)
 
 
+def test_the_slope_in_contact():
+    r = slid()
+    along, across = WAVY.slopes()
+    expected = np.sqrt((along[r.contact] ** 2 + across[r.contact] ** 2).mean())
+    assert r.contact_slope == pytest.approx(expected, rel=1e-12)
+    # Differences of second order give the slope of a finite surface.
+    x = (np.arange(65) - 32) / 64 * SIDE
+    bowl = slid(vr.RoughSurface(-(x[:, np.newaxis] ** 2 + x**2) / 5e-3, SIDE / 64, periodic=False), pressure=1e2)
+    touching = (x[:, np.newaxis] ** 2 + x**2)[bowl.contact]
+    assert bowl.contact_slope == pytest.approx(2 * np.sqrt(touching.mean()) / 5e-3, rel=1e-9)
+
+
+def test_filled_rubber_has_the_modulus_at_the_strain_of_the_contact():
+    network = vr.materials.MasingNetwork(storage=6e6, critical_strain=0.01)
+    filled = vr.materials.SofteningModulus(matrix=RUBBER, network=network)
+    slope = slid().contact_slope
+
+    def at(strain):
+        return vr.HalfSpace(shear_modulus=filled.at(strain, reference_frequency=1e3), poisson_ratio=0.5)
+
+    assert "strain_amplitude" not in slid(on=at(slope), pressure=1e5).warnings
+    with pytest.warns(vr.ResultWarning, match="the modulus of a filled rubber holds at a strain amplitude of 0.001"):
+        assert "strain_amplitude" in slid(on=at(1e-3), pressure=1e5).warnings
+    with pytest.raises(TypeError, match=r"use the modulus at\(amplitude, reference_frequency=...\)"):
+        slid(on=vr.HalfSpace(shear_modulus=filled, poisson_ratio=0.5))
+
+
 def test_progress_and_cancellation():
     stages = []
     slid(progress=lambda stage, fraction: stages.append((stage, fraction)))
@@ -128,7 +155,6 @@ def test_progress_and_cancellation():
             "^speed must be below the critical speed 95.5.* m/s",
         ),
         ({"on": vr.CoatedPlane()}, "on must be a plane with layers or a deformable base, got a rigid plane"),
-        ({"surface": vr.RoughSurface(WAVY.heights, 1e-6, periodic=False)}, "surface.periodic must be True"),
         ({"surface": vr.RoughSurface(np.zeros(4), 1e-6)}, r"heights.rows must be in \[8, 16384\], got 4"),
         ({"surface": vr.RoughSurface(np.zeros((8, 2)), 1e-6)}, r"heights.columns must be 1 or in \[8, 16384\], got 2"),
     ],

@@ -62,6 +62,22 @@ def test_a_measured_surface_is_read_and_solved_in_one_command(tmp_path):
     assert (tmp_path / "out.png").stat().st_size > 1000
 
 
+def test_a_finite_surface_with_friction(tmp_path):
+    x = np.linspace(-1e-3, 1e-3, 41)
+    np.save(tmp_path / "pin.npy", -(x[:, np.newaxis] ** 2 + x**2) / 0.01)
+    head, tail = EXAMPLE.split("[surface]")
+    plane = tail.split("[plane.base]")[1].replace("pressure = 20e3", "load = 0.05\nfriction = 0.5")
+    table = 'file = "pin.npy"\nspacing = "50 µm"\nfinite = true\n'
+    path = written(tmp_path, f"{head}[surface]\n{table}[plane.base]{plane}")
+    case = load_sliding(path)
+    assert not case.surface.periodic
+    assert case.friction == 0.5
+    found = json.loads(command("slide", path, "--json").stdout)
+    (_, result, _) = case.slide()
+    assert found[1]["total_friction_coefficient"] == pytest.approx(result.total_friction_coefficient, rel=1e-9)
+    assert found[1]["persson_friction"] is None
+
+
 def test_several_speeds_are_a_table(tmp_path):
     lines = command("slide", written(tmp_path, EXAMPLE)).stdout.splitlines()
     assert len(lines) == 5
@@ -82,7 +98,9 @@ def test_files_are_checked(tmp_path):
         ("seed = 1", "seed = -1", "surface.seed must be >= 0, got -1"),
         ("rms_slope = 0.1", "", "surface must have exactly one of rms_slope and rms_height without file"),
         ("rms_slope = 0.1", "rms_slope = 0.1\ndetrend = 1", "surface.detrend must be left out without file"),
+        ("rms_slope = 0.1", "rms_slope = 0.1\nfinite = true", "surface.finite must be left out without file"),
         ("seed = 1", 'seed = 1\nfile = "a.npy"', "surface.nodes must be left out with file"),
+        ("pressure = 20e3", "pressure = 20e3\nfriction = -1.0", "friction must be >= 0, got -1"),
         ("speed = [1e-4, 1e-3, 1e-2]", "speed = []", "sliding.speed must have at least one speed, got []"),
         ("hurst = 0.8", "hurts = 0.8", "surface.hurts is not a parameter"),
         ("[plane.base]", "[plate.base]", "plate is not a parameter"),

@@ -108,6 +108,13 @@ def test_pictures_and_tables():
     assert axes.get_ylabel() == "friction coefficient due to losses in the layers"
 
 
+def test_friction_at_the_interface_is_a_parameter():
+    study = vr.sweep(rough(), on=block(), pressure=2e4, speed=1e-3, friction=[0.0, 0.5], progress=False)
+    assert study.total_friction_coefficient.values == pytest.approx(
+        [study.friction_coefficient.values[0], 0.5 + study.friction_coefficient.values[0]], rel=1e-6
+    )
+
+
 def test_a_failed_point_has_its_message():
     study = vr.sweep(rough(), on=block(), pressure=[-1.0, 2e4], speed=1e-3, progress=False)
     assert study.error.values[0] == "InvalidInput: pressure must be > 0 Pa, got -1"
@@ -122,8 +129,8 @@ def test_a_failed_point_has_its_message():
         ({"pressure": 1e4}, "sweep of a rough surface requires speed"),
         ({"pressure": 1e4, "speed": 1.0, "fields": "pressure"}, "fields must be left out for a rough surface"),
         (
-            {"pressure": 1e4, "speed": 1.0, "friction": 0.1},
-            "a rough surface has no parameter friction; pass a function",
+            {"pressure": 1e4, "speed": 1.0, "accuracy": 0.1},
+            "a rough surface has no parameter accuracy; pass a function",
         ),
         ({"pressure": 1e4, "speed": 1.0, "on": vr.CoatedSphere(core_radius=1.0)}, "on must be a viscoroll.CoatedPlane"),
     ],

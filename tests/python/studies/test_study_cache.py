@@ -204,7 +204,7 @@ def test_errors_of_the_system_are_not_stored(tmp_path, monkeypatch, paper_ball, 
 def test_failed_points_are_nan_with_their_message(tmp_path, solves):
     parameters = {"thickness": [-1.0, 1e-3], "load": [100.0, 1e9], "cache": tmp_path / "study.nc"}
     with pytest.warns(
-        vr.ResultWarning, match="^among 4 points: 1 COARSE_MESH, 3 FAILED; see status, warnings and error$"
+        vr.ResultWarning, match="^among 4 points: 1 COARSE_MESH, 3 FAILED; see status, warnings and error of the study$"
     ):
         study = sweep(paper.ball, **parameters, fields=["pressure"])
     assert np.isnan(study.resisting_torque).values.tolist() == [[True, True], [False, True]]
@@ -224,8 +224,9 @@ def test_failed_points_are_nan_with_their_message(tmp_path, solves):
 def test_points_that_miss_the_accuracy_are_stored_and_counted(tmp_path, solves):
     # The smaller contact is narrower than the spacing of any allowed mesh.
     parameters = {"load": [1e-13, 100.0], "mesh": None, "accuracy": 0.2, "cache": tmp_path / "study.nc"}
+    message = "^among 2 points: 1 ACCURACY_NOT_REACHED; see warnings of the study$"
     for _ in range(2):
-        with pytest.warns(vr.ResultWarning, match="^among 2 points: 1 ACCURACY_NOT_REACHED; see warnings$"):
+        with pytest.warns(vr.ResultWarning, match=message):
             study = sweep(paper.ball(density=0.0), **parameters)
         assert study.attrs["statuses"] == "1 ACCURACY_NOT_REACHED, 1 CONVERGED"
         assert study.resisting_torque.notnull().all()
