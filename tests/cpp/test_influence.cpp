@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <ostream>
 #include <vector>
 
@@ -72,8 +73,9 @@ class CoatingTest : public testing::TestWithParam<std::tuple<Compliance, PatchLo
       }
     }
     if (formulation_.compliance == Compliance::radial) {
-      const double slope = formulation_.tangential ? 1.0 / grid_.radius : 0.0;
-      directions << slope * nodes_.x()[node], 1, slope * nodes_.z()[node], -1, 0, 0, 0, 0, -1;
+      const double share = formulation_.tangential ? 1.0 : 0.0;
+      const double angle_ahead = 0.5 * std::numbers::pi - nodes_.phi()[node];
+      directions << share * angle_ahead, 1, share * nodes_.z()[node] / grid_.radius, -1, 0, 0, 0, 0, -1;
     }
     return directions;
   }

@@ -71,6 +71,6 @@ def to_rectangular(matrix, phi, theta):
 def to_turned(matrix, phi, theta):
     """Return C_RR and its other blocks (docs/theory/friction.md): W is the r component, and u_r contributes to U, V."""
     q = np.broadcast_to(np.eye(3), (phi.size, 3, 3)).copy()
-    q[:, 0, 1] = -np.sin(theta) * np.cos(phi)
+    q[:, 0, 1] = phi - 0.5 * np.pi
     q[:, 0, 2] = -np.cos(theta)
     return np.einsum("apw,pqab,bqv->wvab", q, matrix, q, optimize=True)

@@ -35,7 +35,8 @@ class SurfaceTables {
                                                                            const Formulation& formulation,
                                                                            const Execution& execution) const = 0;
 
-  /// @brief Displacement of the surface of the rolling body along the path, under forces along the normals.
+  /// @brief Displacement u_r x/r_o - u_phi of the surface of the rolling body along the path, under forces along the
+  /// normals.
   /// @param[in] nodes nodes of a window
   /// @param[in] formulation formulation of the contact, with the radial compliance
   /// @param[in] displaced numbers of nodes
@@ -49,7 +50,10 @@ class SurfaceTables {
     Formulation tangential = formulation;
     tangential.tangential = true;
     tangential.collocation = 0.0;
-    return operator_on(nodes, tangential, execution)->displacement(force).col(kForward)(displaced);
+    const VectorField moved = operator_on(nodes, tangential, execution)->displacement(force)(displaced, Eigen::all);
+    // The operator inclines u_r by the angle rather than by x/r_o; see `load_directions`.
+    const Eigen::ArrayXd inclination = nodes.x()(displaced) / nodes.grid().radius;
+    return moved.col(kForward) + (inclination - nodes.points().angle_ahead().at(displaced)) * moved.col(kDown);
   }
 };
 

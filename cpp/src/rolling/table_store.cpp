@@ -113,7 +113,7 @@ Eigen::ArrayXd TableStore::forward_displacement(const SurfaceWindow& nodes, cons
     const std::vector<Eigen::Index> node{targets[i]};
     const double radial = (normal.between(0, node, sources) * load).value();
     const double along = sign * (mixed.between(0, node, sources) * load).value();
-    // A radial displacement moves the surface forward, since x is -phi; see `load_directions`.
+    // A radial displacement moves the surface forward, since x is -phi.
     forward[static_cast<Eigen::Index>(i)] = nodes.x()[displaced[i]] / nodes.grid().radius * radial - along;
   }
   return forward;

@@ -165,6 +165,10 @@ WindowField SurfacePoints::z() const {
           {}};
 }
 
+WindowField SurfacePoints::angle_ahead() const {
+  return {row_angles(*this), Eigen::ArrayXd::Ones(window.theta.count()), {}};
+}
+
 std::array<std::array<WindowField, 3>, 3> SurfacePoints::axes() const {
   const Eigen::ArrayXd forward = row_angles(*this);
   const Eigen::ArrayXd sine = forward.sin();

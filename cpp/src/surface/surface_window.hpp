@@ -125,6 +125,8 @@ struct SurfacePoints {
   [[nodiscard]] WindowField z() const;
   /// @return undeformed position along y (down) [m]
   [[nodiscard]] WindowField y() const;
+  /// @return angle ahead of the lowest point, about the axis of rolling [rad]
+  [[nodiscard]] WindowField angle_ahead() const;
 
   /// @return directions x (forward), y (down) and z (sideways), each as its components (r, phi, theta) at every point.
   /// These are the rows of the rotation Q of the paper's equation (40), with U = -x, V = -z and W = y. On a wheel,

@@ -171,8 +171,10 @@ std::vector<std::array<WindowField, 3>> load_directions(const Formulation& formu
     if (formulation.tangential) {
       const Curvatures& curvatures = formulation.counterbody_curvatures;
       const bool of_counterbody = formulation.is_counterbody;
-      directions[0][kForward] = points.x();
-      directions[0][kForward].rows *= of_counterbody ? -curvatures.along : 1.0 / points.grid.radius;
+      // The inclination is the angle rather than x/r_o. It then turns as fast as the body, as the moment arms y + u_r
+      // of the driving torque assume.
+      directions[0][kForward] = points.angle_ahead();
+      if (of_counterbody) directions[0][kForward].rows *= -curvatures.along * points.grid.radius;
       directions[0][kSideways] = points.z();
       directions[0][kSideways].rows *= of_counterbody ? -curvatures.across : 1.0 / points.grid.radius_across();
     }

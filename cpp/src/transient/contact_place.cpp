@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "rolling/initial_gap.hpp"
@@ -23,15 +22,10 @@ Axes level_axes(const Eigen::ArrayXd& forward_share, const Eigen::ArrayXd& sidew
   return {{{forward, sense * one, none}, {one, none, none}, {as_field(sideways_share, half_nodes), none, sense * one}}};
 }
 
-/// Angles of the nodes in front of the lowest point. Directions incline by these angles rather than by their sines: the
-/// inclination then changes by the angle of a turn, as the moment arms y + u_y assume, and the energy balance closes
-/// (docs/theory/transient-friction.md, "Energy balance").
-Eigen::ArrayXd angles_ahead(const SurfaceWindow& nodes) { return 0.5 * std::numbers::pi - nodes.phi(); }
-
 Axes axes_of_rolling(const ViscoelasticPair& pair, const SurfaceWindow& nodes) {
   const auto exact = nodes.points().axes();
   if (pair.compliance == Compliance::radial) {
-    return level_axes(angles_ahead(nodes), exact[kSideways][0].values(), -1.0, pair.half_nodes());
+    return level_axes(nodes.points().angle_ahead().values(), exact[kSideways][0].values(), -1.0, pair.half_nodes());
   }
   Axes axes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -46,7 +40,7 @@ Axes axes_of_rolling(const ViscoelasticPair& pair, const SurfaceWindow& nodes) {
 /// its curvatures.
 Axes axes_of_counterbody(const ViscoelasticPair& pair, const SurfaceWindow& nodes) {
   const Curvatures& curvatures = pair.pair.on->curvatures();
-  const Eigen::ArrayXd distances_ahead = nodes.grid().radius * angles_ahead(nodes);
+  const Eigen::ArrayXd distances_ahead = nodes.grid().radius * nodes.points().angle_ahead().values();
   return level_axes(-curvatures.along * distances_ahead, -curvatures.across * nodes.z(), 1.0, pair.half_nodes());
 }
 

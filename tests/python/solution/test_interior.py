@@ -85,7 +85,7 @@ def test_stresses_at_the_surface_are_the_tractions(friction, compliance):
     ball = r.body.outer_radius
     if compliance is enums.Compliance.RADIAL:
         # The forward direction along the plane is -φ. Tractions along the plane also have a radial component.
-        radial = -pressure + (along * r.x + across * r.z) / ball
+        radial = -pressure + along * (0.5 * math.pi - surface.phi.to_numpy())[:, None] + across * r.z / ball
         tangential = -along
     else:
         y = np.sqrt(ball**2 - r.x**2 - r.z**2)
