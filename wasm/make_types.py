@@ -41,6 +41,7 @@ INTERFACES = {
     "Layer": "Layer",
     **{name.capitalize(): kind for name, kind in CLASSES.items() if not name.startswith("other_")},
     "Drive": "Drive",
+    "Adhesion": "Adhesion",
     "Rolling": "Rolling",
     "Numerics": "viscoroll__case__case__Numerics",
 }

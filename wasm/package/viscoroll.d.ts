@@ -269,10 +269,27 @@ export interface Drive {
   spin?: number | null;
 }
 
+export interface Adhesion {
+  /**
+   * Work of adhesion w [J/m²], > 0, gained where the surfaces come together. Clean rubber on glass has 0.05 to 0.1.
+   */
+  work: number;
+  /** Attraction at contact [Pa], > 0. */
+  strength?: number | null;
+  /** Gap at which the attraction ends [m], > 0, instead of `strength`. */
+  range?: number | null;
+  /**
+   * Work to separate the surfaces again [J/m²], ≥ `work`; by default `work`. The difference is dissipated at the
+   * trailing edge.
+   */
+  separation_work?: number | null;
+}
+
 /** The table `rolling`: the load case. */
 export interface Rolling {
   /**
-   * Normal load P [N], > 0. For rollers, load per length [N/m]. Exactly one of `load` and `penetration` must be given.
+   * Normal load P [N], > 0; with adhesion it may also be zero or negative. For rollers, load per length [N/m]. Exactly
+   * one of `load` and `penetration` must be given.
    */
   load?: number | null;
   /**
@@ -304,6 +321,11 @@ export interface Rolling {
    * of 0 or a creepage is allowed; torque and force then follow from the power dissipated in each body.
    */
   drive?: Drive | null;
+  /**
+   * Adhesion of the surfaces of balls and rollers, without friction; by default none. With adhesion there are no
+   * results at finite strain and no sensitivities.
+   */
+  adhesion?: Adhesion | null;
 }
 
 /** The table `numerics` of a load case. */

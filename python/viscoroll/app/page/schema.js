@@ -45,6 +45,8 @@ export const KEY_UNITS = {
   power: "W",
   creepage: "1",
   lateral_creepage: "1",
+  strength: "Pa",
+  range: "m",
   load: "N",
   penetration: "m",
   angular_speed: "rad/s",
