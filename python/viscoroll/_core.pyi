@@ -241,7 +241,7 @@ class ResultScalars:
     @property
     def clean_adhesion_increase(self) -> float | None:
         """
-        torque increase if clean surfaces adhere, estimated [1]. Estimate for a work of adhesion of 0.05 J/m^2 and a range of 1 nm, as rubber on glass has, relative to rolling_resistance_torque; adhesion itself is not included. The estimate can be wrong by a factor of two: solve with an adhesion if it matters. None below 1 %, without loss, for bodies with side faces, and if the adhesion is given.
+        torque increase if clean surfaces adhere, estimated [1]. Estimate for a work of adhesion of 0.05 J/m^2 and a range of 1 nm, as rubber on glass has, relative to rolling_resistance_torque; adhesion itself is not included. The estimate can be wrong by a factor of two: solve with an adhesion if it matters. None below 1 %, without loss, for liquids and bodies with side faces, and if the adhesion is given.
         """
     @property
     def closing_energy_ratio(self) -> float | None:

@@ -1,6 +1,7 @@
 #include "rolling/adhesion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -9,6 +10,7 @@
 #include "base/validate.hpp"
 #include "rolling/adhesion_estimate.hpp"
 #include "viscoroll/errors.hpp"
+#include "viscoroll/slow_terms.hpp"
 
 namespace viscoroll {
 
@@ -53,6 +55,17 @@ struct Edges {
 
 double speed_of(const PairAtSpeed& pair) { return pair.angular_speed * pair.body->radius(); }
 
+/// Whether the outermost layers of both bodies are solids. A Prony series without a modulus at rest rolls as a solid if
+/// its slowest terms do not relax (`slow_terms.hpp`), but has no creep compliance at rest.
+bool are_solids(const PairAtSpeed& pair) {
+  constexpr double kRoundOff = 1e-9;
+  return std::ranges::all_of(std::array<const Body*, 2>{pair.body.get(), pair.on.get()}, [&](const Body* body) {
+    if (body->is_rigid()) return true;
+    const auto slow = slow_terms(body->layers().back().layer.shear_modulus, pair.angular_speed);
+    return !slow || slow->modulus < (1.0 - kRoundOff) * slow->modulus_at_rest;
+  });
+}
+
 /// Creep at the edges, in the times that material takes to pass a millionth of the contact, up to the whole contact.
 EdgeCreep creep_at_edges(const RollingCase& given) {
   constexpr double kShortest = 1e-6;
@@ -94,7 +107,8 @@ std::optional<double> clean_adhesion_increase(const RollingCase& given, const Re
   constexpr Adhesion kClean{.work = 0.05, .range = 1e-9};
   constexpr double kSmallest = 0.01;
   const double torque = result.rolling_resistance_torque;
-  if (given.load_case.adhesion || std::isfinite(width(given.pair)) || !(torque > 0.0)) return std::nullopt;
+  if (given.load_case.adhesion || !(torque > 0.0)) return std::nullopt;
+  if (std::isfinite(width(given.pair)) || !are_solids(given.pair)) return std::nullopt;
   const double added = adhesion_torque_estimate(
       creep_at_edges(given),
       {.separation_work = kClean.work, .bonding_work = kClean.work, .strength = strength_of(kClean)},

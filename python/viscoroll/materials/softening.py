@@ -17,7 +17,7 @@ from .networks import Network
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["SoftenedModulus", "SofteningModulus", "depends_on_strain"]
+__all__ = ["SoftenedModulus", "SofteningModulus", "depends_on_strain", "strain_amplitude"]
 
 #: Decades above and below ω₀ = Ω R/a over which the network has a constant loss factor. The frequencies of a contact
 #: lie within a few decades of ω₀; the lowest is Ω. The static modulus is the value below the range.
@@ -131,6 +131,11 @@ class SoftenedModulus(ShearModulus):
 
     def _sum(self, angular_frequency: NDArray[np.float64]) -> NDArray[np.complex128]:
         return _core.complex_modulus(to_core(self.matrix), angular_frequency) + self.network_modulus(angular_frequency)
+
+
+def strain_amplitude(modulus: ShearModulusLike) -> float | None:
+    """Return the strain amplitude [-] at which the modulus of a filled rubber holds, or None if it is not known."""
+    return modulus.amplitude if isinstance(modulus, SoftenedModulus) else None
 
 
 def depends_on_strain(modulus: ShearModulusLike) -> TypeGuard[SofteningModulus]:

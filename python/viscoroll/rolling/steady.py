@@ -213,7 +213,7 @@ def pull_off(
     >>> adhesion = vr.Adhesion(work=0.1)
     >>> state = pull_off(rigid, on=plane, angular_speed=1.0, adhesion=adhesion, accuracy=0.1)
     >>> f"{-state.load * 1e3:.1f} mN"
-    '4.7 mN'
+    '4.8 mN'
     """
     require_type("body", body, RollingBody)
     require_type("mesh", mesh, Mesh, optional=True)

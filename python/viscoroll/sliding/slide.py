@@ -15,7 +15,7 @@ from .._support.progress import ProgressLike, reporting
 from .._support.result_warnings import warn
 from ..bodies import CoatedPlane, HalfSpace
 from ..bodies.layered import materials_of
-from ..materials.softening import SoftenedModulus
+from ..materials.softening import strain_amplitude
 from .result import Persson, SlidingResult, rms_slope_at
 from .rough_surface import RoughSurface
 from .scalars import SLIDING_SCALARS
@@ -246,8 +246,7 @@ def _warnings(
             f"the rms slope of the surface is {slope:.3g} (recommended: at most {_LARGEST_SLOPE:g}): linear theory may "
             "be wrong by tens of percent; a larger cutoff has smaller slopes"
         )
-    moduli = (material.shear_modulus for material in materials_of(plane))
-    amplitudes = [modulus.amplitude for modulus in moduli if isinstance(modulus, SoftenedModulus) and modulus.amplitude]
+    amplitudes = [*filter(None, (strain_amplitude(material.shear_modulus) for material in materials_of(plane)))]
     if amplitudes:
         strain = rms_slope_at(surface, found.pressure > 0.0)
         far = [amplitude for amplitude in amplitudes if not 1.0 / _STRAIN_RANGE <= strain / amplitude <= _STRAIN_RANGE]
