@@ -26,8 +26,8 @@ constexpr double kLeastFoldStep = 1e-3;
 /// Contact on one mesh, followed through laws, loads and penetrations.
 class AdhesiveContact {
  public:
-  AdhesiveContact(const ContactProblem& problem, const ContactOptions& options)
-      : problem_(problem), options_(options), newton_(problem_, options) {}
+  AdhesiveContact(ContactProblem problem, const ContactOptions& options)
+      : problem_(std::move(problem)), options_(options), newton_(problem_, options) {}
 
   /// Begin with the contact without adhesion at the equivalent load, and shorten the range from the size of the contact
   /// to that of the mesh.

@@ -115,7 +115,8 @@ void AdhesiveNewton::find_gap(const ContactProblem& problem, AdhesiveState& stat
 }
 
 /// Halve a step until it does not increase the violation much. Gaps are linear in the step.
-AdhesiveState AdhesiveNewton::shorten(const TractionLaw& law, const AdhesiveState& from, AdhesiveState to) const {
+AdhesiveState AdhesiveNewton::shorten(const TractionLaw& law, const AdhesiveState& from,
+                                      const AdhesiveState& to) const {
   const double before = from.residual;
   AdhesiveState best = to;
   best.residual = violation(law, to);

@@ -54,7 +54,7 @@ class AdhesiveNewton {
   [[nodiscard]] double violation(const TractionLaw& law, const AdhesiveState& state) const;
   [[nodiscard]] LawRows rows_of(const ContactProblem& problem, const TractionLaw& law,
                                 const AdhesiveState& state) const;
-  [[nodiscard]] AdhesiveState shorten(const TractionLaw& law, const AdhesiveState& from, AdhesiveState to) const;
+  [[nodiscard]] AdhesiveState shorten(const TractionLaw& law, const AdhesiveState& from, const AdhesiveState& to) const;
   void find_gap(const ContactProblem& problem, AdhesiveState& state);
 
   const Attraction& attraction_;
