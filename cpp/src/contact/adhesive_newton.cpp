@@ -169,7 +169,7 @@ AdhesiveState AdhesiveNewton::solve(const ContactProblem& problem, const Tractio
       state = std::move(next);
       state.residual = violation(law, state);
     } else {
-      state = shorten(law, state, std::move(next));
+      state = shorten(law, state, next);
     }
     scale = std::max(state.pressing.matrix().norm(), (law.peak * attraction_.area).maxCoeff());
     if (state.residual < kSettled * scale) {
