@@ -34,7 +34,7 @@ def test_texts_are_escaped():
 def test_all_scalars_of_a_result_have_their_units(paper_ball):
     r = vr.solve(paper_ball, load=50.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=100), friction=0.2)
     found = cells(r._repr_html_())
-    # Scalars that are None: a ball has no faces, the torque at finite strain is not known with friction, and there is no
+    # Scalars that are None: a ball has no faces, the torque at finite strain is unknown with friction, and there is no
     # adhesion. The load is given, the only loss in the layers is that of the ball, and a centered contact causes no
     # lateral force.
     absent = {name for name in SCALARS if getattr(r, name) is None}
