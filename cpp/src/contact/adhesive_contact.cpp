@@ -149,11 +149,13 @@ class AdhesiveContact {
   [[nodiscard]] bool try_to_shorten(double target) {
     double ratio = 2.0;
     while (length_ > target) {
+      const double before = center_;
+      center_ = center_of(newton_.touching(attraction().law(length_, center_), state_));
       if (advance(std::max(length_ / ratio, target))) {
-        center_ = center_of(newton_.touching(attraction().law(length_, center_), state_));
         ratio = 2.0;
         continue;
       }
+      center_ = before;  // of the law that the state belongs to
       ratio = std::sqrt(ratio);
       if (ratio < kLeastRatio) return false;
     }
