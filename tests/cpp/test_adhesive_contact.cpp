@@ -58,6 +58,7 @@ struct AdheringBall {
     std::iota(every.begin(), every.end(), Eigen::Index{0});
     problem.attraction = Attraction{.equivalent_load = 0.5,
                                     .spacing = outer_radius(ball()) * phi_spacing(mesh),
+                                    .shortest_zone = 0.0,
                                     .x = nodes.x(),
                                     .z = nodes.z(),
                                     .area = nodes.patch_area(every),

@@ -22,7 +22,7 @@ class NoStateError(Exception):
 class Law:
     """Cubic potential at each node: σ = σ₀ (1 - g/δ)² up to the gap δ = 3w/σ₀."""
 
-    strength: float
+    strength: float | np.ndarray
     work: float | np.ndarray
 
     @property
@@ -99,7 +99,7 @@ def solve(contact, law, *, load=None, approach=None, most=80):
 
     p, d = contact.pressure.copy(), contact.approach if approach is None else approach
     gap, touching, rows, last = residual(p, d)
-    scale = max(np.abs(p).max(), law.strength if law else 0.0, 1e-300)
+    scale = max(np.abs(p).max(), np.max(law.strength) if law else 0.0, 1e-300)
     for step in range(most):
         norm = np.hypot(np.linalg.norm(rows), last)
         if norm <= 1e-11 * scale * np.sqrt(count):

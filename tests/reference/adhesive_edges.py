@@ -1,4 +1,4 @@
-"""Works of adhesion for edges finer than the mesh, by quadrature on graded panels and bisection."""
+"""Laws of adhesion for edges finer than the mesh, by quadrature on graded panels and bisection."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
-__all__ = ["Creep", "edge_factors", "edge_works"]
+__all__ = ["DUGDALE", "Creep", "edge_factors", "edge_laws"]
 
 #: A cubic law acts on an edge as Dugdale's law of this fraction of its peak.
 DUGDALE = 0.75
@@ -67,27 +67,32 @@ def _edges(creep, strength, speed):
 
 
 def _intensities(creep, work, strength, speed):
-    """Return K² of the opening edge and its counterpart at the closing edge, for Dugdale's law."""
+    """Return K² of the opening edge, its counterpart at the closing edge, and both zones, for Dugdale's law."""
     if np.isinf(strength):
-        return 2.0 * work / creep.instantaneous, 2.0 * work * creep.instantaneous
+        return 2.0 * work / creep.instantaneous, 2.0 * work * creep.instantaneous, (0.0, 0.0)
     opening, closing, intensity = _edges(creep, strength, speed)
     elastic = np.pi * work / (4.0 * strength**2)
     bounds = 0.1 * elastic / creep.relaxed, 10.0 * elastic / max(creep.instantaneous, 1e-6 * creep.relaxed)
-    length = _root(opening, work, *bounds)
-    return 8.0 / np.pi * strength**2 * length, intensity(_root(closing, work, *bounds))
+    lengths = _root(opening, work, *bounds), _root(closing, work, *bounds)
+    return 8.0 / np.pi * strength**2 * lengths[0], intensity(lengths[1]), lengths
 
 
 def edge_factors(creep, work, strength, speed):
     """Return G_open/w and G_close/w for Dugdale's law of the given strength."""
-    opening, closing = _intensities(creep, work, strength, speed)
+    opening, closing, _ = _intensities(creep, work, strength, speed)
     return 0.5 * opening * creep.relaxed / work, 0.5 * closing / creep.relaxed / work
 
 
-def edge_works(creep, work, strength, mesh_strength, speed):
-    """Return the works of the opening and the closing edge for a cubic law of the mesh."""
-    opening, closing = _intensities(creep, work, DUGDALE * strength, speed)
-    mesh = DUGDALE * mesh_strength
-    open_work, close_work, intensity = _edges(creep, mesh, speed)
-    elastic = np.pi / (8.0 * mesh**2) * closing
-    zone = _root(intensity, closing, 0.1 * elastic / creep.relaxed**2, 10.0 * elastic / creep.instantaneous**2)
-    return open_work(np.pi * opening / (8.0 * mesh**2)), close_work(zone)
+def edge_laws(creep, work, strength, zone, speed):
+    """Return peak and work of cubic laws of the opening and the closing edge, with zones of a length on the mesh.
+
+    An edge whose own zone is longer has the given strength and work.
+    """
+    opening, closing, lengths = _intensities(creep, work, DUGDALE * strength, speed)
+    slope, intensity = creep.opening(zone / speed), creep.intensity(zone / speed)
+    peaks = np.sqrt(np.pi * opening / (8.0 * zone)), np.sqrt(np.pi * closing / (8.0 * zone)) / intensity
+    works = 0.5 * opening * slope, 4.0 / np.pi * peaks[1] ** 2 * zone * (2.0 * intensity - slope)
+    return [
+        (strength, work) if length > zone else (peak / DUGDALE, mesh_work)
+        for length, peak, mesh_work in zip(lengths, peaks, works, strict=True)
+    ]

@@ -110,10 +110,8 @@ class AdhesiveContact {
     contact.operator_applications = newton_.products();
     contact.converged = true;
     contact.residual = state_.residual;
-    contact.adhesion = AdhesiveEdges{.zone = newton_.zone(law, state_),
-                                     .zone_length = length_,
-                                     .center = center_,
-                                     .lost_work = lost_work(law, contact.contact)};
+    contact.adhesion = AdhesiveEdges{
+        .zone = newton_.zone(law, state_), .zone_length = length_, .center = center_, .lost_work = lost_work(law)};
     return result;
   }
 
@@ -121,7 +119,11 @@ class AdhesiveContact {
   [[nodiscard]] const Attraction& attraction() const { return *problem_.attraction; }
 
   [[nodiscard]] ConvergenceError failure() const {
-    return {"the iterative solver of the contact with adhesion did not converge", newton_.systems(), state_.residual};
+    return {
+        "the iterative solver of the contact with adhesion did not converge; give the penetration in place of the "
+        "load, a "
+        "higher speed or a coarser accuracy",
+        newton_.systems(), state_.residual};
   }
 
   void set_load(double load) {
@@ -147,11 +149,13 @@ class AdhesiveContact {
   [[nodiscard]] bool try_to_shorten(double target) {
     double ratio = 2.0;
     while (length_ > target) {
+      const double before = center_;
+      center_ = center_of(newton_.touching(attraction().law(length_, center_), state_));
       if (advance(std::max(length_ / ratio, target))) {
-        center_ = center_of(newton_.touching(attraction().law(length_, center_), state_));
         ratio = 2.0;
         continue;
       }
+      center_ = before;  // of the law that the state belongs to
       ratio = std::sqrt(ratio);
       if (ratio < kLeastRatio) return false;
     }
@@ -214,22 +218,20 @@ class AdhesiveContact {
     return 0.5 * (attraction().x(nodes).maxCoeff() - attraction().x(nodes).minCoeff()) + attraction().spacing;
   }
 
-  /// Difference of the works of opening and closing edges, integrated across the path [J/m], in line contact [J/m^2].
-  [[nodiscard]] double lost_work(const TractionLaw& law, const std::vector<Index>& touching) const {
-    const Window& window = problem_.surface->window();
-    const Index stride = window.theta.count();
+  /// Work that the attraction takes from the material that passes, minus the work that it returns: the integral of the
+  /// attraction over the gap along every line of the path, integrated across it [J/m], in line contact [J/m^2]. The law
+  /// changes along a line, since the normal of the edge turns.
+  [[nodiscard]] double lost_work(const TractionLaw& law) const {
+    const Index stride = problem_.surface->window().theta.count();
     const double along = problem_.surface->row_distance();
-    std::vector<Index> first(static_cast<std::size_t>(stride), -1);
-    std::vector<Index> last(first);
-    for (const Index node : touching) {
-      const auto column = static_cast<std::size_t>(node % stride);
-      if (first[column] < 0) first[column] = node;
-      last[column] = node;
-    }
+    const auto taken = [&](Index at, Index from, Index to) {
+      return law.remaining_work(at, state_.gap[from]) - law.remaining_work(at, state_.gap[to]);
+    };
     double sum = 0.0;
-    for (std::size_t column = 0; column < first.size(); ++column) {
-      if (first[column] < 0) continue;
-      sum += attraction().area[first[column]] / along * (law.work[last[column]] - law.work[first[column]]);
+    for (Index node = 0; node + stride < state_.gap.size(); ++node) {  // material moves towards later rows
+      const Index next = node + stride;
+      const double across = 0.5 * (attraction().area[node] + attraction().area[next]) / along;
+      sum += across * 0.5 * (taken(node, node, next) + taken(next, node, next));
     }
     return sum;
   }

@@ -1,5 +1,6 @@
 #include "contact/traction_law.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -12,7 +13,7 @@ constexpr int kFractions = 21;
 
 }  // namespace
 
-double Attraction::resolved_zone() const { return kSpacingsPerZone * spacing; }
+double Attraction::resolved_zone() const { return std::max(kSpacingsPerZone * spacing, shortest_zone); }
 
 TractionLaw Attraction::law(double zone, double center) const {
   TractionLaw law{.peak = Eigen::ArrayXd(x.size()), .work = Eigen::ArrayXd(x.size())};

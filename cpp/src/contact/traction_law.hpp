@@ -30,6 +30,11 @@ struct TractionLaw {
   [[nodiscard]] double slope(Eigen::Index node, double gap) const {
     return 2.0 * peak[node] / range(node) * remainder(node, gap);
   }
+  /// @return work that separates a node from a gap [J/m^2]
+  [[nodiscard]] double remaining_work(Eigen::Index node, double gap) const {
+    const double rest = remainder(node, gap);
+    return work[node] * rest * rest * rest;
+  }
 
  private:
   [[nodiscard]] double remainder(Eigen::Index node, double gap) const {
@@ -53,6 +58,7 @@ struct EdgeLaws {
 struct Attraction {
   double equivalent_load;  ///< load without adhesion at which the contact has about the same size [N], > 0
   double spacing;          ///< largest distance between neighboring nodes [m]
+  double shortest_zone;    ///< length to which cohesive zones are shortened, unless the mesh is too coarse [m]
   Eigen::ArrayXd x;        ///< position of every node along the path, positive ahead [m]
   Eigen::ArrayXd z;        ///< position of every node across the path [m]
   Eigen::ArrayXd area;     ///< area of the patch of every node [m^2]; in line contact its length [m]
@@ -60,7 +66,7 @@ struct Attraction {
   /// moves with a fraction of the rolling speed, in [0, 1].
   std::function<EdgeLaws(double zone, double fraction)> laws;
 
-  /// @return shortest cohesive zone that the mesh resolves [m]
+  /// @return length of the cohesive zones: the wanted one, or the shortest that the mesh resolves [m]
   [[nodiscard]] double resolved_zone() const;
   /// @brief Law whose nodes ahead of the center of the contact are those of the closing edge.
   /// @param[in] zone length of the cohesive zones [m]

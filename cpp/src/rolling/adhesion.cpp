@@ -131,6 +131,7 @@ Attraction attraction_at(const RollingCase& given, const SurfaceWindow& window) 
   const double aspect = is_line ? 1.0 : std::pow(given.contact.along / given.contact.across, 2);
   return {.equivalent_load = given.equivalent_load,
           .spacing = grid.radius * (is_line ? grid.phi_spacing : std::max(grid.phi_spacing, grid.theta_spacing)),
+          .shortest_zone = given.shortest_zone,
           .x = window.x(),
           .z = aspect * window.z(),
           .area = window.patch_area(every),

@@ -20,6 +20,7 @@ struct RollingCase {
   ContactReach contact;    ///< estimated size of the contact; rather too large than too small
   double estimated_depth;  ///< undeformed gap at the edge of the estimated contact [m]
   double equivalent_load;  ///< with adhesion, load without adhesion at which the contact has about the same size [N]
+  double shortest_zone = 0.0;  ///< length to which cohesive zones are shortened, unless the mesh is too coarse [m]
 };
 
 /// @brief Check a load case against both bodies, and estimate its contact.
@@ -40,7 +41,8 @@ struct RollingCase {
           .execution = given.execution,
           .contact = given.contact,
           .estimated_depth = given.estimated_depth,
-          .equivalent_load = given.equivalent_load};
+          .equivalent_load = given.equivalent_load,
+          .shortest_zone = given.shortest_zone};
 }
 
 /// @brief A load case on a mesh, with the quantities that are known before the contact is solved.

@@ -24,6 +24,10 @@ constexpr int kFewestNodesPerRevolution = 64;
 // With adhesion, error of the dissipated power relative to that of the power balance, which contains the moments of
 // both edges; at most a tenth for rollers on a half-plane (docs/theory/adhesion.md, "Evidence").
 constexpr double kShareOfBalance = 0.1;
+// Largest error of the power balance of adhesive rollers. Near the edge of the contact, the pressure of the hard wall
+// is a square root, which nodes represent with an error of the second order in the spacing per cohesive zone. In fast
+// rolling the moments of both edges almost cancel, but not these errors; the dissipated power does not contain them.
+constexpr double kBalanceOfRollers = 2e-3;
 constexpr double kMaxContactNodes = 3e6;  // whose fields need a third of a gigabyte
 constexpr double kInertiaShare = 1e-3;    // relative error of the inertia terms, as a fraction of the accuracy
 constexpr double kMaxFrictionalContactNodes = 4e5;  // their Krylov methods store some tens of vectors
@@ -166,7 +170,9 @@ class Refiner {
       const auto seen = best_ ? std::optional(contact_reach(*best_)) : std::nullopt;
       Options options = options_;
       options.finite_strain = options_.finite_strain && (!rough_ || given_.pair.body->form().is_line());
-      note(solve_load_case(model, with_same_estimate(given_, given_.pair, load_case_, options), seen));
+      RollingCase on_mesh = with_same_estimate(given_, given_.pair, load_case_, options);
+      on_mesh.shortest_zone = shortest_zone_;
+      note(solve_load_case(model, on_mesh, seen));
     } catch (const MeshTooFine&) {
       failure_ = std::current_exception();
       return !best_ && go_on_with(mesh_.nodes_per_revolution / 4.0);
@@ -179,7 +185,12 @@ class Refiner {
       return !best_ && first_failure && go_on_with(2.0 * mesh_.nodes_per_revolution);
     }
     if (has_ended_) return false;
-    const bool goes_on = is_settled(*best_) ? may_settle_pressure() || may_settle_length() : !is_finest();
+    bool goes_on = is_settled(*best_) ? may_settle_pressure() || may_settle_length() : !is_finest();
+    shortest_zone_ = 0.0;
+    if (!goes_on && may_settle_balance()) {
+      goes_on = true;
+      shortest_zone_ = *best_->cohesive_zone_nodes * phi_spacing(mesh_) * radius_;
+    }
     return goes_on && go_on_with(2.0 * mesh_.nodes_per_revolution);
   }
 
@@ -198,6 +209,14 @@ class Refiner {
   /// spacing leaves the position of the edge uncertain by half a spacing.
   [[nodiscard]] bool may_settle_length() const {
     return may_settle(best_->contact_length_error, kExpectedRatioOfLength);
+  }
+
+  /// Whether a mesh of acceptable cost, with the same cohesive zones, may close the power balance of an adhesive
+  /// roller. The error varies with the positions of the edges between nodes, so that it cannot be predicted.
+  [[nodiscard]] bool may_settle_balance() const {
+    return load_case_.adhesion && given_.pair.body->form().is_line() && is_settled(*best_) &&
+           best_->energy_balance_error > kBalanceOfRollers &&
+           2.0 * refinements_.back().contact_nodes * best_->operator_applications < kMaxFurtherEffort;
   }
 
   /// Whether meshes of acceptable cost would settle a result.
@@ -269,6 +288,7 @@ class Refiner {
   double radius_;
   std::optional<double> aspect_;  // of patches, if those of the body are not square
   Mesh mesh_;
+  double shortest_zone_ = 0.0;  // see RollingCase
   bool has_ended_ = false;
   int ineffective_meshes_ = 0;   // meshes that hardly reduced the error of the largest pressure
   std::optional<Result> best_;   // on the finest mesh that was solved
