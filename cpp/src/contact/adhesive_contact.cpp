@@ -121,8 +121,7 @@ class AdhesiveContact {
   [[nodiscard]] ConvergenceError failure() const {
     return {
         "the iterative solver of the contact with adhesion did not converge; give the penetration in place of the "
-        "load, a "
-        "higher speed or a coarser accuracy",
+        "load, a higher speed or a coarser accuracy",
         newton_.systems(), state_.residual};
   }
 
