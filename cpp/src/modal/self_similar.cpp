@@ -389,16 +389,22 @@ std::shared_ptr<const EntryTerms> SelfSimilarSpectrum::terms(Entry entry, const 
     const double m = orders_[i];
     OrderSeries series;
     Eigen::ArrayXcd values;
-    for (int j = 0; j <= inertia_order; ++j) {
+    // The values are linear in the series, so that real and imaginary parts evaluate two terms at once.
+    for (int j = 0; j <= inertia_order; j += 2) {
+      const bool is_last = j == inertia_order;
       series.clear();
       for_panels(m, [&](const Panel<double>& panel) {
         series.push_back({.low = panel.low, .high = panel.high, .series = {}});
         series.back().series.setZero(kEntries, kPanelNodes);
-        series.back().series.row(static_cast<int>(entry)).real() = series_of_term(panel, entry, j, m, inertia_order);
+        auto row = series.back().series.row(static_cast<int>(entry));
+        row.real() = series_of_term(panel, entry, j, m, inertia_order);
+        if (!is_last) row.imag() = series_of_term(panel, entry, j + 1, m, inertia_order);
       });
       OrderValues(m, n, series).evaluate(entry, values);
-      terms[static_cast<std::size_t>(j)].row(static_cast<Eigen::Index>(i)) =
-          (values / phase_of(entry)).real().matrix().transpose();
+      values *= std::conj(phase_of(entry));
+      const auto order = static_cast<Eigen::Index>(i);
+      terms[static_cast<std::size_t>(j)].row(order) = values.real().matrix().transpose();
+      if (!is_last) terms[static_cast<std::size_t>(j) + 1].row(order) = values.imag().matrix().transpose();
     }
   });
   auto shared = std::make_shared<const EntryTerms>(std::move(terms));
