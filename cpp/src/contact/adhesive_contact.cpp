@@ -76,25 +76,12 @@ class AdhesiveContact {
     const double target = by_load ? given.normal_force : *given.penetration;
     const double start = by_load ? load_ : state_.penetration;
     if (target == (by_load ? load_ : problem_.penetration.value_or(std::numeric_limits<double>::quiet_NaN()))) return;
-    double reached = 0.0;
-    double step = 1.0;
-    while (reached < 1.0) {
-      const double next = std::min(reached + step, 1.0);
-      const double value = start + next * (target - start);
-      const AdhesiveState before = state_;
-      by_load ? set_load(value) : set_penetration(value);
-      if (advance(length_) && (!by_load || target >= 0.0 || is_stable())) {
-        reached = next;
-        step *= 2.0;
-        continue;
-      }
-      state_ = before;
-      step *= 0.5;
-      if (step >= kLeastStep) continue;
-      if (by_load ? target >= 0.0 : target > start) throw failure();
-      if (by_load) find_fold();
-      throw LiftsOff(state_.load(), state_.penetration);
-    }
+    if (follow(start, target, by_load)) return;
+    if (by_load ? target >= 0.0 : target > start) throw failure();
+    if (by_load) find_fold();
+    if (!by_load || target <= load_) throw LiftsOff(state_.load(), state_.penetration);
+    // On a mesh, the load may have further folds before the largest tension, beyond which the path is followed back.
+    if (!follow(load_, target, by_load)) throw failure();
   }
 
   [[nodiscard]] LocatedContact located() const {
@@ -116,6 +103,28 @@ class AdhesiveContact {
   }
 
  private:
+  /// Change the load or the penetration in steps as large as possible, as far as the state is stable.
+  /// @return whether the target was reached
+  [[nodiscard]] bool follow(double start, double target, bool by_load) {
+    double reached = 0.0;
+    double step = 1.0;
+    while (reached < 1.0) {
+      const double next = std::min(reached + step, 1.0);
+      const double value = start + next * (target - start);
+      const AdhesiveState before = state_;
+      by_load ? set_load(value) : set_penetration(value);
+      if (advance(length_) && (!by_load || target >= 0.0 || is_stable())) {
+        reached = next;
+        step *= 2.0;
+        continue;
+      }
+      state_ = before;
+      step *= 0.5;
+      if (step < kLeastStep) return false;
+    }
+    return true;
+  }
+
   [[nodiscard]] const Attraction& attraction() const { return *problem_.attraction; }
 
   [[nodiscard]] ConvergenceError failure() const {

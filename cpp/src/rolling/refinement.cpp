@@ -24,14 +24,14 @@ constexpr int kFewestNodesPerRevolution = 64;
 // With adhesion, error of the dissipated power relative to that of the power balance, which contains the moments of
 // both edges; at most a tenth for rollers on a half-plane (docs/theory/adhesion.md, "Evidence").
 constexpr double kShareOfBalance = 0.1;
-// Largest error of the power balance of adhesive rollers. Near the edge of the contact, the pressure of the hard wall
+// Largest error of the power balance with adhesion. Near the edge of the contact, the pressure of the hard wall
 // is a square root, which nodes represent with an error of the second order in the spacing per cohesive zone. In fast
 // rolling the moments of both edges almost cancel, but not these errors; the dissipated power does not contain them.
-constexpr double kBalanceOfRollers = 2e-3;
+constexpr double kAdhesiveBalance = 2e-3;
 constexpr double kMaxContactNodes = 3e6;  // whose fields need a third of a gigabyte
 constexpr double kInertiaShare = 1e-3;    // relative error of the inertia terms, as a fraction of the accuracy
 constexpr double kMaxFrictionalContactNodes = 4e5;  // their Krylov methods store some tens of vectors
-constexpr double kMaxFurtherEffort = 6e6;           // nodes in contact times operator applications
+constexpr double kMaxFurtherEffort = 2.4e7;           // nodes in contact times operator applications
 constexpr double kMaxNodesForPressure = 5e4;        // in contact, after all other results have settled: 1 to 2 s
 constexpr double kMaxLineNodesForPressure = 4e3;    // in line contact, after all other results have settled
 constexpr double kMaxEffortForPressure = 1e6;       // nodes of a line contact times operator applications: 0.5 s
@@ -211,12 +211,12 @@ class Refiner {
     return may_settle(best_->contact_length_error, kExpectedRatioOfLength);
   }
 
-  /// Whether a mesh of acceptable cost, with the same cohesive zones, may close the power balance of an adhesive
-  /// roller. The error varies with the positions of the edges between nodes, so that it cannot be predicted.
+  /// Whether a mesh of acceptable cost, with the same cohesive zones, may close the power balance with
+  /// adhesion. The error varies with the positions of the edges between nodes, so that it cannot be predicted.
   [[nodiscard]] bool may_settle_balance() const {
-    return load_case_.adhesion && given_.pair.body->form().is_line() && is_settled(*best_) &&
-           best_->energy_balance_error > kBalanceOfRollers &&
-           2.0 * refinements_.back().contact_nodes * best_->operator_applications < kMaxFurtherEffort;
+    const double growth = given_.pair.body->form().is_line() ? 2.0 : 4.0;
+    return load_case_.adhesion && is_settled(*best_) && best_->energy_balance_error > kAdhesiveBalance &&
+           growth * refinements_.back().contact_nodes * best_->operator_applications < kMaxFurtherEffort;
   }
 
   /// Whether meshes of acceptable cost would settle a result.
@@ -272,6 +272,11 @@ class Refiner {
     // The first mesh has no previous mesh to compare with.
     const double balance = (load_case_.adhesion ? kShareOfBalance : 1.0) * step.energy_balance_error;
     step.error_estimate = best_ ? std::max(balance, largest_change(found, answers_)) : 1.0;
+    if (shortest_zone_ > 0.0) {
+      step.error_estimate = std::max(step.error_estimate, largest_change(found, answers_of_longer_zones_));
+    } else {
+      answers_of_longer_zones_ = answers_;
+    }
     result.error_estimate = step.error_estimate;
     has_ended_ = result.status != Status::converged;
     // Keep the earlier result: this mesh was meant to improve the pressure or the contact length only.
@@ -294,6 +299,7 @@ class Refiner {
   std::optional<Result> best_;   // on the finest mesh that was solved
   std::optional<Result> rough_;  // on a mesh that suffices for the correction at finite strain
   std::vector<Answer> answers_;
+  std::vector<Answer> answers_of_longer_zones_;  // of the last mesh whose cohesive zones were not those of `best_`
   std::vector<Refinement> refinements_;
   std::exception_ptr failure_;
 };

@@ -105,6 +105,15 @@ def test_ball_on_a_mat_at_small_load() -> None:
         assert found.attracted_area > found.contact_area > bare.contact_area
 
 
+def test_slow_rolling_is_refined_until_the_power_balances() -> None:
+    """A ball that rolls 0.5 % of the contact in a relaxation time has a balance of 2.5 % on the first mesh."""
+    found = vr.solve(BALL, on=MAT, load=0.1, angular_speed=0.005, adhesion=vr.Adhesion(work=0.05), accuracy=0.05)
+    assert found.refinements[0].energy_balance_error > 0.01
+    assert found.energy_balance_error < 2e-3
+    # Two meshes with the same cohesive zones do not show the error of these zones, which the first mesh shows.
+    assert found.error_estimate > 0.005
+
+
 def test_given_penetration_returns_the_load() -> None:
     """A given penetration, also one without overlap, gives the load that leads to this penetration."""
     mesh = vr.Mesh(nodes_per_revolution=20000)
