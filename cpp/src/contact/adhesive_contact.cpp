@@ -17,6 +17,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 
 constexpr double kLeastRatio = 1.02;       // of cohesive zones of successive laws, below which continuation fails
+constexpr int kMostDoublings = 4;          // of the first cohesive zone, which is as long as half of the contact
 constexpr double kLeastStep = 1.0 / 1024;  // of a path of loads or penetrations, relative to the whole path
 // Steps of the penetration on the path to the fold, relative to the undeformed gap at the edge of the contact. The load
 // is stationary at the fold, where the last step leaves a relative error of the order of its square.
@@ -43,8 +44,11 @@ class AdhesiveContact {
     center_ = center_of(whole.contact);
     set_load(std::max(problem_.normal_force, 0.0));
     const double target = attraction().resolved_zone();
-    const double widest = std::max(half_length(whole.contact), target);
-    if (!advance(widest)) throw failure();
+    double widest = std::max(half_length(whole.contact), target);
+    for (int doublings = 0; !advance(widest); ++doublings) {
+      if (doublings == kMostDoublings) throw failure();
+      widest *= 2.0;
+    }
     shorten(target);
   }
 
