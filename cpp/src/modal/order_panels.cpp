@@ -384,7 +384,7 @@ void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
 }
 
 OrderPanels::OrderPanels(std::shared_ptr<const HarmonicBody> body, double highest_n, int threads, Watch& watch)
-    : body_(std::move(body)), one_by_one_(body_, highest_n) {
+    : body_(std::move(body)), highest_n_(highest_n), one_by_one_(body_, highest_n) {
   find_ranges();
   struct Part {
     const SmoothRun* run;
@@ -453,6 +453,7 @@ void OrderPanels::series(std::size_t i, OrderSeries& series) const {
     for (const Cell& cell : *part) {
       const bool is_last = cell.highest_m == range->run.highest_m;
       if (m < cell.lowest_m || (m >= cell.highest_m && !is_last)) continue;
+      if (m * m * (cell.lowest_ratio - 1.0) > highest_n_ * highest_n_) continue;
       if (used == series.size()) series.emplace_back();
       auto& panel = series[used++];
       panel.low = m * m * cell.lowest_ratio;

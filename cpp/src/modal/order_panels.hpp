@@ -111,6 +111,7 @@ class OrderPanels final : public Spectrum {
   [[nodiscard]] const Range* range_of(double m) const;
 
   std::shared_ptr<const HarmonicBody> body_;
+  double highest_n_;
   OrderByOrderSpectrum one_by_one_;
   std::vector<Range> ranges_;
 };
