@@ -38,6 +38,10 @@ struct WeightedOrders {
     }
   }
 
+  /// @brief Orders, ascending, with their weights.
+  WeightedOrders(Eigen::ArrayXd given_orders, Eigen::ArrayXd given_weights)
+      : orders(std::move(given_orders)), weights(std::move(given_weights)) {}
+
   [[nodiscard]] Eigen::Index count_up_to(double highest) const {
     return std::ranges::upper_bound(orders, highest) - orders.begin();
   }

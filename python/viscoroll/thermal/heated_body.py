@@ -24,6 +24,7 @@ from .heat_modes import (
     modes_of_ball,
     modes_of_roller,
     modes_of_slab,
+    modes_of_track,
     modes_of_wheel,
 )
 from .surroundings import (
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-__all__ = ["HeatedBody", "heated_body"]
+__all__ = ["HeatedBody", "heated_body", "heated_plane"]
 
 #: Number of modes along a ball or across a wheel in units of r_o/a, with the semi-axis a of the contact (the relative
 #: error of the temperature is 1e-5), and largest number.
@@ -135,6 +136,40 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
     _require_thickness(inside)
     conductivities = conductivities_of(inside, conductivity)
     return _model(inside.body, inside, given, conductivities)
+
+
+def heated_plane(
+    inside: LayersInside,
+    given: Surroundings,
+    conductivity: float | Sequence[float] | None,
+    *,
+    track_distance: float | None,
+    waves: int,
+    period: float,
+    power: float,
+) -> HeatedBody:
+    """Return the thermal model of a plane under a rough surface, whose source has no symmetry across the path.
+
+    Parameters
+    ----------
+    track_distance : float or None
+        Period across the path [m]; None in line contact.
+    waves : int
+        Number of waves across.
+    period : float
+        Time from one passage to the next [s].
+    power : float
+        Power dissipated in the layers [W/m], in line contact [W/m²].
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is invalid or does not apply to a plane, or if no surface takes the heat.
+    """
+    _require_thickness(inside)
+    conductivities = conductivities_of(inside, conductivity)
+    modes = modes_of_slab(None) if track_distance is None else modes_of_track(track_distance, waves)
+    return _heated_slab(inside, given, conductivities, modes, period, power)
 
 
 def _require_thickness(inside: LayersInside) -> None:
