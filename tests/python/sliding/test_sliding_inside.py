@@ -182,12 +182,14 @@ def test_a_finite_paraboloid_is_a_ball_on_a_mat(nodes, speed):
 
 
 def test_an_asperity_of_a_long_period_is_a_ball_on_a_mat():
-    # The images of the ball are nine thicknesses of the layer and nine recovery lengths of 1 mm apart.
+    # Between the contacts of two periods, the free surface is ten thicknesses of the layer long, and ten times the
+    # distance of 1 mm in which the rubber recovers. With 81 nodes in place of 121, the difference is five times as
+    # large.
     radius, load, speed = 21e-3, 5.0, 0.01
     mat = vr.CoatedPlane(layers=[vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.45)])
     mesh = vr.Mesh(nodes_per_revolution=1200)
     spacing = radius * mesh.spacing
-    nodes = 81
+    nodes = 121
     period = vr.RoughSurface(paraboloid(nodes, spacing, radius), spacing=spacing)
     r = slid(period, mat, pressure=None, load=load, speed=speed)
     rolled = vr.solve(vr.CoatedSphere(core_radius=radius), load=load, angular_speed=speed / radius, on=mat, mesh=mesh)
@@ -197,9 +199,9 @@ def test_an_asperity_of_a_long_period_is_a_ball_on_a_mat():
     expected = rolled.interior(depth=depths, phi=angles, theta=angles).stress
     places = spacing * (nodes // 2 + away)
     stress = r.interior(depth=depths, x=places, z=places).stress
-    # Nodes press on patches under the ball, and are samples of waves under the period; the contact has 15 nodes from
-    # its middle to its end.
-    assert np.abs(stress.to_numpy() - expected.to_numpy()).max() < 2e-3 * rolled.max_pressure
+    # The rest is the error of the mesh: nodes press on patches under the ball, and are samples of waves under the
+    # period, with 15 nodes from the middle of the contact to its end.
+    assert np.abs(stress.to_numpy() - expected.to_numpy()).max() < 5e-4 * rolled.max_pressure
 
 
 def test_bonds_are_between_layers_and_at_the_base():
