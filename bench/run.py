@@ -30,7 +30,8 @@ COLUMNS += ["contact_nodes", "peak_mb", "details"]
 
 HERTZ = [(solver, nodes) for nodes in (256, 512, 1024) for solver in ("viscoroll", "tamaas", "aspher", "aspher_nested")]
 GROUNDS = ("flat", "bump", "axle")
-MODULES = {"aspher_nested": "aspher"} | dict.fromkeys(("roll", "advance", *GROUNDS), "viscoroll")
+ROUGH_NODES = ("1024", "2048")
+MODULES = {"aspher_nested": "aspher"} | dict.fromkeys(("roll", "advance", *GROUNDS, *ROUGH_NODES), "viscoroll")
 
 
 def git(*arguments: str) -> str:
@@ -126,6 +127,7 @@ def script_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]
     cases += [(f"paper_resolution/{solver}", folder / "plain_numpy.py", solver) for solver in ("viscoroll", "plain")]
     cases += [(f"revolution_python/500_{call}", folder / "revolution.py", call, 500) for call in ("roll", "advance")]
     cases += [(f"ground/1000_{case}", folder / "ground.py", case, 1000) for case in GROUNDS]
+    cases += [(f"rough/{nodes}_memory", folder / "rough.py", nodes, "--speed", 1e-3) for nodes in ROUGH_NODES]
     for case, script, solver, *rest in cases:
         if not only.search(case):
             continue

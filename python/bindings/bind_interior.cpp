@@ -7,6 +7,7 @@
 
 #include "bindings.hpp"
 #include "viscoroll/interior.hpp"
+#include "viscoroll/sliding_interior.hpp"
 
 namespace {
 
@@ -117,6 +118,61 @@ LossDensity loss_released(const LayeredShape& shape, const Tractions& tractions,
   return loss_density(shape, angular_speed, tractions, places, max_order, threads, observer);
 }
 
+SlidingTractions make_sliding_tractions(const InputArray<double>& pressure, double spacing_x, double spacing_z,
+                                        bool periodic, double friction) {
+  if (pressure.ndim() != 2) throw py::value_error("pressure must have the dimensions x and z");
+  const auto values = view(pressure);
+  return {.rows = static_cast<int>(pressure.shape(0)),
+          .columns = static_cast<int>(pressure.shape(1)),
+          .spacing_x = spacing_x,
+          .spacing_z = spacing_z,
+          .periodic = periodic,
+          .pressure = {values.begin(), values.end()},
+          .friction = friction};
+}
+
+py::array_t<double> sliding_fields_array(const CoatedPlane& on, const SlidingTractions& tractions,
+                                         const InputArray<double>& position, const InputArray<int>& layer,
+                                         const InputArray<double>& x, const InputArray<double>& z, double speed,
+                                         int threads, const py::object& progress) {
+  const auto places = places_from(position, layer);
+  const auto rows = view(x);
+  const auto columns = view(z);
+  SlidingFields fields;
+  {
+    const Observer observer = python_observer(progress);
+    const py::gil_scoped_release release;
+    fields = sliding_fields(on, speed, tractions, places, rows, columns, threads, observer);
+  }
+  return to_array(fields.values, {position.size(), static_cast<py::ssize_t>(kFieldComponents), x.size(), z.size()});
+}
+
+SlidingLoss sliding_loss_released(const CoatedPlane& on, const SlidingTractions& tractions,
+                                  const InputArray<double>& position, const InputArray<int>& layer, double speed,
+                                  double shortest_wave, int threads, const py::object& progress) {
+  const auto places = places_from(position, layer);
+  const Observer observer = python_observer(progress);
+  const py::gil_scoped_release release;
+  return sliding_loss(on, speed, tractions, places, shortest_wave, threads, observer);
+}
+
+/// Bind a loss: its places, densities over places and positions across, and powers.
+template <class Loss>
+py::classh<Loss> bind_loss(py::module_& m, const char* name, const char* across,
+                           std::vector<double> Loss::* positions) {
+  py::classh<Loss> type(m, name);
+  type.def_property_readonly("places", [](const Loss& loss) { return to_arrays(loss.places); })
+      .def_property_readonly(across, [positions](const Loss& loss) { return to_line(loss.*positions); })
+      .def_property_readonly("density",
+                             [positions](const Loss& loss) {
+                               return to_array(loss.density, {static_cast<py::ssize_t>(loss.places.size()),
+                                                              static_cast<py::ssize_t>((loss.*positions).size())});
+                             })
+      .def_readonly("volume_power", &Loss::volume_power)
+      .def_readonly("surface_power", &Loss::surface_power);
+  return type;
+}
+
 }  // namespace
 
 void bind_interior(py::module_& m) {
@@ -127,19 +183,18 @@ void bind_interior(py::module_& m) {
            py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"), py::arg("counterbody"),
            py::arg("counterbody_curvature"));
 
-  py::classh<LossDensity>(m, "LossDensity")
-      .def_property_readonly("places", [](const LossDensity& loss) { return to_arrays(loss.places); })
+  bind_loss(m, "LossDensity", "theta", &LossDensity::theta)
       .def_property_readonly("weights", [](const LossDensity& loss) { return to_line(loss.weights); })
-      .def_property_readonly("theta", [](const LossDensity& loss) { return to_line(loss.theta); })
       .def_property_readonly("orders", [](const LossDensity& loss) { return to_line(loss.orders); })
-      .def_property_readonly("density",
-                             [](const LossDensity& loss) {
-                               return to_array(loss.density, {static_cast<py::ssize_t>(loss.places.size()),
-                                                              static_cast<py::ssize_t>(loss.theta.size())});
-                             })
-      .def_property_readonly("order_power", [](const LossDensity& loss) { return to_line(loss.order_power); })
-      .def_readonly("volume_power", &LossDensity::volume_power)
-      .def_readonly("surface_power", &LossDensity::surface_power);
+      .def_property_readonly("order_power", [](const LossDensity& loss) { return to_line(loss.order_power); });
+
+  py::classh<SlidingTractions>(m, "SlidingTractions")
+      .def(py::init(&make_sliding_tractions), py::kw_only(), py::arg("pressure").noconvert(), py::arg("spacing_x"),
+           py::arg("spacing_z"), py::arg("periodic"), py::arg("friction"));
+  bind_loss(m, "SlidingLoss", "z", &SlidingLoss::z)
+      .def_readonly("track_distance", &SlidingLoss::track_distance)
+      .def_property_readonly("frequency", [](const SlidingLoss& loss) { return to_line(loss.frequency); })
+      .def_property_readonly("wave_power", [](const SlidingLoss& loss) { return to_line(loss.wave_power); });
 
   m.def(
       "places_at",
@@ -156,5 +211,11 @@ void bind_interior(py::module_& m) {
         py::arg("progress").none(true));
   m.def("loss_density", &loss_released, py::arg("shape"), py::arg("tractions"), py::kw_only(),
         py::arg("position").noconvert(), py::arg("layer").noconvert(), py::arg("angular_speed"), py::arg("max_order"),
+        py::arg("threads"), py::arg("progress").none(true));
+  m.def("sliding_fields", &sliding_fields_array, py::arg("on"), py::arg("tractions"), py::kw_only(),
+        py::arg("position").noconvert(), py::arg("layer").noconvert(), py::arg("x").noconvert(),
+        py::arg("z").noconvert(), py::arg("speed"), py::arg("threads"), py::arg("progress").none(true));
+  m.def("sliding_loss", &sliding_loss_released, py::arg("on"), py::arg("tractions"), py::kw_only(),
+        py::arg("position").noconvert(), py::arg("layer").noconvert(), py::arg("speed"), py::arg("shortest_wave"),
         py::arg("threads"), py::arg("progress").none(true));
 }

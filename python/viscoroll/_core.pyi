@@ -599,6 +599,35 @@ class LossDensity:
     @property
     def weights(self) -> numpy.typing.NDArray[numpy.float64]: ...
 
+class SlidingTractions:
+    def __init__(
+        self,
+        *,
+        pressure: numpy.typing.NDArray[numpy.float64],
+        spacing_x: typing.SupportsFloat | typing.SupportsIndex,
+        spacing_z: typing.SupportsFloat | typing.SupportsIndex,
+        periodic: bool,
+        friction: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+
+class SlidingLoss:
+    @property
+    def density(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def frequency(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def places(self) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
+    @property
+    def surface_power(self) -> float: ...
+    @property
+    def track_distance(self) -> float: ...
+    @property
+    def volume_power(self) -> float: ...
+    @property
+    def wave_power(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def z(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
 class Start(enum.Enum):
     """Load history of the coating before the first instant."""
 
@@ -1259,6 +1288,29 @@ def slide(
     threads: typing.SupportsInt | typing.SupportsIndex,
     progress: typing.Any,
 ) -> SlidingResult: ...
+def sliding_fields(
+    on: CoatedPlane,
+    tractions: SlidingTractions,
+    *,
+    position: numpy.typing.NDArray[numpy.float64],
+    layer: numpy.typing.NDArray[numpy.int32],
+    x: numpy.typing.NDArray[numpy.float64],
+    z: numpy.typing.NDArray[numpy.float64],
+    speed: typing.SupportsFloat | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
+) -> numpy.typing.NDArray[numpy.float64]: ...
+def sliding_loss(
+    on: CoatedPlane,
+    tractions: SlidingTractions,
+    *,
+    position: numpy.typing.NDArray[numpy.float64],
+    layer: numpy.typing.NDArray[numpy.int32],
+    speed: typing.SupportsFloat | typing.SupportsIndex,
+    shortest_wave: typing.SupportsFloat | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
+) -> SlidingLoss: ...
 def sliding_scalars() -> list[ScalarDescription]:
     """
     Descriptions of the scalar results of sliding, in SI units.

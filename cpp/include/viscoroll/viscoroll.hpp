@@ -29,6 +29,7 @@
 #include "viscoroll/rolling_history.hpp"     // IWYU pragma: export
 #include "viscoroll/rolling_resistance.hpp"  // IWYU pragma: export
 #include "viscoroll/sliding.hpp"             // IWYU pragma: export
+#include "viscoroll/sliding_interior.hpp"    // IWYU pragma: export
 #include "viscoroll/slow_terms.hpp"          // IWYU pragma: export
 #include "viscoroll/solve.hpp"               // IWYU pragma: export
 #include "viscoroll/sphere.hpp"              // IWYU pragma: export

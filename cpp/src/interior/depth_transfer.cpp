@@ -36,11 +36,39 @@ std::vector<DepthSeries::Entry> entries_of(const LoadedComponents& loaded, bool 
 
 using Orders = std::span<const OrderInLayers<cplx>>;
 
-/// Entries of the states at boundaries, one column per order.
+/// Whether an order is the mean of a flat surface.
+bool is_uniform(const OrderInLayers<cplx>& order) {
+  return order.m == 0.0 && order.n == 0.0 && !order.layers.metric.is_curved();
+}
+
+/// States of flat layers under uniform stresses, which every depth carries. The displacement is relative to a rigid
+/// base, or else to the surface, since that of a half-space is infinite.
+std::vector<DepthState> uniform_states(const LayerStack<cplx>& layers) {
+  std::vector<DepthState> states(layers.media.size() + 1, DepthState::Zero());
+  for (DepthState& state : states) state.bottomRows<3>().setIdentity();
+  const bool is_held = !layers.media.front().is_half_space();
+  for (std::size_t piece = 0; piece < layers.media.size(); ++piece) {
+    const Medium<cplx>& medium = layers.media[piece];
+    if (medium.is_half_space()) continue;
+    // Normal strain b / mu and shear strain 1 / mu per stress, on states whose stresses are multiplied by a length.
+    const cplx stretch = (medium.outer - medium.inner) / (medium.mu * layers.metric.length(medium.outer));
+    states[piece + 1].topRows<3>() = states[piece].topRows<3>();
+    states[piece + 1](0, 0) += medium.b * stretch;
+    for (const int along : {1, 2}) states[piece + 1](along, along) += stretch;
+  }
+  if (is_held) return states;
+  const Eigen::Matrix3cd surface = states.back().topRows<3>();
+  for (DepthState& state : states) state.topRows<3>() -= surface;
+  return states;
+}
+
+/// Entries of the states at boundaries, one column per order; only the first order may be uniform.
 Eigen::Matrix<cplx, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> solved(
     Orders orders, const std::vector<std::size_t>& boundaries, const std::vector<DepthSeries::Entry>& entries) {
   std::vector<std::vector<DepthState>> states(orders.size());
-  depth_states(orders, states);
+  const std::size_t uniform = is_uniform(orders.front()) ? 1 : 0;
+  if (uniform > 0) states.front() = uniform_states(orders.front().layers);
+  depth_states(orders.subspan(uniform), std::span(states).subspan(uniform));
   Eigen::Matrix<cplx, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values(
       static_cast<Index>(boundaries.size() * entries.size()), static_cast<Index>(orders.size()));
   for (std::size_t i = 0; i < orders.size(); ++i) {

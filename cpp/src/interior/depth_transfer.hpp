@@ -5,7 +5,7 @@
 /// the layers give all entries as Chebyshev series in ln(m^2 + n^2), for all n. One set of series serves all m if the
 /// layers share one relaxation function, inertia is negligible and both directions of the surface are equivalent: the
 /// states along and across the wave vector k then depend on k alone. Under a line contact only n = 0 occurs, without an
-/// expansion.
+/// expansion. The order (0, 0) of flat layers is their uniform state.
 #pragma once
 
 #include <Eigen/Core>

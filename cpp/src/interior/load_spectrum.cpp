@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "base/validate.hpp"
 #include "influence/waves.hpp"
@@ -191,6 +192,21 @@ LoadSpectrum::LoadSpectrum(const Tractions& tractions, const Metric& metric, con
     orders_[static_cast<std::size_t>(theta ? Mirror::opposite : Mirror::same)][component] = unit * even;
     orders_[static_cast<std::size_t>(theta ? Mirror::same : Mirror::opposite)][component] = -i * unit * odd;
   }
+  find_present();
+}
+
+LoadSpectrum::LoadSpectrum(Stresses stresses) : orders_(std::move(stresses)) {
+  for (const auto& parts : orders_) {
+    for (std::size_t component = 0; component < parts.size(); ++component) {
+      if (parts[component].size() == 0) continue;
+      loaded_[component] = true;
+      count_ = parts[component].cols();
+    }
+  }
+  find_present();
+}
+
+void LoadSpectrum::find_present() {
   // Round-off of terms that cancel in sums over a symmetric window.
   constexpr double kRoundOff = 1e-13;
   std::array<double, 2> largest{};

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <complex>
 #include <vector>
 
 #include "interior/depth_transfer.hpp"
@@ -26,6 +27,14 @@ class LoadSpectrum {
   /// @param[in] m,n orders >= 0
   LoadSpectrum(const Tractions& tractions, const Metric& metric, const Eigen::ArrayXd& m, const Eigen::ArrayXd& n);
 
+  /// Stresses in the real form, rows m by columns n.
+  using Orders = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  /// Stresses of each symmetry and component; empty if there are no such loads.
+  using Stresses = std::array<std::array<Orders, 3>, 2>;
+
+  /// @param[in] stresses surface stresses r sigma of all orders
+  explicit LoadSpectrum(Stresses stresses);
+
   /// @return whether there are loads of this symmetry
   [[nodiscard]] bool has(Mirror mirror) const { return present_[static_cast<std::size_t>(mirror)]; }
   /// @return whether each component is loaded
@@ -34,12 +43,13 @@ class LoadSpectrum {
   [[nodiscard]] LoadRows loads(Mirror mirror, Eigen::Index i) const;
 
  private:
-  using Orders = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  /// Leave out a symmetry whose loads are only round-off.
+  void find_present();
 
-  std::array<std::array<Orders, 3>, 2> orders_;  // [mirror][component], m by n; empty if there are no such loads
+  Stresses orders_;  // [mirror][component]
   std::array<bool, 2> present_{};
   LoadedComponents loaded_{};
-  Eigen::Index count_;  // number of orders n
+  Eigen::Index count_ = 0;  // number of orders n
 };
 
 /// @param[in] tractions tractions

@@ -42,15 +42,19 @@ void validate(const HeightMap& map) {
 
 namespace viscoroll::detail {
 
-void validate_sliding(const HeightMap& map, const CoatedPlane& on, double pressure, double speed,
-                      const SlidingOptions& options) {
-  validate(map);
+void validate_below(const CoatedPlane& on) {
   try {
     validate(on);
   } catch (const InvalidInput& error) {
     throw error.inside("on");
   }
   if (is_rigid(on)) reject("on", "a plane with layers or a deformable base", "a rigid plane");
+}
+
+void validate_sliding(const HeightMap& map, const CoatedPlane& on, double pressure, double speed,
+                      const SlidingOptions& options) {
+  validate(map);
+  validate_below(on);
   require_positive("pressure", pressure, "Pa");
   require_nonnegative("speed", speed, "m/s");
   if (speed > 0.0) require_positive("speed", speed, "m/s");

@@ -9,6 +9,10 @@
 
 namespace viscoroll::detail {
 
+/// @brief Check the layers under a rough surface.
+/// @throws InvalidInput naming parameter, value, unit and range; also for a rigid plane
+void validate_below(const CoatedPlane& on);
+
 /// @brief Check the input of `slide`.
 /// @throws InvalidInput naming parameter, value, unit and range
 void validate_sliding(const HeightMap& map, const CoatedPlane& on, double pressure, double speed,

@@ -16,9 +16,10 @@ from .._support.result_warnings import warn
 from ..bodies import CoatedPlane, HalfSpace
 from ..bodies.layered import materials_of
 from ..materials.softening import strain_amplitude
-from .result import Persson, SlidingResult, rms_slope_at
+from .result import SlidingResult
 from .rough_surface import RoughSurface
 from .scalars import SLIDING_SCALARS
+from .solution import Persson, rms_slope_at
 
 __all__ = ["as_plane", "persson_estimate", "slide"]
 

@@ -28,7 +28,7 @@ from .solution import Solution, node_angles, node_spacings
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["BodyInside", "Inside", "Of", "finite_line", "inside_of", "places_of"]
+__all__ = ["BodyInside", "Inside", "LayersInside", "Of", "finite_line", "inside_of", "places_of"]
 
 #: Types of bodies whose interior can be evaluated.
 BodyInside: TypeAlias = CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel
@@ -37,26 +37,17 @@ BodyInside: TypeAlias = CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWhee
 Of = Literal["body", "counterbody"]
 
 
-@dataclass(frozen=True, slots=True)
-class Inside:
-    """Deformable body of a result, selected for evaluation of its interior.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LayersInside:
+    """Layers whose interior is evaluated.
 
     Attributes
     ----------
-    of : str
-        ``"body"`` or ``"counterbody"``.
     body : CoatedSphere or CoatedCylinder or CoatedPlane or CoatedWheel
-        The body. A groove is represented by a plane with its layers, a roller under a wheel by a wheel without side
-        faces.
-    radius : float
-        Radius by which arcs are divided to give the angles φ and θ [m]: that of the body, or for a plane that of the
-        rolling body.
+        The body.
     """
 
-    result: Solution
-    of: Of
     body: BodyInside
-    radius: float
 
     @property
     def has_radius(self) -> bool:
@@ -81,6 +72,32 @@ class Inside:
         """Return the positions of all bonds, to a rigid core or base and between layers [m], outwards."""
         positions = self.body.boundaries[:-1]
         return positions[np.isfinite(positions)] if self.body.is_bonded_inside else positions[1:]
+
+    def places(
+        self, depth: ArrayLike | None, radius: ArrayLike | None = None
+    ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+        """Return the positions [m] and the numbers of the layers at depths or radii; see `places_of`."""
+        return places_of(self.body, depth, radius)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inside(LayersInside):
+    """Deformable body of a result, selected for evaluation of its interior.
+
+    A groove is represented by a plane with its layers, a roller under a wheel by a wheel without side faces.
+
+    Attributes
+    ----------
+    of : str
+        ``"body"`` or ``"counterbody"``.
+    radius : float
+        Radius by which arcs are divided to give the angles φ and θ [m]: that of the body, or for a plane that of the
+        rolling body.
+    """
+
+    result: Solution
+    of: Of
+    radius: float
 
     @property
     def selected(self) -> RollingBody | Counterbody:
@@ -130,12 +147,6 @@ class Inside:
             counterbody_curvature=self.selected.curvatures if counterbody else (0.0, 0.0),
         )
 
-    def places(
-        self, depth: ArrayLike | None, radius: ArrayLike | None = None
-    ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Return the positions [m] and the numbers of the layers at depths or radii; see `places_of`."""
-        return places_of(self.body, depth, radius)
-
     def node_angles(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return φ and θ of the nodes [rad], arcs divided by the radius of this body."""
         ratio = self.result.body.outer_radius / self.radius
@@ -181,11 +192,12 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
     if of == "body":
         if not body.layers:
             raise InvalidInput("result.body", "must have a layer to be evaluated inside", "a rigid body")
-        return Inside(result, of, body, body.outer_radius)
+        return Inside(result=result, of=of, body=body, radius=body.outer_radius)
     if on is None or not on.is_deformable:
         raise InvalidInput("result.on", "must have a layer or a base to be evaluated inside", "a rigid body")
     representative = cast(BodyInside, on.interior_body(body))
-    return Inside(result, of, representative, body.outer_radius if representative.is_flat else representative.surface)
+    radius = body.outer_radius if representative.is_flat else representative.surface
+    return Inside(result=result, of=of, body=representative, radius=radius)
 
 
 def places_of(

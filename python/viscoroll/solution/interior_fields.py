@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from .._support.extras import extra
 from .._support.progress import ProgressLike, Report, reporting
 from .._support.result_warnings import warn
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
-from .inside import BodyInside, Inside, Of, finite_line, inside_of, places_of
+from .inside import BodyInside, Inside, LayersInside, Of, finite_line, inside_of, places_of
 from .solution import Solution, described, given_of
 
 if TYPE_CHECKING:
@@ -25,9 +25,12 @@ __all__ = [
     "COMPONENTS",
     "DIRECTIONS",
     "bonds",
+    "fields_in_layers",
     "interior",
     "order_fields",
+    "place_coordinates",
     "strains",
+    "warn_of_shallow_places",
 ]
 
 #: Components of vectors and of symmetric tensors, in the order of the arrays.
@@ -205,13 +208,50 @@ def interior(
     order = None if max_order is None else as_float("max_order", max_order)
     with reporting(progress) as report:
         values = _values(inside, (positions, layers), phi, theta, order, as_int("threads", threads), report)
-    _warn_of_shallow_places(inside, inside.depth(positions), on_nodes)
+    along, across = inside.node_spacings()
+    spacing = inside.radius * max(along, 0.0 if inside.line_contact else across)
+    warn_of_shallow_places(spacing, inside.depth(positions), on_nodes)
     inside.warn_of_sides()
     if inside.line_contact and not np.isfinite(inside.thickness):
         values[:, :3] = np.nan
+    coordinates = {
+        **place_coordinates(inside, positions),
+        "layer": ("depth", layers, {"long_name": "number of the layer, from the center or the base outwards"}),
+        "phi": ("phi", phi, {"units": "rad"}),
+        "theta": ("theta", theta, {"units": "rad"}),
+        "x": ("phi", inside.radius * (0.5 * np.pi - phi), {"units": "m", "long_name": "arc length forward"}),
+        "z": ("theta", inside.radius * (0.5 * np.pi - theta), {"units": "m", "long_name": "arc length sideways"}),
+    }
+    attributes = (
+        given_of(result)
+        | {"of": inside.of, "body": type(inside.body).__name__}
+        | ({"outer_radius": inside.radius} if inside.has_radius else {})
+    )
+    return fields_in_layers(xarray.Dataset, values, ("depth", "phi", "theta"), coordinates, attributes)
+
+
+def fields_in_layers(
+    dataset: type[xarray.Dataset],
+    values: NDArray[np.float64],
+    where: tuple[str, str, str],
+    coordinates: dict[str, Any],
+    attributes: dict[str, Any],
+) -> xarray.Dataset:
+    """Return the dataset of displacement, strain, stress and what follows from them.
+
+    Parameters
+    ----------
+    dataset : type
+        The class `xarray.Dataset`.
+    values : ndarray, shape (places, 15, points along, points across)
+        Components of displacement, stress and strain.
+    where : tuple of str
+        Names of the dimensions of places and points.
+    coordinates, attributes : dict
+        Coordinates of the places and points, and attributes of the dataset.
+    """
     fields = np.moveaxis(values, 1, 0)
     displacement, stress, strain = fields[:3], fields[3:9], fields[9:]
-    where = ("depth", "phi", "theta")
     variables = {
         "displacement": (("direction", *where), displacement),
         "stress": (("component", *where), stress),
@@ -222,22 +262,10 @@ def interior(
         "opening_traction": (where, np.maximum(stress[0], 0.0)),
         "shear_traction": (where, np.hypot(stress[3], stress[4])),
     }
-    return xarray.Dataset(
+    return dataset(
         {name: (*variable, described(*_TEXT[name])) for name, variable in variables.items()},
-        {
-            **place_coordinates(inside, positions),
-            "layer": ("depth", layers, {"long_name": "number of the layer, from the center or the base outwards"}),
-            "phi": ("phi", phi, {"units": "rad"}),
-            "theta": ("theta", theta, {"units": "rad"}),
-            "x": ("phi", inside.radius * (0.5 * np.pi - phi), {"units": "m", "long_name": "arc length forward"}),
-            "z": ("theta", inside.radius * (0.5 * np.pi - theta), {"units": "m", "long_name": "arc length sideways"}),
-            "direction": list(DIRECTIONS),
-            "component": list(COMPONENTS),
-            "principal": [1, 2, 3],
-        },
-        attrs=given_of(result)
-        | {"of": inside.of, "body": type(inside.body).__name__}
-        | ({"outer_radius": inside.radius} if inside.has_radius else {}),
+        coordinates | {"direction": list(DIRECTIONS), "component": list(COMPONENTS), "principal": [1, 2, 3]},
+        attrs=attributes,
     )
 
 
@@ -278,7 +306,7 @@ def _values(
 
 
 def place_coordinates(
-    inside: Inside, positions: NDArray[np.float64]
+    inside: LayersInside, positions: NDArray[np.float64]
 ) -> dict[str, tuple[str, NDArray[np.float64], dict[str, str]]]:
     """Return the coordinates of places along the normal: depth [m], and the radius r [m] except in a plane."""
     coordinates = {"depth": ("depth", inside.depth(positions), {"units": "m"})}
@@ -326,10 +354,8 @@ def _principal(stress: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.moveaxis(np.linalg.eigvalsh(matrices)[..., ::-1], -1, 0)
 
 
-def _warn_of_shallow_places(inside: Inside, depths: NDArray[np.float64], on_nodes: bool) -> None:
+def warn_of_shallow_places(spacing: float, depths: NDArray[np.float64], on_nodes: bool) -> None:
     """Warn of depths at which the stresses show the steps of the pressure from patch to patch."""
-    along, across = inside.node_spacings()
-    spacing = inside.radius * max(along, 0.0 if inside.line_contact else across)
     fraction, where = (0.25, "a quarter") if on_nodes else (0.5, "half")
     if depths.size and depths.min() < fraction * spacing * (1.0 - 1e-9):
         shallow = f"depth {depths.min():.3g} m is less than {where} of the node spacing, {fraction * spacing:.3g} m"

@@ -25,8 +25,8 @@ def save_interior(inside: xarray.Dataset, path: str | Path) -> None:
     Parameters
     ----------
     inside : xarray.Dataset
-        Dataset of `Result.interior`. A volume needs at least two depths, φ and θ each; in line contact, with one θ, two
-        depths and φ give a section.
+        Dataset of `Result.interior`, or of `SlidingResult.interior`. A volume needs at least two depths, φ and θ each;
+        in line contact, with one θ, two depths and φ give a section.
     path : path-like
         ``.nc`` (netCDF) or ``.vtu`` (for ParaView: hexahedra of the undeformed body, or quadrilaterals of a section,
         with x forward, y sideways and z up from the center of the body, or from the middle of the contact in a plane;
@@ -46,7 +46,7 @@ def _write_volume(inside: xarray.Dataset, path: Path) -> None:
     with extra("files"):
         import meshio
 
-    shape = tuple(inside.sizes[name] for name in ("depth", "phi", "theta"))
+    shape = inside.von_mises.shape
     section = shape[2] == 1
     if min(shape[:2]) < 2:
         raise InvalidInput(
@@ -92,12 +92,12 @@ def _write_volume(inside: xarray.Dataset, path: Path) -> None:
 
 def _frame(inside: xarray.Dataset) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the unit vectors of r, φ and θ (forward, sideways, up), (3, 3, points), and the points, (3, points)."""
-    depth, phi, theta = np.meshgrid(inside.depth, inside.phi, inside.theta, indexing="ij")
-    x, z = (np.broadcast_to(a, phi.shape) for a in (inside.x.to_numpy()[:, None], inside.z.to_numpy()))
-    zero, one = np.zeros_like(phi), np.ones_like(phi)
+    depth, x, z = np.meshgrid(inside.depth, inside.x, inside.z, indexing="ij")
+    zero, one = np.zeros_like(x), np.ones_like(x)
     if "radius" not in inside.coords:
         axes = [[zero, zero, one], [-one, zero, zero], [zero, -one, zero]]
         return np.array(axes).reshape(3, 3, -1), np.array([x, z, -depth]).reshape(3, -1)
+    _, phi, theta = np.meshgrid(inside.depth, inside.phi, inside.theta, indexing="ij")
     is_straight = inside.attrs["body"] == "CoatedWheel"
     if inside.sizes["theta"] == 1 or is_straight:
         theta = np.full_like(theta, 0.5 * np.pi)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,9 +20,10 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
+    from ..bodies import HalfSpace, Layer
     from ..materials.modulus_like import ShearModulusLike
 
-__all__ = ["contact_size", "default_max_order", "loss"]
+__all__ = ["contact_size", "default_max_order", "layer_powers", "loss", "require_balance"]
 
 #: Highest order of the sums in units of r_o/a, where a is the smaller semi-axis of the contact. The sums then contain
 #: 0.9999 of the loss, and the relative error of the density w is 1e-3.
@@ -129,13 +131,8 @@ def loss(
             threads=as_int("threads", threads),
             progress=report,
         )
-    balance = abs(lost.volume_power - lost.surface_power)
     round_off = _ROUND_OFF * result.load * abs(result.angular_speed) * (result.semi_axis_x or 0.0)
-    if balance > _BALANCE * max(lost.surface_power, 1e-6 * abs(inside.bulk_power), round_off):
-        raise _core.ConvergenceError(
-            f"the power dissipated in the volume, {lost.volume_power:.12g} W, differs from the power of the tractions, "
-            f"{lost.surface_power:.12g} W"
-        )
+    require_balance(lost.volume_power, lost.surface_power, max(1e-6 * abs(inside.bulk_power), round_off))
     inside.warn_of_sides()
     positions, layers = lost.places
     # θ covers a whole torus. A sphere is half of it; on other bodies, the tractions lie within this half.
@@ -145,46 +142,73 @@ def loss(
     # r_o of the solve.
     solved_speed = result.angular_speed * result.body.outer_radius / inside.radius
     order_power = lost.order_power.reshape(len(inside.layers), -1) * (inside.passing_speed / solved_speed)
-    fractions = [_term_fractions(layer.shear_modulus, solved_speed * lost.orders) for layer in inside.layers]
-    terms = max(len(fraction) for fraction in fractions)
-    relaxation_power = np.full((len(fractions), terms), np.nan)
-    for power, fraction, row in zip(order_power, fractions, relaxation_power, strict=True):
-        row[: len(fraction)] = fraction @ power
     where = ("depth", "theta")
     densities = {"loss_density": (where, density, described("J m-3", "energy dissipated per volume and passage"))}
     if inside.has_radius:
         mean = described("W m-3", "power dissipated per volume, mean over a revolution")
         densities["power_density"] = (where, density * inside.passing_speed / (2.0 * np.pi), mean)
-    watt = "W m-1" if inside.line_contact else "W"
-    return xarray.Dataset(
-        {
-            **densities,
-            "layer_power": ("layer", order_power.sum(axis=1), described(watt, "power dissipated in each layer")),
-            "relaxation_power": (
-                ("layer", "term"),
-                relaxation_power,
-                described(watt, "power dissipated by each relaxation time of a Prony series"),
-            ),
-        },
-        {
-            **place_coordinates(inside, positions),
-            "place_layer": (
-                "depth",
-                layers,
-                {"long_name": "number of the layer, from the center or the base outwards"},
-            ),
-            "theta": ("theta", lost.theta[shown], {"units": "rad"}),
-            "z": ("theta", inside.radius * (0.5 * np.pi - lost.theta[shown]), {"units": "m"}),
-        },
-        attrs=given_of(result)
-        | {
-            "of": inside.of,
-            "power": float(order_power.sum()),
-            "surface_power": lost.surface_power * inside.passing_speed / solved_speed,
-            "bulk_power": inside.bulk_power,
-            "max_order": order,
-        },
-    )
+    coordinates = {
+        **place_coordinates(inside, positions),
+        "place_layer": (
+            "depth",
+            layers,
+            {"long_name": "number of the layer, from the center or the base outwards"},
+        ),
+        "theta": ("theta", lost.theta[shown], {"units": "rad"}),
+        "z": ("theta", inside.radius * (0.5 * np.pi - lost.theta[shown]), {"units": "m"}),
+    }
+    attributes = given_of(result) | {
+        "of": inside.of,
+        "power": float(order_power.sum()),
+        "surface_power": lost.surface_power * inside.passing_speed / solved_speed,
+        "bulk_power": inside.bulk_power,
+        "max_order": order,
+    }
+    powers = layer_powers(inside.layers, solved_speed * lost.orders, order_power, inside.line_contact)
+    return xarray.Dataset(densities | powers, coordinates, attrs=attributes)
+
+
+def require_balance(volume: float, surface: float, round_off: float) -> None:
+    """Check that the power dissipated in the volume is that of the tractions.
+
+    Raises
+    ------
+    ConvergenceError
+        If they differ by more than a relative 1e-7, or the given round-off times 1e-7.
+    """
+    if abs(volume - surface) > _BALANCE * max(surface, round_off):
+        raise _core.ConvergenceError(
+            f"the power dissipated in the volume, {volume:.12g} W, differs from the power of the tractions, "
+            f"{surface:.12g} W"
+        )
+
+
+def layer_powers(
+    layers: Sequence[Layer | HalfSpace], frequency: NDArray[np.float64], power: NDArray[np.float64], line_contact: bool
+) -> dict[str, Any]:
+    """Return the variables of the power dissipated in each layer, and by each relaxation time of its modulus.
+
+    Parameters
+    ----------
+    frequency : ndarray
+        Frequencies [rad/s].
+    power : ndarray, shape (layers, frequencies)
+        Power dissipated at each frequency [W], in line contact [W/m].
+    """
+    fractions = [_term_fractions(layer.shear_modulus, frequency) for layer in layers]
+    terms = max(len(fraction) for fraction in fractions)
+    relaxation_power = np.full((len(fractions), terms), np.nan)
+    for of_layer, fraction, row in zip(power, fractions, relaxation_power, strict=True):
+        row[: len(fraction)] = fraction @ of_layer
+    watt = "W m-1" if line_contact else "W"
+    return {
+        "layer_power": ("layer", power.sum(axis=1), described(watt, "power dissipated in each layer")),
+        "relaxation_power": (
+            ("layer", "term"),
+            relaxation_power,
+            described(watt, "power dissipated by each relaxation time of a Prony series"),
+        ),
+    }
 
 
 def _term_fractions(modulus: ShearModulusLike, frequency: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -21,6 +21,7 @@ __all__ = [
     "modes_of_ball",
     "modes_of_roller",
     "modes_of_slab",
+    "modes_of_track",
     "modes_of_wheel",
 ]
 
@@ -154,6 +155,31 @@ def modes_of_slab(period: float | None, count: int = 1) -> HeatModes:
         unity=first,
         area=length * first,
         square=0.5 * length * (1.0 + first),
+        folds=lambda inner, outer: float(k[-1]) * (outer - inner),
+    )
+
+
+def modes_of_track(period: float, waves: int) -> HeatModes:
+    """Return the modes of a slab without symmetry: 1, cos(2π j z/L) and sin(2π j z/L), j = 1, 2, ….
+
+    Parameters
+    ----------
+    period : float
+        Period L across the path [m].
+    waves : int
+        Number of waves, at least 1.
+    """
+    number = np.arange(2 * waves + 1)
+    k = 2.0 * np.pi / period * ((number + 1) // 2)
+    sine = (number % 2 == 0) & (number > 0)
+    first = (number == 0).astype(np.float64)
+    return HeatModes(
+        measure=np.ones_like,
+        rate=lambda y: np.repeat(k[:, None] ** 2, np.size(y), axis=1),
+        values=lambda z: np.where(sine[:, None], np.sin(k[:, None] * z), np.cos(k[:, None] * z)),
+        unity=first,
+        area=period * first,
+        square=0.5 * period * (1.0 + first),
         folds=lambda inner, outer: float(k[-1]) * (outer - inner),
     )
 

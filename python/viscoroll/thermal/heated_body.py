@@ -14,7 +14,7 @@ from .._support.arguments import as_not_negative, as_positive
 from .._support.errors import InvalidInput
 from .._support.text import shown
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
-from ..solution.inside import Inside
+from ..solution.inside import Inside, LayersInside
 from ..solution.loss import contact_size
 from .conduction import Conduction
 from .heat_modes import (
@@ -24,6 +24,7 @@ from .heat_modes import (
     modes_of_ball,
     modes_of_roller,
     modes_of_slab,
+    modes_of_track,
     modes_of_wheel,
 )
 from .surroundings import (
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-__all__ = ["HeatedBody", "heated_body"]
+__all__ = ["HeatedBody", "heated_body", "heated_plane"]
 
 #: Number of modes along a ball or across a wheel in units of r_o/a, with the semi-axis a of the contact (the relative
 #: error of the temperature is 1e-5), and largest number.
@@ -61,8 +62,8 @@ class HeatedBody:
 
     Attributes
     ----------
-    inside : Inside
-        Body of the result.
+    inside : LayersInside
+        Layers of the body.
     conduction : Conduction
         Heat conduction in its layers.
     inner_rise : float
@@ -79,7 +80,7 @@ class HeatedBody:
         Places along the surface at which temperatures are returned; by default those of the loss.
     """
 
-    inside: Inside
+    inside: LayersInside
     conduction: Conduction
     inner_rise: float
     along: str
@@ -132,12 +133,50 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
     TypeError, ValueError
         If an argument is invalid or does not apply to the body, or if no surface takes the heat.
     """
+    _require_thickness(inside)
+    conductivities = conductivities_of(inside, conductivity)
+    return _model(inside.body, inside, given, conductivities)
+
+
+def heated_plane(
+    inside: LayersInside,
+    given: Surroundings,
+    conductivity: float | Sequence[float] | None,
+    *,
+    track_distance: float | None,
+    waves: int,
+    period: float,
+    power: float,
+) -> HeatedBody:
+    """Return the thermal model of a plane under a rough surface, whose source has no symmetry across the path.
+
+    Parameters
+    ----------
+    track_distance : float or None
+        Period across the path [m]; None in line contact.
+    waves : int
+        Number of waves across.
+    period : float
+        Time from one passage to the next [s].
+    power : float
+        Power dissipated in the layers [W/m], in line contact [W/m²].
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is invalid or does not apply to a plane, or if no surface takes the heat.
+    """
+    _require_thickness(inside)
+    conductivities = conductivities_of(inside, conductivity)
+    modes = modes_of_slab(None) if track_distance is None else modes_of_track(track_distance, waves)
+    return _heated_slab(inside, given, conductivities, modes, period, power)
+
+
+def _require_thickness(inside: LayersInside) -> None:
     if not np.isfinite(inside.thickness):
         raise InvalidInput(
             "result.on", "must have a finite thickness for a steady temperature", "a half-space: give a thick layer"
         )
-    conductivities = conductivities_of(inside, conductivity)
-    return _model(inside.body, inside, given, conductivities)
 
 
 @singledispatch
@@ -163,7 +202,7 @@ def _ball(ball: CoatedSphere, inside: Inside, given: Surroundings, conductivitie
             / ball.core_radius
         )
     film = film_matrix_of_ball(given.convection, degrees) if callable(given.convection) else uniform_film(given)
-    require_heat_sink(inside, film, inner is None)
+    require_heat_sink(inside.bulk_power, film, inner is None)
     modes = modes_of_ball(degrees)
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
@@ -195,7 +234,7 @@ def _roller(body: CoatedCylinder, inside: Inside, given: Surroundings, conductiv
     bounds = body.boundaries
     inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
     film = uniform_film(given)
-    require_heat_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    require_heat_sink(inside.bulk_power, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
     return HeatedBody(
         inside=inside,
         conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
@@ -231,7 +270,7 @@ def _wheel(tread: CoatedWheel, inside: Inside, given: Surroundings, conductiviti
         if callable(given.convection)
         else uniform_film(given)
     )
-    require_heat_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    require_heat_sink(inside.bulk_power, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
     points, weights = np.polynomial.legendre.leggauss(2 * modes.count)
     z = 0.5 * width * points
     # `square` contains the factor 2π of the circumference.
@@ -269,15 +308,26 @@ def _side(given: Surroundings, conductivities: list[float]) -> float:
 
 
 @_model.register
-def _slab(plane: CoatedPlane, inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    require_omitted(given, ("width", "side_convection", "hub_conductance"), "a plane")
+def _slab(_plane: CoatedPlane, inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
     if given.period is None:
         raise InvalidInput("period", "must be given for a plane: the time from one pass to the next [s]")
     period = as_positive("period", given.period, "s")
-    result = inside.result
     track = None if inside.line_contact else _between_tracks(inside)
-    degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(result)) + 2, _MAX_DEGREES)
-    modes = modes_of_slab(track, degrees)
+    degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MAX_DEGREES)
+    power = inside.bulk_power / (inside.passing_speed * inside.radius * period)
+    return _heated_slab(inside, given, conductivities, modes_of_slab(track, degrees), period, power)
+
+
+def _heated_slab(
+    inside: LayersInside,
+    given: Surroundings,
+    conductivities: list[float],
+    modes: HeatModes,
+    period: float,
+    power: float,
+) -> HeatedBody:
+    """Return the thermal model of a plane with given modes across the path; a single mode is the mean."""
+    require_omitted(given, ("width", "side_convection", "hub_conductance"), "a plane")
     base = (
         None
         if given.base_convection is None
@@ -287,11 +337,12 @@ def _slab(plane: CoatedPlane, inside: Inside, given: Surroundings, conductivitie
         raise InvalidInput("core", "must be INSULATED with base_convection", shown(given.core))
     inner = inner_coefficients(given, modes, lambda: 1.0) if base is None else np.full(modes.count, base)
     film = uniform_film(given)
-    require_heat_sink(inside, film, inner is None or bool(inner[0] > 0.0))
+    require_heat_sink(power, film, inner is None or bool(inner[0] > 0.0))
+    is_line = modes.count == 1
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
         density = loss.loss_density.to_numpy() / period
-        if track is None:
+        if is_line:
             return np.asarray(density[:, 0][None, :])
         z = loss.z.to_numpy()
         waves = modes.values(z) * abs(z[1] - z[0])
@@ -299,11 +350,11 @@ def _slab(plane: CoatedPlane, inside: Inside, given: Surroundings, conductivitie
 
     return HeatedBody(
         inside=inside,
-        conduction=Conduction(plane.boundaries.tolist(), conductivities, modes, film=film, inner=inner),
+        conduction=Conduction(inside.body.boundaries.tolist(), conductivities, modes, film=film, inner=inner),
         inner_rise=core_rise(given),
         along="z",
-        unit="W/m²" if inside.line_contact else "W/m",
-        power=inside.bulk_power / (inside.passing_speed * inside.radius * period),
+        unit="W/m²" if is_line else "W/m",
+        power=power,
         project=project,
     )
 

@@ -16,7 +16,7 @@ from .._support.text import shown
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ..solution.inside import Inside
+    from ..solution.inside import LayersInside
     from .heat_modes import HeatModes
 
 __all__ = [
@@ -108,7 +108,7 @@ def uniform_film(given: Surroundings) -> float:
     return as_not_negative("convection", given.convection, "W/(m^2 K)")
 
 
-def require_heat_sink(inside: Inside, film: float | NDArray[np.float64], other: bool) -> None:
+def require_heat_sink(power: float, film: float | NDArray[np.float64], other: bool) -> None:
     """Check that a body with a loss can give off its heat.
 
     Raises
@@ -116,7 +116,7 @@ def require_heat_sink(inside: Inside, film: float | NDArray[np.float64], other: 
     ValueError
         If neither the outer surface nor, according to `other`, another surface removes heat.
     """
-    if not other and not np.any(film) and inside.bulk_power > 0.0:
+    if not other and not np.any(film) and power > 0.0:
         raise InvalidInput("convection", "must be > 0 W/(m^2 K) if nothing else removes heat", "0")
 
 
@@ -133,7 +133,7 @@ def require_omitted(given: Surroundings, names: Sequence[str], body: str) -> Non
             raise InvalidInput(name, f"must be left out with {body}", shown(getattr(given, name)))
 
 
-def conductivities_of(inside: Inside, given: float | Sequence[float] | None) -> list[float]:
+def conductivities_of(inside: LayersInside, given: float | Sequence[float] | None) -> list[float]:
     """Return the conductivity of each layer [W/(m K)].
 
     Raises

@@ -28,7 +28,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["QUANTITIES", "Core", "Temperature", "plane_cooling", "temperature", "temperature_warnings"]
+__all__ = [
+    "QUANTITIES",
+    "Core",
+    "Temperature",
+    "plane_cooling",
+    "temperature",
+    "temperature_of",
+    "temperature_warnings",
+]
 
 #: Variation over a revolution, divided by the largest rise, above which the mean over a revolution is not valid.
 _RIPPLE = 0.2
@@ -229,13 +237,6 @@ def temperature(
     >>> print(f"{t.maximum:.2f} K, {t.surface_maximum:.2f} K on the surface")
     1.89 K, 1.83 K on the surface
     """
-    with extra("files"):
-        import xarray
-
-    capacity = as_positive("heat_capacity", heat_capacity, "J/(m^3 K)")
-    require_type("start", start, Temperature, optional=True)
-    if start is not None and time is None:
-        raise InvalidInput("start", "must be left out without time: the steady state does not depend on it")
     given = Surroundings(
         convection=convection,
         ambient=as_kelvin("ambient", ambient),
@@ -249,7 +250,44 @@ def temperature(
     )
     inside = inside_of(result, of)
     body = heated_body(inside, given, conductivity)
-    loss = loss_in_the_volume(result, of=inside.of, max_order=max_order, progress=progress)
+    return temperature_of(
+        body,
+        lambda: loss_in_the_volume(result, of=inside.of, max_order=max_order, progress=progress),
+        given.ambient,
+        time=time,
+        start=start,
+        heat_capacity=heat_capacity,
+    )
+
+
+def temperature_of(
+    body: HeatedBody,
+    lost: Callable[[], xarray.Dataset],
+    ambient: float,
+    *,
+    time: ArrayLike | None,
+    start: Temperature | None,
+    heat_capacity: float,
+) -> Temperature:
+    """Return the temperature of a thermal model.
+
+    Parameters
+    ----------
+    lost : callable
+        Function that returns the loss at the places of the volume integral.
+    ambient : float
+        Temperature of the surroundings [K].
+    time, start, heat_capacity
+        Same as in `temperature`.
+    """
+    with extra("files"):
+        import xarray
+
+    capacity = as_positive("heat_capacity", heat_capacity, "J/(m^3 K)")
+    require_type("start", start, Temperature, optional=True)
+    if start is not None and time is None:
+        raise InvalidInput("start", "must be left out without time: the steady state does not depend on it")
+    loss = lost()
     source = body.source(loss)
     rises = body.conduction.solve(source, body.inner_rise)
     places = body.places_along(loss)
@@ -265,7 +303,7 @@ def temperature(
         surface_maximum=float(rise[-1].max()),
         mean=means[0],
         layer_means=tuple(means[1:]),
-        ambient=given.ambient,
+        ambient=ambient,
         heat=heat,
         heat_to_core=to_core,
         heat_to_surroundings=body.conduction.heat_outwards(rises) + body.conduction.heat_sideways(rises),

@@ -31,7 +31,7 @@ PUBLIC = {
     "rolling": {"adhesion", "drive", "load_case", "options", "result", "result_scalars", "rolling_resistance", "solve"},
     "sliding": {"sliding", "sliding_scalars"},
     "transient": {"history_scalars", "profile", "rolling_history"},
-    "interior": {"interior"},
+    "interior": {"interior", "sliding_interior"},
 }
 
 RANK = {stage: rank for rank, stages in enumerate(STAGES) for stage in stages}

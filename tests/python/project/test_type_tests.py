@@ -28,7 +28,7 @@ NAMES = {
     "Counterbody",
     "ShearModulus",
     *(kind.__name__ for kind in typing.get_args(bodies.Counterbody)),
-    *(name for name, kind in vars(materials).items() if name in materials.__all__ and _is_modulus(kind)),
+    *(name for name in materials.__all__ if _is_modulus(getattr(materials, name))),
 }
 
 PATHS = sorted(
