@@ -45,13 +45,27 @@ INTERFACES = {
     "Rolling": "Rolling",
     "Numerics": "viscoroll__case__case__Numerics",
 }
-TYPE_OF = {f"#/$defs/{definition}": name for name, definition in INTERFACES.items()}
+#: The same for tables that only histories have.
+HISTORY_INTERFACES = {
+    "Points": "points",
+    "Step": "step",
+    "HalfSine": "half_sine",
+    "Joint": "joint",
+    "Corrugation": "corrugation",
+    "Axle": "Axle",
+    "Motion": "Motion",
+    "HistoryNumerics": "viscoroll__case__motion__Numerics",
+}
+#: Types of profiles of ground and tread, which `HISTORY_INTERFACES` begins with.
+PROFILES = ("Points", "Step", "HalfSine", "Joint", "Corrugation")
+TYPE_OF = {f"#/$defs/{definition}": name for name, definition in (INTERFACES | HISTORY_INTERFACES).items()}
 
 #: Keys of case files that the library in WebAssembly does not read.
 FILE_ONLY = {"allow_large", "file", "outer_diameter"}
 
-#: Tables of case files that the library in WebAssembly does not read.
-OTHERS = ("thermal", "motion", "ground", "tread", "axle", "surface", "sliding", "sweep", "draws", "design")
+#: Tables of motion files besides those of bodies, and tables that the library in WebAssembly does not read.
+HISTORY_TABLES = ("motion", "ground", "tread", "axle")
+OTHERS = ("thermal", "surface", "sliding", "sweep", "draws", "design")
 
 
 def input_types() -> str:
@@ -66,9 +80,18 @@ def input_types() -> str:
         + ";\n"
     ]
     parts += [_interface(name, definitions[definition]) for name, definition in INTERFACES.items()]
+    parts += [_interface(name, definitions[definition]) for name, definition in HISTORY_INTERFACES.items()]
+    parts += [
+        _comment("Height over the distance, of the ground along the track or of the tread around the body.")
+        + f"export type Profile = {' | '.join(PROFILES)};\n"
+    ]
     tables = {name: table for name, table in SCHEMA["properties"].items() if name not in OTHERS}
-    case = {"properties": tables, "required": ["rolling"], "description": "Tables and keys of a case file."}
-    return "\n".join([*parts, _interface("Case", case)])
+    of_case = {name: table for name, table in tables.items() if name not in HISTORY_TABLES}
+    case = {"properties": of_case, "required": ["rolling"], "description": "Tables and keys of a case file."}
+    of_motion = {name: table for name, table in tables.items() if name != "rolling"}
+    of_motion["numerics"] = {"$ref": f"#/$defs/{HISTORY_INTERFACES['HistoryNumerics']}"}
+    motion = {"properties": of_motion, "required": ["motion"], "description": "Tables and keys of a motion file."}
+    return "\n".join([*parts, _interface("Case", case), _interface("MotionCase", motion)])
 
 
 def page_lists() -> str:
@@ -178,7 +201,8 @@ def _interface(name: str, schema: dict[str, Any]) -> str:
     choices = [schema.get("oneOf", []), *(group["oneOf"] for group in schema.get("allOf", []))]
     left = [[one["required"] for one in choice if not {*one["required"]} & FILE_ONLY] for choice in choices]
     required = {*schema.get("required", []), *(key for choice in left if len(choice) == 1 for key in choice[0])}
-    lines = [_comment(schema["description"]) if "description" in schema else "", f"export interface {name} {{\n"]
+    summary = schema.get("description", "").partition("\n\n")[0]
+    lines = [_comment(summary) if summary else "", f"export interface {name} {{\n"]
     for key, found in schema["properties"].items():
         if key in FILE_ONLY:
             continue
@@ -194,10 +218,14 @@ def _type(key: str, schema: dict[str, Any]) -> str:
     """Return the type of a key in TypeScript."""
     if key == "shear_modulus":
         return "ShearModulus"
-    if key == "numerics":  # the table has other keys in files for histories
-        return "Numerics"
     if "$ref" in schema:
         return TYPE_OF[schema["$ref"]]
+    if key == "numerics":  # the table has other keys in files for histories
+        return "Numerics"
+    if key in ("ground", "tread"):
+        return "Profile"
+    if "anyOf" in schema:
+        return " | ".join(_type("", one) for one in schema["anyOf"])
     if "const" in schema:
         return f'"{schema["const"]}"'
     if "enum" in schema:

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <tuple>
+#include <type_traits>
+#include <variant>
 
 #include "bindings.hpp"
 #include "viscoroll/adhesion.hpp"
@@ -55,6 +58,19 @@ ShearModulus modulus_of(const std::string& type, const py::KWArgs<py::object>& p
   ShearModulus modulus = made();
   validate(modulus, "");
   return modulus;
+}
+
+/// Return the points of the shape of a type.
+template <class... Shapes>
+HeightProfile profile_of_type(const std::string& type, const py::KWArgs<py::object>& parameters,
+                              std::type_identity<std::variant<Shapes...>> /*shapes*/) {
+  std::optional<HeightProfile> profile;
+  const auto read = [&]<class Shape>(std::type_identity<Shape> /*shape*/) {
+    if (type == Shape::type) profile = profile_of(read_fields<Shape>(reader_of(parameters)));
+  };
+  (read(std::type_identity<Shapes>{}), ...);
+  if (!profile) throw InvalidInput("type", "must be a type of profile", type);
+  return *std::move(profile);
 }
 
 py::typing::Dict<py::str, py::object> parameters_of(const ShearModulus& modulus) {
@@ -131,6 +147,9 @@ void bind_inputs(py::module_& m) {
       py::arg("modulus"), py::arg("angular_speed"), py::arg("omega").noconvert());
 
   bind_struct<HeightProfile>(m, "HeightProfile", check)
+      .def_readonly("distance", &HeightProfile::distance)
+      .def_readonly("height", &HeightProfile::height)
+      .def_readonly("periodic", &HeightProfile::periodic)
       .def(
           "height_at",
           [](const HeightProfile& profile, const InputArray<double>& distance) {
@@ -140,6 +159,12 @@ void bind_inputs(py::module_& m) {
             return heights;
           },
           py::arg("distance").noconvert());
+  m.def(
+      "profile_of",
+      [](const std::string& type, const py::KWArgs<py::object>& parameters) {
+        return profile_of_type(type, parameters, std::type_identity<ProfileShape>{});
+      },
+      py::arg("type"));
   bind_struct<Axle>(m, "Axle", check);
   bind_struct<Adhesion>(m, "Adhesion", check);
 

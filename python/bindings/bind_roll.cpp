@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
+#include <span>
+#include <tuple>
 #include <vector>
 
 #include "bindings.hpp"
@@ -73,17 +74,18 @@ RollingHistory restored_history(const RollingBody& body, const Counterbody& on, 
   return {body, on, load, numbers, options, observer, axle_height};
 }
 
-InstantSeries roll_released(RollingHistory& history, std::vector<double> time, std::vector<double> angle,
-                            std::vector<double> load, std::vector<double> center_displacement,
-                            std::vector<double> axle_height, const py::object& progress) {
+InstantSeries roll_released(RollingHistory& history, const Motion& motion, const py::object& receive,
+                            const py::object& progress) {
   const Observer observer = python_observer(progress);
+  InstantReceiver receiver;
+  if (!receive.is_none()) {
+    receiver = [callable = py::handle(receive)](std::span<const RollingInstant> instants) {
+      const py::gil_scoped_acquire gil;
+      callable(InstantSeries{.instants = {instants.begin(), instants.end()}});
+    };
+  }
   const py::gil_scoped_release release;
-  const Motion motion{.time = std::move(time),
-                      .angle = std::move(angle),
-                      .load = std::move(load),
-                      .center_displacement = std::move(center_displacement),
-                      .axle_height = std::move(axle_height)};
-  return {roll(history, motion, observer)};
+  return {roll(history, motion, observer, receiver)};
 }
 
 void advance_released(RollingHistory& history, double time, double angle, double load,
@@ -113,6 +115,18 @@ void bind_roll(py::module_& m) {
 
   bind_scalars(m);
 
+  bind_fields<Motion>(m, "Motion");
+  m.def("check_motion", [](const Motion& motion) { validate(motion); }, py::arg("motion"));
+  bind_fields<Oscillation>(m, "Oscillation");
+  m.def("motion_of", &motion_of, py::arg("oscillation"));
+  m.def(
+      "time_range",
+      [](const Motion& motion, const std::optional<Mesh>& mesh, std::optional<int> steps_per_spacing) {
+        const TimeRange range = time_range(motion, mesh, steps_per_spacing);
+        return std::tuple{range.shortest, range.longest};
+      },
+      py::arg("motion"), py::arg("mesh").none(true), py::arg("steps_per_spacing").none(true));
+
   py::classh<ContactField>(m, "ContactField")
       .def_readonly("time", &ContactField::time)
       .def_property_readonly("x", field(&ContactField::x))
@@ -129,8 +143,8 @@ void bind_roll(py::module_& m) {
       .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
       .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
            py::arg("center_displacement").none(true), py::arg("axle_height").none(true))
-      .def("roll", &roll_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
-           py::arg("center_displacement"), py::arg("axle_height"), py::arg("progress").none(true))
+      .def("roll", &roll_released, py::arg("motion"), py::kw_only(), py::arg("receive").none(true),
+           py::arg("progress").none(true))
       .def("state",
            [](const RollingHistory& self) {
              const RollingState state = self.state();
@@ -141,17 +155,4 @@ void bind_roll(py::module_& m) {
       .def_property_readonly("steps", &RollingHistory::steps)
       .def_property_readonly("mesh", &RollingHistory::mesh)
       .def_property_readonly("spectrum_error", &RollingHistory::spectrum_error);
-
-  m.def(
-      "check_motion",
-      [](std::vector<double> time, std::vector<double> angle, std::vector<double> load,
-         std::vector<double> center_displacement, std::vector<double> axle_height) {
-        validate({.time = std::move(time),
-                  .angle = std::move(angle),
-                  .load = std::move(load),
-                  .center_displacement = std::move(center_displacement),
-                  .axle_height = std::move(axle_height)});
-      },
-      py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"), py::arg("center_displacement"),
-      py::arg("axle_height"));
 }

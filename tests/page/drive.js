@@ -129,6 +129,35 @@ if (seen.hasTemperature) await heated.waitForSelector("#temperature .card", { ti
 seen.hottest = await heated.$$eval("#temperature .card dd", (cards) => cards[0]?.textContent);
 seen.charts = await heated.$$eval("#temperature svg", (charts) => charts.length);
 
+// A body rolls over a bump; the history can be stopped, and starts again with another input.
+const rolled = await open(`${address}#${Buffer.from(JSON.stringify({ obstacle: "half_sine" })).toString("base64url")}`);
+const run = (state) => rolled.waitForSelector(`#over-ground[data-run="${state}"]`, { timeout: 60_000 });
+await run("rolling");
+await rolled.waitForSelector("#over-ground[data-frames]", { timeout: 60_000 });
+const played = performance.now();
+await run("done");
+seen.ground = await rolled.$eval("#over-ground", (view) => ({
+  tables: JSON.parse(view.dataset.of),
+  frames: Number(view.dataset.frames),
+  said: view.querySelector(".said").textContent,
+  last: Object.fromEntries(
+    [...view.querySelectorAll("[data-series]")].map((one) => [one.dataset.series, Number(one.dataset.value)]),
+  ),
+}));
+seen.ground.seconds = (performance.now() - played) / 1e3;
+await rolled.click("#over-ground button");
+await run("rolling");
+await rolled.click("#over-ground button");
+await run("stopped");
+await rolled.evaluate(() => {
+  const label = [...document.querySelectorAll("#form label")].find(({ textContent }) => textContent === "obstacle");
+  const select = document.getElementById(label.htmlFor);
+  select.value = "step";
+  select.dispatchEvent(new Event("change"));
+});
+await run("done");
+seen.ground.next = await rolled.$eval("#over-ground", (view) => JSON.parse(view.dataset.of).ground.type);
+
 // The field of a wrong number displays the error; a new number removes it.
 await page.bringToFront();
 const field = await page.evaluateHandle(() =>

@@ -19,16 +19,28 @@ function byScript(folder) {
 
 function byWorker(folder) {
   const worker = new Worker(new URL(import.meta.url), { workerData: folder });
-  const ask = (name, content) =>
+  const ask = (name, content, each) =>
     new Promise((resolve, reject) => {
-      worker.once("message", ({ answer, failure }) => {
+      const receive = ({ part, answer, failure }) => {
+        if (part) {
+          each(part);
+          return;
+        }
+        worker.off("message", receive);
         if (failure === undefined) resolve(answer);
         else reject(new Error(failure));
-      });
+      };
+      worker.on("message", receive);
       worker.once("error", reject);
       worker.postMessage({ id: 1, name, content });
     });
-  return { solve: (request) => ask("solve", request), scalars: () => ask("scalars"), end: () => worker.terminate() };
+  return {
+    solve: (request) => ask("solve", request),
+    roll: (request, each) => ask("roll", request, each),
+    scalars: () => ask("scalars"),
+    historyScalars: () => ask("historyScalars"),
+    end: () => worker.terminate(),
+  };
 }
 
 /** Worker: set up the scope of browsers, then load the file of the package. */
@@ -38,11 +50,20 @@ async function beWorker(folder) {
   parentPort.on("message", (data) => globalThis.onmessage({ data }));
 }
 
+/** The answer to a request; a request for a history, `{history}`, also gets the parts of its time series. */
+async function answered(viscoroll, request) {
+  if (!request?.history) return viscoroll.solve(request);
+  const parts = [];
+  const answer = await viscoroll.roll(request.history, (part) => parts.push(part));
+  return { ...answer, parts };
+}
+
 async function answerAll(folder, entry = "module") {
   const viscoroll = await { module: byModule, script: byScript, worker: byWorker }[entry](folder);
   const answers = [];
-  for (const request of JSON.parse(fs.readFileSync(0, "utf8"))) answers.push(await viscoroll.solve(request));
-  console.log(JSON.stringify({ answers, scalars: await viscoroll.scalars() }));
+  for (const request of JSON.parse(fs.readFileSync(0, "utf8"))) answers.push(await answered(viscoroll, request));
+  const [scalars, historyScalars] = [await viscoroll.scalars(), await viscoroll.historyScalars()];
+  console.log(JSON.stringify({ answers, scalars, historyScalars }));
   await viscoroll.end?.();
 }
 

@@ -372,6 +372,164 @@ export interface Numerics {
   finite_strain?: boolean | null;
 }
 
+export interface Points {
+  /** Distances [m], not decreasing, at least two. Two equal distances are a step. */
+  distance: number[];
+  /** Height at each distance [m]. */
+  height: number[];
+  /** Whether the profile repeats. */
+  periodic?: boolean | null;
+  type: "points";
+}
+
+export interface Step {
+  /** Height of the ground behind the step [m]. */
+  height: number;
+  /** Distance of the step [m]. */
+  at: number;
+  type: "step";
+}
+
+export interface HalfSine {
+  /** Height of the top [m]. */
+  height: number;
+  /** Length of the bump [m], positive. */
+  length: number;
+  /** Distance of the top [m]. */
+  at: number;
+  type: "half_sine";
+}
+
+export interface Joint {
+  /** Depth of the joint [m], positive. If it exceeds the penetration, its value has no effect. */
+  depth: number;
+  /** Width along the track [m], positive. */
+  width: number;
+  /** Distance of the middle of the joint [m]. */
+  at: number;
+  type: "joint";
+}
+
+export interface Corrugation {
+  /** Amplitude [m]. */
+  amplitude: number;
+  /** Length of a period [m], positive. On a tread, the circumference is a multiple of it. */
+  period: number;
+  /** Distance at which the height rises through zero [m]. */
+  at?: number | null;
+  type: "corrugation";
+}
+
+export interface Axle {
+  /**
+   * Mass that moves up and down with the axle [kg], for rollers per length [kg/m], ≥ 0. Steps are then at most a
+   * sixtieth of the period in which it vibrates on the contact.
+   */
+  mass?: number | null;
+  /** Stiffness of the spring [N/m], for rollers per length [N/m^2], ≥ 0. */
+  stiffness?: number | null;
+  /** Force of the damper per speed [N s/m], for rollers per length [N s/m^2], ≥ 0. */
+  damping?: number | null;
+}
+
+/** The table `motion`: waypoints in lists or in a file, or an oscillation. */
+export interface Motion {
+  /**
+   * Times of the waypoints [s], not decreasing. Two equal times are a jump, which requires a coating with an
+   * instantaneous compliance.
+   */
+  time?: number[] | null;
+  /** Angle ψ turned at the waypoints [rad]; the body rolls forward if it increases. */
+  angle?: number[] | null;
+  /**
+   * Distance rolled along the track at the waypoints [m], in place of the angle: r_o ψ, the displacement of the contact
+   * without slip.
+   */
+  distance?: number[] | null;
+  /**
+   * Normal load P at the waypoints [N], for rollers per length [N/m], ≥ 0, and > 0 at the first one; a number for all
+   * waypoints. At 0 the body has lifted off. With an axle, the external force on it. Exactly one of load and
+   * `axle_height` is given.
+   */
+  load?: number | number[] | null;
+  /**
+   * Height of the axle at the waypoints [m], r_o minus the penetration; the load is then a result. At the first
+   * waypoint, the height is smaller than r_o. Not with an axle.
+   */
+  axle_height?: number | number[] | null;
+  /** Amplitude of an oscillation about the start [rad]. */
+  amplitude?: number | null;
+  /** Frequency of the oscillation [Hz]. */
+  frequency?: number | null;
+  /** Number of cycles, in (0, 1e4]. */
+  cycles?: number | null;
+  /**
+   * State before the first waypoint: the load has rested on the body until the material has fully relaxed (RELAXED),
+   * the load is applied instantaneously (UNDEFORMED), or the state of another history, at a time between the waypoints,
+   * from which the motion continues.
+   */
+  start?: "relaxed" | "undeformed" | null;
+  /**
+   * Coulomb's coefficient of friction μ between the two bodies [-], in [0, 4]. With friction, a step takes several
+   * times as long (docs/theory/transient-friction.md).
+   */
+  friction?: number | null;
+  /** Force on the center [N]; needs friction. */
+  driving_force?: number | null;
+  /** Torque on the body [N m] instead of a driving force. */
+  driving_torque?: number | null;
+  /**
+   * Displacement of the center at the waypoints [m], starting from 0; requires friction. By default the forces
+   * determine it.
+   */
+  center_displacement?: number[] | null;
+  /**
+   * Mass that moves with the center [kg], ≥ 0; requires friction and a given force Q on the center. Q minus the force
+   * of the contact is mass times acceleration. If Q exceeds friction, the body slides, which is not an error.
+   */
+  mass?: number | null;
+  /** Initial speed of the center, forward [m/s]; used only with a mass. */
+  center_speed?: number | null;
+}
+
+/** The table `numerics` of a motion. */
+export interface HistoryNumerics {
+  /** 2π/Δφ in [16, 1 000 000], where Δφ is the spacing along φ. A value of 500 is the paper's Δ = π/250. */
+  nodes_per_revolution?: number | null;
+  /**
+   * Truncation order N_t, as in the paper: the orders |m|, |n| ≤ N_t are summed. It must be at least half of the nodes
+   * per revolution, since fewer orders cannot resolve the mesh. By default all orders are summed, at a cost that hardly
+   * grows with the mesh.
+   */
+  max_order?: number | null;
+  /** 2π/Δθ, where Δθ is the spacing along θ. By default the spacing is the same as along φ. */
+  theta_nodes_per_revolution?: number | null;
+  /**
+   * Compliance in the contact condition, same as in `viscoroll.solve`; VERTICAL only for a ball on the rigid plane.
+   */
+  compliance?: "radial" | "vertical" | null;
+  /** Curvature terms in the equations of the layers of balls: SPHERE or PAPER. */
+  curvature?: "sphere" | "paper" | null;
+  /**
+   * Number of meshes, each shifted by an equal fraction of the node spacing, over which results are averaged, in [1,
+   * 16]. A single mesh is four times as fast, but its torque varies with the position of its nodes.
+   */
+  averaged_meshes?: number | null;
+  /**
+   * Number of time steps while the body turns by one node spacing, in [1, 64]; at standstill each step is a tenth
+   * longer than the one before. None: one step to each waypoint, and to the end of each `advance`.
+   */
+  steps_per_spacing?: number | null;
+  /**
+   * Largest relative error of the compliance due to discrete retardation times [-]. For layers with different
+   * relaxation functions, it determines the number of times and therefore the cost of a step.
+   */
+  spectrum_tolerance?: number | null;
+}
+
+/** Height over the distance, of the ground along the track or of the tread around the body. */
+export type Profile = Points | Step | HalfSine | Joint | Corrugation;
+
 /** Tables and keys of a case file. */
 export interface Case {
   ball?: Ball | null;
@@ -386,6 +544,23 @@ export interface Case {
   numerics?: Numerics | null;
 }
 
+/** Tables and keys of a motion file. */
+export interface MotionCase {
+  ball?: Ball | null;
+  cylinder?: Cylinder | null;
+  wheel?: Wheel | null;
+  plane?: Plane | null;
+  groove?: Groove | null;
+  other_ball?: Ball | null;
+  other_cylinder?: Cylinder | null;
+  other_wheel?: Wheel | null;
+  numerics?: HistoryNumerics | null;
+  motion: Motion;
+  ground?: Profile | null;
+  tread?: Profile | null;
+  axle?: Axle | null;
+}
+
 // End of the types that are written by wasm/make_types.py
 
 export interface Request {
@@ -393,6 +568,23 @@ export interface Request {
   /** Whether to return fields. */
   fields?: boolean;
 }
+
+export interface HistoryRequest {
+  case: MotionCase;
+}
+
+/** Time series of new instants by the names of `historyScalars()`; null if undetermined. */
+export type Series = Record<string, (number | null)[]>;
+
+export interface HistoryResult {
+  /** Number of time steps. */
+  steps: number;
+  nodes_per_revolution: number;
+  /** Largest relative error of the compliance due to discrete retardation times [-]. */
+  spectrum_error: number;
+}
+
+export type HistoryAnswer = { result: HistoryResult; error?: undefined } | { error: Failure; result?: undefined };
 
 /** Fields at the nodes: rows along x, the direction of rolling, and columns along z, across it. */
 export interface Fields {
@@ -453,11 +645,21 @@ export interface Scalar {
 /** Solve a case on the calling thread; a page should call it in a worker. For invalid input, return an error. */
 export function solve(request: Request): Promise<Answer>;
 
+/**
+ * Compute a history on the calling thread. `each` receives the first instant, and then every few steps the new instants.
+ * To stop a history, end the worker that computes it.
+ */
+export function roll(request: HistoryRequest, each?: (series: Series) => void): Promise<HistoryAnswer>;
+
 /** The table of scalar results. */
 export function scalars(): Promise<Scalar[]>;
 
+/** The table of the time series of histories. */
+export function historyScalars(): Promise<{ name: string; unit: string; description: string }[]>;
+
 /**
- * Make a worker answer the messages `{id, name: "solve", content: request}` and `{id, name: "scalars"}` with
- * `{id, answer}`, or with `{id, failure}` if the module fails.
+ * Make a worker answer the messages `{id, name: "solve", content: request}`, `{id, name: "roll", content: request}`,
+ * `{id, name: "scalars"}` and `{id, name: "historyScalars"}` with `{id, answer}`, or with `{id, failure}` if the module
+ * fails. While it computes a history, it sends the messages `{id, part}` with the new instants.
  */
 export function serve(scope?: object): void;

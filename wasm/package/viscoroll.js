@@ -2,4 +2,4 @@
 
 import "./viscoroll.single.js";
 
-export const { solve, scalars, serve } = globalThis.viscoroll;
+export const { solve, roll, scalars, historyScalars, serve } = globalThis.viscoroll;

@@ -21,6 +21,9 @@
     return new Response(stream).arrayBuffer();
   }
 
+  /** Function that receives the time series of a history while the module computes it. */
+  let receive = () => {};
+
   /**
    * WASI functions that the library imports: the clock, for its progress reports, and error output and exit, for fatal
    * errors. Pointers and lengths are in bytes of the module's memory, which `memory` returns.
@@ -43,6 +46,10 @@
         if (file === STANDARD_ERROR) console.error(text);
         view().setUint32(written, length, true);
         return 0;
+      },
+      /** Function of viscoroll: the text at an address has time series. */
+      receive(address) {
+        receive(JSON.parse(readText(memory(), address)));
       },
       proc_exit(code) {
         throw new Error(`viscoroll exited with code ${code}`);
@@ -67,15 +74,18 @@
   let instance = null;
 
   /**
-   * Call a function of the module with a text, if there is one, and parse the JSON text that it returns. After an
-   * exception, the memory of the module may be corrupt, so the next call makes a new instance.
+   * Call a function of the module with a text, if there is one, and parse the JSON text that it returns. `each` receives
+   * time series meanwhile. After an exception, the memory of the module may be corrupt, so the next call makes a new
+   * instance.
    */
-  async function call(name, text) {
+  async function call(name, text, each = () => {}) {
     instance ??= instantiate();
     const library = await instance;
     try {
       const addresses = text === undefined ? [] : [writeText(library, text)];
-      const answer = readText(library, library[name](...addresses));
+      receive = each;
+      const returned = library[name](...addresses);
+      const answer = readText(library.memory.buffer, returned);
       addresses.forEach(library.free);
       return JSON.parse(answer);
     } catch (error) {
@@ -93,9 +103,9 @@
     return address;
   }
 
-  /** Return the text at an address, which ends with a zero. */
-  function readText(library, address) {
-    const memory = new Uint8Array(library.memory.buffer);
+  /** Return the text at an address of a memory, which ends with a zero. */
+  function readText(buffer, address) {
+    const memory = new Uint8Array(buffer);
     const start = address >>> 0;
     return new TextDecoder().decode(memory.subarray(start, memory.indexOf(0, start)));
   }
@@ -107,20 +117,31 @@
     [NaN, "nan"],
   ]);
 
+  const requestText = (request) => JSON.stringify(request, (_key, value) => NON_FINITE_NAMES.get(value) ?? value);
+
   async function solve(request) {
-    return call("solve", JSON.stringify(request, (_key, value) => NON_FINITE_NAMES.get(value) ?? value));
+    return call("solve", requestText(request));
+  }
+
+  async function roll(request, each) {
+    return call("roll", requestText(request), each);
   }
 
   async function scalars() {
     return call("scalars");
   }
 
-  const functions = { solve, scalars };
+  async function historyScalars() {
+    return call("history_scalars");
+  }
+
+  const functions = { solve, roll, scalars, historyScalars };
 
   function serve(scope = globalThis) {
     scope.onmessage = async ({ data: { id, name, content } }) => {
       try {
-        scope.postMessage({ id, answer: await functions[name](content) });
+        const each = (part) => scope.postMessage({ id, part });
+        scope.postMessage({ id, answer: await functions[name](content, each) });
       } catch (error) {
         scope.postMessage({ id, failure: String(error) });
       }

@@ -1,5 +1,6 @@
 #include "answer_to_json.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -132,6 +133,37 @@ Json scalars_to_json() {
   {{"name", #name}, {"unit", unit}, {"description", label}, {"group", #group}, {"precision", precision}},
 #include "viscoroll/result_scalars.def"
 #undef VISCOROLL_SCALAR
+  };
+}
+
+Json series_to_json(std::span<const RollingInstant> instants, double outer_radius) {
+  const auto series = [&](const auto& value) {
+    Json all = Json::array();
+    for (const RollingInstant& instant : instants) {
+      const double number = value(instant);
+      all.push_back(std::isfinite(number) ? Json(number) : Json());
+    }
+    return all;
+  };
+  return {
+      {"distance", series([&](const RollingInstant& instant) { return outer_radius * instant.angle; })},
+#define VISCOROLL_HISTORY_SCALAR(name, unit, label, details) \
+  {#name, series([](const RollingInstant& instant) { return instant.name; })},
+#define VISCOROLL_HISTORY_SUMMARY VISCOROLL_HISTORY_SCALAR
+#include "viscoroll/history_scalars.def"
+#undef VISCOROLL_HISTORY_SUMMARY
+#undef VISCOROLL_HISTORY_SCALAR
+  };
+}
+
+Json history_scalars_to_json() {
+  return {
+      {{"name", "distance"}, {"unit", "m"}, {"description", "distance rolled along the track, r_o ψ"}},
+#define VISCOROLL_HISTORY_SCALAR(name, unit, label, details) {{"name", #name}, {"unit", unit}, {"description", label}},
+#define VISCOROLL_HISTORY_SUMMARY VISCOROLL_HISTORY_SCALAR
+#include "viscoroll/history_scalars.def"
+#undef VISCOROLL_HISTORY_SUMMARY
+#undef VISCOROLL_HISTORY_SCALAR
   };
 }
 

@@ -2,8 +2,11 @@
 /// @brief Results and fields as JSON.
 #pragma once
 
+#include <span>
+
 #include "table.hpp"
 #include "viscoroll/result.hpp"
+#include "viscoroll/rolling_history.hpp"
 
 namespace viscoroll::wasm {
 
@@ -19,5 +22,12 @@ namespace viscoroll::wasm {
 
 /// @return table of scalar results: name, unit, description
 [[nodiscard]] Json scalars_to_json();
+
+/// @brief Time series of instants by name: the scalars of a history, and the distance. Undetermined values are null.
+/// @param[in] instants instants of a history
+/// @param[in] outer_radius radius of the rolling body [m]
+[[nodiscard]] Json series_to_json(std::span<const RollingInstant> instants, double outer_radius);
+
+[[nodiscard]] Json history_scalars_to_json();
 
 }  // namespace viscoroll::wasm

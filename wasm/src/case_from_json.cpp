@@ -9,14 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "numerics_from_json.hpp"
+
 namespace viscoroll::wasm {
 
-template <>
-inline constexpr auto kNames<Compliance> =
-    std::to_array<Name<Compliance>>({{"radial", Compliance::radial}, {"vertical", Compliance::vertical}});
-template <>
-inline constexpr auto kNames<Curvature> = std::to_array<Name<Curvature>>(
-    {{"sphere", Curvature::sphere}, {"paper", Curvature::paper}, {"exact", Curvature::exact}});
 template <>
 inline constexpr auto kNames<PatchLoad> =
     std::to_array<Name<PatchLoad>>({{"flat", PatchLoad::flat}, {"spherical", PatchLoad::spherical}});
@@ -98,9 +94,7 @@ LoadCase load_case_from_json(const Json& json, const std::string& path) {
 
 Options options_from_json(const Json& json, const std::string& path) {
   Table table(json, path);
-  const auto nodes = table.maybe_integer("nodes_per_revolution");
-  const auto max_order = table.maybe_integer("max_order");
-  const auto theta_nodes = table.maybe_integer("theta_nodes_per_revolution");
+  const MeshKeys mesh(table);
   const bool has_accuracy = table.take("accuracy") != nullptr;
   auto options = read_fields<Options>([&]<class Value>(const char* key, Value otherwise, bool is_optional) -> Value {
     // The keys of the mesh are those above, and case files have neither max_iterations nor threads.
@@ -111,15 +105,8 @@ Options options_from_json(const Json& json, const std::string& path) {
     }
   });
   table.close();
-  if (nodes) {
-    options.mesh =
-        Mesh{.nodes_per_revolution = *nodes, .max_order = max_order, .theta_nodes_per_revolution = theta_nodes};
-    validate(*options.mesh);
-  } else if (max_order || theta_nodes) {
-    throw InvalidInput("numerics.nodes_per_revolution", "must be given with max_order or theta_nodes_per_revolution",
-                       "");
-  }
-  if (nodes && has_accuracy) {
+  options.mesh = mesh.mesh();
+  if (options.mesh && has_accuracy) {
     throw InvalidInput("numerics.accuracy", "must be left out if a mesh is given", "");
   }
   return options;

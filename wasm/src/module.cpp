@@ -5,13 +5,22 @@
 #include <exception>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
+#include <variant>
 
 #include "answer_to_json.hpp"
 #include "case_from_json.hpp"
+#include "motion_from_json.hpp"
 #include "table.hpp"
 #include "viscoroll/errors.hpp"
 #include "viscoroll/solve.hpp"
+
+extern "C" {
+
+/// @brief Function of JavaScript that receives time series as a JSON text, which is valid during the call.
+__attribute__((import_module("viscoroll"), import_name("receive"))) void viscoroll_receive(const char* series);
+}
 
 namespace viscoroll::wasm {
 namespace {
@@ -43,6 +52,33 @@ Json solved(const Json& request) {
   return answer;
 }
 
+RollingHistory start(const MotionCase& given) {
+  const Motion& motion = given.motion;
+  std::optional<double> axle_height;
+  if (!motion.axle_height.empty()) axle_height = motion.axle_height.front();
+  return {given.pair.body,      given.pair.on, motion.load.empty() ? 0.0 : motion.load.front(),
+          given.start,          given.options, motion.time.front(),
+          motion.angle.front(), Observer{},    axle_height};
+}
+
+/// Compute a history, and pass the instants to JavaScript as they are computed.
+Json rolled(const Json& request) {
+  Table table(request, "request");
+  const Json& given = table.require("case");
+  table.close();
+  const MotionCase read = motion_from_json(given);
+  const double radius = std::visit([](const auto& body) { return outer_radius(body); }, read.pair.body);
+  const auto pass_on = [radius](std::span<const RollingInstant> instants) {
+    viscoroll_receive(series_to_json(instants, radius).dump().c_str());
+  };
+  RollingHistory history = start(read);
+  pass_on(std::span(&history.current(), 1));
+  const auto instants = roll(history, read.motion, Observer{}, pass_on);
+  return {{"steps", instants.size() - 1},
+          {"nodes_per_revolution", history.mesh().nodes_per_revolution},
+          {"spectrum_error", history.spectrum_error()}};
+}
+
 Json other_error(const char* message) {
   return {
       {"error",
@@ -60,9 +96,10 @@ Json range_to_json(const std::optional<Range>& range) {
           {"excludes_maximum", range->excludes_maximum}};
 }
 
-Json answer_to(const char* request) {
+/// Answer a request by a function of it.
+Json answer_to(const char* request, Json (*result)(const Json&)) {
   try {
-    return {{"result", solved(parsed(request))}};
+    return {{"result", result(parsed(request))}};
   } catch (const InvalidInput& error) {
     return {{"error",
              {{"message", error.what()},
@@ -91,8 +128,20 @@ extern "C" {
 
 /// @param[in] request {"case": tables of a case file, "fields": whether to return fields}
 /// @return {"result": ...} or {"error": {"message", "parameter", "rule", "value"}}
-const char* solve(const char* request) { return viscoroll::wasm::kept(viscoroll::wasm::answer_to(request)); }
+const char* solve(const char* request) {
+  return viscoroll::wasm::kept(viscoroll::wasm::answer_to(request, viscoroll::wasm::solved));
+}
+
+/// @brief Compute a history. The time series of new instants are passed to viscoroll_receive.
+/// @param[in] request {"case": tables of a motion file}
+/// @return {"result": {"steps", "nodes_per_revolution", "spectrum_error"}} or an error as `solve`
+const char* roll(const char* request) {
+  return viscoroll::wasm::kept(viscoroll::wasm::answer_to(request, viscoroll::wasm::rolled));
+}
 
 /// @return [{"name", "unit", "description"}] of the scalar results
 const char* scalars() { return viscoroll::wasm::kept(viscoroll::wasm::scalars_to_json()); }
+
+/// @return [{"name", "unit", "description"}] of the time series of a history
+const char* history_scalars() { return viscoroll::wasm::kept(viscoroll::wasm::history_scalars_to_json()); }
 }

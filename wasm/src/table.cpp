@@ -26,6 +26,16 @@ double number_from_json(const Json& value, const std::string& path) {
   reject(path, "number", value);
 }
 
+std::vector<double> numbers_from_json(const Json& list, const std::string& path) {
+  if (!list.is_array()) reject(path, "list", list);
+  std::vector<double> values;
+  values.reserve(list.size());
+  for (const Json& value : list) {
+    values.push_back(number_from_json(value, path + "[" + std::to_string(values.size()) + "]"));
+  }
+  return values;
+}
+
 }  // namespace
 
 std::string shown(const Json& value) {
@@ -77,14 +87,19 @@ std::optional<int> Table::maybe_integer(std::string_view key) {
 
 std::vector<double> Table::numbers(std::string_view key) {
   const Json& given = require(key);
-  if (given.is_null()) return {};
-  if (!given.is_array()) reject(path_of(key), "list", given);
-  std::vector<double> values;
-  values.reserve(given.size());
-  for (const Json& value : given) {
-    values.push_back(number_from_json(value, path_of(key) + "[" + std::to_string(values.size()) + "]"));
-  }
-  return values;
+  return given.is_null() ? std::vector<double>{} : numbers_from_json(given, path_of(key));
+}
+
+std::optional<std::vector<double>> Table::maybe_numbers(std::string_view key) {
+  const Json* given = take(key);
+  return given == nullptr ? std::nullopt : std::optional(numbers_from_json(*given, path_of(key)));
+}
+
+std::variant<std::monostate, double, std::vector<double>> Table::maybe_number_or_numbers(std::string_view key) {
+  const Json* given = take(key);
+  if (given == nullptr) return {};
+  if (given->is_array()) return numbers_from_json(*given, path_of(key));
+  return number_from_json(*given, path_of(key));
 }
 
 const Json& Table::take_type() {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "viscoroll/errors.hpp"
@@ -80,11 +81,13 @@ class Table {
   /// @return its value, or null, which is reported when the table is closed
   [[nodiscard]] const Json& require(std::string_view key);
 
-  /// @throws InvalidInput (all four functions) if the value has another type
+  /// @throws InvalidInput (all six functions) if the value has another type
   [[nodiscard]] double number(std::string_view key);
   [[nodiscard]] std::optional<double> maybe_number(std::string_view key);
   [[nodiscard]] std::optional<int> maybe_integer(std::string_view key);
   [[nodiscard]] std::vector<double> numbers(std::string_view key);
+  [[nodiscard]] std::optional<std::vector<double>> maybe_numbers(std::string_view key);
+  [[nodiscard]] std::variant<std::monostate, double, std::vector<double>> maybe_number_or_numbers(std::string_view key);
 
   /// @brief Take a key whose value is one of several names.
   /// @return the value of this name, or `otherwise` if the key is missing

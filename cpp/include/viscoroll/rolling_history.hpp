@@ -8,8 +8,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -116,6 +118,9 @@ struct ContactField {
   std::vector<double> pressure;  ///< contact pressure [Pa]
 };
 
+/// @brief Receives instants as they are computed, on the thread that called the library.
+using InstantReceiver = std::function<void(std::span<const RollingInstant>)>;
+
 /// @brief A prescribed motion: waypoints with linear interpolation in time. Two waypoints at one time are a jump.
 struct Motion {
   std::vector<double> time;   ///< times of the waypoints [s], at least one, not decreasing
@@ -128,11 +133,47 @@ struct Motion {
   /// Height of the axle at each waypoint, in place of the load [m]: r_o minus the penetration. Empty: the load is
   /// given.
   std::vector<double> axle_height = {};
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"time", &Motion::time}, Field{"angle", &Motion::angle}, Field{"load", &Motion::load, true},
+                      Field{"center_displacement", &Motion::center_displacement, true},
+                      Field{"axle_height", &Motion::axle_height, true}};
+  }
 };
 
 /// @brief Check a motion.
 /// @throws InvalidInput naming parameter, value, unit and range
 void validate(const Motion& motion);
+
+/// @brief Oscillation of the angle about 0, which starts forward.
+struct Oscillation {
+  double amplitude = 0.0;  ///< largest angle [rad]
+  double frequency = 0.0;  ///< frequency [Hz], in [1e-100, 1e100]
+  double cycles = 1.0;     ///< number of cycles, in (0, 1e4]
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"amplitude", &Oscillation::amplitude}, Field{"frequency", &Oscillation::frequency},
+                      Field{"cycles", &Oscillation::cycles, true}};
+  }
+};
+
+/// @return times and angles of an oscillation, with 160 waypoints in each cycle, without loads
+/// @throws InvalidInput naming parameter, value, unit and range
+[[nodiscard]] Motion motion_of(const Oscillation& oscillation);
+
+/// @brief Range of times in which a history resolves moduli with a continuous spectrum.
+struct TimeRange {
+  double shortest = 0.0;  ///< [s]
+  double longest = 0.0;   ///< [s]
+};
+
+/// @brief Range of times for a motion: from a tenth of the shortest time step while the body rolls, or 1e-4 of the
+/// duration if it does not roll, to ten times the duration.
+/// @param[in] motion waypoints
+/// @param[in] mesh mesh of the history; none: 500 nodes per revolution, because the mesh is chosen later
+/// @param[in] steps_per_spacing same as in `HistoryOptions`
+[[nodiscard]] TimeRange time_range(const Motion& motion, const std::optional<Mesh>& mesh,
+                                   std::optional<int> steps_per_spacing);
 
 /// @brief Complete state of a history, as numbers that can be stored.
 struct RollingState {
@@ -215,7 +256,8 @@ class RollingHistory {
   void restore(const RollingState& state, const Observer& observer = {});
 
  private:
-  friend std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, const Observer& observer);
+  friend std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, const Observer& observer,
+                                          const InstantReceiver& receive);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
@@ -225,11 +267,12 @@ class RollingHistory {
 /// computation follows the motion from this instant. After an exception, the history is at the last completed instant.
 /// @param[in] motion waypoints
 /// @param[in] observer progress and cancellation
+/// @param[in] receive called after every few steps with the new instants
 /// @return scalars at all instants, beginning with the current one
 /// @throws InvalidInput for invalid input, and for a drive that friction cannot balance
 /// @throws ConvergenceError if the contact iteration does not converge
 /// @throws Canceled if the observer canceled the computation
 [[nodiscard]] std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion,
-                                               const Observer& observer = {});
+                                               const Observer& observer = {}, const InstantReceiver& receive = {});
 
 }  // namespace viscoroll

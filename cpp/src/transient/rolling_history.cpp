@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "transient/history_impl.hpp"
 #include "transient/history_input.hpp"
@@ -118,7 +120,39 @@ std::size_t next_waypoint(const Motion& motion, const RollingInstant& current, d
 
 }  // namespace
 
-std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, const Observer& observer) {
+Motion motion_of(const Oscillation& oscillation) {
+  detail::require_in({.unit = "Hz", .minimum = 1e-100, .maximum = 1e100}, "frequency", oscillation.frequency);
+  detail::require_in({.minimum = 0.0, .maximum = 1e4, .excludes_minimum = true}, "cycles", oscillation.cycles);
+  detail::require_finite("amplitude", oscillation.amplitude);
+  constexpr double kWaypointsPerCycle = 160.0;
+  const auto count = static_cast<std::size_t>(std::max(kWaypointsPerCycle * oscillation.cycles, 1.0));
+  Motion motion;
+  for (std::size_t k = 0; k <= count; ++k) {
+    const double time =
+        oscillation.cycles / oscillation.frequency * static_cast<double>(k) / static_cast<double>(count);
+    motion.time.push_back(time);
+    motion.angle.push_back(oscillation.amplitude * std::sin(2.0 * std::numbers::pi * oscillation.frequency * time));
+  }
+  return motion;
+}
+
+TimeRange time_range(const Motion& motion, const std::optional<Mesh>& mesh, std::optional<int> steps_per_spacing) {
+  constexpr double kTypicalNodes = 500.0;
+  const double spacing = mesh ? phi_spacing(*mesh) : 2.0 * std::numbers::pi / kTypicalNodes;
+  const double step = spacing / steps_per_spacing.value_or(1);
+  const double duration = std::max(motion.time.back() - motion.time.front(), 1e-9);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < motion.time.size(); ++k) {
+    const double turn = std::abs(motion.angle[k] - motion.angle[k - 1]);
+    const double time = motion.time[k] - motion.time[k - 1];
+    if (turn > 0.0 && time > 0.0) shortest = std::min(shortest, 0.1 * step * time / turn);
+  }
+  if (std::isinf(shortest)) shortest = 1e-4 * duration;
+  return {.shortest = std::min(shortest, 0.1 * duration), .longest = 10.0 * duration};
+}
+
+std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, const Observer& observer,
+                                 const InstantReceiver& receive) {
   validate(motion);
   detail::Watch watch(observer);
   RollingHistory::Impl& impl = *history.impl_;
@@ -135,12 +169,13 @@ std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, 
     const StepEnd end = waypoint_of(motion, k);
     impl.require_step(end);
     const std::vector<StepEnd> path = impl.path_to(end);
-    constexpr std::size_t kTogether = 64;
-    for (std::size_t first = 0; first < path.size(); first += kTogether) {
-      const auto piece = std::span(path).subspan(first, std::min(kTogether, path.size() - first));
+    const std::size_t together = receive ? 8 : 64;
+    for (std::size_t first = 0; first < path.size(); first += together) {
+      const auto piece = std::span(path).subspan(first, std::min(together, path.size() - first));
       const auto means =
           impl.follow(piece, watch, {.from = share_at(impl.current.time), .to = share_at(piece.back().time)});
       instants.insert(instants.end(), means.begin(), means.end());
+      if (receive) receive(means);
     }
   }
   return instants;

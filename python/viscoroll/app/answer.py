@@ -16,11 +16,22 @@ from ..case import build_case
 from ..case.case import BODIES, COUNTERBODIES, CaseFile
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from .._support.progress import ProgressLike
     from ..case import Case
     from ..rolling import Result
 
-__all__ = ["OTHER_TABLES", "answer", "error_answer", "readable_case", "scalars", "tables_of_page"]
+__all__ = [
+    "OTHER_TABLES",
+    "answer",
+    "answered",
+    "error_answer",
+    "finite",
+    "readable_case",
+    "scalars",
+    "tables_of_page",
+]
 
 #: Keys of a request.
 _KEYS = {"case", "fields"}
@@ -60,23 +71,32 @@ def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
         "parameter", "rule", "value", "allowed"}}``: the message as for a case file, and the attributes of
         `InvalidInput`, or None for other errors. Ends of a range that do not exist are None.
     """
-    try:
+
+    def result() -> dict[str, Any]:
         if not isinstance(request, dict) or "case" not in request or set(request) - _KEYS:
             raise InvalidInput("request", "must be an object with the key case and optionally the key fields")
         case = readable_case(request["case"])
         with silenced():
-            result = case.solve(progress=progress)
+            solved = case.solve(progress=progress)
+        found = {
+            "scalars": {name: finite(value) for name, value in solved.scalars().items()},
+            "state": solved.status.name.lower(),
+            "warnings": _warnings(solved),
+        }
+        return found | ({"fields": _fields(solved)} if request.get("fields") else {})
+
+    return answered(result)
+
+
+def answered(result: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """Return what a function returns as ``{"result": ...}``, or the error of a case that it raises."""
+    try:
+        return {"result": result()}
     except (ValueError, TypeError, ConvergenceError, RecursionError) as error:
         return {"error": error_answer(one_line(str(error)), error if isinstance(error, InvalidInput) else None)}
     except MemoryError:
         message = "not enough memory for this case: use a larger accuracy, that is, a coarser mesh"
         return {"error": error_answer(message)}
-    found = {
-        "scalars": {name: _finite(value) for name, value in result.scalars().items()},
-        "state": result.status.name.lower(),
-        "warnings": _warnings(result),
-    }
-    return {"result": found | ({"fields": _fields(result)} if request.get("fields") else {})}
 
 
 def readable_case(document: object) -> Case:
@@ -119,7 +139,7 @@ def error_answer(message: str, invalid: InvalidInput | None = None) -> dict[str,
     """Return the error of an answer, with the attributes of `InvalidInput` if there is one."""
     if invalid is None:
         return {"message": message, "parameter": None, "rule": None, "value": None, "allowed": None}
-    allowed = None if invalid.allowed is None else {name: _finite(one) for name, one in asdict(invalid.allowed).items()}
+    allowed = None if invalid.allowed is None else {name: finite(one) for name, one in asdict(invalid.allowed).items()}
     return {
         "message": message,
         "parameter": invalid.parameter,
@@ -129,7 +149,7 @@ def error_answer(message: str, invalid: InvalidInput | None = None) -> dict[str,
     }
 
 
-def _finite(value: float | int | str | None) -> float | int | str | None:
+def finite(value: float | int | str | None) -> float | int | str | None:
     """Return None for infinite and undefined values, for which JSON has no numbers, else the value."""
     return None if isinstance(value, float) and not math.isfinite(value) else value
 

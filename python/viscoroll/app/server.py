@@ -29,6 +29,7 @@ from typing import TYPE_CHECKING, Any
 
 from .answer import answer, scalars
 from .case_text import opened
+from .history import history_answer, history_scalars
 from .temperature import temperature_answer
 
 if TYPE_CHECKING:
@@ -241,18 +242,18 @@ class _Handler(BaseHTTPRequestHandler):
             self.server.remove_redirect_file()
 
     def do_POST(self) -> None:
-        """Send the answer to a request, the case of a case file, or the table of scalar results."""
+        """Send the answer to a request, the case of a case file, or a table of scalars."""
         name = self._name()
         if name is None:
             return
-        if name not in ("solve", "temperature", "open", "scalars"):
+        if name not in ("solve", "roll", "temperature", "open", "scalars", "history_scalars"):
             self._refuse(HTTPStatus.NOT_FOUND)
             return
         body = self._body()
         if body is None:
             return
-        if name == "scalars":
-            self._send_json(scalars())
+        if name in ("scalars", "history_scalars"):
+            self._send_json(scalars() if name == "scalars" else history_scalars())
             return
         try:
             request = _read_json(body)
@@ -263,6 +264,9 @@ class _Handler(BaseHTTPRequestHandler):
             self._send_json(opened(request))
             return
         try:
+            if name == "roll":
+                self._send_history(request)
+                return
             found = temperature_answer if name == "temperature" else answer
             self._send_json(found(request, progress=self._stop_if_closed))
         except _Disconnected:
@@ -312,6 +316,16 @@ class _Handler(BaseHTTPRequestHandler):
         except OSError:
             return True
 
+    def _send_history(self, request: object) -> None:
+        """Send a history as it is computed: a line of JSON for each part, and a last one for the answer."""
+
+        def send(**line: object) -> None:
+            self.wfile.write(json.dumps(line, allow_nan=False).encode() + b"\n")
+
+        self._send_head("application/x-ndjson", HTTPStatus.OK)
+        found = history_answer(request, receive=lambda part: send(part=part), progress=self._stop_if_closed)
+        send(answer=found)
+
     def _send_json(self, content: object) -> None:
         self._send("application/json", json.dumps(content, allow_nan=False).encode())
 
@@ -319,13 +333,14 @@ class _Handler(BaseHTTPRequestHandler):
         self._send("text/plain", status.phrase.encode(), status=status)
 
     def _send(self, kind: str, content: bytes, *, status: HTTPStatus = HTTPStatus.OK) -> None:
+        self._send_head(kind, status, {"Content-Length": str(len(content))})
+        self.wfile.write(content)
+
+    def _send_head(self, kind: str, status: HTTPStatus, more: dict[str, str] | None = None) -> None:
         self.send_response(status)
-        self.send_header("Content-Type", f"{kind}; charset=utf-8")
-        self.send_header("Content-Length", str(len(content)))
-        for name, value in _HEADERS.items():
+        for name, value in ({"Content-Type": f"{kind}; charset=utf-8"} | (more or {}) | _HEADERS).items():
             self.send_header(name, value)
         self.end_headers()
-        self.wfile.write(content)
 
     def send_error(self, code: int, message: str | None = None, explain: str | None = None) -> None:  # noqa: ARG002
         """Reject requests that are not valid HTTP like all others, without quoting them."""

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
+from .. import _core
 from .._core import Compliance, Curvature, Start
-from .._support.arguments import as_float, as_float_in
+from .._support.arguments import as_float
 from .._support.columns import read_columns
-from .._support.errors import InvalidInput, Range
+from .._support.errors import InvalidInput
 from .._support.toml import read_toml
 from ..bodies import Counterbody, Drive, RollingBody
 from ..transient.roll import roll
@@ -25,9 +26,6 @@ if TYPE_CHECKING:
     from ..transient.history import History
 
 __all__ = ["MotionCase", "MotionFile", "build_motion", "load_motion"]
-
-#: Number of waypoints in each cycle of an oscillation.
-_WAYPOINTS_PER_CYCLE = 160
 
 
 class Motion(StrictTable):
@@ -210,10 +208,9 @@ def _oscillation(motion: Motion, rolling_load: float | None) -> dict[str, Any]:
     load = rolling_load if motion.load is None else motion.load
     if motion.frequency is None or load is None:
         raise InvalidInput("motion", "must have frequency and load with amplitude")
-    assert motion.amplitude is not None
-    as_float_in(Range(1e-100, 1e100, "Hz"), "motion.frequency", motion.frequency)
-    as_float_in(Range(0.0, 1e4, excludes_minimum=True), "motion.cycles", motion.cycles)
-    as_float_in(Range(), "motion.amplitude", motion.amplitude)
-    time = np.linspace(0.0, motion.cycles / motion.frequency, max(int(_WAYPOINTS_PER_CYCLE * motion.cycles), 1) + 1)
-    angle = motion.amplitude * np.sin(2.0 * np.pi * motion.frequency * time)
-    return {"time": time, "angle": angle, "load": load}
+    oscillation = _core.Oscillation(amplitude=motion.amplitude, frequency=motion.frequency, cycles=motion.cycles)
+    try:
+        waypoints = _core.motion_of(oscillation)
+    except InvalidInput as error:
+        raise error.inside("motion") from None
+    return {"time": np.array(waypoints.time), "angle": np.array(waypoints.angle), "load": load}

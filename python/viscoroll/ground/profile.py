@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _core
-from .._support.arguments import as_count, as_float, as_float_array, as_positive, require_callable
+from .._support.arguments import as_count, as_float, as_float_array, require_callable
 from .._support.errors import InvalidInput
 from .._support.plotting import plots
 
@@ -21,12 +21,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Profile"]
-
-#: Number of points of a smooth obstacle. The chords of a half sine of 1 mm are then off by less than 2e-9 m.
-_POINTS = 1001
-
-#: Distance from a step to the ends of its profile, beyond which the heights are the same [m].
-_BESIDE = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -93,8 +87,7 @@ class Profile:
         at : float
             Distance of the step [m].
         """
-        at, height = as_float("at", at), as_float("height", height)
-        return cls([at - _BESIDE, at, at, at + _BESIDE], [0.0, 0.0, height, height])
+        return cls._of_type("step", height=height, at=at)
 
     @classmethod
     def half_sine(cls, height: float, *, length: float, at: float) -> Profile:
@@ -109,11 +102,7 @@ class Profile:
         at : float
             Distance of the top [m].
         """
-        at, height, length = as_float("at", at), as_float("height", height), as_positive("length", length, "m")
-        share = np.linspace(0.0, 1.0, _POINTS)
-        heights = height * np.sin(np.pi * share)
-        heights[-1] = 0.0  # sin(π) has round-off
-        return cls(at + length * (share - 0.5), heights)
+        return cls._of_type("half_sine", height=height, length=length, at=at)
 
     @classmethod
     def joint(cls, depth: float, *, width: float, at: float) -> Profile:
@@ -128,9 +117,7 @@ class Profile:
         at : float
             Distance of the middle of the joint [m].
         """
-        at, depth, width = as_float("at", at), as_positive("depth", depth, "m"), as_positive("width", width, "m")
-        first, last = at - 0.5 * width, at + 0.5 * width
-        return cls([first, first, last, last], [0.0, -depth, -depth, 0.0])
+        return cls._of_type("joint", depth=depth, width=width, at=at)
 
     @classmethod
     def corrugation(cls, amplitude: float, *, period: float, at: float = 0.0) -> Profile:
@@ -145,11 +132,13 @@ class Profile:
         at : float, default 0
             Distance at which the height rises through zero [m].
         """
-        at, amplitude, period = as_float("at", at), as_float("amplitude", amplitude), as_positive("period", period, "m")
-        share = np.linspace(0.0, 1.0, _POINTS)
-        heights = amplitude * np.sin(2.0 * np.pi * share)
-        heights[-1] = heights[0]
-        return cls(at + period * share, heights, periodic=True)
+        return cls._of_type("corrugation", amplitude=amplitude, period=period, at=at)
+
+    @classmethod
+    def _of_type(cls, kind: str, **parameters: object) -> Profile:
+        """Return the points of a shape of the core."""
+        found = _core.profile_of(kind, **{name: as_float(name, value) for name, value in parameters.items()})
+        return cls(found.distance, found.height, found.periodic)
 
     @classmethod
     def of(

@@ -24,14 +24,12 @@ from .series import HISTORY_SCALARS
 from .state_file import SUFFIX
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["roll"]
-
-#: Nodes per revolution for the default range of times if no mesh is given: the library chooses the mesh later.
-_TYPICAL_NODES = 500
 
 
 @with_options
@@ -50,6 +48,7 @@ def roll(
     longest_time: float | None = None,
     contact_times: ArrayLike = (),
     checkpoint: str | Path | None = None,
+    receive: Callable[[dict[str, NDArray[np.float64]]], object] | None = None,
     progress: ProgressLike = None,
     **options: Unpack[HistoryKeywords],
 ) -> History:
@@ -99,6 +98,9 @@ def roll(
     checkpoint : path-like, optional
         File (``.state``) for the state of a run that is interrupted or fails. Continue the run with
         ``start=RollingState.load(checkpoint)``.
+    receive : callable, optional
+        Function that is called with the first instant, and then every few steps with the new instants, as a dictionary
+        of the time series of `History`. An exception that it raises ends the computation and propagates.
     progress : bool or callable, optional
         True shows a progress bar; a callable is called as progress(stage, fraction) about every 20 ms.
 
@@ -156,8 +158,9 @@ def roll(
         center_displacement=center_displacement,
     )
     waypoints, angles = motion["time"], motion["angle"]
-    spacing = 2.0 * np.pi / (_TYPICAL_NODES if chosen.mesh is None else chosen.mesh.nodes_per_revolution)
-    shortest, longest = _time_range(waypoints, angles, spacing / (chosen.steps_per_spacing or 1))
+    shortest, longest = _core.time_range(
+        _core_motion(motion), None if chosen.mesh is None else chosen.mesh._to_core(), chosen.steps_per_spacing
+    )
     with reporting(progress) as report:
         stepper = RollingHistory(
             body,
@@ -171,8 +174,8 @@ def roll(
             progress=report,
             **options,
         )
-        pieces, contacts = _follow(stepper, motion, contact_times, checkpoint, report)
-    rows = {name: _joined([getattr(piece, name) for piece in pieces]) for name in HISTORY_SCALARS}
+        pieces, contacts = _follow(stepper, motion, contact_times, checkpoint, receive, report)
+    rows = {name: _joined([piece[name] for piece in pieces]) for name in HISTORY_SCALARS}
     duration = float(waypoints[-1] - waypoints[0])
     messages = [*time_warnings(body, on, duration=duration)]
     passed, penetration = body.outer_radius * np.asarray(rows["angle"]), np.asarray(rows["penetration"])
@@ -207,19 +210,23 @@ def _follow(
     motion: dict[str, NDArray[np.float64]],
     contact_times: ArrayLike,
     checkpoint: str | Path | None,
+    receive: Callable[[dict[str, NDArray[np.float64]]], object] | None,
     report: Report | None,
-) -> tuple[list[_core.InstantSeries], list[ContactInstant]]:
+) -> tuple[list[dict[str, NDArray[np.float64]]], list[ContactInstant]]:
     """Return the time series up to each stop, and the contacts at `contact_times`; on failure, save the state."""
     core = stepper._history
-    pieces: list[_core.InstantSeries] = []
+    pieces: list[dict[str, NDArray[np.float64]]] = []
     contacts: list[ContactInstant] = []
+    if receive is not None:
+        first = core.current()
+        receive({name: np.array([getattr(first, name)]) for name in HISTORY_SCALARS})
     try:
         for stop in _stops(motion["time"], contact_times):
             if stop < core.current().time:
                 continue
             with si_hints(stepper.body, stepper.on):
-                piece = core.roll(**_until(stop, motion), progress=report)
-            pieces.append(piece)
+                piece = core.roll(_until(stop, motion), receive=receive and _receiver(receive), progress=report)
+            pieces.append(_series_of(piece))
             if stop in np.asarray(contact_times):
                 contacts.append(ContactInstant._from_core(stepper.contact))
     except BaseException:
@@ -227,6 +234,17 @@ def _follow(
             stepper.state.save(checkpoint)
         raise
     return pieces, contacts
+
+
+def _receiver(receive: Callable[[dict[str, NDArray[np.float64]]], object]) -> Callable[[_core.InstantSeries], None]:
+    def received(instants: _core.InstantSeries) -> None:
+        receive(_series_of(instants))
+
+    return received
+
+
+def _series_of(instants: _core.InstantSeries) -> dict[str, NDArray[np.float64]]:
+    return {name: getattr(instants, name) for name in HISTORY_SCALARS}
 
 
 def _joined(pieces: list[NDArray[np.float64]]) -> NDArray[np.float64]:
@@ -247,7 +265,7 @@ def _motion(**waypoints: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
         _require_length(name, values, arrays["time"])
     if len(arrays["time"]) < 2:
         raise InvalidInput("time", "must have at least two waypoints", f"{len(arrays['time'])}")
-    _core.check_motion(**_lists(arrays))
+    _core.check_motion(_core_motion(arrays))
     return arrays
 
 
@@ -256,22 +274,8 @@ def _require_length(name: str, values: ArrayLike | None, time: ArrayLike) -> Non
         raise InvalidInput(name, f"must be as long as time ({np.size(time)})", f"{np.size(values)}")
 
 
-def _lists(motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
-    left_out: dict[str, list[float]] = {"load": [], "axle_height": [], "center_displacement": []}
-    return left_out | {name: values.tolist() for name, values in motion.items()}
-
-
-def _time_range(time: NDArray[np.float64], angle: NDArray[np.float64], step: float) -> tuple[float, float]:
-    """Return the range of times: from a tenth of the shortest step while the body rolls to ten times the duration.
-
-    If the body does not roll, the range starts at 1e-4 of the duration.
-    """
-    duration = max(float(time[-1] - time[0]), 1e-9)
-    between = np.diff(time)
-    rolling = (between > 0.0) & (np.diff(angle) != 0.0)
-    speed = np.abs(np.diff(angle)[rolling]) / between[rolling]
-    shortest = 0.1 * float((step / speed).min()) if rolling.any() else 1e-4 * duration
-    return min(shortest, 0.1 * duration), 10.0 * duration
+def _core_motion(motion: dict[str, NDArray[np.float64]]) -> _core.Motion:
+    return _core.Motion(**{name: values.tolist() for name, values in motion.items()})
 
 
 def _stops(time: NDArray[np.float64], contact_times: ArrayLike) -> list[float]:
@@ -284,11 +288,11 @@ def _stops(time: NDArray[np.float64], contact_times: ArrayLike) -> list[float]:
     return sorted({*instants.tolist(), float(time[-1])})
 
 
-def _until(stop: float, motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
+def _until(stop: float, motion: dict[str, NDArray[np.float64]]) -> _core.Motion:
     """Return the waypoints up to an instant, with the interpolated motion at that instant."""
     before = motion["time"] <= stop
     waypoints = {name: values[before] for name, values in motion.items()}
     if waypoints["time"][-1] < stop:
         there = {name: np.interp(stop, motion["time"], values) for name, values in motion.items()}
         waypoints = {name: np.append(values, there[name]) for name, values in waypoints.items()}
-    return _lists(waypoints)
+    return _core_motion(waypoints)

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 import viscoroll as vr
 from viscoroll.app import scalars
-from viscoroll.app.answer import _finite
+from viscoroll.app.answer import finite
 from viscoroll.solution.text import ANSWER, result_sections
 
 NODE = shutil.which("node")
@@ -54,7 +54,7 @@ def test_both_reports_agree(name):
     body, options = CASES[name]
     r = vr.solve(body, angular_speed=3.0, accuracy=0.1, **options)
     given = {
-        "scalars": {key: _finite(value) for key, value in r.scalars().items()},
+        "scalars": {key: finite(value) for key, value in r.scalars().items()},
         "table": scalars(),
         "of": {
             "noun": body.noun,

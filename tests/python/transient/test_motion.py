@@ -7,6 +7,7 @@ import pytest
 import viscoroll as vr
 from shared_cases import coated_ball
 from viscoroll import enums, paper
+from viscoroll.transient.series import HISTORY_SCALARS
 
 BALL = paper.ball(density=0.0)
 COARSE = vr.Mesh(nodes_per_revolution=100)
@@ -97,3 +98,28 @@ def test_results_are_saved_and_drawn(tmp_path):
     h.plot().savefig(tmp_path / "h.png")
     assert "UNDEFORMED" not in repr(h)
     assert "RELAXED start" in repr(h)
+
+
+def test_instants_are_received_as_they_are_computed():
+    parts = []
+    h = vr.roll(BALL, **GOOD, contact_times=[0.5], receive=parts.append)
+    assert len(parts[0]["time"]) == 1
+    assert max(len(part["time"]) for part in parts) <= 8
+    for name in HISTORY_SCALARS:
+        np.testing.assert_array_equal(np.concatenate([part[name] for part in parts]), getattr(h, name))
+
+
+def test_a_receiver_can_end_a_history(tmp_path):
+    parts = []
+
+    def receive(part):
+        parts.append(part)
+        if len(parts) == 3:
+            raise InterruptedError
+
+    with pytest.raises(InterruptedError):
+        vr.roll(BALL, **GOOD, receive=receive, checkpoint=tmp_path / "history.state")
+    last = vr.RollingState.load(tmp_path / "history.state")
+    again = vr.roll(BALL, **GOOD, start=last)
+    assert again.time[0] == parts[-1]["time"][-1]
+    assert again.resisting_torque[-1] == vr.roll(BALL, **GOOD).resisting_torque[-1]

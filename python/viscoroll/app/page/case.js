@@ -40,6 +40,11 @@ export function initialState() {
     ambient: [20, "°C"],
     conductivity: 0.2, // [W/(m K)]
     core: "insulated",
+    obstacle: "none", // or a type of `OBSTACLES`
+    obstacle_size: [0.1, "mm"],
+    obstacle_length: [10, "mm"],
+    axle: "load", // or "mass"
+    axle_mass: 2, // [kg], in line contact [kg/m]
     numerics: {}, // other keys of this table in a case file
   };
 }
@@ -65,6 +70,8 @@ export function quantity(name, state) {
     penetration: "length",
     speed: "speed",
     ambient: "temperature",
+    obstacle_size: "length",
+    obstacle_length: "length",
   }[name];
 }
 

@@ -7,6 +7,7 @@ import { DRIVES, scaleOf } from "./drives.js";
 import { choiceField, numberField } from "./field.js";
 import { layerRow, layerRows } from "./layer_rows.js";
 import { errorText } from "./messages.js";
+import { OBSTACLES } from "./over_ground.js";
 import { BODIES, CLASSES } from "./schema.js";
 import { numberText, quantityText } from "./units.js";
 
@@ -63,6 +64,7 @@ export class Form {
       this.#layers(),
       this.#ground(),
       this.#friction(),
+      this.#obstacle(),
       this.#hasTemperature ? this.#temperature() : el("p", { class: "note" }, WITHOUT_TEMPERATURE),
       this.#model(),
     );
@@ -282,6 +284,32 @@ export class Form {
         rubs,
         this.#number(drive, DRIVES[drive].label, { range: scaleOf(drive, isLine(this.#state)).range, linear: true }),
       ),
+    );
+  }
+
+  #obstacle() {
+    const { obstacle } = this.#state;
+    const found = OBSTACLES[obstacle];
+    const labels = Object.fromEntries(Object.entries(OBSTACLES).map(([type, { label }]) => [type, label]));
+    const axles = { load: "only the load", mass: "load and mass of the axle" };
+    const isHeavy = () => this.#state.axle === "mass";
+    const ofObstacle = (name, key, range) => this.#number(name, key, { parameter: `ground.${key}`, range });
+    const held = () => [
+      this.#choice("axle", "held by", axles),
+      this.#shownWhile(
+        isHeavy,
+        this.#number("axle_mass", `mass [${isLine(this.#state) ? "kg/m" : "kg"}]`, {
+          parameter: "axle.mass",
+          range: [1e-2, 1e3],
+        }),
+      ),
+    ];
+    return group(
+      "Over ground",
+      this.#choice("obstacle", "obstacle", { none: "none", ...labels }),
+      found ? ofObstacle("obstacle_size", found.size, [1e-5, 1e-2]) : null,
+      found?.length ? ofObstacle("obstacle_length", found.length, [1e-3, 0.2]) : null,
+      ...(found && this.#state.pressed === "load" ? held() : []),
     );
   }
 

@@ -8,6 +8,7 @@ import { el } from "./dom.js";
 import { EXAMPLES, exampleState } from "./examples.js";
 import { NAME, connectFiles } from "./files.js";
 import { Form } from "./form.js";
+import { GroundRun } from "./ground_run.js";
 import { fragmentOf, stateOfFragment } from "./link.js";
 import { Newest } from "./newest.js";
 import { Results } from "./results.js";
@@ -30,6 +31,7 @@ class Page {
   #results;
   #comparison;
   #curve;
+  #ground;
   #solver;
   #newest = null; // null until the solver answers
 
@@ -39,6 +41,7 @@ class Page {
     this.#form = new Form(at("form"), this.#solver.hasTemperature, (state) => this.#change(state));
     this.#state = stateOfFragment(location.hash) ?? (start.case ? this.#stateOfFile(start.case, []) : initialState());
     this.#form.show(this.#state);
+    this.#ground = new GroundRun(at("over-ground"), connect(start), (error) => this.#form.sayError(error));
     this.#connectExamples();
     const isServedToOthers = start.solver !== "native" && location.protocol.startsWith("http");
     connectCopies(() => this.#state, isServedToOthers);
@@ -122,6 +125,7 @@ class Page {
 
   #ask() {
     if (this.#newest && document.body.dataset.wrong === "true") this.#takeBack();
+    this.#ground.ask(this.#state);
     const isComputed = this.#solver.hasTemperature && this.#state.temperature === "on";
     this.#temperature.begin(isComputed);
     this.#comparison?.wait();

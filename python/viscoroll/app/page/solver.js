@@ -3,6 +3,8 @@
  *
  *     async solve(request, signal) -> {result} or {error}    async scalars() -> [{name, unit, description}]
  *     async open(text) -> {tables, skipped} or {error}       the case of a case file
+ *     async roll(request, each, signal) -> {result} or {error}   a history; `each` receives parts of its time series
+ *     async historyScalars() -> [{name, unit, description}]
  *     async temperature(request, signal) -> {temperature} or {error}    only if `hasTemperature`
  *
  * for the same requests. An aborted signal ends a solve, and its promise is rejected with an AbortError.
@@ -37,19 +39,46 @@ class NativeSolver {
   async scalars() {
     return post("scalars", {});
   }
+
+  async historyScalars() {
+    return post("history_scalars", {});
+  }
+
+  /** The answer is a line of JSON for each part, and a last one for the answer. */
+  async roll(request, each, signal) {
+    const response = await respond("roll", request, signal);
+    const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
+    let text = "";
+    for (;;) {
+      const { value, done } = await reader.read();
+      if (done) throw new Error(ENDED);
+      const lines = (text + value).split("\n");
+      text = lines.pop();
+      for (const { part, answer } of lines.map((line) => JSON.parse(line))) {
+        if (answer) return answer;
+        each(part);
+      }
+    }
+  }
 }
 
+const ENDED = "viscoroll app does not respond; start it again if it has ended.";
+
 async function post(name, content, signal) {
+  return (await respond(name, content, signal)).json();
+}
+
+async function respond(name, content, signal) {
   const options = { method: "POST", body: JSON.stringify(content), signal };
   let response;
   try {
     response = await fetch(name, options);
   } catch (error) {
     if (error.name === "AbortError") throw error;
-    throw new Error("viscoroll app does not respond; start it again if it has ended.");
+    throw new Error(ENDED);
   }
   if (!response.ok) throw new Error(`viscoroll app rejects the request: ${response.status} ${response.statusText}`);
-  return response.json();
+  return response;
 }
 
 /** Solver in a worker, which answers one request after the other. To abort one, the worker is replaced by a new one. */
@@ -76,6 +105,11 @@ class WorkerSolver {
     return error ? { error } : this.#ask("solve", known, signal);
   }
 
+  async roll(request, each, signal) {
+    const { known, error } = withMaterials(request, this.#materials);
+    return error ? { error } : this.#ask("roll", known, signal, each);
+  }
+
   async open(text) {
     return openCase(text);
   }
@@ -84,7 +118,11 @@ class WorkerSolver {
     return this.#ask("scalars", null);
   }
 
-  #ask(name, content, signal) {
+  async historyScalars() {
+    return this.#ask("historyScalars", null);
+  }
+
+  #ask(name, content, signal, each = () => {}) {
     signal?.throwIfAborted();
     this.#worker ??= this.#newWorker();
     const id = (this.#count += 1);
@@ -96,7 +134,7 @@ class WorkerSolver {
         signal?.removeEventListener("abort", aborted);
         settle(value);
       };
-      this.#waiting.set(id, { resolve: settled(resolve), reject: settled(reject) });
+      this.#waiting.set(id, { resolve: settled(resolve), reject: settled(reject), each });
       signal?.addEventListener("abort", aborted);
       this.#worker.postMessage({ id, name, content });
     });
@@ -104,8 +142,9 @@ class WorkerSolver {
 
   #newWorker() {
     const worker = new Worker(this.#script);
-    worker.onmessage = ({ data: { id, answer, failure } }) => {
+    worker.onmessage = ({ data: { id, part, answer, failure } }) => {
       const request = this.#waiting.get(id);
+      if (part) return request?.each(part);
       this.#waiting.delete(id);
       if (failure === undefined) request?.resolve(answer);
       else request?.reject(new Error(failure));
