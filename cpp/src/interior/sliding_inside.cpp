@@ -178,7 +178,7 @@ void add_periodic_fields(const SlidingLayers& layers, const PeriodicWaves& waves
       .sum(fields.values.data(), threads, watch);
 }
 
-/// Loss at some of the places theta. At rest, nothing is dissipated, and waves have no frequency.
+/// Loss at some of the places theta. At rest, the power and the frequencies of all waves are 0.
 SlidingLoss loss_at(const LossDensity& lost, std::vector<double> z, const std::vector<std::size_t>& columns,
                     double track_distance, const SlidingLayers& layers) {
   SlidingLoss loss{.places = lost.places,

@@ -46,7 +46,7 @@ def loss(
         Depths of the densities [m]; by default the nodes of the volume integral.
     shortest_wave : float, optional
         Shortest wavelength of the sums under a surface of finite size [m], at most four times its longer side. By
-        default the smaller node spacing, or 1/4000 of the longer side if that is more. A periodic surface has all waves
+        default the larger of the smaller node spacing and 1/4000 of the longer side. A periodic surface has all waves
         of its mesh, and this argument must be left out.
     threads : int, default 0
         Number of threads; 0 for all cores.
