@@ -11,7 +11,7 @@ import pytest
 import viscoroll as vr
 from scipy.integrate import trapezoid
 from shared_cases import RUBBER, one_layer
-from viscoroll import enums, paper
+from viscoroll import _core, enums, paper
 
 SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
 STEEL, BALL = vr.CoatedSphere(core_radius=21e-3), paper.ball(density=0.0)
@@ -236,7 +236,7 @@ def test_an_interrupted_motion_continues_bit_for_bit(pair):
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        stepper._history.roll(**motion, center_displacement=[], axle_height=[], progress=stop)
+        stepper._history.roll(_core.Motion(**motion), receive=None, progress=stop)
     rest = vr.roll(body, **motion, **options, start=stepper.state)
     whole = vr.roll(body, **motion, **options)
     assert 0.0 < rest.time[0] < 2.4  # not a waypoint
