@@ -31,10 +31,13 @@ constexpr double kAdhesiveBalance = 2e-3;
 constexpr double kMaxContactNodes = 3e6;  // whose fields need a third of a gigabyte
 constexpr double kInertiaShare = 1e-3;    // relative error of the inertia terms, as a fraction of the accuracy
 constexpr double kMaxFrictionalContactNodes = 4e5;  // their Krylov methods store some tens of vectors
-constexpr double kMaxFurtherEffort = 2.4e7;         // nodes in contact times operator applications
-constexpr double kMaxNodesForPressure = 5e4;        // in contact, after all other results have settled: 1 to 2 s
-constexpr double kMaxLineNodesForPressure = 4e3;    // in line contact, after all other results have settled
-constexpr double kMaxEffortForPressure = 1e6;       // nodes of a line contact times operator applications: 0.5 s
+// Largest numbers of nodes in contact times operator applications on a further mesh: some seconds. Products with
+// adhesion have one component.
+constexpr double kMaxFrictionalEffort = 6e6;
+constexpr double kMaxAdhesiveEffort = 2.4e7;
+constexpr double kMaxNodesForPressure = 5e4;      // in contact, after all other results have settled: 1 to 2 s
+constexpr double kMaxLineNodesForPressure = 4e3;  // in line contact, after all other results have settled
+constexpr double kMaxEffortForPressure = 1e6;     // nodes of a line contact times operator applications: 0.5 s
 // Ratio of the errors on two successive meshes above which the second mesh has been ineffective.
 constexpr double kIneffectiveRatio = 0.9;
 constexpr int kMaxIneffectiveMeshes = 2;  // the first of them may only have detected a narrow peak
@@ -70,7 +73,8 @@ double max_contact_nodes(const LoadCase& load_case, const Options& options, doub
   const bool has_friction = load_case.friction > 0.0;
   const bool costly = has_friction || options.curvature == Curvature::exact;
   double cheap = costly ? 5e4 : 1e6;
-  if (has_friction || load_case.adhesion) cheap = std::min(cheap, kMaxFurtherEffort / applications);
+  if (has_friction) cheap = std::min(cheap, kMaxFrictionalEffort / applications);
+  if (load_case.adhesion) cheap = std::min(cheap, kMaxAdhesiveEffort / applications);
   return std::min(has_friction ? kMaxFrictionalContactNodes : kMaxContactNodes, std::max(planned, cheap));
 }
 
@@ -216,7 +220,7 @@ class Refiner {
   [[nodiscard]] bool may_settle_balance() const {
     const double growth = given_.pair.body->form().is_line() ? 2.0 : 4.0;
     return load_case_.adhesion && is_settled(*best_) && best_->energy_balance_error > kAdhesiveBalance &&
-           growth * refinements_.back().contact_nodes * best_->operator_applications < kMaxFurtherEffort;
+           growth * refinements_.back().contact_nodes * best_->operator_applications < kMaxAdhesiveEffort;
   }
 
   /// Whether meshes of acceptable cost would settle a result.
