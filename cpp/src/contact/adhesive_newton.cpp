@@ -24,7 +24,10 @@ constexpr double kMostIncrease = 10.0;
 constexpr double kSystemTolerance = 1e-5;  // residual of a linear system, relative to that of its guess
 constexpr double kSettled = 1e-11;         // violation relative to the forces; loads then agree to 1e-9 on all paths
 constexpr double kAcceptable = 1e-8;       // the same if steps no longer reduce it
-constexpr Index kSmallSystem = 1300;       // `small_system` of GMRES, same as without adhesion
+// Number of nodes of the window times operator applications on one mesh after which a law gets a single step: some
+// seconds. Larger numbers are due to steps that do not converge.
+constexpr double kMostEffort = 2e8;
+constexpr Index kSmallSystem = 1300;  // `small_system` of GMRES, same as without adhesion
 
 /// Stiffness of a node for forces that alternate from row to row [N/m]. It contains differences of table entries only,
 /// since entries of a half-plane contain an arbitrary constant. The triangular weights keep the sum positive (Fejér).
@@ -178,7 +181,8 @@ AdhesiveState AdhesiveNewton::solve(const ContactProblem& problem, const Tractio
     }
     in_vain = state.residual < 0.9 * least ? 0 : in_vain + 1;
     least = std::min(least, state.residual);
-    if (in_vain >= kMostInVain) break;
+    const double effort = static_cast<double>(state.gap.size()) * products_;
+    if (in_vain >= kMostInVain || effort > kMostEffort) break;
   }
   state.residual /= scale;
   state.converged = state.converged || state.residual < kAcceptable;
