@@ -12,7 +12,7 @@ from .._support.errors import InvalidInput
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from ..solution.interior_fields import place_coordinates
-from ..solution.loss import layer_powers, require_balance
+from ..solution.loss import ROUND_OFF, layer_powers, require_balance
 from ..solution.solution import described
 from .inside import LayersBelow, layers_below
 from .solution import SlidingSolution
@@ -22,9 +22,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 __all__ = ["loss"]
-
-#: Fraction of load times speed below which a power is round-off, such as that of an elastic layer.
-_ROUND_OFF = 1e-10
 
 #: Largest number of waves along the longer side of a finite surface by default.
 _WAVES_PER_SIDE = 4000
@@ -45,9 +42,9 @@ def loss(
     depth : array_like, optional
         Depths of the densities [m]; by default the nodes of the volume integral.
     shortest_wave : float, optional
-        Shortest wavelength of the sums under a surface of finite size [m], at most four times its longer side. By
-        default the larger of the smaller node spacing and 1/4000 of the longer side. A periodic surface has all waves
-        of its mesh, and this argument must be left out.
+        Shortest wavelength of the sums under a surface of finite size [m], at most four times its longer side.
+        The default is the node spacing, which is the smaller one of both directions, but at least 1/4000 of the longer
+        side. A periodic surface has all waves of its mesh, and this argument must be left out.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : bool or callable, optional
@@ -107,7 +104,7 @@ def loss(
         )
     length, across = result.surface.sides
     load = result.mean_pressure * length * (1.0 if inside.line_contact else across)
-    require_balance(lost.volume_power, lost.surface_power, _ROUND_OFF * load * result.speed)
+    require_balance(lost.volume_power, lost.surface_power, ROUND_OFF * load * result.speed)
     positions, layers = lost.places
     density = np.maximum(lost.density, 0.0)
     where = ("depth", "z")

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from ..bodies import HalfSpace, Layer
     from ..materials.modulus_like import ShearModulusLike
 
-__all__ = ["contact_size", "default_max_order", "layer_powers", "loss", "require_balance"]
+__all__ = ["ROUND_OFF", "contact_size", "default_max_order", "layer_powers", "loss", "require_balance"]
 
 #: Highest order of the sums in units of r_o/a, where a is the smaller semi-axis of the contact. The sums then contain
 #: 0.9999 of the loss, and the relative error of the density w is 1e-3.
@@ -32,8 +32,9 @@ _ORDERS_PER_CONTACT = 40.0
 #: Largest relative difference between the volume integral and the power of the tractions: the quadrature error over r.
 _BALANCE = 1e-7
 
-#: Fraction of load times speed times semi-axis below which a power is round-off, such as that of an elastic body.
-_ROUND_OFF = 1e-10
+#: Power below which a loss is round-off, such as that of an elastic body: fraction of the largest power that the load
+#: could dissipate.
+ROUND_OFF = 1e-10
 
 
 def contact_size(result: Solution) -> float:
@@ -131,7 +132,7 @@ def loss(
             threads=as_int("threads", threads),
             progress=report,
         )
-    round_off = _ROUND_OFF * result.load * abs(result.angular_speed) * (result.semi_axis_x or 0.0)
+    round_off = ROUND_OFF * result.load * abs(result.angular_speed) * (result.semi_axis_x or 0.0)
     require_balance(lost.volume_power, lost.surface_power, max(1e-6 * abs(inside.bulk_power), round_off))
     inside.warn_of_sides()
     positions, layers = lost.places

@@ -106,7 +106,7 @@ def test_ball_on_a_mat_at_small_load() -> None:
 
 
 def test_slow_rolling_is_refined_until_the_power_balances() -> None:
-    """A ball that rolls 0.5 % of the contact in a relaxation time has a balance of 2.5 % on the first mesh."""
+    """A ball rolls 1.2 % of the contact length in a relaxation time; its first mesh has a balance error of 2.5 %."""
     found = vr.solve(BALL, on=MAT, load=0.1, angular_speed=0.005, adhesion=vr.Adhesion(work=0.05), accuracy=0.05)
     assert found.refinements[0].energy_balance_error > 0.01
     assert found.energy_balance_error < 2e-3
