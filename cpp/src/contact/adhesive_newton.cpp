@@ -24,8 +24,8 @@ constexpr double kMostIncrease = 10.0;
 constexpr double kSystemTolerance = 1e-5;  // residual of a linear system, relative to that of its guess
 constexpr double kSettled = 1e-11;         // violation relative to the forces; loads then agree to 1e-9 on all paths
 constexpr double kAcceptable = 1e-8;       // the same if steps no longer reduce it
-// Number of nodes of the window times operator applications on one mesh, some seconds, beyond which Newton's method ends
-// after one step. Twelve of 300 random cases would need more, two of them more than five minutes.
+// Number of nodes of the window times operator applications on one mesh, some seconds, beyond which Newton's method
+// ends after one step. Twelve of 300 random cases would need more, two of them more than five minutes.
 constexpr double kMostEffort = 2e8;
 constexpr Index kSmallSystem = 1300;  // `small_system` of GMRES, same as without adhesion
 
