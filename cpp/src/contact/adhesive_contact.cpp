@@ -17,7 +17,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 
 constexpr double kLeastRatio = 1.02;       // of cohesive zones of successive laws, below which continuation fails
-constexpr int kMostDoublings = 4;          // of the first cohesive zone, which is as long as half of the contact
+constexpr int kMostDoublings = 4;          // of the first cohesive zone, which is as long as the contact
 constexpr double kLeastStep = 1.0 / 1024;  // of a path of loads or penetrations, relative to the whole path
 // Steps of the penetration on the path to the fold, relative to the undeformed gap at the edge of the contact. The load
 // is stationary at the fold, where the last step leaves a relative error of the order of its square.
@@ -41,10 +41,10 @@ class AdhesiveContact {
     const LocatedContact pressed = solve_multilevel(bare, contact_gap_limit, options_);
     const ContactSolution whole = extended(pressed, bare);
     state_ = {.pressing = pressing_force(whole), .penetration = whole.penetration};
-    center_ = center_of(whole.contact);
+    size_ = size_of(whole.contact, state_.pressing);
     set_load(std::max(problem_.normal_force, 0.0));
     const double target = attraction().resolved_zone();
-    double widest = std::max(half_length(whole.contact), target);
+    double widest = std::max(2.0 * size_.half_length, target);
     for (int doublings = 0; !advance(widest); ++doublings) {
       if (doublings == kMostDoublings) throw failure();
       widest *= 2.0;
@@ -57,7 +57,7 @@ class AdhesiveContact {
   [[nodiscard]] bool begin_from(const LocatedContact& coarse) {
     state_ = {.pressing = prolonged_pressing(coarse, problem_.surface->window()),
               .penetration = coarse.contact.penetration};
-    center_ = coarse.contact.adhesion->center;
+    size_ = coarse.contact.adhesion->size;
     if (coarse.problem.penetration) {
       problem_.penetration = coarse.problem.penetration;
     } else {
@@ -89,20 +89,19 @@ class AdhesiveContact {
   }
 
   [[nodiscard]] LocatedContact located() const {
-    const TractionLaw law = attraction().law(length_, center_);
     LocatedContact result{.problem = problem_, .contact = {}};
     ContactSolution& contact = result.contact;
     contact.force = VectorField::Zero(state_.pressing.size(), 3);
     contact.force.col(kDown) = -state_.pressing;
     contact.gap = state_.gap;
-    contact.contact = newton_.touching(law, state_);
+    contact.contact = newton_.touching(law_, state_);
     contact.penetration = state_.penetration;
     contact.iterations = newton_.systems();
     contact.operator_applications = newton_.products();
     contact.converged = true;
     contact.residual = state_.residual;
     contact.adhesion = AdhesiveEdges{
-        .zone = newton_.zone(law, state_), .zone_length = length_, .center = center_, .lost_work = lost_work(law)};
+        .zone = newton_.zone(law_, state_), .zone_length = length_, .size = size_, .lost_work = lost_work(law_)};
     return result;
   }
 
@@ -147,27 +146,34 @@ class AdhesiveContact {
 
   /// Solve under a law, from the current state, and keep the solution.
   [[nodiscard]] bool advance(double length) {
-    const TractionLaw law = attraction().law(length, center_);
+    if (length == length_) return advance_under(law_);
+    TractionLaw law = attraction().law(length, size_);
+    if (!advance_under(law)) return false;
+    law_ = std::move(law);
+    length_ = length;
+    return true;
+  }
+
+  [[nodiscard]] bool advance_under(const TractionLaw& law) {
     AdhesiveState next = newton_.solve(problem_, law, state_);
     if (!next.converged) {
       state_.residual = next.residual;
       return false;
     }
     state_ = std::move(next);
-    length_ = length;
     return true;
   }
 
   [[nodiscard]] bool try_to_shorten(double target) {
     double ratio = 2.0;
     while (length_ > target) {
-      const double before = center_;
-      center_ = center_of(newton_.touching(attraction().law(length_, center_), state_));
+      const ContactSize before = size_;
+      size_ = size_of(newton_.touching(law_, state_), state_.pressing);
       if (advance(std::max(length_ / ratio, target))) {
         ratio = 2.0;
         continue;
       }
-      center_ = before;  // of the law that the state belongs to
+      size_ = before;  // of the law that the state belongs to
       ratio = std::sqrt(ratio);
       if (ratio < kLeastRatio) return false;
     }
@@ -193,7 +199,7 @@ class AdhesiveContact {
 
   /// Undeformed gap at the edge of the contact [m], a measure of penetrations.
   [[nodiscard]] double depth() const {
-    const std::vector<Index> nodes = newton_.touching(attraction().law(length_, center_), state_);
+    const std::vector<Index> nodes = newton_.touching(law_, state_);
     return problem_.initial_gap(nodes).maxCoeff() + std::numeric_limits<double>::min();
   }
 
@@ -223,11 +229,12 @@ class AdhesiveContact {
     load_ = best.load();
   }
 
-  [[nodiscard]] double center_of(const std::vector<Index>& nodes) const {
-    return 0.5 * (attraction().x(nodes).minCoeff() + attraction().x(nodes).maxCoeff());
-  }
-  [[nodiscard]] double half_length(const std::vector<Index>& nodes) const {
-    return 0.5 * (attraction().x(nodes).maxCoeff() - attraction().x(nodes).minCoeff()) + attraction().spacing;
+  [[nodiscard]] ContactSize size_of(const std::vector<Index>& nodes, const ArrayXd& pressing) const {
+    const double first = attraction().x(nodes).minCoeff();
+    const double last = attraction().x(nodes).maxCoeff();
+    return {.center = 0.5 * (first + last),
+            .half_length = 0.5 * (last - first) + attraction().spacing,
+            .pressure = (pressing(nodes) / attraction().area(nodes)).maxCoeff()};
   }
 
   /// Work that the attraction takes from the material that passes, minus the work that it returns: the integral of the
@@ -252,8 +259,9 @@ class AdhesiveContact {
   ContactOptions options_;
   AdhesiveNewton newton_;
   AdhesiveState state_;
-  double length_ = 0.0;
-  double center_ = 0.0;
+  TractionLaw law_;
+  double length_ = 0.0;  // of the cohesive zones of the law
+  ContactSize size_;     // from which the law follows, unless the next law is being sought
   double load_ = 0.0;
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/traction_law.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {
@@ -21,7 +22,7 @@ struct SmoothFields {
 struct AdhesiveEdges {
   std::vector<Eigen::Index> zone;  ///< nodes of the cohesive zone, which are attracted but not in contact
   double zone_length;              ///< length of the cohesive zones from which the traction law follows [m]
-  double center;                   ///< position along the path that separates opening and closing edges [m]
+  ContactSize size;                ///< size of the contact from which the traction law follows
   /// Difference of the works of opening and closing edges, integrated across the path [J/m]; in line contact [J/m^2].
   double lost_work;
 };

@@ -15,14 +15,14 @@ constexpr int kFractions = 21;
 
 double Attraction::resolved_zone() const { return std::max(kSpacingsPerZone * spacing, shortest_zone); }
 
-TractionLaw Attraction::law(double zone, double center) const {
+TractionLaw Attraction::law(double zone, const ContactSize& contact) const {
   TractionLaw law{.peak = Eigen::ArrayXd(x.size()), .work = Eigen::ArrayXd(x.size())};
   const bool is_line = z.isZero(0.0);
   const int count = is_line ? 1 : kFractions;
   std::array<EdgeLaws, kFractions> table{};
-  for (int i = 0; i < count; ++i) table[static_cast<std::size_t>(i)] = laws(zone, std::pow(2.0, -0.5 * i));
+  for (int i = 0; i < count; ++i) table[static_cast<std::size_t>(i)] = laws(zone, std::pow(2.0, -0.5 * i), contact);
   for (Eigen::Index node = 0; node < x.size(); ++node) {
-    const double ahead = x[node] - center;
+    const double ahead = x[node] - contact.center;
     const double distance = std::hypot(ahead, z[node]);
     // Laws are interpolated linearly in the logarithm of the speed, since they change over decades of it.
     const double place = distance > 0.0 && !is_line

@@ -5,13 +5,14 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 namespace viscoroll::detail {
 
-/// Spacings per cohesive zone. From 4.2 on, which is three spacings per E* w / peak^2 of an elastic edge, a mesh causes
-/// no hysteresis of its own (docs/theory/adhesion.md). With 5.6, the edges of an elastic roller still stick to nodes so
-/// much that Newton's method fails on the path to the largest tension.
-inline constexpr double kSpacingsPerZone = 7.0;
+/// Spacings per cohesive zone, which is 2.5 E* w / peak^2 long at an elastic edge. From 7.5 on, which is three spacings
+/// per E* w / peak^2, a mesh causes no hysteresis of its own (docs/theory/adhesion.md). With 10, the edges of an elastic
+/// roller still stick to nodes so much that Newton's method fails on the path to the largest tension.
+inline constexpr double kSpacingsPerZone = 12.5;
 
 /// @brief Attraction sigma = peak (1 - g / range)^2 at the gap g, which ends at the range 3 work / peak, above a hard
 /// wall at g = 0. It is a function of the gap alone. A closed gap has the attraction of g = 0.
@@ -54,6 +55,13 @@ struct EdgeLaws {
   EdgeLaw closing;  ///< at the leading edge, which closes
 };
 
+/// @brief Size of a contact with adhesion, on which the pressure near its edges depends.
+struct ContactSize {
+  double center = 0.0;                                           ///< position of its center along the path [m]
+  double half_length = std::numeric_limits<double>::infinity();  ///< half of its length along the path [m]
+  double pressure = 0.0;                                         ///< largest pressure [Pa]
+};
+
 /// @brief Attraction between two bodies, from which a law follows for every mesh.
 struct Attraction {
   double equivalent_load;  ///< load without adhesion at which the contact has about the same size [N], > 0
@@ -64,14 +72,14 @@ struct Attraction {
   Eigen::ArrayXd area;     ///< area of the patch of every node [m^2]; in line contact its length [m]
   /// Laws whose cohesive zones have a length [m], or that of the surfaces if it is longer, at an edge whose normal
   /// moves with a fraction of the rolling speed, in [0, 1].
-  std::function<EdgeLaws(double zone, double fraction)> laws;
+  std::function<EdgeLaws(double zone, double fraction, const ContactSize& contact)> laws;
 
   /// @return length of the cohesive zones: the wanted one, or the shortest that the mesh resolves [m]
   [[nodiscard]] double resolved_zone() const;
   /// @brief Law whose nodes ahead of the center of the contact are those of the closing edge.
   /// @param[in] zone length of the cohesive zones [m]
-  /// @param[in] center position of the center of the contact along the path [m]
-  [[nodiscard]] TractionLaw law(double zone, double center) const;
+  /// @param[in] contact size of the contact
+  [[nodiscard]] TractionLaw law(double zone, const ContactSize& contact) const;
 };
 
 }  // namespace viscoroll::detail

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -48,8 +49,8 @@ struct Edges {
   SurfaceAdhesion surfaces;
   double speed;  ///< of rolling [m/s]
 
-  [[nodiscard]] EdgeWorks works(double zone, double fraction) const {
-    return edge_works(creep, surfaces, zone, fraction * speed);
+  [[nodiscard]] EdgeIntensities intensities(double fraction) const {
+    return edge_intensities(creep, surfaces, fraction * speed);
   }
 };
 
@@ -119,7 +120,14 @@ std::optional<double> clean_adhesion_increase(const RollingCase& given, const Re
   return added < kSmallest * torque ? std::nullopt : std::optional(added / torque);
 }
 
-EdgeWorks works_at_edges(const RollingCase& given, double zone) { return edges_of(given).works(zone, 1.0); }
+EdgeWorks works_at_edges(const RollingCase& given) {
+  const Edges edges = edges_of(given);
+  const double relaxed = edges.creep.relaxed();
+  const EdgeIntensities intensities = edges.intensities(1.0);
+  return {.opening_release = 0.5 * std::pow(intensities.opening, 2) * relaxed,
+          .closing_release = 0.5 * std::pow(intensities.closing, 2) / relaxed,
+          .shorter_zone = std::min(intensities.opening_zone, intensities.closing_zone)};
+}
 
 Attraction attraction_at(const RollingCase& given, const SurfaceWindow& window) {
   const SurfaceGrid& grid = window.grid();
@@ -135,7 +143,12 @@ Attraction attraction_at(const RollingCase& given, const SurfaceWindow& window) 
           .x = window.x(),
           .z = aspect * window.z(),
           .area = window.patch_area(every),
-          .laws = [edges](double zone, double fraction) { return edges.works(zone, fraction).laws; }};
+          .laws = [edges, known = std::map<double, EdgeIntensities>()](
+                      double zone, double fraction, const ContactSize& contact) mutable {
+            auto place = known.find(fraction);
+            if (place == known.end()) place = known.emplace(fraction, edges.intensities(fraction)).first;
+            return edge_laws(edges.creep, edges.surfaces, place->second, zone, fraction * edges.speed, contact);
+          }};
 }
 
 }  // namespace viscoroll::detail

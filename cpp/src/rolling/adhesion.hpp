@@ -23,8 +23,15 @@ void require_adhesion(const RollingPair& pair, const LoadCase& load_case);
 /// @param[in] result its solution
 [[nodiscard]] std::optional<double> clean_adhesion_increase(const RollingCase& given, const Result& result);
 
-/// @return edges across the path, and their laws with cohesive zones of a length [m]
-[[nodiscard]] EdgeWorks works_at_edges(const RollingCase& given, double zone);
+/// @brief Edges of the surfaces across the path.
+struct EdgeWorks {
+  double opening_release;  ///< energy release rate by the relaxed compliance, G_open [J/m^2]
+  double closing_release;  ///< energy release rate by the relaxed compliance, G_close [J/m^2]
+  double shorter_zone;     ///< length of the shorter cohesive zone; 0 with an infinite strength [m]
+};
+
+/// @return edges across the path at the speed of rolling
+[[nodiscard]] EdgeWorks works_at_edges(const RollingCase& given);
 
 /// @brief Attraction of two bodies at the nodes of a window.
 /// @param[in] given load case with adhesion

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -15,78 +16,6 @@ namespace viscoroll::detail {
 namespace {
 
 using std::numbers::pi;
-
-/// A cubic law acts on a viscoelastic edge as Dugdale's law with this fraction of its peak. Of 0.70, 0.72, 0.75 and
-/// 0.80, this value is the best for rollers on a half-plane with moduli of 2:1 and 10:1 (docs/theory/adhesion.md,
-/// "Evidence").
-constexpr double kDugdaleFraction = 0.75;
-
-/// Means of the creep compliance over a cohesive zone.
-struct ZoneMeans {
-  double opening;    ///< weighted by the slope of the opening edge's gap [1/Pa]
-  double intensity;  ///< weighted by s^(-1/2) over the closing edge [1/Pa]
-
-  /// Weight of the gap at the end of the closing zone.
-  [[nodiscard]] double closing() const { return 2.0 * intensity - opening; }
-};
-
-/// Nodes of the trapezoidal rule in y for integrals over a zone, with eta = tanh(y)^2.
-struct ZoneNode {
-  double rest;       ///< 1 - eta
-  double opening;    ///< spacing times deta/dy ln((1 + sqrt(eta)) / (1 - sqrt(eta))) / 2
-  double intensity;  ///< spacing times deta/dy / (2 sqrt(eta))
-};
-
-constexpr double kZoneSpacing = 0.125;
-
-const std::vector<ZoneNode>& zone_nodes() {
-  static const std::vector<ZoneNode> kNodes = [] {
-    constexpr int kCount = 1600;  // for x up to 1e150
-    std::vector<ZoneNode> nodes;
-    nodes.reserve(kCount);
-    for (int i = 0; i < kCount; ++i) {
-      const double y = kZoneSpacing * i;
-      const double rest = std::pow(std::cosh(y), -2.0);
-      const double weight = (i == 0 ? 0.5 : 1.0) * kZoneSpacing * rest;
-      nodes.push_back({.rest = rest, .opening = weight * 2.0 * y * std::tanh(y), .intensity = weight});
-    }
-    return nodes;
-  }();
-  return kNodes;
-}
-
-/// Means of exp(-(1 - eta) x) over 0 < eta < 1 with the weights ln((1 + sqrt(eta)) / (1 - sqrt(eta))) / 2 and
-/// 1 / (2 sqrt(eta)). The integrands in y are even and analytic for |Im y| < pi / 4, so that the error of the
-/// trapezoidal rule is exp(-pi^2 / (2 h)) for the spacing h.
-std::array<double, 2> decay_means(double x) {
-  constexpr double kLargest = 1e150;  // the means are below log(x) / x
-  constexpr double kUnderflow = 745.0;
-  constexpr double kEnd = 20.0;  // exp(-2 kEnd) < 1e-17
-  if (x > kLargest) return {0.0, 0.0};
-  const std::vector<ZoneNode>& nodes = zone_nodes();
-  const double end = (0.5 * std::log1p(4.0 * x) + kEnd) / kZoneSpacing;
-  const auto first = std::ranges::find_if(nodes, [x](const ZoneNode& node) { return x * node.rest < kUnderflow; });
-  double opening = 0.0;
-  double intensity = 0.0;
-  for (auto node = first; node < nodes.begin() + static_cast<std::ptrdiff_t>(end); ++node) {
-    const double decay = std::exp(-x * node->rest);
-    opening += decay * node->opening;
-    intensity += decay * node->intensity;
-  }
-  return {opening, intensity};
-}
-
-/// @param[in] time time in which material passes the zone [s]
-ZoneMeans zone_means(const EdgeCreep& creep, double time) {
-  const double relaxed = creep.relaxed();
-  ZoneMeans means{.opening = relaxed, .intensity = relaxed};
-  for (std::size_t j = 0; j < creep.delayed.size(); ++j) {
-    const auto [opening, intensity] = decay_means(time / creep.retardation_times[j]);
-    means.opening -= creep.delayed[j] * opening;
-    means.intensity -= creep.delayed[j] * intensity;
-  }
-  return means;
-}
 
 /// Length at which an increasing function of it, approximately a power, has a value: the rule of Illinois in
 /// logarithms.
@@ -119,42 +48,21 @@ double length_at(double value, double guess, const Function& function) {
   return std::exp(at_low == 0.0 ? low : high);
 }
 
-/// Fracture mechanics of an edge with a cohesive zone of Dugdale's shape. Stress intensities are K at the opening edge,
-/// and its counterpart K_c at the closing edge.
-struct DugdaleZone {
-  DugdaleZone(const EdgeCreep& creep, double zone_length, double speed)
-      : length(zone_length), means(zone_means(creep, zone_length / speed)) {}
+/// Length of a zone with a given strength and work.
+/// @param[in] edge edge for a time of passage [s]
+template <class Edge>
+double zone_length(const EdgeCreep& creep, double work, double strength, double speed, const Edge& edge) {
+  const double squared = strength * strength;
+  const double guess = work / (squared * edge(creep, std::numeric_limits<double>::infinity(), 0.0).work);
+  return length_at(work, guess,
+                   [&](double length) { return squared * length * edge(creep, length / speed, 0.0).work; });
+}
 
-  double length;
-  ZoneMeans means;
-
-  /// Half of the squared stress intensity of an elastic zone with the peak of a cubic law [Pa^2 m].
-  [[nodiscard]] double half_square(double peak) const {
-    return 4.0 / pi * std::pow(kDugdaleFraction * peak, 2) * length;
-  }
-
-  [[nodiscard]] double opening_work(double peak) const { return half_square(peak) * means.opening; }
-  [[nodiscard]] double closing_work(double peak) const { return half_square(peak) * means.closing(); }
-  /// K_c^2 [m]
-  [[nodiscard]] double closing_intensity(double peak) const {
-    return 2.0 * half_square(peak) * std::pow(means.intensity, 2);
-  }
-
-  /// Law with a K^2 [Pa^2 m].
-  [[nodiscard]] EdgeLaw opening_law(double intensity) const {
-    const double peak = std::sqrt(0.5 * intensity / half_square(1.0));
-    return {.peak = peak, .work = opening_work(peak)};
-  }
-  /// Law with a K_c^2 [m].
-  [[nodiscard]] EdgeLaw closing_law(double intensity) const {
-    const double peak = std::sqrt(intensity / closing_intensity(1.0));
-    return {.peak = peak, .work = closing_work(peak)};
-  }
-};
-
-/// Length of a zone under a finite strength with the elastic energy release rate `work` by the relaxed compliance.
-double elastic_length(const EdgeCreep& creep, double work, double strength) {
-  return 0.25 * pi * work / (creep.relaxed() * std::pow(kDugdaleFraction * strength, 2));
+/// Law of a zone with a given stress intensity.
+/// @param[in] edge edge of unit length and unit peak
+EdgeLaw law_of(const CohesiveEdge& edge, double intensity, double zone) {
+  const double peak = intensity / (edge.intensity * std::sqrt(zone));
+  return {.peak = peak, .work = peak * peak * zone * edge.work};
 }
 
 /// 1/E* = (1 - nu) / (2 G) of a layer [1/Pa], or the same in terms of its bulk modulus.
@@ -184,8 +92,6 @@ void require_strength(const EdgeCreep& creep) {
 
 }  // namespace
 
-double EdgeCreep::relaxed() const { return std::accumulate(delayed.begin(), delayed.end(), instantaneous); }
-
 EdgeCreep edge_creep(const RollingPair& pair, const TimeRange& range) {
   EdgeCreep creep;
   for (const Body* body : std::array<const Body*, 2>{pair.body.get(), pair.on.get()}) {
@@ -205,34 +111,48 @@ EdgeCreep edge_creep(const RollingPair& pair, const TimeRange& range) {
   return creep;
 }
 
-EdgeWorks edge_works(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, double zone, double speed) {
+EdgeIntensities edge_intensities(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, double speed) {
   const auto& [separation, bonding, strength] = adhesion;
-  const auto zone_at = [&](double length) { return DugdaleZone(creep, length, speed); };
-  double opening_length = 0.0;
-  double closing_length = 0.0;
-  double opening_intensity = 0.0;
-  double closing_intensity = 0.0;
   if (std::isinf(strength)) {
     require_strength(creep);
     const double compliance = speed == 0.0 ? creep.relaxed() : creep.instantaneous;
-    opening_intensity = 2.0 * separation / compliance;
-    closing_intensity = 2.0 * bonding * compliance;
-  } else {
-    opening_length = length_at(separation, elastic_length(creep, separation, strength),
-                               [&](double length) { return zone_at(length).opening_work(strength); });
-    closing_length = length_at(bonding, elastic_length(creep, bonding, strength),
-                               [&](double length) { return zone_at(length).closing_work(strength); });
-    opening_intensity = 2.0 * zone_at(opening_length).half_square(strength);
-    closing_intensity = zone_at(closing_length).closing_intensity(strength);
+    return {.opening = std::sqrt(2.0 * separation / compliance),
+            .closing = std::sqrt(2.0 * bonding * compliance),
+            .opening_zone = 0.0,
+            .closing_zone = 0.0};
   }
-  const DugdaleZone mesh = zone_at(zone);
-  return {
-      .laws = {.opening = opening_length > zone ? EdgeLaw{strength, separation} : mesh.opening_law(opening_intensity),
-               .closing = closing_length > zone ? EdgeLaw{strength, bonding} : mesh.closing_law(closing_intensity)},
-      .opening_release = 0.5 * opening_intensity * creep.relaxed(),
-      .closing_release = 0.5 * closing_intensity / creep.relaxed(),
-      .actual_opening_zone = opening_length,
-      .actual_closing_zone = closing_length};
+  const double opening = zone_length(creep, separation, strength, speed, opening_edge);
+  const double closing = zone_length(creep, bonding, strength, speed, closing_edge);
+  return {.opening = strength * std::sqrt(opening) * opening_edge(creep, opening / speed).intensity,
+          .closing = strength * std::sqrt(closing) * closing_edge(creep, closing / speed).intensity,
+          .opening_zone = opening,
+          .closing_zone = closing};
+}
+
+EdgeLaws edge_laws(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, const EdgeIntensities& edges, double zone,
+                   double speed, const ContactSize& contact) {
+  // The pressure of a contact of Hertz's shape between two edges is p sqrt(1 - t^2) = b_0 + b_1 t + b_2 (2 t^2 - 1), and
+  // its values at t = -1 and 1 are the tensions K / sqrt(pi a).
+  const double root = std::sqrt(pi * contact.half_length);
+  const double opening_tension = edges.opening / root;
+  const double closing_tension = edges.closing / (creep.relaxed() * root);
+  const auto regular = [&](double tension, double other) {
+    if (std::isinf(contact.half_length)) return 0.0;
+    const double twice = 2.0 * contact.pressure + 1.25 * tension + 0.5 * other;
+    return std::max(twice, 0.0) / (tension * std::sqrt(2.0 * pi)) * (zone / contact.half_length);
+  };
+  const double time = zone / speed;
+  EdgeLaws laws{.opening = {.peak = adhesion.strength, .work = adhesion.separation_work},
+                .closing = {.peak = adhesion.strength, .work = adhesion.bonding_work}};
+  if (edges.opening_zone <= zone) {
+    laws.opening =
+        law_of(opening_edge(creep, time, regular(opening_tension, closing_tension)), edges.opening, zone);
+  }
+  if (edges.closing_zone <= zone) {
+    laws.closing =
+        law_of(closing_edge(creep, time, regular(closing_tension, opening_tension)), edges.closing, zone);
+  }
+  return laws;
 }
 
 }  // namespace viscoroll::detail

@@ -9,24 +9,13 @@
 #pragma once
 
 #include <limits>
-#include <vector>
 
 #include "contact/traction_law.hpp"
 #include "materials/creep_spectrum.hpp"
+#include "rolling/cohesive_edge.hpp"
 #include "rolling/rolling_pair.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief Creep compliance of a contact on the scale of its edges, J(t) = J_0 + sum_j J_j (1 - exp(-t / lambda_j)): the
-/// sum of 1/E*, with E* = 2 G / (1 - nu), of the outermost layers of both bodies.
-struct EdgeCreep {
-  double instantaneous = 0.0;                  ///< J_0 [1/Pa]
-  std::vector<double> delayed = {};            ///< J_j [1/Pa]
-  std::vector<double> retardation_times = {};  ///< lambda_j [s]
-
-  /// @return J_0 + sum_j J_j [1/Pa]
-  [[nodiscard]] double relaxed() const;
-};
 
 /// @brief Creep compliance of the outermost layers of both bodies. A rigid body contributes nothing.
 ///
@@ -43,32 +32,36 @@ struct SurfaceAdhesion {
   double strength = std::numeric_limits<double>::infinity();  ///< peak of the cubic traction law [Pa], > 0
 };
 
-/// @brief Edges of a contact, and the laws of a mesh that represent them.
-struct EdgeWorks {
-  EdgeLaws laws;               ///< laws of the mesh
-  double opening_release;      ///< energy release rate by the relaxed compliance, G_open [J/m^2]
-  double closing_release;      ///< energy release rate by the relaxed compliance, G_close [J/m^2]
-  double actual_opening_zone;  ///< length of the cohesive zone of the surfaces; 0 with an infinite strength [m]
-  double actual_closing_zone;  ///< length of the cohesive zone of the surfaces; 0 with an infinite strength [m]
+/// @brief Edges of a contact as they act on the rest of it.
+struct EdgeIntensities {
+  double opening;       ///< stress intensity K of the opening edge [Pa m^(1/2)]
+  double closing;       ///< its counterpart K_c of the strain at the closing edge [m^(1/2)]
+  double opening_zone;  ///< length of the cohesive zone of the surfaces; 0 with an infinite strength [m]
+  double closing_zone;  ///< length of the cohesive zone of the surfaces; 0 with an infinite strength [m]
 };
 
-/// @brief Laws with cohesive zones of a given length that have the stress intensities of the given adhesion.
-///
-/// Opening edge: the traction is elastic, with the stress intensity K; the gap creeps. Closing edge: the displacement
-/// is the elastic one of the strain that the attraction ahead of the contact causes. Both zones have the shape of D. S.
-/// Dugdale, J. Mech. Phys. Solids 8 (1960) 100-104. An edge whose own zone is longer than the given one has the given
-/// adhesion. Both works are the given ones if the bodies are elastic, and at low speed.
+/// @brief Stress intensities of both edges. The energy release rates by the relaxed compliance J are K^2 J / 2 and
+/// K_c^2 / (2 J). Both are the works if the bodies are elastic, and at low speed.
 /// @param[in] creep creep compliance at the edges
 /// @param[in] adhesion works and strength of the surfaces
-/// @param[in] zone length of the cohesive zones on the mesh [m], > 0
 /// @param[in] speed component of the rolling speed normal to the edge [m/s], >= 0
 /// @throws InvalidInput for an infinite strength if the works depend on it: without an instantaneous compliance, and
 /// with retardation times that span more than two decades
-[[nodiscard]] EdgeWorks edge_works(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, double zone, double speed);
+[[nodiscard]] EdgeIntensities edge_intensities(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, double speed);
+
+/// @brief Laws of a mesh with cohesive zones of a given length that have the given stress intensities. An edge whose own
+/// zone is longer than the given one has the given adhesion.
+/// @param[in] creep creep compliance at the edges
+/// @param[in] adhesion works and strength of the surfaces
+/// @param[in] edges stress intensities at the same speed
+/// @param[in] zone length of the cohesive zones on the mesh [m], > 0
+/// @param[in] speed component of the rolling speed normal to the edge [m/s], >= 0
+/// @param[in] contact size of the contact; with an infinite length, that of edges far from each other
+[[nodiscard]] EdgeLaws edge_laws(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, const EdgeIntensities& edges,
+                                 double zone, double speed, const ContactSize& contact = {});
 
 /// Longest cohesive zone on a mesh, relative to the half-width of the contact, at which an edge still acts on the
-/// contact through its stress intensity alone. With zones of 0.4, 0.2 and 0.1 half-widths, the moment of a roller on a
-/// half-plane has errors of up to 11, 4 and 1.2 % (`python -m tests.reference.adhesion`).
-inline constexpr double kLongestZone = 0.4;
+/// contact through the first two terms of the pressure ahead of it.
+inline constexpr double kLongestZone = 0.7;
 
 }  // namespace viscoroll::detail

@@ -245,13 +245,12 @@ class Summary {
     const SurfaceGrid& grid = window_.grid();
     const bool is_line = window_.window().is_line();
     const double spacing = grid.radius * (is_line ? grid.phi_spacing : std::max(grid.phi_spacing, grid.theta_spacing));
-    const EdgeWorks works = works_at_edges(given_, edges.zone_length);
+    const EdgeWorks works = works_at_edges(given_);
     const Adhesion& adhesion = *given_.load_case.adhesion;
     r.attracted_area = is_line ? area_.sum() : r.contact_area + window_.patch_area(edges.zone).sum();
     r.opening_energy_ratio = works.opening_release / adhesion.separation_work.value_or(adhesion.work);
     r.closing_energy_ratio = works.closing_release / adhesion.work;
-    r.cohesive_zone_nodes =
-        std::max(edges.zone_length, std::min(works.actual_opening_zone, works.actual_closing_zone)) / spacing;
+    r.cohesive_zone_nodes = std::max(edges.zone_length, works.shorter_zone) / spacing;
   }
 
   /// Force to which sums of forces are compared [N]: the load, or with adhesion the sum of pressing and pulling forces.
