@@ -167,6 +167,12 @@ VectorXd regular_displacement() { return 4.0 / 3.0 * operators().r.array().cube(
 
 double EdgeCreep::relaxed() const { return std::accumulate(delayed.begin(), delayed.end(), instantaneous); }
 
+double EdgeCreep::after(double time) const {
+  double value = instantaneous;
+  for (std::size_t j = 0; j < delayed.size(); ++j) value -= delayed[j] * std::expm1(-time / retardation_times[j]);
+  return value;
+}
+
 CohesiveEdge opening_edge(const EdgeCreep& creep, double time, double regular) {
   const ZoneOperators& zone = operators();
   const MatrixXd creeping = creep_of_gap(creep, time);

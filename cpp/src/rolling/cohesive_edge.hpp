@@ -16,6 +16,8 @@ struct EdgeCreep {
 
   /// @return J_0 + sum_j J_j [1/Pa]
   [[nodiscard]] double relaxed() const;
+  /// @return J(t) [1/Pa]
+  [[nodiscard]] double after(double time) const;
 };
 
 /// @brief Edge whose cohesive zone has the length 1 and the peak 1. The work is proportional to the length and to the

@@ -135,7 +135,8 @@ EdgeLaws edge_laws(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, cons
   // its values at t = -1 and 1 are the tensions K / sqrt(pi a).
   const double root = std::sqrt(pi * contact.half_length);
   const double opening_tension = edges.opening / root;
-  const double closing_tension = edges.closing / (creep.relaxed() * root);
+  // The compliance relates the strain at the closing edge to the pressure of the contact.
+  const double closing_tension = edges.closing / (creep.after(contact.half_length / speed) * root);
   const auto regular = [&](double tension, double other) {
     if (std::isinf(contact.half_length)) return 0.0;
     const double twice = 2.0 * contact.pressure + 1.25 * tension + 0.5 * other;
