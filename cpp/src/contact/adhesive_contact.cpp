@@ -17,6 +17,9 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 
 constexpr double kLeastRatio = 1.02;       // of cohesive zones of successive laws, below which continuation fails
+/// Distance from the contact to the edge without a zone that has the same pressure far away, relative to the length of
+/// the zone: 2 m / k for the moment m and intensity k of a cubic zone of an elastic edge.
+constexpr double kEffectiveEdge = 0.276;
 constexpr int kMostDoublings = 4;          // of the first cohesive zone, which is as long as the contact
 constexpr double kLeastStep = 1.0 / 1024;  // of a path of loads or penetrations, relative to the whole path
 // Steps of the penetration on the path to the fold, relative to the undeformed gap at the edge of the contact. The load
@@ -233,7 +236,7 @@ class AdhesiveContact {
     const double first = attraction().x(nodes).minCoeff();
     const double last = attraction().x(nodes).maxCoeff();
     return {.center = 0.5 * (first + last),
-            .half_length = 0.5 * (last - first) + attraction().spacing,
+            .half_length = 0.5 * (last - first) + attraction().spacing + kEffectiveEdge * length_,
             .pressure = (pressing(nodes) / attraction().area(nodes)).maxCoeff()};
   }
 
