@@ -235,9 +235,12 @@ class AdhesiveContact {
   [[nodiscard]] ContactSize size_of(const std::vector<Index>& nodes, const ArrayXd& pressing) const {
     const double first = attraction().x(nodes).minCoeff();
     const double last = attraction().x(nodes).maxCoeff();
-    return {.center = 0.5 * (first + last),
+    const double center = 0.5 * (first + last);
+    Index middle = 0;
+    ((attraction().x - center).square() + attraction().z.square()).minCoeff(&middle);
+    return {.center = center,
             .half_length = 0.5 * (last - first) + attraction().spacing + kEffectiveEdge * length_,
-            .pressure = (pressing(nodes) / attraction().area(nodes)).maxCoeff()};
+            .pressure = pressing[middle] / attraction().area[middle]};
   }
 
   /// Work that the attraction takes from the material that passes, minus the work that it returns: the integral of the

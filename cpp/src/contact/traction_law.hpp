@@ -59,7 +59,7 @@ struct EdgeLaws {
 struct ContactSize {
   double center = 0.0;                                           ///< position of its center along the path [m]
   double half_length = std::numeric_limits<double>::infinity();  ///< half of its length along the path [m]
-  double pressure = 0.0;                                         ///< largest pressure [Pa]
+  double pressure = 0.0;                                         ///< pressure at its center [Pa]
 };
 
 /// @brief Attraction between two bodies, from which a law follows for every mesh.
