@@ -27,7 +27,7 @@ CLEAN = vr.Adhesion(work=0.05)
 ROWS = ((1.0, 2.5), (0.1, 2.5), (1.0, 0.05), (0.1, 0.5), (0.1, 0.05), (0.1, 0.005))
 
 #: Length of the cohesive zone on a mesh per cohesive length, and per spacing.
-ZONE, SPACINGS = 0.25 * math.pi / 0.75**2, 7.0
+ZONE, SPACINGS = 2.495, 12.5
 
 
 def increase(load: float, angular_speed: float, mesh: vr.Mesh) -> tuple[float, float]:

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -56,17 +55,18 @@ struct AdheringBall {
     problem.normal_force = 0.05;
     std::vector<Eigen::Index> every(static_cast<std::size_t>(shape.size()));
     std::iota(every.begin(), every.end(), Eigen::Index{0});
-    problem.attraction = Attraction{.equivalent_load = 0.5,
-                                    .spacing = outer_radius(ball()) * phi_spacing(mesh),
-                                    .shortest_zone = 0.0,
-                                    .x = nodes.x(),
-                                    .z = nodes.z(),
-                                    .area = nodes.patch_area(every),
-                                    .laws = [](double zone, double) {
-                                      return edge_works({.instantaneous = 1.0 / 8e6},
-                                                        {.separation_work = 0.3, .bonding_work = 0.3}, zone, 1.0)
-                                          .laws;
-                                    }};
+    problem.attraction =
+        Attraction{.equivalent_load = 0.5,
+                   .spacing = outer_radius(ball()) * phi_spacing(mesh),
+                   .shortest_zone = 0.0,
+                   .x = nodes.x(),
+                   .z = nodes.z(),
+                   .area = nodes.patch_area(every),
+                   .laws = [](double zone, double, const ContactSize& contact) {
+                     const EdgeCreep elastic{.instantaneous = 1.0 / 8e6};
+                     const SurfaceAdhesion adhesion{.separation_work = 0.3, .bonding_work = 0.3};
+                     return edge_laws(elastic, adhesion, edge_intensities(elastic, adhesion, 1.0), zone, 1.0, contact);
+                   }};
   }
 
   static CoatedSphere ball() {
@@ -86,7 +86,7 @@ TEST(AdhesiveContact, SatisfiesItsConditions) {
   const LocatedContact located = solve_multilevel(given.problem, 1e-5, {.max_iterations = 2000});
   const ContactSolution& contact = located.contact;
   ASSERT_TRUE(contact.adhesion);
-  const TractionLaw law = given.problem.attraction->law(contact.adhesion->zone_length, contact.adhesion->center);
+  const TractionLaw law = given.problem.attraction->law(contact.adhesion->zone_length, contact.adhesion->size);
   const Eigen::ArrayXd pressing = pressing_force(contact);
   EXPECT_NEAR(pressing.sum(), 0.05, 1e-12);
   const Eigen::ArrayXd gap =
@@ -109,10 +109,10 @@ TEST(AdhesiveContact, OfAReversibleLawHasNoHysteresis) {
   AdheringBall given;
   ContactProblem& problem = given.problem;
   const LocatedContact located = solve_multilevel(problem, 1e-5, {.max_iterations = 2000});
-  // With three spacings per cohesive length E* w / peak^2, a mesh causes no hysteresis of its own. Dugdale's law with
-  // 0.8 times the peak has a zone of pi / (4 * 0.64) cohesive lengths.
-  const double zone = 3.0 * 0.25 * std::numbers::pi / (0.75 * 0.75) * problem.attraction->spacing;
-  const TractionLaw law = problem.attraction->law(zone, 0.0);
+  // With three spacings per cohesive length E* w / peak^2, a mesh causes no hysteresis of its own. The zone is 2.495
+  // cohesive lengths long.
+  const double zone = 3.0 * 2.495 * problem.attraction->spacing;
+  const TractionLaw law = problem.attraction->law(zone, {});
   AdhesiveNewton newton(problem, {.max_iterations = 2000});
   AdhesiveState state{.pressing = pressing_force(located.contact), .penetration = located.contact.penetration};
   state = newton.solve(problem, law, state);

@@ -16,7 +16,7 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-constexpr double kLeastRatio = 1.02;       // of cohesive zones of successive laws, below which continuation fails
+constexpr double kLeastRatio = 1.02;  // of cohesive zones of successive laws, below which continuation fails
 /// Distance from the contact to the edge without a zone that has the same pressure far away, relative to the length of
 /// the zone: 2 m / k for the moment m and intensity k of a cubic zone of an elastic edge.
 constexpr double kEffectiveEdge = 0.276;

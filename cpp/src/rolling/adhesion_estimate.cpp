@@ -7,8 +7,7 @@ double adhesion_torque_estimate(const EdgeCreep& creep, const SurfaceAdhesion& a
   constexpr double kPassage = 1.2;
   const auto& [separation, bonding, strength] = adhesion;
   const double edge = separation / (creep.relaxed() * strength * strength);
-  const double ratio = creep.after(kPassage * contact.half_length / contact.speed) /
-                       creep.after(edge / contact.speed);
+  const double ratio = creep.after(kPassage * contact.half_length / contact.speed) / creep.after(edge / contact.speed);
   return contact.width * contact.radius * (separation * ratio - bonding / ratio);
 }
 

@@ -70,7 +70,8 @@ ZoneOperators make_operators() {
       zone.slope(i, i) -= zone.slope(i, j);
     }
   }
-  zone.intensity = std::sqrt(2.0 / pi) * integral(1.0, [&](double q, double) -> RowVectorXd { return 2.0 * polynomials(r, q); });
+  zone.intensity =
+      std::sqrt(2.0 / pi) * integral(1.0, [&](double q, double) -> RowVectorXd { return 2.0 * polynomials(r, q); });
   zone.moment = integral(1.0, [&](double q, double) -> RowVectorXd { return 2.0 * q * q * polynomials(r, q); });
   zone.elastic = MatrixXd::Zero(kCount, kCount);
   for (Index i = 1; i < kCount; ++i) {
@@ -80,7 +81,8 @@ ZoneOperators make_operators() {
     };
     zone.elastic.row(i) = integral(r[i], [&](double q, double distance) { return part(q, distance); });
     if (i == kDegree) continue;
-    zone.elastic.row(i) += integral(1.0 - r[i], [&](double distance, double) { return part(r[i] + distance, distance); });
+    zone.elastic.row(i) +=
+        integral(1.0 - r[i], [&](double distance, double) { return part(r[i] + distance, distance); });
   }
   return zone;
 }
@@ -176,16 +178,16 @@ double EdgeCreep::after(double time) const {
 CohesiveEdge opening_edge(const EdgeCreep& creep, double time, double regular) {
   const ZoneOperators& zone = operators();
   const MatrixXd creeping = creep_of_gap(creep, time);
-  const auto [work, intensity] = solve_zone(creeping * zone.elastic, zone.intensity, zone.moment,
-                                            creeping * regular_displacement(), regular);
+  const auto [work, intensity] =
+      solve_zone(creeping * zone.elastic, zone.intensity, zone.moment, creeping * regular_displacement(), regular);
   return {.work = creep.relaxed() * work, .intensity = intensity};
 }
 
 CohesiveEdge closing_edge(const EdgeCreep& creep, double time, double regular) {
   const ZoneOperators& zone = operators();
   const MatrixXd strain = creep_of_strain(creep, time);
-  const auto [work, intensity] = solve_zone(zone.elastic * strain, zone.intensity * strain, zone.moment * strain,
-                                            regular_displacement(), regular);
+  const auto [work, intensity] =
+      solve_zone(zone.elastic * strain, zone.intensity * strain, zone.moment * strain, regular_displacement(), regular);
   return {.work = creep.relaxed() * work, .intensity = creep.relaxed() * intensity};
 }
 

@@ -131,8 +131,8 @@ EdgeIntensities edge_intensities(const EdgeCreep& creep, const SurfaceAdhesion& 
 
 EdgeLaws edge_laws(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, const EdgeIntensities& edges, double zone,
                    double speed, const ContactSize& contact) {
-  // The pressure of a contact of Hertz's shape between two edges is p sqrt(1 - t^2) = b_0 + b_1 t + b_2 (2 t^2 - 1), and
-  // its values at t = -1 and 1 are the tensions K / sqrt(pi a).
+  // The pressure of a contact of Hertz's shape between two edges is p sqrt(1 - t^2) = b_0 + b_1 t + b_2 (2 t^2 - 1),
+  // and its values at t = -1 and 1 are the tensions K / sqrt(pi a).
   const double root = std::sqrt(pi * contact.half_length);
   const double opening_tension = edges.opening / root;
   // The compliance relates the strain at the closing edge to the pressure of the contact.
@@ -146,12 +146,10 @@ EdgeLaws edge_laws(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, cons
   EdgeLaws laws{.opening = {.peak = adhesion.strength, .work = adhesion.separation_work},
                 .closing = {.peak = adhesion.strength, .work = adhesion.bonding_work}};
   if (edges.opening_zone <= zone) {
-    laws.opening =
-        law_of(opening_edge(creep, time, regular(opening_tension, closing_tension)), edges.opening, zone);
+    laws.opening = law_of(opening_edge(creep, time, regular(opening_tension, closing_tension)), edges.opening, zone);
   }
   if (edges.closing_zone <= zone) {
-    laws.closing =
-        law_of(closing_edge(creep, time, regular(closing_tension, opening_tension)), edges.closing, zone);
+    laws.closing = law_of(closing_edge(creep, time, regular(closing_tension, opening_tension)), edges.closing, zone);
   }
   return laws;
 }

@@ -49,8 +49,8 @@ struct EdgeIntensities {
 /// with retardation times that span more than two decades
 [[nodiscard]] EdgeIntensities edge_intensities(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, double speed);
 
-/// @brief Laws of a mesh with cohesive zones of a given length that have the given stress intensities. An edge whose own
-/// zone is longer than the given one has the given adhesion.
+/// @brief Laws of a mesh with cohesive zones of a given length that have the given stress intensities. An edge whose
+/// own zone is longer than the given one has the given adhesion.
 /// @param[in] creep creep compliance at the edges
 /// @param[in] adhesion works and strength of the surfaces
 /// @param[in] edges stress intensities at the same speed
