@@ -21,6 +21,7 @@ constexpr double kLeastRatio = 1.02;  // of cohesive zones of successive laws, b
 /// the zone: 2 m / k for the moment m and intensity k of a cubic zone of an elastic edge.
 constexpr double kEffectiveEdge = 0.276;
 constexpr int kMostDoublings = 4;          // of the first cohesive zone, which is as long as the contact
+constexpr int kSettlingRounds = 1;         // of the last law; its size comes from a contact with longer zones
 constexpr double kLeastStep = 1.0 / 1024;  // of a path of loads or penetrations, relative to the whole path
 // Steps of the penetration on the path to the fold, relative to the undeformed gap at the edge of the contact. The load
 // is stationary at the fold, where the last step leaves a relative error of the order of its square.
@@ -80,6 +81,7 @@ class AdhesiveContact {
       return;
     }
     const bool by_load = !given.penetration;
+    settle();
     const double target = by_load ? given.normal_force : *given.penetration;
     const double start = by_load ? load_ : state_.penetration;
     if (target == (by_load ? load_ : problem_.penetration.value_or(std::numeric_limits<double>::quiet_NaN()))) return;
@@ -181,6 +183,20 @@ class AdhesiveContact {
       if (ratio < kLeastRatio) return false;
     }
     return true;
+  }
+
+  /// Repeat the last law with the contact that it leads to. If no state is found, the last law stays.
+  void settle() {
+    for (int round = 0; round < kSettlingRounds; ++round) {
+      const ContactSize before = size_;
+      size_ = size_of(newton_.touching(law_, state_), state_.pressing);
+      TractionLaw law = attraction().law(length_, size_);
+      if (!advance_under(law)) {
+        size_ = before;
+        return;
+      }
+      law_ = std::move(law);
+    }
   }
 
   void shorten(double target) {
