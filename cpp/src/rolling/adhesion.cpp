@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <vector>
 
@@ -143,10 +144,10 @@ Attraction attraction_at(const RollingCase& given, const SurfaceWindow& window) 
           .x = window.x(),
           .z = aspect * window.z(),
           .area = window.patch_area(every),
-          .laws = [edges, known = std::map<double, EdgeIntensities>()](double zone, double fraction,
-                                                                       const ContactSize& contact) mutable {
-            auto place = known.find(fraction);
-            if (place == known.end()) place = known.emplace(fraction, edges.intensities(fraction)).first;
+          .laws = [edges, known = std::make_shared<std::map<double, EdgeIntensities>>()](double zone, double fraction,
+                                                                                         const ContactSize& contact) {
+            auto place = known->find(fraction);
+            if (place == known->end()) place = known->emplace(fraction, edges.intensities(fraction)).first;
             return edge_laws(edges.creep, edges.surfaces, place->second, zone, fraction * edges.speed, contact);
           }};
 }

