@@ -48,7 +48,7 @@ double closing_ratio(const CohesiveEdge& edge, double relaxed = 1.0) {
 }
 
 TEST(CohesiveEdge, ReleasesTheWorkOfAnElasticSolidForAnyPressure) {
-  // J integral. The weak singularity at the end of the zone limits the polynomials to about 1e-10.
+  // J integral. The weak singularity at the end of the zone limits the polynomials to about 1e-9.
   for (const double regular : {0.0, 0.3, 3.0, 100.0}) {
     EXPECT_NEAR(opening_ratio(opening_edge({.instantaneous = 1.0}, 1.0, regular)), 1.0, 1e-9) << regular;
     EXPECT_NEAR(closing_ratio(closing_edge({.instantaneous = 1.0}, 1.0, regular)), 1.0, 1e-9) << regular;

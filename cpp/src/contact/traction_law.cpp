@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace viscoroll::detail {
@@ -18,9 +20,11 @@ double Attraction::resolved_zone() const { return std::max(kSpacingsPerZone * sp
 TractionLaw Attraction::law(double zone, const ContactSize& contact) const {
   TractionLaw law{.peak = Eigen::ArrayXd(x.size()), .work = Eigen::ArrayXd(x.size())};
   const bool is_line = z.isZero(0.0);
-  const int count = is_line ? 1 : kFractions;
-  std::array<EdgeLaws, kFractions> table{};
-  for (int i = 0; i < count; ++i) table[static_cast<std::size_t>(i)] = laws(zone, std::pow(2.0, -0.5 * i), contact);
+  std::array<std::optional<EdgeLaws>, kFractions> table{};
+  const auto laws_at = [&](std::size_t i) -> const EdgeLaws& {
+    if (!table[i]) table[i] = laws(zone, std::pow(2.0, -0.5 * static_cast<double>(i)), contact);
+    return *table[i];
+  };
   for (Eigen::Index node = 0; node < x.size(); ++node) {
     const double ahead = x[node] - contact.center;
     const double distance = std::hypot(ahead, z[node]);
@@ -30,8 +34,8 @@ TractionLaw Attraction::law(double zone, const ContactSize& contact) const {
                              : 0.0;
     const auto low = static_cast<std::size_t>(place);
     const double share = place - static_cast<double>(low);
-    const EdgeLaws& faster = table[low];
-    const EdgeLaws& slower = table[is_line ? 0 : low + 1];
+    const EdgeLaws& faster = laws_at(low);
+    const EdgeLaws& slower = laws_at(is_line ? 0 : low + 1);
     const auto& [faster_edge, slower_edge] =
         ahead > 0.0 ? std::pair(faster.closing, slower.closing) : std::pair(faster.opening, slower.opening);
     law.peak[node] = std::lerp(faster_edge.peak, slower_edge.peak, share);

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 using std::numbers::pi;
 
 /// Degree of the polynomials in the square root of the distance from the edge.
-constexpr Index kDegree = 20;
+constexpr Index kDegree = 16;
 
 /// Linear functionals of functions that are polynomials in r = sqrt(s), s being the distance from the edge of the
 /// contact relative to the length of the zone. Columns belong to the values at the nodes.
