@@ -6,6 +6,7 @@ The solver uses polynomials in the square root of the distance, and Newton's met
 from __future__ import annotations
 
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 
@@ -62,7 +63,7 @@ class _Zone:
         order = np.arange(count) if opens else np.arange(count)[::-1]
         for compliance, delay in creep.delayed:
             rest = np.zeros((count, count))
-            for before, after in zip(order[:-1], order[1:], strict=True):
+            for before, after in pairwise(order):
                 step = abs(self.s[after] - self.s[before]) * time / delay
                 rest[after] = np.exp(-step) * rest[before]
                 rest[after, after] += -np.expm1(-step) / step
