@@ -21,7 +21,6 @@ constexpr double kLeastRatio = 1.02;  // of cohesive zones of successive laws, b
 /// the zone: 2 m / k for the moment m and intensity k of a cubic zone of an elastic edge.
 constexpr double kEffectiveEdge = 0.276;
 constexpr int kMostDoublings = 4;          // of the first cohesive zone, which is as long as the contact
-constexpr int kSettlingRounds = 1;         // of the last law; its size comes from a contact with longer zones
 constexpr double kLeastStep = 1.0 / 1024;  // of a path of loads or penetrations, relative to the whole path
 // Steps of the penetration on the path to the fold, relative to the undeformed gap at the edge of the contact. The load
 // is stationary at the fold, where the last step leaves a relative error of the order of its square.
@@ -81,7 +80,6 @@ class AdhesiveContact {
       return;
     }
     const bool by_load = !given.penetration;
-    settle();
     const double target = by_load ? given.normal_force : *given.penetration;
     const double start = by_load ? load_ : state_.penetration;
     if (target == (by_load ? load_ : problem_.penetration.value_or(std::numeric_limits<double>::quiet_NaN()))) return;
@@ -108,6 +106,18 @@ class AdhesiveContact {
     contact.adhesion = AdhesiveEdges{
         .zone = newton_.zone(law_, state_), .zone_length = length_, .size = size_, .lost_work = lost_work(law_)};
     return result;
+  }
+
+  /// Repeat the last law with the size of the contact that it leads to. If no state is found, the last law stays.
+  void settle() {
+    const ContactSize before = size_;
+    size_ = size_of(newton_.touching(law_, state_), state_.pressing);
+    TractionLaw law = attraction().law(length_, size_);
+    if (advance_under(law)) {
+      law_ = std::move(law);
+    } else {
+      size_ = before;
+    }
   }
 
  private:
@@ -183,20 +193,6 @@ class AdhesiveContact {
       if (ratio < kLeastRatio) return false;
     }
     return true;
-  }
-
-  /// Repeat the last law with the contact that it leads to. If no state is found, the last law stays.
-  void settle() {
-    for (int round = 0; round < kSettlingRounds; ++round) {
-      const ContactSize before = size_;
-      size_ = size_of(newton_.touching(law_, state_), state_.pressing);
-      TractionLaw law = attraction().law(length_, size_);
-      if (!advance_under(law)) {
-        size_ = before;
-        return;
-      }
-      law_ = std::move(law);
-    }
   }
 
   void shorten(double target) {
@@ -288,14 +284,18 @@ class AdhesiveContact {
 };
 
 /// Solve at a load that is not negative, from coarse to fine.
-LocatedContact solve_levels(const ContactProblem& problem, double contact_gap_limit, const ContactOptions& options) {
+/// @param[in] is_finest whether no finer level follows
+LocatedContact solve_levels(const ContactProblem& problem, double contact_gap_limit, const ContactOptions& options,
+                            bool is_finest) {
   AdhesiveContact contact(problem, options);
   bool found = false;
   if (is_worth_coarsening(problem.surface->window())) {
-    const LocatedContact coarse = solve_levels(coarsened(problem), contact_gap_limit, options);
+    const LocatedContact coarse = solve_levels(coarsened(problem), contact_gap_limit, options, false);
     found = contact.begin_from(coarse);
   }
   if (!found) contact.begin(contact_gap_limit);
+  // The finest level takes the size of the contact from the level below; its own changes torques by less than 1e-4.
+  if (!found || !is_finest) contact.settle();
   contact.go_to(problem);
   return contact.located();
 }
@@ -304,7 +304,7 @@ LocatedContact solve_levels(const ContactProblem& problem, double contact_gap_li
 
 LocatedContact solve_adhesive_contact(const ContactProblem& problem, double contact_gap_limit,
                                       const ContactOptions& options) {
-  return solve_levels(problem, contact_gap_limit, options);
+  return solve_levels(problem, contact_gap_limit, options, true);
 }
 
 }  // namespace viscoroll::detail
