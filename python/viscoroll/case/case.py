@@ -223,7 +223,7 @@ class PairTables(FileTables):
             )
         (name, body), (other, on) = *bodies.items(), next(iter(counterbodies.items()), (None, None))
         if not self.allow_large:
-            sized = {table for table in (name, other) if "outer_diameter" in document.get(table, {})}
+            sized = {table for table in (name, other) if table and "outer_diameter" in document.get(table, {})}
             require_plausible(name, body, other, on, by_diameter=sized)
         return {"body": body, "on": on}
 
