@@ -13,6 +13,7 @@ const PARTS = ["bulk_power", "rolling_bulk_power", "counterbody_bulk_power", "sl
 
 /** Further results of which 0 is a result: a contact reaches the faces. */
 const KEPT = ["face_distance"];
+
 /** Relative difference below which the torque of the drive is the resisting torque. */
 const SAME_TORQUE = 1e-6;
 
