@@ -15,6 +15,7 @@ const TABLE = [
   scalar("contact_length", "m", "answer", "", "contact length, along the path"),
   scalar("contact_width", "m", "answer", "", "contact width"),
   scalar("penetration", "m", "answer", "error_estimate", "penetration"),
+  scalar("finite_strain_torque", "N m", "answer", "", "resisting torque at finite strain"),
   scalar("driving_torque", "N m", "friction", "error_estimate", "driving torque T"),
   scalar("creepage", "1", "friction", "%", "creepage"),
   scalar("error_estimate", "1", "certainty", "%", "relative error of the mesh"),
@@ -87,4 +88,14 @@ test("a given penetration makes the load a result", () => {
 test("a material without loss is named", () => {
   const [row] = report("ball", {}, { bulk_power: 0 }).sections().answer;
   assert.equal(row.text, "this material dissipates nothing");
+});
+
+test("the torque at finite strain answers if it is that of the drive", () => {
+  const labels = (resistance) => {
+    const scalars = { finite_strain_torque: 0.0114, resisting_torque: resistance };
+    const { answer, "further results": further } = report("ball", {}, scalars).sections();
+    return [answer, further].map((rows) => rows.some(({ name }) => name === "finite_strain_torque"));
+  };
+  assert.deepEqual(labels(0.011392), [true, false]);
+  assert.deepEqual(labels(0.0071), [false, true]);
 });

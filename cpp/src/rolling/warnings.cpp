@@ -43,7 +43,8 @@ std::string slow_terms_text(const PairAtSpeed& pair) {
     message += (message.empty() ? "" : "; ") + name + ".shear_modulus has " + std::to_string(slow->count) +
                (slow->count == 1 ? " term" : " terms") + " with a relaxation time of at least " +
                rounded(slow->shortest_time) + " s, too slow to relax at this speed: " + rounded(slow->modulus) +
-               " Pa of the modulus at rest, " + rounded(slow->modulus_at_rest) + " Pa";
+               " of the " + rounded(slow->modulus_at_rest) + " Pa of the modulus at rest belong to " +
+               (slow->count == 1 ? "it" : "them");
   }
   return message;
 }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
@@ -32,7 +32,7 @@ from ..coupled.softening_search import softens
 from ..rolling import Result, solve
 from ..thermal import Temperature
 from ..thermal.surroundings import Core
-from .key_paths import changed
+from .key_paths import KeyPath, key_path_of, substituted
 from .moduli import Modulus, Shift
 from .plausible import require_plausible, require_plausible_width
 from .sizes import SIZES, SizedTable
@@ -203,8 +203,14 @@ class PairTables(FileTables):
         """Return whether forces of the file are per length."""
         return any(name in document and kind.line_contact for name, kind in BODIES.items())
 
-    def pair(self) -> dict[str, Any]:
-        """Return the arguments `body` and `on` of `viscoroll.solve` and `viscoroll.roll`."""
+    def pair(self, document: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the arguments `body` and `on` of `viscoroll.solve` and `viscoroll.roll`.
+
+        Parameters
+        ----------
+        document : mapping
+            Content of the file, whose keys error messages name.
+        """
         bodies, counterbodies = (
             {name: getattr(self, name) for name in names if getattr(self, name) is not None}
             for names in (BODIES, COUNTERBODIES)
@@ -217,7 +223,8 @@ class PairTables(FileTables):
             )
         (name, body), (other, on) = *bodies.items(), next(iter(counterbodies.items()), (None, None))
         if not self.allow_large:
-            require_plausible(name, body, other, on)
+            sized = {table for table in (name, other) if table and "outer_diameter" in document.get(table, {})}
+            require_plausible(name, body, other, on, by_diameter=sized)
         return {"body": body, "on": on}
 
 
@@ -260,6 +267,10 @@ class Case:
         if self.speed is not None:
             del given["angular_speed"]
         return {name: value for name, value in given.items() if value is not None}
+
+    def at(self, angular_speed: float) -> Case:
+        """Return the case at an angular speed [rad/s], in place of a speed over the ground."""
+        return replace(self, angular_speed=angular_speed, speed=None)
 
     def given_load(self) -> float:
         """Return the load, for evaluations that need one; raise a ValueError if the case gives the penetration."""
@@ -319,8 +330,23 @@ def load_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Cas
 
 
 def with_changes(document: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the content of a file with other values; a speed replaces an angular speed, and so on."""
-    return changed(document, changes, (*Rolling.one_of, SIZES))
+    """Return the content of a file with other values, by the paths of `--set`."""
+    return with_values(document, {key_path_of(key, "--set"): value for key, value in changes.items()}, "--set")
+
+
+def with_values(document: Mapping[str, Any], chosen: Mapping[KeyPath, Any], where: str = "sweep") -> dict[str, Any]:
+    """Return the content of a file with other values; a speed replaces an angular speed, and so on.
+
+    Parameters
+    ----------
+    document : dict
+        Content of the file.
+    chosen : mapping
+        Values by the paths of their keys.
+    where : str, optional
+        Place of the keys in messages.
+    """
+    return substituted(document, chosen, (*Rolling.one_of, SIZES), where)
 
 
 def build_case(document: dict[str, Any], folder: Path | None) -> Case:
@@ -340,7 +366,7 @@ def build_case(document: dict[str, Any], folder: Path | None) -> Case:
         If the content is not valid.
     """
     file = checked(CaseFile, document, folder)
-    pair = file.pair()
+    pair = file.pair(document)
     if file.thermal is not None and file.thermal.width is not None and not file.allow_large:
         require_plausible_width("thermal.width", file.thermal.width, pair["body"].outer_radius)
     numerics = file.numerics.arguments()

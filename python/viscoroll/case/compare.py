@@ -186,7 +186,7 @@ def compare_torques(
     radial = replace(case, friction=0.0, drive=Drive(force=0.0), compliance=Compliance.RADIAL)
 
     def point(speed: float) -> Result:
-        return replace(radial, angular_speed=speed).solve(threads=1)
+        return radial.at(speed).solve(threads=1)
 
     results = run_all(point, omega.tolist(), progress=progress)
     forms = {

@@ -20,8 +20,8 @@ from .._support.result_warnings import silenced
 from .._support.scales import Scale
 from .._support.toml import read_toml
 from ..rolling import Result
-from .case import CaseFile, build_case
-from .key_paths import key_path_of, substituted
+from .case import CaseFile, build_case, with_values
+from .key_paths import key_path_of
 from .limits import LIMITS, Outcome, limit_units, outcome_of
 from .tables import StrictTable, checked, errors_in
 from .unit_texts import Key, has_quantities
@@ -198,7 +198,7 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
         varied = CaseFile.keys_of(document).at(document, key_path)
 
         def solve(value: float, report: Report | None = None) -> Outcome:
-            return outcome_of(build_case(substituted(document, {key_path: value}), path.parent), wanted.limits, report)
+            return outcome_of(build_case(with_values(document, {key_path: value}), path.parent), wanted.limits, report)
 
         with silenced(), reporting(progress) as report:
             search = _Search(solve, report)

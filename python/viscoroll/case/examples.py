@@ -25,8 +25,8 @@ _RUBBER = {
     "weights": [0.25, 0.15, 0.1],
     "relaxation_times": ["1 ms", "10 ms", "100 ms"],
 }
-_TREAD = {"thickness": "8 mm", "poisson_ratio": 0.49, "density": "1.1 g/cm^3", "shear_modulus": _RUBBER}
-_COVER = {"thickness": "10 mm", "poisson_ratio": 0.49, "density": "1.1 g/cm^3", "shear_modulus": _RUBBER}
+_TREAD = {"thickness": "8 mm", "poisson_ratio": 0.5, "density": "1.1 g/cm^3", "shear_modulus": _RUBBER}
+_COVER = {"thickness": "10 mm", "poisson_ratio": 0.5, "density": "1.1 g/cm^3", "shear_modulus": _RUBBER}
 _WHEEL = {"outer_diameter": "125 mm", "width": "32 mm", "layers": [_TREAD]}
 
 #: Title and content of each example.

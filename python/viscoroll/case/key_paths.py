@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 from .._support.errors import InvalidInput
 from .._support.text import key_path_text
 
-__all__ = ["KeyPath", "changed", "key_path_of", "parsed_change", "substituted"]
+__all__ = ["KeyPath", "key_path_of", "parsed_change", "substituted"]
 
 #: Pattern of the path of a key in the file.
 _KEY_PATH = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
@@ -27,20 +27,39 @@ def key_path_of(key: str, where: str = "sweep") -> KeyPath:
     return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
 
 
-def substituted(document: Mapping[str, Any], chosen: Mapping[KeyPath, Any], where: str = "sweep") -> dict[str, Any]:
-    """Return the document with other values for some keys; tables above a key that are missing are created."""
+def substituted(
+    document: Mapping[str, Any],
+    chosen: Mapping[KeyPath, Any],
+    exclusive: Iterable[tuple[str, ...]] = (),
+    where: str = "sweep",
+) -> dict[str, Any]:
+    """Return the document with other values for some keys; tables above a key that are missing are created.
+
+    Parameters
+    ----------
+    document : mapping
+        Content of a file.
+    chosen : mapping
+        Values by the paths of keys.
+    exclusive : iterable of tuple of str, optional
+        Groups of keys of which a table may have only one. A value replaces the others of its group.
+    where : str, optional
+        Place of the keys in messages.
+    """
     new: dict[str, Any] = copy.deepcopy(dict(document))
     for key_path, value in chosen.items():
         target: Any = new
+        last: Any = key_path[-1]
         try:
             for part in key_path[:-1]:
                 target = target.setdefault(part, {}) if isinstance(target, dict) else target[part]
-            last: Any = key_path[-1]
             if isinstance(target, list):
                 target[last]  # raises an IndexError instead of adding an entry
             target[last] = value
         except (IndexError, KeyError, TypeError):
             raise ValueError(f'{where}: the file has no key "{key_path_text(key_path)}"') from None
+        for name in {name for group in exclusive if last in group for name in group} - {last}:
+            target.pop(name, None)
     return new
 
 
@@ -60,30 +79,3 @@ def parsed_change(text: str) -> tuple[str, Any]:
         return key, tomllib.loads(f"value = {value}")["value"]
     except ValueError:
         return key, value
-
-
-def changed(
-    document: Mapping[str, Any], changes: Mapping[str, Any], exclusive: Iterable[tuple[str, ...]]
-) -> dict[str, Any]:
-    """Return the document with the values of `--set`.
-
-    Parameters
-    ----------
-    document : mapping
-        Content of a file.
-    changes : mapping
-        Values by the paths of keys.
-    exclusive : iterable of tuple of str
-        Groups of keys of which a table may have only one. A change replaces the others of its group.
-    """
-    new = dict(document)
-    for key, value in changes.items():
-        path = key_path_of(key, "--set")
-        new = substituted(new, {path: value}, "--set")
-        table: Any = new
-        for part in path[:-1]:
-            table = table[part]
-        others = {name for group in exclusive if path[-1] in group for name in group} - {path[-1]}
-        for name in others & table.keys() if isinstance(table, dict) else ():
-            del table[name]
-    return new

@@ -127,7 +127,7 @@ def load_motion(path: str | Path) -> MotionCase:
 
 def build_motion(document: dict[str, Any], folder: Path | None) -> MotionCase:
     """Return the motion that the content of a file describes; parameters as in `viscoroll.case.build_case`."""
-    return _build(checked(MotionFile, document, folder), _rolling_load(document))
+    return _build(checked(MotionFile, document, folder), document)
 
 
 def _rolling_load(document: dict[str, Any]) -> float | None:
@@ -139,13 +139,13 @@ def _rolling_load(document: dict[str, Any]) -> float | None:
     return as_float("rolling.load", load)
 
 
-def _build(file: MotionFile, rolling_load: float | None) -> MotionCase:
+def _build(file: MotionFile, document: dict[str, Any]) -> MotionCase:
     motion = file.motion
     return MotionCase(
-        **file.pair(),
+        **file.pair(document),
         **(
             {"angle": None, "distance": None, "center_displacement": None, "axle_height": None}
-            | _waypoints(motion, rolling_load)
+            | _waypoints(motion, _rolling_load(document))
         ),
         start=motion.start,
         options={

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from .._support.errors import InvalidInput
-from ..bodies import Counterbody, RollingBody
+from ..bodies import Counterbody, Layer, RollingBody
 
-__all__ = ["require_plausible", "require_plausible_width", "speed_text", "speed_warning"]
+__all__ = ["require_plausible", "require_plausible_width", "speed_text", "speed_warning", "thick_layers"]
 
 # Limits of sizes. A length in millimeters that is read as meters is 1000 times as large, so that a limit of 4 m rejects
 # mistakes from 4 mm on. Real bodies remain below: drying cylinders of paper machines have radii up to 3.5 m and widths
@@ -29,7 +29,14 @@ _SMALLEST_CROWN = 2e-6  # height of a crown [m], if its radius exceeds 10 m: les
 _LARGEST_SPEED = 35.0
 
 
-def require_plausible(name: str, body: RollingBody, other_name: str | None, other: Counterbody | None) -> None:
+def require_plausible(
+    name: str,
+    body: RollingBody,
+    other_name: str | None,
+    other: Counterbody | None,
+    *,
+    by_diameter: Collection[str | None] = (),
+) -> None:
     """Raise an InvalidInput if a length of one of two bodies is probably in millimeters.
 
     Parameters
@@ -38,10 +45,12 @@ def require_plausible(name: str, body: RollingBody, other_name: str | None, othe
         Tables of the rolling body and the counterbody in the file.
     body, other : body
         Rolling body and counterbody.
+    by_diameter : collection of str
+        Tables that give the outer diameter in place of the radius of the core.
     """
-    found = [*_implausible(name, body, body.outer_radius)]
+    found = [*_implausible(name, body, body.outer_radius, name in by_diameter)]
     if other_name is not None and other is not None:
-        found += _implausible(other_name, other, body.outer_radius)
+        found += _implausible(other_name, other, body.outer_radius, other_name in by_diameter)
     if not found:
         return
     path, length, reason = found[0]
@@ -59,6 +68,13 @@ def require_plausible_width(path: str, width: float, outer_radius: float) -> Non
     if reason := _too_wide(width, outer_radius):
         rule = f"must be {reason}, unless allow_large = true is written at the beginning of the file"
         raise InvalidInput(path, rule, f"{width:g} m", more=_in_millimeters(width))
+
+
+def thick_layers(layers: Iterable[Layer]) -> Iterator[str]:
+    """Yield a hint for each layer of a rolling body whose thickness is probably in millimeters."""
+    for j, layer in enumerate(layers):
+        if layer.thickness > _LARGEST_COVER:
+            yield f"layers[{j}].thickness is {layer.thickness:g} m: {_in_millimeters(layer.thickness)}"
 
 
 def speed_text(angular_speed: float, outer_radius: float) -> str:
@@ -79,12 +95,17 @@ def _in_millimeters(length: float) -> str:
     return f'if millimeters were meant, write "{abs(length):g} mm"'
 
 
-def _implausible(name: str, body: RollingBody | Counterbody, outer_radius: float) -> Iterator[tuple[str, float, str]]:
+def _implausible(
+    name: str, body: RollingBody | Counterbody, outer_radius: float, by_diameter: bool
+) -> Iterator[tuple[str, float, str]]:
     """Yield path, length [m] and rule of each implausible length of a body."""
     rolls = hasattr(body, "outer_radius")
     limit = _LARGEST_BALL if hasattr(body, "inner_boundary") else _LARGEST_RADIUS
     if (core := getattr(body, "core_radius", 0.0)) > limit:
-        yield f"{name}.core_radius", core, f"at most {limit:g} m"
+        if by_diameter:
+            yield f"{name}.outer_diameter", 2.0 * body.outer_radius, f"at most {2.0 * limit:g} m"  # type: ignore[union-attr]
+        else:
+            yield f"{name}.core_radius", core, f"at most {limit:g} m"
     thickest = _LARGEST_COVER if rolls else _LARGEST_GROUND
     for j, layer in enumerate(body.layers):
         path = f"{name}.layers[{j}].thickness"

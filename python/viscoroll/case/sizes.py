@@ -11,6 +11,7 @@ from .._support.arguments import as_positive
 from .._support.errors import InvalidInput, Range
 from ..bodies import Layer
 from ..enums import InnerBoundary
+from .plausible import thick_layers
 from .tables import StrictTable, Table
 
 __all__ = ["SIZES", "SizedTable"]
@@ -79,5 +80,6 @@ def _core_radius(outer_diameter: object, given: dict[str, Any]) -> float:
     radius = Decimal(repr(diameter)) / 2 - thickness
     if radius <= 0:
         allowed = Range(2 * float(thickness), unit="m", excludes_minimum=True)
-        raise allowed.error("outer_diameter", f"{diameter:g}", ", twice the thickness of the layers")
+        error = allowed.error("outer_diameter", f"{diameter:g}", ", twice the thickness of the layers")
+        raise error.with_more("; ".join(thick_layers(layers)))
     return float(radius)

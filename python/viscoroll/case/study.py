@@ -23,7 +23,7 @@ from ..sliding import RoughSurface
 from ..studies.dimensions import MOST_POINTS, Dimension, require_feasible
 from ..studies.kinds import SLIDING
 from ..studies.plan import LoadCase, Plan
-from .case import BODIES, COUNTERBODIES, Case, CaseFile, build_case
+from .case import BODIES, COUNTERBODIES, Case, CaseFile, build_case, with_values
 from .heat import Heating
 from .key_paths import KeyPath, key_path_of, substituted
 from .sliding import SlidingFile, build_sliding
@@ -163,7 +163,7 @@ def _plan(
     for point in itertools.product(*(dimension.values for dimension in dimensions)):
         chosen = dict(zip(key_paths, point, strict=True))
         try:
-            case = build_case(substituted(document, chosen), folder)
+            case = build_case(with_values(document, chosen), folder)
         except (TypeError, ValueError) as error:
             cases.append(f"{type(error).__name__}: {error}")
             continue
@@ -172,7 +172,7 @@ def _plan(
         on = counterbodies.setdefault(_numbers_in(COUNTERBODIES, chosen), case.on)
         if draws is not None and (id(body), id(on)) not in drawn:
             of_draws = [key_path_of(key) for key in draws.of]
-            drawn[id(body), id(on)] = _drawn(substituted(document, chosen), folder, of_draws)
+            drawn[id(body), id(on)] = _drawn(with_values(document, chosen), folder, of_draws)
         pairs = drawn.get((id(body), id(on)), ())
         cases.append(
             LoadCase(body=body, arguments=_arguments(case) | {"on": on}, draws=pairs, addition=_addition(case))
@@ -237,7 +237,7 @@ def _drawn(document: dict[str, Any], folder: Path, key_paths: list[KeyPath]) -> 
         found = ", ".join(f"{count} at {key_path}" for key_path, count in counts.items()) or "none"
         raise InvalidInput("draws.of", "must name materials with equal numbers of draws", found)
     cases = (
-        build_case(substituted(document, {(*key_path, "draw"): draw for key_path in key_paths}), folder)
+        build_case(with_values(document, {(*key_path, "draw"): draw for key_path in key_paths}), folder)
         for draw in range(next(iter(counts.values())))
     )
     return tuple((case.body, case.on) for case in cases)

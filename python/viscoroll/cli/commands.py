@@ -228,7 +228,8 @@ def _require_consistent(source: str, checks: Iterable[Check], *, accept: bool) -
     if failed and not accept:
         raise ValueError(
             f"{source}: must be consistent with one passive material, got {'; '.join(failed)}; check columns, units "
-            "and temperatures, leave out bad tests, or give --accept to use the data anyway"
+            "and temperatures, leave out bad tests, give the shift if it is known (--wlf, --factors), or give --accept "
+            "to use the data anyway"
         )
 
 

@@ -97,7 +97,7 @@ def export(
         study = run_plan(plan, progress=sys.stderr.isatty())
     elif loaded is not None:
         varied, at = _around(loaded, span)
-        study = sweep(**loaded.arguments() | varied, progress=sys.stderr.isatty())
+        study = sweep(**loaded.at(loaded.angular_speed).arguments() | varied, progress=sys.stderr.isatty())
     for message in study_warnings(study):
         write_message(f"warning: {message}")
     written = dem(study, code=code.value, style=style, impact=hit, **at)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, cast
 from .. import paper
 from .._support.errors import InvalidInput
 from .._support.extras import extra
+from .._support.result_warnings import warn
 from .._support.tables import handy
 from ..solution.scalars import label_of
 from ..solution.text import with_unit
@@ -118,6 +119,13 @@ def finite_strain_scalars(result: Result, *, progress: Report) -> FiniteStrainRo
         )
     except InvalidInput as error:
         raise error.with_more("required by --finite-strain") from None
+    warn(
+        f"layers[{j}] has the Poisson's ratio {layer.poisson_ratio:g}, which linear theory keeps constant; the finite "
+        "elements keep the bulk modulus at rest constant. The two columns therefore differ; to compare the theories, "
+        "give bulk_modulus in place of poisson_ratio"
+        for j, layer in enumerate(result.body.layers)
+        if layer.poisson_ratio is not None and layer.poisson_ratio < 0.5
+    )
     linear = {name: getattr(result, name) for name in _COMPARED if name != "overspeed"}
     corrected = {"resisting_torque": result.finite_strain_torque, "overspeed": result.overspeed}
     return {

@@ -139,8 +139,9 @@ class DemInput:
         p, k = self.point, self.stiffness
         lines = [
             f"viscoroll: rolling resistance of {self._pair()} for {self.code}, {self.style}",
-            f"exact at load P = {p.load:g} N, speed Omega = {p.angular_speed:g} rad/s, radius R = {p.radius:g} m: "
-            f"torque T = {p.torque:.6g} N m (power dissipated per {'relative ' * p.balls.are_two}angular speed), "
+            f"the law has the computed torque at load P = {p.load:g} N, speed Omega = {p.angular_speed:g} rad/s, "
+            f"radius R = {p.radius:g} m: torque T = {p.torque:.6g} N m (power dissipated per "
+            f"{'relative ' * p.balls.are_two}angular speed), "
             f"T/(P R) = {p.coefficient:.6g}",
             *self._bounds(),
             f"law: {self.contact_model.torque_law}",

@@ -166,9 +166,11 @@ class Inside(LayersInside):
             return
         distance = max(0.5 * (body.width - across), 0.0)
         if distance < body.thickness * (1.0 - 1e-9):
-            near = f"the contact ends {distance:.3g} m from the side faces, less than the thickness of the tread"
-            approximation = "stresses and loss near the faces are those of a tread without side faces"
-            warn([f"{near} ({body.thickness:.3g} m): {approximation}"])
+            near = "reaches the side faces"
+            if distance > 0.0:
+                near = f"ends {distance:.3g} m from the side faces, less than the thickness of the tread, "
+                near += f"{body.thickness:.3g} m"
+            warn([f"the contact {near}: stresses and loss near the faces are those of a tread without side faces"])
 
 
 def inside_of(result: Solution, of: Of | None = None) -> Inside:

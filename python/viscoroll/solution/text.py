@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from .._support.quantities import percent_text, quantity_texts
@@ -44,6 +45,9 @@ _POINT_CONTACT = frozenset({"contact_area", "semi_axis_x", "semi_axis_z", "conta
 #: Parts of the dissipated power, which are omitted if they equal it.
 _PARTS = frozenset({"bulk_power", "rolling_bulk_power", "counterbody_bulk_power", "slip_power"})
 
+
+#: Relative difference below which the torque of the drive is the resisting torque.
+_SAME_TORQUE = 1e-6
 
 #: Further results of which 0 is a result: a contact reaches the faces.
 _KEPT = frozenset({"face_distance"})
@@ -162,8 +166,15 @@ def _rows(result: Solution, group: str) -> list[tuple[str, str]]:
 
 
 def _group(result: Solution, name: str) -> str:
-    """Return the section of a scalar: a prescribed drive is part of the answer with friction only."""
+    """Return the section of a scalar.
+
+    A prescribed drive is part of the answer with friction only. On a curved counterbody without friction, the resisting
+    torque is the moment of the pressure on one body; the torque of the drive then answers alone.
+    """
     group = SCALAR_GROUPS[name]
+    if name == "finite_strain_torque" and result.friction == 0.0:
+        drives = math.isclose(result.driving_torque, result.resisting_torque, rel_tol=_SAME_TORQUE)
+        return group if drives else "other"
     return group if group != "friction" else "answer" if result.friction > 0.0 else "other"
 
 

@@ -63,3 +63,13 @@ def test_the_torques_of_a_roller_are_those_of_hunter(case_file):
     assert axes.get_title() == "$P$ = 500 N/m"
     assert axes.get_ylabel() == "resisting torque $T_r$ [mN m/m]"
     assert axes.lines[0].get_ydata() == pytest.approx(1e3 * compared.torques)
+
+
+def test_a_speed_over_the_ground_gives_way_to_the_speeds_of_the_comparison(case_file):
+    text, _ = CASES["steel ball on a half-space"]
+    by_angle, by_speed = (
+        compare_torques(load_case(case_file(one)), speeds=(2.0, 50.0), points=2)
+        for one in (text, text.replace("angular_speed = 5.0", 'speed = "0.05 m/s"'))
+    )
+    assert by_speed.torques.tolist() == by_angle.torques.tolist()
+    assert by_speed.torques[1] != pytest.approx(by_speed.torques[0], rel=0.1)

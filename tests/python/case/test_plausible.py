@@ -28,6 +28,10 @@ def file_of(name, layer=2e-3, **body):
             r'file, got 20 m; if millimeters were meant, write "20 mm"; also implausible: '
             r"ball.layers\[0\].thickness = 1 m$",
         ),
+        (
+            file_of("wheel", outer_diameter=125.0, width=0.03),
+            r'^wheel.outer_diameter must be at most 8 m.*, got 125 m; if millimeters were meant, write "125 mm"$',
+        ),
         (file_of("ball", 1.0, core_radius=0.02), r"^ball.layers\[0\].thickness must be at most 0.4 m"),
         (file_of("ball", 0.3, core_radius=0.02), r"thickness must be at most 8 times the radius of the core"),
         (file_of("wheel", core_radius=0.05, width=32.0), r'^wheel.width must be at most 15 m.*write "32 mm"$'),
@@ -49,6 +53,15 @@ def test_millimeters_are_rejected(document, message):
     with pytest.raises(vr.InvalidInput, match=message):
         build_case(document, None)
     assert build_case({"allow_large": True} | document, None)
+
+
+def test_a_layer_in_millimeters_does_not_fit_into_the_outer_diameter():
+    message = (
+        r"^wheel.outer_diameter must be > 16 m, twice the thickness of the layers, got 0.125; "
+        r'layers\[0\].thickness is 8 m: if millimeters were meant, write "8 mm"$'
+    )
+    with pytest.raises(vr.InvalidInput, match=message):
+        build_case(file_of("wheel", 8.0, outer_diameter=0.125, width=0.03), None)
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -127,6 +128,21 @@ def test_finite_strain_is_solved_beside_linear_theory(tmp_path):
         scalars["finite_strain_torque"], rel=scalars["finite_strain_torque_error"]
     )
     assert found["overspeed"] == pytest.approx(scalars["overspeed"], rel=0.1)
+    assert "Poisson" not in done.stderr
+    path.write_text(path.read_text(encoding="utf-8").replace("poisson_ratio = 0.5", "poisson_ratio = 0.49"), "utf-8")
+    warning = "warning: layers[0] has the Poisson's ratio 0.49, which linear theory keeps constant; the finite elements"
+    assert warning in command("solve", path, "--finite-strain").stderr
+
+
+def test_an_export_accepts_a_speed_over_the_ground(case_file):
+    path, files = case_file(accuracy="0.1"), []
+    for speed in ("angular_speed = 2.5", "speed = 0.0525"):
+        path.write_text(path.read_text(encoding="utf-8").replace("angular_speed = 2.5", speed), encoding="utf-8")
+        done = command("export", path, "--for", "lammps")
+        assert done.returncode == 0, done.stderr
+        files.append(done.stdout)
+    angles = [float(re.search(r"speed Omega = (\S+) rad/s", text)[1]) for text in files]
+    assert angles[1] == pytest.approx(angles[0], rel=1e-4)
 
 
 def test_finite_strain_requires_a_roller_without_friction(case_file, tmp_path):

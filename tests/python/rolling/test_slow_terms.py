@@ -65,7 +65,7 @@ def test_a_plateau_held_by_one_slow_term():
     )
     expected = (
         "layers[0].shear_modulus has 1 term with a relaxation time of at least 1e+09 s, too slow to relax at this "
-        "speed: 2.99e+08 Pa of the modulus at rest, 3e+08 Pa"
+        "speed: 2.99e+08 of the 3e+08 Pa of the modulus at rest belong to it"
     )
     assert [str(one.message) for one in issued] == [expected]
     assert found.warnings == {_core.WarningKind.SLOW_TERMS: expected}

@@ -156,3 +156,11 @@ def test_a_report_with_friction_contains_creepage_and_speed():
     rows = dict(result_sections(r)[ANSWER])
     assert rows["creepage"] == "-50 %"
     assert rows["speed of the center V_s"] == "2.1 mm/s"  # half of Ω r_o
+
+
+@pytest.mark.parametrize("on", [None, vr.CoatedCylinder(core_radius=0.1)])
+def test_the_torque_at_finite_strain_answers_if_it_is_that_of_the_drive(on):
+    sections = result_sections(vr.solve(roller(), on=on, load=5e3, angular_speed=9.0, accuracy=0.05))
+    label = "resisting torque at finite strain"
+    assert (label in dict(sections[ANSWER])) == (on is None)
+    assert (label in dict(sections["further results"])) == (on is not None)

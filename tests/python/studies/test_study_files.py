@@ -68,6 +68,14 @@ def test_any_number_can_vary(study_file):
     assert "creepage" not in study.data_vars  # an input, not a result
 
 
+def test_an_angular_speed_replaces_the_speed_of_the_file(study_file):
+    path = study_file('"rolling.angular_speed" = [1.0, 4.0]')
+    by_angle = run_plan(load_study(path), progress=False)
+    path.write_text(path.read_text(encoding="utf-8").replace("angular_speed = 2.5", "speed = 0.05"), encoding="utf-8")
+    by_speed = run_plan(load_study(path), progress=False)
+    xarray.testing.assert_equal(by_speed["resisting_torque"], by_angle["resisting_torque"])
+
+
 def test_parameters_of_the_same_name_get_distinct_names(study_file):
     text = study_file("").read_text(encoding="utf-8")
     layer = text[text.index("\n[[ball.layers]]") : text.index("[rolling]")]

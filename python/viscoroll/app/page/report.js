@@ -14,6 +14,9 @@ const PARTS = ["bulk_power", "rolling_bulk_power", "counterbody_bulk_power", "sl
 /** Further results of which 0 is a result: a contact reaches the faces. */
 const KEPT = ["face_distance"];
 
+/** Relative difference below which the torque of the drive is the resisting torque. */
+const SAME_TORQUE = 1e-6;
+
 export class Report {
   #scalars;
   #table;
@@ -67,7 +70,12 @@ export class Report {
     return known.length ? known.reduce((sum, error) => sum + error, 0) : null;
   }
 
-  #group({ group }) {
+  /** Section of a scalar; the reasons are those of `_group` in solution/text.py. */
+  #group({ name, group }) {
+    const { driving_torque: drive, resisting_torque: resistance } = this.#scalars;
+    if (name === "finite_strain_torque" && this.#of.friction === 0) {
+      return Math.abs(drive - resistance) <= SAME_TORQUE * Math.abs(drive) ? group : "other";
+    }
     if (group !== "friction") return group;
     return this.#of.friction > 0 ? "answer" : "other";
   }
