@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -283,16 +284,28 @@ class AdhesiveContact {
   double load_ = 0.0;
 };
 
-/// Solve at a load that is not negative, from coarse to fine.
+LocatedContact solve_levels(const ContactProblem& problem, double contact_gap_limit, const ContactOptions& options,
+                            bool is_finest);
+
+/// Solve on a mesh of twice the spacing.
+/// @return nothing if that mesh has no state: contacts of a few nodes hold smaller tensions, or none
+std::optional<LocatedContact> solve_coarser(const ContactProblem& problem, double contact_gap_limit,
+                                            const ContactOptions& options) {
+  if (!is_worth_coarsening(problem.surface->window())) return std::nullopt;
+  try {
+    return solve_levels(coarsened(problem), contact_gap_limit, options, false);
+  } catch (const LiftsOff&) {
+    return std::nullopt;
+  }
+}
+
+/// Solve from coarse to fine.
 /// @param[in] is_finest whether no finer level follows
 LocatedContact solve_levels(const ContactProblem& problem, double contact_gap_limit, const ContactOptions& options,
                             bool is_finest) {
   AdhesiveContact contact(problem, options);
-  bool found = false;
-  if (is_worth_coarsening(problem.surface->window())) {
-    const LocatedContact coarse = solve_levels(coarsened(problem), contact_gap_limit, options, false);
-    found = contact.begin_from(coarse);
-  }
+  const std::optional<LocatedContact> coarse = solve_coarser(problem, contact_gap_limit, options);
+  const bool found = coarse && contact.begin_from(*coarse);
   if (!found) contact.begin(contact_gap_limit);
   // The finest level takes the size of the contact from the level below; its own changes torques by less than 1e-4.
   if (!found || !is_finest) contact.settle();

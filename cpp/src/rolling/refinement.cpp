@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/validate.hpp"
+#include "contact/traction_law.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/finite_strain.hpp"
 #include "rolling/result.hpp"
@@ -76,6 +77,12 @@ double max_contact_nodes(const LoadCase& load_case, const Options& options, doub
   if (has_friction) cheap = std::min(cheap, kMaxFrictionalEffort / applications);
   if (load_case.adhesion) cheap = std::min(cheap, kMaxAdhesiveEffort / applications);
   return std::min(has_friction ? kMaxFrictionalContactNodes : kMaxContactNodes, std::max(planned, cheap));
+}
+
+/// Number of nodes with forces, including those of cohesive zones.
+double loaded_nodes(const Result& result) {
+  const double nodes = result.refinements.back().contact_nodes;
+  return result.attracted_area ? nodes * *result.attracted_area / result.contact_area : nodes;
 }
 
 /// A result that the caller did not prescribe, and the size relative to which its error is measured.
@@ -171,7 +178,7 @@ class Refiner {
     try {
       const MeshModel model = make_model(given_.pair, mesh_, options_.curvature, given_.execution,
                                          {.inertia_tolerance = kInertiaShare * options_.accuracy});
-      const auto seen = best_ ? std::optional(contact_reach(*best_)) : std::nullopt;
+      const auto seen = best_ ? std::optional(loaded_reach(*best_)) : std::nullopt;
       Options options = options_;
       options.finite_strain = options_.finite_strain && (!rough_ || given_.pair.body->form().is_line());
       RollingCase on_mesh = with_same_estimate(given_, given_.pair, load_case_, options);
@@ -190,10 +197,10 @@ class Refiner {
     }
     if (has_ended_) return false;
     bool goes_on = is_settled(*best_) ? may_settle_pressure() || may_settle_length() : !is_finest();
-    shortest_zone_ = 0.0;
+    const double previous = std::exchange(shortest_zone_, 0.0);
     if (!goes_on && may_settle_balance()) {
       goes_on = true;
-      shortest_zone_ = *best_->cohesive_zone_nodes * phi_spacing(mesh_) * radius_;
+      shortest_zone_ = std::max(previous, kSpacingsPerZone * phi_spacing(mesh_) * radius_);
     }
     return goes_on && go_on_with(2.0 * mesh_.nodes_per_revolution);
   }
@@ -220,7 +227,7 @@ class Refiner {
   [[nodiscard]] bool may_settle_balance() const {
     const double growth = given_.pair.body->form().is_line() ? 2.0 : 4.0;
     return load_case_.adhesion && is_settled(*best_) && best_->energy_balance_error > kAdhesiveBalance &&
-           growth * refinements_.back().contact_nodes * best_->operator_applications < kMaxAdhesiveEffort;
+           growth * loaded_nodes(*best_) * best_->operator_applications < kMaxAdhesiveEffort;
   }
 
   /// Whether meshes of acceptable cost would settle a result.
@@ -228,7 +235,7 @@ class Refiner {
   /// @param[in] expected_ratio ratio of its errors on two successive meshes
   [[nodiscard]] bool may_settle(double error, double expected_ratio) const {
     const bool is_line = best_->theta_nodes == 1;
-    const double nodes = refinements_.back().contact_nodes;
+    const double nodes = loaded_nodes(*best_);
     const double most = std::min(is_line ? kMaxLineNodesForPressure : kMaxNodesForPressure,
                                  max_contact_nodes(load_case_, options_, 0.0, best_->operator_applications));
     const double per_mesh = is_line ? 2.0 : 4.0;
@@ -241,7 +248,7 @@ class Refiner {
   /// Whether the next mesh would exceed the limits of memory or time.
   [[nodiscard]] bool is_finest() const {
     constexpr double kPlanned = 16.0;  // for the second mesh, whose contact may be somewhat larger than on the first
-    const double next = 4.0 * refinements_.back().contact_nodes;
+    const double next = 4.0 * loaded_nodes(*best_);
     return mesh_.nodes_per_revolution == kMaxNodesPerRevolution ||
            next > max_contact_nodes(load_case_, options_, kPlanned * refinements_.front().contact_nodes,
                                     best_->operator_applications);

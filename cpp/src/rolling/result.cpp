@@ -332,16 +332,26 @@ class Summary {
   ArrayXd traction_area_;  // by which forces on these patches are divided [m^2]
 };
 
-}  // namespace
-
-ContactReach contact_reach(const Result& result) {
+/// Extent of the nodes that fulfill a condition.
+template <class Condition>
+ContactReach reach_where(const Result& result, const Condition& condition) {
   ContactReach reach{.along = 0.0, .across = 0.0};
   for (std::size_t node = 0; node < result.contact.size(); ++node) {
-    if (result.contact[node] == 0) continue;
+    if (!condition(node)) continue;
     reach.along = std::max(reach.along, std::abs(result.x[node]));
     reach.across = std::max(reach.across, std::abs(result.z[node]));
   }
   return reach;
+}
+
+}  // namespace
+
+ContactReach contact_reach(const Result& result) {
+  return reach_where(result, [&](std::size_t node) { return result.contact[node] != 0; });
+}
+
+ContactReach loaded_reach(const Result& result) {
+  return reach_where(result, [&](std::size_t node) { return result.contact[node] != 0 || result.pressure[node] != 0.0; });
 }
 
 ContactReach reach_of_patches(const Result& result, const SurfaceGrid& grid) {

@@ -10,6 +10,9 @@ namespace viscoroll::detail {
 /// @return extent of the nodes in contact
 [[nodiscard]] ContactReach contact_reach(const Result& result);
 
+/// @return extent of the nodes in contact and of the cohesive zone
+[[nodiscard]] ContactReach loaded_reach(const Result& result);
+
 /// @return extent of the patches of the nodes in contact, which end half a spacing beyond these nodes
 [[nodiscard]] ContactReach reach_of_patches(const Result& result, const SurfaceGrid& grid);
 
