@@ -27,7 +27,8 @@ constexpr double kAcceptable = 1e-8;       // the same if steps no longer reduce
 // Number of nodes of the window times operator applications on one mesh, some seconds, beyond which Newton's method
 // ends after one step. Twelve of 300 random cases would need more, two of them more than five minutes.
 constexpr double kMostEffort = 2e8;
-constexpr Index kSmallSystem = 1300;  // `small_system` of GMRES, same as without adhesion
+constexpr double kUsualProducts = 500.0;  // operator applications that meshes of any size may take
+constexpr Index kSmallSystem = 1300;      // `small_system` of GMRES, same as without adhesion
 
 /// Stiffness of a node for forces that alternate from row to row [N/m]. It contains differences of table entries only,
 /// since entries of a half-plane contain an arbitrary constant. The triangular weights keep the sum positive (Fejér).
@@ -181,8 +182,8 @@ AdhesiveState AdhesiveNewton::solve(const ContactProblem& problem, const Tractio
     }
     in_vain = state.residual < 0.9 * least ? 0 : in_vain + 1;
     least = std::min(least, state.residual);
-    const double effort = static_cast<double>(state.gap.size()) * products_;
-    if (in_vain >= kMostInVain || effort > kMostEffort) break;
+    const double most_products = std::max(kMostEffort / static_cast<double>(state.gap.size()), kUsualProducts);
+    if (in_vain >= kMostInVain || products_ > most_products) break;
   }
   state.residual /= scale;
   state.converged = state.converged || state.residual < kAcceptable;

@@ -351,7 +351,8 @@ ContactReach contact_reach(const Result& result) {
 }
 
 ContactReach loaded_reach(const Result& result) {
-  return reach_where(result, [&](std::size_t node) { return result.contact[node] != 0 || result.pressure[node] != 0.0; });
+  return reach_where(result,
+                     [&](std::size_t node) { return result.contact[node] != 0 || result.pressure[node] != 0.0; });
 }
 
 ContactReach reach_of_patches(const Result& result, const SurfaceGrid& grid) {
