@@ -24,15 +24,15 @@ EdgeCreep two_times() { return {.instantaneous = 2e-8, .delayed = {5e-8, 1.5e-7}
 
 void expect_ratio(double value, double reference) { EXPECT_NEAR(value / reference, 1.0, kTolerance) << reference; }
 
-/// An edge with a cohesive zone of a unit length and peak, in the creep of a standard linear solid: time in which
-/// material passes the zone, G / w by the relaxed compliance, and w.
+/// Edges of a standard linear solid whose cohesive zone has the length 1 and the peak 1. Releases are those by the
+/// relaxed compliance.
 struct ReferenceEdge {
   double ratio;    ///< of the instantaneous and the relaxed modulus
-  double time;     ///< per relaxation time
+  double time;     ///< in which material passes the zone, per relaxation time
   double regular;  ///< B l / K
-  double opening;
+  double opening;  ///< G_open / w
   double opening_work;
-  double closing;
+  double closing;  ///< G_close / w
   double closing_work;
 };
 
@@ -53,6 +53,11 @@ TEST(CohesiveEdge, ReleasesTheWorkOfAnElasticSolidForAnyPressure) {
     EXPECT_NEAR(opening_ratio(opening_edge({.instantaneous = 1.0}, 1.0, regular)), 1.0, 1e-9) << regular;
     EXPECT_NEAR(closing_ratio(closing_edge({.instantaneous = 1.0}, 1.0, regular)), 1.0, 1e-9) << regular;
   }
+}
+
+TEST(CohesiveEdge, OfAnElasticSolidHasTheLengthThatMeshesAssume) {
+  // python -m tests.reference.adhesion edges. The length relative to w / (J peak^2) determines the spacing of meshes.
+  EXPECT_NEAR(1.0 / opening_edge({.instantaneous = 1.0}, 1.0).work, 2.495, 5e-4);
 }
 
 TEST(CohesiveEdge, AgreesWithAPiecewiseLinearTraction) {
@@ -126,6 +131,9 @@ TEST(EdgeWorks, AtLowSpeedAndOfElasticBodiesAreTheGivenOnes) {
     EXPECT_NEAR(laws.opening.work, 0.3, 0.3 * kEdge);
     EXPECT_NEAR(laws.closing.work, 0.1, 0.1 * kEdge);
   }
+  const EdgeIntensities strong = edge_intensities(elastic, infinite, 1.0);
+  EXPECT_NEAR(opening_release(elastic, strong), 0.3, 0.3 * kEdge);
+  EXPECT_NEAR(closing_release(elastic, strong), 0.1, 0.1 * kEdge);
   const EdgeIntensities edges = edge_intensities(rubber_creep(), adhesion, 0.0);
   EXPECT_NEAR(opening_release(rubber_creep(), edges), 0.3, 0.3 * kEdge);
   EXPECT_NEAR(closing_release(rubber_creep(), edges), 0.1, 0.1 * kEdge);
@@ -156,6 +164,7 @@ TEST(EdgeWorks, ScaleWithWorkAndModulus) {
   expect_ratio(scaled.opening.work, 4.0 * laws.opening.work);
   expect_ratio(scaled.closing.work, 4.0 * laws.closing.work);
   expect_ratio(scaled.opening.peak, 2.0 * laws.opening.peak);
+  expect_ratio(scaled.closing.peak, 2.0 * laws.closing.peak);
 }
 
 TEST(EdgeWorks, OfManySpeedsAndStrengthsStayBetweenTheirLimits) {
@@ -189,12 +198,12 @@ std::string message(const EdgeCreep& creep, double speed = 1e-3) {
 TEST(EdgeWorks, WithoutAStrengthRejectMaterialsWhoseWorkDependsOnIt) {
   EXPECT_EQ(
       message({.delayed = {1e-7}, .retardation_times = {0.01}}),
-      "adhesion.strength must be finite for a material without instantaneous compliance; give the strength [Pa] or "
-      "the range [m], got inf");
+      "adhesion.strength must be given in Pa, or the range in m, for a material without instantaneous compliance, got "
+      "none, which is an infinite strength");
   EXPECT_EQ(
       message(two_times()),
-      "adhesion.strength must be finite for a material with retardation times from 0.001 to 2 s, because the work "
-      "of separation depends on the strength; give the strength [Pa] or the range [m], got inf");
+      "adhesion.strength must be given in Pa, or the range in m, for a material with retardation times from 0.001 to 2 "
+      "s, because the work of separation depends on it, got none, which is an infinite strength");
   EXPECT_EQ(message(rubber_creep()), "none");
 }
 

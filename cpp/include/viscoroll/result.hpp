@@ -26,10 +26,10 @@ enum class Status {
 enum class WarningKind {
   max_iterations,        ///< the active set still changed after the largest number of iterations
   accuracy_not_reached,  ///< the error estimate exceeds the required accuracy
-  coarse_mesh,           ///< fewer than ten nodes across the contact, on a given mesh
-  power_balance,         ///< the power balance has an error above 5 %, on a given mesh that is not coarse
-  pressure_peak,         ///< the relative error of the largest pressure exceeds `accuracy`, or 10 % on a given mesh
-  large_strain,          ///< the strain is beyond the range of linear theory
+  coarse_mesh,      ///< fewer than ten nodes across the contact, on a given mesh; with adhesion, long cohesive zones
+  power_balance,    ///< the power balance has an error above 5 %, on a given mesh that is not coarse, or with adhesion
+  pressure_peak,    ///< the relative error of the largest pressure exceeds `accuracy`, or 10 % on a given mesh
+  large_strain,     ///< the strain is beyond the range of linear theory
   contact_at_side,  ///< the contact reaches the faces of a crowned wheel, or with unbounded sides ends closer to them
                     ///< than the thickness of the tread
   edge_pressure,    ///< the pressure is singular at the edges of a flat tread with unbounded sides, or of a flat

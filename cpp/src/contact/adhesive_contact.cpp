@@ -19,7 +19,7 @@ using Eigen::Index;
 
 constexpr double kLeastRatio = 1.02;  // of cohesive zones of successive laws, below which continuation fails
 /// Distance from the contact to the edge without a zone that has the same pressure far away, relative to the length of
-/// the zone: 2 m / k for the moment m and intensity k of a cubic zone of an elastic edge.
+/// the zone: twice the ratio of the integrals of s^(1/2) and s^(-1/2) times the traction of an elastic edge.
 constexpr double kEffectiveEdge = 0.276;
 constexpr int kMostDoublings = 4;          // of the first cohesive zone, which is as long as the contact
 constexpr double kLeastStep = 1.0 / 1024;  // of a path of loads or penetrations, relative to the whole path
@@ -109,7 +109,7 @@ class AdhesiveContact {
     return result;
   }
 
-  /// Repeat the last law with the size of the contact that it leads to. If no state is found, the last law stays.
+  /// Update the law with the size of the current contact, and solve again. If no state is found, the last law stays.
   void settle() {
     const ContactSize before = size_;
     size_ = size_of(newton_.touching(law_, state_), state_.pressing);
@@ -246,6 +246,7 @@ class AdhesiveContact {
   }
 
   [[nodiscard]] ContactSize size_of(const std::vector<Index>& nodes, const ArrayXd& pressing) const {
+    if (nodes.empty()) return size_;  // all nodes with forces are in the cohesive zone
     const double first = attraction().x(nodes).minCoeff();
     const double last = attraction().x(nodes).maxCoeff();
     const double center = 0.5 * (first + last);
@@ -280,7 +281,7 @@ class AdhesiveContact {
   AdhesiveState state_;
   TractionLaw law_;
   double length_ = 0.0;  // of the cohesive zones of the law
-  ContactSize size_;     // from which the law follows, unless the next law is being sought
+  ContactSize size_;     // used by `law_`; during a step, the size for the next law
   double load_ = 0.0;
 };
 
@@ -288,7 +289,7 @@ LocatedContact solve_levels(const ContactProblem& problem, double contact_gap_li
                             bool is_finest);
 
 /// Solve on a mesh of twice the spacing.
-/// @return nothing if that mesh has no state: contacts of a few nodes hold smaller tensions, or none
+/// @return nothing if that mesh has no state: a contact of few nodes supports less tension
 std::optional<LocatedContact> solve_coarser(const ContactProblem& problem, double contact_gap_limit,
                                             const ContactOptions& options) {
   if (!is_worth_coarsening(problem.surface->window())) return std::nullopt;
@@ -307,7 +308,8 @@ LocatedContact solve_levels(const ContactProblem& problem, double contact_gap_li
   const std::optional<LocatedContact> coarse = solve_coarser(problem, contact_gap_limit, options);
   const bool found = coarse && contact.begin_from(*coarse);
   if (!found) contact.begin(contact_gap_limit);
-  // The finest level takes the size of the contact from the level below; its own changes torques by less than 1e-4.
+  // The finest level takes the size of the contact from the level below, which changes results by less than the error
+  // of the mesh and saves a third of the time.
   if (!found || !is_finest) contact.settle();
   contact.go_to(problem);
   return contact.located();

@@ -27,7 +27,7 @@ constexpr double kAcceptable = 1e-8;       // the same if steps no longer reduce
 // Number of nodes of the window times operator applications on one mesh, some seconds, beyond which Newton's method
 // ends after one step. Twelve of 300 random cases would need more, two of them more than five minutes.
 constexpr double kMostEffort = 2e8;
-constexpr double kUsualProducts = 500.0;  // operator applications that meshes of any size may take
+constexpr double kUsualProducts = 500.0;  // operator applications allowed on every mesh, however large
 constexpr Index kSmallSystem = 1300;      // `small_system` of GMRES, same as without adhesion
 
 /// Stiffness of a node for forces that alternate from row to row [N/m]. It contains differences of table entries only,

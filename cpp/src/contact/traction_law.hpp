@@ -9,9 +9,9 @@
 
 namespace viscoroll::detail {
 
-/// Spacings per cohesive zone, which is 2.5 E* w / peak^2 long at an elastic edge. From 7.5 on, which is three spacings
-/// per E* w / peak^2, a mesh causes no hysteresis of its own (docs/theory/adhesion.md). With 10, the edges of an
-/// elastic roller still stick to nodes so much that Newton's method fails on the path to the largest tension.
+/// Spacings per cohesive zone, which is 2.495 E* w / peak^2 long at an elastic edge. With 7.5 or more, the solution does
+/// not depend on the path of loads (docs/theory/adhesion.md). Newton's method needs more: with 10, it fails for an
+/// elastic roller on the path to the largest tension.
 inline constexpr double kSpacingsPerZone = 12.5;
 
 /// @brief Attraction sigma = peak (1 - g / range)^2 at the gap g, which ends at the range 3 work / peak, above a hard

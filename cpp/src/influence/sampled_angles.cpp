@@ -36,12 +36,13 @@ int SampledOffsets::count(int reach, double spacing, double highest_order) {
   return std::min((sampled_angles(reach * spacing, highest_order) + 1) / 2, reach + 1);
 }
 
-SampledOffsets::SampledOffsets(int reach, double spacing, double highest_order)
-    : sampled(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, reach) * spacing),
-      even(MatrixXd::Identity(reach + 1, reach + 1)),
-      odd(even) {
+SampledOffsets::SampledOffsets(int reach, double spacing, double highest_order) {
   const int half = count(reach, spacing, highest_order);
-  if (half > reach) return;
+  if (half > reach) {
+    sampled = Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, reach) * spacing;
+    even = odd = MatrixXd::Identity(reach + 1, reach + 1);
+    return;
+  }
   const ChebyshevNodes nodes(2 * half);  // the first half is positive, the second half is its mirror image
   sampled = nodes.points().head(half) * (reach * spacing);
   const MatrixXd basis = nodes.interpolation(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, 1.0));

@@ -121,13 +121,28 @@ std::optional<double> clean_adhesion_increase(const RollingCase& given, const Re
   return added < kSmallest * torque ? std::nullopt : std::optional(added / torque);
 }
 
-EdgeWorks works_at_edges(const RollingCase& given) {
+EdgeReleases releases_at_edges(const RollingCase& given) {
   const Edges edges = edges_of(given);
   const double relaxed = edges.creep.relaxed();
   const EdgeIntensities intensities = edges.intensities(1.0);
-  return {.opening_release = 0.5 * std::pow(intensities.opening, 2) * relaxed,
-          .closing_release = 0.5 * std::pow(intensities.closing, 2) / relaxed,
+  return {.opening = 0.5 * std::pow(intensities.opening, 2) * relaxed,
+          .closing = 0.5 * std::pow(intensities.closing, 2) / relaxed,
           .shorter_zone = std::min(intensities.opening_zone, intensities.closing_zone)};
+}
+
+double node_spacing(const SurfaceGrid& grid, bool is_line) {
+  return grid.radius * (is_line ? grid.phi_spacing : std::max(grid.phi_spacing, grid.theta_spacing));
+}
+
+double relative_zone(const RollingCase& given, const Result& result) {
+  const bool is_line = result.theta_nodes == 1;
+  const double zone = *result.cohesive_zone_nodes * node_spacing(nodes_of(given.pair, result.mesh).grid, is_line);
+  if (releases_at_edges(given).shorter_zone >= zone) return 0.0;
+  double shortest = 0.5 * std::min(result.contact_length, result.contact_width.value_or(result.contact_length));
+  for (const Body* body : std::array<const Body*, 2>{given.pair.body.get(), given.pair.on.get()}) {
+    if (!body->is_rigid()) shortest = std::min(shortest, body->layers().back().layer.thickness);
+  }
+  return zone / shortest;
 }
 
 Attraction attraction_at(const RollingCase& given, const SurfaceWindow& window) {
@@ -139,7 +154,7 @@ Attraction attraction_at(const RollingCase& given, const SurfaceWindow& window) 
   // The normal of an ellipse with the semi-axes a and b at (x, z) has the direction (x, z (a / b)^2).
   const double aspect = is_line ? 1.0 : std::pow(given.contact.along / given.contact.across, 2);
   return {.equivalent_load = given.equivalent_load,
-          .spacing = grid.radius * (is_line ? grid.phi_spacing : std::max(grid.phi_spacing, grid.theta_spacing)),
+          .spacing = node_spacing(grid, is_line),
           .shortest_zone = given.shortest_zone,
           .x = window.x(),
           .z = aspect * window.z(),

@@ -23,15 +23,26 @@ void require_adhesion(const RollingPair& pair, const LoadCase& load_case);
 /// @param[in] result its solution
 [[nodiscard]] std::optional<double> clean_adhesion_increase(const RollingCase& given, const Result& result);
 
-/// @brief Edges of the surfaces across the path.
-struct EdgeWorks {
-  double opening_release;  ///< energy release rate by the relaxed compliance, G_open [J/m^2]
-  double closing_release;  ///< energy release rate by the relaxed compliance, G_close [J/m^2]
-  double shorter_zone;     ///< length of the shorter cohesive zone; 0 with an infinite strength [m]
+/// @brief Edges of the surfaces across the path, far from each other.
+struct EdgeReleases {
+  double opening;       ///< energy release rate by the relaxed compliance, G_open [J/m^2]
+  double closing;       ///< energy release rate by the relaxed compliance, G_close [J/m^2]
+  double shorter_zone;  ///< length of the shorter cohesive zone; 0 with an infinite strength [m]
 };
 
 /// @return edges across the path at the speed of rolling
-[[nodiscard]] EdgeWorks works_at_edges(const RollingCase& given);
+[[nodiscard]] EdgeReleases releases_at_edges(const RollingCase& given);
+
+/// @return largest distance between neighboring nodes [m]
+[[nodiscard]] double node_spacing(const SurfaceGrid& grid, bool is_line);
+
+/// @brief Length of the cohesive zones of a mesh, which must be short, since their laws are those of the edge of a
+/// half-plane.
+/// @param[in] given load case with adhesion
+/// @param[in] result its solution
+/// @return length relative to the half-width of the contact, or to the thickness of the outermost layers if that is
+/// smaller; 0 if the mesh resolves the zones of the surfaces
+[[nodiscard]] double relative_zone(const RollingCase& given, const Result& result);
 
 /// @brief Attraction of two bodies at the nodes of a window.
 /// @param[in] given load case with adhesion

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "viscoroll/errors.hpp"
+
 namespace viscoroll::detail {
 namespace {
 
@@ -29,13 +31,17 @@ struct ZoneOperators {
   RowVectorXd moment;     ///< integral of s^(1/2)
 };
 
+/// Weight of a node in the barycentric formula.
+double barycentric_weight(Index node) {
+  return (node % 2 == 0 ? 1.0 : -1.0) * (node == 0 || node == kDegree ? 0.5 : 1.0);
+}
+
 /// Values of Lagrange's polynomials of Chebyshev's nodes at a point, by the barycentric formula.
 RowVectorXd polynomials(const VectorXd& nodes, double at) {
   RowVectorXd values(nodes.size());
   for (Index j = 0; j < nodes.size(); ++j) {
     if (at == nodes[j]) return RowVectorXd::Unit(nodes.size(), j);
-    const bool is_end = j == 0 || j == nodes.size() - 1;
-    values[j] = (j % 2 == 0 ? 1.0 : -1.0) * (is_end ? 0.5 : 1.0) / (at - nodes[j]);
+    values[j] = barycentric_weight(j) / (at - nodes[j]);
   }
   return values / values.sum();
 }
@@ -65,8 +71,7 @@ ZoneOperators make_operators() {
   for (Index i = 0; i < kCount; ++i) {
     for (Index j = 0; j < kCount; ++j) {
       if (i == j) continue;
-      const auto weight = [](Index k) { return (k % 2 == 0 ? 1.0 : -1.0) * (k == 0 || k == kDegree ? 0.5 : 1.0); };
-      zone.slope(i, j) = weight(j) / (weight(i) * (r[i] - r[j]));
+      zone.slope(i, j) = barycentric_weight(j) / (barycentric_weight(i) * (r[i] - r[j]));
       zone.slope(i, i) -= zone.slope(i, j);
     }
   }
@@ -92,36 +97,24 @@ const ZoneOperators& operators() {
   return kOperators;
 }
 
-/// Creep of the gap of an opening edge, relative to the relaxed compliance: with h(0) = 0, the integral h of
-/// exp(-(t - t') / lambda) dv satisfies h' + 2 r h T / lambda = v' for the time of passage T.
-MatrixXd creep_of_gap(const EdgeCreep& creep, double time) {
+/// Creep of the gap of an opening edge, or of the strain of a closing edge, relative to the relaxed compliance. The
+/// integral h of exp(-(t - t') / lambda) dv satisfies h' + 2 r h T / lambda = v' at the opening edge, and
+/// h' - 2 r h T / lambda = v' at the closing edge, with h = 0 where material enters the zone.
+/// @param[in] time time of passage T [s]
+/// @param[in] opens whether material enters at r = 0, not at r = 1
+MatrixXd creeping(const EdgeCreep& creep, double time, bool opens) {
   const ZoneOperators& zone = operators();
+  const Index entry = opens ? 0 : kDegree;
+  const double direction = opens ? 1.0 : -1.0;
   MatrixXd sum = MatrixXd::Identity(kDegree + 1, kDegree + 1);
   MatrixXd right = zone.slope;
-  right.row(0).setZero();
+  right.row(entry).setZero();
   for (std::size_t j = 0; j < creep.delayed.size(); ++j) {
     const double rate = time / creep.retardation_times[j];
     if (std::isinf(rate)) continue;
     MatrixXd left = zone.slope;
-    left.diagonal() += 2.0 * rate * zone.r;
-    left.row(0) = RowVectorXd::Unit(kDegree + 1, 0);
-    sum -= creep.delayed[j] / creep.relaxed() * left.partialPivLu().solve(right);
-  }
-  return sum;
-}
-
-/// Strain by the traction of a closing edge, relative to the relaxed compliance. Material enters at r = 1.
-MatrixXd creep_of_strain(const EdgeCreep& creep, double time) {
-  const ZoneOperators& zone = operators();
-  MatrixXd sum = MatrixXd::Identity(kDegree + 1, kDegree + 1);
-  MatrixXd right = zone.slope;
-  right.row(kDegree).setZero();
-  for (std::size_t j = 0; j < creep.delayed.size(); ++j) {
-    const double rate = time / creep.retardation_times[j];
-    if (std::isinf(rate)) continue;
-    MatrixXd left = zone.slope;
-    left.diagonal() -= 2.0 * rate * zone.r;
-    left.row(kDegree) = RowVectorXd::Unit(kDegree + 1, kDegree);
+    left.diagonal() += 2.0 * direction * rate * zone.r;
+    left.row(entry) = RowVectorXd::Unit(kDegree + 1, entry);
     sum -= creep.delayed[j] / creep.relaxed() * left.partialPivLu().solve(right);
   }
   return sum;
@@ -135,10 +128,10 @@ MatrixXd creep_of_strain(const EdgeCreep& creep, double time) {
 /// @param[in] regular B / K
 CohesiveEdge solve_zone(const MatrixXd& gap, const RowVectorXd& intensity, const RowVectorXd& moment,
                         const VectorXd& displacement, double regular) {
-  constexpr int kMaxSteps = 50;
+  constexpr int kMaxSteps = 50;  // less than ten are usual
   constexpr double kTolerance = 1e-12;
+  double norm = 0.0;
   VectorXd traction = (1.0 - operators().r.array().square()).square();
-  CohesiveEdge edge{};
   for (int step = 0; step < kMaxSteps; ++step) {
     // K^2 at the effective edge is that of the traction, plus 4 B times its moment (J integral).
     const double at_edge = intensity * traction;
@@ -151,15 +144,17 @@ CohesiveEdge solve_zone(const MatrixXd& gap, const RowVectorXd& intensity, const
     const MatrixXd change = gap + regular * displacement * change_of_total;
     const double end = g[kDegree];
     const ArrayXd rest = 1.0 - g.array() / end;
-    edge = {.work = end / 3.0, .intensity = total};
     const VectorXd residual = traction.array() - rest.square();
-    if (residual.lpNorm<Eigen::Infinity>() < kTolerance) break;
+    norm = residual.lpNorm<Eigen::Infinity>();
+    if (norm < kTolerance) return {.work = end / 3.0, .intensity = total};
     const MatrixXd slope = (change - g / end * change.row(kDegree)) / end;
     MatrixXd newton = (2.0 * rest).matrix().asDiagonal() * slope;
     newton.diagonal().array() += 1.0;
     traction -= newton.partialPivLu().solve(residual);
   }
-  return edge;
+  throw ConvergenceError(
+      "the traction in the cohesive zone of an edge did not converge; change the strength or the speed", kMaxSteps,
+      norm);
 }
 
 /// Gap that the pressure sqrt(r) ahead of an edge causes behind it, per compliance: that of Hertz's contact.
@@ -177,15 +172,15 @@ double EdgeCreep::after(double time) const {
 
 CohesiveEdge opening_edge(const EdgeCreep& creep, double time, double regular) {
   const ZoneOperators& zone = operators();
-  const MatrixXd creeping = creep_of_gap(creep, time);
+  const MatrixXd gap = creeping(creep, time, true);
   const auto [work, intensity] =
-      solve_zone(creeping * zone.elastic, zone.intensity, zone.moment, creeping * regular_displacement(), regular);
+      solve_zone(gap * zone.elastic, zone.intensity, zone.moment, gap * regular_displacement(), regular);
   return {.work = creep.relaxed() * work, .intensity = intensity};
 }
 
 CohesiveEdge closing_edge(const EdgeCreep& creep, double time, double regular) {
   const ZoneOperators& zone = operators();
-  const MatrixXd strain = creep_of_strain(creep, time);
+  const MatrixXd strain = creeping(creep, time, false);
   const auto [work, intensity] =
       solve_zone(zone.elastic * strain, zone.intensity * strain, zone.moment * strain, regular_displacement(), regular);
   return {.work = creep.relaxed() * work, .intensity = creep.relaxed() * intensity};

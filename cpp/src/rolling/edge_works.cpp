@@ -76,17 +76,17 @@ double edge_compliance(const Layer& layer, double modulus) {
 void require_strength(const EdgeCreep& creep) {
   constexpr double kWidestSpectrum = 100.0;  // ratio of retardation times
   constexpr auto kParameter = "adhesion.strength";
+  constexpr auto kGiven = "none, which is an infinite strength";
   if (creep.instantaneous <= 0.0) {
-    reject(kParameter,
-           "finite for a material without instantaneous compliance; give the strength [Pa] or the range [m]", "inf");
+    reject(kParameter, "given in Pa, or the range in m, for a material without instantaneous compliance", kGiven);
   }
   if (creep.retardation_times.empty()) return;
   const auto [shortest, longest] = std::ranges::minmax(creep.retardation_times);
   if (longest > kWidestSpectrum * shortest) {
     reject(kParameter,
-           "finite for a material with retardation times from " + rounded(shortest) + " to " + rounded(longest) +
-               " s, because the work of separation depends on the strength; give the strength [Pa] or the range [m]",
-           "inf");
+           "given in Pa, or the range in m, for a material with retardation times from " + rounded(shortest) + " to " +
+               rounded(longest) + " s, because the work of separation depends on it",
+           kGiven);
   }
 }
 

@@ -1,6 +1,6 @@
 /// @file
-/// @brief Works of adhesion with which a mesh that does not resolve the edges of an adhesive contact lets the same
-/// stress intensity through: docs/theory/adhesion.md, "Edges finer than the mesh".
+/// @brief Works of adhesion with which a mesh that does not resolve the edges of an adhesive contact has the same
+/// stress intensity: docs/theory/adhesion.md, "Edges finer than the mesh".
 ///
 /// The cohesive zone of rubber on a smooth surface is nanometers long. Such an edge acts on the rest of the contact
 /// through its stress intensity alone. A traction law with a smaller strength has a longer zone, and the same stress
@@ -35,7 +35,7 @@ struct SurfaceAdhesion {
 /// @brief Edges of a contact as they act on the rest of it.
 struct EdgeIntensities {
   double opening;       ///< stress intensity K of the opening edge [Pa m^(1/2)]
-  double closing;       ///< its counterpart K_c of the strain at the closing edge [m^(1/2)]
+  double closing;       ///< intensity K_c of the strain at the closing edge [m^(1/2)]
   double opening_zone;  ///< length of the cohesive zone of the surfaces; 0 with an infinite strength [m]
   double closing_zone;  ///< length of the cohesive zone of the surfaces; 0 with an infinite strength [m]
 };
@@ -56,12 +56,13 @@ struct EdgeIntensities {
 /// @param[in] edges stress intensities at the same speed
 /// @param[in] zone length of the cohesive zones on the mesh [m], > 0
 /// @param[in] speed component of the rolling speed normal to the edge [m/s], >= 0
-/// @param[in] contact size of the contact; with an infinite length, that of edges far from each other
+/// @param[in] contact size of the contact; an infinite `half_length` neglects the second term of the pressure
 [[nodiscard]] EdgeLaws edge_laws(const EdgeCreep& creep, const SurfaceAdhesion& adhesion, const EdgeIntensities& edges,
                                  double zone, double speed, const ContactSize& contact = {});
 
-/// Longest cohesive zone on a mesh, relative to the half-width of the contact, at which an edge still acts on the
-/// contact through the first two terms of the pressure ahead of it.
+/// Longest cohesive zone on a mesh, relative to the half-width of the contact and to the thickness of the outermost
+/// layer, at which an edge still acts on the contact through the first two terms of the pressure ahead of it. At 0.7
+/// half-widths, the moment of a roller on a half-plane has an error of up to 5 % (python -m tests.reference.adhesion).
 inline constexpr double kLongestZone = 0.7;
 
 }  // namespace viscoroll::detail

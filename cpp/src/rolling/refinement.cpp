@@ -12,6 +12,7 @@
 
 #include "base/validate.hpp"
 #include "contact/traction_law.hpp"
+#include "rolling/adhesion.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/finite_strain.hpp"
 #include "rolling/result.hpp"
@@ -150,7 +151,8 @@ class Refiner {
       : given_(given), load_case_(given.load_case), options_(given.options), radius_(given.pair.body->radius()) {
     if (std::isfinite(width(given.pair))) aspect_ = aspect_of(given.contact);
     // The first mesh serves to estimate the error of the second, which should suffice.
-    mesh_ = make_mesh(std::numbers::pi * nodes_per_radius(options_.accuracy) * radius_ / given.contact.along);
+    const double nodes = std::numbers::pi * nodes_per_radius(options_.accuracy) * radius_ / given.contact.along;
+    mesh_ = make_mesh(std::min(nodes, 0.5 * kMaxNodesPerRevolution));
   }
 
   [[nodiscard]] Result solve() {
@@ -207,7 +209,8 @@ class Refiner {
 
   /// Whether all results except the largest pressure and the contact length have settled.
   [[nodiscard]] bool is_settled(const Result& result) const {
-    return result.status == Status::converged && result.error_estimate <= options_.accuracy;
+    return result.status == Status::converged && result.error_estimate <= options_.accuracy &&
+           !(load_case_.adhesion && relative_zone(given_, result) > kLongestZone);
   }
 
   /// Whether meshes of acceptable cost would settle the largest pressure. If no such mesh resolves its peak, a warning
@@ -249,8 +252,7 @@ class Refiner {
   [[nodiscard]] bool is_finest() const {
     constexpr double kPlanned = 16.0;  // for the second mesh, whose contact may be somewhat larger than on the first
     const double next = 4.0 * loaded_nodes(*best_);
-    return mesh_.nodes_per_revolution == kMaxNodesPerRevolution ||
-           next > max_contact_nodes(load_case_, options_, kPlanned * refinements_.front().contact_nodes,
+    return next > max_contact_nodes(load_case_, options_, kPlanned * refinements_.front().contact_nodes,
                                     best_->operator_applications);
   }
 
@@ -264,8 +266,10 @@ class Refiner {
     }
   }
 
-  /// @return whether the mesh differs from the previous one
+  /// @return whether such a mesh is allowed and differs from the previous one. A mesh that is only slightly finer would
+  /// not show the error.
   bool go_on_with(double nodes_per_revolution) {
+    if (nodes_per_revolution > kMaxNodesPerRevolution) return false;
     return mesh_ != std::exchange(mesh_, make_mesh(nodes_per_revolution));
   }
 

@@ -242,15 +242,14 @@ class Summary {
     r.max_pressure =
         (-contact_.force.col(kDown)(contact) / traction_area(given_, window_.grid(), window_.patch_area(contact)))
             .maxCoeff();
-    const SurfaceGrid& grid = window_.grid();
     const bool is_line = window_.window().is_line();
-    const double spacing = grid.radius * (is_line ? grid.phi_spacing : std::max(grid.phi_spacing, grid.theta_spacing));
-    const EdgeWorks works = works_at_edges(given_);
+    const EdgeReleases edges_alone = releases_at_edges(given_);
     const Adhesion& adhesion = *given_.load_case.adhesion;
     r.attracted_area = is_line ? area_.sum() : r.contact_area + window_.patch_area(edges.zone).sum();
-    r.opening_energy_ratio = works.opening_release / adhesion.separation_work.value_or(adhesion.work);
-    r.closing_energy_ratio = works.closing_release / adhesion.work;
-    r.cohesive_zone_nodes = std::max(edges.zone_length, works.shorter_zone) / spacing;
+    r.opening_energy_ratio = edges_alone.opening / adhesion.separation_work.value_or(adhesion.work);
+    r.closing_energy_ratio = edges_alone.closing / adhesion.work;
+    r.cohesive_zone_nodes =
+        std::max(edges.zone_length, edges_alone.shorter_zone) / node_spacing(window_.grid(), is_line);
   }
 
   /// Force to which sums of forces are compared [N]: the load, or with adhesion the sum of pressing and pulling forces.

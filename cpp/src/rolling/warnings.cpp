@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/validate.hpp"
-#include "contact/traction_law.hpp"
+#include "rolling/adhesion.hpp"
 #include "rolling/edge_works.hpp"
 #include "rolling/result.hpp"
 #include "viscoroll/slow_terms.hpp"
@@ -49,16 +49,25 @@ std::string slow_terms_text(const PairAtSpeed& pair) {
   return message;
 }
 
-/// Nodes across the contact of a useful mesh; with adhesion, its cohesive zones are then short.
-int fewest_nodes_across(const Result& result) {
-  if (!result.cohesive_zone_nodes) return kMinNodesAcross;
-  return static_cast<int>(std::ceil(2.0 * kSpacingsPerZone / kLongestZone));
+std::string coarse_mesh_text(int across, double estimate) {
+  return "the mesh is too coarse: " + std::to_string(across) + " nodes across the contact (recommended: at least " +
+         std::to_string(kMinNodesAcross) + "), error estimate " + rounded(estimate) + " (recommended: at most " +
+         rounded(kLargestEstimate) + "); refine the mesh or leave it out";
 }
 
-std::string coarse_mesh_text(int across, int fewest, double estimate) {
-  return "the mesh is too coarse: " + std::to_string(across) + " nodes across the contact (recommended: at least " +
-         std::to_string(fewest) + "), error estimate " + rounded(estimate) + " (recommended: at most " +
-         rounded(kLargestEstimate) + "); refine the mesh or leave it out";
+std::string long_zone_text(double relative_zone) {
+  return "the mesh is too coarse for adhesion: its cohesive zones are " + rounded(relative_zone) +
+         " times as long as the half-width of the contact or the thickness of the outermost layer (recommended: at "
+         "most " +
+         rounded(kLongestZone) +
+         "); the error estimate does not contain this error; refine the mesh or request a smaller accuracy";
+}
+
+std::string moments_of_edges_text(const Result& result) {
+  return "the relative error of the power balance is " + rounded(result.energy_balance_error) +
+         " (recommended: at most " + rounded(kLargestEstimate) +
+         "): the moments of both edges almost cancel in resisting_torque; rolling_resistance_torque, which follows "
+         "from the dissipated power, is more accurate";
 }
 
 std::string power_balance_text(const Result& result) {
@@ -103,9 +112,13 @@ std::vector<Warning> warnings_of(const Result& result, const RollingCase& given,
                                                                rounded(options.accuracy)});
   }
   const int across = nodes_across(result);
-  const int fewest = fewest_nodes_across(result);
-  if (mesh_given && across < fewest) {
-    warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, fewest, result.error_estimate)});
+  const double zone = given.load_case.adhesion ? relative_zone(given, result) : 0.0;
+  if (mesh_given && across < kMinNodesAcross) {
+    warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, result.error_estimate)});
+  } else if (zone > kLongestZone) {
+    warnings.push_back({WarningKind::coarse_mesh, long_zone_text(zone)});
+  } else if (given.load_case.adhesion && !(result.energy_balance_error <= kLargestEstimate)) {
+    warnings.push_back({WarningKind::power_balance, moments_of_edges_text(result)});
   } else if (mesh_given && !(result.energy_balance_error <= kLargestEstimate)) {
     warnings.push_back({WarningKind::power_balance, power_balance_text(result)});
   }

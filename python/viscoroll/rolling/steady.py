@@ -75,10 +75,10 @@ def solve(
         Surface mesh. By default the solver refines the mesh until the error estimate is below `accuracy`.
     accuracy : float, default 0.01
         Requested relative error [-], in [1e-4, 0.5]; only without `mesh`. The error estimate is the larger of the
-        energy-balance error and the largest change from the previous mesh of all results that are not given:
-        load, penetration, torques, forces, speed and powers. The largest pressure has an estimate of its own,
-        `Result.max_pressure_error`. The solver refines the mesh further for it, within some seconds; if that does not
-        suffice, it issues a warning.
+        energy-balance error, with adhesion a tenth of it, and the largest change from the previous mesh of all results
+        that are not given: load, penetration, torques, forces, speed and powers. The largest pressure has an estimate
+        of its own, `Result.max_pressure_error`. The solver refines the mesh further for it, within some seconds; if
+        that does not suffice, it issues a warning.
     friction : float, default 0
         Coulomb's coefficient of friction μ [-], in [0, 4]. With ``math.inf`` the whole contact sticks; if that would
         require tension, a `ConvergenceError` is raised.
@@ -133,8 +133,8 @@ def solve(
     -----
     ResultWarning
         If the result or the largest pressure does not reach the accuracy, a given mesh is coarse (fewer than ten nodes
-        across the contact), or the strain is above 0.2; also in `Result.warnings`. If lengths or moduli look as if they
-        were not given in SI units.
+        across the contact), the cohesive zones of adhesion are long compared with the contact or a layer, or the strain
+        is above 0.2; also in `Result.warnings`. If lengths or moduli look as if they were not given in SI units.
 
     References
     ----------
@@ -211,7 +211,7 @@ def pull_off(
     >>> rubber = vr.HalfSpace(shear_modulus=vr.Elastic(modulus=1e6), poisson_ratio=0.5)
     >>> rigid, plane = vr.CoatedSphere(core_radius=10e-3), vr.CoatedPlane(base=rubber)
     >>> adhesion = vr.Adhesion(work=0.1)
-    >>> state = pull_off(rigid, on=plane, angular_speed=1.0, adhesion=adhesion, accuracy=0.1)
+    >>> state = pull_off(rigid, on=plane, angular_speed=1.0, adhesion=adhesion, accuracy=0.05)
     >>> f"{-state.load * 1e3:.1f} mN"
     '4.8 mN'
     """

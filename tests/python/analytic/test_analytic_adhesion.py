@@ -158,7 +158,7 @@ def test_adhesive_hunter_of_many_cases():
 
 @pytest.mark.parametrize(("load", "speed", "half_width"), [(5000.0, 0.05, 4.1), (100.0, 0.005, 1.3)])
 def test_adhesive_hunter_agrees_with_an_independent_program(load, speed, half_width):
-    """Zones of 0.09 half-widths let the stress intensity of vanishing edges through."""
+    """Zones of 0.09 half-widths have the stress intensity of edges of vanishing range."""
     contact = analytic.adhesive_hunter(load=load, speed=speed, work=1.0, **ROLLER)
     roller = Roller.standard(125.0 * speed, modulus=12.0, radius=50.0, work=1e-3)
     nodes, moment = roller.with_two_laws(1e-3 * load, 0.09 * half_width, 12.5)
