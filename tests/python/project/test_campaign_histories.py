@@ -18,7 +18,7 @@ from viscoroll import enums
 SEED = 1
 
 #: Quick cases among the first ones, of most kinds of pairs.
-NUMBERS = (3, 5, 10, 11, 13, 14, 22, 24, 25, 26, 28, 30, 31, 33, 35, 43, 44, 48, 53, 56, 67, 74, 77, 79, 84)
+NUMBERS = (3, 5, 10, 11, 13, 14, 22, 24, 25, 26, 28, 30, 31, 33, 35, 44, 48, 52, 53, 56, 67, 74, 75, 77, 79, 84, 136)
 
 
 @pytest.fixture(scope="module")

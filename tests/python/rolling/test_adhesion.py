@@ -66,7 +66,7 @@ def test_elastic_roller_with_different_works(works: float) -> None:
     """An elastic roller dissipates the difference of the works: M = R (w_open - w_close)."""
     roller = vr.CoatedCylinder(core_radius=SOFT["radius"])
     adhesion = vr.Adhesion(work=10.0, separation_work=10.0 * works)
-    found = vr.solve(roller, on=SOFT_SPACE, load=200.0, angular_speed=1.0, adhesion=adhesion, accuracy=0.001)
+    found = vr.solve(roller, on=SOFT_SPACE, load=200.0, angular_speed=1.0, adhesion=adhesion, accuracy=0.005)
     assert found.resisting_torque == pytest.approx(SOFT["radius"] * 10.0 * (works - 1.0), rel=0.01)
     assert found.adhesion_power == pytest.approx(found.dissipated_power)
 
