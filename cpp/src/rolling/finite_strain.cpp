@@ -109,31 +109,42 @@ std::shared_ptr<const MeshModel> FasterModel::on(const Mesh& mesh, const Rolling
 
 namespace {
 
+/// State from which the solution at the higher speed starts.
+FrozenContact state_of(const Result& result) {
+  return {.phi_nodes = result.phi_nodes,
+          .theta_nodes = result.theta_nodes,
+          .contact = result.contact,
+          .stick = result.stick,
+          .pressure = result.pressure,
+          .shear_traction = result.shear_traction,
+          .penetration = result.penetration.value_or(0.0)};
+}
+
 void set_finite_strain(Result& result, std::optional<Result> rough, const RollingCase& given, FasterModel& faster) {
   LoadCase same_load = given.load_case;
   same_load.load = result.load;
   same_load.penetration.reset();
-  const ContactReach reach = contact_reach(result);
-  const auto solve_on = [&](const MeshModel& model, bool with_overspeed) {
+  Options options = given.options;
+  const auto case_on = [&](const MeshModel& model, bool with_overspeed) {
     same_load.angular_speed = model.pair.angular_speed;
-    Options options = given.options;
     options.finite_strain = with_overspeed;
-    return solve_load_case(model, with_same_estimate(given, model.pair, same_load, options), reach);
+    return with_same_estimate(given, model.pair, same_load, options);
   };
   try {
     if (!rough && result.overspeed) rough = result;
     if (!rough) {
       const Mesh mesh = coarsened(result, given.pair);
-      rough = solve_on(
-          make_model(given.pair, mesh, given.options.curvature, given.execution, {.inertia_tolerance = kInertiaError}),
-          true);
+      const MeshModel model =
+          make_model(given.pair, mesh, given.options.curvature, given.execution, {.inertia_tolerance = kInertiaError});
+      rough = solve_load_case(model, case_on(model, true), contact_reach(result));
     }
     if (!rough->overspeed) return;
     const double speed_ratio = 1.0 + *rough->overspeed;
     double torque_ratio = speed_ratio;
     if (!given.load_case.speed && !is_lossless(*rough)) {
+      const std::shared_ptr<const MeshModel> model = faster.on(rough->mesh, given);
       const double at_faster =
-          solve_on(*faster.on(rough->mesh, given), false).resisting_torque / rough->resisting_torque;
+          solve_near(*model, case_on(*model, false), state_of(*rough)).resisting_torque / rough->resisting_torque;
       if (!(at_faster > 0.0)) return;
       torque_ratio *= std::pow(at_faster, std::log(speed_ratio) / std::log(FasterModel::kRatio));
     }

@@ -7,6 +7,7 @@
 
 #include "base/validate.hpp"
 #include "contact/frozen_contact.hpp"
+#include "contact/multilevel.hpp"
 #include "rolling/finite_strain.hpp"
 #include "rolling/input_checks.hpp"
 #include "rolling/result.hpp"
@@ -77,6 +78,19 @@ Result solve_frozen_case(const MeshModel& model, const RollingCase& given, const
   find_displacements(*problem.surface, contact);
   const Losses losses = problem.surface->dissipation(contact.force);
   return make_result(setup, {.nodes = nodes, .problem = problem, .contact = std::move(contact), .losses = losses});
+}
+
+Result solve_near(const MeshModel& model, const RollingCase& given, const FrozenContact& state) {
+  require_supported(model, given);
+  const ContactSetup setup = assemble(model, given);
+  const SurfaceWindow nodes(setup.nodes.grid, window_of(state, setup.nodes.widest));
+  const ContactProblem problem = setup.problem(nodes);
+  const ContactSolution start = start_of(state, nodes, given.pair.centrifugal);
+  const LocatedContact located = solve_on_window(problem, start, setup.limits);
+  if (touches_edge(located, nodes.window())) return solve_load_case(model, given);
+  ContactSolution contact = extended(located, problem);
+  require_contact(setup, given.load_case.friction, contact.penetration);
+  return make_result(setup, {.nodes = nodes, .problem = problem, .contact = std::move(contact), .losses = {}});
 }
 
 }  // namespace viscoroll::detail

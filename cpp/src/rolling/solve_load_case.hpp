@@ -26,4 +26,8 @@ namespace viscoroll::detail {
 /// @throws ConvergenceError if there is no solution near the state
 [[nodiscard]] Result solve_frozen_case(const MeshModel& model, const RollingCase& given, const FrozenContact& state);
 
+/// @brief Solve one load case without friction and losses from a similar state on the same mesh.
+/// @throws the errors of `solve_load_case`
+[[nodiscard]] Result solve_near(const MeshModel& model, const RollingCase& given, const FrozenContact& state);
+
 }  // namespace viscoroll::detail
