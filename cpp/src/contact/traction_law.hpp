@@ -9,8 +9,8 @@
 
 namespace viscoroll::detail {
 
-/// Spacings per cohesive zone, which is 2.495 E* w / peak^2 long at an elastic edge. With 7.5 or more, the solution does
-/// not depend on the path of loads (docs/theory/adhesion.md). Newton's method needs more: with 10, it fails for an
+/// Spacings per cohesive zone, which is 2.495 E* w / peak^2 long at an elastic edge. With 7.5 or more, the solution
+/// does not depend on the path of loads (docs/theory/adhesion.md). Newton's method needs more: with 10, it fails for an
 /// elastic roller on the path to the largest tension.
 inline constexpr double kSpacingsPerZone = 12.5;
 
